@@ -1,0 +1,548 @@
+/* dragmesh: makes any 3D object openable. The whole public surface, version 0.1.
+ *
+ * One time, per object:   mesh + part ids --prepare--> joints (type, axis, origin, limits)
+ * Every frame:            pointer ray --pick--> grabbed point --drag--> joint value --> rigid pose
+ *
+ * Conventions that hold for every function:
+ *  - Frames and units are the HOST's, as stated in dm_context_desc (axes preset, unit). Angles are radians.
+ *  - Functions return DM_OK (0) or a negative dm_result. On an error the outputs are untouched, a message that
+ *    names the field and the value goes to the log callback, and the context stays usable. Nothing aborts.
+ *  - Every descriptor starts with struct_size = sizeof(the struct). A zero in any other field means its default,
+ *    for ever. A caller that is newer than the library may only send zeros in the part the library can't know.
+ *  - Handles are 64-bit ids with a generation. 0 is null. A handle to something destroyed answers
+ *    DM_ERROR_STALE_HANDLE. A handle belongs to the context that made it.
+ *  - Memory the host passes in is borrowed for the call alone, never kept, never written unless it is an output.
+ *  - Threading tags:
+ *      [any-thread]        callable at any time from any thread.
+ *      [exclusive context] no other call on this context at the same time.
+ *      [exclusive object]  no other call on the same object (or scene, or model) at the same time; calls on
+ *                          different ones may run side by side.
+ *      [frame]             as [any-thread], one caller at a time per drag, motion or scene; never allocates,
+ *                          locks or logs when its handles are valid.
+ */
+#ifndef DRAGMESH_H
+#define DRAGMESH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define DM_CALL __cdecl
+#define DM_API __declspec(dllexport)
+#else
+#define DM_CALL
+#define DM_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define DM_VERSION_MAJOR 0
+#define DM_VERSION_MINOR 1
+#define DM_VERSION_PATCH 0
+#define DM_VERSION ((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH)
+
+/* Number of key poses of a generated motion (paper: T). */
+#define DM_MOTION_FRAMES 16
+/* Most hypotheses kept for one part. */
+#define DM_MAX_HYPOTHESES 8
+/* Most parts of one object, the body not counted. */
+#define DM_MAX_PARTS 4096
+/* Most vertices or triangles of one object. */
+#define DM_MAX_ELEMENTS 268435456
+
+/* ---- results ------------------------------------------------------------------------------------------------ */
+
+typedef int32_t dm_result;
+enum {
+    DM_OK = 0,
+    DM_ERROR_INVALID_ARGUMENT = -1,    /* a null pointer, an unknown enum value, a count that makes no sense */
+    DM_ERROR_STRUCT_SIZE = -2,         /* struct_size too small, or a newer field is set that this library can't know */
+    DM_ERROR_STALE_HANDLE = -3,        /* null, destroyed, or of another kind or context */
+    DM_ERROR_OUT_OF_MEMORY = -4,       /* the host's allocator answered NULL */
+    DM_ERROR_NOT_FINITE = -5,          /* a NaN or infinite number in the input */
+    DM_ERROR_INDEX_OUT_OF_RANGE = -6,  /* an index names a vertex that does not exist */
+    DM_ERROR_EMPTY_MASK = -7,          /* no triangle belongs to the part */
+    DM_ERROR_FULL_MASK = -8,           /* every triangle belongs to the part: nothing stays to move against */
+    DM_ERROR_DEGENERATE_MESH = -9,     /* no triangle with an area, or all vertices in one point */
+    DM_ERROR_ZERO_DRAG = -10,          /* the drag vector has no length */
+    DM_ERROR_DRAG_OFF_PART = -11,      /* the drag point is farther from the part than half the object's size */
+    DM_ERROR_BAD_DATA = -12,           /* truncated, corrupt or hostile bytes */
+    DM_ERROR_WRONG_MODEL = -13,        /* readable weights, but not of the architecture asked for */
+    DM_ERROR_VERSION = -14,            /* made by a newer version than this library can read */
+    DM_ERROR_CANCELLED = -15,          /* the progress callback asked to stop */
+    DM_ERROR_NO_MODEL = -16,           /* the call needs weights and none were given */
+    DM_ERROR_TOO_LARGE = -17,          /* more than DM_MAX_ELEMENTS or DM_MAX_PARTS */
+    DM_ERROR_BUFFER_TOO_SMALL = -18,   /* the output buffer can't hold the answer; the size needed is set */
+    DM_ERROR_NOT_FOUND = -19,          /* no such part, node or instance */
+    DM_ERROR_UNSUPPORTED = -20,        /* valid, but this build or this file kind can't do it */
+    DM_ERROR_INTERNAL = -21            /* a bug of ours; please report it */
+};
+
+/* ---- plain types (frozen) ----------------------------------------------------------------------------------- */
+
+typedef struct dm_vec3 {
+    float x, y, z;
+} dm_vec3;
+
+/* A rigid pose x' = R x + t as a unit dual quaternion real + eps dual, both in x, y, z, w order;
+ * dual = 1/2 t (*) real with t as a pure quaternion. Identity: real = {0,0,0,1}, dual = {0,0,0,0}. */
+typedef struct dm_pose {
+    float real[4];
+    float dual[4];
+} dm_pose;
+
+/* direction need not be unit; distances along the ray are in host units, not in multiples of it. */
+typedef struct dm_ray {
+    dm_vec3 origin;
+    dm_vec3 direction;
+} dm_ray;
+
+typedef struct dm_context dm_context;
+typedef uint64_t dm_model;  /* loaded weights */
+typedef uint64_t dm_object; /* a prepared object: parts and their joints */
+typedef uint64_t dm_motion; /* a generated motion of one part: 16 key poses, sampled continuously */
+typedef uint64_t dm_drag;   /* one player dragging one part */
+typedef uint64_t dm_scene;  /* placed objects that rays can pick */
+
+/* ---- context ------------------------------------------------------------------------------------------------ */
+
+/* Host memory. allocate returns memory aligned to `alignment` (a power of two) or NULL; release gets the size
+ * that was asked for. Both may be called from any thread the host calls the library on. */
+typedef struct dm_allocator {
+    void* user;
+    void*(DM_CALL* allocate)(void* user, size_t size, size_t alignment);
+    void(DM_CALL* release)(void* user, void* memory, size_t size);
+} dm_allocator;
+
+enum { DM_LOG_ERROR = 0, DM_LOG_WARNING = 1, DM_LOG_INFO = 2 };
+
+/* Messages for people. `text` is valid during the call. */
+typedef struct dm_log {
+    void* user;
+    void(DM_CALL* message)(void* user, int32_t level, dm_result code, const char* text);
+} dm_log;
+
+typedef void(DM_CALL* dm_task)(void* data, uint32_t index);
+
+/* The host's job system. parallel_for runs task(data, i) for every i in [0, count) and returns non-zero when all
+ * are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread. */
+typedef struct dm_jobs {
+    void* user;
+    int32_t(DM_CALL* parallel_for)(void* user, uint32_t count, dm_task task, void* data);
+} dm_jobs;
+
+/* The host's axes. Canonical inside is glTF's: right-handed, +Y up, metres. */
+enum {
+    DM_AXES_GLTF = 0,    /* right-handed, +Y up (glTF, Godot, OpenGL) */
+    DM_AXES_UNITY = 1,   /* left-handed, +Y up, +Z forward */
+    DM_AXES_UNREAL = 2,  /* left-handed, +Z up, +X forward */
+    DM_AXES_BLENDER = 3, /* right-handed, +Z up (Blender, ROS, most CAD) */
+    DM_AXES_CUSTOM = 4   /* dm_context_desc.custom_axes */
+};
+
+typedef struct dm_context_desc {
+    uint32_t struct_size;
+    int32_t axes;            /* DM_AXES_*; 0 = glTF */
+    float unit_in_metres;    /* length of one host unit; 0 = 1. Unreal: 0.01 */
+    float custom_axes[9];    /* for DM_AXES_CUSTOM: row-major matrix that takes a host vector to the canonical frame;
+                                orthogonal, determinant +1 or -1 */
+    dm_allocator allocator;  /* zeros = malloc/free */
+    dm_log log;              /* zeros = silent */
+    dm_jobs jobs;            /* zeros = inline */
+} dm_context_desc;
+
+typedef struct dm_memory_info {
+    uint64_t bytes;       /* held now through the context's allocator */
+    uint64_t peak_bytes;  /* most ever held */
+    uint64_t allocations; /* calls of allocate so far */
+    uint64_t pick_bytes;  /* held now by the ray-picking library, which reports sizes but has its own allocator */
+} dm_memory_info;
+
+/* ---- weights ------------------------------------------------------------------------------------------------ */
+
+/* Bytes of safetensors files; each may be absent (NULL, 0). They are copied and repacked: free them after the call. */
+typedef struct dm_model_desc {
+    uint32_t struct_size;
+    const void* kinematics; /* KPP-Net: sdk/models/kpp_net.safetensors */
+    size_t kinematics_size;
+    const void* motion; /* DQ-VAE: sdk/models/dq_vae.safetensors */
+    size_t motion_size;
+} dm_model_desc;
+
+/* ---- objects ------------------------------------------------------------------------------------------------ */
+
+enum {
+    DM_JOINT_UNKNOWN = 0,
+    DM_JOINT_REVOLUTE = 1,   /* turns about a line between two limits, rad */
+    DM_JOINT_PRISMATIC = 2,  /* slides along a direction, host units */
+    DM_JOINT_SCREW = 3,      /* turns and advances `pitch` host units a radian */
+    DM_JOINT_CONTINUOUS = 4, /* turns without limits */
+    DM_JOINT_FIXED = 5
+};
+
+enum { DM_FLOAT32 = 0, DM_FLOAT64 = 1 };                      /* positions: three each */
+enum { DM_UINT32 = 0, DM_UINT16 = 1, DM_UINT8 = 2, DM_INT32 = 3 }; /* indices and part ids */
+enum { DM_PER_VERTEX = 0, DM_PER_FACE = 1 };
+
+/* The host's mesh, read in place. Triangles. */
+typedef struct dm_mesh_desc {
+    uint32_t struct_size;
+    uint32_t position_stride; /* bytes between vertices; 0 = packed */
+    const void* positions;    /* vertex_count x 3 */
+    uint64_t vertex_count;
+    const void* indices; /* index_count, a multiple of 3; NULL = vertices in order, three a triangle */
+    uint64_t index_count;
+    const void* part_ids;     /* which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts.
+                                 Per vertex, a triangle belongs to the id that two of its corners share (else the smallest) */
+    uint32_t part_id_stride;  /* bytes; 0 = packed */
+    int32_t position_format;  /* DM_FLOAT32 | DM_FLOAT64 */
+    int32_t index_format;     /* DM_UINT32 | DM_UINT16 | DM_UINT8 */
+    int32_t part_id_format;   /* DM_UINT32 | DM_UINT16 | DM_UINT8 | DM_INT32 (negative = body) */
+    int32_t part_id_scope;    /* DM_PER_VERTEX | DM_PER_FACE */
+} dm_mesh_desc;
+
+/* A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it. */
+typedef struct dm_drag_hint {
+    dm_vec3 point;  /* on or near the part, host object frame */
+    dm_vec3 vector; /* non-zero; its length is how far it was pulled */
+} dm_drag_hint;
+
+typedef struct dm_part_desc {
+    uint32_t struct_size;
+    uint32_t id;          /* as in part_ids; 1.. */
+    uint32_t parent;      /* id of the part that carries this one; 0 = the body. A part moves with its parent */
+    int32_t joint_type;   /* DM_JOINT_*; 0 = to be found out */
+    const dm_drag_hint* drag; /* optional evidence */
+} dm_part_desc;
+
+/* How a part moves. */
+typedef struct dm_joint {
+    int32_t type;          /* DM_JOINT_* */
+    float type_confidence; /* probability that the type is right, 0..1 */
+    float confidence;      /* probability that type, axis and origin are all right, 0..1 */
+    float pitch;           /* screws: host units a radian, signed along the axis */
+    dm_vec3 axis;          /* unit; host object frame. A positive value turns right-handed in a right-handed host
+                              frame (left-handed in a left-handed one), or slides along it */
+    dm_vec3 origin;        /* the point of the axis line nearest the part's centre */
+    float lower, upper;    /* limits of the joint value (rad or host units); the rest pose is value 0 */
+    int32_t source;        /* DM_JOINT_FROM_* */
+} dm_joint;
+
+enum { DM_JOINT_FROM_NETWORK = 0, DM_JOINT_FROM_GEOMETRY = 1, DM_JOINT_FROM_HOST = 2 };
+
+/* Asks the host for a joint type (a designer's tag, a rule, a vision-language model). Return DM_JOINT_UNKNOWN to
+ * leave the question to the library. */
+typedef int32_t(DM_CALL* dm_intent_callback)(void* user, uint32_t part_id, dm_vec3 box_min, dm_vec3 box_max);
+
+/* 0..1; return non-zero to cancel. */
+typedef int32_t(DM_CALL* dm_progress_callback)(void* user, float done);
+
+enum {
+    DM_PREPARE_WITHOUT_PICKING = 1 /* keep no triangles: the object can't be added to a scene, and is small */
+};
+
+typedef struct dm_object_desc {
+    uint32_t struct_size;
+    uint32_t flags;            /* DM_PREPARE_* */
+    const dm_mesh_desc* mesh;
+    const dm_part_desc* parts; /* NULL: every id > 0 in part_ids is a part carried by the body */
+    uint32_t part_count;
+    uint32_t reserved;         /* 0 */
+    dm_model model;            /* weights; 0 = geometry alone */
+    uint64_t seed;             /* of the surface sampling; the same seed gives the same bits */
+    dm_intent_callback intent;
+    void* intent_user;
+    dm_progress_callback progress;
+    void* progress_user;
+} dm_object_desc;
+
+typedef struct dm_object_info {
+    uint32_t struct_size;
+    uint32_t part_count;
+    uint64_t vertex_count, triangle_count;
+    dm_vec3 box_min, box_max; /* host object frame */
+    float size;               /* largest side of the box */
+    uint32_t pickable;        /* 1 when it kept its triangles */
+} dm_object_info;
+
+typedef struct dm_part_info {
+    uint32_t struct_size;
+    uint32_t id, parent;
+    uint32_t triangle_count; /* of the part alone, without the parts it carries */
+    dm_vec3 box_min, box_max;
+    dm_vec3 centre; /* area-weighted surface centroid */
+    float area;
+} dm_part_info;
+
+/* ---- motion and drag ---------------------------------------------------------------------------------------- */
+
+/* What the player asked for. The network answers with a motion of DM_MOTION_FRAMES poses from rest. */
+typedef struct dm_motion_desc {
+    uint32_t struct_size;
+    uint32_t part_id;
+    dm_drag_hint drag;        /* required */
+    const dm_vec3* path;      /* optional: where the pointer drew the drag point, in order, from drag.point on */
+    uint32_t path_count;      /* 0: the path that opens the joint all the way in the drag's direction */
+    uint32_t seed;            /* 0: the most likely motion (z = mean); else z is drawn with this seed */
+} dm_motion_desc;
+
+/* How a drag feels. Zeros are the defaults. */
+typedef struct dm_drag_feel {
+    float smoothing_time; /* s for the part to close half the gap to the pointer; 0 = 0.02, negative = none */
+    float soft_limit;     /* share of the range over which the ends give; 0 = hard ends */
+} dm_drag_feel;
+
+typedef struct dm_drag_desc {
+    uint32_t struct_size;
+    uint32_t part_id;
+    dm_object object;
+    dm_vec3 grab_point;  /* on the part as it is now, host object frame */
+    float start_value;   /* joint value the part has now; 0 = rest */
+    dm_drag_feel feel;
+} dm_drag_desc;
+
+typedef struct dm_drag_state {
+    dm_pose pose;        /* of the part from rest, object frame; compose with the parent part's own pose */
+    dm_vec3 grab_point;  /* where the grabbed point is now */
+    float value;         /* joint value */
+    float target;        /* value the pointer asks for, before smoothing and inside the limits */
+    float velocity;      /* d value / dt */
+    int32_t at_limit;    /* -1 at lower, +1 at upper, 0 between */
+} dm_drag_state;
+
+/* ---- camera and scene --------------------------------------------------------------------------------------- */
+
+typedef struct dm_camera {
+    uint32_t struct_size;
+    float fov_y;         /* rad; 0 = orthographic with `height` */
+    dm_vec3 eye;         /* host world frame */
+    dm_vec3 forward, up; /* need not be unit or orthogonal, not parallel */
+    float width, height_px; /* of the viewport, pixels */
+    float height;        /* orthographic: host units from bottom to top */
+} dm_camera;
+
+typedef struct dm_scene_desc {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+} dm_scene_desc;
+
+typedef struct dm_hit {
+    dm_object object;
+    uint32_t instance; /* as dm_scene_add gave it */
+    uint32_t part_id;  /* 0 = the body */
+    uint32_t triangle; /* index in the host's mesh */
+    float distance;    /* host units from the ray's origin */
+    float u, v;        /* barycentric weights of the triangle's second and third corner */
+    dm_vec3 point;     /* host world frame */
+    dm_vec3 normal;    /* unit, geometric, of the triangle's winding; host world frame */
+    dm_vec3 object_point; /* the same point in the object's frame with the part as it is now: dm_drag_desc.grab_point */
+} dm_hit;
+
+/* ---- functions ---------------------------------------------------------------------------------------------- */
+
+/* NAME of a result, such as "DM_ERROR_EMPTY_MASK"; "DM_ERROR_UNKNOWN" for others. Never NULL. [any-thread] */
+DM_API const char* DM_CALL dm_result_string(dm_result result);
+
+/* Version of the library in use, as DM_VERSION. [any-thread] */
+DM_API uint32_t DM_CALL dm_version(void);
+
+/* The function table of an interface id, NULL for an unknown one. "dm.core/1" -> const dm_core_1*. [any-thread] */
+DM_API const void* DM_CALL dm_get_interface(const char* id);
+
+/* Makes a context. desc NULL = all defaults. [any-thread] */
+DM_API dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** out_context);
+
+/* Destroys it and everything made with it; NULL does nothing. [exclusive context] */
+DM_API void DM_CALL dm_context_destroy(dm_context* context);
+
+/* [any-thread] */
+DM_API dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_info* out_info);
+
+/* Reads weights. Errors: BAD_DATA, WRONG_MODEL, VERSION. [any-thread] */
+DM_API dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc* desc, dm_model* out_model);
+
+/* Objects prepared with it keep what they need: motions of such objects afterwards answer NO_MODEL. [exclusive object] */
+DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
+
+/* Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs.
+ * Errors: NOT_FINITE, INDEX_OUT_OF_RANGE, EMPTY_MASK, FULL_MASK, DEGENERATE_MESH, ZERO_DRAG, DRAG_OFF_PART,
+ * TOO_LARGE, CANCELLED. [any-thread] */
+DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object);
+
+/* Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size.
+ * out_size gets the bytes needed or written. Errors: BUFFER_TOO_SMALL. [exclusive object] */
+DM_API dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
+                                        size_t* out_size);
+
+/* Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions.
+ * Errors: BAD_DATA, VERSION. [any-thread] */
+DM_API dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
+                                        dm_object* out_object);
+
+/* Drags, motions and scene instances of the object become stale. [exclusive object] */
+DM_API dm_result DM_CALL dm_object_destroy(dm_context* context, dm_object object);
+
+/* out_info->struct_size must be set. [any-thread] */
+DM_API dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_object_info* out_info);
+
+/* Part by position 0 .. part_count-1, in order of id. out_info->struct_size must be set. [any-thread] */
+DM_API dm_result DM_CALL dm_object_get_part(dm_context* context, dm_object object, uint32_t index,
+                                            dm_part_info* out_info);
+
+/* The joint in force: the best hypothesis, or the host's own. [any-thread] */
+DM_API dm_result DM_CALL dm_object_get_joint(dm_context* context, dm_object object, uint32_t part_id,
+                                             dm_joint* out_joint);
+
+/* Ranked hypotheses, best first, re-ranked by `drag` when it is given (microseconds; no network pass). capacity up to
+ * DM_MAX_HYPOTHESES; out_count gets how many were written. [any-thread] */
+DM_API dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object, uint32_t part_id,
+                                                  const dm_drag_hint* drag, dm_joint* out_joints, uint32_t capacity,
+                                                  uint32_t* out_count);
+
+/* Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force.
+ * Milliseconds, not for every frame. Needs the model the object was prepared with and DM_PREPARE data that .dmo files
+ * don't hold (NO_MODEL, UNSUPPORTED). [exclusive object] */
+DM_API dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32_t part_id,
+                                          const dm_drag_hint* drag);
+
+/* The host knows better: puts its joint in force. confidence and source are ignored. [exclusive object] */
+DM_API dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id,
+                                             const dm_joint* joint);
+
+/* The DQ-VAE's motion for a drag, projected exactly onto the joint in force. Errors: NO_MODEL, ZERO_DRAG,
+ * DRAG_OFF_PART. [any-thread] */
+DM_API dm_result DM_CALL dm_motion_generate(dm_context* context, dm_object object, const dm_motion_desc* desc,
+                                            dm_motion* out_motion);
+
+/* Pose at t in [0, 1] (clamped), 0 = rest; between key poses along the joint's own screw. NULL value is allowed. [frame] */
+DM_API dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion, float t, dm_pose* out_pose,
+                                          float* out_value);
+
+/* The DM_MOTION_FRAMES key poses, and (when not NULL) their joint values. [frame] */
+DM_API dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion motion, dm_pose* out_poses,
+                                              float* out_values);
+
+/* [any-thread] */
+DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion);
+
+/* The player grabs a part. [any-thread] */
+DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
+
+/* The grabbed point follows the pointer ray (object frame) as closely as its joint allows; dt in seconds. [frame] */
+DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
+                                        dm_drag_state* out_state);
+
+/* Lets go; out_state (may be NULL) gets the last state. [any-thread] */
+DM_API dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_drag_state* out_state);
+
+/* Pose of a joint at a value, in the host object frame of the joint. [frame] */
+DM_API dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
+
+/* out = a after b: x -> a(b(x)). [frame] */
+DM_API void DM_CALL dm_pose_multiply(const dm_pose* a, const dm_pose* b, dm_pose* out_pose);
+
+/* 4x4, column-major, column vectors (OpenGL, glTF, Unity's Matrix4x4 memory order). [frame] */
+DM_API void DM_CALL dm_pose_to_matrix(const dm_pose* pose, float out_matrix[16]);
+
+/* Moves `count` float32 points; strides in bytes, 0 = packed. src may equal dst. [frame] */
+DM_API void DM_CALL dm_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst,
+                                         size_t dst_stride, size_t count);
+
+/* Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. [frame] */
+DM_API dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y,
+                                       dm_ray* out_ray);
+
+/* [any-thread] */
+DM_API dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc, dm_scene* out_scene);
+
+/* [exclusive object] */
+DM_API dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene);
+
+/* Places a prepared object; placement NULL = identity (object frame to world). Errors: UNSUPPORTED when the object kept
+ * no triangles. Takes effect with dm_scene_commit. [exclusive object] */
+DM_API dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement,
+                                      uint32_t* out_instance);
+
+/* Moves a part of an instance to `pose` (from rest, object frame; the pose of the parts that carry it included), or with
+ * part_id 0 the whole instance to a new placement. Takes effect with dm_scene_commit. [frame] */
+DM_API dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id,
+                                       const dm_pose* pose);
+
+/* [exclusive object] */
+DM_API dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, uint32_t instance);
+
+/* Makes the moves visible to picks. Once a frame, after them. [frame] */
+DM_API dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene);
+
+/* Nearest hit of a ray. DM_OK with out_hit->object 0 when nothing is hit. Several threads may pick at once while none
+ * moves or commits. [frame] */
+DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
+
+/* ---- the same functions as a table ---------------------------------------------------------------------------
+ * NEVER REARRANGE: the order is the binary interface "dm.core/1". New functions go to the end. */
+
+#define DM_CORE_FUNCTIONS(X)                                                                                           \
+    X(const char*, result_string, (dm_result result))                                                                  \
+    X(uint32_t, version, (void))                                                                                       \
+    X(dm_result, context_create, (const dm_context_desc* desc, dm_context** out_context))                              \
+    X(void, context_destroy, (dm_context * context))                                                                   \
+    X(dm_result, context_get_memory, (const dm_context* context, dm_memory_info* out_info))                            \
+    X(dm_result, model_load, (dm_context * context, const dm_model_desc* desc, dm_model* out_model))                   \
+    X(dm_result, model_unload, (dm_context * context, dm_model model))                                                 \
+    X(dm_result, object_prepare, (dm_context * context, const dm_object_desc* desc, dm_object* out_object))            \
+    X(dm_result, object_save,                                                                                          \
+      (dm_context * context, dm_object object, void* buffer, size_t capacity, size_t* out_size))                       \
+    X(dm_result, object_load,                                                                                          \
+      (dm_context * context, const void* data, size_t size, dm_model model, dm_object* out_object))                    \
+    X(dm_result, object_destroy, (dm_context * context, dm_object object))                                             \
+    X(dm_result, object_get_info, (dm_context * context, dm_object object, dm_object_info* out_info))                  \
+    X(dm_result, object_get_part, (dm_context * context, dm_object object, uint32_t index, dm_part_info* out_info))    \
+    X(dm_result, object_get_joint, (dm_context * context, dm_object object, uint32_t part_id, dm_joint* out_joint))    \
+    X(dm_result, object_get_hypotheses,                                                                                \
+      (dm_context * context, dm_object object, uint32_t part_id, const dm_drag_hint* drag, dm_joint* out_joints,       \
+       uint32_t capacity, uint32_t* out_count))                                                                        \
+    X(dm_result, object_refine,                                                                                        \
+      (dm_context * context, dm_object object, uint32_t part_id, const dm_drag_hint* drag))                            \
+    X(dm_result, object_set_joint, (dm_context * context, dm_object object, uint32_t part_id, const dm_joint* joint))  \
+    X(dm_result, motion_generate,                                                                                      \
+      (dm_context * context, dm_object object, const dm_motion_desc* desc, dm_motion* out_motion))                     \
+    X(dm_result, motion_sample,                                                                                        \
+      (dm_context * context, dm_motion motion, float t, dm_pose* out_pose, float* out_value))                          \
+    X(dm_result, motion_get_frames, (dm_context * context, dm_motion motion, dm_pose* out_poses, float* out_values))   \
+    X(dm_result, motion_destroy, (dm_context * context, dm_motion motion))                                             \
+    X(dm_result, drag_begin, (dm_context * context, const dm_drag_desc* desc, dm_drag* out_drag))                      \
+    X(dm_result, drag_update,                                                                                          \
+      (dm_context * context, dm_drag drag, const dm_ray* ray, float dt, dm_drag_state* out_state))                     \
+    X(dm_result, drag_end, (dm_context * context, dm_drag drag, dm_drag_state* out_state))                             \
+    X(dm_result, joint_pose, (const dm_joint* joint, float value, dm_pose* out_pose))                                  \
+    X(void, pose_multiply, (const dm_pose* a, const dm_pose* b, dm_pose* out_pose))                                    \
+    X(void, pose_to_matrix, (const dm_pose* pose, float out_matrix[16]))                                               \
+    X(void, pose_apply_points,                                                                                         \
+      (const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride, size_t count))         \
+    X(dm_result, camera_ray,                                                                                           \
+      (const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray))                         \
+    X(dm_result, scene_create, (dm_context * context, const dm_scene_desc* desc, dm_scene* out_scene))                 \
+    X(dm_result, scene_destroy, (dm_context * context, dm_scene scene))                                                \
+    X(dm_result, scene_add,                                                                                            \
+      (dm_context * context, dm_scene scene, dm_object object, const dm_pose* placement, uint32_t* out_instance))      \
+    X(dm_result, scene_move,                                                                                           \
+      (dm_context * context, dm_scene scene, uint32_t instance, uint32_t part_id, const dm_pose* pose))                \
+    X(dm_result, scene_remove, (dm_context * context, dm_scene scene, uint32_t instance))                              \
+    X(dm_result, scene_commit, (dm_context * context, dm_scene scene))                                                 \
+    X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))
+
+#define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;
+typedef struct dm_core_1 {
+    uint32_t struct_size; /* bytes of this table in the library at hand: check before calling a newer entry */
+    uint32_t reserved;
+    DM_CORE_FUNCTIONS(DM_TABLE_ENTRY)
+} dm_core_1;
+#undef DM_TABLE_ENTRY
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,34 @@
+/* What a context lends to every room: memory, log, jobs. */
+#ifndef DMI_BASE_ENV_H
+#define DMI_BASE_ENV_H
+
+#include <stdatomic.h>
+
+#include "dragmesh/dragmesh.h"
+
+typedef struct dmi_env {
+    dm_allocator allocator;
+    dm_log log;
+    dm_jobs jobs;
+    _Atomic uint64_t bytes, peak_bytes, allocations, pick_bytes;
+} dmi_env;
+
+/* NULL hooks (or hooks of zeros) mean malloc/free, silence, inline. */
+void dmi_env_init(dmi_env* env, const dm_allocator* allocator, const dm_log* log, const dm_jobs* jobs);
+
+/* NULL when the host has no memory; size 0 gives a valid pointer that must be released. Not zeroed. */
+void* dmi_alloc(dmi_env* env, size_t size, size_t alignment);
+void* dmi_alloc_zeroed(dmi_env* env, size_t size, size_t alignment);
+/* size as given to dmi_alloc; NULL does nothing. */
+void dmi_free(dmi_env* env, void* memory, size_t size);
+
+/* Logs an error message and returns `code`, so that a check reads: return dmi_fail(env, DM_ERROR_..., "...", ...). */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...);
+
+/* Runs task(data, i) for i in [0, count) on the host's jobs, or inline. */
+void dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data);
+
+#endif

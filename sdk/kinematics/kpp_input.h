@@ -1,0 +1,37 @@
+/* What KPP-Net sees: a cloud in a frame made of the drag and the part, grouped into tokens (docs/networks.md).
+ * Training builds its batches with this very code. */
+#ifndef DMI_KINEMATICS_KPP_INPUT_H
+#define DMI_KINEMATICS_KPP_INPUT_H
+
+#include "mesh/cloud.h"
+
+#define DMI_KPP_GROUP 16        /* points a group */
+#define DMI_KPP_GLOBAL_GROUPS 64
+#define DMI_KPP_LOCAL_GROUPS 32
+#define DMI_KPP_CHANNELS 16     /* xyz 3, mask 1, drag point 3, drag vector 3 (the paper's 10), offset in group 3, normal 3 */
+
+/* A drag in the object-normalised frame. */
+typedef struct dmi_drag_hint {
+    float point[3];
+    float vector[3]; /* non-zero */
+} dmi_drag_hint;
+
+/* inner = (rotation (x - origin)) * scale, rows of rotation are its axes. */
+typedef struct dmi_kpp_frame {
+    float rotation[9];
+    float origin[3];
+    float scale;
+} dmi_kpp_frame;
+
+typedef struct dmi_kpp_input {
+    dmi_kpp_frame frame;
+    float global_points[DMI_KPP_GLOBAL_GROUPS][DMI_KPP_GROUP][DMI_KPP_CHANNELS];
+    float global_centres[DMI_KPP_GLOBAL_GROUPS][3];
+    float local_points[DMI_KPP_LOCAL_GROUPS][DMI_KPP_GROUP][DMI_KPP_CHANNELS];
+    float local_centres[DMI_KPP_LOCAL_GROUPS][3];
+} dmi_kpp_input;
+
+/* hint NULL: without a drag. Deterministic; allocates nothing. */
+void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
+
+#endif

@@ -1,0 +1,28 @@
+/* KPP-Net (paper §3.5): joint type, axis, origin and limits from a grouped cloud and a drag. Forward pass. */
+#ifndef DMI_KINEMATICS_KPP_NET_H
+#define DMI_KINEMATICS_KPP_NET_H
+
+#include "base/cpu.h"
+#include "kinematics/kpp_input.h"
+
+#define DMI_KPP_TYPES 4 /* revolute, prismatic, screw, continuous: DM_JOINT_* minus 1 */
+
+typedef struct dmi_kpp_net dmi_kpp_net;
+
+/* Raw head outputs, in the input's frame. */
+typedef struct dmi_kpp_output {
+    float type_logits[DMI_KPP_TYPES];
+    float turn_axis[3];  /* not normalised */
+    float slide_axis[3]; /* not normalised */
+    float origin[3];
+    float limits[5]; /* turn lower, upper (units of pi rad), slide lower, upper, pitch (inner units, a radian) */
+} dmi_kpp_output;
+
+dm_result dmi_kpp_net_load(dmi_env* env, const void* data, size_t size, dmi_kpp_net** out_net);
+void dmi_kpp_net_destroy(dmi_kpp_net* net);
+size_t dmi_kpp_net_scratch_size(const dmi_kpp_net* net);
+/* scratch: 64-byte aligned. Const net: any number of threads at once. */
+void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input, void* scratch,
+                         dmi_kpp_output* out_output);
+
+#endif

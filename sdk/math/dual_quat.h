@@ -1,0 +1,34 @@
+/* Unit dual quaternions as rigid poses (paper §3.2; conventions of dm_pose): products, screws, interpolation. */
+#ifndef DMI_MATH_DUAL_QUAT_H
+#define DMI_MATH_DUAL_QUAT_H
+
+#include "dragmesh/dragmesh.h"
+
+/* A rigid motion as a screw: turn by `angle` about the line (axis, point) and advance by `distance` along it. */
+typedef struct dmi_screw {
+    float axis[3]; /* unit */
+    float point[3]; /* the point of the line nearest the frame's origin; 0 for a pure translation */
+    float angle;   /* rad, in [0, 2 pi] for the pose as given (not of its shortest double) */
+    float distance;
+} dmi_screw;
+
+dm_pose dmi_pose_identity(void);
+/* rotation: unit quaternion x, y, z, w. */
+dm_pose dmi_pose_from_rotation_translation(const float rotation[4], const float translation[3]);
+dm_pose dmi_pose_from_screw(const float axis[3], const float point[3], float angle, float distance);
+dm_pose dmi_pose_multiply(const dm_pose* a, const dm_pose* b); /* x -> a(b(x)) */
+dm_pose dmi_pose_inverse(const dm_pose* pose);
+dm_pose dmi_pose_normalize(const dm_pose* pose); /* real to unit length, dual orthogonal to it; zeros -> identity */
+void dmi_pose_translation(const dm_pose* pose, float out[3]);
+void dmi_pose_apply(const dm_pose* pose, const float point[3], float out[3]);
+void dmi_pose_rotate(const dm_pose* pose, const float vector[3], float out[3]);
+void dmi_pose_to_matrix(const dm_pose* pose, float out[16]); /* column-major */
+dm_pose dmi_pose_from_matrix(const float matrix[16]);
+dmi_screw dmi_pose_to_screw(const dm_pose* pose);
+/* Screw linear interpolation from a (t = 0) to b (t = 1) along the shorter way. */
+dm_pose dmi_pose_sclerp(const dm_pose* a, const dm_pose* b, float t);
+/* DQApply on packed or strided float32 points; strides in bytes. */
+void dmi_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride,
+                           size_t count);
+
+#endif

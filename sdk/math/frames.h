@@ -1,0 +1,43 @@
+/* The only place that converts the host's axes, handedness and unit, and an object's normalisation.
+ *
+ *   host object frame --(axes, unit)--> canonical metres --(x - centre) / size--> object-normalised
+ *
+ * Everything inside the rooms is object-normalised: centre = centre of the box of the whole object at rest, size = its
+ * largest side (paper §3.2), so the box's largest side runs from -0.5 to 0.5. */
+#ifndef DMI_MATH_FRAMES_H
+#define DMI_MATH_FRAMES_H
+
+#include "math/dual_quat.h"
+
+typedef struct dmi_axes {
+    float to_canonical[9]; /* row-major, orthogonal */
+    float handedness;      /* its determinant, +1 or -1 */
+    float unit;            /* metres a host unit */
+} dmi_axes;
+
+/* 0 when the preset is unknown or the custom matrix is not orthogonal. */
+int dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres);
+
+/* Host object frame <-> object-normalised. Doubles where an object may sit far from its frame's origin. */
+typedef struct dmi_frame {
+    dmi_axes axes;
+    double centre[3]; /* canonical metres */
+    double size;      /* canonical metres */
+} dmi_frame;
+
+void dmi_frame_point_in(const dmi_frame* frame, const double host[3], float out[3]);
+void dmi_frame_point_out(const dmi_frame* frame, const float inner[3], float out_host[3]);
+void dmi_frame_vector_in(const dmi_frame* frame, const float host[3], float out[3]); /* axes and 1 / size */
+void dmi_frame_vector_out(const dmi_frame* frame, const float inner[3], float out_host[3]);
+void dmi_frame_direction_in(const dmi_frame* frame, const float host[3], float out[3]); /* axes alone */
+void dmi_frame_direction_out(const dmi_frame* frame, const float inner[3], float out_host[3]);
+/* Host units an inner unit. */
+float dmi_frame_length_out(const dmi_frame* frame);
+dm_ray dmi_frame_ray_in(const dmi_frame* frame, const dm_ray* host);
+dm_pose dmi_frame_pose_in(const dmi_frame* frame, const dm_pose* host);
+dm_pose dmi_frame_pose_out(const dmi_frame* frame, const dm_pose* inner);
+/* Axis, origin, pitch and limits; a turning axis flips with the handedness so that positive stays positive. */
+dm_joint dmi_frame_joint_in(const dmi_frame* frame, const dm_joint* host);
+dm_joint dmi_frame_joint_out(const dmi_frame* frame, const dm_joint* inner);
+
+#endif

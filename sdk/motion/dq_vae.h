@@ -1,0 +1,58 @@
+/* DQ-VAE (paper §3.3): joint + cloud + drag path -> 16 dual quaternions about the joint origin. Forward pass.
+ * Work is split by how often its inputs change: object (prepare), joint, drag. */
+#ifndef DMI_MOTION_DQ_VAE_H
+#define DMI_MOTION_DQ_VAE_H
+
+#include "base/cpu.h"
+#include "mesh/cloud.h"
+
+#define DMI_VAE_POINTS 512   /* of the cloud: every 4th of each block, so 256 part, 128 near, 128 body */
+#define DMI_VAE_NEIGHBOURS 32
+#define DMI_VAE_POINT_FEATURES 64
+#define DMI_VAE_LATENT 32
+#define DMI_VAE_PATH 16
+
+typedef struct dmi_dq_vae dmi_dq_vae;
+
+/* Depends on the object and the part alone: kept with the prepared object. */
+typedef struct dmi_vae_object {
+    float xyz[DMI_VAE_POINTS][3];
+    float mask[DMI_VAE_POINTS];
+    float global[DMI_VAE_POINT_FEATURES]; /* max over the points' features */
+} dmi_vae_object;
+
+typedef struct dmi_vae_query {
+    dm_joint joint;                 /* inner frame */
+    float drag_point[3];
+    float drag_vector[3];
+    float path[DMI_VAE_PATH][3];    /* where the pointer drew the drag point; [0] = drag_point */
+    uint32_t seed;                  /* 0: z = mu */
+} dmi_vae_query;
+
+typedef struct dmi_vae_output {
+    float raw[DM_MOTION_FRAMES][8]; /* x,y,z,w of real, then of dual, about the joint origin; as the network says it */
+    float mean[DMI_VAE_LATENT], log_variance[DMI_VAE_LATENT];
+} dmi_vae_output;
+
+dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae);
+void dmi_dq_vae_destroy(dmi_dq_vae* vae);
+void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* cloud, void* scratch, dmi_vae_object* out_object);
+size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae);
+/* scratch: 64-byte aligned. No allocation. */
+void dmi_dq_vae_forward(const dmi_dq_vae* vae, dmi_isa isa, const dmi_vae_object* object, const dmi_vae_query* query,
+                        void* scratch, dmi_vae_output* out_output);
+
+/* The numbers the network reads of a query, made in one place for C and for training (docs/networks.md). */
+typedef struct dmi_vae_features {
+    float joint_scalars[3];               /* pitch, lower, upper, each clamped to [-4, 4] */
+    float rotation_direction[3];
+    float mean_velocity[3];
+    float chords[9];
+    float amplitude[2];
+    float path[DMI_VAE_PATH][5];
+} dmi_vae_features;
+void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_features);
+/* Indices of the DMI_VAE_NEIGHBOURS points nearest to `centre`, nearest first, ties by index. */
+void dmi_vae_neighbours(const dmi_vae_object* object, const float centre[3], uint32_t out_indices[DMI_VAE_NEIGHBOURS]);
+
+#endif

@@ -1,0 +1,54 @@
+/* Procedural articulated objects: seeded, labelled, in the glTF frame (right-handed, +Y up, metres). */
+#ifndef DMG_GENERATOR_H
+#define DMG_GENERATOR_H
+
+#include <stdint.h>
+
+#include "dragmesh/dragmesh.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { DMG_MESSY = 1 }; /* clutter, tilts, missing interiors, flipped normals, gaps, rest state not closed … */
+
+/* One moving part. Types are DM_JOINT_*; revolute limits in rad, prismatic in metres, both relative to rest (value 0). */
+typedef struct dmg_joint {
+    char name[48];
+    int32_t type;
+    uint32_t parent; /* 0 = body, else part id */
+    float axis[3], origin[3];
+    float pitch; /* screws: metres a radian */
+    float lower, upper;
+    int32_t opens; /* +1 or -1: the direction in which it opens from rest (a drag's direction) */
+} dmg_joint;
+
+typedef struct dmg_object {
+    const char* category;
+    float* positions; /* vertex_count x 3 */
+    uint32_t* indices; /* face_count x 3 */
+    uint32_t* face_part; /* 0 = body, i = joints[i - 1] moves it */
+    uint32_t vertex_count, face_count;
+    dmg_joint* joints; /* joints[i] belongs to part i + 1 */
+    uint32_t joint_count;
+} dmg_object;
+
+uint32_t dmg_category_count(void);
+const char* dmg_category_name(uint32_t index);
+int32_t dmg_category_find(const char* name); /* -1: none */
+
+/* Same category, seed and flags: the same bits. 0 on success. Release with dmg_object_release. */
+int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_object);
+void dmg_object_release(dmg_object* object);
+
+/* A drag as a hand makes it, on part `part` (1..): a point on its surface (for turning joints at least 0.3 of the farthest
+ * from the axis), and the direction in which the point starts to move, `noise_degrees` x |N(0, 1)| off, of any length
+ * between 0.02 and 0.5 of the object's size. */
+void dmg_drag(const dmg_object* object, uint32_t part, float noise_degrees, uint64_t seed, float out_point[3],
+              float out_vector[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
