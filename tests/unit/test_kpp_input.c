@@ -1,0 +1,165 @@
+/* KPP-Net's input: the specification's frame and groups, the same in every pose and at every scale. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "kinematics/kpp_input.h"
+#include "kinematics/linear3.h"
+
+/* A slab (the part) in front of a lopsided heap (the body). */
+static void make_cloud(uint64_t seed, dmi_cloud* out) {
+    dmi_random random = dmi_random_make(seed, 7);
+    for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++) {
+        float u = dmi_random_unit(&random), v = dmi_random_unit(&random), w = dmi_random_unit(&random);
+        float part[3] = {0.4f * u - 0.2f, 0.7f * v * v - 0.3f, 0.05f * w + 0.3f};
+        float body[3] = {u - 0.5f, 0.8f * v - 0.4f, 0.6f * w * w - 0.45f};
+        memcpy(out->xyz[i], i < DMI_CLOUD_PART ? part : body, sizeof part);
+        for (int k = 0; k < 3; k++) out->normal[i][k] = dmi_random_normal(&random);
+        dmi_normalize3(out->normal[i]);
+    }
+}
+
+static dmi_drag_hint make_hint(void) {
+    return (dmi_drag_hint){{0.15f, 0.2f, 0.35f}, {0.02f, -0.01f, 0.1f}};
+}
+
+static void turn(const float axis[3], float angle, const float in[3], float out[3]) {
+    const float zero[3] = {0, 0, 0};
+    dmi_turn3(axis, zero, cosf(angle), sinf(angle), in, out);
+}
+
+static void move_cloud(const float axis[3], float angle, float scale, const float shift[3], dmi_cloud* cloud) {
+    for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++) {
+        turn(axis, angle, cloud->xyz[i], cloud->xyz[i]);
+        for (int k = 0; k < 3; k++) cloud->xyz[i][k] = scale * cloud->xyz[i][k] + shift[k];
+        turn(axis, angle, cloud->normal[i], cloud->normal[i]);
+    }
+}
+
+static void assert_same(const float* a, const float* b, size_t count, float tolerance) {
+    for (size_t i = 0; i < count; i++) assert_float_equal(a[i], b[i], tolerance);
+}
+
+/* Where every channel is the same number before and after a rigid motion and a scale, the network can't see either. */
+static void check_invariance(const dmi_drag_hint* hint) {
+    const float axis[3] = {0.6f, 0.0f, 0.8f}, shift[3] = {0.4f, -1.3f, 0.2f};
+    const float angle = 2.1f, scale = 1.7f;
+    dmi_cloud* cloud = malloc(sizeof *cloud);
+    dmi_kpp_input* before = malloc(sizeof *before);
+    dmi_kpp_input* after = malloc(sizeof *after);
+    make_cloud(3, cloud);
+    dmi_kpp_input_make(cloud, hint, before);
+
+    dmi_drag_hint moved;
+    if (hint != NULL) {
+        turn(axis, angle, hint->point, moved.point);
+        for (int k = 0; k < 3; k++) moved.point[k] = scale * moved.point[k] + shift[k];
+        turn(axis, angle, hint->vector, moved.vector);
+    }
+    move_cloud(axis, angle, scale, shift, cloud);
+    dmi_kpp_input_make(cloud, hint != NULL ? &moved : NULL, after);
+
+    assert_same(&before->global_points[0][0][0], &after->global_points[0][0][0],
+                sizeof before->global_points / sizeof(float), 1e-4f);
+    assert_same(&before->local_points[0][0][0], &after->local_points[0][0][0],
+                sizeof before->local_points / sizeof(float), 1e-4f);
+    assert_same(&before->global_centres[0][0], &after->global_centres[0][0], DMI_KPP_GLOBAL_GROUPS * 3, 1e-4f);
+    assert_same(&before->local_centres[0][0], &after->local_centres[0][0], DMI_KPP_LOCAL_GROUPS * 3, 1e-4f);
+    assert_float_equal(after->frame.scale * scale, before->frame.scale, 1e-4f);
+    free(cloud), free(before), free(after);
+}
+
+static void invariant_with_drag(void** state) {
+    (void)state;
+    dmi_drag_hint hint = make_hint();
+    check_invariance(&hint);
+}
+
+static void invariant_without_drag(void** state) {
+    (void)state;
+    check_invariance(NULL);
+}
+
+static void frame_is_a_rotation(void** state) {
+    (void)state;
+    dmi_cloud* cloud = malloc(sizeof *cloud);
+    dmi_kpp_input* input = malloc(sizeof *input);
+    make_cloud(5, cloud);
+    dmi_drag_hint hint = make_hint();
+    for (int with = 0; with < 2; with++) {
+        dmi_kpp_input_make(cloud, with ? &hint : NULL, input);
+        const float* r = input->frame.rotation;
+        float third[3];
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) assert_float_equal(dmi_dot3(r + 3 * i, r + 3 * j), i == j ? 1.0f : 0.0f, 1e-5f);
+        dmi_cross3(r, r + 3, third);
+        assert_same(third, r + 6, 3, 1e-5f);
+        if (with) assert_float_equal(dmi_dot3(r, hint.vector), dmi_length3(hint.vector), 1e-6f);
+    }
+    free(cloud), free(input);
+}
+
+/* Groups start with their centre, go outwards, and say what they are; centres differ. */
+static void groups_follow_the_specification(void** state) {
+    (void)state;
+    dmi_cloud* cloud = malloc(sizeof *cloud);
+    dmi_kpp_input* input = malloc(sizeof *input);
+    make_cloud(9, cloud);
+    dmi_drag_hint hint = make_hint();
+    dmi_kpp_input_make(cloud, &hint, input);
+    int masked = 0;
+    for (uint32_t g = 0; g < DMI_KPP_GLOBAL_GROUPS; g++) {
+        float last = 0;
+        for (uint32_t m = 0; m < DMI_KPP_GROUP; m++) {
+            const float* c = input->global_points[g][m];
+            float d = dmi_distance3(c, input->global_centres[g]);
+            assert_true(d >= last - 1e-6f);
+            last = d;
+            for (int k = 0; k < 3; k++) assert_float_equal(c[10 + k], 2 * (c[k] - input->global_centres[g][k]), 1e-6f);
+            assert_true(c[7] == 1 && c[8] == 0 && c[9] == 0);
+            assert_true(dmi_length3(c) < 2 + logf(8));
+            masked += c[3] == 1;
+        }
+        assert_same(input->global_points[g][0], input->global_centres[g], 3, 0);
+        for (uint32_t h = 0; h < g; h++)
+            assert_true(dmi_distance3(input->global_centres[g], input->global_centres[h]) > 1e-3f);
+    }
+    assert_in_range(masked, 1, DMI_KPP_GLOBAL_GROUPS * DMI_KPP_GROUP - 1);
+    for (uint32_t g = 0; g < DMI_KPP_LOCAL_GROUPS; g++)
+        for (uint32_t m = 0; m < DMI_KPP_GROUP; m++) assert_true(input->local_points[g][m][3] == 1);
+    free(cloud), free(input);
+}
+
+/* All points in one place, a drag through the centre, a drag along the principal direction: finite all the same. */
+static void degenerate_clouds_stay_finite(void** state) {
+    (void)state;
+    dmi_cloud* cloud = calloc(1, sizeof *cloud);
+    dmi_kpp_input* input = malloc(sizeof *input);
+    dmi_drag_hint hint = {{0, 0, 0}, {0, 1, 0}};
+    for (int shape = 0; shape < 2; shape++) {
+        for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++) cloud->xyz[i][1] = shape == 0 ? 0 : (float)(i % 512) - 255.5f;
+        for (int with = 0; with < 2; with++) {
+            dmi_kpp_input_make(cloud, with ? &hint : NULL, input);
+            const float* all = (const float*)(const void*)input;
+            for (size_t i = 0; i < sizeof *input / sizeof(float); i++) assert_true(isfinite(all[i]));
+            for (int r = 0; r < 3; r++) assert_float_equal(dmi_length3(input->frame.rotation + 3 * r), 1, 1e-5f);
+        }
+    }
+    free(cloud), free(input);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(invariant_with_drag),           cmocka_unit_test(invariant_without_drag),
+        cmocka_unit_test(frame_is_a_rotation),           cmocka_unit_test(groups_follow_the_specification),
+        cmocka_unit_test(degenerate_clouds_stay_finite),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
