@@ -1,0 +1,1 @@
+"""Training of dragmesh's two networks: KPP-Net and DQ-VAE (docs/networks.md)."""

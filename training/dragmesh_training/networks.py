@@ -1,0 +1,285 @@
+"""KPP-Net and DQ-VAE in PyTorch, module for module and name for name as docs/networks.md specifies them.
+
+The C forward passes (sdk/kinematics/kpp_net.c, sdk/motion/dq_vae.c) read the state_dict of the `game` size;
+golden tests hold both sides together. `paper` is the size of the paper's own networks.
+"""
+from dataclasses import dataclass
+
+import torch
+from torch import nn
+
+# Fixed by the boundary or by the inputs, the same for every size (docs/networks.md).
+TYPES = 4  # revolute, prismatic, screw, continuous
+PRISMATIC = 1
+FRAMES = 16
+PATH = 16
+PATH_CHANNELS = 5
+KPP_GROUP = 16
+KPP_GLOBAL_GROUPS = 64
+KPP_LOCAL_GROUPS = 32
+KPP_CHANNELS = 16
+VAE_POINTS = 512
+VAE_NEIGHBOURS = 32
+
+
+@dataclass(frozen=True)
+class KppConfig:
+    """Widths of KPP-Net (paper §3.5)."""
+
+    dim: int = 96
+    heads: int = 4
+    ff: int = 192
+    point_hidden: int = 64
+    position_hidden: int = 48
+    global_layers: int = 3
+    local_layers: int = 2
+    axis_hidden: int = 96
+    scalar_hidden: int = 64
+
+
+@dataclass(frozen=True)
+class VaeConfig:
+    """Widths of the DQ-VAE (paper §3.3)."""
+
+    small: int = 32  # a direction, a position, a scalar pair
+    type_dim: int = 16
+    feature: int = 64  # f_joint, f_local, f_motion, per-point features
+    path_heads: int = 2
+    path_ff: int = 64
+    hidden: int = 96
+    latent: int = 32
+    encoder_hidden: int = 128
+    dim: int = 96
+    heads: int = 4
+    ff: int = 384
+    layers: int = 3
+    correction_hidden: int = 64
+
+
+KPP_SIZES = {
+    "game": KppConfig(),
+    "paper": KppConfig(dim=512, heads=8, ff=1024, point_hidden=256, position_hidden=128, global_layers=6,
+                       local_layers=4, axis_hidden=512, scalar_hidden=256),
+}
+VAE_SIZES = {
+    "game": VaeConfig(),
+    "paper": VaeConfig(small=128, type_dim=64, feature=512, path_heads=4, path_ff=512, hidden=1024, latent=256,
+                       encoder_hidden=512, dim=512, heads=8, ff=2048, layers=8, correction_hidden=512),
+}
+
+
+def mlp(inputs, hidden, outputs):
+    """MLP(a->b->c): `.0` and `.2` are its Linears, no activation after the last."""
+    return nn.Sequential(nn.Linear(inputs, hidden), nn.ReLU(inplace=True), nn.Linear(hidden, outputs))
+
+
+class Attention(nn.Module):
+    """Multi-head self-attention with one packed projection: rows q, then k, then v; heads are consecutive slices."""
+
+    def __init__(self, dim, heads):
+        super().__init__()
+        self.heads = heads
+        self.qkv = nn.Linear(dim, 3 * dim)
+        self.out = nn.Linear(dim, dim)
+
+    def forward(self, x):
+        batch, tokens, dim = x.shape
+        packed = self.qkv(x).view(batch, tokens, 3, self.heads, dim // self.heads)
+        q, k, v = packed.permute(2, 0, 3, 1, 4)
+        scores = q @ k.transpose(-1, -2) * (dim // self.heads) ** -0.5
+        mixed = torch.softmax(scores, dim=-1) @ v
+        return self.out(mixed.transpose(1, 2).reshape(batch, tokens, dim))
+
+
+class TransformerLayer(nn.Module):
+    """Pre-norm layer: x += attn(LN x); x += ff2(ReLU(ff1(LN x)))."""
+
+    def __init__(self, dim, heads, ff):
+        super().__init__()
+        self.norm1 = nn.LayerNorm(dim)
+        self.attn = Attention(dim, heads)
+        self.norm2 = nn.LayerNorm(dim)
+        self.ff1 = nn.Linear(dim, ff)
+        self.ff2 = nn.Linear(ff, dim)
+
+    def forward(self, x):
+        x = x + self.attn(self.norm1(x))
+        return x + self.ff2(torch.relu(self.ff1(self.norm2(x))))
+
+
+class PointEncoder(nn.Module):
+    """Grouped points to one vector: PointNet a group, then a Transformer over the groups (paper §3.5)."""
+
+    def __init__(self, config, layers):
+        super().__init__()
+        self.point = mlp(KPP_CHANNELS, config.point_hidden, config.dim)
+        self.position = mlp(3, config.position_hidden, config.dim)
+        self.layers = nn.ModuleList(
+            TransformerLayer(config.dim, config.heads, config.ff) for _ in range(layers))
+        self.norm = nn.LayerNorm(config.dim)
+
+    def forward(self, points, centres):
+        tokens = self.point(points).amax(dim=2) + self.position(centres)
+        for layer in self.layers:
+            tokens = layer(tokens)
+        tokens = self.norm(tokens)
+        return torch.cat([tokens.mean(dim=1), tokens.amax(dim=1)], dim=-1)
+
+
+class KppNet(nn.Module):
+    """Joint type, turn axis, slide axis, origin and limits from the input that sdk/kinematics/kpp_input.c makes."""
+
+    def __init__(self, config=KPP_SIZES["game"]):
+        super().__init__()
+        # "global" is a keyword of Python and "type" a method of Module: both are reached through _modules.
+        self.add_module("global", PointEncoder(config, config.global_layers))
+        self.local = PointEncoder(config, config.local_layers)
+        features = 4 * config.dim
+        self.type = mlp(features, config.scalar_hidden, TYPES)
+        self.axis = mlp(features, config.axis_hidden, 6)
+        self.origin = mlp(features, config.axis_hidden, 3)
+        self.limits = mlp(features, config.scalar_hidden, 5)
+
+    def forward(self, global_points, global_centres, local_points, local_centres):
+        """global_points: B x 64 x 16 x 16, global_centres: B x 64 x 3; local the same with 32 groups."""
+        features = torch.cat([self._modules["global"](global_points, global_centres),
+                              self.local(local_points, local_centres)], dim=-1)
+        axis = self.axis(features)
+        return {"type_logits": self._modules["type"](features), "turn_axis": axis[:, :3], "slide_axis": axis[:, 3:],
+                "origin": self.origin(features), "limits": self.limits(features)}
+
+
+class JointEncoder(nn.Module):
+    """Joint condition encoder (paper §3.3.1): type, axis, origin and scalars to f_joint."""
+
+    def __init__(self, config):
+        super().__init__()
+        self.type = nn.Embedding(TYPES, config.type_dim)
+        self.axis = mlp(3, config.small, config.small)
+        self.origin = mlp(3, config.small, config.small)
+        self.fuse = mlp(config.type_dim + 2 * config.small + 3, config.feature, config.feature)
+
+    def forward(self, kind, axis, origin, scalars):
+        embedded = self._modules["type"](kind)
+        parts = [embedded, self.axis(axis), self.origin(origin), scalars]
+        return self.fuse(torch.cat(parts, dim=-1)), embedded
+
+
+class IntentEncoder(nn.Module):
+    """Motion intent encoder (paper §3.3.1): what the drag asks for, with a small Transformer over its path."""
+
+    def __init__(self, config):
+        super().__init__()
+        self.direction = mlp(3, config.small, config.small)
+        self.velocity = mlp(3, config.small, config.small)
+        self.chord = mlp(9, config.feature, 2 * config.small)
+        self.amplitude = mlp(2, config.small, config.small)
+        self.path_in = nn.Linear(PATH_CHANNELS, config.small)
+        self.path_position = nn.Parameter(0.1 * torch.randn(PATH, config.small))
+        self.path_layer = TransformerLayer(config.small, config.path_heads, config.path_ff)
+        self.fuse = mlp(4 * config.small, config.hidden, config.feature)
+
+    def forward(self, kind, direction, velocity, chords, amplitude, path):
+        turning = torch.cat([self.direction(direction), self.velocity(velocity)], dim=-1)
+        motion = torch.where((kind == PRISMATIC).unsqueeze(-1), self.chord(chords), turning)
+        ordered = self.path_layer(self.path_in(path) + self.path_position)
+        return self.fuse(torch.cat([motion, self.amplitude(amplitude), ordered.mean(dim=1)], dim=-1))
+
+
+class LocalSampler(nn.Module):
+    """Features near the joint origin and the drag point, FiLM-modulated by f_joint (paper §3.3.2)."""
+
+    def __init__(self, config):
+        super().__init__()
+        self.mlp = mlp(3 * config.feature, config.hidden, config.feature)
+        self.film = nn.Linear(config.feature, 2 * config.feature)
+
+    @staticmethod
+    def pooled(features, neighbours):
+        index = neighbours.unsqueeze(-1).expand(-1, -1, features.shape[-1])
+        return features.gather(1, index).amax(dim=1)
+
+    def forward(self, features, near_origin, near_drag, f_joint):
+        pooled = [self.pooled(features, near_origin), self.pooled(features, near_drag), features.amax(dim=1)]
+        gamma, beta = self.film(f_joint).chunk(2, dim=-1)
+        return torch.relu(self.mlp(torch.cat(pooled, dim=-1)) * (1 + gamma) + beta)
+
+
+class Gate(nn.Module):
+    """Learned gate over [f_local, f_joint, f_motion] to f_fused (paper §3.3.2)."""
+
+    def __init__(self, config):
+        super().__init__()
+        self.gate = nn.Linear(3 * config.feature, 3 * config.feature)
+        self.mlp = mlp(3 * config.feature, config.hidden, config.hidden)
+
+    def forward(self, context):
+        return self.mlp(context * torch.sigmoid(self.gate(context)))
+
+
+class Decoder(nn.Module):
+    """Non-autoregressive Transformer over the frames, FiLM after every layer (paper §3.3.3)."""
+
+    def __init__(self, config):
+        super().__init__()
+        self.position = nn.Parameter(0.5 * torch.randn(FRAMES, config.small))
+        self.input = nn.Linear(config.small + config.latent + 2 * config.feature, config.dim)
+        self.layers = nn.ModuleList(
+            TransformerLayer(config.dim, config.heads, config.ff) for _ in range(config.layers))
+        self.film = nn.ModuleList(nn.Linear(config.feature, 2 * config.dim) for _ in range(config.layers))
+        self.norm = nn.LayerNorm(config.dim)
+        self.head = mlp(config.dim, config.dim, 8)
+
+    def forward(self, z, f_joint):
+        condition = torch.cat([z, f_joint, 0.1 * f_joint], dim=-1)
+        tokens = torch.cat([self.position.expand(z.shape[0], -1, -1),
+                            condition.unsqueeze(1).expand(-1, FRAMES, -1)], dim=-1)
+        x = self.input(tokens)
+        for layer, film in zip(self.layers, self.film):
+            gamma, beta = film(f_joint).unsqueeze(1).chunk(2, dim=-1)
+            x = layer(x) * (1 + gamma) + beta
+        return self.head(self.norm(x))
+
+
+class DqVae(nn.Module):
+    """Dual-quaternion VAE: joint, points and drag path to 16 poses about the joint origin."""
+
+    def __init__(self, config=VAE_SIZES["game"]):
+        super().__init__()
+        self.joint = JointEncoder(config)
+        self.points = mlp(4, config.small, config.feature)
+        self.intent = IntentEncoder(config)
+        self.local = LocalSampler(config)
+        self.gate = Gate(config)
+        self.encoder = mlp(config.hidden + config.feature, config.encoder_hidden, 2 * config.latent)
+        self.decoder = Decoder(config)
+        self.correction = mlp(8 + config.type_dim + 2 * config.feature + 6, config.correction_hidden, 8)
+
+    def encode(self, batch):
+        """f_joint, the type embedding, and the latent's mean and log variance."""
+        f_joint, embedded = self.joint(batch["type"], batch["axis"], batch["origin"], batch["joint_scalars"])
+        cloud = torch.cat([batch["xyz"], batch["mask"].unsqueeze(-1)], dim=-1)
+        features = torch.relu(self.points(cloud))
+        f_local = self.local(features, batch["near_origin"], batch["near_drag"], f_joint)
+        f_motion = self.intent(batch["type"], batch["rotation_direction"], batch["mean_velocity"], batch["chords"],
+                               batch["amplitude"], batch["path"])
+        f_fused = self.gate(torch.cat([f_local, f_joint, f_motion], dim=-1))
+        mean, log_variance = self.encoder(torch.cat([f_fused, f_joint], dim=-1)).chunk(2, dim=-1)
+        return f_joint, embedded, mean, log_variance.clamp(-8.0, 4.0)
+
+    def decode(self, z, f_joint, embedded, axis):
+        """B x 16 x 8: x, y, z, w of the real part, then of the dual part; not normalised."""
+        base = self.decoder(z, f_joint)
+        condition = torch.cat([embedded, f_joint, 0.1 * f_joint, axis, 0.1 * axis], dim=-1)
+        condition = condition.unsqueeze(1).expand(-1, FRAMES, -1)
+        residual = self.correction(torch.cat([base, condition], dim=-1))
+        identity = base.new_tensor([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0])
+        return base + residual + identity
+
+    def forward(self, batch, sample=False):
+        """batch: type B (int64), axis, origin, joint_scalars, rotation_direction, mean_velocity B x 3, chords B x 9,
+        amplitude B x 2, path B x 16 x 5, xyz B x 512 x 3, mask B x 512, near_origin, near_drag B x 32 (int64).
+        sample: z is drawn (training); else z = mean (run time)."""
+        f_joint, embedded, mean, log_variance = self.encode(batch)
+        z = mean + torch.exp(0.5 * log_variance) * torch.randn_like(mean) if sample else mean
+        return self.decode(z, f_joint, embedded, batch["axis"]), mean, log_variance
