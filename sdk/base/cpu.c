@@ -1,0 +1,32 @@
+/* Instruction sets of the processor at hand. */
+#include "base/cpu.h"
+
+dmi_isa dmi_cpu_best_isa(void) {
+#if defined(__x86_64__) || defined(__i386__)
+    /* The compiler's run time asks both the processor and the operating system (saved registers). */
+    int avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    int avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                 __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    if (avx2 && avx512) return DMI_ISA_AVX512;
+    if (avx2) return DMI_ISA_AVX2;
+    return DMI_ISA_SCALAR;
+#elif defined(__aarch64__)
+    return DMI_ISA_NEON; /* part of the architecture */
+#else
+    return DMI_ISA_SCALAR;
+#endif
+}
+
+const char* dmi_isa_name(dmi_isa isa) {
+    switch (isa) {
+    case DMI_ISA_SCALAR:
+        return "scalar";
+    case DMI_ISA_AVX2:
+        return "avx2";
+    case DMI_ISA_AVX512:
+        return "avx512";
+    case DMI_ISA_NEON:
+        return "neon";
+    }
+    return "unknown";
+}

@@ -1,0 +1,94 @@
+/* Memory, log and jobs of a context: the host's hooks, or malloc, silence and a plain loop. */
+#include "base/env.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MESSAGE_SIZE 512
+
+static void* default_allocate(void* user, size_t size, size_t alignment) {
+    (void)user;
+    if (alignment < sizeof(void*)) alignment = sizeof(void*);
+#if defined(_WIN32)
+    return _aligned_malloc(size, alignment);
+#else
+    return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+#endif
+}
+
+static void default_release(void* user, void* memory, size_t size) {
+    (void)user;
+    (void)size;
+#if defined(_WIN32)
+    _aligned_free(memory);
+#else
+    free(memory);
+#endif
+}
+
+void dmi_env_init(dmi_env* env, const dm_allocator* allocator, const dm_log* log, const dm_jobs* jobs) {
+    *env = (dmi_env){0};
+    if (allocator != NULL && allocator->allocate != NULL && allocator->release != NULL) {
+        env->allocator = *allocator;
+    } else {
+        env->allocator = (dm_allocator){.allocate = default_allocate, .release = default_release};
+    }
+    if (log != NULL) env->log = *log;
+    if (jobs != NULL) env->jobs = *jobs;
+}
+
+static void raise_peak(dmi_env* env, uint64_t bytes) {
+    uint64_t peak = atomic_load_explicit(&env->peak_bytes, memory_order_relaxed);
+    while (bytes > peak && !atomic_compare_exchange_weak_explicit(&env->peak_bytes, &peak, bytes, memory_order_relaxed,
+                                                                  memory_order_relaxed)) {
+    }
+}
+
+/* Hosts never see a request of 0 bytes: what malloc(0) means differs between them. */
+static size_t host_size(size_t size) {
+    return size > 0 ? size : 1;
+}
+
+void* dmi_alloc(dmi_env* env, size_t size, size_t alignment) {
+    /* Half the address space: no rounding up behind this line can overflow. */
+    if (size > SIZE_MAX / 2) return NULL;
+    size = host_size(size);
+    void* memory = env->allocator.allocate(env->allocator.user, size, alignment);
+    if (memory == NULL) return NULL;
+    atomic_fetch_add_explicit(&env->allocations, 1, memory_order_relaxed);
+    raise_peak(env, atomic_fetch_add_explicit(&env->bytes, size, memory_order_relaxed) + size);
+    return memory;
+}
+
+void* dmi_alloc_zeroed(dmi_env* env, size_t size, size_t alignment) {
+    void* memory = dmi_alloc(env, size, alignment);
+    if (memory != NULL) memset(memory, 0, size);
+    return memory;
+}
+
+void dmi_free(dmi_env* env, void* memory, size_t size) {
+    if (memory == NULL) return;
+    size = host_size(size);
+    atomic_fetch_sub_explicit(&env->bytes, size, memory_order_relaxed);
+    env->allocator.release(env->allocator.user, memory, size);
+}
+
+dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) {
+    if (env == NULL || env->log.message == NULL) return code;
+    char text[MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    env->log.message(env->log.user, DM_LOG_ERROR, code, text);
+    return code;
+}
+
+void dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data) {
+    if (count == 0) return;
+    const dm_jobs* jobs = &env->jobs;
+    if (count > 1 && jobs->parallel_for != NULL && jobs->parallel_for(jobs->user, count, task, data)) return;
+    for (uint32_t i = 0; i < count; i++) task(data, i);
+}

@@ -1,0 +1,200 @@
+/* Handle pool: generations, foreign handles, many slots, failing memory, readers beside writers. */
+#include "test_env.h"
+
+#include <pthread.h>
+
+#include "base/pool.c" /* the slots themselves: ageing one to its last generation takes 16 million rounds otherwise */
+
+enum { KIND = 5 };
+
+static void handles_have_the_documented_layout(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool* pool = NULL;
+    int items[3];
+    uint64_t a = 0, b = 0, c = 0;
+    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    assert_int_equal(dmi_pool_insert(pool, &items[0], &a), DM_OK);
+    assert_int_equal(dmi_pool_insert(pool, &items[1], &b), DM_OK);
+    assert_int_equal(a, (uint64_t)KIND << 56 | (uint64_t)1 << 32 | 0);
+    assert_int_equal(b, (uint64_t)KIND << 56 | (uint64_t)1 << 32 | 1);
+    assert_ptr_equal(dmi_pool_get(pool, a), &items[0]);
+    assert_ptr_equal(dmi_pool_remove(pool, a), &items[0]);
+    assert_int_equal(dmi_pool_insert(pool, &items[2], &c), DM_OK);
+    assert_int_equal(c, (uint64_t)KIND << 56 | (uint64_t)2 << 32 | 0); /* same slot, next generation */
+    assert_null(dmi_pool_get(pool, a));
+    assert_null(dmi_pool_remove(pool, a));
+    assert_ptr_equal(dmi_pool_get(pool, c), &items[2]);
+    assert_ptr_equal(dmi_pool_get(pool, b), &items[1]);
+    dmi_pool_remove(pool, b);
+    dmi_pool_remove(pool, c);
+    dmi_pool_destroy(pool);
+    dmi_pool_destroy(NULL);
+    test_env_close(&t);
+}
+
+static void wrong_handles_find_nothing(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool* pool = NULL;
+    int item;
+    uint64_t handle = 0;
+    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    assert_null(dmi_pool_get(pool, (uint64_t)KIND << 56 | (uint64_t)1 << 32)); /* nothing inserted yet */
+    assert_int_equal(dmi_pool_insert(pool, &item, &handle), DM_OK);
+    for (int bit = 0; bit < 64; bit++) {
+        assert_null(dmi_pool_get(pool, handle ^ (uint64_t)1 << bit));
+        assert_null(dmi_pool_remove(pool, handle ^ (uint64_t)1 << bit));
+    }
+    assert_null(dmi_pool_get(pool, 0));
+    assert_null(dmi_pool_get(pool, UINT64_MAX));
+    assert_null(dmi_pool_get(pool, handle | UINT32_MAX));
+    assert_ptr_equal(dmi_pool_remove(pool, handle), &item);
+    assert_null(dmi_pool_remove(pool, handle));
+    dmi_pool_destroy(pool);
+    test_env_close(&t);
+}
+
+static void thousands_live_side_by_side(void** state) {
+    (void)state;
+    enum { COUNT = 5000 };
+    static int items[COUNT];
+    static uint64_t handles[COUNT];
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool* pool = NULL;
+    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    for (int i = 0; i < COUNT; i++) assert_int_equal(dmi_pool_insert(pool, &items[i], &handles[i]), DM_OK);
+    for (int i = 0; i < COUNT; i += 3) assert_ptr_equal(dmi_pool_remove(pool, handles[i]), &items[i]);
+    for (int i = 0; i < COUNT; i++) {
+        assert_ptr_equal(dmi_pool_get(pool, handles[i]), i % 3 == 0 ? NULL : &items[i]);
+    }
+    int left = 0;
+    uint64_t handle = 0;
+    for (void* item; (item = dmi_pool_any(pool, &handle)) != NULL; left++) {
+        assert_ptr_equal(dmi_pool_get(pool, handle), item);
+        assert_ptr_equal(dmi_pool_remove(pool, handle), item);
+    }
+    assert_int_equal(left, COUNT - (COUNT + 2) / 3);
+    dmi_pool_destroy(pool);
+    test_env_close(&t);
+}
+
+static void generations_skip_zero(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool* pool = NULL;
+    int item;
+    uint64_t handle = 0;
+    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    dmi_pool_insert(pool, &item, &handle);
+    dmi_pool_remove(pool, handle);
+    atomic_store(&slot_at(pool, 0)->generation, GENERATION_MASK); /* as after 2^24 - 2 more rounds */
+    dmi_pool_insert(pool, &item, &handle);
+    assert_int_equal(handle, (uint64_t)KIND << 56 | (uint64_t)0xFFFFFF << 32);
+    dmi_pool_remove(pool, handle);
+    dmi_pool_insert(pool, &item, &handle);
+    assert_int_equal(handle, (uint64_t)KIND << 56 | (uint64_t)1 << 32);
+    dmi_pool_remove(pool, handle);
+    dmi_pool_destroy(pool);
+    test_env_close(&t);
+}
+
+static void any_allocation_may_fail(void** state) {
+    (void)state;
+    int items[200], failures = 0;
+    for (int64_t fail_at = 0;; fail_at++) {
+        test_env t;
+        test_env_open(&t, fail_at);
+        dmi_pool* pool = NULL;
+        dm_result result = dmi_pool_create(&t.env, KIND, &pool);
+        uint64_t handles[200];
+        int count = 0;
+        while (result == DM_OK && count < 200) {
+            result = dmi_pool_insert(pool, &items[count], &handles[count]);
+            count += result == DM_OK;
+        }
+        for (int i = 0; i < count; i++) assert_ptr_equal(dmi_pool_remove(pool, handles[i]), &items[i]);
+        dmi_pool_destroy(pool);
+        test_env_close(&t);
+        if (result == DM_OK) break;
+        assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);
+        assert_int_equal(t.messages.code, DM_ERROR_OUT_OF_MEMORY);
+        failures++;
+    }
+    assert_int_equal(failures, 4); /* the pool, 64, 128 and 256 slots */
+}
+
+/* Threads insert, look up and remove their own items while they look at one another's handles. */
+enum { THREADS = 4, ROUNDS = 4000, HELD = 16 };
+
+typedef struct thread_item {
+    uint64_t owner;
+} thread_item;
+
+typedef struct thread_work {
+    dmi_pool* pool;
+    _Atomic uint64_t* shared; /* a handle of each thread, for the others to look up */
+    int index;
+    int errors;
+    thread_item items[HELD];
+} thread_work;
+
+static void* insert_and_remove(void* argument) {
+    thread_work* work = argument;
+    uint64_t handles[HELD] = {0};
+    for (int round = 0; round < ROUNDS; round++) {
+        int k = round % HELD;
+        if (handles[k] != 0 && dmi_pool_remove(work->pool, handles[k]) != &work->items[k]) work->errors++;
+        if (dmi_pool_get(work->pool, handles[k]) != NULL) work->errors++;
+        if (dmi_pool_insert(work->pool, &work->items[k], &handles[k]) != DM_OK) work->errors++;
+        if (dmi_pool_get(work->pool, handles[k]) != &work->items[k]) work->errors++;
+        atomic_store(&work->shared[work->index], handles[k]);
+        for (int other = 0; other < THREADS; other++) {
+            /* May have been removed since, but must never name another thread's item. */
+            const thread_item* item = dmi_pool_get(work->pool, atomic_load(&work->shared[other]));
+            if (item != NULL && item->owner != (uint64_t)other) work->errors++;
+        }
+    }
+    for (int k = 0; k < HELD; k++) {
+        if (dmi_pool_remove(work->pool, handles[k]) != &work->items[k]) work->errors++;
+    }
+    return NULL;
+}
+
+static void threads_do_not_disturb_each_other(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool* pool = NULL;
+    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    static thread_work work[THREADS];
+    static _Atomic uint64_t shared[THREADS];
+    pthread_t threads[THREADS];
+    for (int i = 0; i < THREADS; i++) {
+        work[i] = (thread_work){.pool = pool, .shared = shared, .index = i};
+        for (int k = 0; k < HELD; k++) work[i].items[k].owner = (uint64_t)i;
+        assert_int_equal(pthread_create(&threads[i], NULL, insert_and_remove, &work[i]), 0);
+    }
+    for (int i = 0; i < THREADS; i++) pthread_join(threads[i], NULL);
+    for (int i = 0; i < THREADS; i++) assert_int_equal(work[i].errors, 0);
+    uint64_t handle;
+    assert_null(dmi_pool_any(pool, &handle));
+    dmi_pool_destroy(pool);
+    test_env_close(&t);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(handles_have_the_documented_layout),
+        cmocka_unit_test(wrong_handles_find_nothing),
+        cmocka_unit_test(thousands_live_side_by_side),
+        cmocka_unit_test(generations_skip_zero),
+        cmocka_unit_test(any_allocation_may_fail),
+        cmocka_unit_test(threads_do_not_disturb_each_other),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
