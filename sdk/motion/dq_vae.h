@@ -6,7 +6,7 @@
 #include "base/cpu.h"
 #include "mesh/cloud.h"
 
-#define DMI_VAE_POINTS 512   /* of the cloud: every 4th of each block, so 256 part, 128 near, 128 body */
+#define DMI_VAE_POINTS 512   /* of the cloud: every 8th (index 0, 8, 16 …), so 256 part, 128 near, 128 body */
 #define DMI_VAE_NEIGHBOURS 32
 #define DMI_VAE_POINT_FEATURES 64
 #define DMI_VAE_LATENT 32
@@ -37,6 +37,8 @@ typedef struct dmi_vae_output {
 dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae);
 void dmi_dq_vae_destroy(dmi_dq_vae* vae);
 void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* cloud, void* scratch, dmi_vae_object* out_object);
+/* The part of dmi_dq_vae_prepare that needs no weights: xyz and mask; training thins its clouds with this very code. */
+void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object);
 size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae);
 /* scratch: 64-byte aligned. No allocation. */
 void dmi_dq_vae_forward(const dmi_dq_vae* vae, dmi_isa isa, const dmi_vae_object* object, const dmi_vae_query* query,
