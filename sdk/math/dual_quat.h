@@ -6,9 +6,9 @@
 
 /* A rigid motion as a screw: turn by `angle` about the line (axis, point) and advance by `distance` along it. */
 typedef struct dmi_screw {
-    float axis[3]; /* unit */
+    float axis[3];  /* unit */
     float point[3]; /* the point of the line nearest the frame's origin; 0 for a pure translation */
-    float angle;   /* rad, in [0, 2 pi] for the pose as given (not of its shortest double) */
+    float angle;    /* rad, in [0, 2 pi] for the pose as given (not of its shortest double) */
     float distance;
 } dmi_screw;
 

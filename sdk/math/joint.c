@@ -1,0 +1,75 @@
+/* One-parameter joints: value to pose, pose to nearest value. */
+#include "math/joint.h"
+
+#include <math.h>
+
+#include "math/vec3.h"
+
+#define TWO_PI 6.28318530717958647692f
+
+int dmi_joint_turns(int32_t type) {
+    return type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_SCREW;
+}
+
+static float dot(const float a[3], dm_vec3 b) {
+    return a[0] * b.x + a[1] * b.y + a[2] * b.z;
+}
+
+static float advance(const dm_joint* joint) {
+    return joint->type == DM_JOINT_SCREW ? joint->pitch : 0;
+}
+
+dm_pose dmi_joint_pose(const dm_joint* joint, float value) {
+    if (dmi_joint_turns(joint->type)) {
+        return dmi_pose_from_screw(dmi_xyz(joint->axis).v, dmi_xyz(joint->origin).v, value, advance(joint) * value);
+    }
+    if (joint->type == DM_JOINT_PRISMATIC) {
+        const float half = 0.5f * value;
+        return (dm_pose){{0, 0, 0, 1}, {half * joint->axis.x, half * joint->axis.y, half * joint->axis.z, 0}};
+    }
+    return dmi_pose_identity();
+}
+
+float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near) {
+    float value = near;
+    if (dmi_joint_turns(joint->type)) {
+        /* Swing-twist: the twist's quaternion is (a sin, cos) of half the angle, up to its length and the double's
+         * sign. */
+        const float s = dot(pose->real, joint->axis), c = pose->real[3];
+        if (s == 0 && c == 0) return near; /* half a turn about a perpendicular axis: every twist is as near */
+        value = 2 * atan2f(s, c);
+        value += TWO_PI * roundf((near - value) / TWO_PI);
+    } else if (joint->type == DM_JOINT_PRISMATIC) {
+        float translation[3];
+        dmi_pose_translation(pose, translation);
+        value = dot(translation, joint->axis);
+    }
+    return isfinite(value) ? value : near;
+}
+
+void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
+    const dm_vec3 a = joint->axis;
+    if (dmi_joint_turns(joint->type)) {
+        dm_pose pose = dmi_joint_pose(joint, value);
+        float p[3];
+        dmi_pose_apply(&pose, rest_point, p);
+        const float x = p[0] - joint->origin.x, y = p[1] - joint->origin.y, z = p[2] - joint->origin.z;
+        const float pitch = advance(joint);
+        out[0] = a.y * z - a.z * y + pitch * a.x;
+        out[1] = a.z * x - a.x * z + pitch * a.y;
+        out[2] = a.x * y - a.y * x + pitch * a.z;
+    } else {
+        const float speed = joint->type == DM_JOINT_PRISMATIC ? 1 : 0;
+        out[0] = speed * a.x;
+        out[1] = speed * a.y;
+        out[2] = speed * a.z;
+    }
+}
+
+void dmi_joint_set_origin_near(dm_joint* joint, const float centre[3]) {
+    const float gap[3] = {centre[0] - joint->origin.x, centre[1] - joint->origin.y, centre[2] - joint->origin.z};
+    const float along = dot(gap, joint->axis);
+    joint->origin.x += along * joint->axis.x;
+    joint->origin.y += along * joint->axis.y;
+    joint->origin.z += along * joint->axis.z;
+}
