@@ -3,6 +3,7 @@
 #define DMI_KINEMATICS_KINEMATICS_H
 
 #include "kinematics/kpp_net.h"
+#include "kinematics/ranker.h"
 #include "math/joint.h"
 #include "pick/pick.h"
 
@@ -16,6 +17,7 @@ typedef struct dmi_kinematics_query {
     const dmi_bvh* bvh;         /* NULL: no limits from collision */
     const dmi_cloud* cloud;     /* of `part` */
     const dmi_kpp_net* net;     /* NULL: geometry alone */
+    const dmi_ranker* ranker;   /* NULL: candidates are ranked by rules */
     const dmi_drag_hint* hint;  /* NULL: none */
     uint32_t part;              /* index in mesh->parts */
     int32_t given_type;         /* DM_JOINT_*; UNKNOWN = find out */

@@ -98,7 +98,10 @@ static void frame_is_a_rotation(void** state) {
         const float* r = input->frame.rotation;
         float third[3];
         for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) assert_float_equal(dmi_dot3(r + 3 * i, r + 3 * j), i == j ? 1.0f : 0.0f, 1e-5f);
+            for (int j = 0; j < 3; j++) {
+                float wanted = i == j ? 1.0f : 0.0f;
+                assert_float_equal(dmi_dot3(r + 3 * i, r + 3 * j), wanted, 1e-5f);
+            }
         dmi_cross3(r, r + 3, third);
         assert_same(third, r + 6, 3, 1e-5f);
         if (with) assert_float_equal(dmi_dot3(r, hint.vector), dmi_length3(hint.vector), 1e-6f);

@@ -1,0 +1,343 @@
+/* Features of candidate joints: slippage, sweep, place, symmetry, drag, network. */
+#include "kinematics/evidence.h"
+
+#include "kinematics/linear3.h"
+
+#define SURFACE_POINTS 128 /* of the part, for slippage */
+#define SWEEP_POINTS 80
+#define CONTACT_POINTS 48
+#define SWEEP_STEPS 5
+
+/* Turns by 0.06, 0.15, 0.35, 0.8 and 1.4 rad. */
+static const float SWEEP_SHARE[SWEEP_STEPS] = {0.04f, 0.12f, 0.25f, 0.5f, 0.85f}; /* of the extent along a slide */
+
+typedef struct judge {
+    const dmi_study* study;
+    const dmi_drag_hint* hint;
+    const dmi_prediction* prediction;
+    float drag[3], drag_normal[3]; /* unit */
+    float side[3], middle[3];      /* lengths of the box and its centre, along its axes */
+    float box_centre[3];
+    uint8_t free[SWEEP_POINTS]; /* not touching at rest */
+} judge;
+
+static int slides(const dmi_candidate* c) {
+    return c->type == DM_JOINT_PRISMATIC;
+}
+
+static void velocity(const dmi_candidate* c, const float point[3], float out[3]) {
+    if (slides(c)) {
+        dmi_copy3(c->axis, out);
+        return;
+    }
+    float arm[3];
+    dmi_sub3(point, c->origin, arm);
+    dmi_cross3(c->axis, arm, out);
+}
+
+/* Mean speed of the part's surface; answers the slippage too. */
+static float surface_speed(const judge* j, const dmi_candidate* c, float* out_slip) {
+    float speed = 0, normal = 0;
+    for (int i = 0; i < SURFACE_POINTS; i++) {
+        float v[3];
+        velocity(c, j->study->points[i], v);
+        speed += dmi_length3(v);
+        normal += fabsf(dmi_dot3(v, j->study->normals[i]));
+    }
+    *out_slip = normal / (speed + 1e-9f);
+    return speed / SURFACE_POINTS + 1e-9f;
+}
+
+/* Normal speed at the part's and at the body's side over the part's speed, the first over the contact's own speed,
+ * that speed, how much of the contact lies on the axis, distance of its mean from the axis, its share of the part. */
+static void contact_evidence(const judge* j, const dmi_candidate* c, const dmi_contact* contact, float mean_speed,
+                             float out[7]) {
+    const dmi_study* s = j->study;
+    memset(out, 0, 7 * sizeof *out);
+    if (contact->count < 5) return;
+    float part = 0, rest = 0, speed = 0, on_axis = 0;
+    uint32_t step = contact->count / CONTACT_POINTS + 1, n = 0;
+    for (uint32_t i = 0; i < contact->count; i += step, n++) {
+        uint32_t p = contact->points[i], q = s->facing[p];
+        float v[3], length;
+        velocity(c, s->points[p], v);
+        length = dmi_length3(v);
+        speed += length;
+        part += fabsf(dmi_dot3(v, s->normals[p]));
+        if (q != UINT32_MAX) rest += fabsf(dmi_dot3(v, s->near_normals[q]));
+        if (!slides(c)) on_axis += expf(-length / (0.05f * s->diagonal));
+    }
+    float each = 1 / (float)n;
+    out[0] = part * each / mean_speed;
+    out[1] = rest * each / mean_speed;
+    out[2] = part / (speed + 1e-9f);
+    out[3] = speed * each / mean_speed;
+    out[4] = on_axis * each;
+    out[5] = slides(c) ? 0 : dmi_line_distance3(contact->mean, c->axis, c->origin) / s->diagonal;
+    out[6] = (float)contact->count / DMI_STUDY_PART;
+}
+
+typedef struct sweep {
+    float hit[2][SWEEP_STEPS], detached[2][SWEEP_STEPS], touch[2][SWEEP_STEPS];
+} sweep;
+
+/* Where a point is after step k on either side. */
+static void swept_point(const dmi_candidate* c, const float point[3], float extent, int step, int side, float out[3]) {
+    float sign = side == 0 ? 1.0f : -1.0f;
+    if (slides(c)) {
+        dmi_madd3(point, sign * SWEEP_SHARE[step] * extent, c->axis, out);
+        return;
+    }
+    static const float cosine[SWEEP_STEPS] = {0.99820054f, 0.98877108f, 0.93937271f, 0.69670671f, 0.16996714f};
+    static const float sine[SWEEP_STEPS] = {0.05996401f, 0.14943813f, 0.34289781f, 0.71735609f, 0.98544973f};
+    dmi_turn3(c->axis, c->origin, cosine[step], sign * sine[step], point, out);
+}
+
+/* Moves the part both ways through the body's distance grid. */
+static void sweep_part(const judge* j, const dmi_candidate* c, sweep* out) {
+    const dmi_study* s = j->study;
+    float extent = 0, touch_limit = 2.1f * s->body_field.cell, hit_limit = 0.9f * s->body_field.cell;
+    for (int k = 0; k < 3; k++) extent += fabsf(dmi_dot3(c->axis, s->box.axes[k])) * j->side[k];
+    for (int side = 0; side < 2; side++) {
+        uint8_t hit[SWEEP_POINTS] = {0};
+        for (int step = 0; step < SWEEP_STEPS; step++) {
+            float near[3] = {INFINITY, INFINITY, INFINITY}, hits = 0, touches = 0;
+            for (int i = 0; i < SWEEP_POINTS; i++) {
+                float x[3];
+                swept_point(c, s->points[i], extent, step, side, x);
+                float d = dmi_field_distance(&s->body_field, x);
+                if (d < hit_limit && j->free[i]) hit[i] = 1;
+                hits += hit[i];
+                touches += d < touch_limit;
+                if (d >= near[2]) continue;
+                near[2] = d;
+                for (int k = 2; k > 0 && near[k] < near[k - 1]; k--) {
+                    float swap = near[k];
+                    near[k] = near[k - 1], near[k - 1] = swap;
+                }
+            }
+            out->hit[side][step] = hits / SWEEP_POINTS;
+            out->touch[side][step] = touches / SWEEP_POINTS;
+            out->detached[side][step] = near[2] / s->diagonal;
+        }
+    }
+}
+
+/* With a drag the first of a pair is along it; without, the smaller. */
+static float* pair(const judge* j, float along, float against, float* out) {
+    out[0] = j->hint != NULL ? along : fminf(along, against);
+    out[1] = j->hint != NULL ? against : fmaxf(along, against);
+    return out + 2;
+}
+
+static void sweep_evidence(const judge* j, const dmi_candidate* c, float out[14]) {
+    sweep s;
+    sweep_part(j, c, &s);
+    static const int steps[3] = {0, 2, 4};
+    for (int i = 0; i < 3; i++) out = pair(j, s.hit[0][steps[i]], s.hit[1][steps[i]], out);
+    for (int i = 1; i < 3; i++) out = pair(j, s.detached[0][steps[i]], s.detached[1][steps[i]], out);
+    for (int i = 1; i < 3; i++) out = pair(j, s.touch[0][steps[i]], s.touch[1][steps[i]], out);
+}
+
+static void shape_evidence(const judge* j, float out[5]) {
+    float longest = fmaxf(j->side[0], 1e-6f);
+    out[0] = j->side[2] / longest;
+    out[1] = j->side[2] / fmaxf(j->side[1], 1e-6f);
+    out[2] = j->side[1] / longest;
+    out[3] = logf(j->study->diagonal);
+    out[4] = logf(1 + j->study->area_ratio) / 5;
+}
+
+static void alignment_evidence(const judge* j, const dmi_candidate* c, float out[12]) {
+    float longest = fmaxf(j->side[0], 1e-6f), thin = j->side[2] / longest, middle = j->side[1] / longest;
+    for (int k = 0; k < 3; k++) {
+        float cosine = fabsf(dmi_dot3(c->axis, j->study->box.axes[k])), aligned = cosine > 0.9995f ? 1.0f : 0.0f;
+        out[k] = aligned;
+        out[3 + k] = cosine;
+        out[6 + k] = thin < 0.2f ? aligned : 0;
+        out[9 + k] = aligned * middle;
+    }
+}
+
+/* Offsets from the centroid and the box's centre, spread of the distances from the axis, and how much of the part lies
+ * behind the axis as seen from its centroid: nothing behind an edge hinge, half behind a pivot. */
+static void place_evidence(const judge* j, const dmi_candidate* c, float out[11]) {
+    const dmi_study* s = j->study;
+    memset(out, 0, 11 * sizeof *out);
+    if (slides(c)) return;
+    float least = INFINITY, most = 0, sum = 0, square = 0, behind = 0, outward[3];
+    dmi_sub3(s->centre, c->origin, outward);
+    dmi_reject3(outward, c->axis);
+    dmi_normalize3(outward);
+    for (int i = 0; i < SURFACE_POINTS; i++) {
+        float r = dmi_line_distance3(s->points[i], c->axis, c->origin), d[3];
+        dmi_sub3(s->points[i], c->origin, d);
+        behind += dmi_dot3(d, outward) < -0.01f * s->diagonal;
+        least = fminf(least, r), most = fmaxf(most, r);
+        sum += r, square += r * r;
+    }
+    float mean = sum / SURFACE_POINTS, off = dmi_line_distance3(s->centre, c->axis, c->origin) / s->diagonal;
+    float off_box = dmi_line_distance3(j->box_centre, c->axis, c->origin) / s->diagonal;
+    out[0] = off, out[1] = expf(-off / 0.01f);
+    out[2] = off_box, out[3] = expf(-off_box / 0.005f);
+    out[4] = least / s->diagonal, out[5] = most / s->diagonal, out[6] = least / (most + 1e-9f);
+    out[7] = sqrtf(fmaxf(square / SURFACE_POINTS - mean * mean, 0)) / (mean + 1e-9f);
+    out[8] = behind / SURFACE_POINTS, out[9] = behind / SURFACE_POINTS < 0.01f ? 1.0f : 0.0f;
+    out[10] = dmi_field_distance(&s->body_field, c->origin) / s->diagonal;
+}
+
+static void side_evidence(const judge* j, const dmi_candidate* c, float out[3]) {
+    memset(out, 0, 3 * sizeof *out);
+    if (slides(c)) return;
+    int along = 0;
+    float place[2], best = 0;
+    for (int k = 0; k < 3; k++) {
+        float cosine = fabsf(dmi_dot3(c->axis, j->study->box.axes[k]));
+        if (cosine > best) best = cosine, along = k;
+    }
+    for (int k = 0, n = 0; k < 3; k++) {
+        if (k == along) continue;
+        float off = fabsf(dmi_dot3(c->origin, j->study->box.axes[k]) - j->middle[k]);
+        place[n++] = fminf(off / fmaxf(0.5f * j->side[k], 0.01f * j->study->diagonal), 4);
+    }
+    out[0] = fmaxf(place[0], place[1]);
+    out[1] = fminf(place[0], place[1]);
+    out[2] = expf(-fabsf(out[0] - 1) / 0.03f);
+}
+
+static void along_evidence(const judge* j, const dmi_candidate* c, float out[4]) {
+    const dmi_study* s = j->study;
+    memset(out, 0, 4 * sizeof *out);
+    if (slides(c)) return;
+    float low, high;
+    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3]) & c->axis, 1, &low, &high);
+    float at = dmi_dot3(c->origin, c->axis);
+    for (int i = 0; i < 9; i++) {
+        float x[3];
+        dmi_madd3(c->origin, low + (high - low) * (float)i / 8 - at, c->axis, x);
+        float body = dmi_field_distance(&s->body_field, x) / s->diagonal;
+        float part = dmi_field_distance(&s->part_field, x) / s->diagonal;
+        out[0] += body / 9, out[1] = fmaxf(out[1], body);
+        out[2] += part / 9, out[3] = fmaxf(out[3], part);
+    }
+}
+
+/* Mean distance from itself of the part turned by half a turn, and least over thirds to sixths. */
+static void symmetry_evidence(const judge* j, const dmi_candidate* c, float out[3]) {
+    const dmi_study* s = j->study;
+    memset(out, 0, 3 * sizeof *out);
+    if (slides(c)) return;
+    static const float cosine[5] = {-1, -0.5f, 0, 0.30901699f, 0.5f};
+    static const float sine[5] = {0, 0.8660254f, 1, 0.95105652f, 0.8660254f};
+    float mean[5] = {0};
+    for (int k = 0; k < 5; k++)
+        for (int i = 0; i < 40; i++) {
+            float x[3];
+            dmi_turn3(c->axis, c->origin, cosine[k], sine[k], s->points[i], x);
+            mean[k] += fminf(dmi_field_distance(&s->part_field, x) / s->diagonal, 0.5f) / 40;
+        }
+    float least = fminf(fminf(mean[1], mean[2]), fminf(mean[3], mean[4]));
+    out[0] = mean[0], out[1] = least, out[2] = expf(-fminf(least, mean[0]) / 0.02f);
+}
+
+static void drag_evidence(const judge* j, const dmi_candidate* c, float out[11]) {
+    memset(out, 0, 11 * sizeof *out);
+    if (j->hint == NULL) return;
+    const dmi_study* s = j->study;
+    float v[3], most = 0, low, high;
+    velocity(c, j->hint->point, v);
+    float speed = dmi_length3(v), cosine = dmi_dot3(v, j->drag) / (speed + 1e-12f);
+    float angle = acosf(fminf(fmaxf(cosine, -1), 1));
+    for (int i = 0; i < SURFACE_POINTS; i++) most = fmaxf(most, dmi_line_distance3(s->points[i], c->axis, c->origin));
+    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3]) & c->axis, 1, &low, &high);
+    float along = (dmi_dot3(j->hint->point, c->axis) - low) / fmaxf(high - low, 1e-6f);
+    out[0] = 1;
+    out[1] = slides(c) ? 0 : fminf(speed / (most + 1e-9f), 2);
+    out[2] = angle;
+    out[3] = expf(-angle / 0.01f);
+    out[4] = expf(-angle / 0.1f);
+    out[5] = fabsf(dmi_dot3(j->drag, j->drag_normal));
+    for (int k = 0; k < 3; k++) out[6 + k] = fabsf(dmi_dot3(j->drag, s->box.axes[k]));
+    out[9] = fmaxf(out[6], fmaxf(out[7], out[8]));
+    out[10] = fminf(fabsf(along - 0.5f), 2);
+}
+
+static void network_evidence(const judge* j, const dmi_candidate* c, float out[12]) {
+    memset(out, 0, 12 * sizeof *out);
+    const dmi_prediction* p = j->prediction;
+    if (p == NULL) return;
+    float turning = p->type[0] + p->type[2] + p->type[3];
+    float cosine = fabsf(dmi_dot3(c->axis, slides(c) ? p->slide_axis : p->turn_axis));
+    float angle = acosf(fminf(cosine, 1));
+    out[0] = 1;
+    out[1] = slides(c) ? p->type[1] : turning;
+    out[2] = angle, out[3] = expf(-angle / 0.05f), out[4] = expf(-angle / 0.2f);
+    for (int k = 0; k < DMI_KPP_TYPES; k++) out[8 + k] = p->type[k];
+    if (slides(c)) return;
+    float off = dmi_line_distance3(p->origin, c->axis, c->origin) / j->study->diagonal;
+    out[5] = fminf(off, 3), out[6] = expf(-off / 0.03f), out[7] = expf(-off / 0.12f);
+}
+
+static void family_evidence(const dmi_candidate* c, float* direction, float* origin) {
+    for (int k = 0; k < DMI_DIRECTION_FAMILIES; k++) direction[k] = (float)(c->direction_families >> k & 1);
+    for (int k = 0; k < DMI_ORIGIN_FAMILIES; k++) origin[k] = (float)(c->origin_families >> k & 1);
+}
+
+static judge make_judge(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction) {
+    judge j = {.study = study, .hint = hint, .prediction = prediction};
+    for (int k = 0; k < 3; k++) {
+        j.side[k] = study->box.high[k] - study->box.low[k];
+        j.middle[k] = (study->box.high[k] + study->box.low[k]) / 2;
+        dmi_madd3(j.box_centre, j.middle[k], study->box.axes[k], j.box_centre);
+    }
+    for (int i = 0; i < SWEEP_POINTS; i++)
+        j.free[i] = dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell;
+    if (hint == NULL) return j;
+    dmi_copy3(hint->vector, j.drag);
+    dmi_normalize3(j.drag);
+    float least = INFINITY;
+    for (uint32_t i = 0; i < DMI_STUDY_PART; i++) {
+        float d = dmi_distance3(study->points[i], hint->point);
+        if (d < least) least = d, dmi_copy3(study->normals[i], j.drag_normal);
+    }
+    return j;
+}
+
+/* How far each candidate's slippages and sweep are above the best of its type. */
+static void relative_evidence(uint32_t count, float (*rows)[DMI_EVIDENCE_COUNT]) {
+    static const int of[4] = {DMI_EVIDENCE_SLIP, DMI_EVIDENCE_CONTACT + 14, DMI_EVIDENCE_CONTACT + 15,
+                              DMI_EVIDENCE_SWEEP + 2};
+    for (int k = 0; k < 4; k++) {
+        float best[2] = {INFINITY, INFINITY};
+        for (uint32_t i = 0; i < count; i++) {
+            int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
+            best[type] = fminf(best[type], rows[i][of[k]]);
+        }
+        for (uint32_t i = 0; i < count; i++)
+            rows[i][DMI_EVIDENCE_RELATIVE + k] = rows[i][of[k]] - best[rows[i][DMI_EVIDENCE_SLIDES] > 0];
+    }
+}
+
+void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction,
+                       const dmi_candidate* candidates, uint32_t count, float (*out)[DMI_EVIDENCE_COUNT]) {
+    judge j = make_judge(study, hint, prediction);
+    for (uint32_t i = 0; i < count; i++) {
+        const dmi_candidate* c = &candidates[i];
+        float* row = out[i];
+        row[DMI_EVIDENCE_SLIDES] = slides(c) ? 1.0f : 0.0f;
+        float speed = surface_speed(&j, c, &row[DMI_EVIDENCE_SLIP]);
+        for (int k = 0; k < DMI_STUDY_CONTACTS; k++)
+            contact_evidence(&j, c, &study->contacts[k], speed, row + DMI_EVIDENCE_CONTACT + 7 * k);
+        sweep_evidence(&j, c, row + DMI_EVIDENCE_SWEEP);
+        shape_evidence(&j, row + DMI_EVIDENCE_SHAPE);
+        alignment_evidence(&j, c, row + DMI_EVIDENCE_ALIGNMENT);
+        place_evidence(&j, c, row + DMI_EVIDENCE_PLACE);
+        side_evidence(&j, c, row + DMI_EVIDENCE_SIDE);
+        along_evidence(&j, c, row + DMI_EVIDENCE_ALONG);
+        symmetry_evidence(&j, c, row + DMI_EVIDENCE_SYMMETRY);
+        drag_evidence(&j, c, row + DMI_EVIDENCE_DRAG);
+        network_evidence(&j, c, row + DMI_EVIDENCE_NETWORK);
+        family_evidence(c, row + DMI_EVIDENCE_DIRECTION, row + DMI_EVIDENCE_ORIGIN);
+    }
+    relative_evidence(count, out);
+}

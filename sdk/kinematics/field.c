@@ -1,0 +1,137 @@
+/* Exact Euclidean distance transform of a grid (Felzenszwalb and Huttenlocher 2012), and samples by cell. */
+#include "kinematics/field.h"
+
+#include "kinematics/linear3.h"
+
+#define FAR 1e12f
+
+static int32_t cell_of(const dmi_field* field, const float point[3]) {
+    int32_t index = 0;
+    for (int k = 2; k >= 0; k--) {
+        int32_t at = (int32_t)floorf((point[k] - field->low[k]) / field->cell);
+        if (at < 0 || at >= field->size[k]) return -1;
+        index = index * field->size[k] + at;
+    }
+    return index;
+}
+
+/* Counting sort of the samples by cell. */
+static dm_result sort_samples(dmi_arena* arena, uint32_t count, size_t cells, dmi_field* field) {
+    int32_t* cell = dmi_arena_push(arena, sizeof *cell * (count + 1));
+    field->start = dmi_arena_push(arena, sizeof *field->start * (cells + 2));
+    field->order = dmi_arena_push(arena, sizeof *field->order * (count + 1));
+    if (cell == NULL || field->start == NULL || field->order == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    memset(field->start, 0, sizeof *field->start * (cells + 2));
+    for (uint32_t i = 0; i < count; i++) {
+        cell[i] = cell_of(field, field->samples[i]);
+        if (cell[i] >= 0) field->start[cell[i] + 2]++, field->count++;
+    }
+    for (size_t c = 2; c < cells + 2; c++) field->start[c] += field->start[c - 1];
+    for (uint32_t i = 0; i < count; i++)
+        if (cell[i] >= 0) field->order[field->start[cell[i] + 1]++] = i;
+    return DM_OK;
+}
+
+/* Lower envelope of parabolas along one line of `n` cells `stride` apart, in squared cells. */
+static void transform_line(float* line, size_t stride, int32_t n) {
+    float value[DMI_FIELD_CELLS + 2], bound[DMI_FIELD_CELLS + 3];
+    int32_t at[DMI_FIELD_CELLS + 2], k = -1;
+    for (int32_t q = 0; q < n; q++) {
+        float f = line[(size_t)q * stride];
+        if (f >= FAR) continue;
+        float cross = -FAR;
+        for (; k >= 0; k--) {
+            cross = ((f + (float)(q * q)) - (value[k] + (float)(at[k] * at[k]))) / (float)(2 * (q - at[k]));
+            if (cross > bound[k]) break;
+        }
+        k++;
+        at[k] = q, value[k] = f, bound[k] = k == 0 ? -FAR : cross, bound[k + 1] = FAR;
+    }
+    if (k < 0) return;
+    int32_t p = 0;
+    for (int32_t q = 0; q < n; q++) {
+        while (p < k && bound[p + 1] < (float)q) p++;
+        line[(size_t)q * stride] = value[p] + (float)((q - at[p]) * (q - at[p]));
+    }
+}
+
+static void transform(dmi_field* field) {
+    int32_t nx = field->size[0], ny = field->size[1], nz = field->size[2];
+    size_t row = (size_t)nx, slab = row * (size_t)ny, cells = slab * (size_t)nz;
+    for (size_t c = 0; c < cells; c++) field->distance[c] = field->start[c + 1] > field->start[c] ? 0 : FAR;
+    for (size_t r = 0; r < cells; r += row) transform_line(field->distance + r, 1, nx);
+    for (size_t z = 0; z < cells; z += slab)
+        for (size_t x = 0; x < row; x++) transform_line(field->distance + z + x, row, ny);
+    for (size_t c = 0; c < slab; c++) transform_line(field->distance + c, slab, nz);
+    for (size_t c = 0; c < cells; c++) field->distance[c] = sqrtf(field->distance[c]) * field->cell;
+}
+
+dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t count, const float low[3],
+                         const float high[3], dmi_field* out) {
+    *out = (dmi_field){.samples = samples};
+    float longest = 1e-6f;
+    for (int k = 0; k < 3; k++) longest = fmaxf(longest, high[k] - low[k]);
+    out->cell = longest / (DMI_FIELD_CELLS - 1);
+    size_t cells = 1;
+    for (int k = 0; k < 3; k++) {
+        out->low[k] = low[k];
+        out->size[k] = (int32_t)ceilf(fmaxf(high[k] - low[k], 0) / out->cell) + 1;
+        cells *= (size_t)out->size[k];
+    }
+    out->distance = dmi_arena_push(arena, sizeof *out->distance * cells);
+    if (out->distance == NULL || sort_samples(arena, count, cells, out) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
+    transform(out);
+    return DM_OK;
+}
+
+/* Nearest sample in the cells that a box of `reach` round the point touches. */
+static uint32_t nearest_within(const dmi_field* field, const float point[3], float reach, float* out_distance) {
+    int32_t from[3], to[3];
+    for (int k = 0; k < 3; k++) {
+        float at = (point[k] - field->low[k]) / field->cell, r = reach / field->cell,
+              last = (float)(field->size[k] - 1);
+        from[k] = (int32_t)fminf(fmaxf(floorf(at - r), 0), last);
+        to[k] = (int32_t)fminf(fmaxf(floorf(at + r), 0), last);
+    }
+    uint32_t best = UINT32_MAX;
+    float least = INFINITY;
+    for (int32_t z = from[2]; z <= to[2]; z++)
+        for (int32_t y = from[1]; y <= to[1]; y++) {
+            size_t row = ((size_t)z * (size_t)field->size[1] + (size_t)y) * (size_t)field->size[0];
+            uint32_t end = field->start[row + (size_t)to[0] + 1];
+            for (uint32_t i = field->start[row + (size_t)from[0]]; i < end; i++) {
+                float d[3];
+                dmi_sub3(field->samples[field->order[i]], point, d);
+                float square = dmi_dot3(d, d);
+                if (square < least) least = square, best = field->order[i];
+            }
+        }
+    *out_distance = sqrtf(least);
+    return best;
+}
+
+uint32_t dmi_field_nearest(const dmi_field* field, const float point[3], float* out_distance) {
+    *out_distance = INFINITY;
+    if (field->count == 0) return UINT32_MAX;
+    /* The nearest occupied cell is `rough` away from this cell's centre: a sample lies within its diagonal of that. */
+    float rough = dmi_field_distance(field, point), diagonal = 1.733f * field->cell;
+    if (rough <= 4 * field->cell) return nearest_within(field, point, rough + diagonal, out_distance);
+    uint32_t hint = UINT32_MAX;
+    float at[3], step;
+    dmi_copy3(point, at);
+    /* Walk down the distance grid to the occupied cell. */
+    for (int turns = 0; turns < 4 * DMI_FIELD_CELLS; turns++) {
+        float here = dmi_field_distance(field, at), least = here, next[3];
+        for (int n = 0; n < 27; n++) {
+            float near[3] = {at[0] + (float)(n % 3 - 1) * field->cell, at[1] + (float)(n / 3 % 3 - 1) * field->cell,
+                             at[2] + (float)(n / 9 - 1) * field->cell};
+            float d = dmi_field_distance(field, near);
+            if (d < least) least = d, dmi_copy3(near, next);
+        }
+        if (least >= here) break;
+        dmi_copy3(next, at);
+    }
+    hint = nearest_within(field, at, 2 * diagonal, &step);
+    if (hint != UINT32_MAX) *out_distance = dmi_distance3(point, field->samples[hint]);
+    return hint;
+}

@@ -1,0 +1,41 @@
+/* A grid of distances to a set of surface samples: how far a moved point is from the body, in a few nanoseconds. */
+#ifndef DMI_KINEMATICS_FIELD_H
+#define DMI_KINEMATICS_FIELD_H
+
+#include "base/arena.h"
+
+#define DMI_FIELD_CELLS 56 /* along the longest side */
+
+typedef struct dmi_field {
+    float low[3], cell;
+    int32_t size[3];
+    float* distance; /* from a cell's centre to the nearest cell that holds a sample; inner units */
+    uint32_t* start; /* cell c holds order[start[c]] .. order[start[c + 1] - 1] */
+    uint32_t* order; /* sample indices by cell */
+    uint32_t count;  /* samples inside the grid */
+    const float (*samples)[3];
+} dmi_field;
+
+/* `samples` must outlive the field. NULL memory: DM_ERROR_OUT_OF_MEMORY. */
+dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t count, const float low[3],
+                         const float high[3], dmi_field* out);
+
+/* Distance, to within a cell; outside the grid the way back to it is added. */
+static inline float dmi_field_distance(const dmi_field* field, const float point[3]) {
+    int32_t index = 0;
+    float outside = 0;
+    for (int k = 2; k >= 0; k--) {
+        float at = (point[k] - field->low[k]) / field->cell, last = (float)(field->size[k] - 1);
+        float inside = at < 0 ? 0 : at > last ? last : at;
+        float off = at - inside;
+        outside += off * off > 1 ? off * off : 0;
+        index = index * field->size[k] + (int32_t)inside;
+    }
+    float distance = field->distance[index];
+    return outside > 0 ? distance + __builtin_sqrtf(outside) * field->cell : distance;
+}
+
+/* Nearest sample: exact when nearer than four cells, else within a cell of it. UINT32_MAX when there is none. */
+uint32_t dmi_field_nearest(const dmi_field* field, const float point[3], float* out_distance);
+
+#endif

@@ -1,0 +1,204 @@
+/* Joint hypotheses of one part: study, network, candidates, evidence, ranking, limits. */
+#include "kinematics/kinematics.h"
+
+#include "kinematics/limits.h"
+#include "kinematics/linear3.h"
+#include "kinematics/ranker.h"
+
+#define SCRATCH_BLOCK ((size_t)1 << 20)
+#define TOP 48 /* candidates that may become hypotheses */
+#define ALIKE_POINTS 12
+#define ALIKE 0.05f /* two joints are one hypothesis when their motions differ by less than this share */
+#define SCREW_CERTAIN 0.8f
+
+typedef struct work {
+    const dmi_kinematics_query* query;
+    dmi_study study;
+    dmi_kpp_input input;
+    dmi_kpp_output output;
+    dmi_prediction prediction;
+    dmi_candidate candidates[DMI_CANDIDATES_MAX];
+    float evidence[DMI_CANDIDATES_MAX][DMI_EVIDENCE_COUNT];
+    float probability[DMI_CANDIDATES_MAX];
+    uint32_t count;
+} work;
+
+static void vector_out(const dmi_kpp_frame* frame, const float in[3], float out[3]) {
+    for (int k = 0; k < 3; k++)
+        out[k] = in[0] * frame->rotation[k] + in[1] * frame->rotation[3 + k] + in[2] * frame->rotation[6 + k];
+}
+
+static void softmax(const float* logits, uint32_t count, float* out) {
+    float most = -INFINITY, sum = 0;
+    for (uint32_t i = 0; i < count; i++) most = fmaxf(most, logits[i]);
+    for (uint32_t i = 0; i < count; i++) sum += out[i] = expf(logits[i] - most);
+    for (uint32_t i = 0; i < count; i++) out[i] /= sum;
+}
+
+/* The raw heads in the object-normalised frame. */
+static void read_output(const dmi_kpp_frame* frame, const dmi_kpp_output* raw, dmi_prediction* out) {
+    static const float x_axis[3] = {1, 0, 0};
+    softmax(raw->type_logits, DMI_KPP_TYPES, out->type);
+    vector_out(frame, raw->turn_axis, out->turn_axis);
+    vector_out(frame, raw->slide_axis, out->slide_axis);
+    if (!(dmi_normalize3(out->turn_axis) > 1e-6f)) vector_out(frame, x_axis, out->turn_axis);
+    if (!(dmi_normalize3(out->slide_axis) > 1e-6f)) vector_out(frame, x_axis, out->slide_axis);
+    vector_out(frame, raw->origin, out->origin);
+    for (int k = 0; k < 3; k++) out->origin[k] = frame->origin[k] + out->origin[k] / frame->scale;
+    for (int k = 0; k < 2; k++) {
+        out->turn_limits[k] = raw->limits[k] * 3.14159265f;
+        out->slide_limits[k] = raw->limits[2 + k] / frame->scale;
+    }
+    out->pitch = raw->limits[4] / frame->scale;
+}
+
+static dm_result predict(dmi_env* env, dmi_arena* arena, work* w) {
+    const dmi_kinematics_query* query = w->query;
+    void* scratch = dmi_arena_push(arena, dmi_kpp_net_scratch_size(query->net));
+    if (scratch == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for the network's scratch");
+    dmi_kpp_input_make(query->cloud, query->hint, &w->input);
+    dmi_kpp_net_forward(query->net, query->isa, &w->input, scratch, &w->output);
+    read_output(&w->input.frame, &w->output, &w->prediction);
+    return DM_OK;
+}
+
+/* Keeps the candidates of the type that the host has given. */
+static void keep_type(work* w) {
+    int32_t type = w->query->given_type;
+    if (type == DM_JOINT_UNKNOWN || type == DM_JOINT_FIXED) return;
+    int slides = type == DM_JOINT_PRISMATIC;
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < w->count; i++)
+        if ((w->candidates[i].type == DM_JOINT_PRISMATIC) == slides) w->candidates[kept++] = w->candidates[i];
+    if (kept > 0) w->count = kept;
+}
+
+static void velocity(const dmi_candidate* c, const float point[3], float out[3]) {
+    if (c->type == DM_JOINT_PRISMATIC) {
+        dmi_copy3(c->axis, out);
+        return;
+    }
+    float arm[3];
+    dmi_sub3(point, c->origin, arm);
+    dmi_cross3(c->axis, arm, out);
+}
+
+/* Whether two candidates of one type move the part alike, up to speed and sign. */
+static int alike(const dmi_study* study, const dmi_candidate* a, const dmi_candidate* b) {
+    if (a->type != b->type) return 0;
+    float aa = 0, ab = 0, bb = 0;
+    for (int i = 0; i < ALIKE_POINTS; i++) {
+        float u[3], v[3];
+        velocity(a, study->points[i], u);
+        velocity(b, study->points[i], v);
+        aa += dmi_dot3(u, u), ab += dmi_dot3(u, v), bb += dmi_dot3(v, v);
+    }
+    float cosine = fabsf(ab) / (sqrtf(aa * bb) + 1e-20f);
+    return cosine > 1 - 0.5f * ALIKE * ALIKE;
+}
+
+typedef struct ranked {
+    uint32_t index;
+    float mass; /* probability of it and of those alike */
+} ranked;
+
+/* The TOP most probable candidates, most probable first. */
+static uint32_t top_candidates(const work* w, ranked* out) {
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < w->count; i++) {
+        float p = w->probability[i];
+        if (n == TOP && p <= w->probability[out[n - 1].index]) continue;
+        uint32_t at = n < TOP ? n++ : TOP - 1;
+        for (; at > 0 && w->probability[out[at - 1].index] < p; at--) out[at] = out[at - 1];
+        out[at].index = i;
+    }
+    return n;
+}
+
+static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, float type_mass) {
+    dm_joint joint = {.type = c->type,
+                      .confidence = fminf(mass, 1),
+                      .type_confidence = fminf(type_mass, 1),
+                      .axis = {c->axis[0], c->axis[1], c->axis[2]},
+                      .origin = {c->origin[0], c->origin[1], c->origin[2]},
+                      .source = DM_JOINT_FROM_GEOMETRY};
+    if ((c->direction_families & DMI_DIRECTION_NETWORK) != 0 &&
+        (c->direction_families & ~(uint32_t)DMI_DIRECTION_NETWORK) == 0)
+        joint.source = DM_JOINT_FROM_NETWORK;
+    int32_t given = w->query->given_type;
+    const dmi_prediction* p = w->query->net != NULL ? &w->prediction : NULL;
+    if (c->type == DM_JOINT_REVOLUTE &&
+        (given == DM_JOINT_SCREW || (given == DM_JOINT_UNKNOWN && p != NULL && p->type[2] > SCREW_CERTAIN))) {
+        joint.type = DM_JOINT_SCREW;
+        joint.pitch = p != NULL ? (dmi_dot3(p->turn_axis, c->axis) < 0 ? -p->pitch : p->pitch) : 0.02f;
+    }
+    dmi_limits_set(&w->study, p, &joint);
+    if (given == DM_JOINT_CONTINUOUS || (given == DM_JOINT_REVOLUTE && joint.type == DM_JOINT_CONTINUOUS))
+        joint.type = given;
+    return joint;
+}
+
+/* Takes the candidate that gathers most probability with those alike, again and again. */
+static void choose(const work* w, dmi_hypotheses* out) {
+    ranked top[TOP];
+    uint32_t n = top_candidates(w, top);
+    uint8_t taken[TOP] = {0}, is_alike[TOP][TOP];
+    float type_mass[2] = {0, 0};
+    for (uint32_t i = 0; i < w->count; i++) type_mass[w->candidates[i].type == DM_JOINT_PRISMATIC] += w->probability[i];
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t j = 0; j < n; j++)
+            is_alike[i][j] =
+                i == j || alike(&w->study, &w->candidates[top[i].index], &w->candidates[top[j].index]) != 0;
+    out->count = 0;
+    while (out->count < DM_MAX_HYPOTHESES) {
+        uint32_t best = n;
+        for (uint32_t i = 0; i < n; i++) {
+            if (taken[i]) continue;
+            top[i].mass = 0;
+            for (uint32_t j = 0; j < n; j++)
+                if (!taken[j] && is_alike[i][j]) top[i].mass += w->probability[top[j].index];
+            if (best == n || top[i].mass > top[best].mass * 1.0001f) best = i;
+        }
+        if (best == n) break;
+        /* Among those alike, the most probable one stands for them. */
+        uint32_t chosen = best;
+        for (uint32_t j = 0; j < n; j++) {
+            if (taken[j] || !is_alike[best][j]) continue;
+            if (w->probability[top[j].index] > w->probability[top[chosen].index]) chosen = j;
+            taken[j] = 1;
+        }
+        const dmi_candidate* c = &w->candidates[top[chosen].index];
+        out->joints[out->count++] = make_joint(w, c, top[best].mass, type_mass[c->type == DM_JOINT_PRISMATIC]);
+    }
+}
+
+static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_query* query, dmi_hypotheses* out) {
+    work* w = dmi_arena_push(arena, sizeof *w);
+    if (w == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for %zu bytes of scratch", sizeof *w);
+    w->query = query;
+    dm_result result = dmi_study_make(arena, query->mesh, query->cloud, query->part, NULL, &w->study);
+    if (result == DM_ERROR_OUT_OF_MEMORY)
+        return dmi_fail(env, result, "kinematics: no memory to study part %u", query->mesh->parts[query->part].id);
+    if (result != DM_OK) return result;
+    if (query->net != NULL) result = predict(env, arena, w);
+    if (result != DM_OK) return result;
+    const dmi_prediction* prediction = query->net != NULL ? &w->prediction : NULL;
+    w->count = dmi_candidates_make(&w->study, query->hint, prediction, w->candidates);
+    keep_type(w);
+    dmi_evidence_make(&w->study, query->hint, prediction, w->candidates, w->count, w->evidence);
+    dmi_ranker_probabilities(query->ranker, (const float(*)[DMI_EVIDENCE_COUNT])w->evidence, w->count, w->probability);
+    choose(w, out);
+    if (query->hint != NULL)
+        for (uint32_t i = 0; i < out->count; i++) dmi_joint_orient(&out->joints[i], query->hint);
+    return DM_OK;
+}
+
+dm_result dmi_kinematics_infer(dmi_env* env, const dmi_kinematics_query* query, dmi_hypotheses* out_hypotheses) {
+    dmi_arena arena;
+    dmi_arena_init(&arena, env, SCRATCH_BLOCK);
+    dm_result result = infer(env, &arena, query, out_hypotheses);
+    dmi_arena_release(&arena);
+    return result;
+}

@@ -1,0 +1,133 @@
+/* The learned ranker's forward pass, and the rules that stand in for it. */
+#include "kinematics/ranker.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "nn/weights.h"
+
+#define HIDDEN 64
+#define VERSION 1
+
+/* Weights transposed, so that the inner loops run over outputs and vectorise. */
+struct dmi_ranker {
+    dmi_env* env;
+    float first[DMI_EVIDENCE_COUNT][HIDDEN], first_bias[HIDDEN];
+    float second[HIDDEN][HIDDEN], second_bias[HIDDEN];
+    float last[HIDDEN], last_bias;
+    float inverse_temperature;
+};
+
+static int copy_transposed(const dmi_weights* weights, const char* name, uint32_t outputs, uint32_t inputs, float* to) {
+    const float* from = dmi_weights_find(weights, name, outputs, inputs);
+    if (from == NULL) return 0;
+    for (uint32_t o = 0; o < outputs; o++)
+        for (uint32_t i = 0; i < inputs; i++) memcpy(&to[i * outputs + o], &from[o * inputs + i], sizeof *to);
+    return 1;
+}
+
+static int copy_vector(const dmi_weights* weights, const char* name, uint32_t count, float* to) {
+    const float* from = dmi_weights_find(weights, name, count, 0);
+    if (from != NULL) memcpy(to, from, count * sizeof *to);
+    return from != NULL;
+}
+
+/* Folds the standardisation (x - mean) * scale into the first layer. */
+static void fold_standardisation(const float* mean, const float* scale, dmi_ranker* ranker) {
+    for (uint32_t i = 0; i < DMI_EVIDENCE_COUNT; i++)
+        for (uint32_t o = 0; o < HIDDEN; o++) {
+            ranker->first[i][o] *= scale[i];
+            ranker->first_bias[o] -= ranker->first[i][o] * mean[i];
+        }
+}
+
+static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
+    float mean[DMI_EVIDENCE_COUNT], scale[DMI_EVIDENCE_COUNT], temperature;
+    if (!copy_vector(weights, "mean", DMI_EVIDENCE_COUNT, mean) ||
+        !copy_vector(weights, "scale", DMI_EVIDENCE_COUNT, scale) ||
+        !copy_transposed(weights, "0.weight", HIDDEN, DMI_EVIDENCE_COUNT, &ranker->first[0][0]) ||
+        !copy_vector(weights, "0.bias", HIDDEN, ranker->first_bias) ||
+        !copy_transposed(weights, "2.weight", HIDDEN, HIDDEN, &ranker->second[0][0]) ||
+        !copy_vector(weights, "2.bias", HIDDEN, ranker->second_bias) ||
+        !copy_transposed(weights, "4.weight", 1, HIDDEN, ranker->last) ||
+        !copy_vector(weights, "4.bias", 1, &ranker->last_bias) || !copy_vector(weights, "temperature", 1, &temperature))
+        return 0;
+    if (!(temperature > 1e-3f && temperature < 1e3f)) return 0;
+    ranker->inverse_temperature = 1 / temperature;
+    fold_standardisation(mean, scale, ranker);
+    return 1;
+}
+
+dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranker** out_ranker) {
+    dmi_weights* weights;
+    dm_result result = dmi_weights_open(env, data, size, "dragmesh-ranker", VERSION, &weights);
+    if (result != DM_OK) return result;
+    dmi_ranker* ranker = dmi_alloc(env, sizeof *ranker, 64);
+    if (ranker == NULL) {
+        result = dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "ranker: no memory for its %zu bytes", sizeof *ranker);
+    } else {
+        ranker->env = env;
+        if (!read_tensors(weights, ranker)) {
+            result = dmi_fail(env, DM_ERROR_WRONG_MODEL,
+                              "ranker: a tensor is missing or of another shape, or the "
+                              "temperature is outside 0.001 to 1000");
+            dmi_free(env, ranker, sizeof *ranker);
+        }
+    }
+    dmi_weights_close(weights);
+    if (result == DM_OK) *out_ranker = ranker;
+    return result;
+}
+
+void dmi_ranker_destroy(dmi_ranker* ranker) {
+    if (ranker != NULL) dmi_free(ranker->env, ranker, sizeof *ranker);
+}
+
+static float forward(const dmi_ranker* ranker, const float* restrict evidence) {
+    float a[HIDDEN], b[HIDDEN], score = ranker->last_bias;
+    memcpy(a, ranker->first_bias, sizeof a);
+    for (uint32_t i = 0; i < DMI_EVIDENCE_COUNT; i++) {
+        float x = evidence[i];
+        if (x == 0) continue;
+        for (uint32_t o = 0; o < HIDDEN; o++) a[o] += x * ranker->first[i][o];
+    }
+    memcpy(b, ranker->second_bias, sizeof b);
+    for (uint32_t i = 0; i < HIDDEN; i++) {
+        if (a[i] <= 0) continue;
+        for (uint32_t o = 0; o < HIDDEN; o++) b[o] += a[i] * ranker->second[i][o];
+    }
+    for (uint32_t i = 0; i < HIDDEN; i++) score += (b[i] > 0 ? b[i] : 0) * ranker->last[i];
+    return score * ranker->inverse_temperature;
+}
+
+/* Rules: surfaces slide on themselves where parts touch; a motion does not run into the body; a drag is followed; axes
+ * run along sides and through middles; the network's answer draws what is near it. Weights are round numbers set by
+ * hand. */
+static float rule_score(const float* e) {
+    const float *contact = e + DMI_EVIDENCE_CONTACT + 14, *sweep = e + DMI_EVIDENCE_SWEEP,
+                *drag = e + DMI_EVIDENCE_DRAG;
+    const float *net = e + DMI_EVIDENCE_NETWORK, *place = e + DMI_EVIDENCE_PLACE;
+    float score = -3 * e[DMI_EVIDENCE_SLIP] - 3 * contact[0] - 2 * contact[1] - 4 * fminf(sweep[0], sweep[1]);
+    score -= drag[0] > 0 ? 4 * sweep[2] + drag[2] * drag[2] / 0.02f : 0;
+    if (e[DMI_EVIDENCE_SLIDES] == 0) {
+        score += 1.5f * contact[4] + e[DMI_EVIDENCE_SIDE + 2] + e[DMI_EVIDENCE_SYMMETRY + 2] + place[1] + place[3];
+        score -= 3 * fmaxf(e[DMI_EVIDENCE_ALONG + 2] - 0.05f, 0) + 1;
+    }
+    if (net[0] > 0) {
+        score += logf(net[1] + 0.02f) - 4 * fminf(net[2], 1) + 2 * net[3];
+        if (e[DMI_EVIDENCE_SLIDES] == 0) score -= 4 * fminf(net[5], 1) - net[6];
+    }
+    for (int k = 0; k < 3; k++) score += 0.7f * e[DMI_EVIDENCE_ALIGNMENT + k];
+    return score;
+}
+
+void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
+                              float* out_probability) {
+    float most = -INFINITY, sum = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        out_probability[i] = ranker != NULL ? forward(ranker, evidence[i]) : rule_score(evidence[i]);
+        most = fmaxf(most, out_probability[i]);
+    }
+    for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = expf(out_probability[i] - most);
+    for (uint32_t i = 0; i < count; i++) out_probability[i] /= sum;
+}

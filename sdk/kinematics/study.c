@@ -1,0 +1,274 @@
+/* Measures one part: samples the body near it, finds contacts, boxes, directions and slippage. */
+#include "kinematics/study.h"
+
+#include <stdlib.h>
+
+#include "base/random.h"
+#include "kinematics/linear3.h"
+
+#define NEAR_TRIES 32768
+#define NEAREST_SHARE 20 /* the third contact region: the nearest 1 / 20 of the part's points */
+#define MAX_VERTICES 32768
+
+static void grow(const float point[3], float low[3], float high[3]) {
+    for (int k = 0; k < 3; k++) {
+        low[k] = fminf(low[k], point[k]);
+        high[k] = fmaxf(high[k], point[k]);
+    }
+}
+
+static void empty_box(float low[3], float high[3]) {
+    for (int k = 0; k < 3; k++) low[k] = INFINITY, high[k] = -INFINITY;
+}
+
+/* moving[f] = 1 for the faces that move with the part. */
+static uint8_t* mark_faces(dmi_arena* arena, const dmi_mesh* mesh, uint32_t part) {
+    uint8_t* moving = dmi_arena_push(arena, mesh->face_count);
+    uint8_t* with = dmi_arena_push(arena, mesh->part_count);
+    if (moving == NULL || with == NULL) return NULL;
+    for (uint32_t p = 0; p < mesh->part_count; p++) with[p] = dmi_mesh_moves_with(mesh, p, part) != 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) moving[f] = with[mesh->face_part[f]];
+    return moving;
+}
+
+/* The part's vertices, thinned when there are very many; their box goes to the study. */
+static float (*part_vertices(dmi_arena* arena, const uint8_t* moving, dmi_study* study, uint32_t* out_count))[3] {
+    const dmi_mesh* mesh = study->mesh;
+    uint8_t* used = dmi_arena_push(arena, mesh->vertex_count);
+    if (used == NULL) return NULL;
+    memset(used, 0, mesh->vertex_count);
+    uint32_t total = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        if (!moving[f] || mesh->face_area[f] <= 0) continue;
+        for (int k = 0; k < 3; k++) {
+            uint32_t v = mesh->indices[3 * f + (uint32_t)k];
+            total += !used[v];
+            used[v] = 1;
+        }
+    }
+    uint32_t step = total / MAX_VERTICES + 1, seen = 0;
+    float(*out)[3] = dmi_arena_push(arena, sizeof *out * (total / step + 2));
+    if (out == NULL) return NULL;
+    *out_count = 0;
+    empty_box(study->low, study->high);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        if (!used[v]) continue;
+        grow(mesh->positions + 3 * (size_t)v, study->low, study->high);
+        if (seen++ % step == 0) dmi_copy3(mesh->positions + 3 * (size_t)v, out[(*out_count)++]);
+    }
+    return out;
+}
+
+/* Faces of the rest that reach into the box; cumulated area beside them. */
+static uint32_t faces_in_box(const dmi_mesh* mesh, const uint8_t* moving, const float low[3], const float high[3],
+                             uint32_t* out_faces, float* out_area) {
+    uint32_t count = 0;
+    double total = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        if (moving[f] || mesh->face_area[f] <= 0) continue;
+        int inside = 1;
+        for (int k = 0; k < 3; k++) {
+            float a = mesh->positions[3 * (size_t)mesh->indices[3 * f] + (size_t)k];
+            float b = mesh->positions[3 * (size_t)mesh->indices[3 * f + 1] + (size_t)k];
+            float c = mesh->positions[3 * (size_t)mesh->indices[3 * f + 2] + (size_t)k];
+            inside &= fminf(a, fminf(b, c)) <= high[k] && fmaxf(a, fmaxf(b, c)) >= low[k];
+        }
+        if (!inside) continue;
+        total += mesh->face_area[f];
+        out_faces[count] = f, out_area[count++] = (float)total;
+    }
+    return count;
+}
+
+static uint32_t pick_face(const float* area, uint32_t count, float at) {
+    uint32_t low = 0, high = count - 1;
+    while (low < high) {
+        uint32_t middle = (low + high) / 2;
+        if (area[middle] < at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Area-weighted samples of the listed faces that fall into the box. */
+static void sample_near(const uint32_t* faces, const float* area, uint32_t count, const float low[3],
+                        const float high[3], dmi_study* study) {
+    const dmi_mesh* mesh = study->mesh;
+    dmi_random random = dmi_random_make(study->part, 91);
+    for (uint32_t t = 0; t < NEAR_TRIES && study->near_count < DMI_STUDY_NEAR; t++) {
+        uint32_t f = faces[pick_face(area, count, dmi_random_unit(&random) * area[count - 1])];
+        float r = sqrtf(dmi_random_unit(&random)), s = dmi_random_unit(&random), x[3];
+        const float* a = mesh->positions + 3 * (size_t)mesh->indices[3 * f];
+        const float* b = mesh->positions + 3 * (size_t)mesh->indices[3 * f + 1];
+        const float* c = mesh->positions + 3 * (size_t)mesh->indices[3 * f + 2];
+        int inside = 1;
+        for (int k = 0; k < 3; k++) {
+            x[k] = (1 - r) * a[k] + r * (1 - s) * b[k] + r * s * c[k];
+            inside &= x[k] >= low[k] && x[k] <= high[k];
+        }
+        if (!inside) continue;
+        dmi_copy3(x, study->near_points[study->near_count]);
+        dmi_copy3(mesh->face_normal + 3 * (size_t)f, study->near_normals[study->near_count++]);
+    }
+}
+
+/* The body near the part: samples in `low`..`high`, or the cloud's when none falls there. */
+static dm_result find_near(dmi_arena* arena, const uint8_t* moving, const dmi_cloud* cloud, const float low[3],
+                           const float high[3], dmi_study* study) {
+    const dmi_mesh* mesh = study->mesh;
+    uint32_t* faces = dmi_arena_push(arena, sizeof *faces * mesh->face_count);
+    float* area = dmi_arena_push(arena, sizeof *area * mesh->face_count);
+    study->near_points = dmi_arena_push(arena, sizeof(float[3]) * (DMI_STUDY_NEAR + DMI_CLOUD_NEAR));
+    study->near_normals = dmi_arena_push(arena, sizeof(float[3]) * (DMI_STUDY_NEAR + DMI_CLOUD_NEAR));
+    if (faces == NULL || area == NULL || study->near_points == NULL || study->near_normals == NULL)
+        return DM_ERROR_OUT_OF_MEMORY;
+    uint32_t count = faces_in_box(mesh, moving, low, high, faces, area);
+    if (count > 0) sample_near(faces, area, count, low, high, study);
+    if (study->near_count < 256) {
+        memcpy(study->near_points + study->near_count, cloud->xyz + DMI_CLOUD_PART, sizeof(float[3]) * DMI_CLOUD_NEAR);
+        memcpy(study->near_normals + study->near_count, cloud->normal + DMI_CLOUD_PART,
+               sizeof(float[3]) * DMI_CLOUD_NEAR);
+        study->near_count += DMI_CLOUD_NEAR;
+    }
+    return DM_OK;
+}
+
+static dm_result make_fields(dmi_arena* arena, const float low[3], const float high[3], dmi_study* study) {
+    dm_result result =
+        dmi_field_make(arena, (const float(*)[3])study->near_points, study->near_count, low, high, &study->body_field);
+    if (result != DM_OK) return result;
+    float pad = 0.05f * study->diagonal, part_low[3], part_high[3];
+    for (int k = 0; k < 3; k++) part_low[k] = study->low[k] - pad, part_high[k] = study->high[k] + pad;
+    return dmi_field_make(arena, study->points, DMI_STUDY_PART, part_low, part_high, &study->part_field);
+}
+
+static dm_result measure_gaps(dmi_arena* arena, dmi_study* study) {
+    study->gap = dmi_arena_push(arena, sizeof *study->gap * DMI_STUDY_PART);
+    study->facing = dmi_arena_push(arena, sizeof *study->facing * DMI_STUDY_PART);
+    if (study->gap == NULL || study->facing == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t i = 0; i < DMI_STUDY_PART; i++)
+        study->facing[i] = dmi_field_nearest(&study->body_field, study->points[i], &study->gap[i]);
+    return DM_OK;
+}
+
+static int by_value(const void* a, const void* b) {
+    const float *p = a, *q = b;
+    return *p < *q ? -1 : *p > *q;
+}
+
+static dm_result make_contact(dmi_arena* arena, float limit, const dmi_study* study, dmi_contact* out) {
+    *out = (dmi_contact){0};
+    out->points = dmi_arena_push(arena, sizeof *out->points * DMI_STUDY_PART);
+    float(*xyz)[3] = dmi_arena_push(arena, sizeof *xyz * DMI_STUDY_PART);
+    if (out->points == NULL || xyz == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    float low[3], high[3];
+    empty_box(low, high);
+    for (uint32_t i = 0; i < DMI_STUDY_PART; i++) {
+        if (!(study->gap[i] <= limit)) continue;
+        grow(study->points[i], low, high);
+        dmi_copy3(study->points[i], xyz[out->count]);
+        out->points[out->count++] = i;
+    }
+    if (out->count == 0) return DM_OK;
+    double variances[3];
+    dmi_principal3((const float(*)[3])xyz, out->count, out->mean, variances, out->directions);
+    for (int k = 0; k < 3; k++) out->box_centre[k] = (low[k] + high[k]) / 2;
+    return DM_OK;
+}
+
+static dm_result find_contacts(dmi_arena* arena, dmi_study* study) {
+    float sorted[DMI_STUDY_PART];
+    memcpy(sorted, study->gap, sizeof sorted);
+    qsort(sorted, DMI_STUDY_PART, sizeof *sorted, by_value);
+    const float limits[DMI_STUDY_CONTACTS] = {0.01f, 0.03f * study->diagonal, sorted[DMI_STUDY_PART / NEAREST_SHARE]};
+    for (int c = 0; c < DMI_STUDY_CONTACTS; c++) {
+        float limit = isfinite(limits[c]) ? limits[c] : -1;
+        if (make_contact(arena, limit, study, &study->contacts[c]) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
+    }
+    return DM_OK;
+}
+
+static void find_directions(const float (*vertices)[3], uint32_t vertex_count, dmi_study* study) {
+    double variances[3];
+    dmi_principal3(study->points, DMI_STUDY_PART, study->centre, variances, study->part_directions);
+    float(*all)[3] = study->near_points, mean[3];
+    dmi_principal3((const float(*)[3])all, study->near_count, mean, variances, study->all_directions);
+    study->part_cluster_count =
+        dmi_shape_normal_clusters(study->normals, DMI_STUDY_PART, DMI_STUDY_CLUSTERS, study->part_clusters);
+    study->near_cluster_count = dmi_shape_normal_clusters((const float(*)[3])study->near_normals, study->near_count,
+                                                          DMI_STUDY_CLUSTERS, study->near_clusters);
+    float directions[3 + 2 * DMI_STUDY_CLUSTERS][3];
+    uint32_t count = 0;
+    for (int i = 0; i < 3; i++) dmi_copy3(study->part_directions[i], directions[count++]);
+    for (uint32_t i = 0; i < study->part_cluster_count; i++)
+        dmi_copy3(study->part_clusters[i].direction, directions[count++]);
+    uint32_t box_directions = count;
+    for (uint32_t i = 0; i < study->near_cluster_count; i++)
+        dmi_copy3(study->near_clusters[i].direction, directions[count++]);
+    study->extreme_count =
+        dmi_shape_extremes(vertices, vertex_count, (const float(*)[3])directions, count, study->extremes);
+    dmi_shape_box((const float(*)[3])study->extremes, study->extreme_count, (const float(*)[3])directions,
+                  box_directions, &study->box);
+}
+
+/* Slippage of a contact's part side (side 0) or of the body facing it. */
+static void contact_slippage(const dmi_contact* contact, int side, dmi_study* study, int slot) {
+    float xyz[DMI_STUDY_PART][3], normal[DMI_STUDY_PART][3];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < contact->count; i++) {
+        uint32_t p = contact->points[i], q = study->facing[p];
+        if (side == 1 && q == UINT32_MAX) continue;
+        dmi_copy3(side == 0 ? study->points[p] : study->near_points[q], xyz[count]);
+        dmi_copy3(side == 0 ? study->normals[p] : study->near_normals[q], normal[count++]);
+    }
+    study->has_slippage[slot] = count >= 20;
+    if (count >= 20)
+        dmi_shape_slippage((const float(*)[3])xyz, (const float(*)[3])normal, NULL, count, &study->slippage[slot]);
+}
+
+static void find_slippage(dmi_study* study) {
+    dmi_shape_slippage(study->points, study->normals, NULL, DMI_STUDY_PART, &study->slippage[0]);
+    study->has_slippage[0] = 1;
+    for (int c = 0; c < DMI_STUDY_CONTACTS; c++)
+        for (int side = 0; side < 2; side++) contact_slippage(&study->contacts[c], side, study, 1 + 2 * c + side);
+}
+
+static float area_ratio(const dmi_mesh* mesh, const uint8_t* moving) {
+    double part = 0, rest = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        if (moving[f])
+            part += mesh->face_area[f];
+        else
+            rest += mesh->face_area[f];
+    }
+    return (float)(rest / fmax(part, 1e-12));
+}
+
+dm_result dmi_study_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
+                         const uint32_t* welded, dmi_study* out) {
+    *out = (dmi_study){.mesh = mesh,
+                       .part = part,
+                       .points = (const float(*)[3])cloud->xyz,
+                       .normals = (const float(*)[3])cloud->normal};
+    uint8_t* moving = mark_faces(arena, mesh, part);
+    uint32_t vertex_count;
+    float(*vertices)[3] = moving != NULL ? part_vertices(arena, moving, out, &vertex_count) : NULL;
+    if (vertices == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    float side = 0, low[3], high[3];
+    for (int k = 0; k < 3; k++) side = fmaxf(side, out->high[k] - out->low[k]);
+    out->diagonal = fmaxf(dmi_distance3(out->low, out->high), 1e-5f);
+    out->area_ratio = area_ratio(mesh, moving);
+    float pad = fmaxf(0.6f * side, 0.02f);
+    for (int k = 0; k < 3; k++) low[k] = out->low[k] - pad, high[k] = out->high[k] + pad;
+
+    dm_result result = find_near(arena, moving, cloud, low, high, out);
+    if (result == DM_OK) result = make_fields(arena, low, high, out);
+    if (result == DM_OK) result = measure_gaps(arena, out);
+    if (result == DM_OK) result = find_contacts(arena, out);
+    if (result != DM_OK) return result;
+    find_directions((const float(*)[3])vertices, vertex_count, out);
+    find_slippage(out);
+    return dmi_study_patches(arena, moving, low, high, welded, out);
+}

@@ -1,0 +1,69 @@
+/* Everything measured about one part and its surroundings before any joint is thought of: box, symmetry directions,
+ * contact regions, patches, distance grids. Independent of a drag. */
+#ifndef DMI_KINEMATICS_STUDY_H
+#define DMI_KINEMATICS_STUDY_H
+
+#include "base/arena.h"
+#include "kinematics/field.h"
+#include "kinematics/shape.h"
+#include "mesh/cloud.h"
+
+#define DMI_STUDY_PART 2048  /* surface points of the part: the cloud's part block */
+#define DMI_STUDY_NEAR 12288 /* most samples of the body near the part */
+#define DMI_STUDY_CONTACTS 3
+#define DMI_STUDY_PATCHES 24
+#define DMI_STUDY_CLUSTERS 6
+
+/* Part points close to the body, by three notions of close. */
+typedef struct dmi_contact {
+    uint32_t* points; /* indices of part points */
+    uint32_t count;
+    float mean[3], box_centre[3];
+    float directions[3][3]; /* principal, largest first */
+} dmi_contact;
+
+/* A shell or smooth region of the surface, and the line about which it turns on itself, if it does. */
+typedef struct dmi_patch {
+    float area, diagonal;
+    float centroid[3], box_centre[3];
+    float axis[3], point[3], residual; /* residual > 1: no such line */
+    int32_t shell;
+} dmi_patch;
+
+typedef struct dmi_study {
+    const dmi_mesh* mesh;
+    uint32_t part;
+    const float (*points)[3]; /* DMI_STUDY_PART */
+    const float (*normals)[3];
+    float* gap;       /* part point -> distance to the body */
+    uint32_t* facing; /* part point -> nearest near sample, UINT32_MAX without a body near */
+    float (*near_points)[3];
+    float (*near_normals)[3];
+    uint32_t near_count;
+    float low[3], high[3]; /* axis-aligned box of the part */
+    float centre[3];       /* mean of its points */
+    float diagonal;
+    float area_ratio; /* of the body's area to the part's */
+    float extremes[DMI_SHAPE_MAX_HULL][3];
+    uint32_t extreme_count;
+    dmi_box box;
+    float part_directions[3][3], all_directions[3][3];
+    dmi_normal_cluster part_clusters[DMI_STUDY_CLUSTERS], near_clusters[DMI_STUDY_CLUSTERS];
+    uint32_t part_cluster_count, near_cluster_count;
+    dmi_contact contacts[DMI_STUDY_CONTACTS];
+    dmi_slippage slippage[1 + 2 * DMI_STUDY_CONTACTS]; /* of the part; of a contact's part side and body side */
+    int32_t has_slippage[1 + 2 * DMI_STUDY_CONTACTS];
+    dmi_patch part_patches[DMI_STUDY_PATCHES], near_patches[DMI_STUDY_PATCHES];
+    uint32_t part_patch_count, near_patch_count;
+    dmi_field body_field, part_field;
+} dmi_study;
+
+/* Everything lives in the arena. welded: from dmi_weld_vertices, or NULL to weld here. */
+dm_result dmi_study_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
+                         const uint32_t* welded, dmi_study* out);
+
+/* study_patches.c: shells and smooth regions of the part and of the body near it. */
+dm_result dmi_study_patches(dmi_arena* arena, const uint8_t* moving, const float low[3], const float high[3],
+                            const uint32_t* welded, dmi_study* study);
+
+#endif
