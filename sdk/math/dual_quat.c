@@ -128,11 +128,14 @@ dmi_screw dmi_pose_to_screw(const dm_pose* pose) {
     const float* d = pose->dual;
     const float s = glm_vec3_norm((float*)r);
     if (!(s > LEAST_HALF_SINE)) return translation_screw(pose);
-    dmi_screw screw = {.axis = {r[0] / s, r[1] / s, r[2] / s}, .angle = 2 * atan2f(s, r[3]), .distance = -2 * d[3] / s};
-    /* With moment m = p x a the dual part is s m + 1/2 distance cos(angle / 2) a; p nearest the origin is a x m. */
+    dmi_screw screw = {.axis = {r[0] / s, r[1] / s, r[2] / s}, .angle = 2 * atan2f(s, r[3])};
+    /* With h half the distance, m = p x a the moment and c, s of half the angle, the dual part is (s m + h c a, -h s).
+     * c (d . a) - s d_w = h loses no digits at either end of the angles, as -d_w / s does near 0. */
+    const float h = r[3] * glm_vec3_dot((float*)d, screw.axis) - s * d[3];
+    screw.distance = 2 * h;
     float moment[3];
-    for (int i = 0; i < 3; i++) moment[i] = (d[i] - 0.5f * screw.distance * r[3] * screw.axis[i]) / s;
-    cross(screw.axis, moment, screw.point);
+    for (int i = 0; i < 3; i++) moment[i] = (d[i] - h * r[3] * screw.axis[i]) / s;
+    cross(screw.axis, moment, screw.point); /* the point of the line nearest the origin */
     return screw;
 }
 
