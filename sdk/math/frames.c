@@ -61,6 +61,12 @@ static void turn_out(const dmi_frame* frame, const double v[3], double out[3]) {
     }
 }
 
+void dmi_axes_point_in(const dmi_axes* axes, const double host[3], double out[3]) {
+    const dmi_frame frame = {.axes = *axes};
+    turn_in(&frame, host, out);
+    for (int i = 0; i < 3; i++) out[i] *= (double)axes->unit;
+}
+
 static void narrow(const double v[3], double scale, float out[3]) {
     for (int i = 0; i < 3; i++) out[i] = (float)(v[i] * scale);
 }
@@ -95,6 +101,16 @@ void dmi_frame_point_out(const dmi_frame* frame, const float inner[3], float out
     for (int i = 0; i < 3; i++) canonical[i] = (double)inner[i] * frame->size + frame->centre[i];
     turn_out(frame, canonical, turned);
     narrow(turned, 1 / (double)frame->axes.unit, out_host);
+}
+
+void dmi_frame_matrix_out(const dmi_frame* frame, double out_host[12]) {
+    for (int column = 0; column < 4; column++) {
+        const double axis[3] = {column == 0, column == 1, column == 2};
+        double* image = out_host + 3 * column;
+        turn_out(frame, column < 3 ? axis : frame->centre, image);
+        const double scale = column < 3 ? scale_out(frame) : 1 / (double)frame->axes.unit;
+        for (int i = 0; i < 3; i++) image[i] *= scale;
+    }
 }
 
 static void convert(const dmi_frame* frame, void (*turn)(const dmi_frame*, const double[3], double[3]), double scale,

@@ -18,6 +18,9 @@ typedef struct dmi_axes {
 /* 0 when the preset is unknown or the custom matrix is not orthogonal. */
 int dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres);
 
+/* Host point to canonical metres, before any normalisation. */
+void dmi_axes_point_in(const dmi_axes* axes, const double host[3], double out[3]);
+
 /* Host object frame <-> object-normalised. Doubles where an object may sit far from its frame's origin. */
 typedef struct dmi_frame {
     dmi_axes axes;
@@ -31,6 +34,8 @@ void dmi_frame_vector_in(const dmi_frame* frame, const float host[3], float out[
 void dmi_frame_vector_out(const dmi_frame* frame, const float inner[3], float out_host[3]);
 void dmi_frame_direction_in(const dmi_frame* frame, const float host[3], float out[3]); /* axes alone */
 void dmi_frame_direction_out(const dmi_frame* frame, const float inner[3], float out_host[3]);
+/* dmi_frame_point_out as a 3x4 matrix, column-major: three images of the inner axes, then that of the inner origin. */
+void dmi_frame_matrix_out(const dmi_frame* frame, double out_host[12]);
 /* Host units an inner unit. */
 float dmi_frame_length_out(const dmi_frame* frame);
 dm_ray dmi_frame_ray_in(const dmi_frame* frame, const dm_ray* host);

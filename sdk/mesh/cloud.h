@@ -7,9 +7,9 @@
 
 #include "mesh/mesh.h"
 
-#define DMI_CLOUD_PART 2048 /* points on the moving part and what it carries */
-#define DMI_CLOUD_NEAR 1024 /* on the rest, inside the part's box grown by 0.2 of its diagonal (at least 0.02) */
-#define DMI_CLOUD_BODY 1024 /* anywhere on the rest */
+#define DMI_CLOUD_PART 2048   /* points on the moving part and what it carries */
+#define DMI_CLOUD_NEAR 1024   /* on the rest, inside the part's box grown by 0.2 of its diagonal (at least 0.02) */
+#define DMI_CLOUD_BODY 1024   /* anywhere on the rest */
 #define DMI_CLOUD_POINTS 4096 /* in this order: part, near, body; each block in random order */
 
 typedef struct dmi_cloud {
@@ -17,8 +17,8 @@ typedef struct dmi_cloud {
     float normal[DMI_CLOUD_POINTS][3]; /* unit, as the triangle's winding gives it */
 } dmi_cloud;
 
-/* Part `part` (index in mesh->parts, not 0). When the rest has no triangle near the part, the near block holds the rest's
- * samples nearest to it. Never fails for a mesh that dmi_mesh_create accepted, but for memory. */
+/* Part `part` (index in mesh->parts, not 0). When the rest has no triangle near the part, the near block holds the
+ * rest's samples nearest to it. Never fails for a mesh that dmi_mesh_create accepted, but for memory. */
 dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, uint64_t seed, dmi_cloud* out_cloud);
 
 #endif

@@ -8,8 +8,9 @@
 /* out_welded[v] = smallest vertex index within `tolerance` (grid cell) of v. */
 dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, uint32_t* out_welded);
 
-/* Labels 0.. of the faces for which select[f] is non-zero (others get UINT32_MAX): connected over shared welded edges where
- * the unsigned cosine between their normals is above `min_cosine`; min_cosine < -1: shells connected over vertices. */
+/* Labels 0.. of the faces for which select[f] is non-zero (others get UINT32_MAX): connected over shared welded edges
+ * where the unsigned cosine between their normals is above `min_cosine`; min_cosine < -1: shells connected over
+ * vertices. */
 dm_result dmi_face_regions(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select,
                            float min_cosine, uint32_t* out_labels, uint32_t* out_count);
 

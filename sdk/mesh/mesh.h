@@ -16,17 +16,20 @@ typedef struct dmi_part {
 
 typedef struct dmi_mesh {
     dmi_frame frame;
-    float* positions; /* vertex_count x 3, object-normalised; 16 readable bytes follow the last vertex (Embree) */
-    uint32_t* indices; /* face_count x 3 */
+    float* positions;    /* vertex_count x 3, object-normalised; 16 readable bytes follow the last vertex (Embree) */
+    uint32_t* indices;   /* face_count x 3 */
     uint32_t* face_part; /* index in parts */
-    float* face_area;
-    float* face_normal; /* face_count x 3, unit or 0 for slivers */
+    float* face_area;    /* 0 for slivers, thinner than their coordinates are exact */
+    float* face_normal;  /* face_count x 3, unit or 0 for slivers; of the winding, times `winding` */
+    float winding;       /* -1 when the object as a whole is wound inside out (as left-handed hosts do), so that closed
+                            objects have outward normals whatever the host's habit; else +1 */
     uint32_t vertex_count, face_count;
-    dmi_part* parts; /* [0] is the body; then parts by rising id */
+    dmi_part* parts;     /* [0] is the body; then parts by rising id */
     uint32_t part_count; /* the body included */
 } dmi_mesh;
 
-/* Checks everything dragmesh.h promises and names what is wrong and where. `parts` may be NULL. */
+/* Checks everything dragmesh.h promises and names what is wrong and where. `parts` may be NULL: then every id that owns
+ * a triangle is a part; with a list, ids that are not in it are the body's. */
 dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
                           uint32_t part_count, dmi_mesh** out_mesh);
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh);

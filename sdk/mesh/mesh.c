@@ -1,0 +1,268 @@
+/* The checked copy of a host mesh: normalised positions, areas and normals of faces, boxes and centres of parts. */
+#include "mesh/mesh.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "mesh/mesh_parts.h"
+#include "mesh/mesh_read.h"
+
+#define ALIGNMENT 64
+/* Readable bytes behind the last vertex: Embree loads 16 bytes a vertex. */
+#define POSITION_PADDING 16
+/* Object sizes (metres) whose squares and inverses stay well inside float range. */
+#define MIN_SIZE 1e-18
+#define MAX_SIZE 1e18
+/* Normalised coordinates are rounded to 3e-8: a triangle of less height has no area and no direction. */
+#define SLIVER_HEIGHT 1e-7
+
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+static size_t positions_size(const dmi_mesh* mesh) {
+    return (size_t)mesh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;
+}
+
+static dm_result allocate(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh** out_mesh) {
+    dmi_mesh* mesh = dmi_alloc_zeroed(env, sizeof *mesh, ALIGNMENT);
+    *out_mesh = mesh;
+    if (mesh != NULL) {
+        size_t faces = reader->face_count;
+        mesh->vertex_count = reader->vertex_count;
+        mesh->face_count = reader->face_count;
+        mesh->positions = dmi_alloc(env, positions_size(mesh), ALIGNMENT);
+        mesh->indices = dmi_alloc(env, faces * 3 * sizeof(uint32_t), ALIGNMENT);
+        mesh->face_part = dmi_alloc(env, faces * sizeof(uint32_t), ALIGNMENT);
+        mesh->face_area = dmi_alloc(env, faces * sizeof(float), ALIGNMENT);
+        mesh->face_normal = dmi_alloc(env, faces * 3 * sizeof(float), ALIGNMENT);
+        if (mesh->positions && mesh->indices && mesh->face_part && mesh->face_area && mesh->face_normal) return DM_OK;
+    }
+    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mesh of %u vertices and %u triangles",
+                    reader->vertex_count, reader->face_count);
+}
+
+void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh) {
+    if (mesh == NULL) return;
+    size_t faces = mesh->face_count;
+    dmi_free(env, mesh->positions, positions_size(mesh));
+    dmi_free(env, mesh->indices, faces * 3 * sizeof(uint32_t));
+    dmi_free(env, mesh->face_part, faces * sizeof(uint32_t));
+    dmi_free(env, mesh->face_area, faces * sizeof(float));
+    dmi_free(env, mesh->face_normal, faces * 3 * sizeof(float));
+    dmi_free(env, mesh->parts, mesh->part_count * sizeof(dmi_part));
+    dmi_free(env, mesh, sizeof *mesh);
+}
+
+/* ---- normalisation (paper §3.2) ------------------------------------------------------------------------------------
+ */
+
+/* Box, in canonical metres, of the vertices that some triangle uses. */
+static dm_result measure_box(dmi_env* env, const dmi_mesh_reader* reader, const dmi_mesh* mesh, const dmi_axes* axes,
+                             double low[3], double high[3]) {
+    uint8_t* used = dmi_alloc_zeroed(env, mesh->vertex_count, ALIGNMENT);
+    if (used == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u vertices", mesh->vertex_count);
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) used[mesh->indices[i]] = 1;
+    for (int k = 0; k < 3; k++) {
+        low[k] = DBL_MAX;
+        high[k] = -DBL_MAX;
+    }
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        if (!used[v]) continue;
+        double host[3], p[3];
+        dmi_mesh_read_position(reader, v, host);
+        dmi_axes_point_in(axes, host, p);
+        for (int k = 0; k < 3; k++) {
+            if (p[k] < low[k]) low[k] = p[k];
+            if (p[k] > high[k]) high[k] = p[k];
+        }
+    }
+    dmi_free(env, used, mesh->vertex_count);
+    return DM_OK;
+}
+
+static dm_result set_frame(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, dmi_mesh* mesh) {
+    double low[3], high[3], size = 0;
+    dm_result result = measure_box(env, reader, mesh, axes, low, high);
+    if (result != DM_OK) return result;
+    for (int k = 0; k < 3; k++) {
+        mesh->frame.centre[k] = 0.5 * (low[k] + high[k]);
+        size = fmax(size, high[k] - low[k]);
+    }
+    if (size < MIN_SIZE) {
+        return dmi_fail(env, DM_ERROR_DEGENERATE_MESH,
+                        "dm_mesh_desc.positions: all triangles lie in one point (size %g m)", size);
+    }
+    if (size > MAX_SIZE) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_desc.positions: the object is %g m large, at most %g",
+                        size, MAX_SIZE);
+    }
+    mesh->frame.axes = *axes;
+    mesh->frame.size = size;
+    return DM_OK;
+}
+
+static void set_positions(const dmi_mesh_reader* reader, dmi_mesh* mesh) {
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        double host[3];
+        float* p = mesh->positions + (size_t)v * 3;
+        dmi_mesh_read_position(reader, v, host);
+        dmi_frame_point_in(&mesh->frame, host, p);
+        /* Vertices of no triangle may lie anywhere; the others are inside anyway. */
+        for (int k = 0; k < 3; k++) p[k] = fminf(fmaxf(p[k], -1.0f), 1.0f);
+    }
+    memset(mesh->positions + (size_t)mesh->vertex_count * 3, 0, POSITION_PADDING);
+}
+
+/* ---- faces ---------------------------------------------------------------------------------------------------------
+ */
+
+static void load_corners(const dmi_mesh* mesh, uint32_t face, double corner[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        const float* p = mesh->positions + (size_t)mesh->indices[(size_t)face * 3 + (size_t)i] * 3;
+        for (int k = 0; k < 3; k++) corner[i][k] = (double)p[k];
+    }
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Area (0 for a sliver) and unit normal; returns six times the signed volume between the face and the centre. */
+static double measure_face(dmi_mesh* mesh, uint32_t face) {
+    double corner[3][3], e1[3], e2[3], e3[3], n[3];
+    load_corners(mesh, face, corner);
+    for (int k = 0; k < 3; k++) {
+        e1[k] = corner[1][k] - corner[0][k];
+        e2[k] = corner[2][k] - corner[0][k];
+        e3[k] = corner[2][k] - corner[1][k];
+    }
+    cross(e1, e2, n);
+    double longest = sqrt(fmax(dot(e1, e1), fmax(dot(e2, e2), dot(e3, e3)))), twice_area = sqrt(dot(n, n));
+    int sliver = twice_area <= SLIVER_HEIGHT * longest;
+    mesh->face_area[face] = sliver ? 0.0f : (float)(0.5 * twice_area);
+    for (int k = 0; k < 3; k++)
+        mesh->face_normal[(size_t)face * 3 + (size_t)k] = sliver ? 0.0f : (float)(n[k] / twice_area);
+    return dot(corner[0], n);
+}
+
+/* Left-handed hosts wind triangles the other way round to keep their fronts outside. A clearly negative volume tells;
+ * flat or open objects without one keep their winding. */
+static void measure_faces(dmi_mesh* mesh) {
+    double volume = 0, magnitude = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        double six_volumes = measure_face(mesh, f);
+        volume += six_volumes;
+        magnitude += fabs(six_volumes);
+    }
+    mesh->winding = volume < -1e-6 - 1e-4 * magnitude ? -1.0f : 1.0f;
+    if (mesh->winding > 0) return;
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) mesh->face_normal[i] = -mesh->face_normal[i];
+}
+
+/* ---- parts ---------------------------------------------------------------------------------------------------------
+ */
+
+typedef struct part_sums {
+    double area, moment[3];
+} part_sums;
+
+static void add_face(dmi_mesh* mesh, uint32_t face, part_sums* sums) {
+    double corner[3][3], area = (double)mesh->face_area[face];
+    dmi_part* part = &mesh->parts[mesh->face_part[face]];
+    part_sums* sum = &sums[mesh->face_part[face]];
+    load_corners(mesh, face, corner);
+    sum->area += area;
+    for (int k = 0; k < 3; k++) {
+        sum->moment[k] += area * (corner[0][k] + corner[1][k] + corner[2][k]) / 3;
+        for (int i = 0; i < 3; i++) {
+            part->box_min[k] = fminf(part->box_min[k], (float)corner[i][k]);
+            part->box_max[k] = fmaxf(part->box_max[k], (float)corner[i][k]);
+        }
+    }
+}
+
+static dm_result check_areas(dmi_env* env, const dmi_mesh* mesh) {
+    double area = 0;
+    for (uint32_t p = 0; p < mesh->part_count; p++) area += (double)mesh->parts[p].area;
+    if (!(area > 0)) return dmi_fail(env, DM_ERROR_DEGENERATE_MESH, "dm_mesh_desc.indices: no triangle has an area");
+    for (uint32_t p = 0; p < mesh->part_count; p++) {
+        const dmi_part* part = &mesh->parts[p];
+        if (part->area > 0) continue;
+        return dmi_fail(env, DM_ERROR_DEGENERATE_MESH,
+                        "dm_mesh_desc.part_ids: none of the %u triangles of part %u%s has an area", part->face_count,
+                        part->id, p == 0 ? " (the body)" : "");
+    }
+    return DM_OK;
+}
+
+static dm_result measure_parts(dmi_env* env, dmi_mesh* mesh) {
+    part_sums* sums = dmi_alloc_zeroed(env, mesh->part_count * sizeof *sums, ALIGNMENT);
+    if (sums == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u parts", mesh->part_count);
+    for (uint32_t p = 0; p < mesh->part_count; p++) {
+        for (int k = 0; k < 3; k++) {
+            mesh->parts[p].box_min[k] = FLT_MAX;
+            mesh->parts[p].box_max[k] = -FLT_MAX;
+        }
+    }
+    for (uint32_t f = 0; f < mesh->face_count; f++) add_face(mesh, f, sums);
+    for (uint32_t p = 0; p < mesh->part_count; p++) {
+        mesh->parts[p].area = (float)sums[p].area;
+        if (!(sums[p].area > 0)) continue;
+        for (int k = 0; k < 3; k++) mesh->parts[p].centre[k] = (float)(sums[p].moment[k] / sums[p].area);
+    }
+    dmi_free(env, sums, mesh->part_count * sizeof *sums);
+    return check_areas(env, mesh);
+}
+
+/* ---- the whole -----------------------------------------------------------------------------------------------------
+ */
+
+static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, const dm_part_desc* parts,
+                      uint32_t part_count, dmi_mesh* mesh) {
+    dm_result result = dmi_mesh_read_indices(env, reader, mesh->indices);
+    if (result == DM_OK) result = dmi_mesh_check_positions(env, reader);
+    if (result == DM_OK) result = dmi_mesh_assign_parts(env, reader, parts, part_count, mesh);
+    if (result == DM_OK) result = set_frame(env, reader, axes, mesh);
+    if (result != DM_OK) return result;
+    set_positions(reader, mesh);
+    measure_faces(mesh);
+    return measure_parts(env, mesh);
+}
+
+dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
+                          uint32_t part_count, dmi_mesh** out_mesh) {
+    dmi_mesh_reader reader;
+    dmi_mesh* mesh = NULL;
+    dm_result result = dmi_mesh_reader_open(env, desc, &reader);
+    if (result == DM_OK) result = allocate(env, &reader, &mesh);
+    if (result == DM_OK) result = fill(env, &reader, axes, parts, part_count, mesh);
+    if (result != DM_OK) {
+        dmi_mesh_destroy(env, mesh);
+        return result;
+    }
+    *out_mesh = mesh;
+    return DM_OK;
+}
+
+int32_t dmi_mesh_find_part(const dmi_mesh* mesh, uint32_t id) {
+    uint32_t low = 0, high = mesh->part_count;
+    while (low < high) {
+        uint32_t middle = (low + high) / 2;
+        if (mesh->parts[middle].id < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < mesh->part_count && mesh->parts[low].id == id ? (int32_t)low : -1;
+}
+
+int dmi_mesh_moves_with(const dmi_mesh* mesh, uint32_t index, uint32_t ancestor) {
+    while (index != ancestor && index != 0) index = mesh->parts[index].parent;
+    return index == ancestor;
+}

@@ -1,0 +1,13 @@
+/* Which part each face belongs to, and the tree of parts. */
+#ifndef DMI_MESH_MESH_PARTS_H
+#define DMI_MESH_MESH_PARTS_H
+
+#include "mesh/mesh.h"
+#include "mesh/mesh_read.h"
+
+/* Fills mesh->parts (id, parent, face_count), part_count and face_part. The mesh's indices must be there. On an error
+ * dmi_mesh_destroy still releases what was made. descs NULL: every id that owns a triangle is a part of the body. */
+dm_result dmi_mesh_assign_parts(dmi_env* env, const dmi_mesh_reader* reader, const dm_part_desc* descs,
+                                uint32_t desc_count, dmi_mesh* mesh);
+
+#endif

@@ -1,0 +1,24 @@
+/* Reading the host's strided buffers in whatever format they are, and the checks that need no mesh yet. */
+#ifndef DMI_MESH_MESH_READ_H
+#define DMI_MESH_MESH_READ_H
+
+#include "base/env.h"
+
+/* A dm_mesh_desc whose pointers, formats, strides and counts make sense. */
+typedef struct dmi_mesh_reader {
+    const dm_mesh_desc* desc;
+    size_t position_stride, index_size, part_id_stride; /* bytes */
+    uint32_t vertex_count, face_count;
+} dmi_mesh_reader;
+
+dm_result dmi_mesh_reader_open(dmi_env* env, const dm_mesh_desc* desc, dmi_mesh_reader* out_reader);
+
+/* All corners, face after face; an index that names no vertex is an error. */
+dm_result dmi_mesh_read_indices(dmi_env* env, const dmi_mesh_reader* reader, uint32_t* out_indices);
+/* DM_ERROR_NOT_FINITE names the first vertex with a coordinate that is no number or does not fit a float. */
+dm_result dmi_mesh_check_positions(dmi_env* env, const dmi_mesh_reader* reader);
+void dmi_mesh_read_position(const dmi_mesh_reader* reader, uint32_t vertex, double out[3]);
+/* Part id of a vertex or a face, as desc->part_id_scope says; negative ones are the body's 0. */
+uint32_t dmi_mesh_read_part_id(const dmi_mesh_reader* reader, uint32_t element);
+
+#endif
