@@ -1,20 +1,192 @@
-/* DQApply on many points: the pose as a 3x4 matrix, one kernel an instruction set behind one choice. */
-#include "math/dual_quat.h"
+/* DQApply on many points: the pose as a 3x4 matrix, one kernel an instruction set behind one choice.
+ *
+ * Every kernel reads all it needs of a block before it writes, so that src may be dst. */
+#include "math/apply_points.h"
+
+#include <string.h>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#define PACKED (3 * sizeof(float))
+
+/* m: 4x4, column-major. A loop that compilers vectorise by themselves (NEON included) where src and dst lie apart: the
+ * matrix in variables of its own, since dst might overwrite it for all they know. */
+static void apply_packed(const float m[16], const float* src, float* dst, size_t count) {
+    const float xx = m[0], xy = m[1], xz = m[2], yx = m[4], yy = m[5], yz = m[6], zx = m[8], zy = m[9], zz = m[10];
+    const float tx = m[12], ty = m[13], tz = m[14];
+    for (size_t i = 0; i < count; i++) {
+        const float x = src[3 * i], y = src[3 * i + 1], z = src[3 * i + 2];
+        dst[3 * i] = xx * x + yx * y + zx * z + tx;
+        dst[3 * i + 1] = xy * x + yy * y + zy * z + ty;
+        dst[3 * i + 2] = xz * x + yz * y + zz * z + tz;
+    }
+}
+
+/* Any strides, also those that leave points off a float's alignment. */
+static void apply_strided(const float m[16], const char* src, size_t src_stride, char* dst, size_t dst_stride,
+                          size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        float p[3], q[3];
+        memcpy(p, src + i * src_stride, sizeof p);
+        apply_packed(m, p, q, 1);
+        memcpy(dst + i * dst_stride, q, sizeof q);
+    }
+}
+
+#if defined(__x86_64__)
+
+typedef struct xyz8 {
+    __m256 x, y, z;
+} xyz8;
+
+/* Eight packed points as three registers of one coordinate each, and back (shuffles inside the 128-bit halves: the low
+ * half takes points 0-3, the high half points 4-7). */
+__attribute__((target("avx2,fma"))) static inline xyz8 load_8(const float* p) {
+    const __m256 a = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(p + 12), 1);
+    const __m256 b = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 4)), _mm_loadu_ps(p + 16), 1);
+    const __m256 c = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 8)), _mm_loadu_ps(p + 20), 1);
+    const __m256 xy = _mm256_shuffle_ps(b, c, _MM_SHUFFLE(2, 1, 3, 2)); /* x2 y2 x3 y3 */
+    const __m256 yz = _mm256_shuffle_ps(a, b, _MM_SHUFFLE(1, 0, 2, 1)); /* y0 z0 y1 z1 */
+    return (xyz8){_mm256_shuffle_ps(a, xy, _MM_SHUFFLE(2, 0, 3, 0)), _mm256_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0)),
+                  _mm256_shuffle_ps(yz, c, _MM_SHUFFLE(3, 0, 3, 1))};
+}
+
+__attribute__((target("avx2,fma"))) static inline void store_8(float* p, xyz8 v) {
+    const __m256 xy = _mm256_shuffle_ps(v.x, v.y, _MM_SHUFFLE(2, 0, 2, 0)); /* x0 x2 y0 y2 */
+    const __m256 yz = _mm256_shuffle_ps(v.y, v.z, _MM_SHUFFLE(3, 1, 3, 1)); /* y1 y3 z1 z3 */
+    const __m256 zx = _mm256_shuffle_ps(v.z, v.x, _MM_SHUFFLE(3, 1, 2, 0)); /* z0 z2 x1 x3 */
+    const __m256 a = _mm256_shuffle_ps(xy, zx, _MM_SHUFFLE(2, 0, 2, 0));
+    const __m256 b = _mm256_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0));
+    const __m256 c = _mm256_shuffle_ps(zx, yz, _MM_SHUFFLE(3, 1, 3, 1));
+    _mm_storeu_ps(p, _mm256_castps256_ps128(a));
+    _mm_storeu_ps(p + 4, _mm256_castps256_ps128(b));
+    _mm_storeu_ps(p + 8, _mm256_castps256_ps128(c));
+    _mm_storeu_ps(p + 12, _mm256_extractf128_ps(a, 1));
+    _mm_storeu_ps(p + 16, _mm256_extractf128_ps(b, 1));
+    _mm_storeu_ps(p + 20, _mm256_extractf128_ps(c, 1));
+}
+
+__attribute__((target("avx2,fma"))) static inline __m256 row_8(const float m[16], int row, xyz8 p) {
+    __m256 sum = _mm256_fmadd_ps(_mm256_set1_ps(m[8 + row]), p.z, _mm256_set1_ps(m[12 + row]));
+    sum = _mm256_fmadd_ps(_mm256_set1_ps(m[4 + row]), p.y, sum);
+    return _mm256_fmadd_ps(_mm256_set1_ps(m[row]), p.x, sum);
+}
+
+__attribute__((target("avx2,fma"))) static void apply_packed_avx2(const float m[16], const float* src, float* dst,
+                                                                  size_t count) {
+    size_t i = 0;
+    for (; i + 8 <= count; i += 8) {
+        const xyz8 p = load_8(src + 3 * i);
+        store_8(dst + 3 * i, (xyz8){row_8(m, 0, p), row_8(m, 1, p), row_8(m, 2, p)});
+    }
+    apply_packed(m, src + 3 * i, dst + 3 * i, count - i);
+}
+
+/* One point at a time, the matrix's columns in registers; the bytes between the points are not touched. */
+__attribute__((target("avx2,fma"))) static void
+apply_strided_avx2(const float m[16], const char* src, size_t src_stride, char* dst, size_t dst_stride, size_t count) {
+    const __m128 column[4] = {_mm_loadu_ps(m), _mm_loadu_ps(m + 4), _mm_loadu_ps(m + 8), _mm_loadu_ps(m + 12)};
+    for (size_t i = 0; i < count; i++, src += src_stride, dst += dst_stride) {
+        float p[3], z;
+        memcpy(p, src, sizeof p);
+        __m128 q = _mm_fmadd_ps(column[2], _mm_set1_ps(p[2]), column[3]);
+        q = _mm_fmadd_ps(column[1], _mm_set1_ps(p[1]), q);
+        q = _mm_fmadd_ps(column[0], _mm_set1_ps(p[0]), q);
+        _mm_storel_pi((__m64*)(void*)dst, q);
+        _mm_store_ss(&z, _mm_movehl_ps(q, q));
+        memcpy(dst + 2 * sizeof(float), &z, sizeof z);
+    }
+}
+
+#define AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,fma")))
+
+/* Which of the 32 floats of two registers goes to each place of a third. */
+typedef struct pick {
+    __m512i first, second;
+} pick;
+
+AVX512 static inline __m512 row_16(const float m[16], int row, __m512 x, __m512 y, __m512 z) {
+    __m512 sum = _mm512_fmadd_ps(_mm512_set1_ps(m[8 + row]), z, _mm512_set1_ps(m[12 + row]));
+    sum = _mm512_fmadd_ps(_mm512_set1_ps(m[4 + row]), y, sum);
+    return _mm512_fmadd_ps(_mm512_set1_ps(m[row]), x, sum);
+}
+
+/* first picks of (a, b), second of (that, c). */
+AVX512 static inline __m512 permute_3(pick p, __m512 a, __m512 b, __m512 c) {
+    return _mm512_permutex2var_ps(_mm512_permutex2var_ps(a, p.first, b), p.second, c);
+}
+
+/* Places in 48 packed floats of coordinate `axis` of 16 points, split over the three registers. */
+AVX512 static pick gather_pick(int axis) {
+    int first[16], second[16];
+    for (int i = 0; i < 16; i++) {
+        const int place = 3 * i + axis;
+        first[i] = place < 32 ? place : 0;
+        second[i] = place < 32 ? i : place - 16; /* 16.. names the third register */
+    }
+    return (pick){_mm512_loadu_si512(first), _mm512_loadu_si512(second)};
+}
+
+/* The other way: register `part` of the 48 packed floats from x, y (first) and z (second). */
+AVX512 static pick scatter_pick(int part) {
+    int first[16], second[16];
+    for (int i = 0; i < 16; i++) {
+        const int place = 16 * part + i, point = place / 3, axis = place % 3;
+        first[i] = axis == 1 ? 16 + point : point;
+        second[i] = axis == 2 ? 16 + point : i;
+    }
+    return (pick){_mm512_loadu_si512(first), _mm512_loadu_si512(second)};
+}
+
+AVX512 static void apply_packed_avx512(const float m[16], const float* src, float* dst, size_t count) {
+    const pick get_x = gather_pick(0), get_y = gather_pick(1), get_z = gather_pick(2);
+    const pick put[3] = {scatter_pick(0), scatter_pick(1), scatter_pick(2)};
+    size_t i = 0;
+    for (; i + 16 <= count; i += 16) {
+        const float* p = src + 3 * i;
+        const __m512 a = _mm512_loadu_ps(p), b = _mm512_loadu_ps(p + 16), c = _mm512_loadu_ps(p + 32);
+        const __m512 x = permute_3(get_x, a, b, c), y = permute_3(get_y, a, b, c), z = permute_3(get_z, a, b, c);
+        const __m512 u = row_16(m, 0, x, y, z), v = row_16(m, 1, x, y, z), w = row_16(m, 2, x, y, z);
+        for (int k = 0; k < 3; k++) _mm512_storeu_ps(dst + 3 * i + 16 * k, permute_3(put[k], u, v, w));
+    }
+    apply_packed_avx2(m, src + 3 * i, dst + 3 * i, count - i);
+}
+
+#endif
+
+void dmi_pose_apply_points_isa(dmi_isa isa, const dm_pose* pose, const float* src, size_t src_stride, float* dst,
+                               size_t dst_stride, size_t count) {
+    float m[16];
+    dmi_pose_to_matrix(pose, m);
+    if (src_stride == 0) src_stride = PACKED;
+    if (dst_stride == 0) dst_stride = PACKED;
+    const int packed = src_stride == PACKED && dst_stride == PACKED;
+#if defined(__x86_64__)
+    if (isa == DMI_ISA_AVX512 && packed) {
+        apply_packed_avx512(m, src, dst, count);
+        return;
+    }
+    if (isa == DMI_ISA_AVX2 || isa == DMI_ISA_AVX512) {
+        if (packed) {
+            apply_packed_avx2(m, src, dst, count);
+        } else {
+            apply_strided_avx2(m, (const char*)src, src_stride, (char*)dst, dst_stride, count);
+        }
+        return;
+    }
+#else
+    (void)isa;
+#endif
+    if (packed) {
+        apply_packed(m, src, dst, count);
+    } else {
+        apply_strided(m, (const char*)src, src_stride, (char*)dst, dst_stride, count);
+    }
+}
 
 void dmi_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride,
                            size_t count) {
-    float m[16];
-    dmi_pose_to_matrix(pose, m);
-    if (src_stride == 0) src_stride = 3 * sizeof(float);
-    if (dst_stride == 0) dst_stride = 3 * sizeof(float);
-    const char* from = (const char*)src;
-    char* to = (char*)dst;
-    for (size_t i = 0; i < count; i++, from += src_stride, to += dst_stride) {
-        const float* p = (const float*)(const void*)from;
-        float* q = (float*)(void*)to;
-        const float x = p[0], y = p[1], z = p[2];
-        q[0] = m[0] * x + m[4] * y + m[8] * z + m[12];
-        q[1] = m[1] * x + m[5] * y + m[9] * z + m[13];
-        q[2] = m[2] * x + m[6] * y + m[10] * z + m[14];
-    }
+    dmi_pose_apply_points_isa(dmi_cpu_best_isa(), pose, src, src_stride, dst, dst_stride, count);
 }

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "math/apply_points.h"
+
 enum { CASES = 2000 };
 
 /* x' = R x + t of a screw by Rodrigues' formula: the definition, in doubles. */
@@ -197,6 +199,12 @@ static void interpolation_follows_one_screw(void** state) {
     }
 }
 
+/* A kernel of the machine, a different one each round. */
+static dmi_isa kernel(int round) {
+    const dmi_isa best = dmi_cpu_best_isa(), turn = (dmi_isa)(round % 4);
+    return best == DMI_ISA_NEON || turn > best ? best : turn;
+}
+
 /* Bulk transform: every count, stride, offset and in-place use against the one-point function. */
 static void points_in_bulk_equal_points_one_by_one(void** state) {
     (void)state;
@@ -213,7 +221,7 @@ static void points_in_bulk_equal_points_one_by_one(void** state) {
             src[k] = test_range(&random, -1, 1);
             dst[k] = 77;
         }
-        dmi_pose_apply_points(&pose, src + from, src_stride, dst + to, dst_stride, count);
+        dmi_pose_apply_points_isa(kernel(i % 7), &pose, src + from, src_stride, dst + to, dst_stride, count);
         size_t written = 0;
         for (size_t k = 0; k < count; k++) {
             float expected[3];
@@ -230,15 +238,51 @@ static void points_move_in_place(void** state) {
     static float points[3 * 1000], expected[3 * 1000];
     dmi_random random = dmi_random_make(10, 1);
     for (size_t stride = 12; stride <= 20; stride += 4) {
-        for (size_t count = 0; count < 600; count += 1 + count / 7) {
+        for (size_t count = 0; count < 600; count += 1 + count / 15) {
             dm_pose pose = test_pose(&random, 1);
             for (int k = 0; k < 3000; k++) expected[k] = points[k] = test_range(&random, -1, 1);
             for (size_t k = 0; k < count; k++) {
                 dmi_pose_apply(&pose, points + k * stride / 4, expected + k * stride / 4);
             }
-            dmi_pose_apply_points(&pose, points, stride, points, stride, count);
+            dmi_pose_apply_points_isa(kernel((int)count), &pose, points, stride, points, stride, count);
             for (int k = 0; k < 3000; k++) assert_near(points[k], expected[k], 2e-6);
         }
+    }
+}
+
+static void points_may_lie_off_their_alignment(void** state) {
+    (void)state;
+    unsigned char src[14 * 20 + 12], dst[17 * 20 + 12];
+    dmi_random random = dmi_random_make(11, 1);
+    for (int round = 0; round < 4; round++) {
+        dm_pose pose = test_pose(&random, 1);
+        float points[20][3], expected[3], actual[3];
+        for (size_t i = 0; i < 20; i++) {
+            test_point(&random, 1, points[i]);
+            memcpy(src + 14 * i, points[i], 12);
+        }
+        dmi_pose_apply_points_isa(kernel(round), &pose, (const float*)(void*)src, 14, (float*)(void*)dst, 17, 20);
+        for (size_t i = 0; i < 20; i++) {
+            dmi_pose_apply(&pose, points[i], expected);
+            memcpy(actual, dst + 17 * i, 12);
+            assert_near3(actual, expected, 2e-6);
+        }
+    }
+}
+
+/* The kernels agree to rounding: with points of size 1, and relative to the size beyond. */
+static void kernels_agree(void** state) {
+    (void)state;
+    enum { COUNT = 100 };
+    float src[3 * COUNT], plain[3 * COUNT], best[3 * COUNT];
+    dmi_random random = dmi_random_make(12, 1);
+    for (int i = 0; i < 200; i++) {
+        const float size = powf(10, test_range(&random, 0, 4));
+        dm_pose pose = test_pose(&random, 0.2f * size);
+        for (int k = 0; k < 3 * COUNT; k++) src[k] = test_range(&random, -0.5f, 0.5f) * size;
+        dmi_pose_apply_points_isa(DMI_ISA_SCALAR, &pose, src, 0, plain, 0, COUNT);
+        dmi_pose_apply_points(&pose, src, 0, best, 0, COUNT);
+        for (int k = 0; k < 3 * COUNT; k++) assert_near(best[k], plain[k], 1e-6 * (double)size);
     }
 }
 
@@ -255,6 +299,8 @@ int main(void) {
         cmocka_unit_test(interpolation_follows_one_screw),
         cmocka_unit_test(points_in_bulk_equal_points_one_by_one),
         cmocka_unit_test(points_move_in_place),
+        cmocka_unit_test(points_may_lie_off_their_alignment),
+        cmocka_unit_test(kernels_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
