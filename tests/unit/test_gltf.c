@@ -1,0 +1,452 @@
+/* glTF in: what is read, in which order and frame, and what hostile bytes get. Out is tested in test_gltf_export.c. */
+#include <math.h>
+#include <stdio.h>
+
+#include "dragmesh/ext/gltf.h"
+#include "test_env.h"
+#include "test_glb.h"
+
+/* Six vertices: a unit square at z = 0 and two more; then indices of two triangles as uint16, and a strip as uint8. */
+typedef struct bin {
+    float positions[6][3];
+    uint16_t indices[6];
+    uint8_t strip[4];
+} bin;
+
+static const bin square = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}},
+                           .indices = {0, 1, 2, 2, 1, 3},
+                           .strip = {0, 1, 2, 3}};
+
+#define VIEWS                                                                                                          \
+    "\"buffers\":[{\"byteLength\":88}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":72},"                             \
+    "{\"buffer\":0,\"byteOffset\":72,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":84,\"byteLength\":4}],"
+#define ACCESSORS                                                                                                      \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":6,\"type\":\"VEC3\"},"                          \
+    "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"},"                                       \
+    "{\"bufferView\":2,\"componentType\":5121,\"count\":4,\"type\":\"SCALAR\"}],"
+#define MESHES                                                                                                         \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]},"                                  \
+    "{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":2,\"mode\":5},"                                     \
+    "{\"attributes\":{\"POSITION\":0},\"mode\":1},{\"attributes\":{\"POSITION\":0},\"mode\":6}]}],"
+#define ASSET "{\"asset\":{\"version\":\"2.0\"},"
+#define NODES(list) "\"nodes\":[" list "]}"
+
+typedef struct opened {
+    test_env t;
+    dm_gltf* gltf;
+    dm_mesh_desc mesh;
+    dm_result result;
+} opened;
+
+static dm_gltf_desc describe(test_env* t, const void* data, size_t size) {
+    return (dm_gltf_desc){.struct_size = sizeof(dm_gltf_desc),
+                          .data = data,
+                          .size = size,
+                          .allocator = test_allocator(&t->memory),
+                          .log = test_log(&t->messages)};
+}
+
+static void open_bytes(opened* o, const void* data, size_t size, int64_t fail_at) {
+    memset(o, 0, sizeof *o);
+    test_env_open(&o->t, fail_at);
+    const dm_gltf_desc desc = describe(&o->t, data, size);
+    o->result = dm_gltf_open(&desc, &o->gltf);
+    if (o->result == DM_OK) assert_int_equal(dm_gltf_get_mesh(o->gltf, &o->mesh), DM_OK);
+}
+
+static void open_json(opened* o, const char* json, const void* binary, size_t size) {
+    const test_glb glb = test_glb_pack(json, binary, size);
+    open_bytes(o, glb.data, glb.size, TEST_NEVER);
+    free(glb.data);
+}
+
+static void close_it(opened* o) {
+    dm_gltf_close(o->gltf);
+    test_env_close(&o->t);
+}
+
+static const float* position(const opened* o, size_t vertex) {
+    return (const float*)o->mesh.positions + 3 * vertex;
+}
+
+static void assert_near(const float* got, float x, float y, float z) {
+    const float want[3] = {x, y, z};
+    for (int i = 0; i < 3; i++) {
+        if (!(fabsf(got[i] - want[i]) < 1e-6f)) fail_msg("(%g %g %g), not (%g %g %g)", got[0], got[1], got[2], x, y, z);
+    }
+}
+
+static void assert_triangle(const opened* o, size_t face, uint32_t a, uint32_t b, uint32_t c) {
+    const uint32_t* indices = (const uint32_t*)o->mesh.indices + 3 * face;
+    assert_int_equal(indices[0], a);
+    assert_int_equal(indices[1], b);
+    assert_int_equal(indices[2], c);
+}
+
+/* ---- what is read ---- */
+
+static void test_written_file_reads_back(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    const uint32_t indices[6] = {0, 1, 2, 2, 1, 3};
+    const dm_gltf_part parts[2] = {{"body", square.positions[0], indices, 4, 6, {1, 0.5f, 0.25f, 1}},
+                                   {"door", square.positions[2], indices, 4, 3, {0, 1, 0, 1}}};
+    const dm_allocator allocator = test_allocator(&t.memory);
+    const dm_log log = test_log(&t.messages);
+    void* data;
+    size_t size;
+    assert_int_equal(dm_gltf_write(parts, 2, &allocator, &log, &data, &size), DM_OK);
+    opened o;
+    open_bytes(&o, data, size, TEST_NEVER);
+    assert_int_equal(o.result, DM_OK);
+    assert_int_equal(o.mesh.vertex_count, 8);
+    assert_int_equal(o.mesh.index_count, 9);
+    assert_memory_equal(position(&o, 0), square.positions[0], 4 * 12);
+    assert_memory_equal(position(&o, 4), square.positions[2], 4 * 12);
+    assert_triangle(&o, 1, 2, 1, 3);
+    assert_triangle(&o, 2, 4, 5, 6);
+    dm_gltf_node node;
+    assert_int_equal(dm_gltf_node_count(o.gltf), 2);
+    assert_int_equal(dm_gltf_get_node(o.gltf, 0, &node), DM_OK);
+    assert_string_equal(node.name, "body");
+    assert_true(fabsf(node.colour[1] - 0.5f) < 1e-6f && fabsf(node.colour[2] - 0.25f) < 1e-6f);
+    assert_int_equal(dm_gltf_get_node(o.gltf, 1, &node), DM_OK);
+    assert_int_equal(node.first_face, 2);
+    assert_int_equal(node.first_vertex, 4);
+    assert_int_equal(dm_gltf_get_node(o.gltf, 2, &node), DM_ERROR_NOT_FOUND);
+    close_it(&o);
+    allocator.release(allocator.user, data, size);
+    test_env_close(&t);
+}
+
+static void test_nodes_are_placed_in_the_scene(void** state) {
+    (void)state;
+    opened o;
+    open_json(&o,
+              ASSET VIEWS ACCESSORS MESHES "\"scene\":0,\"scenes\":[{\"nodes\":[1]}]," NODES(
+                  "{\"name\":\"leaf\",\"mesh\":0,\"scale\":[1,1,-2]},"
+                  "{\"name\":\"root\",\"translation\":[10,0,0],\"children\":[0,2]},"
+                  "{\"mesh\":0,\"rotation\":[0,0,0.70710678118654752,0.70710678118654752]},"
+                  "{\"name\":\"unseen\",\"mesh\":0}"),
+              &square, sizeof square);
+    assert_int_equal(o.result, DM_OK);
+    assert_int_equal(dm_gltf_node_count(o.gltf), 2);
+    assert_int_equal(o.mesh.vertex_count, 12);
+    assert_near(position(&o, 1), 11, 0, 0);
+    assert_near(position(&o, 6 + 1), 10, 1, 0); /* x turned to y */
+    assert_triangle(&o, 0, 2, 1, 0);            /* a mirrored node keeps its outside outside */
+    assert_triangle(&o, 2, 6, 7, 8);
+    dm_gltf_node node;
+    dm_gltf_get_node(o.gltf, 1, &node);
+    assert_string_equal(node.name, "");
+    assert_int_equal(node.node, 2);
+    close_it(&o);
+}
+
+static void test_strips_fans_and_what_is_left_out(void** state) {
+    (void)state;
+    opened o;
+    open_json(&o, ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":1}"), &square, sizeof square);
+    assert_int_equal(o.result, DM_OK);
+    assert_int_equal(o.mesh.vertex_count, 12); /* the lines are left out, with their vertices */
+    assert_int_equal(o.mesh.index_count, 3 * (2 + 4));
+    assert_triangle(&o, 0, 0, 1, 2);
+    assert_triangle(&o, 1, 1, 3, 2);
+    assert_triangle(&o, 2, 7, 8, 6);
+    assert_triangle(&o, 5, 10, 11, 6);
+    assert_non_null(strstr(o.t.messages.text, "lines"));
+    close_it(&o);
+}
+
+static void test_sparse_quantised_and_strided(void** state) {
+    (void)state;
+    struct {
+        int16_t positions[3][4]; /* normalised shorts, 8 bytes apart */
+        uint8_t changed[4];
+        int16_t changes[4];
+    } data = {{{0, 0, 0, 99}, {32767, 0, 0, 99}, {0, 0, 0, 99}}, {2, 0, 0, 0}, {0, -32767, 0, 0}};
+    const char* json = ASSET
+        "\"buffers\":[{\"byteLength\":36}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":24,\"byteStride\":8},"
+        "{\"buffer\":0,\"byteOffset\":24,\"byteLength\":4},{\"buffer\":0,\"byteOffset\":28,\"byteLength\":8}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5122,\"normalized\":true,\"count\":3,\"type\":"
+        "\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":1,\"componentType\":5121},\"values\":{"
+        "\"bufferView\":2}}}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]," NODES("{\"mesh\":0}");
+    opened o;
+    open_json(&o, json, &data, sizeof data);
+    assert_int_equal(o.result, DM_OK);
+    assert_near(position(&o, 1), 1, 0, 0);
+    assert_near(position(&o, 2), 0, -1, 0);
+    close_it(&o);
+    data.changed[0] = 3;
+    open_json(&o, json, &data, sizeof data);
+    assert_int_equal(o.result, DM_ERROR_INDEX_OUT_OF_RANGE);
+    close_it(&o);
+}
+
+static void test_gltf_text_with_embedded_buffer(void** state) {
+    (void)state;
+    /* Three vertices, (0 0 0) (1 0 0) (0 1 0), in base64. */
+    const char* json =
+        ASSET "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
+              "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+              "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+              "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]," NODES("{\"mesh\":0}");
+    opened o;
+    open_bytes(&o, json, strlen(json), TEST_NEVER);
+    assert_int_equal(o.result, DM_OK);
+    assert_near(position(&o, 1), 1, 0, 0);
+    assert_near(position(&o, 2), 0, 1, 0);
+    close_it(&o);
+}
+
+/* ---- names and masks ---- */
+
+static void test_faces_by_node_name(void** state) {
+    (void)state;
+    opened o;
+    open_json(&o,
+              ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"door\",\"mesh\":0},{\"name\":\"door\",\"mesh\":0},"
+                                                 "{\"name\":\"group\",\"children\":[3,4]},{\"mesh\":0},"
+                                                 "{\"name\":\"knob\",\"mesh\":0},{\"name\":\"empty\"}"),
+              &square, sizeof square);
+    assert_int_equal(o.result, DM_OK);
+    uint8_t ids[8] = {0};
+    const char* both[] = {"door"};
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, both, 1, 1, ids, 8), DM_OK);
+    assert_memory_equal(ids, ((uint8_t[]){1, 1, 1, 1, 0, 0, 0, 0}), 8);
+    const char* below[] = {"group"};
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, below, 1, 2, ids, 8), DM_OK);
+    assert_memory_equal(ids, ((uint8_t[]){1, 1, 1, 1, 2, 2, 2, 2}), 8);
+    const char* number[] = {"#3"};
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, number, 1, 3, ids, 8), DM_OK);
+    assert_memory_equal(ids, ((uint8_t[]){1, 1, 1, 1, 3, 3, 2, 2}), 8);
+    const char* missing[] = {"door", "drawer"};
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, missing, 2, 1, ids, 8), DM_ERROR_NOT_FOUND);
+    assert_non_null(strstr(o.t.messages.text, "'drawer'"));
+    assert_non_null(strstr(o.t.messages.text, "'knob'"));
+    const char* bare[] = {"empty"};
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, bare, 1, 1, ids, 8), DM_ERROR_NOT_FOUND);
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, both, 1, 1, ids, 7), DM_ERROR_INVALID_ARGUMENT);
+    close_it(&o);
+}
+
+static void test_masks(void** state) {
+    (void)state;
+    opened o;
+    open_json(&o, ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0}"), &square, sizeof square);
+    uint8_t ids[6] = {9, 9, 9, 9, 9, 9};
+    int32_t scope = -1, ambiguous = -1;
+    const char* faces = "[0, 7]";
+    assert_int_equal(dm_gltf_read_mask(o.gltf, faces, strlen(faces), NULL, ids, &scope, &ambiguous), DM_OK);
+    assert_int_equal(scope, DM_PER_FACE);
+    assert_int_equal(ambiguous, 0);
+    assert_memory_equal(ids, ((uint8_t[]){0, 1}), 2);
+    const char* vertices = "[3, 3, 1, 1, 1, 1]";
+    const int64_t three = 3;
+    assert_int_equal(dm_gltf_read_mask(o.gltf, vertices, strlen(vertices), &three, ids, &scope, NULL), DM_OK);
+    assert_int_equal(scope, DM_PER_VERTEX);
+    assert_memory_equal(ids, ((uint8_t[]){1, 1, 0, 0, 0, 0}), 6);
+    assert_int_equal(dm_gltf_read_mask(o.gltf, "[0, 0]", 6, NULL, ids, &scope, NULL), DM_ERROR_EMPTY_MASK);
+    assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, 1]", 6, NULL, ids, &scope, NULL), DM_ERROR_FULL_MASK);
+    assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, 0, 1]", 9, NULL, ids, &scope, NULL), DM_ERROR_BAD_DATA);
+    assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, ", 4, NULL, ids, &scope, NULL), DM_ERROR_BAD_DATA);
+    close_it(&o);
+}
+
+/* ---- hostile files ---- */
+
+typedef struct hostile {
+    const char* json;
+    dm_result result;
+    const char* says;
+} hostile;
+
+#define ACCESSOR(fields) "\"accessors\":[{\"bufferView\":0," fields ",\"type\":\"VEC3\"}],"
+#define ONE_MESH                                                                                                       \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]," NODES("{\"name\":\"n\",\"mesh\":0}")
+
+static const hostile cases[] = {
+    {ASSET VIEWS ACCESSOR("\"componentType\":5126,\"count\":9") ONE_MESH, DM_ERROR_BAD_DATA, "leave buffer view 0"},
+    {ASSET VIEWS ACCESSOR("\"byteOffset\":18446744073709551608,\"componentType\":5126,\"count\":3") ONE_MESH,
+     DM_ERROR_BAD_DATA, "leave buffer view 0"},
+    {ASSET VIEWS ACCESSOR("\"componentType\":5126,\"count\":18446744073709551615") ONE_MESH, DM_ERROR_TOO_LARGE,
+     "accessor 0"},
+    {ASSET VIEWS ACCESSOR("\"componentType\":5130,\"count\":3") ONE_MESH, DM_ERROR_BAD_DATA, "component type 5130"},
+    {ASSET VIEWS ACCESSOR("\"componentType\":5126,\"count\":4") ONE_MESH, DM_ERROR_BAD_DATA, "not a multiple of 3"},
+    {ASSET
+     "\"buffers\":[{\"byteLength\":88}],\"bufferViews\":[{\"buffer\":0,\"byteOffset\":80,\"byteLength\":72}]," ACCESSOR(
+         "\"componentType\":5126,\"count\":3") ONE_MESH,
+     DM_ERROR_BAD_DATA, "leaves its buffer of 88"},
+    {ASSET "\"buffers\":[{\"byteLength\":88}],\"bufferViews\":[{\"buffer\":7,\"byteLength\":72}]," ACCESSOR(
+         "\"componentType\":5126,\"count\":3") ONE_MESH,
+     DM_ERROR_BAD_DATA, "does not exist"},
+    {ASSET "\"buffers\":[{\"byteLength\":4000}]," ACCESSOR("\"componentType\":5126,\"count\":3") ONE_MESH,
+     DM_ERROR_BAD_DATA, "binary size"},
+    {ASSET "\"buffers\":[{\"byteLength\":88,\"uri\":\"../../etc/passwd\"}]," ONE_MESH, DM_ERROR_BAD_DATA, "passwd"},
+    {ASSET VIEWS ONE_MESH, DM_ERROR_BAD_DATA, "accessor 0 does not exist"},
+    {ASSET VIEWS ACCESSORS "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1}}]}]," NODES("{\"mesh\":0}"),
+     DM_ERROR_BAD_DATA, "1 components a vertex"},
+    {ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0,\"children\":[1]},{\"children\":[0]}"), DM_ERROR_DEGENERATE_MESH,
+     "no triangle"},
+    {ASSET VIEWS ACCESSORS MESHES NODES("{\"children\":[2]},{\"children\":[2]},{\"mesh\":0}"), DM_ERROR_BAD_DATA,
+     "node 2 is a child of node 1 and of node 0"},
+    {ASSET VIEWS ACCESSORS MESHES NODES("{\"children\":[0]}"), DM_ERROR_BAD_DATA, "child"},
+    {ASSET VIEWS ACCESSORS MESHES NODES("{\"children\":[-3]}"), DM_ERROR_BAD_DATA, "child -3"},
+    {ASSET VIEWS ACCESSORS MESHES "\"scenes\":[{\"nodes\":[5]}]," NODES("{\"mesh\":0}"), DM_ERROR_BAD_DATA, "node 5"},
+    {ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"n\",\"mesh\":9}"), DM_ERROR_BAD_DATA, "mesh 9 does not exist"},
+    {ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0,\"scale\":[1e39,1,1]}"), DM_ERROR_NOT_FINITE, "vertex 1"},
+    {ASSET "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]," VIEWS ACCESSORS MESHES NODES("{\"mesh\":0}"),
+     DM_ERROR_UNSUPPORTED, "KHR_draco_mesh_compression"},
+    {ASSET NODES("{\"mesh\":-1}"), DM_ERROR_DEGENERATE_MESH, "no triangle"},
+    {"{\"asset\":{}}", DM_ERROR_BAD_DATA, "asset"},
+    {"{\"asset\":{\"version\":\"2.0\"},", DM_ERROR_BAD_DATA, "parse"},
+};
+
+static void test_hostile_files_are_named(void** state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        opened o;
+        open_json(&o, cases[i].json, &square, sizeof square);
+        if (o.result != cases[i].result || !strstr(o.t.messages.text, cases[i].says))
+            fail_msg("case %zu: %d '%s', not %d '%s'", i, o.result, o.t.messages.text, cases[i].result, cases[i].says);
+        close_it(&o);
+    }
+}
+
+static void test_bad_vertices_and_indices(void** state) {
+    (void)state;
+    const char* json = ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"door\",\"mesh\":0}");
+    opened o;
+    bin bad = square;
+    bad.positions[4][1] = NAN;
+    open_json(&o, json, &bad, sizeof bad);
+    assert_int_equal(o.result, DM_ERROR_NOT_FINITE);
+    assert_non_null(strstr(o.t.messages.text, "vertex 4"));
+    assert_non_null(strstr(o.t.messages.text, "'door'"));
+    close_it(&o);
+    bad = square;
+    bad.indices[4] = 6;
+    open_json(&o, json, &bad, sizeof bad);
+    assert_int_equal(o.result, DM_ERROR_INDEX_OUT_OF_RANGE);
+    assert_non_null(strstr(o.t.messages.text, "triangle 1 names vertex 6 of 6"));
+    close_it(&o);
+}
+
+static void test_deep_nesting_is_refused(void** state) {
+    (void)state;
+    enum { DEPTH = 200000 };
+    char* json = malloc(2 * DEPTH + 64);
+    size_t at = (size_t)sprintf(json, "{\"asset\":{\"version\":\"2.0\",\"extras\":");
+    memset(json + at, '[', DEPTH);
+    memset(json + at + DEPTH, ']', DEPTH);
+    strcpy(json + at + 2 * (size_t)DEPTH, "}}");
+    opened o;
+    open_json(&o, json, NULL, 0);
+    assert_int_equal(o.result, DM_ERROR_BAD_DATA);
+    assert_non_null(strstr(o.t.messages.text, "nests"));
+    close_it(&o);
+    free(json);
+}
+
+static void test_other_containers(void** state) {
+    (void)state;
+    opened o;
+    open_bytes(&o, "solid cube\n", 11, TEST_NEVER);
+    assert_int_equal(o.result, DM_ERROR_BAD_DATA);
+    assert_non_null(strstr(o.t.messages.text, "not a GLB"));
+    close_it(&o);
+    test_glb glb = test_glb_pack(ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0}"), &square, sizeof square);
+    glb.data[4] = 1;
+    open_bytes(&o, glb.data, glb.size, TEST_NEVER);
+    assert_int_equal(o.result, DM_ERROR_UNSUPPORTED);
+    close_it(&o);
+    glb.data[4] = 2;
+    for (size_t size = 0; size < glb.size; size++) { /* every truncation is an error, none is more than that */
+        uint8_t* cut = malloc(size + 1);
+        memcpy(cut, glb.data, size);
+        open_bytes(&o, cut, size, TEST_NEVER);
+        assert_true(o.result == (size ? DM_ERROR_BAD_DATA : DM_ERROR_INVALID_ARGUMENT));
+        close_it(&o);
+        free(cut);
+    }
+    free(glb.data);
+}
+
+static void test_flipped_bytes_never_crash(void** state) {
+    (void)state;
+    const test_glb glb =
+        test_glb_pack(ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0},{\"mesh\":1}"), &square, sizeof square);
+    uint32_t random = 1;
+    for (int round = 0; round < 4000; round++) {
+        uint8_t* bytes = malloc(glb.size);
+        memcpy(bytes, glb.data, glb.size);
+        for (int k = 0; k < 3; k++) {
+            random = random * 1664525u + 1013904223u;
+            bytes[20 + (random >> 8) % (glb.size - 20)] = (uint8_t)(random >> 3);
+        }
+        opened o;
+        open_bytes(&o, bytes, glb.size, TEST_NEVER);
+        close_it(&o);
+        free(bytes);
+    }
+    free(glb.data);
+}
+
+static void test_failing_allocator(void** state) {
+    (void)state;
+    const test_glb glb = test_glb_pack(ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":1}"), &square, sizeof square);
+    int64_t n = 0;
+    for (dm_result result = DM_ERROR_OUT_OF_MEMORY; result != DM_OK; n++) {
+        opened o;
+        open_bytes(&o, glb.data, glb.size, n);
+        result = o.result;
+        assert_true(result == DM_OK || result == DM_ERROR_OUT_OF_MEMORY);
+        close_it(&o);
+    }
+    assert_true(n > 6);
+    free(glb.data);
+}
+
+static void test_descriptors_are_checked(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    const test_glb glb = test_glb_pack(ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0}"), &square, sizeof square);
+    struct {
+        dm_gltf_desc desc;
+        uint8_t newer[8];
+    } caller = {describe(&t, glb.data, glb.size), {0}};
+    dm_gltf* gltf = NULL;
+    caller.desc.struct_size = sizeof caller;
+    assert_int_equal(dm_gltf_open(&caller.desc, &gltf), DM_OK); /* a newer caller that sends zeros */
+    dm_gltf_close(gltf);
+    caller.newer[3] = 1;
+    assert_int_equal(dm_gltf_open(&caller.desc, &gltf), DM_ERROR_STRUCT_SIZE);
+    caller.desc.struct_size = 8;
+    assert_int_equal(dm_gltf_open(&caller.desc, &gltf), DM_ERROR_STRUCT_SIZE);
+    assert_int_equal(dm_gltf_open(NULL, &gltf), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_gltf_node_count(NULL), 0);
+    free(glb.data);
+    test_env_close(&t);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_written_file_reads_back),
+        cmocka_unit_test(test_nodes_are_placed_in_the_scene),
+        cmocka_unit_test(test_strips_fans_and_what_is_left_out),
+        cmocka_unit_test(test_sparse_quantised_and_strided),
+        cmocka_unit_test(test_gltf_text_with_embedded_buffer),
+        cmocka_unit_test(test_faces_by_node_name),
+        cmocka_unit_test(test_masks),
+        cmocka_unit_test(test_hostile_files_are_named),
+        cmocka_unit_test(test_bad_vertices_and_indices),
+        cmocka_unit_test(test_deep_nesting_is_refused),
+        cmocka_unit_test(test_other_containers),
+        cmocka_unit_test(test_flipped_bytes_never_crash),
+        cmocka_unit_test(test_failing_allocator),
+        cmocka_unit_test(test_descriptors_are_checked),
+    };
+    return cmocka_run_group_tests_name("gltf", tests, NULL, NULL);
+}
