@@ -23,13 +23,13 @@ static size_t positions_size(const dmi_mesh* mesh) {
     return (size_t)mesh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;
 }
 
-static dm_result allocate(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh** out_mesh) {
+static dm_result allocate(dmi_env* env, uint32_t vertex_count, uint32_t face_count, dmi_mesh** out_mesh) {
     dmi_mesh* mesh = dmi_alloc_zeroed(env, sizeof *mesh, ALIGNMENT);
     *out_mesh = mesh;
     if (mesh != NULL) {
-        size_t faces = reader->face_count;
-        mesh->vertex_count = reader->vertex_count;
-        mesh->face_count = reader->face_count;
+        size_t faces = face_count;
+        mesh->vertex_count = vertex_count;
+        mesh->face_count = face_count;
         mesh->positions = dmi_alloc(env, positions_size(mesh), ALIGNMENT);
         mesh->indices = dmi_alloc(env, faces * 3 * sizeof(uint32_t), ALIGNMENT);
         mesh->face_part = dmi_alloc(env, faces * sizeof(uint32_t), ALIGNMENT);
@@ -38,7 +38,7 @@ static dm_result allocate(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh*
         if (mesh->positions && mesh->indices && mesh->face_part && mesh->face_area && mesh->face_normal) return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mesh of %u vertices and %u triangles",
-                    reader->vertex_count, reader->face_count);
+                    vertex_count, face_count);
 }
 
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh) {
@@ -220,6 +220,11 @@ static dm_result measure_parts(dmi_env* env, dmi_mesh* mesh) {
     return check_areas(env, mesh);
 }
 
+dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh) {
+    measure_faces(mesh);
+    return measure_parts(env, mesh);
+}
+
 /* ---- the whole -----------------------------------------------------------------------------------------------------
  */
 
@@ -231,8 +236,7 @@ static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axe
     if (result == DM_OK) result = set_frame(env, reader, axes, mesh);
     if (result != DM_OK) return result;
     set_positions(reader, mesh);
-    measure_faces(mesh);
-    return measure_parts(env, mesh);
+    return dmi_mesh_measure(env, mesh);
 }
 
 dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
@@ -240,12 +244,31 @@ dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc
     dmi_mesh_reader reader;
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_reader_open(env, desc, &reader);
-    if (result == DM_OK) result = allocate(env, &reader, &mesh);
+    if (result == DM_OK) result = allocate(env, reader.vertex_count, reader.face_count, &mesh);
     if (result == DM_OK) result = fill(env, &reader, axes, parts, part_count, mesh);
     if (result != DM_OK) {
         dmi_mesh_destroy(env, mesh);
         return result;
     }
+    *out_mesh = mesh;
+    return DM_OK;
+}
+
+dm_result dmi_mesh_restore(dmi_env* env, const dmi_frame* frame, uint32_t vertex_count, uint32_t face_count,
+                           uint32_t part_count, dmi_mesh** out_mesh) {
+    dmi_mesh* mesh = NULL;
+    dm_result result = allocate(env, vertex_count, face_count, &mesh);
+    if (result == DM_OK) {
+        mesh->parts = dmi_alloc_zeroed(env, part_count * sizeof(dmi_part), ALIGNMENT);
+        if (mesh->parts == NULL) result = dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u parts", part_count);
+    }
+    if (result != DM_OK) {
+        dmi_mesh_destroy(env, mesh);
+        return result;
+    }
+    mesh->frame = *frame;
+    mesh->part_count = part_count;
+    memset(mesh->positions + (size_t)vertex_count * 3, 0, POSITION_PADDING);
     *out_mesh = mesh;
     return DM_OK;
 }

@@ -169,6 +169,8 @@ typedef struct dm_model_desc {
     size_t kinematics_size;
     const void* motion; /* DQ-VAE: sdk/models/dq_vae.safetensors */
     size_t motion_size;
+    const void* ranker; /* chooses between candidate joints: sdk/models/ranker.safetensors; absent: by rules */
+    size_t ranker_size;
 } dm_model_desc;
 
 /* ---- objects ------------------------------------------------------------------------------------------------ */
@@ -201,6 +203,7 @@ typedef struct dm_mesh_desc {
     int32_t index_format;     /* DM_UINT32 | DM_UINT16 | DM_UINT8 */
     int32_t part_id_format;   /* DM_UINT32 | DM_UINT16 | DM_UINT8 | DM_INT32 (negative = body) */
     int32_t part_id_scope;    /* DM_PER_VERTEX | DM_PER_FACE */
+    uint32_t reserved;        /* 0 */
 } dm_mesh_desc;
 
 /* A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it. */

@@ -1,0 +1,91 @@
+/* Checks of what crosses the boundary. */
+#include "api_check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/dual_quat.h"
+
+/* No descriptor will ever be this large: a struct_size above it was never set. */
+#define MAX_STRUCT_SIZE 4096
+
+static dm_result check_size(dmi_env* env, const char* what, const void* desc, size_t first, uint32_t* out_size) {
+    if (!desc) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    memcpy(out_size, desc, sizeof *out_size);
+    if (*out_size < first || *out_size > MAX_STRUCT_SIZE) {
+        return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "%s.struct_size is %u: it must be sizeof the struct, at least %zu",
+                        what, *out_size, first);
+    }
+    return DM_OK;
+}
+
+dm_result dmi_read_desc(dmi_env* env, const char* what, const void* desc, size_t first, size_t size, void* out) {
+    uint32_t given = 0;
+    dm_result result = check_size(env, what, desc, first, &given);
+    if (result != DM_OK) return result;
+    const uint8_t* bytes = desc;
+    for (size_t i = size; i < given; i++) {
+        if (bytes[i] != 0) {
+            return dmi_fail(env, DM_ERROR_STRUCT_SIZE,
+                            "%s sets byte %zu: this library is older than the caller and knows %zu bytes", what, i,
+                            size);
+        }
+    }
+    memset(out, 0, size);
+    memcpy(out, desc, given < size ? given : size);
+    return DM_OK;
+}
+
+dm_result dmi_check_out(dmi_env* env, const char* what, const void* out, size_t first) {
+    uint32_t given = 0;
+    return check_size(env, what, out, first, &given);
+}
+
+void dmi_write_out(void* out, const void* value, size_t size) {
+    uint32_t given = 0;
+    memcpy(&given, out, sizeof given);
+    size_t known = given < size ? given : size;
+    memcpy((uint8_t*)out + sizeof given, (const uint8_t*)value + sizeof given, known - sizeof given);
+    memset((uint8_t*)out + known, 0, given - known);
+}
+
+dm_result dmi_check_finite(dmi_env* env, const char* what, const float* values, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        if (isfinite(values[i])) continue;
+        if (count == 1) return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s is %g", what, (double)values[i]);
+        return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s: number %u is %g", what, i, (double)values[i]);
+    }
+    return DM_OK;
+}
+
+dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t first, int32_t last) {
+    if (value >= first && value <= last) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %d: it must be %d to %d", what, value, first, last);
+}
+
+dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
+    if (!ray) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    const float numbers[6] = {ray->origin.x,    ray->origin.y,    ray->origin.z,
+                              ray->direction.x, ray->direction.y, ray->direction.z};
+    dm_result result = dmi_check_finite(env, what, numbers, 6);
+    if (result != DM_OK) return result;
+    if (numbers[3] == 0.0f && numbers[4] == 0.0f && numbers[5] == 0.0f) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.direction has no length", what);
+    }
+    return DM_OK;
+}
+
+dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out) {
+    if (!pose) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    dm_result result = dmi_check_finite(env, what, pose->real, 4);
+    if (result == DM_OK) result = dmi_check_finite(env, what, pose->dual, 4);
+    if (result != DM_OK) return result;
+    const float* r = pose->real;
+    float norm = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    if (!(norm > 0.5f && norm < 2.0f)) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.real has length %g: it must be a unit quaternion", what,
+                        (double)norm);
+    }
+    *out = dmi_pose_normalize(pose);
+    return DM_OK;
+}

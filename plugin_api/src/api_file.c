@@ -1,0 +1,36 @@
+/* Prepared objects to bytes and back. */
+#include "api_check.h"
+#include "api_context.h"
+#include "kinematics/blob.h"
+
+dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
+                                 size_t* out_size) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    if (!out_size) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_save: out_size is NULL");
+    const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_save", object);
+    if (!slot) return DM_ERROR_STALE_HANDLE;
+    size_t size = dmi_object_blob_size(slot->object);
+    *out_size = size;
+    if (!buffer) return DM_OK;
+    if (capacity < size) {
+        return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_object_save: capacity is %zu, the object takes %zu bytes",
+                        capacity, size);
+    }
+    dmi_object_to_blob(slot->object, buffer);
+    return DM_OK;
+}
+
+dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
+                                 dm_object* out_object) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    if (!data || !out_object) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_load: %s is NULL", data ? "out_object" : "data");
+    }
+    if (model && !dmi_find(context, context->models, "dm_object_load: model", model)) return DM_ERROR_STALE_HANDLE;
+    dmi_object* object = NULL;
+    dm_result result = dmi_object_from_blob(env, context->picker, &context->axes, data, size, &object);
+    if (result != DM_OK) return result;
+    return dmi_object_publish(context, "dm_object_load", object, model, out_object);
+}

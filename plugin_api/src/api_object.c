@@ -1,0 +1,259 @@
+/* Objects behind handles: prepare, destroy, and what the host may ask of them. */
+#include <stdio.h>
+#include <string.h>
+
+#include "api_check.h"
+#include "api_context.h"
+
+/* ---- the descriptors of dm_object_prepare ---- */
+
+static dm_result check_mesh(dmi_env* env, const dm_mesh_desc* mesh) {
+    dm_result result =
+        dmi_check_range(env, "dm_object_prepare: desc.mesh.position_format", mesh->position_format, 0, DM_FLOAT64);
+    if (result == DM_OK) {
+        result = dmi_check_range(env, "dm_object_prepare: desc.mesh.index_format", mesh->index_format, 0, DM_UINT8);
+    }
+    if (result == DM_OK) {
+        result = dmi_check_range(env, "dm_object_prepare: desc.mesh.part_id_format", mesh->part_id_format, 0, DM_INT32);
+    }
+    if (result == DM_OK) {
+        result =
+            dmi_check_range(env, "dm_object_prepare: desc.mesh.part_id_scope", mesh->part_id_scope, 0, DM_PER_FACE);
+    }
+    if (result == DM_OK && mesh->reserved != 0) {
+        result = dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.mesh.reserved is %u: it must be 0",
+                          mesh->reserved);
+    }
+    return result;
+}
+
+static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
+    if (desc->flags & ~(uint32_t)DM_PREPARE_WITHOUT_PICKING) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.flags is 0x%x: unknown flag",
+                        desc->flags);
+    }
+    if (desc->reserved != 0) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.reserved is %u: it must be 0",
+                        desc->reserved);
+    }
+    if (desc->part_count > DM_MAX_PARTS) {
+        return dmi_fail(env, DM_ERROR_TOO_LARGE, "dm_object_prepare: desc.part_count is %u: the most is %d",
+                        desc->part_count, DM_MAX_PARTS);
+    }
+    if (!desc->parts != !desc->part_count) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.parts is %s but desc.part_count is %u",
+                        desc->parts ? "given" : "NULL", desc->part_count);
+    }
+    return DM_OK;
+}
+
+/* The host's array steps by its own struct_size, which may not be ours. */
+static dm_result read_parts(dmi_env* env, const dm_object_desc* desc, dm_part_desc* out) {
+    const uint8_t* next = (const uint8_t*)desc->parts;
+    uint32_t step = desc->parts[0].struct_size;
+    for (uint32_t i = 0; i < desc->part_count; i++) {
+        char what[64];
+        snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u]", i);
+        dm_result result = dmi_read_desc(env, what, next, DMI_FIRST_SIZE(dm_part_desc, drag), sizeof *out, &out[i]);
+        if (result != DM_OK) return result;
+        if (out[i].struct_size != step) {
+            return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "%s.struct_size is %u, but that of the first part is %u", what,
+                            out[i].struct_size, step);
+        }
+        strcat(what, ".joint_type");
+        result = dmi_check_range(env, what, out[i].joint_type, DM_JOINT_UNKNOWN, DM_JOINT_FIXED);
+        if (result != DM_OK) return result;
+        next += step;
+    }
+    return DM_OK;
+}
+
+/* ---- features of the motion network ---- */
+
+typedef struct encoding {
+    dm_context* context;
+    dmi_object_slot* slot;
+    const dmi_dq_vae* network;
+    _Atomic int failed;
+} encoding;
+
+static void DM_CALL encode_part(void* data, uint32_t task) {
+    encoding* work = data;
+    dmi_env* env = &work->context->env;
+    size_t size = dmi_dq_vae_scratch_size(work->network);
+    void* scratch = dmi_alloc(env, size, 64);
+    dmi_cloud* cloud = dmi_alloc(env, sizeof *cloud, 64);
+    if (scratch && cloud) {
+        dmi_cloud_widen(&work->slot->object->parts[task + 1], cloud);
+        dmi_dq_vae_prepare(work->network, work->context->isa, cloud, scratch, &work->slot->features[task + 1]);
+    } else {
+        work->failed = 1;
+    }
+    dmi_free(env, cloud, sizeof *cloud);
+    dmi_free(env, scratch, size);
+}
+
+static dm_result encode(dm_context* context, const char* function, dmi_object_slot* slot, const dmi_model_slot* model) {
+    if (!model || !model->motion) return DM_OK;
+    dmi_env* env = &context->env;
+    uint32_t count = slot->object->part_count;
+    encoding work = {.context = context, .slot = slot, .network = model->motion};
+    slot->features = dmi_alloc(env, count * sizeof *slot->features, _Alignof(dmi_vae_object));
+    if (slot->features) dmi_parallel_for(env, count - 1, encode_part, &work);
+    if (slot->features && !work.failed) return DM_OK;
+    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for the motion network's features", function);
+}
+
+/* ---- prepare and destroy ---- */
+
+dm_result dmi_object_publish(dm_context* context, const char* function, dmi_object* object, dm_model model,
+                             dm_object* out_object) {
+    dmi_env* env = &context->env;
+    dmi_object_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_object_slot));
+    if (!slot) {
+        dmi_object_destroy(env, object);
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory", function);
+    }
+    slot->object = object;
+    slot->model = model;
+    dm_result result = encode(context, function, slot, dmi_pool_get(context->models, model));
+    uint64_t handle = 0;
+    if (result == DM_OK) result = dmi_pool_insert(context->objects, slot, &handle);
+    if (result != DM_OK) {
+        dmi_object_release(context, slot);
+        return result;
+    }
+    *out_object = handle;
+    return DM_OK;
+}
+
+dmi_brain dmi_brain_of(const dm_context* context, const dmi_model_slot* model) {
+    return (dmi_brain){
+        .net = model ? model->kinematics : NULL, .ranker = model ? model->ranker : NULL, .isa = context->isa};
+}
+
+static dm_result prepare(dm_context* context, const dm_object_desc* desc, const dm_part_desc* parts,
+                         dm_object* out_object) {
+    dmi_env* env = &context->env;
+    dm_mesh_desc mesh;
+    dm_result result = dmi_read_desc(env, "dm_object_prepare: desc.mesh", desc->mesh,
+                                     DMI_FIRST_SIZE(dm_mesh_desc, reserved), sizeof mesh, &mesh);
+    if (result == DM_OK) result = check_mesh(env, &mesh);
+    if (result != DM_OK) return result;
+    const dmi_model_slot* model = NULL;
+    if (desc->model) {
+        model = dmi_find(context, context->models, "dm_object_prepare: desc.model", desc->model);
+        if (!model) return DM_ERROR_STALE_HANDLE;
+    }
+    const dmi_prepare_desc inner = {.axes = &context->axes,
+                                    .mesh = &mesh,
+                                    .parts = parts,
+                                    .part_count = desc->part_count,
+                                    .brain = dmi_brain_of(context, model),
+                                    .seed = desc->seed,
+                                    .keep_triangles = !(desc->flags & DM_PREPARE_WITHOUT_PICKING),
+                                    .intent = desc->intent,
+                                    .intent_user = desc->intent_user,
+                                    .progress = desc->progress,
+                                    .progress_user = desc->progress_user};
+    dmi_object* object = NULL;
+    result = dmi_object_prepare(env, context->picker, &inner, &object);
+    if (result != DM_OK) return result;
+    return dmi_object_publish(context, "dm_object_prepare", object, desc->model, out_object);
+}
+
+dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dm_object_desc known;
+    dm_result result = dmi_read_desc(env, "dm_object_prepare: desc", desc,
+                                     DMI_FIRST_SIZE(dm_object_desc, progress_user), sizeof known, &known);
+    if (result == DM_OK) result = check_flags(env, &known);
+    if (result != DM_OK) return result;
+    if (!out_object) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: out_object is NULL");
+    if (!known.parts) return prepare(context, &known, NULL, out_object);
+    size_t size = known.part_count * sizeof(dm_part_desc);
+    dm_part_desc* parts = dmi_alloc(env, size, _Alignof(dm_part_desc));
+    if (!parts)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for %u parts", known.part_count);
+    result = read_parts(env, &known, parts);
+    if (result == DM_OK) result = prepare(context, &known, parts, out_object);
+    dmi_free(env, parts, size);
+    return result;
+}
+
+static void release_dependents(dm_context* context, dmi_pool* pool, dmi_dependent* first, size_t size) {
+    while (first) {
+        dmi_dependent* next = first->next;
+        dmi_pool_remove(pool, first->handle);
+        dmi_free(&context->env, first, size);
+        first = next;
+    }
+}
+
+void dmi_object_release(dm_context* context, dmi_object_slot* slot) {
+    release_dependents(context, context->motions, slot->motions, sizeof(dmi_motion_slot));
+    release_dependents(context, context->drags, slot->drags, sizeof(dmi_drag_slot));
+    dmi_free(&context->env, slot->features, slot->object->part_count * sizeof *slot->features);
+    dmi_object_destroy(&context->env, slot->object);
+    dmi_free(&context->env, slot, sizeof *slot);
+}
+
+dm_result DM_CALL dm_object_destroy(dm_context* context, dm_object object) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_object_slot* slot = dmi_take(context, context->objects, "dm_object_destroy", object);
+    if (!slot) return DM_ERROR_STALE_HANDLE;
+    dmi_scenes_forget(context, slot);
+    dmi_object_release(context, slot);
+    return DM_OK;
+}
+
+/* ---- what the host may ask ---- */
+
+static dm_vec3 point_out(const dmi_frame* frame, const float inner[3]) {
+    float host[3];
+    dmi_frame_point_out(frame, inner, host);
+    return (dm_vec3){host[0], host[1], host[2]};
+}
+
+dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_object_info* out_info) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dm_result result = dmi_check_out(&context->env, "dm_object_get_info: out_info", out_info,
+                                     DMI_FIRST_SIZE(dm_object_info, pickable));
+    if (result != DM_OK) return result;
+    const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_get_info", object);
+    if (!slot) return DM_ERROR_STALE_HANDLE;
+    const dmi_object* inner = slot->object;
+    dm_object_info info = {.part_count = inner->part_count - 1,
+                           .vertex_count = inner->vertex_count,
+                           .triangle_count = inner->triangle_count,
+                           .size = dmi_frame_length_out(&inner->frame),
+                           .pickable = inner->bvh != NULL};
+    dmi_object_box_out(&inner->frame, inner->box_min, inner->box_max, &info.box_min, &info.box_max);
+    dmi_write_out(out_info, &info, sizeof info);
+    return DM_OK;
+}
+
+dm_result DM_CALL dm_object_get_part(dm_context* context, dm_object object, uint32_t index, dm_part_info* out_info) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dm_result result =
+        dmi_check_out(&context->env, "dm_object_get_part: out_info", out_info, DMI_FIRST_SIZE(dm_part_info, area));
+    if (result != DM_OK) return result;
+    const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_get_part", object);
+    if (!slot) return DM_ERROR_STALE_HANDLE;
+    const dmi_object* inner = slot->object;
+    if (index >= inner->part_count - 1) {
+        return dmi_fail(&context->env, DM_ERROR_NOT_FOUND, "dm_object_get_part: index is %u of %u parts", index,
+                        inner->part_count - 1);
+    }
+    const dmi_part* shape = &inner->parts[index + 1].shape;
+    float length = dmi_frame_length_out(&inner->frame);
+    dm_part_info info = {.id = shape->id,
+                         .parent = inner->parts[shape->parent].shape.id,
+                         .triangle_count = shape->face_count,
+                         .centre = point_out(&inner->frame, shape->centre),
+                         .area = shape->area * length * length};
+    dmi_object_box_out(&inner->frame, shape->box_min, shape->box_max, &info.box_min, &info.box_max);
+    dmi_write_out(out_info, &info, sizeof info);
+    return DM_OK;
+}

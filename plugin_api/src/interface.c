@@ -1,0 +1,12 @@
+/* The function table: the library's second door, and the one symbol a dynamic host looks up. */
+#include <string.h>
+
+#include "dragmesh/dragmesh.h"
+
+#define ENTRY(result, name, arguments) .name = dm_##name,
+static const dm_core_1 core_1 = {.struct_size = sizeof(dm_core_1), DM_CORE_FUNCTIONS(ENTRY)};
+#undef ENTRY
+
+const void* DM_CALL dm_get_interface(const char* id) {
+    return id && strcmp(id, "dm.core/1") == 0 ? &core_1 : NULL;
+}

@@ -1,0 +1,165 @@
+/* Prepared object -> .dmo bytes. */
+#include <string.h>
+
+#include "kinematics/blob.h"
+#include "kinematics/blob_format.h"
+
+uint32_t dmi_blob_crc(const uint8_t* bytes, size_t size) {
+    static const uint32_t nibble[16] = {0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac, 0x76dc4190, 0x6b6b51f4,
+                                        0x4db26158, 0x5005713c, 0xedb88320, 0xf00f9344, 0xd6d6a3e8, 0xcb61b38c,
+                                        0x9b64c2b0, 0x86d3d2d4, 0xa00ae278, 0xbdbdf21c};
+    uint32_t crc = 0xffffffff;
+    for (size_t i = 0; i < size; i++) {
+        crc ^= bytes[i];
+        crc = nibble[crc & 15] ^ crc >> 4;
+        crc = nibble[crc & 15] ^ crc >> 4;
+    }
+    return ~crc;
+}
+
+/* Counts, and writes too when it has somewhere to. */
+typedef struct writer {
+    uint8_t* out; /* NULL: count alone */
+    size_t size;
+} writer;
+
+static void put(writer* w, uint64_t value, int bytes) {
+    for (int i = 0; w->out && i < bytes; i++) w->out[w->size + (size_t)i] = (uint8_t)(value >> (8 * i));
+    w->size += (size_t)bytes;
+}
+
+static void put_u32(writer* w, uint32_t value) {
+    put(w, value, 4);
+}
+
+static void put_f32(writer* w, float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(w, bits, 4);
+}
+
+static void put_f64(writer* w, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(w, bits, 8);
+}
+
+static void put_floats(writer* w, const float* values, size_t count) {
+    for (size_t i = 0; i < count; i++) put_f32(w, values[i]);
+}
+
+static void put_vec3(writer* w, dm_vec3 v) {
+    put_f32(w, v.x);
+    put_f32(w, v.y);
+    put_f32(w, v.z);
+}
+
+static void put_joint(writer* w, const dm_joint* joint) {
+    put_u32(w, (uint32_t)joint->type);
+    put_f32(w, joint->type_confidence);
+    put_f32(w, joint->confidence);
+    put_f32(w, joint->pitch);
+    put_vec3(w, joint->axis);
+    put_vec3(w, joint->origin);
+    put_f32(w, joint->lower);
+    put_f32(w, joint->upper);
+    put_u32(w, (uint32_t)joint->source);
+}
+
+static void write_object(writer* w, const dmi_object* object) {
+    for (int i = 0; i < 3; i++) put_f64(w, object->frame.centre[i]);
+    put_f64(w, object->frame.size);
+    put_floats(w, object->box_min, 3);
+    put_floats(w, object->box_max, 3);
+    put(w, object->vertex_count, 8);
+    put(w, object->triangle_count, 8);
+    put(w, object->seed, 8);
+    put_u32(w, object->part_count);
+    put_u32(w, 0);
+}
+
+static void write_parts(writer* w, const dmi_object* object) {
+    for (uint32_t i = 0; i < object->part_count; i++) {
+        const dmi_part* shape = &object->parts[i].shape;
+        put_u32(w, shape->id);
+        put_u32(w, shape->parent);
+        put_u32(w, shape->face_count);
+        put_floats(w, shape->box_min, 3);
+        put_floats(w, shape->box_max, 3);
+        put_floats(w, shape->centre, 3);
+        put_f32(w, shape->area);
+        put_u32(w, (uint32_t)object->parts[i].given_type);
+    }
+}
+
+/* Which hypothesis is in force, told by its bits, so that loading gives these very bits back; -1 for a joint of the
+ * host. */
+static int32_t hypothesis_in_force(const dmi_object* object, const dmi_object_part* part) {
+    for (uint32_t i = 0; i < part->hypotheses.count; i++) {
+        const dm_joint joint = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
+        if (memcmp(&joint, &part->joint, sizeof joint) == 0) return (int32_t)i;
+    }
+    return -1;
+}
+
+static void write_joints(writer* w, const dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        const dmi_object_part* part = &object->parts[i];
+        int32_t in_force = hypothesis_in_force(object, part);
+        put_u32(w, part->hypotheses.count);
+        put_u32(w, (uint32_t)in_force);
+        for (uint32_t j = 0; j < part->hypotheses.count; j++) put_joint(w, &part->hypotheses.joints[j]);
+        if (in_force >= 0) continue;
+        const dm_joint joint = dmi_frame_joint_in(&object->frame, &part->joint);
+        put_joint(w, &joint);
+    }
+}
+
+static void write_points(writer* w, const dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        put_floats(w, &object->parts[i].points[0][0], (size_t)DMI_OBJECT_POINTS * 3);
+    }
+}
+
+static void write_triangles(writer* w, const dmi_object* object) {
+    const dmi_mesh* mesh = object->mesh;
+    put(w, mesh->vertex_count, 8);
+    put(w, mesh->face_count, 8);
+    put_floats(w, mesh->positions, (size_t)mesh->vertex_count * 3);
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) put_u32(w, mesh->indices[i]);
+    for (size_t i = 0; i < mesh->face_count; i++) put(w, mesh->face_part[i], 2);
+}
+
+static void write_all(writer* w, const dmi_object* object) {
+    static void (*const writers[DMI_BLOB_SECTIONS])(writer*, const dmi_object*) = {
+        write_object, write_parts, write_joints, write_points, write_triangles};
+    uint32_t count = object->mesh ? DMI_BLOB_SECTIONS : DMI_BLOB_TRIANGLES;
+    writer table = {w->out, DMI_BLOB_HEADER_SIZE};
+    w->size = DMI_BLOB_HEADER_SIZE + count * DMI_BLOB_ENTRY_SIZE;
+    for (uint32_t i = 0; i < count; i++) {
+        size_t begin = w->size;
+        writers[i](w, object);
+        put_u32(&table, dmi_blob_tags[i]);
+        put_u32(&table, 0);
+        put(&table, begin, 8);
+        put(&table, w->size - begin, 8);
+    }
+    writer header = {w->out, 12};
+    put_u32(&header, count);
+    put(&header, w->size, 8);
+}
+
+size_t dmi_object_blob_size(const dmi_object* object) {
+    writer w = {NULL, 0};
+    write_all(&w, object);
+    return w.size;
+}
+
+void dmi_object_to_blob(const dmi_object* object, uint8_t* out) {
+    writer w = {out, 0};
+    write_all(&w, object);
+    writer header = {out, 0};
+    put_u32(&header, DMI_BLOB_MAGIC);
+    put_u32(&header, DMI_BLOB_VERSION);
+    put_u32(&header, dmi_blob_crc(out + 12, w.size - 12));
+}
