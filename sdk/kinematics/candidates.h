@@ -57,6 +57,7 @@ typedef struct dmi_prediction {
     float turn_axis[3], slide_axis[3], origin[3];
     float turn_limits[2], slide_limits[2], pitch;
 } dmi_prediction;
+void dmi_prediction_read(const dmi_kpp_frame* frame, const dmi_kpp_output* raw, dmi_prediction* out);
 
 /* hint and prediction may be NULL. Signs follow the drag where there is one. Answers how many, at most
  * DMI_CANDIDATES_MAX; at least one. */
