@@ -11,6 +11,15 @@ int dmi_joint_turns(int32_t type) {
     return type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_SCREW;
 }
 
+int dmi_joint_has_limits(const dm_joint* joint) {
+    return joint->type != DM_JOINT_CONTINUOUS && joint->lower < joint->upper;
+}
+
+float dmi_joint_clamp(const dm_joint* joint, float value) {
+    if (!dmi_joint_has_limits(joint)) return value;
+    return fminf(fmaxf(value, joint->lower), joint->upper);
+}
+
 static float dot(const float a[3], dm_vec3 b) {
     return a[0] * b.x + a[1] * b.y + a[2] * b.z;
 }

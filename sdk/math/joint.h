@@ -13,6 +13,10 @@ float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near);
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]);
 /* Turns about a line: revolute, continuous, screw. */
 int dmi_joint_turns(int32_t type);
+/* Whether lower and upper bound the value: not for continuous joints, nor when lower == upper (no limits stated). */
+int dmi_joint_has_limits(const dm_joint* joint);
+/* Into the limits, where the joint has any. */
+float dmi_joint_clamp(const dm_joint* joint, float value);
 /* Slides the origin along the axis line to the point nearest `centre`. */
 void dmi_joint_set_origin_near(dm_joint* joint, const float centre[3]);
 
