@@ -249,7 +249,7 @@ static void test_masks(void** state) {
     assert_memory_equal(ids, ((uint8_t[]){1, 1, 0, 0, 0, 0}), 6);
     assert_int_equal(dm_gltf_read_mask(o.gltf, "[0, 0]", 6, NULL, ids, &scope, NULL), DM_ERROR_EMPTY_MASK);
     assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, 1]", 6, NULL, ids, &scope, NULL), DM_ERROR_FULL_MASK);
-    assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, 0, 1]", 9, NULL, ids, &scope, NULL), DM_ERROR_BAD_DATA);
+    assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, 0, 1]", 9, NULL, ids, &scope, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, ", 4, NULL, ids, &scope, NULL), DM_ERROR_BAD_DATA);
     close_it(&o);
 }

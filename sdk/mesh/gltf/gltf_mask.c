@@ -81,6 +81,15 @@ dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint
     return DM_OK;
 }
 
+/* A mask of nothing, or of everything, is a mistake that is best named where the mask is read. */
+static dm_result check_share(dmi_env* env, const uint8_t* ids, uint64_t count) {
+    uint64_t moving = 0;
+    for (uint64_t i = 0; i < count; i++) moving += ids[i];
+    if (moving == 0) return dmi_fail(env, DM_ERROR_EMPTY_MASK, "mask: none of its %" PRIu64 " values is moving", count);
+    if (moving == count) return dmi_fail(env, DM_ERROR_FULL_MASK, "mask: all of its %" PRIu64 " values move", count);
+    return DM_OK;
+}
+
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value,
                             uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous) {
     if (!gltf || !data || !out_part_ids || !out_scope) return DM_ERROR_INVALID_ARGUMENT;
@@ -93,6 +102,7 @@ dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, 
     if (result != DM_OK) return result;
     result = dmi_mask_to_part_ids(&env, values, count, mask_value, gltf->vertex_count, gltf->face_count, out_part_ids,
                                   out_scope, &ambiguous);
+    if (result == DM_OK) result = check_share(&env, out_part_ids, count);
     dmi_free(&env, values, count * sizeof *values);
     if (result == DM_OK && out_ambiguous) *out_ambiguous = ambiguous;
     return result;
