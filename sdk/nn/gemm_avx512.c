@@ -1,0 +1,101 @@
+/* Matrix product on AVX-512: as gemm_avx2.c, with a panel in one register and sixteen sums a tile. */
+#include "nn/gemm.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#include <math.h>
+
+#define TARGET __attribute__((target("avx512f")))
+#define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
+#define TILE 16     /* most rows x panels of a tile */
+#define TILE_ROWS 8 /* most rows of a tile of two panels */
+
+/* The start of the sums when there is no bias. */
+static const float zeros[8 * DMI_PANEL];
+
+/* Which columns of the panel that starts at `first` exist. */
+TARGET_INLINE __mmask16 columns_mask(const dmi_gemm* gemm, uint32_t first) {
+    const uint32_t left = gemm->columns - first;
+    return left >= DMI_PANEL ? (__mmask16)0xffff : (__mmask16)((1u << left) - 1u);
+}
+
+/* `rows` and `panels` are constants where this is inlined: the sums stay in registers, as long as no loop over them has
+ * a branch. */
+TARGET_INLINE void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, const uint32_t rows,
+                        const uint32_t panels) {
+    const size_t panel_size = (size_t)gemm->depth * DMI_PANEL, x_stride = gemm->x_stride, y_stride = gemm->y_stride;
+    const float* panel = gemm->panels + (size_t)first * gemm->depth;
+    const float* bias = gemm->bias ? gemm->bias + first : zeros;
+    const float* x = gemm->x + row * x_stride;
+    float* y = gemm->y + row * y_stride + first;
+    __m512 sum[TILE];
+    for (uint32_t i = 0; i < rows * panels; ++i) sum[i] = _mm512_loadu_ps(bias + i % panels * DMI_PANEL);
+    for (const float* end = panel + panel_size; panel < end; panel += DMI_PANEL, ++x)
+        for (uint32_t i = 0; i < rows * panels; ++i)
+            sum[i] = _mm512_fmadd_ps(_mm512_set1_ps(x[i / panels * x_stride]),
+                                     _mm512_load_ps(panel + i % panels * panel_size), sum[i]);
+    const __m512 floor = _mm512_set1_ps(gemm->flags & DMI_GEMM_RELU ? 0.0f : -INFINITY);
+    const __mmask16 full = 0xffff, last = columns_mask(gemm, first + (panels - 1) * DMI_PANEL);
+    const __mmask16 old = gemm->flags & DMI_GEMM_ADD ? full : 0;
+    for (uint32_t i = 0; i < rows * panels; ++i) {
+        const __mmask16 mask = i % panels == panels - 1 ? last : full;
+        float* out = y + i / panels * y_stride + i % panels * DMI_PANEL;
+        const __m512 value = _mm512_max_ps(floor, sum[i]);
+        _mm512_mask_storeu_ps(out, mask, _mm512_add_ps(value, _mm512_maskz_loadu_ps(mask & old, out)));
+    }
+}
+
+/* All rows for the panels from `first` on, in tiles as even as can be. */
+TARGET_INLINE void panel_rows(const dmi_gemm* gemm, uint32_t first, const uint32_t panels) {
+    uint32_t row = 0;
+    for (uint32_t tiles = (gemm->rows + TILE_ROWS - 1) / TILE_ROWS; tiles > 0; --tiles) {
+        const uint32_t rows = (gemm->rows - row + tiles - 1) / tiles;
+        switch (rows) {
+        case 8:
+            tile(gemm, row, first, 8, panels);
+            break;
+        case 7:
+            tile(gemm, row, first, 7, panels);
+            break;
+        case 6:
+            tile(gemm, row, first, 6, panels);
+            break;
+        case 5:
+            tile(gemm, row, first, 5, panels);
+            break;
+        case 4:
+            tile(gemm, row, first, 4, panels);
+            break;
+        case 3:
+            tile(gemm, row, first, 3, panels);
+            break;
+        case 2:
+            tile(gemm, row, first, 2, panels);
+            break;
+        default:
+            tile(gemm, row, first, 1, panels);
+            break;
+        }
+        row += rows;
+    }
+}
+
+/* One row: eight panels at a time, for enough independent sums to hide the latency of FMA. */
+TARGET static void one_row(const dmi_gemm* gemm) {
+    uint32_t first = 0;
+    for (; first + 7 * DMI_PANEL < gemm->columns; first += 8 * DMI_PANEL) tile(gemm, 0, first, 1, 8);
+    for (; first + DMI_PANEL < gemm->columns; first += 2 * DMI_PANEL) tile(gemm, 0, first, 1, 2);
+    for (; first < gemm->columns; first += DMI_PANEL) tile(gemm, 0, first, 1, 1);
+}
+
+TARGET void dmi_gemm_avx512(const dmi_gemm* gemm) {
+    uint32_t first = 0;
+    if (gemm->rows == 1) {
+        one_row(gemm);
+        return;
+    }
+    for (; first + DMI_PANEL < gemm->columns; first += 2 * DMI_PANEL) panel_rows(gemm, first, 2);
+    if (first < gemm->columns) panel_rows(gemm, first, 1);
+}
+
+#endif

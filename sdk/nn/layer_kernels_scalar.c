@@ -1,0 +1,8 @@
+/* The kernels of machines without a wider set: four lanes, which every compiler knows how to split. */
+#define LANES 4
+#define TARGET
+#include "nn/layer_kernels.h"
+
+const dmi_kernels dmi_kernels_scalar = {
+    dmi_gemm_scalar, layer_norm, softmax, gate, modulate, max_rows, mean_rows,
+};

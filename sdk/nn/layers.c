@@ -1,0 +1,111 @@
+/* Reading, packing and applying of plain layers. */
+#include "nn/layers.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define MAX_NAME 96
+
+static void* fail(dmi_loader* loader, dm_result result) {
+    if (loader->result == DM_OK) loader->result = result;
+    return NULL;
+}
+
+static float* push(dmi_loader* loader, dmi_arena* arena, size_t count) {
+    if (loader->result != DM_OK) return NULL;
+    float* memory = dmi_arena_push(arena, count * sizeof(float));
+    if (!memory) {
+        dmi_fail(loader->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for %zu numbers", count);
+        return fail(loader, DM_ERROR_OUT_OF_MEMORY);
+    }
+    memset(memory, 0, count * sizeof(float));
+    return memory;
+}
+
+float* dmi_load_alloc(dmi_loader* loader, size_t count) {
+    return push(loader, loader->keep, count);
+}
+
+float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols) {
+    const size_t count = (size_t)rows * (cols ? cols : 1);
+    if (loader->result != DM_OK) return NULL;
+    const float* stored = dmi_weights_find(loader->weights, name, rows, cols);
+    if (!stored) return fail(loader, DM_ERROR_BAD_DATA);
+    float* tensor = push(loader, loader->spare, count);
+    if (!tensor) return NULL;
+    memcpy(tensor, (const void*)stored, count * sizeof(float));
+    for (size_t i = 0; i < count; ++i)
+        if (!isfinite(tensor[i])) {
+            dmi_fail(loader->env, DM_ERROR_BAD_DATA, "weights: number %zu of '%s' is not finite", i, name);
+            return fail(loader, DM_ERROR_BAD_DATA);
+        }
+    return tensor;
+}
+
+float* dmi_load_part(dmi_loader* loader, const char* prefix, const char* suffix, uint32_t rows, uint32_t cols) {
+    char name[MAX_NAME];
+    snprintf(name, sizeof name, "%s%s", prefix, suffix);
+    return dmi_load_tensor(loader, name, rows, cols);
+}
+
+void dmi_pack_linear(dmi_loader* loader, const float* weight, size_t stride, const float* bias, uint32_t inputs,
+                     uint32_t outputs, dmi_linear* out_linear) {
+    float* panels = dmi_load_alloc(loader, dmi_panels_size(outputs, inputs));
+    float* padded = bias ? dmi_load_alloc(loader, dmi_padded_columns(outputs)) : NULL;
+    *out_linear = (dmi_linear){panels, padded, inputs, outputs};
+    if (loader->result != DM_OK) return;
+    dmi_panels_pack(weight, stride, 1, outputs, inputs, panels);
+    if (bias) memcpy(padded, bias, outputs * sizeof(float));
+}
+
+void dmi_load_linear(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t outputs, dmi_linear* out_linear) {
+    const float* weight = dmi_load_part(loader, name, ".weight", outputs, inputs);
+    const float* bias = dmi_load_part(loader, name, ".bias", outputs, 0);
+    dmi_pack_linear(loader, weight, inputs, bias, inputs, outputs, out_linear);
+}
+
+void dmi_load_mlp(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t hidden, uint32_t outputs,
+                  dmi_mlp* out_mlp) {
+    char layer[MAX_NAME];
+    snprintf(layer, sizeof layer, "%s.0", name);
+    dmi_load_linear(loader, layer, inputs, hidden, &out_mlp->first);
+    snprintf(layer, sizeof layer, "%s.2", name);
+    dmi_load_linear(loader, layer, hidden, outputs, &out_mlp->second);
+}
+
+static const float* keep_vector(dmi_loader* loader, const float* vector, uint32_t count) {
+    float* kept = dmi_load_alloc(loader, count);
+    if (kept) memcpy(kept, vector, count * sizeof(float));
+    return kept;
+}
+
+void dmi_load_norm(dmi_loader* loader, const char* name, uint32_t width, dmi_norm* out_norm) {
+    const float* weight = dmi_load_part(loader, name, ".weight", width, 0);
+    const float* bias = dmi_load_part(loader, name, ".bias", width, 0);
+    *out_norm = (dmi_norm){keep_vector(loader, weight, width), keep_vector(loader, bias, width), width};
+}
+
+void dmi_linear_apply(const dmi_linear* linear, const dmi_kernels* kernels, const float* x, uint32_t rows,
+                      uint32_t flags, float* y) {
+    kernels->gemm(&(dmi_gemm){.x = x,
+                              .panels = linear->panels,
+                              .bias = linear->bias,
+                              .y = y,
+                              .x_stride = linear->inputs,
+                              .y_stride = linear->outputs,
+                              .rows = rows,
+                              .depth = linear->inputs,
+                              .columns = linear->outputs,
+                              .flags = flags});
+}
+
+void dmi_mlp_apply(const dmi_mlp* mlp, const dmi_kernels* kernels, const float* x, uint32_t rows, uint32_t flags,
+                   float* hidden, float* y) {
+    dmi_linear_apply(&mlp->first, kernels, x, rows, DMI_GEMM_RELU, hidden);
+    dmi_linear_apply(&mlp->second, kernels, hidden, rows, flags, y);
+}
+
+void dmi_norm_apply(const dmi_norm* norm, const dmi_kernels* kernels, const float* x, uint32_t rows, float* y) {
+    kernels->layer_norm(x, rows, norm->width, norm->weight, norm->bias, y);
+}

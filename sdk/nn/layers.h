@@ -1,0 +1,57 @@
+/* Layers as docs/networks.md names them: read from a file and packed once, then applied to rows of numbers. */
+#ifndef DMI_NN_LAYERS_H
+#define DMI_NN_LAYERS_H
+
+#include "base/arena.h"
+#include "nn/kernels.h"
+#include "nn/weights.h"
+
+/* y = W x + b. */
+typedef struct dmi_linear {
+    const float* panels;
+    const float* bias; /* NULL: none */
+    uint32_t inputs, outputs;
+} dmi_linear;
+
+/* Linear, ReLU, Linear. */
+typedef struct dmi_mlp {
+    dmi_linear first, second;
+} dmi_mlp;
+
+typedef struct dmi_norm {
+    const float *weight, *bias;
+    uint32_t width;
+} dmi_norm;
+
+/* Reads layers; the first failure sticks in `result`, and from then on everything read is zero. */
+typedef struct dmi_loader {
+    dmi_env* env;
+    const dmi_weights* weights;
+    dmi_arena* keep;  /* what the network holds for life */
+    dmi_arena* spare; /* what goes when loading ends */
+    dm_result result;
+} dmi_loader;
+
+/* A copy in `spare`, aligned, every number finite; NULL after a failure. cols 0: a vector. */
+float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols);
+/* `prefix` + `suffix` is the tensor's name. */
+float* dmi_load_part(dmi_loader* loader, const char* prefix, const char* suffix, uint32_t rows, uint32_t cols);
+/* `count` numbers in `keep`, 64-byte aligned, zero; NULL after a failure. */
+float* dmi_load_alloc(dmi_loader* loader, size_t count);
+void dmi_load_linear(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t outputs, dmi_linear* out_linear);
+void dmi_load_mlp(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t hidden, uint32_t outputs,
+                  dmi_mlp* out_mlp);
+void dmi_load_norm(dmi_loader* loader, const char* name, uint32_t width, dmi_norm* out_norm);
+/* Packs a dense W (outputs x inputs, `stride` floats between its rows) and b (NULL: none) made by the caller. */
+void dmi_pack_linear(dmi_loader* loader, const float* weight, size_t stride, const float* bias, uint32_t inputs,
+                     uint32_t outputs, dmi_linear* out_linear);
+
+/* y = W x + b for `rows` rows, flags DMI_GEMM_*. Rows of x and y are as long as inputs and outputs. */
+void dmi_linear_apply(const dmi_linear* linear, const dmi_kernels* kernels, const float* x, uint32_t rows,
+                      uint32_t flags, float* y);
+/* The hidden numbers go to `hidden`: rows x mlp->first.outputs. */
+void dmi_mlp_apply(const dmi_mlp* mlp, const dmi_kernels* kernels, const float* x, uint32_t rows, uint32_t flags,
+                   float* hidden, float* y);
+void dmi_norm_apply(const dmi_norm* norm, const dmi_kernels* kernels, const float* x, uint32_t rows, float* y);
+
+#endif
