@@ -12,7 +12,8 @@ extern "C" {
 
 enum { DMG_MESSY = 1 }; /* clutter, tilts, missing interiors, flipped normals, gaps, rest state not closed … */
 
-/* One moving part. Types are DM_JOINT_*; revolute limits in rad, prismatic in metres, both relative to rest (value 0). */
+/* One moving part. Types are DM_JOINT_*; revolute limits in rad, prismatic in metres, both relative to rest (value 0).
+ */
 typedef struct dmg_joint {
     char name[48];
     int32_t type;
@@ -25,8 +26,8 @@ typedef struct dmg_joint {
 
 typedef struct dmg_object {
     const char* category;
-    float* positions; /* vertex_count x 3 */
-    uint32_t* indices; /* face_count x 3 */
+    float* positions;    /* vertex_count x 3 */
+    uint32_t* indices;   /* face_count x 3 */
     uint32_t* face_part; /* 0 = body, i = joints[i - 1] moves it */
     uint32_t vertex_count, face_count;
     dmg_joint* joints; /* joints[i] belongs to part i + 1 */
@@ -41,9 +42,9 @@ int32_t dmg_category_find(const char* name); /* -1: none */
 int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_object);
 void dmg_object_release(dmg_object* object);
 
-/* A drag as a hand makes it, on part `part` (1..): a point on its surface (for turning joints at least 0.3 of the farthest
- * from the axis), and the direction in which the point starts to move, `noise_degrees` x |N(0, 1)| off, of any length
- * between 0.02 and 0.5 of the object's size. */
+/* A drag as a hand makes it, on part `part` (1..): a point on its surface (for turning joints at least 0.3 of the
+ * farthest from the axis), and the direction in which the point starts to move, `noise_degrees` x |N(0, 1)| off, of any
+ * length between 0.02 and 0.5 of the object's size. */
 void dmg_drag(const dmg_object* object, uint32_t part, float noise_degrees, uint64_t seed, float out_point[3],
               float out_vector[3]);
 

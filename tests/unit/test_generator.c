@@ -1,0 +1,329 @@
+/* Generator: the same seed gives the same bits; every object is sound; labels say how its parts really move. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "generator.h"
+
+enum { SEEDS = 50, FEW_SEEDS = 6 };
+
+static dmg_object make(uint32_t category, uint64_t seed, uint32_t flags) {
+    dmg_object object;
+    assert_int_equal(dmg_make(category, seed, flags, &object), 0);
+    return object;
+}
+
+/* FNV-1a over everything an object consists of. */
+static uint64_t hash_bytes(uint64_t hash, const void* data, size_t size) {
+    const unsigned char* bytes = data;
+    for (size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3ull;
+    return hash;
+}
+
+static uint64_t hash_object(const dmg_object* o) {
+    uint64_t hash = hash_bytes(0xcbf29ce484222325ull, o->positions, (size_t)o->vertex_count * 12);
+    hash = hash_bytes(hash, o->indices, (size_t)o->face_count * 12);
+    hash = hash_bytes(hash, o->face_part, (size_t)o->face_count * 4);
+    return hash_bytes(hash, o->joints, o->joint_count * sizeof *o->joints);
+}
+
+/* ---- vectors and motion, written again: the generator's own are under test ---- */
+
+static void cross(const float* a, const float* b, float* out) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static float dot(const float* a, const float* b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static float length(const float* a) {
+    return sqrtf(dot(a, a));
+}
+
+static float angle_between(const float* a, const float* b) {
+    float n[3];
+    cross(a, b, n);
+    return atan2f(length(n), dot(a, b));
+}
+
+static void move_point(const dmg_joint* joint, double value, const float* in, float* out) {
+    double a[3], r[3], along = 0.0, turn = joint->type == DM_JOINT_PRISMATIC ? 0.0 : value;
+    for (int k = 0; k < 3; ++k) {
+        a[k] = joint->axis[k];
+        r[k] = (double)in[k] - (double)joint->origin[k];
+        along += a[k] * r[k];
+    }
+    double advance = joint->type == DM_JOINT_PRISMATIC
+                         ? value
+                         : (joint->type == DM_JOINT_SCREW ? value * (double)joint->pitch : 0.0);
+    double c = cos(turn), s = sin(turn);
+    for (int k = 0; k < 3; ++k) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        double turned = r[k] * c + (a[i] * r[j] - a[j] * r[i]) * s + a[k] * along * (1.0 - c);
+        out[k] = (float)((double)joint->origin[k] + turned + advance * a[k]);
+    }
+}
+
+static float size_of(const dmg_object* o) {
+    float size = 0.0f;
+    for (uint32_t k = 0; k < 3; ++k) {
+        float low = INFINITY, high = -INFINITY;
+        for (uint32_t v = 0; v < o->vertex_count; ++v) {
+            low = fminf(low, o->positions[3 * v + k]);
+            high = fmaxf(high, o->positions[3 * v + k]);
+        }
+        size = fmaxf(size, high - low);
+    }
+    return size;
+}
+
+/* ---- tests ---- */
+
+static void categories_have_names(void** state) {
+    (void)state;
+    assert_true(dmg_category_count() >= 14);
+    for (uint32_t i = 0; i < dmg_category_count(); ++i) assert_int_equal(dmg_category_find(dmg_category_name(i)), i);
+    assert_null(dmg_category_name(dmg_category_count()));
+    assert_int_equal(dmg_category_find("no such thing"), -1);
+    dmg_object object;
+    assert_int_not_equal(dmg_make(dmg_category_count(), 0, 0, &object), 0);
+}
+
+static void same_seed_same_bits(void** state) {
+    (void)state;
+    for (uint32_t c = 0; c < dmg_category_count(); ++c) {
+        for (uint32_t flags = 0; flags <= DMG_MESSY; ++flags) {
+            dmg_object a = make(c, 7, flags), again = make(c, 7, flags), other = make(c, 8, flags);
+            assert_int_equal(hash_object(&a), hash_object(&again));
+            assert_int_not_equal(hash_object(&a), hash_object(&other));
+            dmg_object_release(&a);
+            dmg_object_release(&again);
+            dmg_object_release(&other);
+        }
+    }
+}
+
+static void check_mesh(const dmg_object* o) {
+    assert_true(o->face_count > 0 && o->vertex_count > 0);
+    for (uint32_t i = 0; i < o->vertex_count * 3; ++i) assert_true(isfinite(o->positions[i]));
+    uint32_t* faces = calloc(o->joint_count + 1, sizeof *faces);
+    uint32_t* owner = malloc(o->vertex_count * sizeof *owner);
+    memset(owner, 0xff, o->vertex_count * sizeof *owner);
+    for (uint32_t f = 0; f < o->face_count; ++f) {
+        assert_in_range(o->face_part[f], 0, o->joint_count);
+        ++faces[o->face_part[f]];
+        for (int k = 0; k < 3; ++k) {
+            uint32_t v = o->indices[3 * f + (uint32_t)k];
+            assert_true(v < o->vertex_count);
+            assert_true(owner[v] == UINT32_MAX || owner[v] == o->face_part[f]); /* no vertex of two parts */
+            owner[v] = o->face_part[f];
+        }
+    }
+    for (uint32_t v = 0; v < o->vertex_count; ++v) assert_int_not_equal(owner[v], UINT32_MAX);
+    for (uint32_t i = 0; i <= o->joint_count; ++i) assert_true(faces[i] > 0);
+    free(owner);
+    free(faces);
+}
+
+static void check_joints(const dmg_object* o) {
+    assert_true(o->joint_count > 0);
+    float size = size_of(o);
+    for (uint32_t i = 0; i < o->joint_count; ++i) {
+        const dmg_joint* j = &o->joints[i];
+        assert_true(j->name[0] != '\0' && memchr(j->name, 0, sizeof j->name));
+        for (uint32_t k = 0; k < i; ++k) assert_string_not_equal(j->name, o->joints[k].name);
+        assert_true(j->parent <= i); /* carriers come first */
+        assert_in_range(j->type, DM_JOINT_REVOLUTE, DM_JOINT_CONTINUOUS);
+        assert_true(fabsf(length(j->axis) - 1.0f) < 1e-4f);
+        for (int k = 0; k < 3; ++k) assert_true(isfinite(j->origin[k]));
+        assert_true(j->opens == 1 || j->opens == -1);
+        if (j->type == DM_JOINT_CONTINUOUS) continue;
+        assert_true(j->lower < j->upper);
+        float range = j->upper - j->lower, at_limit = 1e-4f * range;
+        assert_true(j->lower <= at_limit && j->upper >= -at_limit);         /* rest is within the limits */
+        assert_true((j->opens > 0 ? j->upper : -j->lower) > 0.09f * range); /* and leaves room to open */
+        if (j->type == DM_JOINT_PRISMATIC)
+            assert_true(range < 2.0f * size);
+        else
+            assert_true(range < 40.0f);
+        if (j->type == DM_JOINT_SCREW) assert_true(j->pitch != 0.0f && fabsf(j->pitch) * range < 2.0f * size);
+    }
+}
+
+static void every_object_is_sound(void** state) {
+    (void)state;
+    for (uint32_t c = 0; c < dmg_category_count(); ++c) {
+        for (uint64_t seed = 0; seed < SEEDS; ++seed) {
+            for (uint32_t flags = 0; flags <= DMG_MESSY; ++flags) {
+                dmg_object object = make(c, seed, flags);
+                check_mesh(&object);
+                check_joints(&object);
+                dmg_object_release(&object);
+            }
+        }
+    }
+}
+
+/* The drag is the velocity of its point in the opening direction, and the point moves at all. */
+static void check_drag(const dmg_object* o, uint32_t part, uint64_t seed, float size) {
+    const dmg_joint* j = &o->joints[part - 1];
+    float point[3], vector[3], there[3], back[3], step = j->type == DM_JOINT_PRISMATIC ? 0.01f * size : 0.01f;
+    dmg_drag(o, part, 0.0f, seed, point, vector);
+    move_point(j, (double)step * 0.5 * j->opens, point, there);
+    move_point(j, (double)step * -0.5 * j->opens, point, back);
+    for (int k = 0; k < 3; ++k) there[k] -= back[k];
+    /* Close to the axis of a huge object the difference drowns in rounding. */
+    if (length(there) > 1e-4f * size) assert_true(angle_between(there, vector) < 0.02f);
+    assert_true(length(vector) > 0.019f * size && length(vector) < 0.51f * size);
+}
+
+static void drags_follow_the_motion(void** state) {
+    (void)state;
+    for (uint32_t c = 0; c < dmg_category_count(); ++c) {
+        for (uint64_t seed = 0; seed < FEW_SEEDS; ++seed) {
+            dmg_object object = make(c, seed, seed % 2 ? DMG_MESSY : 0);
+            float size = size_of(&object);
+            for (uint32_t part = 1; part <= object.joint_count; ++part) check_drag(&object, part, seed, size);
+            dmg_object_release(&object);
+        }
+    }
+}
+
+static void noisy_drags_are_off_as_asked(void** state) {
+    (void)state;
+    enum { COUNT = 400 };
+    dmg_object object = make((uint32_t)dmg_category_find("kitchen_cabinet"), 1, 0);
+    double sum = 0.0;
+    for (uint64_t seed = 0; seed < COUNT; ++seed) {
+        float point[3], exact[3], noisy[3];
+        dmg_drag(&object, 1, 0.0f, seed, point, exact);
+        dmg_drag(&object, 1, 8.0f, seed, point, noisy);
+        sum += (double)angle_between(exact, noisy) * 180.0 / 3.14159265358979;
+    }
+    double expected = 8.0 * sqrt(2.0 / 3.14159265358979); /* mean of 8 |N(0, 1)| */
+    assert_true(fabs(sum / COUNT - expected) < 0.6);
+    dmg_object_release(&object);
+}
+
+/* What a network could guess without looking: axes of messy doors point in every direction, both ways, and the line of
+ * a hinge does not run through the middle of its part. */
+static void axes_are_not_given_away(void** state) {
+    (void)state;
+    uint32_t category = (uint32_t)dmg_category_find("door");
+    int seen[3][2] = {{0}}, opens[2] = {0};
+    for (uint64_t seed = 0; seed < 300; ++seed) {
+        dmg_object object = make(category, seed, DMG_MESSY);
+        const dmg_joint* j = &object.joints[0];
+        for (int k = 0; k < 3; ++k) {
+            if (fabsf(j->axis[k]) > 0.9f) ++seen[k][j->axis[k] > 0.0f];
+        }
+        ++opens[j->opens > 0];
+        float low[3], high[3], r[3], away[3];
+        for (int k = 0; k < 3; ++k) low[k] = INFINITY, high[k] = -INFINITY;
+        for (uint32_t i = 0; i < object.face_count * 3; ++i) {
+            for (uint32_t k = 0; k < 3 && object.face_part[i / 3] == 1; ++k) {
+                low[k] = fminf(low[k], object.positions[3 * object.indices[i] + k]);
+                high[k] = fmaxf(high[k], object.positions[3 * object.indices[i] + k]);
+            }
+        }
+        float side = 0.0f;
+        for (int k = 0; k < 3; ++k) {
+            r[k] = 0.5f * (low[k] + high[k]) - j->origin[k];
+            side = fmaxf(side, high[k] - low[k]);
+        }
+        cross(j->axis, r, away);
+        assert_true(length(away) > 0.05f * side);
+        dmg_object_release(&object);
+    }
+    for (int k = 0; k < 3; ++k) assert_true(seen[k][0] > 5 && seen[k][1] > 5);
+    assert_true(opens[0] > 50 && opens[1] > 50);
+}
+
+/* Winding number of the body about a point (van Oosterom and Strackee 1983): 1 inside a closed shell, 0 outside. */
+static double winding(const dmg_object* o, const float* p) {
+    double sum = 0.0;
+    for (uint32_t f = 0; f < o->face_count; ++f) {
+        if (o->face_part[f] != 0) continue;
+        float c[3][3], l[3], n[3];
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k)
+                c[i][k] = o->positions[3 * o->indices[3 * f + (uint32_t)i] + (uint32_t)k] - p[k];
+            l[i] = length(c[i]);
+        }
+        cross(c[1], c[2], n);
+        float below = l[0] * l[1] * l[2] + dot(c[0], c[1]) * l[2] + dot(c[1], c[2]) * l[0] + dot(c[2], c[0]) * l[1];
+        sum += 2.0 * atan2((double)dot(c[0], n), (double)below);
+    }
+    return sum / (4.0 * 3.14159265358979);
+}
+
+/* A part that has opened must show: it is not swallowed by the body. */
+static void check_visible(const dmg_object* o, uint32_t part) {
+    enum { POINTS = 24 };
+    const dmg_joint* j = &o->joints[part - 1];
+    uint32_t own = 0, taken = 0, inside = 0;
+    for (uint32_t f = 0; f < o->face_count; ++f) own += o->face_part[f] == part;
+    for (uint32_t f = 0, i = 0; f < o->face_count; ++f) {
+        if (o->face_part[f] != part || i++ % (own / POINTS + 1) != 0) continue;
+        float p[3] = {0, 0, 0}, moved[3];
+        for (int c = 0; c < 3; ++c) {
+            for (int k = 0; k < 3; ++k) p[k] += o->positions[3 * o->indices[3 * f + (uint32_t)c] + (uint32_t)k] / 3.0f;
+        }
+        move_point(j, j->opens > 0 ? (double)j->upper : (double)j->lower, p, moved);
+        inside += winding(o, moved) > 0.5;
+        ++taken;
+    }
+    if (inside * 10 >= taken * 9)
+        fail_msg("%s: %s is hidden in the body when open (%u of %u)", o->category, j->name, inside, taken);
+}
+
+static void open_parts_show(void** state) {
+    (void)state;
+    for (uint32_t c = 0; c < dmg_category_count(); ++c) {
+        for (uint64_t seed = 0; seed < FEW_SEEDS; ++seed) {
+            dmg_object object = make(c, seed, 0);
+            for (uint32_t part = 1; part <= object.joint_count && part <= 6; ++part) check_visible(&object, part);
+            dmg_object_release(&object);
+        }
+    }
+}
+
+/* The demo leans on these names. */
+static void kitchen_cabinet_is_stable(void** state) {
+    (void)state;
+    static const char* const names[] = {"door_left", "door_right", "drawer_left", "drawer_right"};
+    uint32_t category = (uint32_t)dmg_category_find("kitchen_cabinet");
+    for (uint64_t seed = 0; seed < SEEDS; ++seed) {
+        dmg_object object = make(category, seed, 0);
+        assert_int_equal(object.joint_count, 4);
+        for (uint32_t i = 0; i < 4; ++i) {
+            assert_string_equal(object.joints[i].name, names[i]);
+            assert_int_equal(object.joints[i].opens, 1);
+            assert_true(object.joints[i].lower == 0.0f);
+        }
+        dmg_object_release(&object);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(categories_have_names),
+        cmocka_unit_test(same_seed_same_bits),
+        cmocka_unit_test(every_object_is_sound),
+        cmocka_unit_test(drags_follow_the_motion),
+        cmocka_unit_test(noisy_drags_are_off_as_asked),
+        cmocka_unit_test(axes_are_not_given_away),
+        cmocka_unit_test(open_parts_show),
+        cmocka_unit_test(kitchen_cabinet_is_stable),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
