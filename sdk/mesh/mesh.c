@@ -37,8 +37,8 @@ static dm_result allocate(dmi_env* env, uint32_t vertex_count, uint32_t face_cou
         mesh->face_normal = dmi_alloc(env, faces * 3 * sizeof(float), ALIGNMENT);
         if (mesh->positions && mesh->indices && mesh->face_part && mesh->face_area && mesh->face_normal) return DM_OK;
     }
-    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mesh of %u vertices and %u triangles",
-                    vertex_count, face_count);
+    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mesh of %u vertices and %u triangles", vertex_count,
+                    face_count);
 }
 
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh) {
@@ -86,7 +86,7 @@ static dm_result set_frame(dmi_env* env, const dmi_mesh_reader* reader, const dm
     if (result != DM_OK) return result;
     for (int k = 0; k < 3; k++) {
         mesh->frame.centre[k] = 0.5 * (low[k] + high[k]);
-        size = fmax(size, high[k] - low[k]);
+        if (high[k] - low[k] > size) size = high[k] - low[k];
     }
     if (size < MIN_SIZE) {
         return dmi_fail(env, DM_ERROR_DEGENERATE_MESH,
@@ -108,7 +108,7 @@ static void set_positions(const dmi_mesh_reader* reader, dmi_mesh* mesh) {
         dmi_mesh_read_position(reader, v, host);
         dmi_frame_point_in(&mesh->frame, host, p);
         /* Vertices of no triangle may lie anywhere; the others are inside anyway. */
-        for (int k = 0; k < 3; k++) p[k] = fminf(fmaxf(p[k], -1.0f), 1.0f);
+        for (int k = 0; k < 3; k++) p[k] = p[k] < -1 ? -1 : p[k] > 1 ? 1 : p[k];
     }
     memset(mesh->positions + (size_t)mesh->vertex_count * 3, 0, POSITION_PADDING);
 }
@@ -129,6 +129,10 @@ static void cross(const double a[3], const double b[3], double out[3]) {
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+static double larger(double a, double b) {
+    return a > b ? a : b;
+}
+
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -143,11 +147,11 @@ static double measure_face(dmi_mesh* mesh, uint32_t face) {
         e3[k] = corner[2][k] - corner[1][k];
     }
     cross(e1, e2, n);
-    double longest = sqrt(fmax(dot(e1, e1), fmax(dot(e2, e2), dot(e3, e3)))), twice_area = sqrt(dot(n, n));
-    int sliver = twice_area <= SLIVER_HEIGHT * longest;
-    mesh->face_area[face] = sliver ? 0.0f : (float)(0.5 * twice_area);
-    for (int k = 0; k < 3; k++)
-        mesh->face_normal[(size_t)face * 3 + (size_t)k] = sliver ? 0.0f : (float)(n[k] / twice_area);
+    double longest = larger(dot(e1, e1), larger(dot(e2, e2), dot(e3, e3))), square = dot(n, n);
+    double twice_area = square <= SLIVER_HEIGHT * SLIVER_HEIGHT * longest ? 0 : sqrt(square);
+    double inverse = twice_area > 0 ? 1 / twice_area : 0;
+    mesh->face_area[face] = (float)(0.5 * twice_area);
+    for (int k = 0; k < 3; k++) mesh->face_normal[(size_t)face * 3 + (size_t)k] = (float)(n[k] * inverse);
     return dot(corner[0], n);
 }
 
@@ -173,17 +177,21 @@ typedef struct part_sums {
 } part_sums;
 
 static void add_face(dmi_mesh* mesh, uint32_t face, part_sums* sums) {
-    double corner[3][3], area = (double)mesh->face_area[face];
+    const uint32_t* index = mesh->indices + (size_t)face * 3;
+    const float* a = mesh->positions + (size_t)index[0] * 3;
+    const float* b = mesh->positions + (size_t)index[1] * 3;
+    const float* c = mesh->positions + (size_t)index[2] * 3;
     dmi_part* part = &mesh->parts[mesh->face_part[face]];
     part_sums* sum = &sums[mesh->face_part[face]];
-    load_corners(mesh, face, corner);
+    double area = (double)mesh->face_area[face];
     sum->area += area;
     for (int k = 0; k < 3; k++) {
-        sum->moment[k] += area * (corner[0][k] + corner[1][k] + corner[2][k]) / 3;
-        for (int i = 0; i < 3; i++) {
-            part->box_min[k] = fminf(part->box_min[k], (float)corner[i][k]);
-            part->box_max[k] = fmaxf(part->box_max[k], (float)corner[i][k]);
-        }
+        float low = a[k] < b[k] ? a[k] : b[k], high = a[k] < b[k] ? b[k] : a[k];
+        low = low < c[k] ? low : c[k];
+        high = high > c[k] ? high : c[k];
+        if (low < part->box_min[k]) part->box_min[k] = low;
+        if (high > part->box_max[k]) part->box_max[k] = high;
+        sum->moment[k] += area * ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
     }
 }
 

@@ -1,0 +1,317 @@
+/* Surface samples of a part and of the rest, evenly spread: each sample has its own equal share of the area. */
+#include "mesh/cloud.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/random.h"
+
+#define NEAR_GROWTH 0.2f /* of the diagonal of the part's box */
+#define NEAR_MIN_GROWTH 0.02f
+/* Less near area than this (a share of the object's size squared) is a touch, not a surface. */
+#define NEAR_MIN_AREA 1e-9
+/* Samples of the rest among which the nearest are taken when none of it is near. */
+#define CANDIDATES (4 * DMI_CLOUD_NEAR)
+/* A cut adds a corner for every second one at most (one to a convex polygon, but rounding may bend it): 3 corners and
+ * six planes make 4, 6, 9, 13, 19, 28. */
+#define MAX_CORNERS 28
+
+typedef struct box {
+    float low[3], high[3];
+} box;
+
+typedef struct sampler {
+    const dmi_mesh* mesh;
+    dmi_random random;
+    uint8_t* moves;    /* a byte a part: moves with the part sampled */
+    float* weights;    /* a face: how much of it takes part in the block at hand */
+    double total;      /* of the weights */
+    uint8_t* outcodes; /* a byte a vertex, for the near block */
+    const box* clip;   /* samples lie in it; NULL: anywhere on the face */
+} sampler;
+
+typedef struct polygon {
+    float corner[MAX_CORNERS][3];
+    int count;
+} polygon;
+
+/* Not fminf and fmaxf: those are calls. */
+static float smaller(float a, float b) {
+    return a < b ? a : b;
+}
+
+static float larger(float a, float b) {
+    return a > b ? a : b;
+}
+
+/* ---- polygons inside a box ----------------------------------------------------------------------------------------
+ */
+
+static void load_face(const dmi_mesh* mesh, uint32_t face, polygon* out) {
+    const uint32_t* index = mesh->indices + (size_t)face * 3;
+    for (int i = 0; i < 3; i++) memcpy(out->corner[i], mesh->positions + (size_t)index[i] * 3, sizeof out->corner[i]);
+    out->count = 3;
+}
+
+/* Keeps what lies on the side sign * x[axis] <= sign * limit (Sutherland and Hodgman). */
+static void cut(polygon* p, int axis, float sign, float limit) {
+    polygon in;
+    in.count = p->count;
+    memcpy(in.corner, p->corner, (size_t)p->count * sizeof p->corner[0]);
+    p->count = 0;
+    for (int i = 0; i < in.count; i++) {
+        const float* a = in.corner[i];
+        const float* b = in.corner[(i + 1) % in.count];
+        float a_out = sign * (a[axis] - limit), b_out = sign * (b[axis] - limit);
+        if (a_out <= 0) memcpy(p->corner[p->count++], a, 3 * sizeof(float));
+        if ((a_out <= 0) == (b_out <= 0)) continue;
+        float t = a_out / (a_out - b_out);
+        float* crossing = p->corner[p->count++];
+        for (int k = 0; k < 3; k++) crossing[k] = a[k] + t * (b[k] - a[k]);
+        crossing[axis] = limit;
+    }
+}
+
+static void cut_to_box(polygon* p, const box* box) {
+    for (int k = 0; k < 3; k++) {
+        cut(p, k, 1, box->high[k]);
+        cut(p, k, -1, box->low[k]);
+    }
+}
+
+/* Area of the fan triangle (0, i, i + 1). */
+static float fan_area(const polygon* p, int i) {
+    float a[3], b[3];
+    for (int k = 0; k < 3; k++) {
+        a[k] = p->corner[i][k] - p->corner[0][k];
+        b[k] = p->corner[i + 1][k] - p->corner[0][k];
+    }
+    float x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+    return 0.5f * sqrtf(x * x + y * y + z * z);
+}
+
+static float polygon_area(const polygon* p) {
+    float area = 0;
+    for (int i = 1; i + 1 < p->count; i++) area += fan_area(p, i);
+    return area;
+}
+
+/* ---- what the faces weigh -------------------------------------------------------------------------------------------
+ */
+
+static void weigh_moving(sampler* s, int moving) {
+    const dmi_mesh* mesh = s->mesh;
+    s->total = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        s->weights[f] = s->moves[mesh->face_part[f]] == moving ? mesh->face_area[f] : 0;
+        s->total += (double)s->weights[f];
+    }
+}
+
+/* On which sides of the box each vertex is out, a bit a side (Cohen and Sutherland). */
+static void find_outcodes(sampler* s, const box* box) {
+    for (uint32_t v = 0; v < s->mesh->vertex_count; v++) {
+        const float* p = s->mesh->positions + (size_t)v * 3;
+        unsigned code = 0;
+        for (int k = 0; k < 3; k++)
+            code |= (unsigned)(p[k] < box->low[k]) << k | (unsigned)(p[k] > box->high[k]) << (3 + k);
+        s->outcodes[v] = (uint8_t)code;
+    }
+}
+
+/* Area of the face inside the box. */
+static float area_inside(const sampler* s, uint32_t face, const box* box) {
+    const uint32_t* index = s->mesh->indices + (size_t)face * 3;
+    unsigned a = s->outcodes[index[0]], b = s->outcodes[index[1]], c = s->outcodes[index[2]];
+    if ((a | b | c) == 0) return s->mesh->face_area[face];
+    if ((a & b & c) != 0) return 0;
+    polygon p;
+    load_face(s->mesh, face, &p);
+    cut_to_box(&p, box);
+    return polygon_area(&p);
+}
+
+static void weigh_near(sampler* s, const box* near) {
+    const dmi_mesh* mesh = s->mesh;
+    find_outcodes(s, near);
+    s->total = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        int counts = !s->moves[mesh->face_part[f]] && mesh->face_area[f] > 0;
+        s->weights[f] = counts ? area_inside(s, f, near) : 0;
+        s->total += (double)s->weights[f];
+    }
+}
+
+/* ---- points ---------------------------------------------------------------------------------------------------------
+ */
+
+static void sample_face(sampler* s, uint32_t face, float xyz[3], float normal[3]) {
+    polygon p;
+    load_face(s->mesh, face, &p);
+    if (s->clip != NULL) cut_to_box(&p, s->clip);
+    int corner = 1;
+    if (p.count > 3) { /* which triangle of the fan */
+        float pick = dmi_random_unit(&s->random) * polygon_area(&p);
+        while (corner + 2 < p.count && pick >= fan_area(&p, corner)) pick -= fan_area(&p, corner++);
+    }
+    const float *a = p.corner[0], *b = p.corner[corner], *c = p.corner[corner + 1];
+    float u = dmi_random_unit(&s->random), v = dmi_random_unit(&s->random);
+    if (u + v > 1) { /* the other half of the parallelogram, folded back */
+        u = 1 - u;
+        v = 1 - v;
+    }
+    for (int k = 0; k < 3; k++) xyz[k] = a[k] + u * (b[k] - a[k]) + v * (c[k] - a[k]);
+    memcpy(normal, s->mesh->face_normal + (size_t)face * 3, 3 * sizeof(float));
+}
+
+/* A random order of [0, count), inside out (Fisher and Yates). */
+static void shuffle(dmi_random* random, uint16_t* order, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t k = (uint32_t)((uint64_t)dmi_random_u32(random) * (i + 1) >> 32);
+        order[i] = order[k];
+        order[k] = (uint16_t)i;
+    }
+}
+
+/* The next face from `face` on that has a weight; face_count when there is none. */
+static uint32_t next_weighted(const sampler* s, uint32_t face) {
+    while (face < s->mesh->face_count && s->weights[face] <= 0) face++;
+    return face;
+}
+
+/* `count` samples by weight, one from each of `count` equal shares of the total, in random order. */
+static void sample_block(sampler* s, uint32_t count, float (*xyz)[3], float (*normal)[3]) {
+    uint16_t order[CANDIDATES];
+    shuffle(&s->random, order, count);
+    uint32_t face = next_weighted(s, 0);
+    double up_to = (double)s->weights[face], share = s->total / count;
+    for (uint32_t i = 0; i < count; i++) {
+        double target = share * ((double)i + (double)dmi_random_unit(&s->random));
+        while (target >= up_to) {
+            uint32_t next = next_weighted(s, face + 1);
+            if (next == s->mesh->face_count) break; /* rounding passed the end by */
+            face = next;
+            up_to += (double)s->weights[face];
+        }
+        sample_face(s, face, xyz[order[i]], normal[order[i]]);
+    }
+}
+
+/* ---- the near block -------------------------------------------------------------------------------------------------
+ */
+
+/* Box of what moves, grown. */
+static box near_box(const sampler* s) {
+    box out = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+    for (uint32_t p = 0; p < s->mesh->part_count; p++) {
+        const dmi_part* part = &s->mesh->parts[p];
+        for (int k = 0; k < 3 && s->moves[p]; k++) {
+            out.low[k] = smaller(out.low[k], part->box_min[k]);
+            out.high[k] = larger(out.high[k], part->box_max[k]);
+        }
+    }
+    float square = 0;
+    for (int k = 0; k < 3; k++) square += (out.high[k] - out.low[k]) * (out.high[k] - out.low[k]);
+    float growth = larger(NEAR_GROWTH * sqrtf(square), NEAR_MIN_GROWTH);
+    for (int k = 0; k < 3; k++) {
+        out.low[k] -= growth;
+        out.high[k] += growth;
+    }
+    return out;
+}
+
+static float box_distance_squared(const box* box, const float p[3]) {
+    float sum = 0;
+    for (int k = 0; k < 3; k++) {
+        float d = larger(0, larger(box->low[k] - p[k], p[k] - box->high[k]));
+        sum += d * d;
+    }
+    return sum;
+}
+
+typedef struct candidates {
+    float xyz[CANDIDATES][3], normal[CANDIDATES][3];
+    float distance[CANDIDATES];
+} candidates;
+
+/* The distance of the DMI_CLOUD_NEAR-th nearest candidate: bisection on the bits, which for floats from 0 on are in the
+ * order of their values. */
+static float near_limit(const candidates* c) {
+    uint32_t low = 0, high = 0x7f800000; /* +infinity */
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2, within = 0;
+        float limit;
+        memcpy(&limit, &middle, sizeof limit);
+        for (uint32_t i = 0; i < CANDIDATES; i++) within += c->distance[i] <= limit;
+        if (within >= DMI_CLOUD_NEAR)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    float limit;
+    memcpy(&limit, &high, sizeof limit);
+    return limit;
+}
+
+/* None of the rest is near: its samples nearest to the box. */
+static dm_result sample_nearest(dmi_env* env, sampler* s, const box* near, float (*xyz)[3], float (*normal)[3]) {
+    candidates* c = dmi_alloc(env, sizeof *c, 64);
+    if (c == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %d surface samples", CANDIDATES);
+    weigh_moving(s, 0);
+    sample_block(s, CANDIDATES, c->xyz, c->normal);
+    for (uint32_t i = 0; i < CANDIDATES; i++) c->distance[i] = box_distance_squared(near, c->xyz[i]);
+    float limit = near_limit(c);
+    uint32_t taken = 0, ties = DMI_CLOUD_NEAR;
+    for (uint32_t i = 0; i < CANDIDATES; i++) ties -= c->distance[i] < limit;
+    for (uint32_t i = 0; i < CANDIDATES; i++) {
+        if (c->distance[i] > limit || (c->distance[i] == limit && ties == 0)) continue;
+        ties -= c->distance[i] == limit;
+        memcpy(xyz[taken], c->xyz[i], sizeof c->xyz[i]);
+        memcpy(normal[taken++], c->normal[i], sizeof c->normal[i]);
+    }
+    dmi_free(env, c, sizeof *c);
+    return DM_OK;
+}
+
+static dm_result sample_near(dmi_env* env, sampler* s, float (*xyz)[3], float (*normal)[3]) {
+    box near = near_box(s);
+    weigh_near(s, &near);
+    if (s->total <= NEAR_MIN_AREA) return sample_nearest(env, s, &near, xyz, normal);
+    s->clip = &near;
+    sample_block(s, DMI_CLOUD_NEAR, xyz, normal);
+    s->clip = NULL;
+    return DM_OK;
+}
+
+/* ---- the whole ------------------------------------------------------------------------------------------------------
+ */
+
+static dm_result sample_all(dmi_env* env, sampler* s, dmi_cloud* cloud) {
+    enum { NEAR = DMI_CLOUD_PART, BODY = DMI_CLOUD_PART + DMI_CLOUD_NEAR };
+    weigh_moving(s, 1);
+    sample_block(s, DMI_CLOUD_PART, cloud->xyz, cloud->normal);
+    dm_result result = sample_near(env, s, cloud->xyz + NEAR, cloud->normal + NEAR);
+    if (result != DM_OK) return result;
+    weigh_moving(s, 0);
+    sample_block(s, DMI_CLOUD_BODY, cloud->xyz + BODY, cloud->normal + BODY);
+    return DM_OK;
+}
+
+dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, uint64_t seed, dmi_cloud* out_cloud) {
+    sampler s = {.mesh = mesh, .random = dmi_random_make(seed, part)};
+    s.moves = dmi_alloc(env, mesh->part_count, 64);
+    s.weights = dmi_alloc(env, mesh->face_count * sizeof(float), 64);
+    s.outcodes = dmi_alloc(env, mesh->vertex_count, 64);
+    dm_result result = DM_ERROR_OUT_OF_MEMORY;
+    if (s.moves != NULL && s.weights != NULL && s.outcodes != NULL) {
+        for (uint32_t p = 0; p < mesh->part_count; p++) s.moves[p] = (uint8_t)dmi_mesh_moves_with(mesh, p, part);
+        result = sample_all(env, &s, out_cloud);
+    } else {
+        dmi_fail(env, result, "no memory to sample %u triangles", mesh->face_count);
+    }
+    dmi_free(env, s.moves, mesh->part_count);
+    dmi_free(env, s.weights, mesh->face_count * sizeof(float));
+    dmi_free(env, s.outcodes, mesh->vertex_count);
+    return result;
+}
