@@ -428,6 +428,7 @@ static void slide_origins(dmg_builder* b, float size) {
 
 void dmg_finish(dmg_builder* b) {
     b->frame_depth = 0;
+    b->frames[0] = dmg_frame_identity(); /* what a category put there must not move the mess again */
     if (b->failed) return;
     if (b->messy) scatter_rest(b);
     pose_parts(b);
