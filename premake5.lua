@@ -76,6 +76,7 @@ shared("dragmesh", { "plugin_api/src/interface.c" }, core, "plugin_api/dragmesh.
 -- glTF in and out: the one room with C++ (tinygltf behind a thin C file).
 shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
     { "dragmesh_core", "tinygltf", "cjson", "m" }, "plugin_api/dragmesh_gltf.map")
+    language "C++"
 
 -- The procedural generator, and the library through which training sees the sdk's own samplers.
 library("dragmesh_generator", { "training/generator/*.c" }, {})
