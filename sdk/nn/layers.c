@@ -6,6 +6,23 @@
 #include <string.h>
 
 #define MAX_NAME 96
+#define FORMAT_VERSION 1
+#define BLOCK_SIZE (64 * 1024)
+
+dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,
+                           dmi_read_network* read, void* network, dmi_arena* keep) {
+    dmi_weights* weights = NULL;
+    const dm_result opened = dmi_weights_open(env, data, size, architecture, FORMAT_VERSION, &weights);
+    if (opened != DM_OK) return opened;
+    dmi_arena spare;
+    dmi_arena_init(&spare, env, BLOCK_SIZE);
+    dmi_loader loader = {env, weights, keep, &spare, DM_OK};
+    read(&loader, network);
+    dmi_arena_release(&spare);
+    dmi_weights_close(weights);
+    if (loader.result != DM_OK) dmi_arena_release(keep);
+    return loader.result;
+}
 
 static void* fail(dmi_loader* loader, dm_result result) {
     if (loader->result == DM_OK) loader->result = result;

@@ -32,6 +32,11 @@ typedef struct dmi_loader {
     dm_result result;
 } dmi_loader;
 
+/* Opens the file, lets `read` load every layer of `network` from it, closes it. On a failure `keep` is empty again. */
+typedef void dmi_read_network(dmi_loader* loader, void* network);
+dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,
+                           dmi_read_network* read, void* network, dmi_arena* keep);
+
 /* A copy in `spare`, aligned, every number finite; NULL after a failure. cols 0: a vector. */
 float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols);
 /* `prefix` + `suffix` is the tensor's name. */

@@ -1,0 +1,139 @@
+/* KPP-Net (paper §3.5), the `game` size of docs/networks.md: groups of points to tokens by a PointNet, a transformer
+ * over the tokens of the whole (global) and of the part (local), pooled features, four decoupled heads. */
+#include "kinematics/kpp_net.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "nn/transformer.h"
+
+#define WIDTH 96
+#define HEADS 4
+#define FEED_FORWARD 192
+#define POINT_HIDDEN 64
+#define POSITION_HIDDEN 48
+#define MAX_LAYERS 3
+#define POOLED (2 * WIDTH)    /* mean and max */
+#define FEATURES (2 * POOLED) /* global and local */
+#define BLOCK_SIZE (64 * 1024)
+
+#define STEP_GROUPS 4 /* whose points go through the point MLP together, and stay in the first cache */
+#define STEP_POINTS (STEP_GROUPS * DMI_KPP_GROUP)
+
+typedef struct encoder {
+    dmi_mlp point, position;
+    dmi_transformer layers[MAX_LAYERS];
+    uint32_t layer_count;
+    dmi_norm norm;
+} encoder;
+
+struct dmi_kpp_net {
+    dmi_env* env;
+    dmi_arena arena;
+    encoder global, local;
+    dmi_mlp type, axis, origin, limits;
+};
+
+/* Followed by the transformer's own scratch. */
+typedef struct scratch {
+    _Alignas(64) float tokens[DMI_KPP_GLOBAL_GROUPS][WIDTH];
+    float positions[DMI_KPP_GLOBAL_GROUPS][POSITION_HIDDEN];
+    float hidden[STEP_POINTS][POINT_HIDDEN];
+    float points[STEP_POINTS][WIDTH];
+    float features[FEATURES];
+    float head[WIDTH];
+    _Alignas(64) float transformer[];
+} scratch;
+
+static void read_encoder(dmi_loader* loader, const char* name, uint32_t layer_count, encoder* out) {
+    char part[64];
+    snprintf(part, sizeof part, "%s.point", name);
+    dmi_load_mlp(loader, part, DMI_KPP_CHANNELS, POINT_HIDDEN, WIDTH, &out->point);
+    snprintf(part, sizeof part, "%s.position", name);
+    dmi_load_mlp(loader, part, 3, POSITION_HIDDEN, WIDTH, &out->position);
+    out->layer_count = layer_count;
+    for (uint32_t i = 0; i < layer_count; ++i) {
+        snprintf(part, sizeof part, "%s.layers.%u", name, i);
+        dmi_load_transformer(loader, part, WIDTH, HEADS, FEED_FORWARD, &out->layers[i]);
+    }
+    snprintf(part, sizeof part, "%s.norm", name);
+    dmi_load_norm(loader, part, WIDTH, &out->norm);
+}
+
+static void read_network(dmi_loader* loader, void* network) {
+    dmi_kpp_net* net = network;
+    read_encoder(loader, "global", 3, &net->global);
+    read_encoder(loader, "local", 2, &net->local);
+    dmi_load_mlp(loader, "type", FEATURES, 64, DMI_KPP_TYPES, &net->type);
+    dmi_load_mlp(loader, "axis", FEATURES, 96, 6, &net->axis);
+    dmi_load_mlp(loader, "origin", FEATURES, 96, 3, &net->origin);
+    dmi_load_mlp(loader, "limits", FEATURES, 64, 5, &net->limits);
+}
+
+dm_result dmi_kpp_net_load(dmi_env* env, const void* data, size_t size, dmi_kpp_net** out_net) {
+    dmi_kpp_net* net = dmi_alloc_zeroed(env, sizeof *net, _Alignof(dmi_kpp_net));
+    if (!net) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "KPP-Net: no memory");
+    net->env = env;
+    dmi_arena_init(&net->arena, env, BLOCK_SIZE);
+    const dm_result result = dmi_load_network(env, data, size, "dragmesh-kpp-net", read_network, net, &net->arena);
+    if (result != DM_OK) {
+        dmi_free(env, net, sizeof *net);
+        return result;
+    }
+    *out_net = net;
+    return DM_OK;
+}
+
+void dmi_kpp_net_destroy(dmi_kpp_net* net) {
+    if (!net) return;
+    dmi_env* env = net->env;
+    dmi_arena_release(&net->arena);
+    dmi_free(env, net, sizeof *net);
+}
+
+size_t dmi_kpp_net_scratch_size(const dmi_kpp_net* net) {
+    (void)net;
+    return sizeof(scratch) + sizeof(float) * dmi_transformer_scratch(DMI_KPP_GLOBAL_GROUPS, WIDTH, HEADS, FEED_FORWARD);
+}
+
+/* A token a group: the largest of its points' features, and where its centre is. */
+static void make_tokens(const encoder* encoder, const dmi_kernels* kernels,
+                        const float (*points)[DMI_KPP_GROUP][DMI_KPP_CHANNELS], const float (*centres)[3],
+                        uint32_t groups, scratch* s) {
+    for (uint32_t first = 0; first < groups; first += STEP_GROUPS) {
+        dmi_mlp_apply(&encoder->point, kernels, points[first][0], STEP_POINTS, 0, s->hidden[0], s->points[0]);
+        for (uint32_t g = 0; g < STEP_GROUPS; ++g)
+            kernels->max_rows(s->points[g * DMI_KPP_GROUP], DMI_KPP_GROUP, WIDTH, s->tokens[first + g]);
+    }
+    dmi_mlp_apply(&encoder->position, kernels, centres[0], groups, DMI_GEMM_ADD, s->positions[0], s->tokens[0]);
+}
+
+/* Writes [mean, max] over the tokens to `pooled`. The normalised tokens go where the hidden numbers were. */
+static void encode(const encoder* encoder, const dmi_kernels* kernels,
+                   const float (*points)[DMI_KPP_GROUP][DMI_KPP_CHANNELS], const float (*centres)[3], uint32_t groups,
+                   scratch* s, float* pooled) {
+    _Static_assert(sizeof s->points >= sizeof s->tokens, "the normalised tokens must fit");
+    float* normal = s->points[0];
+    make_tokens(encoder, kernels, points, centres, groups, s);
+    for (uint32_t i = 0; i < encoder->layer_count; ++i)
+        dmi_transformer_apply(&encoder->layers[i], kernels, groups, s->tokens[0], s->transformer);
+    dmi_norm_apply(&encoder->norm, kernels, s->tokens[0], groups, normal);
+    kernels->mean_rows(normal, groups, WIDTH, pooled);
+    kernels->max_rows(normal, groups, WIDTH, pooled + WIDTH);
+}
+
+void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input, void* scratch_memory,
+                         dmi_kpp_output* out_output) {
+    const dmi_kernels* kernels = dmi_kernels_for(isa);
+    scratch* s = scratch_memory;
+    float axes[6];
+    encode(&net->global, kernels, input->global_points, input->global_centres, DMI_KPP_GLOBAL_GROUPS, s, s->features);
+    encode(&net->local, kernels, input->local_points, input->local_centres, DMI_KPP_LOCAL_GROUPS, s,
+           s->features + POOLED);
+    dmi_mlp_apply(&net->type, kernels, s->features, 1, 0, s->head, out_output->type_logits);
+    dmi_mlp_apply(&net->axis, kernels, s->features, 1, 0, s->head, axes);
+    memcpy(out_output->turn_axis, axes, sizeof out_output->turn_axis);
+    memcpy(out_output->slide_axis, axes + 3, sizeof out_output->slide_axis);
+    dmi_mlp_apply(&net->origin, kernels, s->features, 1, 0, s->head, out_output->origin);
+    dmi_mlp_apply(&net->limits, kernels, s->features, 1, 0, s->head, out_output->limits);
+}
