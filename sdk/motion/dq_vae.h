@@ -6,7 +6,7 @@
 #include "base/cpu.h"
 #include "mesh/cloud.h"
 
-#define DMI_VAE_POINTS 512   /* of the cloud: every 8th (index 0, 8, 16 …), so 256 part, 128 near, 128 body */
+#define DMI_VAE_POINTS 512 /* of the cloud: every 8th (index 0, 8, 16 …), so 256 part, 128 near, 128 body */
 #define DMI_VAE_NEIGHBOURS 32
 #define DMI_VAE_POINT_FEATURES 64
 #define DMI_VAE_LATENT 32
@@ -22,11 +22,11 @@ typedef struct dmi_vae_object {
 } dmi_vae_object;
 
 typedef struct dmi_vae_query {
-    dm_joint joint;                 /* inner frame */
+    dm_joint joint; /* inner frame */
     float drag_point[3];
     float drag_vector[3];
-    float path[DMI_VAE_PATH][3];    /* where the pointer drew the drag point; [0] = drag_point */
-    uint32_t seed;                  /* 0: z = mu */
+    float path[DMI_VAE_PATH][3]; /* where the pointer drew the drag point; [0] = drag_point */
+    uint32_t seed;               /* 0: z = mu */
 } dmi_vae_query;
 
 typedef struct dmi_vae_output {
@@ -36,7 +36,8 @@ typedef struct dmi_vae_output {
 
 dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae);
 void dmi_dq_vae_destroy(dmi_dq_vae* vae);
-void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* cloud, void* scratch, dmi_vae_object* out_object);
+void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* cloud, void* scratch,
+                        dmi_vae_object* out_object);
 /* The part of dmi_dq_vae_prepare that needs no weights: xyz and mask; training thins its clouds with this very code. */
 void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object);
 size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae);
@@ -46,7 +47,7 @@ void dmi_dq_vae_forward(const dmi_dq_vae* vae, dmi_isa isa, const dmi_vae_object
 
 /* The numbers the network reads of a query, made in one place for C and for training (docs/networks.md). */
 typedef struct dmi_vae_features {
-    float joint_scalars[3];               /* pitch, lower, upper, each clamped to [-4, 4] */
+    float joint_scalars[3]; /* pitch, lower, upper, each clamped to [-4, 4] */
     float rotation_direction[3];
     float mean_velocity[3];
     float chords[9];

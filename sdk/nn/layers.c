@@ -44,6 +44,10 @@ float* dmi_load_alloc(dmi_loader* loader, size_t count) {
     return push(loader, loader->keep, count);
 }
 
+float* dmi_load_spare(dmi_loader* loader, size_t count) {
+    return push(loader, loader->spare, count);
+}
+
 float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols) {
     const size_t count = (size_t)rows * (cols ? cols : 1);
     if (loader->result != DM_OK) return NULL;

@@ -41,8 +41,9 @@ dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const ch
 float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols);
 /* `prefix` + `suffix` is the tensor's name. */
 float* dmi_load_part(dmi_loader* loader, const char* prefix, const char* suffix, uint32_t rows, uint32_t cols);
-/* `count` numbers in `keep`, 64-byte aligned, zero; NULL after a failure. */
+/* `count` numbers in `keep` or in `spare`, 64-byte aligned, zero; NULL after a failure. */
 float* dmi_load_alloc(dmi_loader* loader, size_t count);
+float* dmi_load_spare(dmi_loader* loader, size_t count);
 void dmi_load_linear(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t outputs, dmi_linear* out_linear);
 void dmi_load_mlp(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t hidden, uint32_t outputs,
                   dmi_mlp* out_mlp);

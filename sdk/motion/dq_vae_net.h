@@ -1,0 +1,76 @@
+/* The DQ-VAE's layers as they lie in memory: what does not depend on the query is folded when they are read. */
+#ifndef DMI_MOTION_DQ_VAE_NET_H
+#define DMI_MOTION_DQ_VAE_NET_H
+
+#include "motion/dq_vae.h"
+#include "nn/transformer.h"
+
+/* Widths of the `game` size (docs/networks.md). */
+enum {
+    VAE_TYPES = 4,
+    VAE_SMALL = 32, /* a direction, a position, a pair of scalars */
+    VAE_EMBEDDING = 16,
+    VAE_FEATURE = 64, /* f_joint, f_local, f_motion, a point's features */
+    VAE_CONTEXT = 3 * VAE_FEATURE,
+    VAE_HIDDEN = 96,
+    VAE_ENCODER_HIDDEN = 128,
+    VAE_PATH_HEADS = 2,
+    VAE_PATH_FEED_FORWARD = 64,
+    VAE_WIDTH = 96,
+    VAE_HEADS = 4,
+    VAE_FEED_FORWARD = 384,
+    VAE_LAYERS = 3,
+    VAE_POSE = 8
+};
+
+/* FiLM of f_joint for one place: x scale + shift, scale = 1 + gamma. */
+typedef struct dmi_vae_film {
+    float scale[VAE_WIDTH], shift[VAE_WIDTH];
+} dmi_vae_film;
+
+/* All FiLM layers read f_joint: one product gives all their numbers. */
+typedef struct dmi_vae_films {
+    float local_scale[VAE_FEATURE], local_shift[VAE_FEATURE];
+    dmi_vae_film decoder[VAE_LAYERS];
+} dmi_vae_films;
+#define VAE_FILMS (sizeof(dmi_vae_films) / sizeof(float))
+
+struct dmi_dq_vae {
+    dmi_env* env;
+    dmi_arena arena;
+
+    dmi_mlp joint_axis, joint_origin;
+    dmi_linear joint_fuse;   /* of [axis, origin, scalars], without bias … */
+    const float* joint_bias; /* … which a type's embedding gives: VAE_TYPES x VAE_FEATURE */
+    dmi_linear joint_out;
+    dmi_linear films; /* f_joint -> dmi_vae_films */
+
+    dmi_mlp points;
+
+    dmi_mlp direction, velocity, chord, amplitude;
+    dmi_linear path_in;
+    const float* path_position; /* DMI_VAE_PATH x VAE_SMALL */
+    dmi_transformer path_layer;
+    dmi_mlp motion_fuse;
+
+    dmi_mlp local;
+    dmi_linear gate;
+    dmi_mlp fuse;
+    dmi_mlp encoder;
+
+    const float* tokens;  /* DM_MOTION_FRAMES x VAE_WIDTH: decoder.input of the frames' positions */
+    dmi_linear condition; /* … of [z, f_joint], both its uses of f_joint summed; no bias */
+    dmi_transformer layers[VAE_LAYERS];
+    dmi_norm norm;
+    dmi_mlp head;
+
+    dmi_linear correction_joint;  /* of [f_joint, axis], both uses of each summed; without bias … */
+    const float* correction_bias; /* … which a type's embedding gives: VAE_TYPES x VAE_FEATURE */
+    dmi_linear correction_base;   /* of a frame's base; without bias */
+    dmi_linear correction_out;    /* its bias holds the identity pose too */
+};
+
+/* Reads the layers of a dmi_dq_vae. */
+dmi_read_network dmi_vae_read;
+
+#endif
