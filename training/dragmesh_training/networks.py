@@ -119,7 +119,7 @@ class PointEncoder(nn.Module):
         self.norm = nn.LayerNorm(config.dim)
 
     def forward(self, points, centres):
-        tokens = self.point(points).amax(dim=2) + self.position(centres)
+        tokens = self.point(points).max(dim=2).values + self.position(centres)
         for layer in self.layers:
             tokens = layer(tokens)
         tokens = self.norm(tokens)

@@ -1,0 +1,69 @@
+"""ctypes binding of libdragmesh_lab: batches of network inputs and labels, made by the library's own C code.
+
+Used by training; needs a build of this repository (scripts/build) and numpy.
+"""
+import ctypes as c
+import os
+
+import numpy as np
+
+from .library import find_library
+
+SPLITS = {"train": 0, "validation": 1, "test": 2}
+
+
+class _Options(c.Structure):
+    _fields_ = [("seed", c.c_uint64), ("count", c.c_uint32), ("split", c.c_int32), ("categories", c.c_void_p),
+                ("messy", c.c_float), ("mask_noise", c.c_float), ("rotated", c.c_float), ("with_drag", c.c_float),
+                ("drag_noise_degrees", c.c_float), ("joint_noise", c.c_float), ("hand_noise", c.c_float)]
+
+
+# Name, dtype and shape of one case, in the order of the C structs.
+KPP_ARRAYS = (
+    ("global_points", np.float32, (64, 16, 16)), ("global_centres", np.float32, (64, 3)),
+    ("local_points", np.float32, (32, 16, 16)), ("local_centres", np.float32, (32, 3)),
+    ("type", np.int32, ()), ("has_drag", np.int32, ()), ("category", np.int32, ()), ("axis", np.float32, (3,)),
+    ("origin", np.float32, (3,)), ("limits", np.float32, (5,)), ("size", np.float32, ()))
+VAE_ARRAYS = (
+    ("xyz", np.float32, (512, 3)), ("mask", np.float32, (512,)), ("type", np.int32, ()),
+    ("category", np.int32, ()), ("axis", np.float32, (3,)), ("origin", np.float32, (3,)), ("pitch", np.float32, ()),
+    ("features", np.float32, (100,)), ("near_origin", np.int32, (32,)), ("near_drag", np.int32, (32,)),
+    ("drag_point", np.float32, (3,)), ("drag_vector", np.float32, (3,)), ("limits", np.float32, (2,)),
+    ("values", np.float32, (16,)), ("closed_form", np.float32, (16,)))
+# dmi_vae_features in order: name, floats.
+VAE_FEATURES = (("joint_scalars", 3), ("rotation_direction", 3), ("mean_velocity", 3), ("chords", 9),
+                ("amplitude", 2), ("path", 80))
+
+
+class Lab:
+    """One loaded lab library."""
+
+    def __init__(self, path=None):
+        self._lib = c.CDLL(path or os.environ.get("DRAGMESH_LAB") or find_library("libdragmesh_lab.so"))
+        self._lib.dm_lab_category_name.restype = c.c_char_p
+        expected = (c.sizeof(_Options), 8 * len(KPP_ARRAYS), 8 * len(VAE_ARRAYS))
+        for which, size in enumerate(expected):
+            if self._lib.dm_lab_layout(which) != size:
+                raise ImportError(f"libdragmesh_lab: struct {which} has {self._lib.dm_lab_layout(which)} bytes, "
+                                  f"this binding knows {size}; rebuild")
+        count = self._lib.dm_lab_category_count()
+        self.categories = [self._lib.dm_lab_category_name(i).decode() for i in range(count)]
+
+    def kpp_batch(self, seed, count, categories, split="train", **mix):
+        """Arrays of KPP_ARRAYS for `count` cases; categories: names; mix: shares of dm_lab_options."""
+        return self._batch(self._lib.dm_lab_kpp_batch, KPP_ARRAYS, seed, count, categories, split, mix)
+
+    def vae_batch(self, seed, count, categories, split="train", **mix):
+        """Arrays of VAE_ARRAYS for `count` cases."""
+        return self._batch(self._lib.dm_lab_vae_batch, VAE_ARRAYS, seed, count, categories, split, mix)
+
+    def _batch(self, function, layout, seed, count, categories, split, mix):
+        allowed = np.zeros(len(self.categories), np.uint8)
+        allowed[[self.categories.index(name) for name in categories]] = 1
+        options = _Options(seed=seed, count=count, split=SPLITS[split], categories=allowed.ctypes.data, **mix)
+        arrays = {name: np.zeros((count, *shape), dtype) for name, dtype, shape in layout}
+        pointers = (c.c_void_p * len(layout))(*(arrays[name].ctypes.data for name, _, _ in layout))
+        result = function(c.byref(options), pointers)
+        if result != 0:
+            raise RuntimeError(f"dm_lab: error {result} (seed {seed}, categories {', '.join(categories)})")
+        return arrays

@@ -1,0 +1,64 @@
+"""What is trained, on what, for how long: every number of a run in one place, and switchable from the command line."""
+from dataclasses import asdict, dataclass, field, fields, replace
+
+# Never trained on and never validated on during training: what the held-out scores of the model card are about.
+HELD_OUT = ("oven", "sliding_window", "faucet")
+
+# Shares of dm_lab_options (training/lab/dragmesh_lab.h).
+MIX = dict(messy=0.7, mask_noise=0.2, rotated=0.25, with_drag=0.75, drag_noise_degrees=7.5, joint_noise=0.3,
+           hand_noise=0.6)
+
+
+@dataclass(frozen=True)
+class KppTraining:
+    """A run of KPP-Net. Loss weights as in paper §3.5 (axis, origin), with type and limits beside them."""
+
+    network: str = "kpp"
+    size: str = "game"
+    seed: int = 1
+    steps: int = 10000
+    batch: int = 32
+    rate: float = 1.5e-3
+    decay: float = 0.01  # AdamW
+    pool: int = 20000  # samples kept in memory
+    fresh: int = 16  # of a batch's samples, how many new ones enter the pool a step
+    weights: dict = field(default_factory=lambda: dict(
+        type=0.5, cosine=1.0, geodesic=1.0, origin=2.0, along=0.1, limits=0.5))
+
+
+@dataclass(frozen=True)
+class VaeTraining:
+    """A run of the DQ-VAE. Loss weights of paper §3.4; a weight of 0 switches a loss off."""
+
+    network: str = "vae"
+    size: str = "game"
+    seed: int = 1
+    steps: int = 10000
+    batch: int = 64
+    rate: float = 1.5e-3
+    decay: float = 0.0
+    pool: int = 60000
+    fresh: int = 16
+    free_nats: float = 24.0  # delta of the free bits
+    weights: dict = field(default_factory=lambda: dict(
+        mesh=20.0, qr=4.0, qd=20.0, cd=2.0, axis=4.0, qd0=20.0, qr1=4.0, drag=0.1, unit=0.1, kl=1e-4))
+
+
+RUNS = {"kpp": KppTraining, "vae": VaeTraining}
+
+
+def override(config, settings):
+    """A config with settings such as ["steps=100", "weights.kl=0"] applied."""
+    for setting in settings:
+        name, _, text = setting.partition("=")
+        name, _, key = name.partition(".")
+        if name not in {f.name for f in fields(config)}:
+            raise SystemExit(f"training: no setting '{name}'; there are {', '.join(asdict(config))}")
+        old = getattr(config, name)
+        if key:
+            if key not in old:
+                raise SystemExit(f"training: no {name} '{key}'; there are {', '.join(old)}")
+            config = replace(config, **{name: {**old, key: float(text)}})
+        else:
+            config = replace(config, **{name: type(old)(float(text)) if not isinstance(old, str) else text})
+    return config

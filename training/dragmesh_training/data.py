@@ -1,0 +1,110 @@
+"""Training data without end: worker processes make chunks with libdragmesh_lab, a pool in memory mixes them.
+
+The k-th chunk of a stream depends on the seed and k alone, and chunks enter the pool in order, one at fixed steps: a run
+is the same however fast the workers are.
+"""
+import multiprocessing
+import os
+import sys
+
+import numpy as np
+import torch
+
+from . import config
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "bindings", "python"))
+from dragmesh.lab import VAE_FEATURES, Lab  # noqa: E402
+
+CHUNK = 256
+
+
+def trained_categories(lab):
+    return [name for name in lab.categories if name not in config.HELD_OUT]
+
+
+def held_out_categories(lab):
+    return [name for name in lab.categories if name in config.HELD_OUT]
+
+
+def make_batch(lab, network, seed, count, categories, split, mix=None):
+    """Arrays of `count` cases; KPP inputs as float16, which halves the pool."""
+    make = lab.kpp_batch if network == "kpp" else lab.vae_batch
+    arrays = make(seed, count, categories, split, **(mix or config.MIX))
+    if network == "kpp":
+        for name in ("global_points", "global_centres", "local_points", "local_centres"):
+            arrays[name] = arrays[name].astype(np.float16)
+    return arrays
+
+
+def to_tensors(arrays, device):
+    """What the networks and losses read, from arrays of the lab."""
+    batch = {}
+    for name, array in arrays.items():
+        tensor = torch.from_numpy(array).to(device)
+        batch[name] = tensor.float() if tensor.is_floating_point() else tensor.long()
+    if "features" in batch:
+        parts = torch.split(batch.pop("features"), [size for _, size in VAE_FEATURES], dim=1)
+        batch.update({name: part for (name, _), part in zip(VAE_FEATURES, parts)})
+        batch["path"] = batch["path"].view(-1, 16, 5)
+    return batch
+
+
+def _work(network, seed, first, stride, categories, connection):
+    lab = Lab()
+    index = first
+    try:
+        while True:
+            connection.send(make_batch(lab, network, seed * 1000003 + index, CHUNK, categories, "train"))
+            index += stride
+    except (BrokenPipeError, KeyboardInterrupt):
+        pass
+
+
+class Stream:
+    """Chunks of the training split, in order, from worker processes that run ahead by one chunk each."""
+
+    def __init__(self, network, seed, first, workers):
+        context = multiprocessing.get_context("spawn")
+        categories = trained_categories(Lab())
+        self.connections, self.processes, self.next = [], [], 0
+        for worker in range(workers):
+            ours, theirs = context.Pipe(duplex=False)
+            process = context.Process(target=_work, daemon=True,
+                                      args=(network, seed, first + worker, workers, categories, theirs))
+            process.start()
+            theirs.close()
+            self.connections.append(ours)
+            self.processes.append(process)
+
+    def chunk(self):
+        arrays = self.connections[self.next].recv()
+        self.next = (self.next + 1) % len(self.connections)
+        return arrays
+
+    def close(self):
+        for connection in self.connections:
+            connection.close()
+        for process in self.processes:
+            process.join()
+
+
+class Pool:
+    """The newest `capacity` samples; batches are drawn from all of it, so each sample is seen a few times."""
+
+    def __init__(self, stream, capacity, seed):
+        self.stream, self.capacity = stream, capacity // CHUNK * CHUNK
+        self.arrays, self.filled, self.position = None, 0, 0
+        self.random = np.random.default_rng(seed)
+
+    def add_chunk(self):
+        chunk = self.stream.chunk()
+        if self.arrays is None:
+            self.arrays = {name: np.zeros((self.capacity, *a.shape[1:]), a.dtype) for name, a in chunk.items()}
+        for name, array in chunk.items():
+            self.arrays[name][self.position:self.position + CHUNK] = array
+        self.position = (self.position + CHUNK) % self.capacity
+        self.filled = min(self.filled + CHUNK, self.capacity)
+
+    def batch(self, count):
+        index = self.random.integers(0, self.filled, count)
+        return {name: array[index] for name, array in self.arrays.items()}

@@ -1,0 +1,59 @@
+"""Weights to safetensors, the file format the library loads (design §4). `python -m dragmesh_training.export RUN OUT`."""
+import json
+import os
+import struct
+import subprocess
+import sys
+
+import torch
+
+ARCHITECTURES = {"kpp": "dragmesh-kpp-net", "vae": "dragmesh-dq-vae"}
+
+
+def save_safetensors(path, tensors, metadata):
+    """float32 tensors in order of name; the header is padded so that data starts 8-byte aligned."""
+    header, offset, blobs = {"__metadata__": metadata}, 0, []
+    for name in sorted(tensors):
+        blob = tensors[name].detach().cpu().float().contiguous().numpy().tobytes()
+        header[name] = {"dtype": "F32", "shape": list(tensors[name].shape), "data_offsets": [offset, offset + len(blob)]}
+        offset += len(blob)
+        blobs.append(blob)
+    text = json.dumps(header, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 8)
+    with open(path + ".new", "wb") as file:
+        file.write(struct.pack("<Q", len(text)) + text + b"".join(blobs))
+    os.replace(path + ".new", path)
+
+
+def load_safetensors(path):
+    """(tensors, metadata) of a file that save_safetensors wrote."""
+    with open(path, "rb") as file:
+        size, = struct.unpack("<Q", file.read(8))
+        header, data = json.loads(file.read(size)), bytearray(file.read())
+    metadata = header.pop("__metadata__")
+    tensors = {}
+    for name, entry in header.items():
+        begin, end = entry["data_offsets"]
+        tensors[name] = torch.frombuffer(data[begin:end], dtype=torch.float32).reshape(entry["shape"])
+    return tensors, metadata
+
+
+def commit():
+    here = os.path.dirname(os.path.abspath(__file__))
+    found = subprocess.run(["git", "-C", here, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True)
+    return found.stdout.strip() or "unknown"
+
+
+def export_run(folder, out):
+    """The averaged weights of a run's checkpoint."""
+    state = torch.load(os.path.join(folder, "checkpoint.pt"), map_location="cpu")
+    config = state["config"]
+    trained = (f"{state['step']} of {config['steps']} steps of {config['batch']}, size {config['size']}, "
+               f"{state['seconds'] / 60:.0f} minutes, procedural objects (training/generator)")
+    save_safetensors(out, state["average"],
+                     {"architecture": ARCHITECTURES[config["network"]], "version": "1", "commit": commit(),
+                      "seed": str(config["seed"]), "trained": trained})
+
+
+if __name__ == "__main__":
+    export_run(sys.argv[1], sys.argv[2])

@@ -1,0 +1,157 @@
+"""The training loop of both networks: seeded, resumable, with a progress line and a CSV log. See ../train."""
+import csv
+import math
+import os
+import sys
+import time
+from dataclasses import asdict
+
+import torch
+
+from . import evaluate, export
+from .data import CHUNK, Pool, Stream, to_tensors
+from .losses import kpp_losses, vae_losses, weighted
+from .networks import KPP_SIZES, VAE_SIZES, DqVae, KppNet
+
+FIRST_CHUNKS = 8  # in the pool before the first step
+WARM_UP = 200  # steps
+AVERAGE = 0.999  # of the weights that are scored and exported
+EVALUATE_EVERY = 1000
+SAVE_EVERY = 250
+
+
+def make_network(network, size):
+    return KppNet(KPP_SIZES[size]) if network == "kpp" else DqVae(VAE_SIZES[size])
+
+
+def run_network(network, model, batch, sample):
+    """The network's raw outputs for a batch of tensors."""
+    if network == "kpp":
+        return model(batch["global_points"], batch["global_centres"], batch["local_points"], batch["local_centres"])
+    return model(batch, sample)
+
+
+def batch_losses(config, model, batch):
+    output = run_network(config.network, model, batch, sample=True)
+    if config.network == "kpp":
+        return kpp_losses(output, batch)
+    return vae_losses(*output, batch, config.free_nats)
+
+
+def rate_at(config, step):
+    """Warm-up, then a cosine down to a hundredth."""
+    done = min(1.0, step / config.steps)
+    return config.rate * min(1.0, (step + 1) / WARM_UP) * (0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * done)))
+
+
+class Run:
+    """A training run in its folder: checkpoint.pt, log.csv."""
+
+    def __init__(self, config, folder, device, workers):
+        self.config, self.folder, self.device = config, folder, device
+        torch.manual_seed(config.seed)
+        self.model = make_network(config.network, config.size).to(device)
+        self.average = make_network(config.network, config.size).to(device)
+        self.average.load_state_dict(self.model.state_dict())
+        self.optimizer = torch.optim.AdamW(self.model.parameters(), lr=config.rate, weight_decay=config.decay)
+        self.step, self.chunks, self.seconds = 0, 0, 0.0
+        self.resume()
+        first = max(0, self.chunks - FIRST_CHUNKS)
+        self.stream = Stream(config.network, config.seed, first, workers)
+        self.pool = Pool(self.stream, config.pool, config.seed + self.step)
+        for _ in range(FIRST_CHUNKS):
+            self.pool.add_chunk()
+        self.chunks = first + FIRST_CHUNKS
+
+    @property
+    def checkpoint(self):
+        return os.path.join(self.folder, "checkpoint.pt")
+
+    def resume(self):
+        os.makedirs(self.folder, exist_ok=True)
+        if not os.path.exists(self.checkpoint):
+            return
+        state = torch.load(self.checkpoint, map_location=self.device)
+        for name in ("model", "average", "optimizer"):
+            getattr(self, name).load_state_dict(state[name])
+        self.step, self.chunks, self.seconds = state["step"], state["chunks"], state["seconds"]
+        torch.set_rng_state(state["random"])
+
+    def save(self):
+        state = {name: getattr(self, name).state_dict() for name in ("model", "average", "optimizer")}
+        state.update(step=self.step, chunks=self.chunks, seconds=self.seconds, random=torch.get_rng_state(),
+                     config=asdict(self.config))
+        torch.save(state, self.checkpoint + ".new")
+        os.replace(self.checkpoint + ".new", self.checkpoint)
+
+    def advance(self):
+        """One step; the losses as floats."""
+        config = self.config
+        if self.step * config.fresh // CHUNK != (self.step + 1) * config.fresh // CHUNK:
+            self.pool.add_chunk()
+            self.chunks += 1
+        batch = to_tensors(self.pool.batch(config.batch), self.device)
+        losses = batch_losses(config, self.model, batch)
+        total = weighted(losses, config.weights)
+        for group in self.optimizer.param_groups:
+            group["lr"] = rate_at(config, self.step)
+        self.optimizer.zero_grad(set_to_none=True)
+        total.backward()
+        torch.nn.utils.clip_grad_norm_(self.model.parameters(), 1.0)
+        self.optimizer.step()
+        keep = min(AVERAGE, (self.step + 1) / (self.step + 10))
+        with torch.no_grad():
+            for averaged, weight in zip(self.average.parameters(), self.model.parameters()):
+                averaged.lerp_(weight, 1 - keep)
+        self.step += 1
+        return {"total": float(total), **{name: float(value) for name, value in losses.items()}}
+
+    def log(self, row):
+        path = os.path.join(self.folder, "log.csv")
+        new = not os.path.exists(path)
+        with open(path, "a", newline="") as file:
+            writer = csv.DictWriter(file, fieldnames=list(row))
+            if new:
+                writer.writeheader()
+            writer.writerow(row)
+
+
+def progress(config, step, losses, per_second, note):
+    left = (config.steps - step) * config.batch / max(per_second, 1e-6)
+    text = (f"{config.network} {step:6d}/{config.steps} {100 * step / config.steps:5.1f} %  "
+            f"loss {losses['total']:.4f}  {per_second:5.0f} samples/s  "
+            f"ETA {int(left // 3600)}:{int(left // 60 % 60):02d}:{int(left % 60):02d}  {note}")
+    print(text, end="\r" if sys.stdout.isatty() else "\n", flush=True)
+
+
+def train(config, folder, threads, workers, out=None):
+    """Trains to config.steps, from the folder's checkpoint when it has one; exports to `out`. The last scores."""
+    torch.set_num_threads(threads)
+    device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
+    run = Run(config, folder, device, workers)
+    scores, note, sums, since, begun = {}, "", {}, 0, time.monotonic()
+    while run.step < config.steps:
+        for name, value in run.advance().items():
+            sums[name] = sums.get(name, 0.0) + value
+        since += 1
+        last = run.step == config.steps
+        if run.step % 50 == 0 or last:
+            elapsed = time.monotonic() - begun
+            run.seconds += elapsed
+            means = {name: value / since for name, value in sums.items()}
+            if run.step % EVALUATE_EVERY == 0 or last:
+                scores = evaluate.quick_scores(config.network, run.average, device)
+                note = "  ".join(f"{name} {value:.4g}" for name, value in scores.items())
+            run.log({"step": run.step, "seconds": round(run.seconds, 1),
+                     **{name: f"{value:.6g}" for name, value in {**means, **{f'val_{k}': v for k, v in scores.items()}}.items()}}
+                    if scores else {"step": run.step, "seconds": round(run.seconds, 1),
+                                    **{name: f"{value:.6g}" for name, value in means.items()},
+                                    **{f"val_{name}": "" for name in evaluate.QUICK[config.network]}})
+            progress(config, run.step, means, since * config.batch / elapsed, note)
+            sums, since, begun = {}, 0, time.monotonic()
+        if run.step % SAVE_EVERY == 0 or last:
+            run.save()
+    run.stream.close()
+    if out:
+        export.export_run(folder, out)
+    return scores

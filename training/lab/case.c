@@ -1,0 +1,145 @@
+/* Makes training cases: draws an object of the right split, disturbs it, and hands it to the library's own front end.
+ */
+#include <string.h>
+
+#include "case.h"
+#include "kinematics/kinematics.h"
+
+#define TRIES 64
+
+/* SplitMix64's finaliser: one well-mixed number from two. */
+static uint64_t mix(uint64_t a, uint64_t b) {
+    uint64_t x = a * 0x9e3779b97f4a7c15u + b + 0x2545f4914f6cdd1du;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+static int32_t split_of(uint32_t category, uint64_t object_seed) {
+    const uint64_t slot = mix(object_seed, category) % 20;
+    return slot == 0 ? DM_LAB_VALIDATION : slot == 1 ? DM_LAB_TEST : DM_LAB_TRAIN;
+}
+
+/* A category the options allow; -1 when they allow none. */
+static int32_t draw_category(dmi_random* random, const dm_lab_options* options) {
+    const uint32_t total = dmg_category_count();
+    uint32_t allowed = 0;
+    for (uint32_t c = 0; c < total; c++) allowed += options->categories[c] != 0;
+    if (allowed == 0) return -1;
+    uint32_t pick = dmi_random_u32(random) % allowed;
+    for (uint32_t c = 0; c < total; c++)
+        if (options->categories[c] != 0 && pick-- == 0) return (int32_t)c;
+    return -1;
+}
+
+static uint64_t draw_object_seed(dmi_random* random, uint32_t category, int32_t split) {
+    uint64_t seed;
+    do seed = dmi_random_u32(random);
+    while (split_of(category, seed) != split);
+    return seed;
+}
+
+/* The library's view of the object: checked mesh, parts with their parents. */
+static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** out_mesh) {
+    const dm_mesh_desc desc = {.struct_size = sizeof desc,
+                               .positions = object->positions,
+                               .vertex_count = object->vertex_count,
+                               .indices = object->indices,
+                               .index_count = 3ull * object->face_count,
+                               .part_ids = object->face_part,
+                               .part_id_scope = DM_PER_FACE};
+    dmi_axes axes;
+    if (!dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 1.0f)) return DM_ERROR_INTERNAL;
+    const size_t bytes = (object->joint_count + 1) * sizeof(dm_part_desc);
+    dm_part_desc* parts = dmi_alloc_zeroed(env, bytes, _Alignof(dm_part_desc));
+    if (!parts) return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t j = 0; j < object->joint_count; j++) {
+        parts[j].struct_size = sizeof(dm_part_desc);
+        parts[j].id = j + 1;
+        parts[j].parent = object->joints[j].parent;
+    }
+    const dm_result result = dmi_mesh_create(env, &axes, &desc, parts, object->joint_count, out_mesh);
+    dmi_free(env, parts, bytes);
+    return result;
+}
+
+static dm_joint flipped(dm_joint joint) {
+    const float lower = joint.lower;
+    for (int i = 0; i < 3; i++) (&joint.axis.x)[i] = -(&joint.axis.x)[i];
+    joint.lower = -joint.upper;
+    joint.upper = -lower;
+    return joint;
+}
+
+/* The true joint in the object-normalised frame, positive opening. */
+static dm_joint true_joint(const dmi_mesh* mesh, const dmg_joint* source, uint32_t part_index) {
+    dm_joint joint = {.type = source->type,
+                      .type_confidence = 1.0f,
+                      .confidence = 1.0f,
+                      .pitch = source->pitch,
+                      .axis = {source->axis[0], source->axis[1], source->axis[2]},
+                      .origin = {source->origin[0], source->origin[1], source->origin[2]},
+                      .lower = source->lower,
+                      .upper = source->upper};
+    joint = dmi_frame_joint_in(&mesh->frame, &joint);
+    if (source->opens < 0) joint = flipped(joint);
+    dmi_joint_set_origin_near(&joint, mesh->parts[part_index].centre);
+    return joint;
+}
+
+static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case* out) {
+    dmi_random* random = &out->random;
+    const int32_t category = draw_category(random, options);
+    if (category < 0) return DM_ERROR_INVALID_ARGUMENT;
+    out->category = (uint32_t)category;
+    const uint64_t seed = draw_object_seed(random, out->category, options->split);
+    const uint32_t flags = lab_chance(random, options->messy) ? DMG_MESSY : 0;
+    if (dmg_make(out->category, seed, flags, &out->object)) return DM_ERROR_OUT_OF_MEMORY;
+    if (out->object.joint_count == 0) return DM_ERROR_NOT_FOUND;
+    out->part = 1 + dmi_random_u32(random) % out->object.joint_count;
+    const dmg_joint* joint = &out->object.joints[out->part - 1];
+    if (joint->type < DM_JOINT_REVOLUTE || joint->type > DM_JOINT_CONTINUOUS) return DM_ERROR_NOT_FOUND;
+    if (lab_chance(random, options->rotated)) lab_turn_object(random, &out->object);
+    if (lab_chance(random, options->mask_noise)) lab_disturb_mask(random, &out->object, out->part);
+    const dm_result result = make_mesh(env, &out->object, &out->mesh);
+    if (result != DM_OK) return result;
+    const int32_t index = dmi_mesh_find_part(out->mesh, out->part);
+    if (index < 1) return DM_ERROR_NOT_FOUND;
+    out->joint = true_joint(out->mesh, joint, (uint32_t)index);
+    return dmi_cloud_sample(env, out->mesh, (uint32_t)index, dmi_random_u32(random), &out->cloud);
+}
+
+dm_result lab_case_make(dmi_env* env, const dm_lab_options* options, uint64_t index, lab_case* out_case) {
+    dm_result result = DM_ERROR_INTERNAL;
+    for (uint64_t attempt = 0; attempt < TRIES; attempt++) {
+        memset(out_case, 0, sizeof *out_case);
+        out_case->random = dmi_random_make(mix(options->seed, index), attempt);
+        result = try_case(env, options, out_case);
+        if (result == DM_OK) break;
+        lab_case_release(env, out_case);
+    }
+    return result;
+}
+
+void lab_case_release(dmi_env* env, lab_case* made) {
+    dmi_mesh_destroy(env, made->mesh);
+    dmg_object_release(&made->object);
+    made->mesh = NULL;
+}
+
+dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_joint) {
+    const float noise = lab_uniform(&made->random, 0.0f, noise_degrees);
+    float point[3], vector[3];
+    dmg_drag(&made->object, made->part, noise, dmi_random_u32(&made->random), point, vector);
+    const dm_joint* joint = &made->joint;
+    const float range = joint->upper - joint->lower;
+    const int closing = joint->type == DM_JOINT_CONTINUOUS || -joint->lower > 0.2f * range;
+    if (closing && lab_chance(&made->random, 0.4f))
+        for (int i = 0; i < 3; i++) vector[i] = -vector[i];
+    dmi_drag_hint hint;
+    dmi_frame_point_in(&made->mesh->frame, (const double[3]){point[0], point[1], point[2]}, hint.point);
+    dmi_frame_vector_in(&made->mesh->frame, vector, hint.vector);
+    *out_joint = *joint;
+    dmi_joint_orient(out_joint, &hint);
+    return hint;
+}

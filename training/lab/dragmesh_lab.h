@@ -1,0 +1,74 @@
+/* What training sees of the library: batches of network inputs and labels, made by the sdk's own code from generated
+ * objects.
+ *
+ * Everything is seeded: the same options give the same bits. Arrays belong to the caller and hold `count` cases each.
+ * Lengths are object-normalised unless said otherwise; joint types are 0 revolute, 1 prismatic, 2 screw, 3 continuous.
+ */
+#ifndef DRAGMESH_LAB_H
+#define DRAGMESH_LAB_H
+
+#include <stdint.h>
+
+#include "dragmesh/dragmesh.h"
+
+/* Which objects: seeds are dealt to the splits by a hash of category and seed (18 : 1 : 1). */
+enum { DM_LAB_TRAIN = 0, DM_LAB_VALIDATION = 1, DM_LAB_TEST = 2 };
+
+typedef struct dm_lab_options {
+    uint64_t seed;
+    uint32_t count;
+    int32_t split;             /* DM_LAB_* */
+    const uint8_t* categories; /* dm_lab_category_count() bytes, non-zero = may be drawn */
+    float messy;               /* share of objects made with DMG_MESSY */
+    float mask_noise;          /* share of objects whose part mask loses or leaks patches */
+    float rotated;             /* share of objects turned by a random rotation */
+    float with_drag;           /* share of cases with a drag (KPP alone: the VAE always has one) */
+    float drag_noise_degrees;  /* a case's drag is up to this much off (1 sigma at the most) */
+    float joint_noise;         /* VAE: share of cases whose given joint is slightly off */
+    float hand_noise;          /* VAE: share of cases whose path is drawn by an unsteady hand */
+} dm_lab_options;
+
+/* KPP-Net: its input (docs/networks.md), and labels in the input's frame. */
+typedef struct dm_lab_kpp {
+    float* global_points;  /* x 64 x 16 x 16 */
+    float* global_centres; /* x 64 x 3 */
+    float* local_points;   /* x 32 x 16 x 16 */
+    float* local_centres;  /* x 32 x 3 */
+    int32_t* type;
+    int32_t* has_drag; /* 1: positive motion follows the drag; 0: positive motion opens, the axis' sign is free */
+    int32_t* category;
+    float* axis;   /* x 3 */
+    float* origin; /* x 3: the point of the axis nearest the part's centre */
+    float* limits; /* x 5: turn lower, upper (pi rad), slide lower, upper, pitch (inner units, a radian) */
+    float* size;   /* object-normalised length of one inner unit */
+} dm_lab_kpp;
+
+/* DQ-VAE: its input (docs/networks.md), the true joint values, and the closed-form answer to the same path. */
+typedef struct dm_lab_vae {
+    float* xyz;  /* x 512 x 3 */
+    float* mask; /* x 512 */
+    int32_t* type;
+    int32_t* category;
+    float* axis;          /* x 3: of the joint the network is given */
+    float* origin;        /* x 3 */
+    float* pitch;         /* of that joint, not clamped */
+    float* features;      /* x 100: dmi_vae_features in order */
+    int32_t* near_origin; /* x 32 */
+    int32_t* near_drag;   /* x 32 */
+    float* drag_point;    /* x 3 */
+    float* drag_vector;   /* x 3 */
+    float* limits;        /* x 2: lower, upper of the given joint */
+    float* values;        /* x 16: the motion meant, noise-free and inside the limits */
+    float* closed_form;   /* x 16: the value nearest to each point of the path, inside the limits */
+} dm_lab_vae;
+
+DM_API uint32_t dm_lab_category_count(void);
+DM_API const char* dm_lab_category_name(uint32_t index);
+/* Bytes of the two structs and of the options, so that a binding can check its own. */
+DM_API uint32_t dm_lab_layout(uint32_t which);
+
+/* DM_OK, or the error that the same kind of object met 64 times in a row. */
+DM_API dm_result dm_lab_kpp_batch(const dm_lab_options* options, const dm_lab_kpp* out);
+DM_API dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out);
+
+#endif

@@ -1,0 +1,90 @@
+/* Batches for the DQ-VAE: inputs by dmi_vae_features_make and dmi_vae_neighbours, targets as joint values. */
+#include <math.h>
+#include <string.h>
+
+#include "case.h"
+#include "motion/dq_vae.h"
+
+#define STROKES 4 /* of every object: drawing one is much cheaper than making one */
+
+/* A joint as a network or a person would have found it: a few degrees and a hundredth of the size off. */
+static dm_joint roughly(dmi_random* random, dm_joint joint) {
+    float about[3], rotation[9], axis[3] = {joint.axis.x, joint.axis.y, joint.axis.z};
+    lab_direction(random, about);
+    lab_rotation(about, 0.05f * dmi_random_normal(random), rotation);
+    lab_rotate(rotation, axis, axis);
+    joint.axis = (dm_vec3){axis[0], axis[1], axis[2]};
+    joint.origin.x += 0.01f * dmi_random_normal(random);
+    joint.origin.y += 0.01f * dmi_random_normal(random);
+    joint.origin.z += 0.01f * dmi_random_normal(random);
+    return joint;
+}
+
+static void write_joint(const dm_joint* joint, const dm_lab_vae* out, uint32_t i) {
+    memcpy(out->axis + 3 * i, &joint->axis, 3 * sizeof(float));
+    memcpy(out->origin + 3 * i, &joint->origin, 3 * sizeof(float));
+    out->pitch[i] = joint->type == DM_JOINT_SCREW ? joint->pitch : 0.0f;
+    out->type[i] = joint->type - 1;
+    out->limits[2 * i] = joint->type == DM_JOINT_CONTINUOUS ? -INFINITY : joint->lower;
+    out->limits[2 * i + 1] = joint->type == DM_JOINT_CONTINUOUS ? INFINITY : joint->upper;
+}
+
+static void write_query(const dmi_vae_object* object, const dmi_vae_query* query, const lab_stroke* stroke,
+                        const dm_lab_vae* out, uint32_t i) {
+    dmi_vae_features features;
+    dmi_vae_features_make(query, &features);
+    memcpy(out->features + i * sizeof features / sizeof(float), &features, sizeof features);
+    uint32_t nearest[DMI_VAE_NEIGHBOURS];
+    const float origin[3] = {query->joint.origin.x, query->joint.origin.y, query->joint.origin.z};
+    dmi_vae_neighbours(object, origin, nearest);
+    memcpy(out->near_origin + i * DMI_VAE_NEIGHBOURS, nearest, sizeof nearest);
+    dmi_vae_neighbours(object, query->drag_point, nearest);
+    memcpy(out->near_drag + i * DMI_VAE_NEIGHBOURS, nearest, sizeof nearest);
+    memcpy(out->xyz + i * DMI_VAE_POINTS * 3, object->xyz, sizeof object->xyz);
+    memcpy(out->mask + i * DMI_VAE_POINTS, object->mask, sizeof object->mask);
+    memcpy(out->drag_point + 3 * i, query->drag_point, sizeof query->drag_point);
+    memcpy(out->drag_vector + 3 * i, query->drag_vector, sizeof query->drag_vector);
+    write_joint(&query->joint, out, i);
+    for (uint32_t f = 0; f < DM_MOTION_FRAMES; f++) {
+        const float nearest_value = fminf(fmaxf(features.path[f][3], out->limits[2 * i]), out->limits[2 * i + 1]);
+        out->closed_form[i * DM_MOTION_FRAMES + f] = nearest_value;
+        out->values[i * DM_MOTION_FRAMES + f] = stroke->values[f];
+    }
+}
+
+static void write_stroke(lab_case* made, const dm_lab_options* options, const dmi_vae_object* object,
+                         const dm_lab_vae* out, uint32_t i) {
+    dmi_random* random = &made->random;
+    dm_joint joint;
+    const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
+    const int steady = lab_chance(random, 0.25f);
+    lab_stroke stroke;
+    dmi_vae_query query = {.joint = joint};
+    /* The default path follows the joint the library has in hand, right or not. */
+    if (lab_chance(random, options->joint_noise)) query.joint = roughly(random, joint);
+    lab_stroke_make(random, steady ? &query.joint : &joint, hint.point, steady,
+                    !steady && lab_chance(random, options->hand_noise), &stroke);
+    memcpy(query.drag_point, hint.point, sizeof query.drag_point);
+    memcpy(query.drag_vector, hint.vector, sizeof query.drag_vector);
+    memcpy(query.path, stroke.path, sizeof query.path);
+    write_query(object, &query, &stroke, out, i);
+    out->category[i] = (int32_t)made->category;
+}
+
+dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out) {
+    dmi_env env;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    lab_case* made = dmi_alloc(&env, sizeof *made, 64);
+    dmi_vae_object* object = dmi_alloc(&env, sizeof *object, 64);
+    dm_result result = made && object ? DM_OK : DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t i = 0; i < options->count && result == DM_OK;) {
+        result = lab_case_make(&env, options, i, made);
+        if (result != DM_OK) break;
+        dmi_vae_object_points(&made->cloud, object);
+        for (uint32_t k = 0; k < STROKES && i < options->count; k++, i++) write_stroke(made, options, object, out, i);
+        lab_case_release(&env, made);
+    }
+    dmi_free(&env, object, sizeof *object);
+    dmi_free(&env, made, sizeof *made);
+    return result;
+}
