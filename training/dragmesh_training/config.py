@@ -33,7 +33,7 @@ class VaeTraining:
     network: str = "vae"
     size: str = "game"
     seed: int = 1
-    steps: int = 10000
+    steps: int = 18000
     batch: int = 64
     rate: float = 1.5e-3
     decay: float = 0.0
@@ -41,7 +41,7 @@ class VaeTraining:
     fresh: int = 16
     free_nats: float = 24.0  # delta of the free bits
     weights: dict = field(default_factory=lambda: dict(
-        mesh=20.0, qr=4.0, qd=20.0, cd=2.0, axis=4.0, qd0=20.0, qr1=4.0, drag=0.1, unit=0.1, kl=1e-4))
+        mesh=20.0, qr=4.0, qd=20.0, cd=2.0, axis=4.0, qd0=20.0, qr1=4.0, drag=0.5, unit=0.1, kl=1e-4))
 
 
 RUNS = {"kpp": KppTraining, "vae": VaeTraining}

@@ -99,7 +99,8 @@ def kl_divergence(mean, log_variance):
 
 
 def vae_losses(raw, mean, log_variance, batch, free_nats):
-    """All losses of paper §3.4, per frame with frame 0 counted twice, and drag-direction consistency."""
+    """All losses of paper §3.4, per frame with frame 0 counted twice, and drag consistency: the dragged point goes where the
+    drag means it to go."""
     kind, axis = batch["type"], batch["axis"]
     true_rotation, true_translation = joint_poses(kind, axis, batch["pitch"], batch["values"])
     rotation, translation, length = split_pose(raw)
@@ -115,8 +116,9 @@ def vae_losses(raw, mean, log_variance, batch, free_nats):
     points = (points - batch["origin"].unsqueeze(1)).unsqueeze(1)
     moved = rotate(rotation.unsqueeze(2), points) + translation.unsqueeze(2)
     truth = rotate(true_rotation.unsqueeze(2), points) + true_translation.unsqueeze(2)
-    step, true_step = moved[:, :, -1] - points[:, :, -1], truth[:, :, -1] - points[:, :, -1]
-    agreement = F.cosine_similarity(step, true_step, dim=-1, eps=1e-4)
+    # Relative to the stroke's length: a button's short way matters as much to its player as a door's.
+    stroke = (truth[:, :, -1] - points[:, :, -1]).pow(2).sum(-1)
+    missed = (moved[:, :, -1] - truth[:, :, -1]).pow(2).sum(-1) / (stroke.amax(-1, keepdim=True) + 2e-2 ** 2)
     turns_alone = ((kind == REVOLUTE) | (kind == CONTINUOUS)).to(raw.dtype)
     slides_alone = (kind == PRISMATIC).to(raw.dtype)
     # Motions begin at the identity, so quaternions have a sign along the path: the signed distance also tells turns
@@ -129,7 +131,7 @@ def vae_losses(raw, mean, log_variance, batch, free_nats):
         "axis": over_frames(axis_error(kind, axis, rotation, translation)).mean(),
         "qd0": masked_mean(over_frames((translation ** 2).sum(-1)), turns_alone),
         "qr1": masked_mean(over_frames((2 * rotation[..., :3]).pow(2).sum(-1)), slides_alone),
-        "drag": masked_mean(F.relu(-agreement), (true_step.norm(dim=-1) > 0.02).to(raw.dtype)),
+        "drag": over_frames(missed).mean(),
         "unit": over_frames((length - 1) ** 2).mean(),
         "kl": F.relu(kl_divergence(mean, log_variance).sum(-1) - free_nats).mean(),
     }

@@ -1,0 +1,275 @@
+"""dragmesh for Python: a thin, typed layer over dragmesh.h. Arrays are numpy's; everything is in the host's own frame."""
+import ctypes as c
+import enum
+
+import numpy as np
+
+from . import structs as s
+from .library import find_library
+
+
+class JointType(enum.IntEnum):
+    UNKNOWN, REVOLUTE, PRISMATIC, SCREW, CONTINUOUS, FIXED = range(6)
+
+
+class Axes(enum.IntEnum):
+    GLTF, UNITY, UNREAL, BLENDER, CUSTOM = range(5)
+
+
+class Error(RuntimeError):
+    """A dm_result below 0; `code` is its number, the text what the library logged."""
+
+    def __init__(self, name, code, message):
+        super().__init__(f"{name}: {message}" if message else name)
+        self.code = code
+
+
+_library = None
+
+
+def load():
+    """The shared library, loaded at the first use."""
+    global _library
+    if _library is None:
+        _library = c.CDLL(find_library("libdragmesh.so"))
+        _library.dm_result_string.restype = c.c_char_p
+        _library.dm_version.restype = c.c_uint32
+        for name in ("dm_context_destroy", "dm_pose_multiply", "dm_pose_to_matrix", "dm_pose_apply_points"):
+            getattr(_library, name).restype = None
+    return _library
+
+
+def _described(struct, **values):
+    return struct(struct_size=c.sizeof(struct), **values)
+
+
+def _hint(drag):
+    """(point, vector) to a dm_drag_hint."""
+    point, vector = drag
+    return s.DragHint(s.Vec3(*map(float, point)), s.Vec3(*map(float, vector)))
+
+
+def _array(values, dtypes, columns):
+    """A contiguous array of one of the types that the boundary reads."""
+    array = np.asarray(values)
+    if array.dtype not in dtypes:
+        array = array.astype(dtypes[0])
+    return np.ascontiguousarray(array.reshape(-1, columns) if columns > 1 else array.reshape(-1))
+
+
+_POSITIONS = [np.dtype(np.float32), np.dtype(np.float64)]
+_INDICES = [np.dtype(np.uint32), np.dtype(np.uint16), np.dtype(np.uint8)]
+_PART_IDS = [*_INDICES, np.dtype(np.int32)]
+
+
+def pose_matrix(pose):
+    """4 x 4, for column vectors."""
+    out = (c.c_float * 16)()
+    load().dm_pose_to_matrix(c.byref(pose), out)
+    return np.array(out, np.float32).reshape(4, 4).T
+
+
+class Context:
+    """A context and everything made with it. Use as a context manager, or call close()."""
+
+    def __init__(self, axes=Axes.GLTF, unit_in_metres=1.0):
+        self.library, self.message = load(), ""
+        self._log = s.LOG_CALLBACK(self._remember)  # kept: the library calls it
+        desc = _described(s.ContextDesc, axes=int(axes), unit_in_metres=unit_in_metres,
+                          log=s.Log(None, self._log))
+        self.pointer = c.c_void_p()
+        self.check(self.library.dm_context_create(c.byref(desc), c.byref(self.pointer)))
+
+    def _remember(self, user, level, code, text):
+        if level == 0:
+            self.message = text.decode(errors="replace")
+
+    def check(self, result):
+        if result < 0:
+            message, self.message = self.message, ""
+            raise Error(self.library.dm_result_string(result).decode(), result, message)
+
+    def call(self, name, *arguments):
+        """dm_<name>(context, ...), an Error when it fails."""
+        self.check(getattr(self.library, "dm_" + name)(self.pointer, *arguments))
+
+    def close(self):
+        if self.pointer:
+            self.library.dm_context_destroy(self.pointer)
+            self.pointer = c.c_void_p()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def memory(self):
+        info = s.MemoryInfo()
+        self.call("context_get_memory", c.byref(info))
+        return info
+
+    def load_model(self, kinematics=None, motion=None):
+        """A model from the bytes (or the paths) of the two safetensors files; each may be absent."""
+        data = [open(d, "rb").read() if isinstance(d, str) else d for d in (kinematics, motion)]
+        desc = _described(s.ModelDesc, kinematics=data[0], kinematics_size=len(data[0] or b""), motion=data[1],
+                          motion_size=len(data[1] or b""))
+        handle = c.c_uint64()
+        self.call("model_load", c.byref(desc), c.byref(handle))
+        return Model(self, handle)
+
+    def prepare(self, positions, indices, part_ids, parts=None, model=None, seed=0, picking=False):
+        """An object from vertices (n x 3), triangles (m x 3) and one part id a vertex or a triangle (0 = the body).
+
+        parts: a list of dicts with id and, as wanted, parent, joint_type, drag=(point, vector); None: every id."""
+        positions, indices = _array(positions, _POSITIONS, 3), _array(indices, _INDICES, 1)
+        part_ids = _array(part_ids, _PART_IDS, 1)
+        per_face = len(part_ids) != len(positions)
+        if per_face and len(part_ids) * 3 != len(indices):
+            raise ValueError(f"{len(part_ids)} part ids for {len(positions)} vertices and {len(indices) // 3} triangles")
+        mesh = _described(
+            s.MeshDesc, positions=positions.ctypes.data, vertex_count=len(positions), indices=indices.ctypes.data,
+            index_count=len(indices), part_ids=part_ids.ctypes.data,
+            position_format=_POSITIONS.index(positions.dtype), index_format=_INDICES.index(indices.dtype),
+            part_id_format=_PART_IDS.index(part_ids.dtype), part_id_scope=int(per_face))
+        rows = (s.PartDesc * len(parts or []))()
+        hints = []
+        for row, part in zip(rows, parts or []):
+            row.struct_size, row.id, row.parent = c.sizeof(s.PartDesc), part["id"], part.get("parent", 0)
+            row.joint_type = int(part.get("joint_type", 0))
+            if part.get("drag") is not None:
+                hints.append(_hint(part["drag"]))
+                row.drag = c.pointer(hints[-1])
+        desc = _described(s.ObjectDesc, flags=0 if picking else 1, mesh=c.pointer(mesh),
+                          parts=rows if parts else None, part_count=len(rows),
+                          model=model.handle if model else 0, seed=seed)
+        handle = c.c_uint64()
+        self.call("object_prepare", c.byref(desc), c.byref(handle))
+        return Object(self, handle)
+
+    def load_object(self, data, model=None):
+        """An object from the bytes that Object.save gave."""
+        handle = c.c_uint64()
+        self.call("object_load", data, c.c_size_t(len(data)), c.c_uint64(model.handle.value if model else 0),
+                  c.byref(handle))
+        return Object(self, handle)
+
+
+class Model:
+    """Loaded weights."""
+
+    def __init__(self, context, handle):
+        self.context, self.handle = context, handle
+
+    def unload(self):
+        self.context.call("model_unload", self.handle)
+
+
+class Object:
+    """A prepared object: parts and their joints."""
+
+    def __init__(self, context, handle):
+        self.context, self.handle = context, handle
+
+    def destroy(self):
+        self.context.call("object_destroy", self.handle)
+
+    def info(self):
+        info = _described(s.ObjectInfo)
+        self.context.call("object_get_info", self.handle, c.byref(info))
+        return info
+
+    def parts(self):
+        parts = []
+        for index in range(self.info().part_count):
+            parts.append(_described(s.PartInfo))
+            self.context.call("object_get_part", self.handle, c.c_uint32(index), c.byref(parts[-1]))
+        return parts
+
+    def joint(self, part_id):
+        """The joint in force."""
+        joint = s.Joint()
+        self.context.call("object_get_joint", self.handle, c.c_uint32(part_id), c.byref(joint))
+        return joint
+
+    def set_joint(self, part_id, joint):
+        self.context.call("object_set_joint", self.handle, c.c_uint32(part_id), c.byref(joint))
+
+    def hypotheses(self, part_id, drag=None):
+        """Ranked joints, best first; drag=(point, vector) ranks them anew."""
+        joints, count = (s.Joint * s.MAX_HYPOTHESES)(), c.c_uint32()
+        hint = c.byref(_hint(drag)) if drag is not None else None
+        self.context.call("object_get_hypotheses", self.handle, c.c_uint32(part_id), hint, joints,
+                          c.c_uint32(len(joints)), c.byref(count))
+        return list(joints[:count.value])
+
+    def refine(self, part_id, drag):
+        """Runs the kinematics pass again with a drag as evidence; the result is in force."""
+        self.context.call("object_refine", self.handle, c.c_uint32(part_id), c.byref(_hint(drag)))
+
+    def save(self):
+        """Bytes of a .dmo file."""
+        size = c.c_size_t()
+        self.context.call("object_save", self.handle, None, c.c_size_t(0), c.byref(size))
+        buffer = c.create_string_buffer(size.value)
+        self.context.call("object_save", self.handle, buffer, size, c.byref(size))
+        return buffer.raw[:size.value]
+
+    def motion(self, part_id, drag, path=None, seed=0):
+        """The DQ-VAE's motion for a drag=(point, vector), or for the path (n x 3) a pointer drew."""
+        desc = _described(s.MotionDesc, part_id=part_id, drag=_hint(drag), seed=seed)
+        if path is not None:
+            points = np.ascontiguousarray(path, np.float32).reshape(-1, 3)
+            desc.path, desc.path_count = points.ctypes.data, len(points)
+        handle = c.c_uint64()
+        self.context.call("motion_generate", self.handle, c.byref(desc), c.byref(handle))
+        return Motion(self.context, handle)
+
+    def drag(self, part_id, grab_point, start_value=0.0, smoothing_time=0.0, soft_limit=0.0):
+        """The player grabs the part at a point."""
+        desc = _described(s.DragDesc, part_id=part_id, object=self.handle, start_value=start_value,
+                          grab_point=s.Vec3(*map(float, grab_point)), feel=s.DragFeel(smoothing_time, soft_limit))
+        handle = c.c_uint64()
+        self.context.call("drag_begin", c.byref(desc), c.byref(handle))
+        return Drag(self.context, handle)
+
+
+class Motion:
+    """A generated motion: 16 key poses, sampled continuously."""
+
+    def __init__(self, context, handle):
+        self.context, self.handle = context, handle
+
+    def sample(self, t):
+        """(pose, joint value) at t in [0, 1]."""
+        pose, value = s.Pose(), c.c_float()
+        self.context.call("motion_sample", self.handle, c.c_float(t), c.byref(pose), c.byref(value))
+        return pose, value.value
+
+    def frames(self):
+        """The 16 key poses and their joint values."""
+        poses, values = (s.Pose * s.MOTION_FRAMES)(), (c.c_float * s.MOTION_FRAMES)()
+        self.context.call("motion_get_frames", self.handle, poses, values)
+        return list(poses), list(values)
+
+    def destroy(self):
+        self.context.call("motion_destroy", self.handle)
+
+
+class Drag:
+    """One player dragging one part."""
+
+    def __init__(self, context, handle):
+        self.context, self.handle = context, handle
+
+    def update(self, origin, direction, dt):
+        """The state after the pointer's ray of this frame; dt in seconds."""
+        ray, state = s.Ray(s.Vec3(*map(float, origin)), s.Vec3(*map(float, direction))), s.DragState()
+        self.context.call("drag_update", self.handle, c.byref(ray), c.c_float(dt), c.byref(state))
+        return state
+
+    def end(self):
+        """Lets go; the last state."""
+        state = s.DragState()
+        self.context.call("drag_end", self.handle, c.byref(state))
+        return state

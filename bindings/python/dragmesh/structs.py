@@ -1,0 +1,115 @@
+"""The structs of dragmesh.h in ctypes, field for field."""
+import ctypes as c
+
+MOTION_FRAMES = 16
+MAX_HYPOTHESES = 8
+
+
+class Vec3(c.Structure):
+    _fields_ = [("x", c.c_float), ("y", c.c_float), ("z", c.c_float)]
+
+    def __iter__(self):
+        return iter((self.x, self.y, self.z))
+
+
+class Pose(c.Structure):
+    """Unit dual quaternion: real and dual part, x, y, z, w each."""
+
+    _fields_ = [("real", c.c_float * 4), ("dual", c.c_float * 4)]
+
+
+class Ray(c.Structure):
+    _fields_ = [("origin", Vec3), ("direction", Vec3)]
+
+
+class Allocator(c.Structure):
+    _fields_ = [("user", c.c_void_p), ("allocate", c.c_void_p), ("release", c.c_void_p)]
+
+
+LOG_CALLBACK = c.CFUNCTYPE(None, c.c_void_p, c.c_int32, c.c_int32, c.c_char_p)
+
+
+class Log(c.Structure):
+    _fields_ = [("user", c.c_void_p), ("message", LOG_CALLBACK)]
+
+
+class Jobs(c.Structure):
+    _fields_ = [("user", c.c_void_p), ("parallel_for", c.c_void_p)]
+
+
+class ContextDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("axes", c.c_int32), ("unit_in_metres", c.c_float),
+                ("custom_axes", c.c_float * 9), ("allocator", Allocator), ("log", Log), ("jobs", Jobs)]
+
+
+class MemoryInfo(c.Structure):
+    _fields_ = [("bytes", c.c_uint64), ("peak_bytes", c.c_uint64), ("allocations", c.c_uint64),
+                ("pick_bytes", c.c_uint64)]
+
+
+class ModelDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("kinematics", c.c_char_p), ("kinematics_size", c.c_size_t),
+                ("motion", c.c_char_p), ("motion_size", c.c_size_t)]
+
+
+class MeshDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("position_stride", c.c_uint32), ("positions", c.c_void_p),
+                ("vertex_count", c.c_uint64), ("indices", c.c_void_p), ("index_count", c.c_uint64),
+                ("part_ids", c.c_void_p), ("part_id_stride", c.c_uint32), ("position_format", c.c_int32),
+                ("index_format", c.c_int32), ("part_id_format", c.c_int32), ("part_id_scope", c.c_int32)]
+
+
+class DragHint(c.Structure):
+    _fields_ = [("point", Vec3), ("vector", Vec3)]
+
+
+class PartDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("id", c.c_uint32), ("parent", c.c_uint32), ("joint_type", c.c_int32),
+                ("drag", c.POINTER(DragHint))]
+
+
+class Joint(c.Structure):
+    """How a part moves; see dm_joint."""
+
+    _fields_ = [("type", c.c_int32), ("type_confidence", c.c_float), ("confidence", c.c_float), ("pitch", c.c_float),
+                ("axis", Vec3), ("origin", Vec3), ("lower", c.c_float), ("upper", c.c_float), ("source", c.c_int32)]
+
+
+class ObjectDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("flags", c.c_uint32), ("mesh", c.POINTER(MeshDesc)),
+                ("parts", c.POINTER(PartDesc)), ("part_count", c.c_uint32), ("reserved", c.c_uint32),
+                ("model", c.c_uint64), ("seed", c.c_uint64), ("intent", c.c_void_p), ("intent_user", c.c_void_p),
+                ("progress", c.c_void_p), ("progress_user", c.c_void_p)]
+
+
+class ObjectInfo(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("part_count", c.c_uint32), ("vertex_count", c.c_uint64),
+                ("triangle_count", c.c_uint64), ("box_min", Vec3), ("box_max", Vec3), ("size", c.c_float),
+                ("pickable", c.c_uint32)]
+
+
+class PartInfo(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("id", c.c_uint32), ("parent", c.c_uint32),
+                ("triangle_count", c.c_uint32), ("box_min", Vec3), ("box_max", Vec3), ("centre", Vec3),
+                ("area", c.c_float)]
+
+
+class MotionDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("part_id", c.c_uint32), ("drag", DragHint), ("path", c.c_void_p),
+                ("path_count", c.c_uint32), ("seed", c.c_uint32)]
+
+
+class DragFeel(c.Structure):
+    _fields_ = [("smoothing_time", c.c_float), ("soft_limit", c.c_float)]
+
+
+class DragDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("part_id", c.c_uint32), ("object", c.c_uint64), ("grab_point", Vec3),
+                ("start_value", c.c_float), ("feel", DragFeel)]
+
+
+class DragState(c.Structure):
+    """Where a dragged part is; see dm_drag_state."""
+
+    _fields_ = [("pose", Pose), ("grab_point", Vec3), ("value", c.c_float), ("target", c.c_float),
+                ("velocity", c.c_float), ("at_limit", c.c_int32)]
