@@ -2,13 +2,18 @@
 #ifndef DMI_MOTION_DRAG_H
 #define DMI_MOTION_DRAG_H
 
-#include "math/joint.h"
+#include "motion/follow.h"
 
 typedef struct dmi_drag {
     dm_joint joint;      /* host object frame */
     float rest_point[3]; /* the grabbed point with the part at rest */
     dm_drag_feel feel;
     float value, target, velocity;
+    float speed;               /* how far the grabbed point goes a unit of the value */
+    float point[3];            /* where the grabbed point is */
+    float reach;               /* the value the pointer asks for before soft ends bring it into the limits */
+    dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
+    dmi_projection projection; /* perspective once rays of different directions have come */
 } dmi_drag;
 
 /* grab_point: where the grabbed point is with the joint at start_value. */
