@@ -92,9 +92,10 @@ program("dragmesh_cli", { "samples/dragmesh_cli/*.c" }, { "dragmesh", "dragmesh_
 program("dragmesh_generate", { "training/generate/*.c" },
     { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "m" })
 
-for _, source in ipairs(os.matchfiles("samples/*/main.c")) do
+for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
-    if name then program("sample_" .. name, { source }, { "dragmesh", "dl", "m" }, "/samples") end
+    local libraries = name == "dynamic_load" and { "dl" } or { "dragmesh", "m" }
+    if name then program("sample_" .. name, { source }, libraries, "/samples") end
 end
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------

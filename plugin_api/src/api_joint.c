@@ -99,9 +99,9 @@ static dm_result accept_joint(dmi_env* env, const dm_joint* given, dm_joint* out
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint.lower %g is above joint.upper %g",
                         (double)given->lower, (double)given->upper);
     }
-    if (length > 1e-6) {
-        out->axis = (dm_vec3){(float)(numbers[0] / length), (float)(numbers[1] / length), (float)(numbers[2] / length)};
-    }
+    const double inverse = length > 1e-6 ? 1.0 / length : 0.0;
+    out->axis = (dm_vec3){(float)(numbers[0] * inverse), (float)(numbers[1] * inverse), (float)(numbers[2] * inverse)};
+    if (inverse == 0.0) out->axis.y = 1.0f; /* a fixed joint's axis says nothing, but every joint has one */
     if (given->type == DM_JOINT_CONTINUOUS || given->type == DM_JOINT_FIXED) out->lower = out->upper = 0.0f;
     if (given->type != DM_JOINT_SCREW) out->pitch = 0.0f;
     out->type_confidence = out->confidence = 1.0f;

@@ -20,6 +20,7 @@ struct dmi_pool {
     dmi_env* env;
     atomic_flag lock;
     uint8_t kind;
+    uint32_t first_generation;        /* of every slot */
     uint32_t slot_count, chunk_count; /* under the lock */
     uint32_t first_free, first_live;
     _Atomic(slot*) chunks[CHUNK_COUNT];
@@ -52,12 +53,20 @@ static uint64_t make_handle(const dmi_pool* pool, uint32_t generation, uint32_t 
     return (uint64_t)pool->kind << 56 | (uint64_t)generation << 32 | index;
 }
 
+/* Another one for each pool of the process, spread out, so that a handle of one context is stale in all others. */
+static uint32_t pick_generation(void) {
+    static _Atomic uint32_t pools;
+    uint32_t number = atomic_fetch_add_explicit(&pools, 1, memory_order_relaxed);
+    return 1 + number * 0x9E3779B1u % GENERATION_MASK;
+}
+
 dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool) {
     dmi_pool* pool = dmi_alloc_zeroed(env, sizeof *pool, _Alignof(dmi_pool));
     if (pool == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "handle pool: no memory for %zu bytes", sizeof *pool);
     pool->env = env;
     pool->kind = kind;
+    pool->first_generation = pick_generation();
     pool->first_free = pool->first_live = NO_SLOT;
     atomic_flag_clear(&pool->lock);
     *out_pool = pool;
@@ -90,7 +99,7 @@ static dm_result add_chunk(dmi_pool* pool, uint32_t chunk) {
     size_t size = chunk_slots(chunk) * sizeof(slot);
     slot* slots = dmi_alloc_zeroed(pool->env, size, _Alignof(slot));
     if (slots == NULL) return dmi_fail(pool->env, DM_ERROR_OUT_OF_MEMORY, "handle pool: no memory for %zu bytes", size);
-    for (size_t i = 0; i < chunk_slots(chunk); i++) atomic_init(&slots[i].generation, 1);
+    for (size_t i = 0; i < chunk_slots(chunk); i++) atomic_init(&slots[i].generation, pool->first_generation);
     lock(pool);
     if (pool->chunk_count == chunk) {
         atomic_store_explicit(&pool->chunks[chunk], slots, memory_order_release);

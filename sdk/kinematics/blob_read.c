@@ -1,4 +1,5 @@
 /* .dmo bytes -> prepared object. The bytes may come from anywhere: each number is checked before it is used. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -81,7 +82,7 @@ static int valid_joint(const dm_joint* joint) {
                               joint->pitch,    joint->lower,    joint->upper};
     const float shares[2] = {joint->type_confidence - 0.5f, joint->confidence - 0.5f};
     return joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_FIXED &&
-           fabsf(a.x * a.x + a.y * a.y + a.z * a.z - 1.0f) <= 1e-3f && within(numbers, 6, 1e6f) &&
+           fabsf(a.x * a.x + a.y * a.y + a.z * a.z - 1.0f) <= 1e-3f && within(numbers, 6, FLT_MAX) &&
            joint->lower <= joint->upper && within(shares, 2, 0.5f) && joint->source >= DM_JOINT_FROM_NETWORK &&
            joint->source <= DM_JOINT_FROM_HOST;
 }

@@ -17,12 +17,12 @@ static void handles_have_the_documented_layout(void** state) {
     assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
     assert_int_equal(dmi_pool_insert(pool, &items[0], &a), DM_OK);
     assert_int_equal(dmi_pool_insert(pool, &items[1], &b), DM_OK);
-    assert_int_equal(a, (uint64_t)KIND << 56 | (uint64_t)1 << 32 | 0);
-    assert_int_equal(b, (uint64_t)KIND << 56 | (uint64_t)1 << 32 | 1);
+    assert_int_equal(a, (uint64_t)KIND << 56 | (uint64_t)pool->first_generation << 32 | 0);
+    assert_int_equal(b, a + 1);
     assert_ptr_equal(dmi_pool_get(pool, a), &items[0]);
     assert_ptr_equal(dmi_pool_remove(pool, a), &items[0]);
     assert_int_equal(dmi_pool_insert(pool, &items[2], &c), DM_OK);
-    assert_int_equal(c, (uint64_t)KIND << 56 | (uint64_t)2 << 32 | 0); /* same slot, next generation */
+    assert_int_equal(c, a + ((uint64_t)1 << 32)); /* same slot, next generation */
     assert_null(dmi_pool_get(pool, a));
     assert_null(dmi_pool_remove(pool, a));
     assert_ptr_equal(dmi_pool_get(pool, c), &items[2]);
@@ -79,6 +79,27 @@ static void thousands_live_side_by_side(void** state) {
     }
     assert_int_equal(left, COUNT - (COUNT + 2) / 3);
     dmi_pool_destroy(pool);
+    test_env_close(&t);
+}
+
+/* A handle of one context must not name something in another. */
+static void pools_start_at_different_generations(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool *pool = NULL, *other = NULL;
+    int item;
+    uint64_t handle = 0, twin = 0;
+    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    assert_int_equal(dmi_pool_create(&t.env, KIND, &other), DM_OK);
+    dmi_pool_insert(pool, &item, &handle);
+    dmi_pool_insert(other, &item, &twin);
+    assert_null(dmi_pool_get(other, handle));
+    assert_null(dmi_pool_get(pool, twin));
+    dmi_pool_remove(pool, handle);
+    dmi_pool_remove(other, twin);
+    dmi_pool_destroy(pool);
+    dmi_pool_destroy(other);
     test_env_close(&t);
 }
 
@@ -192,6 +213,7 @@ int main(void) {
         cmocka_unit_test(handles_have_the_documented_layout),
         cmocka_unit_test(wrong_handles_find_nothing),
         cmocka_unit_test(thousands_live_side_by_side),
+        cmocka_unit_test(pools_start_at_different_generations),
         cmocka_unit_test(generations_skip_zero),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(threads_do_not_disturb_each_other),

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# tests/abi/symbols.sh BUILD_FOLDER — the shared libraries export what they promise and nothing else, and the core calls
+# nothing that a library must not: no thread, no print, no exit.
+set -euo pipefail
+folder=$1
+cd "$(dirname "$0")/../.."
+failed=0
+
+complain() {
+    printf '%s\n' "$@" >&2
+    failed=1
+}
+
+exported() {
+    nm -D --defined-only "$1" | awk '{ print $NF }' | sort
+}
+
+# libdragmesh.so: every function of dragmesh.h, and each of them in the version script.
+promised=$( (echo dm_get_interface && sed -n 's/^ *X([^,]*, \([a-z_]*\),.*/dm_\1/p' plugin_api/include/dragmesh/dragmesh.h) | sort)
+listed=$(sed -n 's/^ *\(dm_[a-z_]*\);$/\1/p' plugin_api/dragmesh.map | sort)
+actual=$(exported "$folder/libdragmesh.so")
+[ "$promised" = "$listed" ] ||
+    complain "plugin_api/dragmesh.map (>) is not DM_CORE_FUNCTIONS (<):" "$(diff <(echo "$promised") <(echo "$listed"))"
+[ "$promised" = "$actual" ] ||
+    complain "the exports of libdragmesh.so (>) are not DM_CORE_FUNCTIONS (<):" "$(diff <(echo "$promised") <(echo "$actual"))"
+
+# libdragmesh_gltf.so: dm_gltf_* alone, so that no C++ leaks out.
+actual=$(exported "$folder/libdragmesh_gltf.so")
+[ -n "$actual" ] || complain "libdragmesh_gltf.so exports nothing"
+others=$(echo "$actual" | grep -v '^dm_gltf_' || true)
+[ -z "$others" ] || complain "libdragmesh_gltf.so also exports:" "$others"
+
+calls=$(nm -A --undefined-only "$folder/lib/libdragmesh_core.a" |
+    grep -E ' (pthread_create|thrd_create|printf|fprintf|puts|putchar|abort|exit|_exit|fork|system)$' || true)
+[ -z "$calls" ] || complain "the core must not call:" "$calls"
+exit $failed

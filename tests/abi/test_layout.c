@@ -1,0 +1,314 @@
+/* The binary interface: sizes and offsets, values, and the order of the function table, against a file in golden/. That
+ * file may only grow: a line that changes or moves breaks programs that were built before. After adding to the
+ * interface:
+ *
+ *     build/release/tests/test_layout write */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "dragmesh/dragmesh.h"
+
+#define GOLDEN "tests/abi/golden/lp64.txt" /* 64-bit pointers, as on every desktop and console of today */
+
+typedef struct layout_line {
+    const char *type, *field; /* field NULL: the struct itself */
+    size_t size, offset;
+} layout_line;
+
+#define S(type)                                                                                                        \
+    { #type, NULL, sizeof(type), 0 }
+#define F(type, field)                                                                                                 \
+    { #type, #field, sizeof(((type*)0)->field), offsetof(type, field) }
+static const layout_line layout[] = {
+    S(dm_vec3),
+    F(dm_vec3, x),
+    F(dm_vec3, y),
+    F(dm_vec3, z),
+    S(dm_pose),
+    F(dm_pose, real),
+    F(dm_pose, dual),
+    S(dm_ray),
+    F(dm_ray, origin),
+    F(dm_ray, direction),
+    S(dm_allocator),
+    F(dm_allocator, user),
+    F(dm_allocator, allocate),
+    F(dm_allocator, release),
+    S(dm_log),
+    F(dm_log, user),
+    F(dm_log, message),
+    S(dm_jobs),
+    F(dm_jobs, user),
+    F(dm_jobs, parallel_for),
+    S(dm_context_desc),
+    F(dm_context_desc, struct_size),
+    F(dm_context_desc, axes),
+    F(dm_context_desc, unit_in_metres),
+    F(dm_context_desc, custom_axes),
+    F(dm_context_desc, allocator),
+    F(dm_context_desc, log),
+    F(dm_context_desc, jobs),
+    S(dm_memory_info),
+    F(dm_memory_info, bytes),
+    F(dm_memory_info, peak_bytes),
+    F(dm_memory_info, allocations),
+    F(dm_memory_info, pick_bytes),
+    S(dm_model_desc),
+    F(dm_model_desc, struct_size),
+    F(dm_model_desc, kinematics),
+    F(dm_model_desc, kinematics_size),
+    F(dm_model_desc, motion),
+    F(dm_model_desc, motion_size),
+    F(dm_model_desc, ranker),
+    F(dm_model_desc, ranker_size),
+    S(dm_mesh_desc),
+    F(dm_mesh_desc, struct_size),
+    F(dm_mesh_desc, position_stride),
+    F(dm_mesh_desc, positions),
+    F(dm_mesh_desc, vertex_count),
+    F(dm_mesh_desc, indices),
+    F(dm_mesh_desc, index_count),
+    F(dm_mesh_desc, part_ids),
+    F(dm_mesh_desc, part_id_stride),
+    F(dm_mesh_desc, position_format),
+    F(dm_mesh_desc, index_format),
+    F(dm_mesh_desc, part_id_format),
+    F(dm_mesh_desc, part_id_scope),
+    F(dm_mesh_desc, reserved),
+    S(dm_drag_hint),
+    F(dm_drag_hint, point),
+    F(dm_drag_hint, vector),
+    S(dm_part_desc),
+    F(dm_part_desc, struct_size),
+    F(dm_part_desc, id),
+    F(dm_part_desc, parent),
+    F(dm_part_desc, joint_type),
+    F(dm_part_desc, drag),
+    S(dm_joint),
+    F(dm_joint, type),
+    F(dm_joint, type_confidence),
+    F(dm_joint, confidence),
+    F(dm_joint, pitch),
+    F(dm_joint, axis),
+    F(dm_joint, origin),
+    F(dm_joint, lower),
+    F(dm_joint, upper),
+    F(dm_joint, source),
+    S(dm_object_desc),
+    F(dm_object_desc, struct_size),
+    F(dm_object_desc, flags),
+    F(dm_object_desc, mesh),
+    F(dm_object_desc, parts),
+    F(dm_object_desc, part_count),
+    F(dm_object_desc, reserved),
+    F(dm_object_desc, model),
+    F(dm_object_desc, seed),
+    F(dm_object_desc, intent),
+    F(dm_object_desc, intent_user),
+    F(dm_object_desc, progress),
+    F(dm_object_desc, progress_user),
+    S(dm_object_info),
+    F(dm_object_info, struct_size),
+    F(dm_object_info, part_count),
+    F(dm_object_info, vertex_count),
+    F(dm_object_info, triangle_count),
+    F(dm_object_info, box_min),
+    F(dm_object_info, box_max),
+    F(dm_object_info, size),
+    F(dm_object_info, pickable),
+    S(dm_part_info),
+    F(dm_part_info, struct_size),
+    F(dm_part_info, id),
+    F(dm_part_info, parent),
+    F(dm_part_info, triangle_count),
+    F(dm_part_info, box_min),
+    F(dm_part_info, box_max),
+    F(dm_part_info, centre),
+    F(dm_part_info, area),
+    S(dm_motion_desc),
+    F(dm_motion_desc, struct_size),
+    F(dm_motion_desc, part_id),
+    F(dm_motion_desc, drag),
+    F(dm_motion_desc, path),
+    F(dm_motion_desc, path_count),
+    F(dm_motion_desc, seed),
+    S(dm_drag_feel),
+    F(dm_drag_feel, smoothing_time),
+    F(dm_drag_feel, soft_limit),
+    S(dm_drag_desc),
+    F(dm_drag_desc, struct_size),
+    F(dm_drag_desc, part_id),
+    F(dm_drag_desc, object),
+    F(dm_drag_desc, grab_point),
+    F(dm_drag_desc, start_value),
+    F(dm_drag_desc, feel),
+    S(dm_drag_state),
+    F(dm_drag_state, pose),
+    F(dm_drag_state, grab_point),
+    F(dm_drag_state, value),
+    F(dm_drag_state, target),
+    F(dm_drag_state, velocity),
+    F(dm_drag_state, at_limit),
+    S(dm_camera),
+    F(dm_camera, struct_size),
+    F(dm_camera, fov_y),
+    F(dm_camera, eye),
+    F(dm_camera, forward),
+    F(dm_camera, up),
+    F(dm_camera, width),
+    F(dm_camera, height_px),
+    F(dm_camera, height),
+    S(dm_scene_desc),
+    F(dm_scene_desc, struct_size),
+    F(dm_scene_desc, reserved),
+    S(dm_hit),
+    F(dm_hit, object),
+    F(dm_hit, instance),
+    F(dm_hit, part_id),
+    F(dm_hit, triangle),
+    F(dm_hit, distance),
+    F(dm_hit, u),
+    F(dm_hit, v),
+    F(dm_hit, point),
+    F(dm_hit, normal),
+    F(dm_hit, object_point),
+};
+
+typedef struct value_line {
+    const char* name;
+    int value;
+} value_line;
+
+#define V(name)                                                                                                        \
+    { #name, name }
+static const value_line values[] = {V(DM_OK),
+                                    V(DM_ERROR_INVALID_ARGUMENT),
+                                    V(DM_ERROR_STRUCT_SIZE),
+                                    V(DM_ERROR_STALE_HANDLE),
+                                    V(DM_ERROR_OUT_OF_MEMORY),
+                                    V(DM_ERROR_NOT_FINITE),
+                                    V(DM_ERROR_INDEX_OUT_OF_RANGE),
+                                    V(DM_ERROR_EMPTY_MASK),
+                                    V(DM_ERROR_FULL_MASK),
+                                    V(DM_ERROR_DEGENERATE_MESH),
+                                    V(DM_ERROR_ZERO_DRAG),
+                                    V(DM_ERROR_DRAG_OFF_PART),
+                                    V(DM_ERROR_BAD_DATA),
+                                    V(DM_ERROR_WRONG_MODEL),
+                                    V(DM_ERROR_VERSION),
+                                    V(DM_ERROR_CANCELLED),
+                                    V(DM_ERROR_NO_MODEL),
+                                    V(DM_ERROR_TOO_LARGE),
+                                    V(DM_ERROR_BUFFER_TOO_SMALL),
+                                    V(DM_ERROR_NOT_FOUND),
+                                    V(DM_ERROR_UNSUPPORTED),
+                                    V(DM_ERROR_INTERNAL),
+                                    V(DM_LOG_ERROR),
+                                    V(DM_LOG_WARNING),
+                                    V(DM_LOG_INFO),
+                                    V(DM_AXES_GLTF),
+                                    V(DM_AXES_UNITY),
+                                    V(DM_AXES_UNREAL),
+                                    V(DM_AXES_BLENDER),
+                                    V(DM_AXES_CUSTOM),
+                                    V(DM_JOINT_UNKNOWN),
+                                    V(DM_JOINT_REVOLUTE),
+                                    V(DM_JOINT_PRISMATIC),
+                                    V(DM_JOINT_SCREW),
+                                    V(DM_JOINT_CONTINUOUS),
+                                    V(DM_JOINT_FIXED),
+                                    V(DM_FLOAT32),
+                                    V(DM_FLOAT64),
+                                    V(DM_UINT32),
+                                    V(DM_UINT16),
+                                    V(DM_UINT8),
+                                    V(DM_INT32),
+                                    V(DM_PER_VERTEX),
+                                    V(DM_PER_FACE),
+                                    V(DM_JOINT_FROM_NETWORK),
+                                    V(DM_JOINT_FROM_GEOMETRY),
+                                    V(DM_JOINT_FROM_HOST),
+                                    V(DM_PREPARE_WITHOUT_PICKING),
+                                    V(DM_MOTION_FRAMES),
+                                    V(DM_MAX_HYPOTHESES),
+                                    V(DM_MAX_PARTS),
+                                    V(DM_MAX_ELEMENTS)};
+
+#define T(result, name, arguments) #name " " #result " " #arguments,
+static const char* const table[] = {DM_CORE_FUNCTIONS(T)};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static void write_layout(FILE* out) {
+    for (size_t i = 0; i < COUNT(table); i++) fprintf(out, "dm.core/1 %zu %s\n", i, table[i]);
+    for (size_t i = 0; i < COUNT(layout); i++) {
+        const layout_line* line = &layout[i];
+        if (!line->field)
+            fprintf(out, "%s %zu bytes\n", line->type, line->size);
+        else
+            fprintf(out, "%s.%s at %zu, %zu bytes\n", line->type, line->field, line->offset, line->size);
+    }
+    for (size_t i = 0; i < COUNT(values); i++) fprintf(out, "%s = %d\n", values[i].name, values[i].value);
+}
+
+static void test_layout_is_that_of_the_golden_file(void** state) {
+    (void)state;
+    FILE *golden = fopen(GOLDEN, "r"), *now = tmpfile();
+    if (!golden) fail_msg("no %s: run the tests from the repository's root", GOLDEN);
+    assert_non_null(now);
+    write_layout(now);
+    rewind(now);
+    char was[512], is[512];
+    while (fgets(was, sizeof was, golden)) {
+        if (!fgets(is, sizeof is, now)) is[0] = 0;
+        assert_string_equal(is, was);
+    }
+    assert_null(fgets(is, sizeof is, now)); /* something new: write it down */
+    fclose(golden);
+    fclose(now);
+}
+
+/* Bytes that belong to no field: inside a struct they are harmless, but after the last field of a struct that may grow
+ * they would become part of a new field, with an old caller's garbage in them. */
+static void test_growing_structs_end_with_a_field(void** state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT(layout); i++) {
+        if (layout[i].field) continue;
+        size_t last = i;
+        while (last + 1 < COUNT(layout) && layout[last + 1].field) last++;
+        if (strcmp(layout[i + 1].field, "struct_size") != 0) continue;
+        if (layout[last].offset + layout[last].size != layout[i].size) fail_msg("%s ends with padding", layout[i].type);
+    }
+}
+
+static void test_table_holds_the_linked_functions(void** state) {
+    (void)state;
+    const dm_core_1* core = dm_get_interface("dm.core/1");
+    assert_non_null(core);
+    assert_int_equal(core->struct_size, sizeof(dm_core_1));
+#define SAME(result, name, arguments) assert_true(core->name == dm_##name);
+    DM_CORE_FUNCTIONS(SAME)
+    assert_null(dm_get_interface("dm.core/2"));
+    assert_null(dm_get_interface(""));
+    assert_null(dm_get_interface(NULL));
+}
+
+int main(int argc, char** argv) {
+    if (argc == 2 && strcmp(argv[1], "write") == 0) {
+        FILE* golden = fopen(GOLDEN, "w");
+        if (golden) write_layout(golden);
+        return golden ? fclose(golden) : 1;
+    }
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_layout_is_that_of_the_golden_file),
+        cmocka_unit_test(test_growing_structs_end_with_a_field),
+        cmocka_unit_test(test_table_holds_the_linked_functions),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
