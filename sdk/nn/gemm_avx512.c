@@ -16,7 +16,8 @@ static const float zeros[8 * DMI_PANEL];
 /* Which columns of the panel that starts at `first` exist. */
 TARGET_INLINE __mmask16 columns_mask(const dmi_gemm* gemm, uint32_t first) {
     const uint32_t left = gemm->columns - first;
-    return left >= DMI_PANEL ? (__mmask16)0xffff : (__mmask16)((1u << left) - 1u);
+    const uint32_t bits = left >= DMI_PANEL ? 0xffffu : (1u << left) - 1u;
+    return (__mmask16)bits;
 }
 
 /* `rows` and `panels` are constants where this is inlined: the sums stay in registers, as long as no loop over them has
@@ -41,7 +42,7 @@ TARGET_INLINE void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, cons
         const __mmask16 mask = i % panels == panels - 1 ? last : full;
         float* out = y + i / panels * y_stride + i % panels * DMI_PANEL;
         const __m512 value = _mm512_max_ps(floor, sum[i]);
-        _mm512_mask_storeu_ps(out, mask, _mm512_add_ps(value, _mm512_maskz_loadu_ps(mask & old, out)));
+        _mm512_mask_storeu_ps(out, mask, _mm512_add_ps(value, _mm512_maskz_loadu_ps((__mmask16)(mask & old), out)));
     }
 }
 

@@ -1,0 +1,52 @@
+/* KPP-Net in C against PyTorch: the shipped weights, the same inputs, every kernel path of this machine. */
+#include "golden.h"
+
+#include "kinematics/kpp_net.h"
+
+static void compare(const dmi_kpp_net* net, dmi_isa isa, const char* name, const dmi_weights* golden) {
+    dmi_kpp_input* input = calloc(1, sizeof *input);
+    dmi_kpp_output output;
+    char where[64];
+    snprintf(where, sizeof where, "%s %s", name, dmi_isa_name(isa));
+    golden_copy(golden, "global_points", DMI_KPP_GLOBAL_GROUPS * DMI_KPP_GROUP, DMI_KPP_CHANNELS, input->global_points);
+    golden_copy(golden, "global_centres", DMI_KPP_GLOBAL_GROUPS, 3, input->global_centres);
+    golden_copy(golden, "local_points", DMI_KPP_LOCAL_GROUPS * DMI_KPP_GROUP, DMI_KPP_CHANNELS, input->local_points);
+    golden_copy(golden, "local_centres", DMI_KPP_LOCAL_GROUPS, 3, input->local_centres);
+    void* scratch = aligned_alloc(64, (dmi_kpp_net_scratch_size(net) + 63) / 64 * 64);
+    dmi_kpp_net_forward(net, isa, input, scratch, &output);
+    golden_compare(golden, "type_logits", DMI_KPP_TYPES, 0, output.type_logits, GOLDEN_TOLERANCE, where);
+    golden_compare(golden, "turn_axis", 3, 0, output.turn_axis, GOLDEN_TOLERANCE, where);
+    golden_compare(golden, "slide_axis", 3, 0, output.slide_axis, GOLDEN_TOLERANCE, where);
+    golden_compare(golden, "origin", 3, 0, output.origin, GOLDEN_TOLERANCE, where);
+    golden_compare(golden, "limits", 5, 0, output.limits, GOLDEN_TOLERANCE, where);
+    free(scratch);
+    free(input);
+}
+
+static void answers_as_pytorch(void** state) {
+    const char* name = *state;
+    char path[128];
+    test_env t;
+    dmi_kpp_net* net = NULL;
+    dmi_weights* golden = NULL;
+    snprintf(path, sizeof path, "tests/golden/data/%s.safetensors", name);
+    golden_file answers = golden_read(path), weights = golden_read("sdk/models/kpp_net.safetensors");
+    test_env_open(&t, TEST_NEVER);
+    assert_int_equal(dmi_kpp_net_load(&t.env, weights.data, weights.size, &net), DM_OK);
+    assert_int_equal(dmi_weights_open(&t.env, answers.data, answers.size, "dragmesh-golden-kpp", 1, &golden), DM_OK);
+    for (dmi_isa isa = DMI_ISA_SCALAR; isa <= DMI_ISA_NEON; ++isa)
+        if (dmi_kernels_usable(isa)) compare(net, isa, name, golden);
+    dmi_weights_close(golden);
+    dmi_kpp_net_destroy(net);
+    test_env_close(&t);
+    free(answers.data);
+    free(weights.data);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        {"with a drag", answers_as_pytorch, NULL, NULL, "kpp_drag"},
+        {"without a drag", answers_as_pytorch, NULL, NULL, "kpp_free"},
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,223 @@
+/* Safetensors: right files are read, wrong ones named, whatever is wrong with them. */
+#include "test_env.h"
+
+#include "nn/weights.h"
+#include "test_safetensors.h"
+
+#define META "\"__metadata__\":{\"architecture\":\"net\",\"version\":\"1\",\"commit\":\"abc\"}"
+#define MATRIX "\"m\":{\"dtype\":\"F32\",\"shape\":[2,3],\"data_offsets\":[0,24]}"
+#define VECTOR "\"v\":{\"dtype\":\"F32\",\"shape\":[4],\"data_offsets\":[24,40]}"
+#define NUMBERS 10 /* of MATRIX and VECTOR */
+
+static dm_result open_file(test_file file) {
+    test_env t;
+    dmi_weights* weights = NULL;
+    test_env_open(&t, TEST_NEVER);
+    const dm_result result = dmi_weights_open(&t.env, file.data, file.size, "net", 2, &weights);
+    assert_int_equal(weights != NULL, result == DM_OK);
+    assert_int_equal(t.messages.count > 0, result != DM_OK);
+    dmi_weights_close(weights);
+    test_env_close(&t);
+    return result;
+}
+
+static dm_result open_header(const char* header, size_t numbers) {
+    test_file file = test_file_of(header, numbers);
+    const dm_result result = open_file(file);
+    free(file.data);
+    return result;
+}
+
+static void tensors_are_found_by_name_and_shape(void** state) {
+    (void)state;
+    test_env t;
+    dmi_weights* weights = NULL;
+    test_file file = test_file_of("{" VECTOR "," META "," MATRIX "}  ", NUMBERS);
+    test_env_open(&t, TEST_NEVER);
+    assert_int_equal(dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights), DM_OK);
+    float number;
+    memcpy(&number, (const void*)dmi_weights_find(weights, "m", 2, 3), sizeof number);
+    assert_true(number == 0.0f);
+    memcpy(&number, (const void*)dmi_weights_find(weights, "v", 4, 0), sizeof number);
+    assert_true(number == 6.0f);
+    assert_int_equal(t.messages.count, 0);
+    assert_null(dmi_weights_find(weights, "m", 3, 2));
+    assert_null(dmi_weights_find(weights, "m", 6, 0));
+    assert_null(dmi_weights_find(weights, "v", 4, 1));
+    assert_null(dmi_weights_find(weights, "w", 4, 0));
+    assert_int_equal(t.messages.count, 4);
+    assert_string_equal(dmi_weights_metadata(weights, "commit"), "abc");
+    assert_null(dmi_weights_metadata(weights, "author"));
+    dmi_weights_close(weights);
+    test_env_close(&t);
+    free(file.data);
+}
+
+static void any_address_will_do(void** state) {
+    (void)state;
+    test_file file = test_file_of("{" META "," MATRIX "," VECTOR "}", NUMBERS);
+    unsigned char* moved = malloc(file.size + 8);
+    for (size_t shift = 0; shift < 8; ++shift) {
+        memcpy(moved + shift, file.data, file.size);
+        assert_int_equal(open_file((test_file){moved + shift, file.size}), DM_OK);
+    }
+    free(moved);
+    free(file.data);
+}
+
+static void every_truncation_is_an_error(void** state) {
+    (void)state;
+    test_file file = test_file_of("{" META "," MATRIX "," VECTOR "}", NUMBERS);
+    for (size_t size = 0; size < file.size; ++size) {
+        unsigned char* cut = malloc(size + 1); /* an own block: a read past its end is seen */
+        memcpy(cut, file.data, size);
+        assert_int_equal(open_file((test_file){cut, size}), DM_ERROR_BAD_DATA);
+        free(cut);
+    }
+    assert_int_equal(open_file(file), DM_OK);
+    free(file.data);
+}
+
+static void header_lengths_are_checked(void** state) {
+    (void)state;
+    test_file file = test_file_of("{" META "}", 0);
+    static const unsigned char lengths[][8] = {
+        {0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff},
+        {0, 0, 0, 0, 0, 0, 0, 0x80},
+        {0xf8, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff},
+        {0, 0, 0, 0, 0, 0, 0, 0},
+    };
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; ++i) {
+        memcpy(file.data, lengths[i], 8);
+        assert_int_equal(open_file(file), DM_ERROR_BAD_DATA);
+    }
+    free(file.data);
+}
+
+static void a_header_of_megabytes_is_refused(void** state) {
+    (void)state;
+    const size_t size = (size_t)3 << 20;
+    char* header = malloc(size + 1);
+    memset(header, ' ', size);
+    header[0] = '{';
+    memcpy(header + 1, META, strlen(META));
+    header[size - 1] = '}';
+    header[size] = 0;
+    assert_int_equal(open_header(header, 0), DM_ERROR_BAD_DATA);
+    free(header);
+}
+
+static void wrong_headers_are_errors(void** state) {
+    (void)state;
+    static const char* const headers[] = {
+        "",
+        "[]",
+        "{" META,
+        "{" META "} x",
+        "{" META "}{}",
+        "null",
+        "{" META "," META "}",
+        "{\"__metadata__\":[]}",
+        "{" META ",\"m\":1}",
+        "{" META ",\"m\":{}}",
+        "{" META ",\"m\":{\"dtype\":\"F16\",\"shape\":[1],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":1,\"shape\":[1],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[\"1\"],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[-1],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1.5],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1e300],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[4294967295,4294967295,4294967295],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1,1,1,1,1,1,1,1,1],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[0]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[0,4,8]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[4,0]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[-4,0]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[0.5,4.5]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[2],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[2],\"data_offsets\":[0,8]}}",
+        "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[1e18,1e18]}}",
+    };
+    for (size_t i = 0; i < sizeof headers / sizeof headers[0]; ++i)
+        if (open_header(headers[i], 1) != DM_ERROR_BAD_DATA) fail_msg("accepted: %s", headers[i]);
+    assert_int_equal(open_header("{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[0,4]}}", 1),
+                     DM_OK);
+}
+
+static void tensors_must_tile_the_file(void** state) {
+    (void)state;
+    const char* overlap = "\"v\":{\"dtype\":\"F32\",\"shape\":[4],\"data_offsets\":[20,36]}";
+    const char* hole = "\"v\":{\"dtype\":\"F32\",\"shape\":[4],\"data_offsets\":[28,44]}";
+    const char* same_name = "\"m\":{\"dtype\":\"F32\",\"shape\":[4],\"data_offsets\":[24,40]}";
+    char header[512];
+    snprintf(header, sizeof header, "{%s,%s,%s}", META, MATRIX, overlap);
+    assert_int_equal(open_header(header, 9), DM_ERROR_BAD_DATA);
+    snprintf(header, sizeof header, "{%s,%s,%s}", META, MATRIX, hole);
+    assert_int_equal(open_header(header, 11), DM_ERROR_BAD_DATA);
+    snprintf(header, sizeof header, "{%s,%s,%s}", META, MATRIX, same_name);
+    assert_int_equal(open_header(header, NUMBERS), DM_ERROR_BAD_DATA);
+    snprintf(header, sizeof header, "{%s,%s,%s}", META, MATRIX, VECTOR);
+    assert_int_equal(open_header(header, NUMBERS + 1), DM_ERROR_BAD_DATA); /* bytes that no tensor owns */
+    assert_int_equal(open_header(header, NUMBERS), DM_OK);
+}
+
+static void architecture_and_version_decide(void** state) {
+    (void)state;
+    static const struct {
+        const char* metadata;
+        dm_result result;
+    } cases[] = {
+        {"{\"architecture\":\"net\",\"version\":\"2\"}", DM_OK},
+        {"{\"architecture\":\"net\",\"version\":\"3\"}", DM_ERROR_VERSION},
+        {"{\"architecture\":\"net\",\"version\":\"99999999999999999999\"}", DM_ERROR_VERSION},
+        {"{\"architecture\":\"net\",\"version\":\"0\"}", DM_ERROR_BAD_DATA},
+        {"{\"architecture\":\"net\",\"version\":\"1x\"}", DM_ERROR_BAD_DATA},
+        {"{\"architecture\":\"net\",\"version\":\"\"}", DM_ERROR_BAD_DATA},
+        {"{\"architecture\":\"net\",\"version\":1}", DM_ERROR_BAD_DATA},
+        {"{\"architecture\":\"net\"}", DM_ERROR_BAD_DATA},
+        {"{\"architecture\":\"other\",\"version\":\"1\"}", DM_ERROR_WRONG_MODEL},
+        {"{\"architecture\":7,\"version\":\"1\"}", DM_ERROR_WRONG_MODEL},
+        {"{}", DM_ERROR_WRONG_MODEL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        char header[256];
+        snprintf(header, sizeof header, "{\"__metadata__\":%s}", cases[i].metadata);
+        if (open_header(header, 0) != cases[i].result) fail_msg("wrong result: %s", header);
+    }
+    assert_int_equal(open_header("{}", 0), DM_ERROR_WRONG_MODEL);
+}
+
+static void any_allocation_may_fail(void** state) {
+    (void)state;
+    test_file file = test_file_of("{" META "," MATRIX "," VECTOR "}", NUMBERS);
+    dm_result result = DM_ERROR_OUT_OF_MEMORY;
+    int64_t fail_at = 0;
+    for (; result != DM_OK; ++fail_at) {
+        test_env t;
+        dmi_weights* weights = NULL;
+        test_env_open(&t, fail_at);
+        result = dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights);
+        assert_true(result == DM_OK || result == DM_ERROR_OUT_OF_MEMORY);
+        dmi_weights_close(weights);
+        test_env_close(&t);
+    }
+    assert_true(fail_at > 2);
+    free(file.data);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tensors_are_found_by_name_and_shape),
+        cmocka_unit_test(any_address_will_do),
+        cmocka_unit_test(every_truncation_is_an_error),
+        cmocka_unit_test(header_lengths_are_checked),
+        cmocka_unit_test(a_header_of_megabytes_is_refused),
+        cmocka_unit_test(wrong_headers_are_errors),
+        cmocka_unit_test(tensors_must_tile_the_file),
+        cmocka_unit_test(architecture_and_version_decide),
+        cmocka_unit_test(any_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
