@@ -31,6 +31,21 @@ static inline golden_file golden_read(const char* path) {
     return file;
 }
 
+/* Opens a file of answers, which must be of these weights. */
+static inline dmi_weights* golden_open(dmi_env* env, golden_file answers, const char* architecture,
+                                       golden_file weights) {
+    dmi_weights* golden = NULL;
+    uint64_t hash = 0xcbf29ce484222325u; /* FNV-1a */
+    char mark[17];
+    for (size_t i = 0; i < weights.size; ++i) hash = (hash ^ ((const uint8_t*)weights.data)[i]) * 0x100000001b3u;
+    snprintf(mark, sizeof mark, "%016llx", (unsigned long long)hash);
+    assert_int_equal(dmi_weights_open(env, answers.data, answers.size, architecture, 1, &golden), DM_OK);
+    const char* made_with = dmi_weights_metadata(golden, "weights");
+    if (!made_with || strcmp(made_with, mark) != 0)
+        fail_msg("answers of other weights: run tests/golden/make_golden.py");
+    return golden;
+}
+
 static inline void golden_copy(const dmi_weights* golden, const char* name, uint32_t rows, uint32_t cols, void* out) {
     const float* values = dmi_weights_find(golden, name, rows, cols);
     if (!values) fail_msg("no tensor %s of %u x %u", name, rows, cols);
@@ -51,6 +66,33 @@ static inline void golden_compare(const dmi_weights* golden, const char* name, u
         worst = fmaxf(worst, difference);
     }
     print_message("%s: %s differs by %.2g at most\n", where, name, (double)worst);
+}
+
+/* Loads and destroys a network. */
+typedef dm_result golden_loader(dmi_env* env, const void* data, size_t size);
+
+static inline dm_result golden_load(golden_loader* loader, golden_file file, int64_t fail_at) {
+    test_env t;
+    test_env_open(&t, fail_at);
+    const dm_result result = loader(&t.env, file.data, file.size);
+    assert_int_equal(t.messages.count > 0, result != DM_OK);
+    test_env_close(&t);
+    return result;
+}
+
+/* Loading fails by name, leaking nothing: without memory, without one of its layers, with another network's file. */
+static inline void golden_check_loading(golden_loader* loader, const char* own, const char* other, const char* layer) {
+    golden_file file = golden_read(own), foreign = golden_read(other);
+    int64_t fail_at = 0;
+    while (golden_load(loader, file, fail_at) == DM_ERROR_OUT_OF_MEMORY) fail_at++;
+    assert_int_equal(golden_load(loader, file, fail_at), DM_OK);
+    assert_int_equal(golden_load(loader, foreign, TEST_NEVER), DM_ERROR_WRONG_MODEL);
+    char* name = memmem(file.data, file.size, layer, strlen(layer));
+    assert_non_null(name);
+    *name = '?';
+    assert_int_equal(golden_load(loader, file, TEST_NEVER), DM_ERROR_BAD_DATA);
+    free(file.data);
+    free(foreign.data);
 }
 
 #endif

@@ -32,8 +32,16 @@ def read_safetensors(path):
             for name, entry in header.items()}
 
 
-def write_safetensors(path, tensors, architecture):
-    header, body = {"__metadata__": {"architecture": architecture, "version": "1"}}, b""
+def fingerprint(path):
+    """FNV-1a of a file, by which a golden file names its weights."""
+    value = 0xCBF29CE484222325
+    for byte in path.read_bytes():
+        value = (value ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
+    return f"{value:016x}"
+
+
+def write_safetensors(path, tensors, architecture, **metadata):
+    header, body = {"__metadata__": {"architecture": architecture, "version": "1", **metadata}}, b""
     for name, tensor in tensors.items():
         stored = np.ascontiguousarray(tensor, "<f4").tobytes()
         header[name] = {"dtype": "F32", "shape": list(np.shape(tensor)),
@@ -183,8 +191,8 @@ def vae_case(net, rng, points, kind):
     batch.update({name: torch.from_numpy(value)[None] for name, value in near.items()})
     raw, mean, log_variance = net(batch)
     f_joint, _, _, _ = net.encode(batch)
-    return {**inputs, **near, "type": np.array([index + 1]), "scalars": np.array(scalars), "drag_vector": vector,
-            "drawn": path, "raw": raw[0], "mean": mean[0], "log_variance": log_variance[0],
+    return {**inputs, **near, "type": np.array([index + 1]), "scalars": np.array(scalars),
+            "drag_point": path[0], "drag_vector": vector, "drawn": path, "raw": raw[0], "mean": mean[0], "log_variance": log_variance[0],
             "between.f_joint": f_joint[0]}
 
 
@@ -198,14 +206,16 @@ def main():
     rng = np.random.default_rng(7)
     points, normals = cabinet(rng)
     with torch.no_grad():
-        net = load(KppNet(), arguments.models / "kpp_net.safetensors")
+        weights = arguments.models / "kpp_net.safetensors"
+        net, mark = load(KppNet(), weights), fingerprint(weights)
         for name, drag in {"drag": (0.8, 0.1, 0.2, 1, 0, 0), "free": (0, 0, 0, 0, 0, 0)}.items():
             write_safetensors(arguments.out / f"kpp_{name}.safetensors", kpp_case(net, points, normals, drag),
-                              "dragmesh-golden-kpp")
-        net = load(DqVae(), arguments.models / "dq_vae.safetensors")
+                              "dragmesh-golden-kpp", weights=mark)
+        weights = arguments.models / "dq_vae.safetensors"
+        net, mark = load(DqVae(), weights), fingerprint(weights)
         for kind in JOINTS:
             write_safetensors(arguments.out / f"vae_{kind}.safetensors", vae_case(net, rng, points, kind),
-                              "dragmesh-golden-vae")
+                              "dragmesh-golden-vae", weights=mark)
 
 
 if __name__ == "__main__":

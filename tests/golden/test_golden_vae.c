@@ -22,9 +22,11 @@ static void copy_query(const dmi_weights* golden, dmi_vae_query* out) {
     out->joint.upper = scalars[2];
 }
 
-static void compare_features(const dmi_weights* golden, const dmi_vae_query* query, const char* name) {
+static void compare_features(const dmi_weights* golden, const char* name) {
+    dmi_vae_query query;
     dmi_vae_features made;
-    dmi_vae_features_make(query, &made);
+    copy_query(golden, &query);
+    dmi_vae_features_make(&query, &made);
     golden_compare(golden, "joint_scalars", 3, 0, made.joint_scalars, FEATURE_TOLERANCE, name);
     golden_compare(golden, "rotation_direction", 3, 0, made.rotation_direction, FEATURE_TOLERANCE, name);
     golden_compare(golden, "mean_velocity", 3, 0, made.mean_velocity, FEATURE_TOLERANCE, name);
@@ -33,11 +35,12 @@ static void compare_features(const dmi_weights* golden, const dmi_vae_query* que
     golden_compare(golden, "path", DMI_VAE_PATH, 5, made.path[0], FEATURE_TOLERANCE, name);
 }
 
-static void compare_neighbours(const dmi_weights* golden, const char* name, const dmi_vae_object* object,
-                               const float centre[3]) {
-    float expected[DMI_VAE_NEIGHBOURS];
+static void compare_neighbours(const dmi_weights* golden, const char* name, const char* centre_name,
+                               const dmi_vae_object* object) {
+    float expected[DMI_VAE_NEIGHBOURS], centre[3];
     uint32_t found[DMI_VAE_NEIGHBOURS];
     golden_copy(golden, name, DMI_VAE_NEIGHBOURS, 0, expected);
+    golden_copy(golden, centre_name, 3, 0, centre);
     dmi_vae_neighbours(object, centre, found);
     for (int i = 0; i < DMI_VAE_NEIGHBOURS; ++i) assert_int_equal(found[i], (int)expected[i]);
 }
@@ -62,9 +65,8 @@ static void compare(const dmi_dq_vae* vae, dmi_isa isa, const char* name, const 
     copy_query(golden, &query);
     dmi_dq_vae_prepare(vae, isa, &cloud, scratch, &object);
     dmi_dq_vae_forward(vae, isa, &object, &query, scratch, &output);
-    compare_features(golden, &query, name);
-    compare_neighbours(golden, "near_origin", &object, &query.joint.origin.x);
-    compare_neighbours(golden, "near_drag", &object, query.drag_point);
+    compare_neighbours(golden, "near_origin", "origin", &object);
+    compare_neighbours(golden, "near_drag", "drag_point", &object);
     golden_compare(golden, "mean", DMI_VAE_LATENT, 0, output.mean, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "log_variance", DMI_VAE_LATENT, 0, output.log_variance, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "raw", DM_MOTION_FRAMES, 8, output.raw[0], GOLDEN_TOLERANCE, where);
@@ -76,12 +78,12 @@ static void answers_as_pytorch(void** state) {
     char path[128];
     test_env t;
     dmi_dq_vae* vae = NULL;
-    dmi_weights* golden = NULL;
     snprintf(path, sizeof path, "tests/golden/data/%s.safetensors", name);
     golden_file answers = golden_read(path), weights = golden_read("sdk/models/dq_vae.safetensors");
     test_env_open(&t, TEST_NEVER);
     assert_int_equal(dmi_dq_vae_load(&t.env, weights.data, weights.size, &vae), DM_OK);
-    assert_int_equal(dmi_weights_open(&t.env, answers.data, answers.size, "dragmesh-golden-vae", 1, &golden), DM_OK);
+    dmi_weights* golden = golden_open(&t.env, answers, "dragmesh-golden-vae", weights);
+    compare_features(golden, name);
     for (dmi_isa isa = DMI_ISA_SCALAR; isa <= DMI_ISA_NEON; ++isa)
         if (dmi_kernels_usable(isa)) compare(vae, isa, name, golden);
     dmi_weights_close(golden);
@@ -91,12 +93,26 @@ static void answers_as_pytorch(void** state) {
     free(weights.data);
 }
 
+static dm_result load_and_destroy(dmi_env* env, const void* data, size_t size) {
+    dmi_dq_vae* net = NULL;
+    const dm_result result = dmi_dq_vae_load(env, data, size, &net);
+    dmi_dq_vae_destroy(net);
+    return result;
+}
+
+static void loading_fails_by_name(void** state) {
+    (void)state;
+    golden_check_loading(load_and_destroy, "sdk/models/dq_vae.safetensors", "sdk/models/kpp_net.safetensors",
+                         "correction.2.bias");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         {"revolute", answers_as_pytorch, NULL, NULL, "vae_revolute"},
         {"prismatic", answers_as_pytorch, NULL, NULL, "vae_prismatic"},
         {"screw", answers_as_pytorch, NULL, NULL, "vae_screw"},
         {"continuous", answers_as_pytorch, NULL, NULL, "vae_continuous"},
+        cmocka_unit_test(loading_fails_by_name),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
