@@ -86,6 +86,7 @@ void dmg_save(dmg_builder* b) {
         return;
     }
     b->frames[b->frame_depth + 1] = b->frames[b->frame_depth];
+    b->mirrored[b->frame_depth + 1] = b->mirrored[b->frame_depth];
     ++b->frame_depth;
 }
 
@@ -108,6 +109,7 @@ void dmg_mirror(dmg_builder* b, dmg_vec normal) {
         mirror.column[i] = v3_mad(mirror.column[i], normal, -2.0f * v3_dot(mirror.column[i], normal));
     }
     *top(b) = dmg_frame_multiply(top(b), &mirror);
+    b->mirrored[b->frame_depth] = !b->mirrored[b->frame_depth];
 }
 
 void dmg_grow(dmg_builder* b, float factor) {
@@ -116,15 +118,23 @@ void dmg_grow(dmg_builder* b, float factor) {
 
 /* ---- parts ---- */
 
+static bool name_taken(const dmg_builder* b, const char* name) {
+    for (uint32_t i = 0; i < b->part_count; ++i) {
+        if (strcmp(b->parts[i].joint.name, name) == 0) return true;
+    }
+    return false;
+}
+
 /* Joint names become node names: a second "button" is "button_2". */
 static void unique_name(const dmg_builder* b, const char* name, char out[48]) {
-    uint32_t copies = 1;
-    snprintf(out, 48, "%s", name);
-    for (uint32_t i = 0; i < b->part_count; ++i) {
-        if (strcmp(b->parts[i].joint.name, out) != 0) continue;
-        snprintf(out, 48, "%.40s_%u", name, ++copies);
-        i = UINT32_MAX; /* look again from the start */
-    }
+    size_t length = strlen(name);
+    uint32_t copy = 1;
+    for (uint32_t i = 0; i < b->part_count; ++i) copy += strncmp(b->parts[i].joint.name, name, length) == 0;
+    snprintf(out, 48, "%.40s", name);
+    if (copy == 1) return;
+    if (!name_taken(b, out)) return;
+    do snprintf(out, 48, "%.40s_%u", name, copy++);
+    while (name_taken(b, out));
 }
 
 static uint32_t add_part(dmg_builder* b, uint32_t parent, const char* name, int32_t type, dmg_vec origin,
@@ -139,7 +149,7 @@ static uint32_t add_part(dmg_builder* b, uint32_t parent, const char* name, int3
     part.joint.parent = parent;
     dmg_vec direction = v3_normalize(dmg_frame_vector(top(b), axis));
     /* A mirrored turn goes the other way round: rotation axes are pseudovectors. */
-    if (type != DM_JOINT_PRISMATIC && dmg_frame_determinant(top(b)) < 0.0f) direction = v3_scale(direction, -1.0f);
+    if (type != DM_JOINT_PRISMATIC && b->mirrored[b->frame_depth]) direction = v3_scale(direction, -1.0f);
     dmg_vec point = dmg_frame_point(top(b), origin);
     memcpy(part.joint.axis, &direction, sizeof part.joint.axis);
     memcpy(part.joint.origin, &point, sizeof part.joint.origin);
@@ -176,7 +186,7 @@ uint32_t dmg_screw(dmg_builder* b, uint32_t parent, const char* name, dmg_vec or
                    float lower, float upper) {
     uint32_t part = add_part(b, parent, name, DM_JOINT_SCREW, origin, axis);
     /* A mirrored screw is left-handed: the pitch changes its sign along the turned-round axis. */
-    float sign = dmg_frame_determinant(top(b)) < 0.0f ? -1.0f : 1.0f;
+    float sign = b->mirrored[b->frame_depth] ? -1.0f : 1.0f;
     b->parts[part - 1].joint.pitch = sign * pitch * v3_length(dmg_frame_vector(top(b), v3_normalize(axis)));
     set_limits(b, part, lower, upper);
     return part;
@@ -245,7 +255,7 @@ static bool reserve_face(dmg_builder* b) {
 
 void dmg_triangle(dmg_builder* b, uint32_t i, uint32_t j, uint32_t k) {
     if (b->failed || !reserve_face(b)) return;
-    bool mirrored = dmg_frame_determinant(top(b)) < 0.0f;
+    bool mirrored = b->mirrored[b->frame_depth];
     uint32_t* face = b->indices + (size_t)b->face_count * 3;
     face[0] = i;
     face[1] = mirrored ? k : j;

@@ -41,6 +41,7 @@ typedef struct dmg_builder {
     uint32_t part_count;
     uint32_t part; /* in use */
     dmg_frame frames[DMG_FRAME_DEPTH];
+    bool mirrored[DMG_FRAME_DEPTH]; /* frames[i] turns right hands into left ones */
     int frame_depth;
 } dmg_builder;
 
@@ -131,6 +132,11 @@ void dmg_sweep(dmg_builder* b, const dmg_vec* path, int count, float across, flo
 void dmg_extrude(dmg_builder* b, const dmg_xy* polygon, int count, float low, float high);
 /* A plate between two outlines of equally many points. */
 void dmg_ring_plate(dmg_builder* b, const dmg_xy* outer, const dmg_xy* inner, int count, float low, float high);
+/* An outline carried along Z, each row scaled, shifted along y and set at its height; closed at both ends. */
+typedef struct dmg_row {
+    float scale_x, scale_y, shift_y, height;
+} dmg_row;
+void dmg_loft(dmg_builder* b, const dmg_xy* outline, int count, const dmg_row* rows, int row_count);
 /* A rectangle with rounded corners, front at z = 0, `thickness` deep. */
 void dmg_rounded_plate(dmg_builder* b, float width, float height, float thickness, float radius);
 /* A sheet of the given thickness along a polyline in x, y, `depth` wide about z = 0. */

@@ -24,8 +24,8 @@ static void draw_housing(dmg_builder* b, float width, float height, float depth)
     }
 }
 
-/* Labels, displays, screws on the front. */
-static void draw_front_details(dmg_builder* b, float width, float height) {
+/* Screws and a display on the front; moves to the middle of the room left below and answers its height. */
+static float draw_front_details(dmg_builder* b, float width, float height) {
     float small = fminf(width, height);
     if (dmg_chance(b, 0.3f)) {
         for (int i = 0; i < 4; ++i) {
@@ -33,10 +33,11 @@ static void draw_front_details(dmg_builder* b, float width, float height) {
             dmg_rod(b, v3(x, y, -0.01f * small), v3(x, y, 0.01f * small), 0.02f * small);
         }
     }
-    if (dmg_chance(b, 0.3f)) {
-        float x = dmg_range(b, -0.3f, 0.3f) * width, y = dmg_range(b, 0.25f, 0.4f) * height;
-        dmg_box(b, v3(x, y, 0), v3(0.3f * width, 0.12f * height, 0.02f * small));
-    }
+    if (dmg_chance(b, 0.7f)) return height;
+    dmg_box(b, v3(dmg_range(b, -0.3f, 0.3f) * width, 0.4f * height, 0),
+            v3(0.3f * width, 0.12f * height, 0.02f * small));
+    dmg_move(b, 0, -0.1f * height, 0);
+    return 0.8f * height;
 }
 
 typedef struct control_grid {
@@ -78,7 +79,7 @@ void dmg_build_knob(dmg_builder* b) {
           depth = width * dmg_scale_range(b, 0.05f, 1.0f);
     place_panel(b, height, depth);
     draw_housing(b, width, height, depth);
-    draw_front_details(b, width, height);
+    height = draw_front_details(b, width, height);
     control_grid grid = pick_grid(b, width, height, 5);
     int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
     float rise = grid.radius * dmg_scale_range(b, 0.3f, 2.0f), gap = dmg_chance(b, 0.3f) ? 0.1f * rise : 0.0f;
@@ -114,13 +115,13 @@ void dmg_build_button(dmg_builder* b) {
           depth = width * dmg_scale_range(b, 0.05f, 1.0f);
     place_panel(b, height, depth);
     draw_housing(b, width, height, depth);
-    draw_front_details(b, width, height);
+    height = draw_front_details(b, width, height);
     int columns = dmg_chance(b, 0.3f) ? 1 : dmg_int(b, 1, 6), rows = dmg_chance(b, 0.3f) ? 1 : dmg_int(b, 1, 6);
     float px = 0.92f * width / (float)columns, py = 0.92f * height / (float)rows, fill = dmg_range(b, 0.3f, 0.92f);
     float w = px * fill, h = py * fill;
     if (dmg_chance(b, 0.5f)) w = h = fminf(w, h);
     float rise = fminf(w, h) * dmg_scale_range(b, 0.1f, 1.2f);
-    dmg_buttons set = {"button", columns, rows, px, py, w, h, rise, rise * dmg_range(b, 0.3f, 0.95f), dmg_int(b, 0, 3)};
+    dmg_buttons set = {"button", columns, rows, px, py, w, h, rise, rise * dmg_range(b, 0.3f, 0.8f), dmg_int(b, 0, 3)};
     if (columns * rows == 1 && dmg_chance(b, 0.5f)) { /* a mushroom head on a collar */
         dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.3f * rise), 0.4f * fminf(w, h));
         dmg_save(b);

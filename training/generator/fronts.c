@@ -148,3 +148,26 @@ void dmg_buttons_draw(dmg_builder* b, uint32_t parent, const dmg_buttons* button
     }
     dmg_use(b, parent);
 }
+
+void dmg_sliding_draw(dmg_builder* b, const dmg_sliding* s) {
+    float step = s->width / (float)s->leaves;
+    for (int i = 0; i < s->leaves; ++i) {
+        float x = step * ((float)i + 0.5f) - 0.5f * s->width, z = -s->thickness * (0.1f + 1.15f * (float)(i % 2));
+        /* A leaf runs behind or before its neighbour, away from the case it closes against. */
+        float way = i + 1 < s->leaves ? 1.0f : -1.0f;
+        float travel = step * (s->leaves > 2 ? 0.95f : 0.9f);
+        if (s->leaves == 1) way = dmg_sign(b);
+        bool fixed = s->leaves > 1 && i > 0 && dmg_chance(b, 0.3f);
+        if (fixed)
+            dmg_use(b, 0);
+        else
+            dmg_slide(b, 0, s->name, v3(way, 0, 0), 0.0f, travel);
+        dmg_save(b);
+        dmg_move(b, x, 0, z);
+        dmg_panel_draw(b, &s->panel, s->leaf, s->height, s->thickness);
+        dmg_move(b, -way * 0.42f * s->leaf, 0, 0);
+        if (!fixed) dmg_handle_draw(b, &s->handle, 0.6f * s->height);
+        dmg_restore(b);
+    }
+    dmg_use(b, 0);
+}

@@ -93,6 +93,8 @@ dmg_panel dmg_panel_pick(dmg_builder* b);
 /* Glazed kinds alone, with muntins sometimes. */
 dmg_panel dmg_panel_pick_window(dmg_builder* b);
 void dmg_panel_draw(dmg_builder* b, const dmg_panel* panel, float width, float height, float thickness);
+/* A plate with a round hole in its middle: front at z = 0. */
+void dmg_holed_plate_draw(dmg_builder* b, float width, float height, float thickness, float radius);
 /* Four bars round a rectangle: front at z = 0. */
 void dmg_frame_draw(dmg_builder* b, float width, float height, float thickness, float border);
 
@@ -173,6 +175,28 @@ typedef struct dmg_buttons {
 } dmg_buttons;
 
 void dmg_buttons_draw(dmg_builder* b, uint32_t parent, const dmg_buttons* buttons);
+
+/* Leaves that slide past each other along X, on two tracks behind z = 0, filling a width centred at the origin. */
+typedef struct dmg_sliding {
+    const char* name;
+    int leaves;
+    float width, height, leaf, thickness; /* leaf: the width of one */
+    dmg_panel panel;
+    dmg_handle handle;
+} dmg_sliding;
+
+void dmg_sliding_draw(dmg_builder* b, const dmg_sliding* s);
+
+/* ---- what appliances share (fittings.c) ---- */
+
+/* A door thicker than furniture's, with a bar or nothing to pull it. */
+dmg_leaf dmg_leaf_pick_appliance(dmg_builder* b, float width, float height, float thickness);
+/* A row of knobs that turn, along (pitch_x, pitch_y), on z = 0 facing +Z. */
+void dmg_knobs_draw(dmg_builder* b, uint32_t parent, int count, float pitch_x, float pitch_y, float radius);
+/* Buttons, knobs or both on a panel of the given size, centred at the origin of z = 0. */
+void dmg_controls_draw(dmg_builder* b, uint32_t parent, float width, float height);
+/* Racks behind a closed door that slide out of a cavity whose opening is centred at z = 0. */
+void dmg_racks_draw(dmg_builder* b, const char* name, int count, float width, float height, float depth, float rack);
 
 /* ---- wheels (rounds.c): about the axis Z, centred at the origin ---- */
 

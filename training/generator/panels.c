@@ -28,6 +28,18 @@ void dmg_frame_draw(dmg_builder* b, float width, float height, float thickness, 
     dmg_box_span(b, v3(-x + border, y - border, -thickness), v3(x - border, y, 0));
 }
 
+void dmg_holed_plate_draw(dmg_builder* b, float width, float height, float thickness, float radius) {
+    enum { POINTS = 24 };
+    dmg_xy outer[POINTS], inner[POINTS];
+    for (int i = 0; i < POINTS; ++i) { /* the corners lie at 45 degrees before stretching */
+        float angle = 2.0f * DMG_PI * (float)i / POINTS, c = cosf(angle), s = sinf(angle);
+        float square = 0.5f / fmaxf(fabsf(c), fabsf(s));
+        outer[i] = (dmg_xy){width * c * square, height * s * square};
+        inner[i] = (dmg_xy){radius * c, radius * s};
+    }
+    dmg_ring_plate(b, outer, inner, POINTS, -thickness, 0);
+}
+
 /* Frame, and what fills it. */
 static void draw_framed(dmg_builder* b, const dmg_panel* panel, float width, float height, float thickness) {
     float border = panel->border * fminf(width, height), inner_w = width - 2 * border, inner_h = height - 2 * border;

@@ -289,6 +289,25 @@ void dmg_ring_plate(dmg_builder* b, const dmg_xy* outer, const dmg_xy* inner, in
     band(b, il, ol, count, true);
 }
 
+void dmg_loft(dmg_builder* b, const dmg_xy* outline, int count, const dmg_row* rows, int row_count) {
+    uint32_t previous = 0;
+    dmg_piece_begin(b);
+    for (int r = 0; r < row_count; ++r) {
+        const dmg_row* row = &rows[r];
+        uint32_t first = b->vertex_count;
+        for (int i = 0; i < count; ++i) {
+            dmg_vertex(b, v3(outline[i].x * row->scale_x, outline[i].y * row->scale_y + row->shift_y, row->height));
+        }
+        if (r > 0) band(b, previous, first, count, true);
+        previous = first;
+    }
+    uint32_t begin = previous - (uint32_t)((row_count - 1) * count);
+    for (uint32_t i = 1; i + 1 < (uint32_t)count; ++i) {
+        dmg_triangle(b, begin, begin + i + 1, begin + i);
+        dmg_triangle(b, previous, previous + i, previous + i + 1);
+    }
+}
+
 void dmg_rounded_plate(dmg_builder* b, float width, float height, float thickness, float radius) {
     enum { STEPS = 4 };
     dmg_xy polygon[4 * STEPS];
