@@ -43,7 +43,7 @@ dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc
     dmi_scene_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_scene_slot));
     if (!slot) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_scene_create: no memory");
     uint64_t handle = 0;
-    result = dmi_scene_create(context->picker, &context->axes, &slot->scene);
+    result = dmi_scene_create(context->picker, &slot->scene);
     if (result == DM_OK) result = dmi_pool_insert(context->scenes, slot, &handle);
     if (result != DM_OK) {
         if (slot->scene) dmi_scene_destroy(slot->scene);

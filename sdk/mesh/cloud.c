@@ -45,8 +45,7 @@ static float larger(float a, float b) {
     return a > b ? a : b;
 }
 
-/* ---- polygons inside a box ----------------------------------------------------------------------------------------
- */
+/* ---- polygons inside a box ---- */
 
 static void load_face(const dmi_mesh* mesh, uint32_t face, polygon* out) {
     const uint32_t* index = mesh->indices + (size_t)face * 3;
@@ -97,8 +96,7 @@ static float polygon_area(const polygon* p) {
     return area;
 }
 
-/* ---- what the faces weigh -------------------------------------------------------------------------------------------
- */
+/* ---- what the faces weigh ---- */
 
 static void weigh_moving(sampler* s, int moving) {
     const dmi_mesh* mesh = s->mesh;
@@ -143,8 +141,7 @@ static void weigh_near(sampler* s, const box* near) {
     }
 }
 
-/* ---- points ---------------------------------------------------------------------------------------------------------
- */
+/* ---- points ---- */
 
 static void sample_face(sampler* s, uint32_t face, float xyz[3], float normal[3]) {
     polygon p;
@@ -198,8 +195,7 @@ static void sample_block(sampler* s, uint32_t count, float (*xyz)[3], float (*no
     }
 }
 
-/* ---- the near block -------------------------------------------------------------------------------------------------
- */
+/* ---- the near block ---- */
 
 /* Box of what moves, grown. */
 static box near_box(const sampler* s) {
@@ -284,8 +280,7 @@ static dm_result sample_near(dmi_env* env, sampler* s, float (*xyz)[3], float (*
     return DM_OK;
 }
 
-/* ---- the whole ------------------------------------------------------------------------------------------------------
- */
+/* ---- the whole ---- */
 
 static dm_result sample_all(dmi_env* env, sampler* s, dmi_cloud* cloud) {
     enum { NEAR = DMI_CLOUD_PART, BODY = DMI_CLOUD_PART + DMI_CLOUD_NEAR };

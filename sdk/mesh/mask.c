@@ -11,7 +11,7 @@
 /* A header of one dimension has under 100 bytes; NumPy pads it to 128. */
 #define NPY_MAX_HEADER 65536
 
-/* ---- text ------------------------------------------------------------------------------------------------------- */
+/* ---- text ---- */
 
 typedef struct text {
     const char *at, *end;
@@ -57,8 +57,7 @@ static dm_result allocate_values(dmi_env* env, uint64_t count, int64_t** out_val
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mask of %llu values", (unsigned long long)count);
 }
 
-/* ---- .npy (numpy.lib.format) ----------------------------------------------------------------------------------------
- */
+/* ---- .npy (numpy.lib.format) ---- */
 
 typedef struct npy_header {
     char kind;   /* b, u or i */
@@ -192,8 +191,7 @@ static dm_result parse_npy(dmi_env* env, const uint8_t* bytes, size_t size, int6
     return DM_OK;
 }
 
-/* ---- JSON -----------------------------------------------------------------------------------------------------------
- */
+/* ---- JSON ---- */
 
 /* An integer, written as one or with a fraction of zeros, or true or false. */
 static int take_value(text* t, int64_t* out) {
@@ -247,8 +245,7 @@ static dm_result parse_json(dmi_env* env, const char* data, size_t size, int64_t
                     (size_t)(t.at - data), count);
 }
 
-/* ---- both -----------------------------------------------------------------------------------------------------------
- */
+/* ---- both ---- */
 
 dm_result dmi_mask_parse(dmi_env* env, const void* data, size_t size, int64_t** out_values, size_t* out_count) {
     if (data == NULL || size == 0) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask: no bytes");

@@ -17,7 +17,7 @@
 /* Normalised coordinates are rounded to 3e-8: a triangle of less height has no area and no direction. */
 #define SLIVER_HEIGHT 1e-7
 
-/* ---- memory ------------------------------------------------------------------------------------------------------ */
+/* ---- memory ---- */
 
 static size_t positions_size(const dmi_mesh* mesh) {
     return (size_t)mesh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;
@@ -53,8 +53,7 @@ void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh) {
     dmi_free(env, mesh, sizeof *mesh);
 }
 
-/* ---- normalisation (paper §3.2) ------------------------------------------------------------------------------------
- */
+/* ---- normalisation (paper §3.2) ---- */
 
 /* Box, in canonical metres, of the vertices that some triangle uses. */
 static dm_result measure_box(dmi_env* env, const dmi_mesh_reader* reader, const dmi_mesh* mesh, const dmi_axes* axes,
@@ -113,8 +112,7 @@ static void set_positions(const dmi_mesh_reader* reader, dmi_mesh* mesh) {
     memset(mesh->positions + (size_t)mesh->vertex_count * 3, 0, POSITION_PADDING);
 }
 
-/* ---- faces ---------------------------------------------------------------------------------------------------------
- */
+/* ---- faces ---- */
 
 static void load_corners(const dmi_mesh* mesh, uint32_t face, double corner[3][3]) {
     for (int i = 0; i < 3; i++) {
@@ -169,8 +167,7 @@ static void measure_faces(dmi_mesh* mesh) {
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) mesh->face_normal[i] = -mesh->face_normal[i];
 }
 
-/* ---- parts ---------------------------------------------------------------------------------------------------------
- */
+/* ---- parts ---- */
 
 typedef struct part_sums {
     double area, moment[3];
@@ -233,8 +230,7 @@ dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh) {
     return measure_parts(env, mesh);
 }
 
-/* ---- the whole -----------------------------------------------------------------------------------------------------
- */
+/* ---- the whole ---- */
 
 static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, const dm_part_desc* parts,
                       uint32_t part_count, dmi_mesh* mesh) {

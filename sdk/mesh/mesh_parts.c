@@ -86,7 +86,7 @@ static uint32_t find_cached(const dmi_mesh* mesh, uint32_t id, id_cache* cache) 
     return cache->index;
 }
 
-/* ---- every id that occurs -------------------------------------------------------------------------------------- */
+/* ---- every id that occurs ---- */
 
 static dm_result collect_ids(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh* mesh, id_set* set) {
     uint32_t last = 0; /* neighbours mostly share their id */
@@ -124,7 +124,7 @@ static dm_result assign_all_ids(dmi_env* env, const dmi_mesh_reader* reader, dmi
     return result;
 }
 
-/* ---- the host's list ------------------------------------------------------------------------------------------- */
+/* ---- the host's list ---- */
 
 static dm_result check_list(dmi_env* env, const dm_part_desc* descs, uint32_t count) {
     if (count == 0)

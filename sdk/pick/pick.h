@@ -5,7 +5,7 @@
 #include "base/env.h"
 #include "mesh/mesh.h"
 
-typedef struct dmi_picker dmi_picker; /* one Embree device of a context: threads=1, memory monitor on */
+typedef struct dmi_picker dmi_picker; /* one Embree device of a context, without threads of its own */
 typedef struct dmi_bvh dmi_bvh;       /* the parts of one object, object-normalised, at rest */
 typedef struct dmi_scene dmi_scene;   /* instances in the host's world frame */
 
@@ -20,24 +20,27 @@ typedef struct dmi_bvh_hit {
     uint32_t part, face; /* indices in the mesh */
     float distance;      /* along the unit direction, inner units */
     float u, v;
-    float normal[3]; /* unit, of the winding */
+    float normal[3]; /* unit; as dmi_mesh.face_normal */
 } dmi_bvh_hit;
 /* Nearest hit of a ray in the object-normalised frame, parts at rest; only parts p with (!select || select[p]).
  * 0 when nothing is hit before max_distance. Thread-safe. For limits and collision sweeps. */
 int dmi_bvh_intersect(const dmi_bvh* bvh, const uint8_t* select, const float origin[3], const float direction[3],
                       float max_distance, dmi_bvh_hit* out_hit);
 
-dm_result dmi_scene_create(dmi_picker* picker, const dmi_axes* axes, dmi_scene** out_scene);
+dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene);
 void dmi_scene_destroy(dmi_scene* scene);
-/* `object` is the handle answered in hits; `frame` is the mesh's. */
+/* `object` is the handle answered in hits; `frame` is the mesh's. The bvh must outlive the instance. */
 dm_result dmi_scene_add(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                         const dm_pose* host_placement, uint32_t* out_instance);
-/* part: index, 0 = the placement. Poses in host units. No allocation. */
-dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part, const dm_pose* host_pose);
+/* part_id: the host's, 0 = the placement of the whole. Poses in host units: the part's own is from rest in the object
+ * frame, the poses of the parts that carry it included. No allocation. */
+dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, const dm_pose* host_pose);
+/* At once, without a commit. */
 dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance);
-void dmi_scene_remove_object(dmi_scene* scene, dm_object object);
+/* Instances added and moves made since the last commit become visible. No allocation of ours. */
 void dmi_scene_commit(dmi_scene* scene);
-/* out_hit->object 0 when nothing is hit; part_id is the host's id. */
+/* out_hit->object 0 when nothing is hit. The normal is (b - a) x (c - a) of the corners' host world coordinates, made
+ * unit: in a left-handed host it points to the side from which the corners run clockwise. */
 void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_hit);
 
 #endif

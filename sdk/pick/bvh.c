@@ -1,0 +1,180 @@
+/* One bounding volume hierarchy a part, over vertices that all parts share. */
+#include "pick/bvh.h"
+
+#include <math.h>
+#include <string.h>
+
+#define ALIGNMENT 64
+#define POSITION_PADDING 16
+/* Boxes of flat parts have no thickness, and Embree's are rounded outwards too. */
+#define BOX_SLACK 1e-6f
+#define MAX_COORDINATE 1e18f
+
+static size_t positions_size(const dmi_bvh* bvh) {
+    return (size_t)bvh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;
+}
+
+void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t primitive, const float* out[3]) {
+    const uint32_t* corners = bvh->corners + ((size_t)bvh->parts[part].first_face + primitive) * 3;
+    for (int i = 0; i < 3; i++) out[i] = bvh->positions + (size_t)corners[i] * 3;
+}
+
+int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id) {
+    uint32_t low = 0, high = bvh->part_count;
+    while (low < high) {
+        uint32_t middle = (low + high) / 2;
+        if (bvh->parts[middle].id < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < bvh->part_count && bvh->parts[low].id == id ? (int32_t)low : -1;
+}
+
+/* ---- building ---- */
+
+static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh) {
+    dmi_env* env = picker->env;
+    dmi_bvh* bvh = dmi_alloc_zeroed(env, sizeof *bvh, ALIGNMENT);
+    *out_bvh = bvh;
+    if (bvh != NULL) {
+        size_t faces = mesh->face_count;
+        bvh->picker = picker;
+        bvh->vertex_count = mesh->vertex_count;
+        bvh->face_count = mesh->face_count;
+        bvh->part_count = mesh->part_count;
+        bvh->winding = mesh->winding < 0 ? -1.0f : 1.0f;
+        bvh->positions = dmi_alloc(env, positions_size(bvh), ALIGNMENT);
+        bvh->corners = dmi_alloc(env, faces * 3 * sizeof(uint32_t), ALIGNMENT);
+        bvh->faces = dmi_alloc(env, faces * sizeof(uint32_t), ALIGNMENT);
+        bvh->parts = dmi_alloc_zeroed(env, mesh->part_count * sizeof(dmi_bvh_part), ALIGNMENT);
+        if (bvh->positions && bvh->corners && bvh->faces && bvh->parts) return DM_OK;
+    }
+    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
+}
+
+/* Copies the mesh with its faces in order of their parts. */
+static void copy_mesh(dmi_bvh* bvh, const dmi_mesh* mesh) {
+    memcpy(bvh->positions, mesh->positions, (size_t)mesh->vertex_count * 3 * sizeof(float));
+    memset(bvh->positions + (size_t)mesh->vertex_count * 3, 0, POSITION_PADDING);
+    uint32_t first = 0;
+    for (uint32_t p = 0; p < mesh->part_count; p++) {
+        dmi_bvh_part* part = &bvh->parts[p];
+        part->id = mesh->parts[p].id;
+        part->first_face = first;
+        first += mesh->parts[p].face_count;
+        memcpy(part->box_min, mesh->parts[p].box_min, sizeof part->box_min);
+        memcpy(part->box_max, mesh->parts[p].box_max, sizeof part->box_max);
+    }
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        dmi_bvh_part* part = &bvh->parts[mesh->face_part[f]];
+        uint32_t place = part->first_face + part->face_count++;
+        bvh->faces[place] = f;
+        memcpy(bvh->corners + (size_t)place * 3, mesh->indices + (size_t)f * 3, 3 * sizeof(uint32_t));
+    }
+}
+
+static dm_result build_part(dmi_bvh* bvh, dmi_bvh_part* part) {
+    RTCDevice device = bvh->picker->device;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    part->scene = rtcNewScene(device);
+    if (geometry != NULL && part->scene != NULL) {
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, bvh->positions, 0,
+                                   3 * sizeof(float), bvh->vertex_count);
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                   bvh->corners + (size_t)part->first_face * 3, 0, 3 * sizeof(uint32_t),
+                                   part->face_count);
+        rtcCommitGeometry(geometry);
+        /* Robust: no ray slips between two triangles that share an edge. */
+        rtcSetSceneFlags(part->scene, RTC_SCENE_FLAG_ROBUST);
+        rtcAttachGeometry(part->scene, geometry);
+        dmi_picker_commit(bvh->picker, part->scene);
+    }
+    if (geometry != NULL) rtcReleaseGeometry(geometry);
+    return dmi_picker_status(bvh->picker);
+}
+
+dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh) {
+    dmi_bvh* bvh;
+    dm_result result = allocate(picker, mesh, &bvh);
+    if (result == DM_OK) copy_mesh(bvh, mesh);
+    for (uint32_t p = 0; result == DM_OK && p < mesh->part_count; p++) result = build_part(bvh, &bvh->parts[p]);
+    if (result != DM_OK) {
+        dmi_bvh_destroy(bvh);
+        return result;
+    }
+    *out_bvh = bvh;
+    return DM_OK;
+}
+
+void dmi_bvh_destroy(dmi_bvh* bvh) {
+    if (bvh == NULL) return;
+    dmi_env* env = bvh->picker->env;
+    for (uint32_t p = 0; bvh->parts != NULL && p < bvh->part_count; p++) {
+        if (bvh->parts[p].scene != NULL) rtcReleaseScene(bvh->parts[p].scene);
+    }
+    dmi_free(env, bvh->positions, positions_size(bvh));
+    dmi_free(env, bvh->corners, (size_t)bvh->face_count * 3 * sizeof(uint32_t));
+    dmi_free(env, bvh->faces, (size_t)bvh->face_count * sizeof(uint32_t));
+    dmi_free(env, bvh->parts, bvh->part_count * sizeof(dmi_bvh_part));
+    dmi_free(env, bvh, sizeof *bvh);
+}
+
+/* ---- rays ---- */
+
+/* Embree takes coordinates up to 1.8e18, and Debian's build aborts on others. */
+static int is_valid(const float origin[3], const float direction[3], float max_distance) {
+    for (int k = 0; k < 3; k++) {
+        if (!(fabsf(origin[k]) <= MAX_COORDINATE && fabsf(direction[k]) <= MAX_COORDINATE)) return 0;
+    }
+    return max_distance >= 0;
+}
+
+/* Whether the ray meets the part's box before `far`. */
+static int meets_box(const dmi_bvh_part* part, const float origin[3], const float direction[3], float far) {
+    float near = 0;
+    for (int k = 0; k < 3; k++) {
+        float low = part->box_min[k] - BOX_SLACK - origin[k], high = part->box_max[k] + BOX_SLACK - origin[k];
+        if (direction[k] == 0) {
+            if (!(low <= 0 && high >= 0)) return 0;
+            continue;
+        }
+        float a = low / direction[k], b = high / direction[k];
+        float enter = a < b ? a : b, leave = a < b ? b : a;
+        if (enter > near) near = enter;
+        if (leave < far) far = leave;
+    }
+    return near <= far;
+}
+
+static void set_normal(const dmi_bvh* bvh, const struct RTCHit* hit, float out[3]) {
+    float n[3] = {hit->Ng_x, hit->Ng_y, hit->Ng_z};
+    float length = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    float scale = length > 0 ? bvh->winding / length : 0;
+    for (int k = 0; k < 3; k++) out[k] = n[k] * scale;
+}
+
+int dmi_bvh_intersect(const dmi_bvh* bvh, const uint8_t* select, const float origin[3], const float direction[3],
+                      float max_distance, dmi_bvh_hit* out_hit) {
+    if (!is_valid(origin, direction, max_distance)) return 0;
+    struct RTCRayHit ray = dmi_embree_ray(origin, direction, max_distance);
+    struct RTCHit hit = ray.hit;
+    uint32_t hit_part = 0;
+    for (uint32_t p = 0; p < bvh->part_count; p++) {
+        if (select != NULL && !select[p]) continue;
+        if (!meets_box(&bvh->parts[p], origin, direction, ray.ray.tfar)) continue;
+        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        dmi_embree_intersect(bvh->parts[p].scene, &ray); /* shortens the ray where it hits */
+        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+        hit = ray.hit;
+        hit_part = p;
+    }
+    if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return 0;
+    *out_hit = (dmi_bvh_hit){.part = hit_part,
+                             .face = bvh->faces[bvh->parts[hit_part].first_face + hit.primID],
+                             .distance = ray.ray.tfar,
+                             .u = hit.u,
+                             .v = hit.v};
+    set_normal(bvh, &hit, out_hit->normal);
+    return 1;
+}

@@ -1,0 +1,29 @@
+/* What the scene needs to know of an object's hierarchies. */
+#ifndef DMI_PICK_BVH_H
+#define DMI_PICK_BVH_H
+
+#include "pick/picker.h"
+
+typedef struct dmi_bvh_part {
+    uint32_t id; /* the host's */
+    uint32_t first_face, face_count;
+    RTCScene scene; /* its triangles at rest */
+    float box_min[3], box_max[3];
+} dmi_bvh_part;
+
+struct dmi_bvh {
+    dmi_picker* picker;
+    float* positions;  /* shared with Embree, which may read 16 bytes at each vertex */
+    uint32_t* corners; /* of the faces, part after part; shared with Embree */
+    uint32_t* faces;   /* index in the mesh of each of these */
+    uint32_t vertex_count, face_count, part_count;
+    float winding;
+    dmi_bvh_part* parts;
+};
+
+/* Index of the part with the host's id; -1 when there is none. */
+int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id);
+/* Corners a, b, c of the face that Embree calls `primitive` of a part. */
+void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t primitive, const float* out[3]);
+
+#endif
