@@ -26,7 +26,8 @@ void dmi_free(dmi_env* env, void* memory, size_t size);
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
-dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...);
+dm_result
+dmi_fail(dmi_env* env, dm_result code, const char* format, ...);
 
 /* Runs task(data, i) for i in [0, count) on the host's jobs, or inline. */
 void dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data);

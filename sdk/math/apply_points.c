@@ -149,7 +149,7 @@ AVX512 static void apply_packed_avx512(const float m[16], const float* src, floa
         const __m512 a = _mm512_loadu_ps(p), b = _mm512_loadu_ps(p + 16), c = _mm512_loadu_ps(p + 32);
         const __m512 x = permute_3(get_x, a, b, c), y = permute_3(get_y, a, b, c), z = permute_3(get_z, a, b, c);
         const __m512 u = row_16(m, 0, x, y, z), v = row_16(m, 1, x, y, z), w = row_16(m, 2, x, y, z);
-        for (int k = 0; k < 3; k++) _mm512_storeu_ps(dst + 3 * i + 16 * k, permute_3(put[k], u, v, w));
+        for (size_t k = 0; k < 3; k++) _mm512_storeu_ps(dst + 3 * i + 16 * k, permute_3(put[k], u, v, w));
     }
     apply_packed_avx2(m, src + 3 * i, dst + 3 * i, count - i);
 }

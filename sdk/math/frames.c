@@ -23,8 +23,8 @@ static const float preset_axes[][9] = {
 };
 
 static int is_orthogonal(const float m[9]) {
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
+    for (size_t i = 0; i < 3; i++) {
+        for (size_t k = 0; k < 3; k++) {
             const float product = m[3 * i] * m[3 * k] + m[3 * i + 1] * m[3 * k + 1] + m[3 * i + 2] * m[3 * k + 2];
             if (!(fabsf(product - (i == k ? 1.0f : 0.0f)) <= ORTHOGONALITY_TOLERANCE)) return 0; /* NaN too */
         }
@@ -49,14 +49,14 @@ int dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float un
 
 static void turn_in(const dmi_frame* frame, const double v[3], double out[3]) {
     const float* m = frame->axes.to_canonical;
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++) {
         out[i] = (double)m[3 * i] * v[0] + (double)m[3 * i + 1] * v[1] + (double)m[3 * i + 2] * v[2];
     }
 }
 
 static void turn_out(const dmi_frame* frame, const double v[3], double out[3]) {
     const float* m = frame->axes.to_canonical;
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++) {
         out[i] = (double)m[i] * v[0] + (double)m[3 + i] * v[1] + (double)m[6 + i] * v[2];
     }
 }
@@ -104,7 +104,7 @@ void dmi_frame_point_out(const dmi_frame* frame, const float inner[3], float out
 }
 
 void dmi_frame_matrix_out(const dmi_frame* frame, double out_host[12]) {
-    for (int column = 0; column < 4; column++) {
+    for (size_t column = 0; column < 4; column++) {
         const double axis[3] = {column == 0, column == 1, column == 2};
         double* image = out_host + 3 * column;
         turn_out(frame, column < 3 ? axis : frame->centre, image);

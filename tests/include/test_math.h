@@ -23,11 +23,11 @@ static inline void test_point(dmi_random* random, float reach, float out[3]) {
 }
 
 static inline void test_direction(dmi_random* random, float out[3]) {
-    float length = 0;
-    while (length < 0.1f) {
+    float length;
+    do {
         for (int i = 0; i < 3; i++) out[i] = dmi_random_normal(random);
         length = sqrtf(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
-    }
+    } while (length < 0.1f);
     for (int i = 0; i < 3; i++) out[i] /= length;
 }
 

@@ -107,6 +107,25 @@ static void points_vectors_and_directions_there_and_back(void** state) {
     }
 }
 
+/* The matrix, column-major 3x4 in doubles, says what point_out does. */
+static void matrices_say_the_same(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(6, 3);
+    for (int i = 0; i < CASES * PRESETS; i++) {
+        dmi_frame frame = random_frame(&random, i % PRESETS, 3);
+        double m[12];
+        dmi_frame_matrix_out(&frame, m);
+        float inner[3], expected[3], actual[3];
+        test_point(&random, 0.5f, inner);
+        dmi_frame_point_out(&frame, inner, expected);
+        for (int k = 0; k < 3; k++) {
+            actual[k] =
+                (float)(m[k] * (double)inner[0] + m[3 + k] * (double)inner[1] + m[6 + k] * (double)inner[2] + m[9 + k]);
+        }
+        assert_near3(actual, expected, 2e-6);
+    }
+}
+
 static void move_inside(const dmi_frame* frame, const dm_pose* inner_pose, const float host[3], float out[3]) {
     const double wide[3] = {(double)host[0], (double)host[1], (double)host[2]};
     float inner[3];
@@ -208,6 +227,7 @@ int main(void) {
         cmocka_unit_test(presets_are_what_they_say),
         cmocka_unit_test(bad_axes_are_refused),
         cmocka_unit_test(points_vectors_and_directions_there_and_back),
+        cmocka_unit_test(matrices_say_the_same),
         cmocka_unit_test(poses_commute_with_points),
         cmocka_unit_test(joints_commute_with_points),
         cmocka_unit_test(rays_keep_their_points),

@@ -3,18 +3,25 @@
 
 #include <pthread.h>
 
-#include "base/pool.c" /* the slots themselves: ageing one to its last generation takes 16 million rounds otherwise */
+/* The slots themselves: ageing one to its last generation takes 16 million rounds otherwise. */
+#include "base/pool.c" /* NOLINT(bugprone-suspicious-include) */
 
 enum { KIND = 5 };
+
+static dmi_pool* make_pool(test_env* t) {
+    dmi_pool* pool = NULL;
+    assert_int_equal(dmi_pool_create(&t->env, KIND, &pool), DM_OK);
+    if (pool == NULL) abort();
+    return pool;
+}
 
 static void handles_have_the_documented_layout(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_pool* pool = NULL;
+    dmi_pool* pool = make_pool(&t);
     int items[3];
     uint64_t a = 0, b = 0, c = 0;
-    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
     assert_int_equal(dmi_pool_insert(pool, &items[0], &a), DM_OK);
     assert_int_equal(dmi_pool_insert(pool, &items[1], &b), DM_OK);
     assert_int_equal(a, (uint64_t)KIND << 56 | (uint64_t)pool->first_generation << 32 | 0);
@@ -38,10 +45,9 @@ static void wrong_handles_find_nothing(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_pool* pool = NULL;
+    dmi_pool* pool = make_pool(&t);
     int item;
     uint64_t handle = 0;
-    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
     assert_null(dmi_pool_get(pool, (uint64_t)KIND << 56 | (uint64_t)1 << 32)); /* nothing inserted yet */
     assert_int_equal(dmi_pool_insert(pool, &item, &handle), DM_OK);
     for (int bit = 0; bit < 64; bit++) {
@@ -64,8 +70,7 @@ static void thousands_live_side_by_side(void** state) {
     static uint64_t handles[COUNT];
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_pool* pool = NULL;
-    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    dmi_pool* pool = make_pool(&t);
     for (int i = 0; i < COUNT; i++) assert_int_equal(dmi_pool_insert(pool, &items[i], &handles[i]), DM_OK);
     for (int i = 0; i < COUNT; i += 3) assert_ptr_equal(dmi_pool_remove(pool, handles[i]), &items[i]);
     for (int i = 0; i < COUNT; i++) {
@@ -107,10 +112,9 @@ static void generations_skip_zero(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_pool* pool = NULL;
+    dmi_pool* pool = make_pool(&t);
     int item;
     uint64_t handle = 0;
-    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
     dmi_pool_insert(pool, &item, &handle);
     dmi_pool_remove(pool, handle);
     atomic_store(&slot_at(pool, 0)->generation, GENERATION_MASK); /* as after 2^24 - 2 more rounds */
@@ -124,21 +128,29 @@ static void generations_skip_zero(void** state) {
     test_env_close(&t);
 }
 
+/* Fills a pool as far as memory allows and empties it again. */
+static dm_result fill_and_empty(dmi_pool* pool) {
+    int items[200];
+    uint64_t handles[200];
+    dm_result result = DM_OK;
+    int count = 0;
+    while (result == DM_OK && count < 200) {
+        result = dmi_pool_insert(pool, &items[count], &handles[count]);
+        count += result == DM_OK;
+    }
+    for (int i = 0; i < count; i++) assert_ptr_equal(dmi_pool_remove(pool, handles[i]), &items[i]);
+    return result;
+}
+
 static void any_allocation_may_fail(void** state) {
     (void)state;
-    int items[200], failures = 0;
+    int failures = 0;
     for (int64_t fail_at = 0;; fail_at++) {
         test_env t;
         test_env_open(&t, fail_at);
         dmi_pool* pool = NULL;
         dm_result result = dmi_pool_create(&t.env, KIND, &pool);
-        uint64_t handles[200];
-        int count = 0;
-        while (result == DM_OK && count < 200) {
-            result = dmi_pool_insert(pool, &items[count], &handles[count]);
-            count += result == DM_OK;
-        }
-        for (int i = 0; i < count; i++) assert_ptr_equal(dmi_pool_remove(pool, handles[i]), &items[i]);
+        if (pool != NULL) result = fill_and_empty(pool);
         dmi_pool_destroy(pool);
         test_env_close(&t);
         if (result == DM_OK) break;
@@ -190,8 +202,7 @@ static void threads_do_not_disturb_each_other(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_pool* pool = NULL;
-    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
+    dmi_pool* pool = make_pool(&t);
     static thread_work work[THREADS];
     static _Atomic uint64_t shared[THREADS];
     pthread_t threads[THREADS];
