@@ -17,6 +17,7 @@ class KppTraining:
     size: str = "game"
     seed: int = 1
     steps: int = 10000
+    minutes: float = 0.0  # 0: no limit; else the schedule is compressed into this much training time
     batch: int = 32
     rate: float = 1.5e-3
     decay: float = 0.01  # AdamW
@@ -34,6 +35,7 @@ class VaeTraining:
     size: str = "game"
     seed: int = 1
     steps: int = 18000
+    minutes: float = 0.0
     batch: int = 64
     rate: float = 1.5e-3
     decay: float = 0.0

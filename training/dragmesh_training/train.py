@@ -18,6 +18,7 @@ WARM_UP = 200  # steps
 AVERAGE = 0.999  # of the weights that are scored and exported
 EVALUATE_EVERY = 1000
 SAVE_EVERY = 250
+REPORT_EVERY = 50
 
 
 def make_network(network, size):
@@ -38,9 +39,8 @@ def batch_losses(config, model, batch):
     return vae_losses(*output, batch, config.free_nats)
 
 
-def rate_at(config, step):
-    """Warm-up, then a cosine down to a hundredth."""
-    done = min(1.0, step / config.steps)
+def rate_at(config, step, done):
+    """Warm-up, then a cosine down to a hundredth; done: share of the run."""
     return config.rate * min(1.0, (step + 1) / WARM_UP) * (0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * done)))
 
 
@@ -56,6 +56,7 @@ class Run:
         self.optimizer = torch.optim.AdamW(self.model.parameters(), lr=config.rate, weight_decay=config.decay)
         self.step, self.chunks, self.seconds = 0, 0, 0.0
         self.resume()
+        self.begun = time.monotonic() - self.seconds
         first = max(0, self.chunks - FIRST_CHUNKS)
         self.stream = Stream(config.network, config.seed, first, workers)
         self.pool = Pool(self.stream, config.pool, config.seed + self.step)
@@ -66,6 +67,12 @@ class Run:
     @property
     def checkpoint(self):
         return os.path.join(self.folder, "checkpoint.pt")
+
+    @property
+    def done(self):
+        """Share of the run, by steps or, where the config limits it, by time."""
+        by_time = (time.monotonic() - self.begun) / (60 * self.config.minutes) if self.config.minutes else 0.0
+        return min(1.0, max(self.step / self.config.steps, by_time))
 
     def resume(self):
         os.makedirs(self.folder, exist_ok=True)
@@ -78,6 +85,7 @@ class Run:
         torch.set_rng_state(state["random"])
 
     def save(self):
+        self.seconds = time.monotonic() - self.begun
         state = {name: getattr(self, name).state_dict() for name in ("model", "average", "optimizer")}
         state.update(step=self.step, chunks=self.chunks, seconds=self.seconds, random=torch.get_rng_state(),
                      config=asdict(self.config))
@@ -94,7 +102,7 @@ class Run:
         losses = batch_losses(config, self.model, batch)
         total = weighted(losses, config.weights)
         for group in self.optimizer.param_groups:
-            group["lr"] = rate_at(config, self.step)
+            group["lr"] = rate_at(config, self.step, self.done)
         self.optimizer.zero_grad(set_to_none=True)
         total.backward()
         torch.nn.utils.clip_grad_norm_(self.model.parameters(), 1.0)
@@ -116,41 +124,41 @@ class Run:
             writer.writerow(row)
 
 
-def progress(config, step, losses, per_second, note):
-    left = (config.steps - step) * config.batch / max(per_second, 1e-6)
-    text = (f"{config.network} {step:6d}/{config.steps} {100 * step / config.steps:5.1f} %  "
-            f"loss {losses['total']:.4f}  {per_second:5.0f} samples/s  "
-            f"ETA {int(left // 3600)}:{int(left // 60 % 60):02d}:{int(left % 60):02d}  {note}")
+def progress(run, losses, per_second, note):
+    config, seconds = run.config, time.monotonic() - run.begun
+    left = (config.steps - run.step) * config.batch / max(per_second, 1e-6)
+    if config.minutes:
+        left = min(left, 60 * config.minutes - seconds)
+    text = (f"{config.network} {run.step:6d}/{config.steps} {100 * run.done:5.1f} %  loss {losses['total']:.4f}  "
+            f"{per_second:5.0f} samples/s  ETA {int(left // 3600)}:{int(left // 60 % 60):02d}:{int(left % 60):02d}  {note}")
     print(text, end="\r" if sys.stdout.isatty() else "\n", flush=True)
 
 
 def train(config, folder, threads, workers, out=None):
-    """Trains to config.steps, from the folder's checkpoint when it has one; exports to `out`. The last scores."""
+    """Trains to the end of the config, from the folder's checkpoint when it has one; exports to `out`. The last scores."""
     torch.set_num_threads(threads)
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
     run = Run(config, folder, device, workers)
-    scores, note, sums, since, begun = {}, "", {}, 0, time.monotonic()
-    while run.step < config.steps:
+    scores, sums, since, begun = {}, {}, 0, time.monotonic()
+    done = run.done
+    while done < 1:
         for name, value in run.advance().items():
             sums[name] = sums.get(name, 0.0) + value
         since += 1
-        last = run.step == config.steps
-        if run.step % 50 == 0 or last:
-            elapsed = time.monotonic() - begun
-            run.seconds += elapsed
-            means = {name: value / since for name, value in sums.items()}
-            if run.step % EVALUATE_EVERY == 0 or last:
-                scores = evaluate.quick_scores(config.network, run.average, device)
-                note = "  ".join(f"{name} {value:.4g}" for name, value in scores.items())
-            run.log({"step": run.step, "seconds": round(run.seconds, 1),
-                     **{name: f"{value:.6g}" for name, value in {**means, **{f'val_{k}': v for k, v in scores.items()}}.items()}}
-                    if scores else {"step": run.step, "seconds": round(run.seconds, 1),
-                                    **{name: f"{value:.6g}" for name, value in means.items()},
-                                    **{f"val_{name}": "" for name in evaluate.QUICK[config.network]}})
-            progress(config, run.step, means, since * config.batch / elapsed, note)
-            sums, since, begun = {}, 0, time.monotonic()
-        if run.step % SAVE_EVERY == 0 or last:
+        done = run.done
+        if run.step % SAVE_EVERY == 0 or done == 1:
             run.save()
+        if run.step % REPORT_EVERY and done < 1:
+            continue
+        if run.step % EVALUATE_EVERY == 0 or done == 1:
+            scores = evaluate.quick_scores(config.network, run.average, device)
+        means = {name: value / since for name, value in sums.items()}
+        validation = {f"val_{name}": scores.get(name, math.nan) for name in evaluate.QUICK[config.network]}
+        run.log({"step": run.step, "seconds": round(time.monotonic() - run.begun, 1),
+                 **{name: f"{value:.6g}" for name, value in {**means, **validation}.items()}})
+        progress(run, means, since * config.batch / (time.monotonic() - begun),
+                 "  ".join(f"{name} {value:.4g}" for name, value in scores.items()))
+        sums, since, begun = {}, 0, time.monotonic()
     run.stream.close()
     if out:
         export.export_run(folder, out)
