@@ -6,6 +6,13 @@
 
 #include "dragmesh/dragmesh.h"
 
+/* Lets compilers check arguments against a format. */
+#if defined(__GNUC__)
+#define DMI_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#else
+#define DMI_PRINTF(text, first)
+#endif
+
 typedef struct dmi_env {
     dm_allocator allocator;
     dm_log log;
@@ -23,11 +30,7 @@ void* dmi_alloc_zeroed(dmi_env* env, size_t size, size_t alignment);
 void dmi_free(dmi_env* env, void* memory, size_t size);
 
 /* Logs an error message and returns `code`, so that a check reads: return dmi_fail(env, DM_ERROR_..., "...", ...). */
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-dm_result
-dmi_fail(dmi_env* env, dm_result code, const char* format, ...);
+dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) DMI_PRINTF(3, 4);
 
 /* Runs task(data, i) for i in [0, count) on the host's jobs, or inline. */
 void dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data);
