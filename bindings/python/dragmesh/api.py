@@ -1,6 +1,7 @@
 """dragmesh for Python: a thin, typed layer over dragmesh.h. Arrays are numpy's; everything is in the host's own frame."""
 import ctypes as c
 import enum
+import os
 
 import numpy as np
 
@@ -109,11 +110,15 @@ class Context:
         self.call("context_get_memory", c.byref(info))
         return info
 
-    def load_model(self, kinematics=None, motion=None):
-        """A model from the bytes (or the paths) of the two safetensors files; each may be absent."""
-        data = [open(d, "rb").read() if isinstance(d, str) else d for d in (kinematics, motion)]
-        desc = _described(s.ModelDesc, kinematics=data[0], kinematics_size=len(data[0] or b""), motion=data[1],
-                          motion_size=len(data[1] or b""))
+    def load_model(self, kinematics=None, motion=None, ranker=None):
+        """A model from the bytes (or the paths) of the safetensors files; each may be absent."""
+        values = {}
+        for name, data in (("kinematics", kinematics), ("motion", motion), ("ranker", ranker)):
+            if isinstance(data, (str, os.PathLike)):
+                with open(data, "rb") as file:
+                    data = file.read()
+            values.update({name: data, name + "_size": len(data or b"")})
+        desc = _described(s.ModelDesc, **values)
         handle = c.c_uint64()
         self.call("model_load", c.byref(desc), c.byref(handle))
         return Model(self, handle)

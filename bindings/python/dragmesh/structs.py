@@ -49,14 +49,15 @@ class MemoryInfo(c.Structure):
 
 class ModelDesc(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("kinematics", c.c_char_p), ("kinematics_size", c.c_size_t),
-                ("motion", c.c_char_p), ("motion_size", c.c_size_t)]
+                ("motion", c.c_char_p), ("motion_size", c.c_size_t), ("ranker", c.c_char_p), ("ranker_size", c.c_size_t)]
 
 
 class MeshDesc(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("position_stride", c.c_uint32), ("positions", c.c_void_p),
                 ("vertex_count", c.c_uint64), ("indices", c.c_void_p), ("index_count", c.c_uint64),
                 ("part_ids", c.c_void_p), ("part_id_stride", c.c_uint32), ("position_format", c.c_int32),
-                ("index_format", c.c_int32), ("part_id_format", c.c_int32), ("part_id_scope", c.c_int32)]
+                ("index_format", c.c_int32), ("part_id_format", c.c_int32), ("part_id_scope", c.c_int32),
+                ("reserved", c.c_uint32)]
 
 
 class DragHint(c.Structure):
