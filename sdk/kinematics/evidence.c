@@ -3,12 +3,15 @@
 
 #include "kinematics/linear3.h"
 
-#define SURFACE_POINTS 128 /* of the part, for slippage */
-#define SWEEP_POINTS 80
-#define CONTACT_POINTS 48
+#define SURFACE_POINTS 96 /* of the part, for slippage and place */
+#define SWEEP_POINTS 64
+#define SYMMETRY_POINTS 40
+#define CONTACT_POINTS 40
 #define SWEEP_STEPS 5
 
 /* Turns by 0.06, 0.15, 0.35, 0.8 and 1.4 rad. */
+static const float SWEEP_COSINE[SWEEP_STEPS] = {0.99820054f, 0.98877108f, 0.93937271f, 0.69670671f, 0.16996714f};
+static const float SWEEP_SINE[SWEEP_STEPS] = {0.05996401f, 0.14943813f, 0.34289781f, 0.71735609f, 0.98544973f};
 static const float SWEEP_SHARE[SWEEP_STEPS] = {0.04f, 0.12f, 0.25f, 0.5f, 0.85f}; /* of the extent along a slide */
 
 typedef struct judge {
@@ -18,7 +21,8 @@ typedef struct judge {
     float drag[3], drag_normal[3]; /* unit */
     float side[3], middle[3];      /* lengths of the box and its centre, along its axes */
     float box_centre[3];
-    uint8_t free[SWEEP_POINTS]; /* not touching at rest */
+    float free[SWEEP_POINTS]; /* 1: not touching at rest */
+    float shape[5];
 } judge;
 
 static int slides(const dmi_candidate* c) {
@@ -65,7 +69,8 @@ static void contact_evidence(const judge* j, const dmi_candidate* c, const dmi_c
         speed += length;
         part += fabsf(dmi_dot3(v, s->normals[p]));
         if (q != UINT32_MAX) rest += fabsf(dmi_dot3(v, s->near_normals[q]));
-        if (!slides(c)) on_axis += expf(-length / (0.05f * s->diagonal));
+        float ratio = length / (0.05f * s->diagonal);
+        if (!slides(c)) on_axis += 1 / (1 + ratio * ratio);
     }
     float each = 1 / (float)n;
     out[0] = part * each / mean_speed;
@@ -77,20 +82,57 @@ static void contact_evidence(const judge* j, const dmi_candidate* c, const dmi_c
     out[6] = (float)contact->count / DMI_STUDY_PART;
 }
 
+/* A candidate's motion of some points: x = base + cosine * across + sine * beside (turns), base + way * beside
+ * (slides). */
+typedef struct motion {
+    float base[3][DMI_FIELD_BATCH], across[3][DMI_FIELD_BATCH], beside[3][DMI_FIELD_BATCH];
+} motion;
+
+static void make_motion(const dmi_candidate* c, const float (*points)[3], uint32_t count, motion* out) {
+    for (uint32_t i = 0; i < count; i++) {
+        float arm[3], along[3], side[3];
+        if (slides(c)) {
+            for (int k = 0; k < 3; k++)
+                out->base[k][i] = points[i][k], out->across[k][i] = 0, out->beside[k][i] = c->axis[k];
+            continue;
+        }
+        dmi_sub3(points[i], c->origin, arm);
+        dmi_cross3(c->axis, arm, side);
+        dmi_madd3(c->origin, dmi_dot3(arm, c->axis), c->axis, along);
+        for (int k = 0; k < 3; k++) {
+            out->base[k][i] = along[k];
+            out->across[k][i] = points[i][k] - along[k];
+            out->beside[k][i] = side[k];
+        }
+    }
+}
+
+static void moved_distances(const motion* m, float cosine, float sine, uint32_t count, const dmi_field* field,
+                            float* out) {
+    float at[3][DMI_FIELD_BATCH];
+    for (int k = 0; k < 3; k++)
+        for (uint32_t i = 0; i < count; i++)
+            at[k][i] = m->base[k][i] + cosine * m->across[k][i] + sine * m->beside[k][i];
+    dmi_field_distances(field, (const float(*)[DMI_FIELD_BATCH])at, count, out);
+}
+
 typedef struct sweep {
     float hit[2][SWEEP_STEPS], detached[2][SWEEP_STEPS], touch[2][SWEEP_STEPS];
 } sweep;
 
-/* Where a point is after step k on either side. */
-static void swept_point(const dmi_candidate* c, const float point[3], float extent, int step, int side, float out[3]) {
-    float sign = side == 0 ? 1.0f : -1.0f;
-    if (slides(c)) {
-        dmi_madd3(point, sign * SWEEP_SHARE[step] * extent, c->axis, out);
-        return;
+/* The third smallest of the distances: a couple of points may lag behind a part that has left the body. */
+static float third_smallest(const float* distance, uint32_t count) {
+    float near[3] = {INFINITY, INFINITY, INFINITY};
+    for (uint32_t i = 0; i < count; i++) {
+        float d = distance[i];
+        if (d >= near[2]) continue;
+        near[2] = d;
+        for (int k = 2; k > 0 && near[k] < near[k - 1]; k--) {
+            float swap = near[k];
+            near[k] = near[k - 1], near[k - 1] = swap;
+        }
     }
-    static const float cosine[SWEEP_STEPS] = {0.99820054f, 0.98877108f, 0.93937271f, 0.69670671f, 0.16996714f};
-    static const float sine[SWEEP_STEPS] = {0.05996401f, 0.14943813f, 0.34289781f, 0.71735609f, 0.98544973f};
-    dmi_turn3(c->axis, c->origin, cosine[step], sign * sine[step], point, out);
+    return near[2];
 }
 
 /* Moves the part both ways through the body's distance grid. */
@@ -98,27 +140,23 @@ static void sweep_part(const judge* j, const dmi_candidate* c, sweep* out) {
     const dmi_study* s = j->study;
     float extent = 0, touch_limit = 2.1f * s->body_field.cell, hit_limit = 0.9f * s->body_field.cell;
     for (int k = 0; k < 3; k++) extent += fabsf(dmi_dot3(c->axis, s->box.axes[k])) * j->side[k];
+    motion m;
+    make_motion(c, s->points, SWEEP_POINTS, &m);
     for (int side = 0; side < 2; side++) {
-        uint8_t hit[SWEEP_POINTS] = {0};
+        float hit[SWEEP_POINTS] = {0}, sign = side == 0 ? 1.0f : -1.0f;
         for (int step = 0; step < SWEEP_STEPS; step++) {
-            float near[3] = {INFINITY, INFINITY, INFINITY}, hits = 0, touches = 0;
+            float distance[DMI_FIELD_BATCH], hits = 0, touches = 0;
+            float way = slides(c) ? SWEEP_SHARE[step] * extent : SWEEP_SINE[step];
+            moved_distances(&m, SWEEP_COSINE[step], sign * way, SWEEP_POINTS, &s->body_field, distance);
             for (int i = 0; i < SWEEP_POINTS; i++) {
-                float x[3];
-                swept_point(c, s->points[i], extent, step, side, x);
-                float d = dmi_field_distance(&s->body_field, x);
-                if (d < hit_limit && j->free[i]) hit[i] = 1;
+                hit[i] = distance[i] < hit_limit ? j->free[i] : hit[i];
                 hits += hit[i];
-                touches += d < touch_limit;
-                if (d >= near[2]) continue;
-                near[2] = d;
-                for (int k = 2; k > 0 && near[k] < near[k - 1]; k--) {
-                    float swap = near[k];
-                    near[k] = near[k - 1], near[k - 1] = swap;
-                }
+                touches += distance[i] < touch_limit ? 1.0f : 0.0f;
             }
             out->hit[side][step] = hits / SWEEP_POINTS;
             out->touch[side][step] = touches / SWEEP_POINTS;
-            out->detached[side][step] = near[2] / s->diagonal;
+            if (step == 2 || step == 4)
+                out->detached[side][step] = third_smallest(distance, SWEEP_POINTS) / s->diagonal;
         }
     }
 }
@@ -170,9 +208,11 @@ static void place_evidence(const judge* j, const dmi_candidate* c, float out[11]
     dmi_reject3(outward, c->axis);
     dmi_normalize3(outward);
     for (int i = 0; i < SURFACE_POINTS; i++) {
-        float r = dmi_line_distance3(s->points[i], c->axis, c->origin), d[3];
+        float d[3], along, r;
         dmi_sub3(s->points[i], c->origin, d);
-        behind += dmi_dot3(d, outward) < -0.01f * s->diagonal;
+        along = dmi_dot3(d, c->axis);
+        r = sqrtf(fmaxf(dmi_dot3(d, d) - along * along, 0));
+        behind += dmi_dot3(d, outward) < -0.01f * s->diagonal ? 1.0f : 0.0f;
         least = fminf(least, r), most = fmaxf(most, r);
         sum += r, square += r * r;
     }
@@ -229,26 +269,27 @@ static void symmetry_evidence(const judge* j, const dmi_candidate* c, float out[
     if (slides(c)) return;
     static const float cosine[5] = {-1, -0.5f, 0, 0.30901699f, 0.5f};
     static const float sine[5] = {0, 0.8660254f, 1, 0.95105652f, 0.8660254f};
+    motion m;
+    make_motion(c, s->points, SYMMETRY_POINTS, &m);
     float mean[5] = {0};
-    for (int k = 0; k < 5; k++)
-        for (int i = 0; i < 40; i++) {
-            float x[3];
-            dmi_turn3(c->axis, c->origin, cosine[k], sine[k], s->points[i], x);
-            mean[k] += fminf(dmi_field_distance(&s->part_field, x) / s->diagonal, 0.5f) / 40;
-        }
+    for (int k = 0; k < 5; k++) {
+        float distance[DMI_FIELD_BATCH];
+        moved_distances(&m, cosine[k], sine[k], SYMMETRY_POINTS, &s->part_field, distance);
+        for (int i = 0; i < SYMMETRY_POINTS; i++) mean[k] += fminf(distance[i] / s->diagonal, 0.5f) / SYMMETRY_POINTS;
+    }
     float least = fminf(fminf(mean[1], mean[2]), fminf(mean[3], mean[4]));
     out[0] = mean[0], out[1] = least, out[2] = expf(-fminf(least, mean[0]) / 0.02f);
 }
 
-static void drag_evidence(const judge* j, const dmi_candidate* c, float out[11]) {
+/* most: largest distance of the part from the axis. */
+static void drag_evidence(const judge* j, const dmi_candidate* c, float most, float out[11]) {
     memset(out, 0, 11 * sizeof *out);
     if (j->hint == NULL) return;
     const dmi_study* s = j->study;
-    float v[3], most = 0, low, high;
+    float v[3], low, high;
     velocity(c, j->hint->point, v);
     float speed = dmi_length3(v), cosine = dmi_dot3(v, j->drag) / (speed + 1e-12f);
     float angle = acosf(fminf(fmaxf(cosine, -1), 1));
-    for (int i = 0; i < SURFACE_POINTS; i++) most = fmaxf(most, dmi_line_distance3(s->points[i], c->axis, c->origin));
     dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3]) & c->axis, 1, &low, &high);
     float along = (dmi_dot3(j->hint->point, c->axis) - low) / fmaxf(high - low, 1e-6f);
     out[0] = 1;
@@ -291,7 +332,9 @@ static judge make_judge(const dmi_study* study, const dmi_drag_hint* hint, const
         dmi_madd3(j.box_centre, j.middle[k], study->box.axes[k], j.box_centre);
     }
     for (int i = 0; i < SWEEP_POINTS; i++)
-        j.free[i] = dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell;
+        j.free[i] =
+            dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell ? 1.0f : 0.0f;
+    shape_evidence(&j, j.shape);
     if (hint == NULL) return j;
     dmi_copy3(hint->vector, j.drag);
     dmi_normalize3(j.drag);
@@ -329,13 +372,13 @@ void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const 
         for (int k = 0; k < DMI_STUDY_CONTACTS; k++)
             contact_evidence(&j, c, &study->contacts[k], speed, row + DMI_EVIDENCE_CONTACT + 7 * k);
         sweep_evidence(&j, c, row + DMI_EVIDENCE_SWEEP);
-        shape_evidence(&j, row + DMI_EVIDENCE_SHAPE);
+        memcpy(row + DMI_EVIDENCE_SHAPE, j.shape, sizeof j.shape);
         alignment_evidence(&j, c, row + DMI_EVIDENCE_ALIGNMENT);
         place_evidence(&j, c, row + DMI_EVIDENCE_PLACE);
         side_evidence(&j, c, row + DMI_EVIDENCE_SIDE);
         along_evidence(&j, c, row + DMI_EVIDENCE_ALONG);
         symmetry_evidence(&j, c, row + DMI_EVIDENCE_SYMMETRY);
-        drag_evidence(&j, c, row + DMI_EVIDENCE_DRAG);
+        drag_evidence(&j, c, row[DMI_EVIDENCE_PLACE + 5] * study->diagonal, row + DMI_EVIDENCE_DRAG);
         network_evidence(&j, c, row + DMI_EVIDENCE_NETWORK);
         family_evidence(c, row + DMI_EVIDENCE_DIRECTION, row + DMI_EVIDENCE_ORIGIN);
     }

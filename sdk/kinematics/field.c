@@ -32,9 +32,10 @@ static dm_result sort_samples(dmi_arena* arena, uint32_t count, size_t cells, dm
     return DM_OK;
 }
 
-/* Lower envelope of parabolas along one line of `n` cells `stride` apart, in squared cells. */
-static void transform_line(float* line, size_t stride, int32_t n) {
+/* Lower envelope of parabolas along one line of `n` cells `stride` apart, in squared cells; `source` follows. */
+static void transform_line(float* line, uint32_t* source, size_t stride, int32_t n) {
     float value[DMI_FIELD_CELLS + 2], bound[DMI_FIELD_CELLS + 3];
+    uint32_t from[DMI_FIELD_CELLS + 2];
     int32_t at[DMI_FIELD_CELLS + 2], k = -1;
     for (int32_t q = 0; q < n; q++) {
         float f = line[(size_t)q * stride];
@@ -45,25 +46,29 @@ static void transform_line(float* line, size_t stride, int32_t n) {
             if (cross > bound[k]) break;
         }
         k++;
-        at[k] = q, value[k] = f, bound[k] = k == 0 ? -FAR : cross, bound[k + 1] = FAR;
+        at[k] = q, value[k] = f, from[k] = source[(size_t)q * stride];
+        bound[k] = k == 0 ? -FAR : cross, bound[k + 1] = FAR;
     }
     if (k < 0) return;
     int32_t p = 0;
     for (int32_t q = 0; q < n; q++) {
         while (p < k && bound[p + 1] < (float)q) p++;
         line[(size_t)q * stride] = value[p] + (float)((q - at[p]) * (q - at[p]));
+        source[(size_t)q * stride] = from[p];
     }
 }
 
 static void transform(dmi_field* field) {
     int32_t nx = field->size[0], ny = field->size[1], nz = field->size[2];
     size_t row = (size_t)nx, slab = row * (size_t)ny, cells = slab * (size_t)nz;
-    for (size_t c = 0; c < cells; c++) field->distance[c] = field->start[c + 1] > field->start[c] ? 0 : FAR;
-    for (size_t r = 0; r < cells; r += row) transform_line(field->distance + r, 1, nx);
+    float* d = field->distance;
+    uint32_t* s = field->source;
+    for (size_t c = 0; c < cells; c++) d[c] = field->start[c + 1] > field->start[c] ? 0 : FAR, s[c] = (uint32_t)c;
+    for (size_t r = 0; r < cells; r += row) transform_line(d + r, s + r, 1, nx);
     for (size_t z = 0; z < cells; z += slab)
-        for (size_t x = 0; x < row; x++) transform_line(field->distance + z + x, row, ny);
-    for (size_t c = 0; c < slab; c++) transform_line(field->distance + c, slab, nz);
-    for (size_t c = 0; c < cells; c++) field->distance[c] = sqrtf(field->distance[c]) * field->cell;
+        for (size_t x = 0; x < row; x++) transform_line(d + z + x, s + z + x, row, ny);
+    for (size_t c = 0; c < slab; c++) transform_line(d + c, s + c, slab, nz);
+    for (size_t c = 0; c < cells; c++) d[c] = sqrtf(d[c]) * field->cell;
 }
 
 dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t count, const float low[3],
@@ -72,6 +77,7 @@ dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t c
     float longest = 1e-6f;
     for (int k = 0; k < 3; k++) longest = fmaxf(longest, high[k] - low[k]);
     out->cell = longest / (DMI_FIELD_CELLS - 1);
+    out->per_cell = 1 / out->cell;
     size_t cells = 1;
     for (int k = 0; k < 3; k++) {
         out->low[k] = low[k];
@@ -79,9 +85,33 @@ dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t c
         cells *= (size_t)out->size[k];
     }
     out->distance = dmi_arena_push(arena, sizeof *out->distance * cells);
-    if (out->distance == NULL || sort_samples(arena, count, cells, out) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
+    out->source = dmi_arena_push(arena, sizeof *out->source * cells);
+    if (out->distance == NULL || out->source == NULL || sort_samples(arena, count, cells, out) != DM_OK)
+        return DM_ERROR_OUT_OF_MEMORY;
     transform(out);
     return DM_OK;
+}
+
+void dmi_field_distances(const dmi_field* field, const float (*points)[DMI_FIELD_BATCH], uint32_t count, float* out) {
+    float outside[DMI_FIELD_BATCH];
+    int32_t index[DMI_FIELD_BATCH];
+    for (uint32_t i = 0; i < count; i++) index[i] = 0, outside[i] = 0;
+    for (int k = 2; k >= 0; k--) {
+        float low = field->low[k], per_cell = field->per_cell, last = (float)(field->size[k] - 1);
+        int32_t size = field->size[k];
+        for (uint32_t i = 0; i < count; i++) {
+            float at = (points[k][i] - low) * per_cell;
+            float inside = at < 0 ? 0 : at;
+            inside = inside > last ? last : inside;
+            float off = (at - inside) * (at - inside);
+            outside[i] += off > 1 ? off : 0;
+            index[i] = index[i] * size + (int32_t)inside;
+        }
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        out[i] = field->distance[index[i]];
+        if (outside[i] > 0) out[i] += sqrtf(outside[i]) * field->cell;
+    }
 }
 
 /* Nearest sample in the cells that a box of `reach` round the point touches. */
@@ -110,28 +140,26 @@ static uint32_t nearest_within(const dmi_field* field, const float point[3], flo
     return best;
 }
 
+/* The cell a point is in, or the nearest one to it. */
+static size_t clamped_cell(const dmi_field* field, const float point[3]) {
+    size_t index = 0;
+    for (int k = 2; k >= 0; k--) {
+        float at = (point[k] - field->low[k]) * field->per_cell, last = (float)(field->size[k] - 1);
+        index = index * (size_t)field->size[k] + (size_t)fminf(fmaxf(at, 0), last);
+    }
+    return index;
+}
+
 uint32_t dmi_field_nearest(const dmi_field* field, const float point[3], float* out_distance) {
     *out_distance = INFINITY;
     if (field->count == 0) return UINT32_MAX;
     /* The nearest occupied cell is `rough` away from this cell's centre: a sample lies within its diagonal of that. */
-    float rough = dmi_field_distance(field, point), diagonal = 1.733f * field->cell;
-    if (rough <= 4 * field->cell) return nearest_within(field, point, rough + diagonal, out_distance);
-    uint32_t hint = UINT32_MAX;
-    float at[3], step;
-    dmi_copy3(point, at);
-    /* Walk down the distance grid to the occupied cell. */
-    for (int turns = 0; turns < 4 * DMI_FIELD_CELLS; turns++) {
-        float here = dmi_field_distance(field, at), least = here, next[3];
-        for (int n = 0; n < 27; n++) {
-            float near[3] = {at[0] + (float)(n % 3 - 1) * field->cell, at[1] + (float)(n / 3 % 3 - 1) * field->cell,
-                             at[2] + (float)(n / 9 - 1) * field->cell};
-            float d = dmi_field_distance(field, near);
-            if (d < least) least = d, dmi_copy3(near, next);
-        }
-        if (least >= here) break;
-        dmi_copy3(next, at);
+    float rough = dmi_field_distance(field, point);
+    if (rough <= 1.5f * field->cell) return nearest_within(field, point, rough + 1.733f * field->cell, out_distance);
+    uint32_t cell = field->source[clamped_cell(field, point)], best = UINT32_MAX;
+    for (uint32_t i = field->start[cell]; i < field->start[cell + 1]; i++) {
+        float d = dmi_distance3(point, field->samples[field->order[i]]);
+        if (d < *out_distance) *out_distance = d, best = field->order[i];
     }
-    hint = nearest_within(field, at, 2 * diagonal, &step);
-    if (hint != UINT32_MAX) *out_distance = dmi_distance3(point, field->samples[hint]);
-    return hint;
+    return best;
 }

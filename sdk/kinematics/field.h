@@ -7,12 +7,13 @@
 #define DMI_FIELD_CELLS 56 /* along the longest side */
 
 typedef struct dmi_field {
-    float low[3], cell;
+    float low[3], cell, per_cell; /* per_cell = 1 / cell */
     int32_t size[3];
-    float* distance; /* from a cell's centre to the nearest cell that holds a sample; inner units */
-    uint32_t* start; /* cell c holds order[start[c]] .. order[start[c + 1] - 1] */
-    uint32_t* order; /* sample indices by cell */
-    uint32_t count;  /* samples inside the grid */
+    float* distance;  /* from a cell's centre to the nearest cell that holds a sample; inner units */
+    uint32_t* source; /* that nearest cell */
+    uint32_t* start;  /* cell c holds order[start[c]] .. order[start[c + 1] - 1] */
+    uint32_t* order;  /* sample indices by cell */
+    uint32_t count;   /* samples inside the grid */
     const float (*samples)[3];
 } dmi_field;
 
@@ -25,7 +26,7 @@ static inline float dmi_field_distance(const dmi_field* field, const float point
     int32_t index = 0;
     float outside = 0;
     for (int k = 2; k >= 0; k--) {
-        float at = (point[k] - field->low[k]) / field->cell, last = (float)(field->size[k] - 1);
+        float at = (point[k] - field->low[k]) * field->per_cell, last = (float)(field->size[k] - 1);
         float inside = at < 0 ? 0 : at > last ? last : at;
         float off = at - inside;
         outside += off * off > 1 ? off * off : 0;
@@ -35,7 +36,11 @@ static inline float dmi_field_distance(const dmi_field* field, const float point
     return outside > 0 ? distance + __builtin_sqrtf(outside) * field->cell : distance;
 }
 
-/* Nearest sample: exact when nearer than four cells, else within a cell of it. UINT32_MAX when there is none. */
+/* The same for `count` points at once, coordinates apart; count at most DMI_FIELD_BATCH. */
+#define DMI_FIELD_BATCH 128
+void dmi_field_distances(const dmi_field* field, const float (*points)[DMI_FIELD_BATCH], uint32_t count, float* out);
+
+/* Nearest sample: exact when nearer than a cell and a half, else to within two cells. UINT32_MAX when there is none. */
 uint32_t dmi_field_nearest(const dmi_field* field, const float point[3], float* out_distance);
 
 #endif

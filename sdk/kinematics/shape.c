@@ -162,11 +162,11 @@ uint32_t dmi_shape_extremes(const float (*points)[3], uint32_t count, const floa
     return found;
 }
 
-#define MAX_NORMALS 2048
+#define MAX_NORMALS 1024 /* the first ones: samples come in random order */
 
 /* The normal that most others are parallel to, among every `step`th of those left. */
 static uint32_t most_shared(const float (*normals)[3], const uint8_t* left, uint32_t count, uint32_t* out_votes) {
-    uint32_t best = 0, step = count / 192 + 1;
+    uint32_t best = 0, step = count / 128 + 1;
     *out_votes = 0;
     for (uint32_t i = 0; i < count; i += step) {
         if (!left[i]) continue;
