@@ -1,0 +1,201 @@
+/* Shape analysis, the distance grid, and the candidates that come of them. */
+#include "test_env.h"
+
+#include <math.h>
+
+#include "base/random.h"
+#include "kinematics/candidates.h"
+#include "kinematics/linear3.h"
+#include "kinematics/ranker.h"
+#include "test_shapes.h"
+
+static test_shape shape;
+static dmi_cloud cloud;
+static dmi_study study;
+static dmi_candidate candidates[DMI_CANDIDATES_MAX];
+static float evidence[DMI_CANDIDATES_MAX][DMI_EVIDENCE_COUNT];
+
+/* A body with a lid that has a hinge line at its back lower edge. */
+static void make_lid(void) {
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){0.8f, 0.4f, 0.5f}, 0);
+    test_shape_box(&shape, (const float[]){0, 0.402f, 0}, (const float[]){0.8f, 0.45f, 0.5f}, 1);
+}
+
+static dmi_mesh* study_shape(dmi_env* env, dmi_arena* arena) {
+    dm_mesh_desc desc = test_shape_desc(&shape);
+    dmi_axes axes;
+    dmi_mesh* mesh = NULL;
+    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
+    assert_int_equal(dmi_mesh_create(env, &axes, &desc, NULL, 0, &mesh), DM_OK);
+    assert_int_equal(dmi_cloud_sample(env, mesh, 1, 3, &cloud), DM_OK);
+    dmi_arena_init(arena, env, (size_t)1 << 20);
+    assert_int_equal(dmi_study_make(arena, mesh, &cloud, 1, NULL, &study), DM_OK);
+    return mesh;
+}
+
+static void eigenvectors_of_a_known_matrix(void** state) {
+    (void)state;
+    const double m[3][3] = {{2, 1, 0}, {1, 2, 0}, {0, 0, 5}};
+    double values[3];
+    float vectors[3][3];
+    dmi_eigen3(m, values, vectors);
+    assert_float_equal(values[0], 5, 1e-6);
+    assert_float_equal(values[1], 3, 1e-6);
+    assert_float_equal(values[2], 1, 1e-6);
+    assert_float_equal(fabsf(vectors[0][2]), 1, 1e-6f);
+    assert_float_equal(fabsf(vectors[1][0] + vectors[1][1]), sqrtf(2), 1e-6f);
+}
+
+/* The least box of a turned box is the box. */
+static void box_of_a_turned_box(void** state) {
+    (void)state;
+    const float axis[3] = {0.48f, 0.6f, 0.64f}, zero[3] = {0, 0, 0};
+    float points[8][3], turned_axes[3][3];
+    for (int i = 0; i < 8; i++) {
+        const float p[3] = {i & 1 ? 1.5f : -1.5f, i & 2 ? 0.5f : -0.5f, i & 4 ? 0.2f : -0.2f};
+        dmi_turn3(axis, zero, cosf(0.7f), sinf(0.7f), p, points[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        float unit[3] = {0, 0, 0};
+        unit[i] = 1;
+        dmi_turn3(axis, zero, cosf(0.7f), sinf(0.7f), unit, turned_axes[i]);
+    }
+    dmi_box box;
+    dmi_shape_box((const float(*)[3])points, 8, (const float(*)[3])turned_axes, 3, &box);
+    const float sides[3] = {3, 1, 0.4f};
+    for (int i = 0; i < 3; i++) {
+        assert_float_equal(box.high[i] - box.low[i], sides[i], 1e-5f);
+        assert_float_equal(fabsf(dmi_dot3(box.axes[i], turned_axes[i])), 1, 1e-5f);
+    }
+}
+
+/* A cylinder slides on itself by turning about its axis and along it. */
+static void slippage_of_a_cylinder(void** state) {
+    (void)state;
+    enum { N = 400 };
+    float points[N][3], normals[N][3];
+    dmi_random random = dmi_random_make(4, 4);
+    for (int i = 0; i < N; i++) {
+        float a = 6.2831853f * dmi_random_unit(&random);
+        const float n[3] = {cosf(a), 0, sinf(a)}, p[3] = {2 + 0.1f * n[0], dmi_random_unit(&random), 3 + 0.1f * n[2]};
+        dmi_copy3(p, points[i]), dmi_copy3(n, normals[i]);
+    }
+    dmi_slippage s;
+    dmi_shape_slippage((const float(*)[3])points, (const float(*)[3])normals, NULL, N, &s);
+    assert_float_equal(fabsf(s.turn_axis[0][1]), 1, 1e-3f);
+    assert_float_equal(s.turn_point[0][0], 2, 1e-3f);
+    assert_float_equal(s.turn_point[0][2], 3, 1e-3f);
+    assert_true(s.turn_residual[0] < 1e-2f && s.turn_residual[1] > 0.1f);
+    assert_float_equal(fabsf(s.slide[0][1]), 1, 1e-3f);
+    assert_true(s.slide_residual[0] < 1e-2f && s.slide_residual[1] > 0.3f);
+}
+
+/* The grid against brute force. */
+static void distances_agree_with_brute_force(void** state) {
+    (void)state;
+    enum { N = 300 };
+    static float samples[N][3];
+    test_env t;
+    dmi_arena arena;
+    test_env_open(&t, TEST_NEVER);
+    dmi_arena_init(&arena, &t.env, 1 << 16);
+    dmi_random random = dmi_random_make(8, 8);
+    for (int i = 0; i < N; i++)
+        for (int k = 0; k < 3; k++) samples[i][k] = 0.2f + 0.6f * dmi_random_unit(&random);
+    dmi_field field;
+    const float low[3] = {0, 0, 0}, high[3] = {1, 1, 0.9f};
+    assert_int_equal(dmi_field_make(&arena, (const float(*)[3])samples, N, low, high, &field), DM_OK);
+    for (int q = 0; q < 500; q++) {
+        float point[3], least = INFINITY, found;
+        for (int k = 0; k < 3; k++) point[k] = 0.95f * dmi_random_unit(&random);
+        point[2] *= 0.9f;
+        for (int i = 0; i < N; i++) least = fminf(least, dmi_distance3(point, samples[i]));
+        assert_float_equal(dmi_field_distance(&field, point), least, 1.8f * field.cell);
+        assert_true(dmi_field_nearest(&field, point, &found) < N);
+        assert_true(found >= least - 1e-6f && found < least + 2.1f * field.cell);
+        if (least < 0.5f * field.cell) assert_float_equal(found, least, 1e-6f);
+    }
+    const float outside[3] = {1.5f, 0.5f, 0.5f};
+    assert_true(dmi_field_distance(&field, outside) > 0.5f);
+    dmi_arena_release(&arena);
+    test_env_close(&t);
+}
+
+static float nearest_line(uint32_t count, const float axis[3], const float point[3]) {
+    float best = INFINITY;
+    for (uint32_t i = 0; i < count; i++) {
+        const dmi_candidate* c = &candidates[i];
+        if (c->type != DM_JOINT_REVOLUTE || fabsf(dmi_dot3(c->axis, axis)) < 0.9999f) continue;
+        best = fminf(best, dmi_line_distance3(point, c->axis, c->origin));
+    }
+    return best;
+}
+
+/* The true hinge of a lid is among the candidates, with a drag and without, and evidence is finite everywhere. */
+static void a_lids_hinge_is_a_candidate(void** state) {
+    (void)state;
+    test_env t;
+    dmi_arena arena;
+    test_env_open(&t, TEST_NEVER);
+    make_lid();
+    dmi_mesh* mesh = study_shape(&t.env, &arena);
+    const float axis[3] = {1, 0, 0};
+    float hinge[3];
+    dmi_frame_point_in(&mesh->frame, (const double[]){0.4, 0.402, 0}, hinge);
+    dmi_drag_hint hint = {{0, 0, 0}, {0, 1, 0.15f}};
+    dmi_frame_point_in(&mesh->frame, (const double[]){0.4, 0.43, 0.5}, hint.point);
+    for (int with = 0; with < 2; with++) {
+        uint32_t count = dmi_candidates_make(&study, with ? &hint : NULL, NULL, candidates);
+        assert_in_range(count, 20, DMI_CANDIDATES_MAX);
+        assert_true(nearest_line(count, axis, hinge) < 0.005f);
+        dmi_evidence_make(&study, with ? &hint : NULL, NULL, candidates, count, evidence);
+        float sum = 0, probability[DMI_CANDIDATES_MAX];
+        for (uint32_t i = 0; i < count; i++) {
+            for (int k = 0; k < DMI_EVIDENCE_COUNT; k++) assert_true(isfinite(evidence[i][k]));
+            float arm[3], velocity[3];
+            dmi_sub3(hint.point, candidates[i].origin, arm);
+            dmi_cross3(candidates[i].axis, arm, velocity);
+            if (with && candidates[i].type == DM_JOINT_REVOLUTE) assert_true(dmi_dot3(velocity, hint.vector) > 0);
+        }
+        dmi_ranker_probabilities(NULL, (const float(*)[DMI_EVIDENCE_COUNT])evidence, count, probability);
+        for (uint32_t i = 0; i < count; i++) sum += probability[i];
+        assert_float_equal(sum, 1, 1e-4f);
+    }
+    dmi_arena_release(&arena);
+    dmi_mesh_destroy(&t.env, mesh);
+    test_env_close(&t);
+}
+
+/* What the network says becomes a candidate as it is. */
+static void the_networks_joint_is_a_candidate(void** state) {
+    (void)state;
+    test_env t;
+    dmi_arena arena;
+    test_env_open(&t, TEST_NEVER);
+    make_lid();
+    dmi_mesh* mesh = study_shape(&t.env, &arena);
+    dmi_prediction prediction = {.type = {1, 0, 0, 0},
+                                 .turn_axis = {0.6f, 0.48f, 0.64f},
+                                 .slide_axis = {0, 0.6f, 0.8f},
+                                 .origin = {0.1f, 0.2f, 0.05f}};
+    uint32_t count = dmi_candidates_make(&study, NULL, &prediction, candidates);
+    assert_true(nearest_line(count, prediction.turn_axis, prediction.origin) < 1e-5f);
+    int slides = 0;
+    for (uint32_t i = 0; i < count; i++)
+        slides += candidates[i].type == DM_JOINT_PRISMATIC &&
+                  fabsf(dmi_dot3(candidates[i].axis, prediction.slide_axis)) > 0.99999f;
+    assert_int_equal(slides, 1);
+    dmi_arena_release(&arena);
+    dmi_mesh_destroy(&t.env, mesh);
+    test_env_close(&t);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(eigenvectors_of_a_known_matrix), cmocka_unit_test(box_of_a_turned_box),
+        cmocka_unit_test(slippage_of_a_cylinder),         cmocka_unit_test(distances_agree_with_brute_force),
+        cmocka_unit_test(a_lids_hinge_is_a_candidate),    cmocka_unit_test(the_networks_joint_is_a_candidate),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
