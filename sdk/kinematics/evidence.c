@@ -281,6 +281,44 @@ static void symmetry_evidence(const judge* j, const dmi_candidate* c, float out[
     out[0] = mean[0], out[1] = least, out[2] = expf(-fminf(least, mean[0]) / 0.02f);
 }
 
+/* Distance of the handle from the axis over the part's own farthest, whether the handle runs along the axis, and its
+ * size. most: largest distance of the part from the axis. */
+static void handle_evidence(const judge* j, const dmi_candidate* c, float most, float out[4]) {
+    const dmi_study* s = j->study;
+    memset(out, 0, 4 * sizeof *out);
+    if (s->handle_spread <= 0) return;
+    out[0] = s->handle_spread / s->diagonal;
+    out[1] = fabsf(dmi_dot3(s->handle_direction, c->axis));
+    if (slides(c)) return;
+    out[2] = dmi_line_distance3(s->handle, c->axis, c->origin) / (most + 1e-9f);
+    float off[3], arm[3];
+    dmi_sub3(s->handle, s->centre, off);
+    dmi_sub3(s->centre, c->origin, arm);
+    out[3] = dmi_dot3(off, arm) / (dmi_length3(arm) * s->diagonal + 1e-9f);
+}
+
+/* Seen from the part's centre towards the axis: how far from the object's far side the axis runs, where the part's
+ * centre lies, how wide the object is; and how much of the object's length along the axis the part takes. */
+static void outline_evidence(const judge* j, const dmi_candidate* c, float out[4]) {
+    const dmi_study* s = j->study;
+    memset(out, 0, 4 * sizeof *out);
+    float way[2][3], low[2], high[2], part_low, part_high;
+    dmi_copy3(c->axis, way[0]);
+    dmi_sub3(c->origin, s->centre, way[1]);
+    dmi_reject3(way[1], c->axis);
+    int off_centre = dmi_normalize3(way[1]) > 0.02f * s->diagonal;
+    dmi_shape_limits((const float(*)[3])s->outline, s->outline_count, (const float(*)[3])way, off_centre ? 2 : 1, low,
+                     high);
+    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3])way, 1, &part_low,
+                     &part_high);
+    out[0] = (part_high - part_low) / (high[0] - low[0] + 1e-9f);
+    if (slides(c) || !off_centre) return;
+    float width = high[1] - low[1] + 1e-9f;
+    out[1] = fmaxf((high[1] - dmi_dot3(c->origin, way[1])) / width, -1);
+    out[2] = (dmi_dot3(s->centre, way[1]) - low[1]) / width;
+    out[3] = fminf(logf(width / s->diagonal), 3);
+}
+
 /* most: largest distance of the part from the axis. */
 static void drag_evidence(const judge* j, const dmi_candidate* c, float most, float out[11]) {
     memset(out, 0, 11 * sizeof *out);
@@ -378,7 +416,10 @@ void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const 
         side_evidence(&j, c, row + DMI_EVIDENCE_SIDE);
         along_evidence(&j, c, row + DMI_EVIDENCE_ALONG);
         symmetry_evidence(&j, c, row + DMI_EVIDENCE_SYMMETRY);
-        drag_evidence(&j, c, row[DMI_EVIDENCE_PLACE + 5] * study->diagonal, row + DMI_EVIDENCE_DRAG);
+        float most = row[DMI_EVIDENCE_PLACE + 5] * study->diagonal;
+        drag_evidence(&j, c, most, row + DMI_EVIDENCE_DRAG);
+        handle_evidence(&j, c, most, row + DMI_EVIDENCE_HANDLE);
+        outline_evidence(&j, c, row + DMI_EVIDENCE_OUTLINE);
         network_evidence(&j, c, row + DMI_EVIDENCE_NETWORK);
         family_evidence(c, row + DMI_EVIDENCE_DIRECTION, row + DMI_EVIDENCE_ORIGIN);
     }

@@ -23,7 +23,9 @@ enum {
     DMI_EVIDENCE_DIRECTION = 98, /* families, one a bit */
     DMI_EVIDENCE_ORIGIN = DMI_EVIDENCE_DIRECTION + DMI_DIRECTION_FAMILIES,
     DMI_EVIDENCE_RELATIVE = DMI_EVIDENCE_ORIGIN + DMI_ORIGIN_FAMILIES, /* 4: above the best of the same type */
-    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_RELATIVE + 4
+    DMI_EVIDENCE_HANDLE = DMI_EVIDENCE_RELATIVE + 4,                   /* 4: what stands out, seen from the axis */
+    DMI_EVIDENCE_OUTLINE = DMI_EVIDENCE_HANDLE + 4,                    /* 4: the axis in the whole object */
+    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_OUTLINE + 4
 };
 
 /* hint and prediction may be NULL: their numbers are then 0. */

@@ -8,6 +8,7 @@
 
 #define NEAR_TRIES 32768
 #define NEAREST_SHARE 20 /* the third contact region: the nearest 1 / 20 of the part's points */
+#define HANDLE_SHARE 32  /* what stands out: the farthest 1 / 32 of its points */
 #define MAX_VERTICES 32768
 
 static void grow(const float point[3], float low[3], float high[3]) {
@@ -213,6 +214,23 @@ static void find_directions(const float (*vertices)[3], uint32_t vertex_count, d
                   box_directions, &study->box);
 }
 
+/* The part's points with the widest gaps: a handle where there is one. */
+static void find_handle(dmi_study* study) {
+    float sorted[DMI_STUDY_PART], xyz[DMI_STUDY_PART][3];
+    memcpy(sorted, study->gap, sizeof sorted);
+    qsort(sorted, DMI_STUDY_PART, sizeof *sorted, by_value);
+    float least = sorted[DMI_STUDY_PART - DMI_STUDY_PART / HANDLE_SHARE];
+    if (!isfinite(sorted[DMI_STUDY_PART - 1])) return;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < DMI_STUDY_PART; i++)
+        if (study->gap[i] >= least) dmi_copy3(study->points[i], xyz[count++]);
+    double variances[3];
+    float directions[3][3];
+    dmi_principal3((const float(*)[3])xyz, count, study->handle, variances, directions);
+    dmi_copy3(directions[0], study->handle_direction);
+    study->handle_spread = (float)sqrt(variances[0] + variances[1] + variances[2]);
+}
+
 /* Slippage of a contact's part side (side 0) or of the body facing it. */
 static void contact_slippage(const dmi_contact* contact, int side, dmi_study* study, int slot) {
     float xyz[DMI_STUDY_PART][3], normal[DMI_STUDY_PART][3];
@@ -270,5 +288,8 @@ dm_result dmi_study_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud
     if (result != DM_OK) return result;
     find_directions((const float(*)[3])vertices, vertex_count, out);
     find_slippage(out);
+    find_handle(out);
+    out->outline_count = dmi_shape_extremes((const float(*)[3])cloud->xyz, DMI_CLOUD_POINTS,
+                                            (const float(*)[3])out->box.axes, 3, out->outline);
     return dmi_study_patches(arena, moving, low, high, welded, out);
 }

@@ -46,6 +46,10 @@ typedef struct dmi_study {
     float area_ratio; /* of the body's area to the part's */
     float extremes[DMI_SHAPE_MAX_HULL][3];
     uint32_t extreme_count;
+    float outline[DMI_SHAPE_MAX_HULL][3]; /* extremes of the whole object */
+    uint32_t outline_count;
+    float handle[3], handle_direction[3]; /* mean and longest direction of what stands out farthest from the body */
+    float handle_spread;                  /* root mean square distance from its mean; 0: no body near */
     dmi_box box;
     float part_directions[3][3], all_directions[3][3];
     dmi_normal_cluster part_clusters[DMI_STUDY_CLUSTERS], near_clusters[DMI_STUDY_CLUSTERS];

@@ -10,9 +10,20 @@
 #define LARGEST 10 /* regions kept by area, then as many by nearness */
 
 typedef struct region {
-    uint32_t label, faces;
+    uint32_t label, first, faces; /* order[first] .. order[first + faces - 1] of the side */
     float area, gap;
 } region;
+
+/* One side of the contact, the part or the body near it: its faces, grouped by region at the level in hand. */
+typedef struct side {
+    const dmi_mesh* mesh;
+    const dmi_field* other;
+    uint32_t *labels, *order;
+    region* regions;
+    uint32_t region_count;
+    dmi_patch* patches;
+    uint32_t* patch_count;
+} side;
 
 typedef struct face_rank {
     float area;
@@ -56,92 +67,97 @@ static int by_region_gap(const void* a, const void* b) {
     return p->label < q->label ? -1 : 1;
 }
 
-static region* measure_regions(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* labels, uint32_t count,
-                               const dmi_field* other) {
-    region* regions = dmi_arena_push(arena, sizeof *regions * (count + 1));
-    if (regions == NULL) return NULL;
-    for (uint32_t r = 0; r < count; r++) regions[r] = (region){r, 0, 0, INFINITY};
-    for (uint32_t f = 0; f < mesh->face_count; f++) {
-        if (labels[f] == UINT32_MAX) continue;
-        region* r = &regions[labels[f]];
-        r->faces++, r->area += mesh->face_area[f];
-        r->gap = fminf(r->gap, dmi_field_distance(other, corner(mesh, f, 0)));
+/* Groups the selected faces by label (a counting sort) and measures the regions. */
+static dm_result measure_regions(dmi_arena* arena, uint32_t count, side* s) {
+    s->regions = dmi_arena_push(arena, sizeof *s->regions * (count + 1));
+    s->region_count = count;
+    if (s->regions == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t r = 0; r < count; r++) s->regions[r] = (region){.label = r, .gap = INFINITY};
+    for (uint32_t f = 0; f < s->mesh->face_count; f++)
+        if (s->labels[f] != UINT32_MAX) s->regions[s->labels[f]].faces++;
+    for (uint32_t r = 1; r < count; r++) s->regions[r].first = s->regions[r - 1].first + s->regions[r - 1].faces;
+    for (uint32_t r = 0; r < count; r++) s->regions[r].faces = 0;
+    for (uint32_t f = 0; f < s->mesh->face_count; f++) {
+        if (s->labels[f] == UINT32_MAX) continue;
+        region* r = &s->regions[s->labels[f]];
+        s->order[r->first + r->faces++] = f;
+        r->area += s->mesh->face_area[f];
+        r->gap = fminf(r->gap, dmi_field_distance(s->other, corner(s->mesh, f, 0)));
     }
-    return regions;
+    return DM_OK;
 }
 
 /* The region's surface as weighted points: corners and middle of every face (at most 512 faces of it). */
-static void fit_line(const dmi_mesh* mesh, const uint32_t* labels, const region* r, dmi_patch* patch) {
+static void fit_line(const side* s, const region* r, dmi_patch* patch) {
     float xyz[2048][3], normal[2048][3], weight[2048];
-    uint32_t count = 0, step = r->faces / 512 + 1, seen = 0;
-    for (uint32_t f = 0; f < mesh->face_count && count + 4 <= 2048; f++) {
-        if (labels[f] != r->label || seen++ % step != 0) continue;
+    uint32_t count = 0, step = r->faces / 512 + 1;
+    for (uint32_t n = 0; n < r->faces && count + 4 <= 2048; n += step) {
+        uint32_t f = s->order[r->first + n];
+        const float *a = corner(s->mesh, f, 0), *b = corner(s->mesh, f, 1), *c = corner(s->mesh, f, 2);
         for (uint32_t k = 0; k < 4; k++, count++) {
-            for (int i = 0; i < 3; i++)
-                xyz[count][i] = k < 3 ? corner(mesh, f, k)[i]
-                                      : (corner(mesh, f, 0)[i] + corner(mesh, f, 1)[i] + corner(mesh, f, 2)[i]) / 3;
-            dmi_copy3(mesh->face_normal + 3 * (size_t)f, normal[count]);
-            weight[count] = mesh->face_area[f] + 1e-12f;
+            for (int i = 0; i < 3; i++) xyz[count][i] = k < 3 ? corner(s->mesh, f, k)[i] : (a[i] + b[i] + c[i]) / 3;
+            dmi_copy3(s->mesh->face_normal + 3 * (size_t)f, normal[count]);
+            weight[count] = s->mesh->face_area[f] + 1e-12f;
         }
     }
-    dmi_slippage s;
-    dmi_shape_slippage((const float(*)[3])xyz, (const float(*)[3])normal, weight, count, &s);
-    dmi_copy3(s.turn_axis[0], patch->axis);
-    dmi_copy3(s.turn_point[0], patch->point);
-    patch->residual = s.turn_residual[0];
+    dmi_slippage slip;
+    dmi_shape_slippage((const float(*)[3])xyz, (const float(*)[3])normal, weight, count, &slip);
+    dmi_copy3(slip.turn_axis[0], patch->axis);
+    dmi_copy3(slip.turn_point[0], patch->point);
+    patch->residual = slip.turn_residual[0];
 }
 
-static void make_patch(const dmi_mesh* mesh, const uint32_t* labels, const region* r, int shell, dmi_patch* out) {
+static void make_patch(const side* s, const region* r, int shell, dmi_patch* out) {
     float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     *out = (dmi_patch){.area = r->area, .residual = 2, .shell = shell};
-    for (uint32_t f = 0; f < mesh->face_count; f++) {
-        if (labels[f] != r->label) continue;
+    for (uint32_t n = 0; n < r->faces; n++) {
+        uint32_t f = s->order[r->first + n];
         for (uint32_t k = 0; k < 3; k++) {
-            const float* x = corner(mesh, f, k);
+            const float* x = corner(s->mesh, f, k);
             for (int i = 0; i < 3; i++) {
                 low[i] = fminf(low[i], x[i]), high[i] = fmaxf(high[i], x[i]);
-                out->centroid[i] += x[i] * mesh->face_area[f] / (3 * r->area);
+                out->centroid[i] += x[i] * s->mesh->face_area[f] / (3 * r->area);
             }
         }
     }
     for (int i = 0; i < 3; i++) out->box_centre[i] = (low[i] + high[i]) / 2;
     out->diagonal = dmi_distance3(low, high);
-    if (r->faces >= 6) fit_line(mesh, labels, r, out);
+    if (r->faces >= 6) fit_line(s, r, out);
 }
 
 static int same_patch(const dmi_patch* a, const dmi_patch* b) {
     return fabsf(a->area - b->area) < 1e-3f * a->area && dmi_distance3(a->box_centre, b->box_centre) < 1e-4f;
 }
 
-static void add_patches(const dmi_mesh* mesh, const uint32_t* labels, const region* regions, uint32_t count,
-                        uint32_t most, int shell, dmi_patch* patches, uint32_t* patch_count) {
-    for (uint32_t r = 0, added = 0; r < count && added < most && *patch_count < DMI_STUDY_PATCHES; r++) {
-        if (regions[r].faces < (shell ? 2u : 6u) || regions[r].area <= 0) continue;
+/* The first `most` regions, in the order they are sorted in, that have enough faces. */
+static void add_patches(side* s, uint32_t most, int shell) {
+    for (uint32_t r = 0, added = 0; r < s->region_count && added < most && *s->patch_count < DMI_STUDY_PATCHES; r++) {
+        if (s->regions[r].faces < (shell ? 2u : 6u) || s->regions[r].area <= 0) continue;
         dmi_patch patch;
-        make_patch(mesh, labels, &regions[r], shell, &patch);
+        make_patch(s, &s->regions[r], shell, &patch);
         uint32_t k = 0;
-        while (k < *patch_count && !same_patch(&patch, &patches[k])) k++;
-        if (k == *patch_count) patches[(*patch_count)++] = patch;
+        while (k < *s->patch_count && !same_patch(&patch, &s->patches[k])) k++;
+        if (k == *s->patch_count) s->patches[(*s->patch_count)++] = patch;
         added++;
     }
 }
 
 /* Shells first, then regions bounded by creases of 53 and of 26 degrees. */
-static dm_result side_patches(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, uint8_t* select,
-                              const dmi_field* other, dmi_patch* patches, uint32_t* patch_count) {
+static dm_result side_patches(dmi_arena* arena, const uint32_t* welded, uint8_t* select, side* s) {
     static const float cosines[3] = {-2.0f, 0.6f, 0.9f};
-    uint32_t* labels = dmi_arena_push(arena, sizeof *labels * mesh->face_count);
-    if (labels == NULL || thin_selection(arena, mesh, select) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
+    s->labels = dmi_arena_push(arena, sizeof *s->labels * s->mesh->face_count);
+    s->order = dmi_arena_push(arena, sizeof *s->order * s->mesh->face_count);
+    if (s->labels == NULL || s->order == NULL || thin_selection(arena, s->mesh, select) != DM_OK)
+        return DM_ERROR_OUT_OF_MEMORY;
     for (int level = 0; level < 3; level++) {
         uint32_t count;
-        dm_result result = dmi_face_regions(arena, mesh, welded, select, cosines[level], labels, &count);
+        dm_result result = dmi_face_regions(arena, s->mesh, welded, select, cosines[level], s->labels, &count);
+        if (result == DM_OK) result = measure_regions(arena, count, s);
         if (result != DM_OK) return result;
-        region* regions = measure_regions(arena, mesh, labels, count, other);
-        if (regions == NULL) return DM_ERROR_OUT_OF_MEMORY;
-        qsort(regions, count, sizeof *regions, by_region_area);
-        add_patches(mesh, labels, regions, count, LARGEST / 2, level == 0, patches, patch_count);
-        qsort(regions, count, sizeof *regions, by_region_gap);
-        add_patches(mesh, labels, regions, count, LARGEST / 2, level == 0, patches, patch_count);
+        qsort(s->regions, count, sizeof *s->regions, by_region_area);
+        add_patches(s, LARGEST / 2, level == 0);
+        qsort(s->regions, count, sizeof *s->regions, by_region_gap);
+        add_patches(s, LARGEST / 2, level == 0);
     }
     return DM_OK;
 }
@@ -159,16 +175,23 @@ dm_result dmi_study_patches(dmi_arena* arena, const uint8_t* moving, const float
     uint8_t* select = dmi_arena_push(arena, mesh->face_count);
     if (select == NULL) return DM_ERROR_OUT_OF_MEMORY;
     if (welded == NULL) {
-        uint32_t* own = dmi_arena_push(arena, sizeof *own * mesh->vertex_count);
-        if (own == NULL) return DM_ERROR_OUT_OF_MEMORY;
-        dm_result result = dmi_weld_vertices(arena, mesh, WELD_TOLERANCE, own);
-        if (result != DM_OK) return result;
-        welded = own;
+        uint32_t* fresh = dmi_arena_push(arena, sizeof *fresh * mesh->vertex_count);
+        if (fresh == NULL) return DM_ERROR_OUT_OF_MEMORY;
+        dm_result welding = dmi_weld_vertices(arena, mesh, WELD_TOLERANCE, fresh);
+        if (welding != DM_OK) return welding;
+        welded = fresh;
     }
+    side own = {.mesh = mesh,
+                .other = &study->body_field,
+                .patches = study->part_patches,
+                .patch_count = &study->part_patch_count};
     for (uint32_t f = 0; f < mesh->face_count; f++) select[f] = moving[f] && mesh->face_area[f] > 0;
-    dm_result result =
-        side_patches(arena, mesh, welded, select, &study->body_field, study->part_patches, &study->part_patch_count);
+    dm_result result = side_patches(arena, welded, select, &own);
     if (result != DM_OK) return result;
+    side near = {.mesh = mesh,
+                 .other = &study->part_field,
+                 .patches = study->near_patches,
+                 .patch_count = &study->near_patch_count};
     for (uint32_t f = 0; f < mesh->face_count; f++) select[f] = !moving[f] && face_in_box(mesh, f, low, high);
-    return side_patches(arena, mesh, welded, select, &study->part_field, study->near_patches, &study->near_patch_count);
+    return side_patches(arena, welded, select, &near);
 }
