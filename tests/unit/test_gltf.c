@@ -362,6 +362,13 @@ static void test_other_containers(void** state) {
     assert_int_equal(o.result, DM_ERROR_UNSUPPORTED);
     close_it(&o);
     glb.data[4] = 2;
+    uint8_t* binary_size = glb.data + 20 + test_glb_json_size(glb.data);
+    binary_size[0] += 4; /* tinygltf would read as many bytes behind the file */
+    open_bytes(&o, glb.data, glb.size, TEST_NEVER);
+    assert_int_equal(o.result, DM_ERROR_BAD_DATA);
+    assert_non_null(strstr(o.t.messages.text, "second chunk"));
+    close_it(&o);
+    binary_size[0] -= 4;
     for (size_t size = 0; size < glb.size; size++) { /* every truncation is an error, none is more than that */
         uint8_t* cut = malloc(size + 1);
         memcpy(cut, glb.data, size);

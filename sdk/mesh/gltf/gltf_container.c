@@ -47,9 +47,14 @@ static dm_result check_glb(dmi_env* env, const uint8_t* data, size_t size) {
                         length, size);
     const uint32_t json_size = read_u32(data + HEADER_BYTES), kind = read_u32(data + HEADER_BYTES + 4);
     if (kind != chunk_json) return dmi_fail(env, DM_ERROR_BAD_DATA, "GLB: the first chunk is not JSON");
-    if (json_size > size - HEADER_BYTES - CHUNK_BYTES)
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "GLB: the JSON chunk claims %u bytes of a file of %zu", json_size,
-                        size);
+    if (length < HEADER_BYTES + CHUNK_BYTES || json_size > length - HEADER_BYTES - CHUNK_BYTES)
+        return dmi_fail(env, DM_ERROR_BAD_DATA, "GLB: the JSON chunk claims %u bytes of a file of %u", json_size,
+                        length);
+    const uint32_t left = length - HEADER_BYTES - CHUNK_BYTES - json_size;
+    const uint8_t* next = data + (length - left);
+    if (left > 0 && (left < CHUNK_BYTES || read_u32(next) > left - CHUNK_BYTES))
+        return dmi_fail(env, DM_ERROR_BAD_DATA,
+                        "GLB: truncated, the second chunk does not fit the %u bytes after the JSON", left);
     return check_nesting(env, data + HEADER_BYTES + CHUNK_BYTES, json_size);
 }
 
