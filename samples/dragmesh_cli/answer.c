@@ -1,0 +1,54 @@
+/* Answers as JSON and as text. */
+#include <math.h>
+#include <stdio.h>
+
+#include "job.h"
+#include "json.h"
+
+void joint_to_json(const dm_joint* joint, cJSON* out) {
+    cJSON_AddStringToObject(out, "type", joint_type_name(joint->type));
+    json_add_number(out, "type_confidence", (double)joint->type_confidence, 4);
+    json_add_number(out, "confidence", (double)joint->confidence, 4);
+    json_add_vector(out, "axis", joint->axis);
+    json_add_vector(out, "origin", joint->origin);
+    const int limited = joint->type != DM_JOINT_CONTINUOUS;
+    json_add_number(out, "lower", limited ? (double)joint->lower : NAN, 9);
+    json_add_number(out, "upper", limited ? (double)joint->upper : NAN, 9);
+    if (joint->type == DM_JOINT_SCREW) json_add_number(out, "pitch", (double)joint->pitch, 9);
+}
+
+void answer_to_json(const answer* answer, cJSON* out) {
+    joint_to_json(&answer->joint, out);
+    cJSON* hypotheses = cJSON_AddArrayToObject(out, "hypotheses");
+    for (uint32_t i = 0; i < answer->hypothesis_count; i++) {
+        cJSON* hypothesis = cJSON_CreateObject();
+        joint_to_json(&answer->hypotheses[i], hypothesis);
+        cJSON_AddItemToArray(hypotheses, hypothesis);
+    }
+    if (answer->ambiguous_mask)
+        cJSON_AddStringToObject(out, "note", "the mask's length fits vertices and triangles; read per vertex");
+    cJSON* ms = cJSON_AddObjectToObject(out, "ms");
+    json_add_number(ms, "prepare", answer->prepare_ms, 5);
+    json_add_number(ms, "kpp", answer->kinematics_ms, 5);
+    json_add_number(ms, "motion", answer->motion_ms, 5);
+}
+
+void joint_print(const dm_joint* joint) {
+    const char* unit = joint->type == DM_JOINT_PRISMATIC ? "units" : "rad";
+    printf("%-10s %3.0f %%  axis (%.4f, %.4f, %.4f)  origin (%.4f, %.4f, %.4f)", joint_type_name(joint->type),
+           (double)joint->confidence * 100, (double)joint->axis.x, (double)joint->axis.y, (double)joint->axis.z,
+           (double)joint->origin.x, (double)joint->origin.y, (double)joint->origin.z);
+    if (joint->type != DM_JOINT_CONTINUOUS)
+        printf("  from %.4f to %.4f %s", (double)joint->lower, (double)joint->upper, unit);
+    printf("\n");
+}
+
+void answer_print(const answer* answer) {
+    joint_print(&answer->joint);
+    for (uint32_t i = 1; i < answer->hypothesis_count; i++) {
+        printf("   or ");
+        joint_print(&answer->hypotheses[i]);
+    }
+    printf("%.1f ms to prepare, %.1f ms of them kinematics; %.2f ms for the motion\n", answer->prepare_ms,
+           answer->kinematics_ms, answer->motion_ms);
+}

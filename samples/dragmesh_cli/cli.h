@@ -1,0 +1,26 @@
+/* What the subcommands of the dragmesh tool share. */
+#ifndef CLI_H
+#define CLI_H
+
+#include <stddef.h>
+
+/* Exit statuses: the contract of the tool. */
+enum { CLI_OK = 0, CLI_FAILED = 1, CLI_USAGE = 2 };
+
+typedef struct cli_command {
+    const char* name;
+    int (*run)(int argc, char** argv); /* argv[0] is the subcommand's name */
+    const char* usage;
+    const char* summary;
+} cli_command;
+
+extern const cli_command cli_infer, cli_animate, cli_film, cli_pick, cli_prepare, cli_eval, cli_bench, cli_demo;
+
+/* Memory of a tool: ends the program with a message when there is none. free() releases it. */
+void* cli_alloc(size_t size);
+void* cli_alloc_zeroed(size_t size);
+void* cli_grow(void* memory, size_t size);
+
+double cli_now_ms(void);
+
+#endif

@@ -1,0 +1,52 @@
+/* dragmesh animate: the file again, with the part moving in a loop. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "play.h"
+
+enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 100000 };
+static const float seconds_open = 2;
+
+static dm_result animate(session* session, const job* job, int frames, const char* out_path) {
+    answer answer;
+    dm_result result = job_answer(session, job, &answer);
+    if (result != DM_OK) return result;
+    dm_pose* poses = cli_alloc((size_t)frames * sizeof *poses);
+    result = play_motion(session, job, &answer, (uint32_t)frames, poses, NULL);
+    if (result == DM_OK) result = play_export(session, poses, (uint32_t)frames, seconds_open, out_path);
+    free(poses);
+    if (result == DM_OK) answer_print(&answer);
+    return result;
+}
+
+static int run(int argc, char** argv) {
+    const char *file = NULL, *out_path = NULL;
+    int frames = DEFAULT_FRAMES;
+    job_options options;
+    option_spec table[JOB_OPTIONS + 2];
+    job_options_table(&options, table);
+    table[JOB_OPTIONS] = (option_spec){.name = "-o", .kind = OPTION_TEXT, .value = &out_path};
+    table[JOB_OPTIONS + 1] = (option_spec){.name = "--frames", .kind = OPTION_INTEGER, .value = &frames};
+    session session;
+    int status = options_read(&cli_animate, argc, argv, table, JOB_OPTIONS + 2, &file);
+    if (status == CLI_OK) status = job_options_finish(&cli_animate, &options, file);
+    if (status == CLI_OK && !out_path) status = options_refuse(&cli_animate, "where to? -o OUT.glb");
+    if (status == CLI_OK && (frames < 2 || frames > MOST_FRAMES))
+        status = options_refuse(&cli_animate, "--frames: 2 to %d", MOST_FRAMES);
+    if (status == CLI_OK) status = session_open(&session, options.models, NULL);
+    if (status == CLI_OK) {
+        if (animate(&session, &options.job, frames, out_path) != DM_OK) {
+            fprintf(stderr, "dragmesh: %s\n", session.error);
+            status = CLI_FAILED;
+        }
+        session_close(&session);
+    }
+    job_free(&options.job);
+    return status;
+}
+
+const cli_command cli_animate = {
+    "animate", run,
+    "FILE.glb --moving NODE[,NODE…] [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
+    "    -o OUT.glb [--frames N]",
+    "Writes the file with the part opening and closing in a loop, for any glTF viewer."};

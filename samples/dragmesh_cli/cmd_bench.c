@@ -1,0 +1,338 @@
+/* dragmesh bench: what the library's calls cost: median, 99th percentile, and with cold caches; and what they allocate.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "box_object.h"
+#include "json.h"
+#include "options.h"
+#include "session.h"
+
+enum {
+    GRID = 16,             /* 21504 triangles */
+    COLD_BYTES = 64 << 20, /* read before a cold call: more than the caches hold */
+    COLD_ROUNDS = 9,
+    MOST_ROUNDS = 20000,
+    POINTS = 100000
+};
+static const double row_ms = 250; /* spent on each row's warm rounds */
+
+typedef struct counter {
+    unsigned long long calls;
+} counter;
+
+static void* count_allocate(void* user, size_t size, size_t alignment) {
+    ((counter*)user)->calls++;
+    return aligned_alloc(alignment < sizeof(void*) ? sizeof(void*) : alignment,
+                         (size + alignment - 1) / alignment * alignment);
+}
+
+static void count_release(void* user, void* memory, size_t size) {
+    (void)user;
+    (void)size;
+    free(memory);
+}
+
+typedef struct bench {
+    session session;
+    counter counter;
+    box_object shape;
+    dm_mesh_desc mesh;
+    dm_motion motion;
+    dm_drag drag;
+    dm_scene scene;
+    uint32_t instance;
+    dm_camera camera;
+    dm_pose pose;
+    void* saved;
+    size_t saved_size;
+    float* points;
+    double clock_ns;
+    unsigned round; /* so that no two calls in a row are the same */
+} bench;
+
+static float wave(const bench* b) {
+    return (float)(b->round % 101) / 100;
+}
+
+/* ---- the calls: each is one round of its row, 0 on failure ---- */
+
+static dm_result prepare_with(bench* b, dm_object* out_object) {
+    const dm_part_desc part = {.struct_size = sizeof part, .id = 1, .drag = &box_object_drag};
+    const dm_object_desc desc = {.struct_size = sizeof desc,
+                                 .mesh = &b->mesh,
+                                 .parts = &part,
+                                 .part_count = 1,
+                                 .model = b->session.model,
+                                 .seed = b->round};
+    return dm_object_prepare(b->session.context, &desc, out_object);
+}
+
+static dm_result call_object_prepare(bench* b) {
+    dm_object object;
+    const dm_result result = prepare_with(b, &object);
+    return result == DM_OK ? dm_object_destroy(b->session.context, object) : result;
+}
+
+static dm_result call_object_refine(bench* b) {
+    return dm_object_refine(b->session.context, b->session.object, 1, &box_object_drag);
+}
+
+static dm_result call_object_get_hypotheses(bench* b) {
+    dm_joint joints[DM_MAX_HYPOTHESES];
+    uint32_t count;
+    return dm_object_get_hypotheses(b->session.context, b->session.object, 1, &box_object_drag, joints,
+                                    DM_MAX_HYPOTHESES, &count);
+}
+
+static dm_result call_object_save(bench* b) {
+    return dm_object_save(b->session.context, b->session.object, b->saved, b->saved_size, &b->saved_size);
+}
+
+static dm_result call_object_load(bench* b) {
+    dm_object object;
+    const dm_result result = dm_object_load(b->session.context, b->saved, b->saved_size, b->session.model, &object);
+    return result == DM_OK ? dm_object_destroy(b->session.context, object) : result;
+}
+
+static dm_result call_motion_generate(bench* b) {
+    const dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = 1, .drag = box_object_drag, .seed = b->round};
+    dm_motion motion;
+    const dm_result result = dm_motion_generate(b->session.context, b->session.object, &desc, &motion);
+    return result == DM_OK ? dm_motion_destroy(b->session.context, motion) : result;
+}
+
+static dm_result call_motion_sample(bench* b) {
+    return dm_motion_sample(b->session.context, b->motion, wave(b), &b->pose, NULL);
+}
+
+static dm_result call_drag_update(bench* b) {
+    const dm_ray ray = {{0.6f, 0.9f, 2}, {-0.4f - 0.2f * wave(b), -0.5f, -1.9f}};
+    dm_drag_state state;
+    return dm_drag_update(b->session.context, b->drag, &ray, 1 / 60.0f, &state);
+}
+
+static dm_result call_joint_pose(bench* b) {
+    const dm_joint hinge = {.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}, .origin = {-0.25f, 0.4f, 0.01f}, .upper = 2};
+    return dm_joint_pose(&hinge, wave(b), &b->pose);
+}
+
+static dm_result call_pose_apply_points(bench* b) {
+    dm_pose_apply_points(&b->pose, b->points, 0, b->points, 0, POINTS);
+    return DM_OK;
+}
+
+static dm_result call_camera_ray(bench* b) {
+    dm_ray ray;
+    return dm_camera_ray(b->session.context, &b->camera, 1000 * wave(b), 500, &ray);
+}
+
+static dm_result call_scene_move(bench* b) {
+    return dm_scene_move(b->session.context, b->scene, b->instance, 1, &b->pose);
+}
+
+static dm_result call_scene_commit(bench* b) {
+    return dm_scene_commit(b->session.context, b->scene);
+}
+
+static dm_result call_scene_pick(bench* b) {
+    const dm_ray ray = {{0.6f, 0.9f, 2}, {-0.6f - 0.2f * wave(b), -0.5f, -2}};
+    dm_hit hit;
+    return dm_scene_pick(b->session.context, b->scene, &ray, &hit);
+}
+
+typedef struct row {
+    const char* name;
+    dm_result (*call)(bench* b);
+    int needs_model; /* 1: kinematics weights, 2: motion weights */
+    dm_result (*before)(bench* b); /* not timed; NULL: nothing */
+} row;
+
+static const row rows[] = {{"object_prepare", call_object_prepare, 0, NULL},
+                           {"object_refine", call_object_refine, 1, NULL},
+                           {"object_get_hypotheses", call_object_get_hypotheses, 0, NULL},
+                           {"object_save", call_object_save, 0, NULL},
+                           {"object_load", call_object_load, 0, NULL},
+                           {"motion_generate", call_motion_generate, 2, NULL},
+                           {"motion_sample", call_motion_sample, 2, NULL},
+                           {"drag_update", call_drag_update, 0, NULL},
+                           {"joint_pose", call_joint_pose, 0, NULL},
+                           {"pose_apply_points", call_pose_apply_points, 0, NULL},
+                           {"camera_ray", call_camera_ray, 0, NULL},
+                           {"scene_move", call_scene_move, 0, NULL},
+                           {"scene_commit", call_scene_commit, 0, call_scene_move},
+                           {"scene_pick", call_scene_pick, 0, NULL}};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+/* ---- measuring ---- */
+
+typedef struct timing {
+    double median_ns, p99_ns, cold_ns;
+    unsigned long long allocations; /* of one call */
+} timing;
+
+static int by_value(const void* a, const void* b) {
+    const double left = *(const double*)a, right = *(const double*)b;
+    return left < right ? -1 : left > right;
+}
+
+static double timed(bench* b, const row* row, dm_result* result) {
+    b->round++;
+    if (row->before) row->before(b);
+    const double start = cli_now_ms();
+    const dm_result now = row->call(b);
+    const double ns = (cli_now_ms() - start) * 1e6;
+    if (now != DM_OK) *result = now;
+    return fmax(ns - b->clock_ns, 0);
+}
+
+/* What reading the clock costs: the median of measuring nothing. */
+static double clock_cost(void) {
+    double ns[COLD_ROUNDS * COLD_ROUNDS];
+    for (int i = 0; i < COLD_ROUNDS * COLD_ROUNDS; i++) {
+        const double start = cli_now_ms();
+        ns[i] = (cli_now_ms() - start) * 1e6;
+    }
+    qsort(ns, COLD_ROUNDS * COLD_ROUNDS, sizeof *ns, by_value);
+    return ns[COLD_ROUNDS * COLD_ROUNDS / 2];
+}
+
+/* Puts other data where the call's would be in the caches. */
+static void chill(unsigned char* cold) {
+    for (size_t i = 0; i < COLD_BYTES; i += 64) cold[i]++;
+}
+
+static dm_result measure(bench* b, const row* row, unsigned char* cold, timing* out) {
+    dm_result result = DM_OK;
+    double* ns = cli_alloc(MOST_ROUNDS * sizeof *ns);
+    for (int i = 0; i < COLD_ROUNDS; i++) {
+        chill(cold);
+        ns[i] = timed(b, row, &result);
+    }
+    qsort(ns, COLD_ROUNDS, sizeof *ns, by_value);
+    out->cold_ns = ns[COLD_ROUNDS / 2];
+    const unsigned long long before = b->counter.calls;
+    timed(b, row, &result);
+    out->allocations = b->counter.calls - before;
+    size_t rounds = 0;
+    const double end = cli_now_ms() + row_ms;
+    while (rounds < COLD_ROUNDS || (rounds < MOST_ROUNDS && cli_now_ms() < end)) ns[rounds++] = timed(b, row, &result);
+    qsort(ns, rounds, sizeof *ns, by_value);
+    out->median_ns = ns[rounds / 2];
+    out->p99_ns = ns[rounds * 99 / 100];
+    free(ns);
+    return result;
+}
+
+static const char* best_isa(void) {
+#if defined(__x86_64__)
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+        return "avx512";
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "avx2" : "sse2";
+#elif defined(__aarch64__)
+    return "neon";
+#else
+    return "scalar";
+#endif
+}
+
+/* ---- setting up ---- */
+
+static dm_result set_up_motion(bench* b) {
+    const dm_motion_desc motion = {.struct_size = sizeof motion, .part_id = 1, .drag = box_object_drag};
+    if (!b->session.has_motion) return DM_OK;
+    return dm_motion_generate(b->session.context, b->session.object, &motion, &b->motion);
+}
+
+static dm_result set_up(bench* b) {
+    dm_context* context = b->session.context;
+    b->clock_ns = clock_cost();
+    b->shape = box_object_new(GRID);
+    b->mesh = box_object_mesh(&b->shape);
+    b->pose = (dm_pose){{0, 0.08715574f, 0, 0.9961947f}, {0, 0, 0, 0}};
+    b->points = cli_alloc_zeroed(POINTS * 3 * sizeof(float));
+    b->camera = (dm_camera){.struct_size = sizeof b->camera,
+                            .fov_y = 0.8f,
+                            .eye = {0, 1, 3},
+                            .forward = {0, -0.2f, -1},
+                            .up = {0, 1, 0},
+                            .width = 1920,
+                            .height_px = 1080};
+    dm_result result = prepare_with(b, &b->session.object);
+    if (result != DM_OK) return result;
+    dm_object_save(context, b->session.object, NULL, 0, &b->saved_size);
+    b->saved = cli_alloc(b->saved_size);
+    const dm_drag_desc drag = {
+        .struct_size = sizeof drag, .part_id = 1, .object = b->session.object, .grab_point = box_object_drag.point};
+    const dm_scene_desc scene = {.struct_size = sizeof scene};
+    result = set_up_motion(b);
+    if (result == DM_OK) result = dm_drag_begin(context, &drag, &b->drag);
+    if (result == DM_OK) result = dm_scene_create(context, &scene, &b->scene);
+    if (result == DM_OK) result = dm_scene_add(context, b->scene, b->session.object, NULL, &b->instance);
+    return result == DM_OK ? dm_scene_commit(context, b->scene) : result;
+}
+
+static void tear_down(bench* b) {
+    free(b->points);
+    free(b->saved);
+    box_object_free(&b->shape);
+    session_close(&b->session);
+}
+
+static dm_result run_rows(bench* b, int as_json) {
+    unsigned char* cold = cli_alloc_zeroed(COLD_BYTES);
+    cJSON* out = cJSON_CreateObject();
+    cJSON_AddStringToObject(out, "isa", best_isa());
+    cJSON_AddNumberToObject(out, "triangles", b->shape.face_count);
+    cJSON_AddNumberToObject(out, "points", POINTS);
+    cJSON* list = cJSON_AddArrayToObject(out, "rows");
+    dm_result result = DM_OK;
+    if (!as_json) printf("%-24s %12s %12s %12s %7s\n", best_isa(), "median ns", "p99 ns", "cold ns", "allocs");
+    for (int i = 0; i < ROWS && result == DM_OK; i++) {
+        timing t;
+        if ((rows[i].needs_model == 1 && !b->session.model) || (rows[i].needs_model == 2 && !b->session.has_motion))
+            continue;
+        result = measure(b, &rows[i], cold, &t);
+        cJSON* item = cJSON_CreateObject();
+        cJSON_AddStringToObject(item, "name", rows[i].name);
+        json_add_number(item, "median_ns", round(t.median_ns), 12);
+        json_add_number(item, "p99_ns", round(t.p99_ns), 12);
+        json_add_number(item, "cold_ns", round(t.cold_ns), 12);
+        cJSON_AddNumberToObject(item, "allocs", (double)t.allocations);
+        cJSON_AddItemToArray(list, item);
+        if (!as_json)
+            printf("%-24s %12.0f %12.0f %12.0f %7llu\n", rows[i].name, t.median_ns, t.p99_ns, t.cold_ns, t.allocations);
+    }
+    if (as_json && result == DM_OK)
+        json_print(out);
+    else
+        cJSON_Delete(out);
+    free(cold);
+    return result;
+}
+
+static int run(int argc, char** argv) {
+    const char* models = NULL;
+    int as_json = 0;
+    const option_spec table[] = {{.name = "--models", .kind = OPTION_TEXT, .value = &models},
+                                 {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
+    bench* b = cli_alloc_zeroed(sizeof *b);
+    const dm_allocator allocator = {&b->counter, count_allocate, count_release};
+    int status = options_read(&cli_bench, argc, argv, table, 2, NULL);
+    if (status == CLI_OK) status = session_open(&b->session, models, &allocator);
+    if (status == CLI_OK) {
+        dm_result result = set_up(b);
+        if (result == DM_OK) result = run_rows(b, as_json);
+        if (result != DM_OK) fprintf(stderr, "dragmesh: %s\n", b->session.error);
+        status = result == DM_OK ? CLI_OK : CLI_FAILED;
+        tear_down(b);
+    }
+    free(b);
+    return status;
+}
+
+const cli_command cli_bench = {"bench", run, "[--json]", "What the library's calls cost on this machine."};

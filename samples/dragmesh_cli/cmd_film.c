@@ -1,0 +1,80 @@
+/* dragmesh film: a strip of pictures of the part opening. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "play.h"
+#include "render.h"
+
+enum { DEFAULT_FRAMES = 5, MOST_FRAMES = 64, MOST_PIXELS = 8192 };
+
+typedef struct film_options {
+    int frames;
+    float size[2];
+    const char *out_path, *up;
+    int axis;
+} film_options;
+
+static dm_result film(session* session, const job* job, const film_options* options) {
+    answer answer;
+    renderer renderer;
+    dm_pose poses[MOST_FRAMES];
+    const uint32_t frames = (uint32_t)options->frames;
+    dm_result result = job_answer(session, job, &answer);
+    if (result == DM_OK) result = play_motion(session, job, &answer, frames, poses, NULL);
+    if (result != DM_OK) return result;
+    result = render_open(&renderer, session, options->up[0]);
+    if (result == DM_OK) {
+        const vec toward = job->has_drag ? vec_of(job->drag.vector) : (vec){0, 0, 0};
+        render_aim(&renderer, toward, poses, frames, (int)options->size[0], (int)options->size[1]);
+        result = render_film(&renderer, poses, frames, options->axis ? &answer.joint : NULL, options->out_path);
+    }
+    render_close(&renderer);
+    if (result == DM_OK) answer_print(&answer);
+    return result;
+}
+
+static int check(const film_options* options) {
+    if (!options->out_path) return options_refuse(&cli_film, "where to? -o OUT.png");
+    if (options->frames < 2 || options->frames > MOST_FRAMES)
+        return options_refuse(&cli_film, "--frames: 2 to %d", MOST_FRAMES);
+    for (int i = 0; i < 2; i++)
+        if (!(options->size[i] >= 16 && options->size[i] * (float)options->frames <= MOST_PIXELS))
+            return options_refuse(&cli_film, "--size: 16 or more, %d for all frames together", MOST_PIXELS);
+    if (options->up[0] < 'x' || options->up[0] > 'z' || options->up[1])
+        return options_refuse(&cli_film, "--up: x, y or z");
+    return CLI_OK;
+}
+
+static int run(int argc, char** argv) {
+    const char* file = NULL;
+    film_options film_of = {.frames = DEFAULT_FRAMES, .size = {400, 400}, .up = "y"};
+    job_options options;
+    option_spec table[JOB_OPTIONS + 5];
+    job_options_table(&options, table);
+    option_spec* own = table + JOB_OPTIONS;
+    own[0] = (option_spec){.name = "-o", .kind = OPTION_TEXT, .value = &film_of.out_path};
+    own[1] = (option_spec){.name = "--frames", .kind = OPTION_INTEGER, .value = &film_of.frames};
+    own[2] = (option_spec){.name = "--size", .kind = OPTION_NUMBERS, .value = film_of.size, .count = 2};
+    own[3] = (option_spec){.name = "--up", .kind = OPTION_TEXT, .value = &film_of.up};
+    own[4] = (option_spec){.name = "--axis", .kind = OPTION_FLAG, .value = &film_of.axis};
+    session session;
+    int status = options_read(&cli_film, argc, argv, table, JOB_OPTIONS + 5, &file);
+    if (status == CLI_OK) status = job_options_finish(&cli_film, &options, file);
+    if (status == CLI_OK) status = check(&film_of);
+    if (status == CLI_OK) status = session_open(&session, options.models, NULL);
+    if (status == CLI_OK) {
+        if (film(&session, &options.job, &film_of) != DM_OK) {
+            fprintf(stderr, "dragmesh: %s\n", session.error);
+            status = CLI_FAILED;
+        }
+        session_close(&session);
+    }
+    job_free(&options.job);
+    return status;
+}
+
+const cli_command cli_film = {
+    "film", run,
+    "FILE.glb --moving NODE[,NODE…] [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
+    "    -o OUT.png [--frames N] [--size W,H] [--up x|y|z] [--axis]",
+    "Draws the part opening, one picture beside the other; --axis shows the joint found."};

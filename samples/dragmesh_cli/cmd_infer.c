@@ -1,0 +1,106 @@
+/* dragmesh infer: the joint of one part, or of every line of a file of jobs. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+
+#include "job.h"
+#include "json.h"
+
+static cJSON* result_for(const cJSON* id) {
+    cJSON* result = cJSON_CreateObject();
+    cJSON_AddItemToObject(result, "id", id ? cJSON_Duplicate(id, 1) : cJSON_CreateNull());
+    return result;
+}
+
+/* One line in, one line out; 0 when it carries an error. */
+static int answer_line(session* session, const char* line, unsigned number) {
+    const char* end = NULL;
+    cJSON* json = cJSON_ParseWithOpts(line, &end, 1);
+    cJSON* result = result_for(cJSON_GetObjectItemCaseSensitive(json, "id"));
+    job job = {0};
+    answer answer;
+    dm_result code;
+    if (json)
+        code = job_from_json(session, json, &job);
+    else
+        code = session_fail(session, DM_ERROR_BAD_DATA, "job line %u is no JSON, at byte %td", number,
+                            end ? end - line : 0);
+    if (code == DM_OK) code = job_answer(session, &job, &answer);
+    if (code == DM_OK)
+        answer_to_json(&answer, result);
+    else
+        cJSON_AddStringToObject(result, "error", session->error);
+    json_print_line(result);
+    job_free(&job);
+    cJSON_Delete(json);
+    return code == DM_OK;
+}
+
+static int answer_jobs(session* session, const char* path) {
+    FILE* file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+    if (!file) {
+        fprintf(stderr, "dragmesh: can't read the jobs '%s': %s\n", path, strerror(errno));
+        return CLI_USAGE;
+    }
+    char* line = NULL;
+    size_t room = 0;
+    ssize_t length;
+    unsigned number = 0;
+    int status = CLI_OK;
+    while ((length = getline(&line, &room, file)) >= 0) {
+        number++;
+        if (strspn(line, " \t\r\n") == (size_t)length) continue;
+        if (!answer_line(session, line, number)) status = CLI_FAILED;
+    }
+    free(line);
+    if (file != stdin) fclose(file);
+    return status;
+}
+
+static int answer_one(session* session, const job* job, int as_json) {
+    answer answer;
+    const dm_result code = job_answer(session, job, &answer);
+    if (as_json) {
+        cJSON* result = cJSON_CreateObject();
+        if (code == DM_OK)
+            answer_to_json(&answer, result);
+        else
+            cJSON_AddStringToObject(result, "error", session->error);
+        json_print_line(result);
+    } else if (code == DM_OK) {
+        answer_print(&answer);
+    } else {
+        fprintf(stderr, "dragmesh: %s\n", session->error);
+    }
+    return code == DM_OK ? CLI_OK : CLI_FAILED;
+}
+
+static int run(int argc, char** argv) {
+    const char *file = NULL, *jobs = NULL;
+    int as_json = 0;
+    job_options options;
+    option_spec table[JOB_OPTIONS + 2];
+    job_options_table(&options, table);
+    table[JOB_OPTIONS] = (option_spec){.name = "--jobs", .kind = OPTION_TEXT, .value = &jobs};
+    table[JOB_OPTIONS + 1] = (option_spec){.name = "--json", .kind = OPTION_FLAG, .value = &as_json};
+    session session;
+    int status = options_read(&cli_infer, argc, argv, table, JOB_OPTIONS + 2, &file);
+    if (status == CLI_OK && !jobs) status = job_options_finish(&cli_infer, &options, file);
+    if (status == CLI_OK && jobs && (file || options.job.moving.count > 0))
+        status = options_refuse(&cli_infer, "--jobs stands alone");
+    if (status == CLI_OK) status = session_open(&session, options.models, NULL);
+    if (status == CLI_OK) {
+        status = jobs ? answer_jobs(&session, jobs) : answer_one(&session, &options.job, as_json);
+        session_close(&session);
+    }
+    job_free(&options.job);
+    return status;
+}
+
+const cli_command cli_infer = {
+    "infer", run,
+    "FILE.glb --moving NODE[,NODE…] [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE] [--json]\n"
+    "dragmesh infer --jobs JOBS.jsonl",
+    "How the part moves: type, axis, origin, limits. --jobs ('-': standard input) answers one JSON line a line."};

@@ -1,0 +1,124 @@
+/* Folders of object.glb + joints.json: objects whose joints are known. */
+#include "dataset.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "files.h"
+
+static int by_name(const void* a, const void* b) {
+    return strcmp(*(char* const*)a, *(char* const*)b);
+}
+
+static int has_joints(const char* folder, const char* name) {
+    char* object = path_join(folder, name);
+    char* joints = path_join(object, "joints.json");
+    const int found = name[0] != '.' && file_exists(joints);
+    free(joints);
+    free(object);
+    return found;
+}
+
+name_list dataset_list(const char* folder) {
+    name_list list = {NULL, 0};
+    DIR* directory = opendir(folder);
+    if (!directory) return list;
+    for (struct dirent* entry = readdir(directory); entry; entry = readdir(directory))
+        if (has_joints(folder, entry->d_name)) name_list_add(&list, entry->d_name, strlen(entry->d_name));
+    closedir(directory);
+    if (list.count) qsort(list.names, list.count, sizeof *list.names, by_name);
+    return list;
+}
+
+static char* copy_text(const cJSON* json, const char* name, const char* otherwise) {
+    const cJSON* found = cJSON_GetObjectItemCaseSensitive(json, name);
+    const char* text = cJSON_IsString(found) ? found->valuestring : otherwise;
+    return strcpy(cli_alloc(strlen(text) + 1), text);
+}
+
+static double number_or(const cJSON* json, const char* name, double otherwise) {
+    const cJSON* found = cJSON_GetObjectItemCaseSensitive(json, name);
+    return cJSON_IsNumber(found) ? found->valuedouble : otherwise;
+}
+
+static vec read_vec(const cJSON* json, const char* name) {
+    const cJSON* list = cJSON_GetObjectItemCaseSensitive(json, name);
+    double numbers[3] = {0, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        const cJSON* item = cJSON_GetArrayItem(list, i);
+        if (cJSON_IsNumber(item)) numbers[i] = item->valuedouble;
+    }
+    return (vec){numbers[0], numbers[1], numbers[2]};
+}
+
+static void read_joint(const cJSON* json, known_joint* out) {
+    const cJSON* item;
+    char* type = copy_text(json, "type", "revolute");
+    *out = (known_joint){.name = copy_text(json, "name", ""),
+                         .slides = strcmp(type, "prismatic") == 0,
+                         .axis = unit(read_vec(json, "axis")),
+                         .origin = read_vec(json, "origin"),
+                         .lower = number_or(json, "lower", NAN),
+                         .upper = number_or(json, "upper", NAN),
+                         .weight = number_or(json, "weight", 1)};
+    free(type);
+    cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(json, "moving_nodes")) {
+        if (cJSON_IsString(item)) name_list_add(&out->moving, item->valuestring, strlen(item->valuestring));
+    }
+    cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(json, "drags")) {
+        if (out->drag_count < DATASET_DRAGS)
+            out->drags[out->drag_count++] = (known_drag){read_vec(item, "point"), read_vec(item, "vector")};
+    }
+}
+
+int dataset_read(const char* folder, const char* name, known_object* out_object, char* error, size_t error_size) {
+    char* object = path_join(folder, name);
+    char* path = path_join(object, "joints.json");
+    size_t size;
+    char* text = file_read(path, &size);
+    cJSON* json = text ? cJSON_Parse(text) : NULL;
+    const cJSON* joints = cJSON_GetObjectItemCaseSensitive(json, "joints");
+    const int count = cJSON_GetArraySize(joints);
+    if (count > 0) {
+        *out_object = (known_object){.name = strcpy(cli_alloc(strlen(name) + 1), name),
+                                     .glb = path_join(object, "object.glb"),
+                                     .category = copy_text(json, "category", "?"),
+                                     .joints = cli_alloc((size_t)count * sizeof(known_joint)),
+                                     .joint_count = count};
+        int at = 0;
+        const cJSON* item;
+        cJSON_ArrayForEach(item, joints) read_joint(item, &out_object->joints[at++]);
+    } else {
+        snprintf(error, error_size, "'%s' %s", path, text ? "lists no joints" : strerror(errno));
+    }
+    cJSON_Delete(json);
+    free(text);
+    free(path);
+    free(object);
+    return count > 0 ? 0 : -1;
+}
+
+void dataset_free(known_object* object) {
+    for (int i = 0; i < object->joint_count; i++) {
+        name_list_free(&object->joints[i].moving);
+        free(object->joints[i].name);
+    }
+    free(object->joints);
+    free(object->name);
+    free(object->glb);
+    free(object->category);
+}
+
+const char* dataset_source(const char* name) {
+    static const char* const partnet[] = {"gensim2", "robotwin", "sapien", "gapartnet", "dexteroushands",
+                                          "genesis", "rpad",     "r_pad",  "partnet"};
+    if (strncmp(name, "flightgear__", 12) == 0) return "flightgear";
+    if (strncmp(name, "webxr", 5) == 0) return "webxr";
+    for (size_t i = 0; i < sizeof partnet / sizeof *partnet; i++)
+        if (strncmp(name, partnet[i], strlen(partnet[i])) == 0) return "partnet";
+    return "simulation";
+}

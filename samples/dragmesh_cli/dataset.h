@@ -1,0 +1,40 @@
+/* Folders of object.glb + joints.json: objects whose joints are known. */
+#ifndef CLI_DATASET_H
+#define CLI_DATASET_H
+
+#include "job.h"
+#include "vec.h"
+
+enum { DATASET_DRAGS = 8 };
+
+typedef struct known_drag {
+    vec point, vector;
+} known_drag;
+
+typedef struct known_joint {
+    char* name;
+    int slides; /* prismatic; else it turns */
+    vec axis, origin;
+    double lower, upper; /* NAN: not given */
+    double weight;
+    name_list moving;
+    known_drag drags[DATASET_DRAGS];
+    int drag_count;
+} known_joint;
+
+typedef struct known_object {
+    char *name, *glb, *category;
+    known_joint* joints;
+    int joint_count;
+} known_object;
+
+/* Names of the sub-folders of `folder` that have a joints.json, sorted; an empty list with errno set when it can't be
+ * read. */
+name_list dataset_list(const char* folder);
+/* 0, or -1 with a message in `error`. */
+int dataset_read(const char* folder, const char* name, known_object* out_object, char* error, size_t error_size);
+void dataset_free(known_object* object);
+/* Which of the well-known sources a folder's name tells: "flightgear", "webxr", "partnet", "simulation". */
+const char* dataset_source(const char* name);
+
+#endif

@@ -1,0 +1,230 @@
+/* Runs the library over one known object and measures every joint. */
+#include "evaluate.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mask_noise.h"
+#include "play.h"
+
+/* More vertices of a part than this are thinned before they are measured. */
+enum { MOST_VERTICES = 4000 };
+
+/* The object as it is shown to the library. */
+typedef struct trial {
+    session* session;
+    const eval_options* options;
+    random_state* random;
+    known_object object;
+    float* positions; /* turned copy */
+    double size;
+    eval_rows* rows;
+} trial;
+
+/* ---- random poses and units ---- */
+
+typedef struct similarity {
+    vec axis;
+    double angle, scale;
+    vec shift;
+} similarity;
+
+static vec place_direction(const similarity* s, vec x) {
+    return turn(x, s->axis, s->angle);
+}
+
+static vec place_point(const similarity* s, vec x) {
+    return add(scale(place_direction(s, x), s->scale), s->shift);
+}
+
+/* Uniform over rotations (a unit quaternion of four normals), 0.01 to 100 in scale, shifted by a few sizes. */
+static similarity random_similarity(random_state* random, double size) {
+    const double w = random_normal(random);
+    const vec v = {random_normal(random), random_normal(random), random_normal(random)};
+    similarity s = {.axis = unit(v), .angle = 2 * atan2(length(v), w), .scale = pow(10, 4 * random_unit(random) - 2)};
+    const vec away = {random_normal(random), random_normal(random), random_normal(random)};
+    s.shift = scale(away, s.scale * size);
+    return s;
+}
+
+static void place_truth(const similarity* s, known_joint* truth) {
+    truth->axis = place_direction(s, truth->axis);
+    truth->origin = place_point(s, truth->origin);
+    if (truth->slides) {
+        truth->lower *= s->scale;
+        truth->upper *= s->scale;
+    }
+    for (int i = 0; i < truth->drag_count; i++) {
+        truth->drags[i].point = place_point(s, truth->drags[i].point);
+        truth->drags[i].vector = scale(place_direction(s, truth->drags[i].vector), s->scale);
+    }
+}
+
+static double largest_side(const float* positions, uint64_t count) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
+    for (uint64_t i = 0; i < 3 * count; i++) {
+        low[i % 3] = fmin(low[i % 3], (double)positions[i]);
+        high[i % 3] = fmax(high[i % 3], (double)positions[i]);
+    }
+    for (int k = 0; k < 3; k++) side = fmax(side, high[k] - low[k]);
+    return side;
+}
+
+static void place_object(trial* t) {
+    const uint64_t count = t->session->mesh.vertex_count;
+    t->positions = cli_alloc(count * 3 * sizeof(float));
+    memcpy(t->positions, t->session->mesh.positions, count * 3 * sizeof(float));
+    t->size = largest_side(t->positions, count);
+    if (!t->options->has_turn) return;
+    const similarity s = random_similarity(t->random, t->size);
+    for (uint64_t v = 0; v < count; v++) {
+        const vec placed = place_point(&s, vec_at(t->positions + 3 * v));
+        const float xyz[3] = {(float)placed.x, (float)placed.y, (float)placed.z};
+        memcpy(t->positions + 3 * v, xyz, sizeof xyz);
+    }
+    t->size *= s.scale;
+    for (int i = 0; i < t->object.joint_count; i++) place_truth(&s, &t->object.joints[i]);
+}
+
+/* ---- one joint ---- */
+
+/* Vertices of the named nodes, thinned. */
+static vec* moving_vertices(const trial* t, const name_list* moving, size_t* out_count) {
+    vec* points = cli_alloc(t->session->mesh.vertex_count * sizeof *points);
+    size_t count = 0, kept = 0;
+    for (unsigned n = 0; n < moving->count; n++) {
+        for (uint32_t i = 0; i < dm_gltf_node_count(t->session->gltf); i++) {
+            dm_gltf_node node;
+            dm_gltf_get_node(t->session->gltf, i, &node);
+            if (strcmp(node.name, moving->names[n]) != 0) continue;
+            for (uint64_t v = 0; v < node.vertex_count; v++)
+                points[count++] = vec_at(t->positions + 3 * (node.first_vertex + v));
+        }
+    }
+    const size_t step = count > MOST_VERTICES ? count / MOST_VERTICES : 1;
+    for (size_t i = 0; i < count; i += step) points[kept++] = points[i];
+    *out_count = kept;
+    return points;
+}
+
+/* The direction that a hand whose aim is off by `degrees` x |N(0, 1)| draws. */
+static vec noisy(vec vector, double degrees, random_state* random) {
+    vec aside = {random_normal(random), random_normal(random), random_normal(random)};
+    aside = unit(sub(aside, scale(vector, dot(aside, vector) / dot(vector, vector))));
+    return turn(vector, aside, fabs(random_normal(random)) * degrees * CLI_PI / 180);
+}
+
+/* Part ids of the named nodes, per face; per vertex once noise has eaten into them. */
+static dm_result part_ids(trial* t, const name_list* moving, dm_mesh_desc* mesh, uint8_t** out_ids) {
+    const uint64_t faces = mesh->index_count / 3;
+    uint8_t* ids = cli_alloc_zeroed(faces + mesh->vertex_count);
+    *out_ids = ids;
+    mesh->part_ids = ids;
+    mesh->part_id_format = DM_UINT8;
+    mesh->part_id_scope = DM_PER_FACE;
+    const dm_result result =
+        dm_gltf_mark_faces(t->session->gltf, (const char* const*)moving->names, moving->count, JOB_PART, ids, faces);
+    if (result != DM_OK || t->options->mask_noise <= 0) return result;
+    uint8_t* vertices = ids + faces;
+    mask_vertices_of_faces(mesh->indices, faces, ids, mesh->vertex_count, vertices);
+    mask_noise_apply(t->positions, mesh->vertex_count, t->options->mask_noise, t->random, vertices);
+    mesh->part_ids = vertices;
+    mesh->part_id_scope = DM_PER_VERTEX;
+    return DM_OK;
+}
+
+static dm_result ask(trial* t, const metric_case* known, answer* out_answer) {
+    dm_mesh_desc mesh = t->session->mesh;
+    mesh.positions = t->positions;
+    uint8_t* ids;
+    dm_result result = part_ids(t, &known->truth->moving, &mesh, &ids);
+    if (result == DM_OK) {
+        job job = {.has_drag = known->dragged};
+        vec vector = known->drag->vector;
+        if (t->options->drag_noise > 0) vector = noisy(vector, t->options->drag_noise, t->random);
+        job.drag = (dm_drag_hint){vec_out(known->drag->point), vec_out(vector)};
+        if (t->options->given_type) job.type = known->truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE;
+        result = job_answer_mesh(t->session, &mesh, &job, out_answer);
+    }
+    free(ids);
+    return result;
+}
+
+/* The network's motion along the true way of the dragged point. */
+static void measure_motion(trial* t, const metric_case* known, const dm_joint* joint, metric_row* row) {
+    dm_vec3 path[DM_MOTION_FRAMES];
+    const double travel = metrics_travel(known);
+    for (int i = 0; i < DM_MOTION_FRAMES; i++) {
+        const double value = travel * (double)play_pace((float)i / (DM_MOTION_FRAMES - 1));
+        path[i] = vec_out(metrics_true_move(known, known->drag->point, value));
+    }
+    const dm_motion_desc desc = {.struct_size = sizeof desc,
+                                 .part_id = JOB_PART,
+                                 .drag = {vec_out(known->drag->point), vec_out(known->drag->vector)},
+                                 .path = path,
+                                 .path_count = DM_MOTION_FRAMES};
+    dm_motion motion;
+    dm_pose poses[DM_MOTION_FRAMES];
+    if (dm_motion_generate(t->session->context, t->session->object, &desc, &motion) != DM_OK) return;
+    dm_motion_get_frames(t->session->context, motion, poses, NULL);
+    dm_motion_destroy(t->session->context, motion);
+    metrics_of_motion(known, joint, poses, row);
+}
+
+static metric_row* new_row(eval_rows* rows) {
+    if (rows->count == rows->room) {
+        rows->room = rows->room ? 2 * rows->room : 256;
+        rows->rows = cli_grow(rows->rows, rows->room * sizeof *rows->rows);
+    }
+    metric_row* row = &rows->rows[rows->count++];
+    memset(row, 0, sizeof *row);
+    return row;
+}
+
+static void evaluate_joint(trial* t, int index) {
+    const known_joint* truth = &t->object.joints[index];
+    metric_case known = {.truth = truth, .size = t->size, .dragged = !t->options->no_drag};
+    vec* moving = moving_vertices(t, &truth->moving, &known.moving_count);
+    known.moving = moving;
+    const int drags = truth->drag_count < t->options->drags ? truth->drag_count : t->options->drags;
+    for (int d = 0; d < drags; d++) {
+        metric_row* row = new_row(t->rows);
+        answer answer;
+        known.drag = &truth->drags[d];
+        snprintf(row->id, sizeof row->id, "%s/%d/%d", t->object.name, index, d);
+        snprintf(row->category, sizeof row->category, "%s", t->object.category);
+        row->source = dataset_source(t->object.name);
+        row->weight = truth->weight / drags;
+        if (known.moving_count > 0 && ask(t, &known, &answer) == DM_OK) {
+            metrics_of_joint(&known, &answer, row);
+            snprintf(row->found_type, sizeof row->found_type, "%s", joint_type_name(answer.joint.type));
+            if (t->session->has_motion) measure_motion(t, &known, &answer.joint, row);
+        } else {
+            fprintf(stderr, "dragmesh eval: %s: %s\n", row->id, t->session->error);
+            metrics_of_failure(&known, row);
+        }
+    }
+    free(moving);
+}
+
+int evaluate_object(session* session, const char* folder, const char* name, const eval_options* options,
+                    random_state* random, eval_rows* rows) {
+    trial t = {.session = session, .options = options, .random = random, .rows = rows};
+    char error[512];
+    if (dataset_read(folder, name, &t.object, error, sizeof error) != 0) {
+        fprintf(stderr, "dragmesh eval: %s\n", error);
+        return -1;
+    }
+    const dm_result result = session_use_file(session, t.object.glb);
+    if (result == DM_OK) {
+        place_object(&t);
+        for (int i = 0; i < t.object.joint_count; i++) evaluate_joint(&t, i);
+        free(t.positions);
+    } else {
+        fprintf(stderr, "dragmesh eval: %s\n", session->error);
+    }
+    dataset_free(&t.object);
+    return result == DM_OK ? 0 : -1;
+}

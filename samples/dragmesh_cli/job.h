@@ -1,0 +1,66 @@
+/* One question to the library: a file, what moves in it, and how it was dragged. And its answer. */
+#ifndef CLI_JOB_H
+#define CLI_JOB_H
+
+#include <cjson/cJSON.h>
+
+#include "options.h"
+#include "session.h"
+
+/* The moving part has this id. */
+#define JOB_PART 1
+
+typedef struct job {
+    const char* file;
+    name_list moving;
+    const char* mask; /* a file that replaces `moving`; NULL: none */
+    int64_t mask_value;
+    int has_mask_value;
+    double mask_noise; /* share of the part's vertices lost and leaked, for experiments */
+    int has_drag;
+    dm_drag_hint drag;
+    int32_t type; /* DM_JOINT_*, UNKNOWN: to be found out */
+} job;
+
+typedef struct answer {
+    dm_joint joint; /* in force: the best hypothesis */
+    dm_joint hypotheses[DM_MAX_HYPOTHESES];
+    uint32_t hypothesis_count;
+    int ambiguous_mask;
+    double prepare_ms, kinematics_ms, motion_ms; /* kinematics is part of prepare */
+} answer;
+
+/* The options every command that takes a job has: their values and a table of them. */
+typedef struct job_options {
+    job job;
+    const char *models, *type;
+    float point[3], vector[3];
+    int has_point, has_vector;
+} job_options;
+enum { JOB_OPTIONS = 6 };
+void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS]);
+/* After reading: fills options->job; CLI_OK or CLI_USAGE. */
+int job_options_finish(const cli_command* command, job_options* options, const char* file);
+
+/* From a line of jobs; session->error says what is wrong. */
+dm_result job_from_json(session* session, const cJSON* json, job* out_job);
+void job_free(job* job);
+
+/* Makes the job's file and object the session's and fills the answer. */
+dm_result job_answer(session* session, const job* job, answer* out_answer);
+/* The same for a mesh that is no file's; part_ids as `mesh` says. */
+dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, answer* out_answer);
+
+/* The faces that move, as 0 and 1: what a picture or an animation shows. To be freed. */
+uint8_t* job_moving_faces(const session* session);
+
+/* Adds type, axis, origin … to a result object. */
+void answer_to_json(const answer* answer, cJSON* out);
+void answer_print(const answer* answer);
+void joint_to_json(const dm_joint* joint, cJSON* out);
+void joint_print(const dm_joint* joint);
+const char* joint_type_name(int32_t type);
+/* DM_JOINT_UNKNOWN for a name that is none. */
+int32_t joint_type_from_name(const char* name);
+
+#endif

@@ -1,0 +1,160 @@
+/* Jobs from the command line and from lines of JSON. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "job.h"
+
+static const char* const type_names[] = {"unknown", "revolute", "prismatic", "screw", "continuous", "fixed"};
+
+const char* joint_type_name(int32_t type) {
+    return type >= 0 && type <= DM_JOINT_FIXED ? type_names[type] : "unknown";
+}
+
+int32_t joint_type_from_name(const char* name) {
+    for (int32_t i = DM_JOINT_REVOLUTE; i <= DM_JOINT_CONTINUOUS; i++) {
+        if (strcmp(name, type_names[i]) == 0) return i;
+    }
+    return DM_JOINT_UNKNOWN;
+}
+
+/* ---- the command line ---- */
+
+void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS]) {
+    memset(options, 0, sizeof *options);
+    const option_spec table[JOB_OPTIONS] = {
+        {.name = "--moving", .kind = OPTION_NAMES, .value = &options->job.moving},
+        {.name = "--models", .kind = OPTION_TEXT, .value = &options->models},
+        {.name = "--type", .kind = OPTION_TEXT, .value = &options->type},
+        {.name = "--mask", .kind = OPTION_TEXT, .value = &options->job.mask},
+        {.name = "--drag-point",
+         .kind = OPTION_NUMBERS,
+         .value = options->point,
+         .count = 3,
+         .given = &options->has_point},
+        {.name = "--drag-vector",
+         .kind = OPTION_NUMBERS,
+         .value = options->vector,
+         .count = 3,
+         .given = &options->has_vector},
+    };
+    memcpy(out_table, table, sizeof table);
+}
+
+int job_options_finish(const cli_command* command, job_options* options, const char* file) {
+    job* job = &options->job;
+    if (!file) return options_refuse(command, "which file?");
+    if (job->moving.count == 0 && !job->mask)
+        return options_refuse(command, "what moves? --moving NODE[,NODE…] or --mask FILE");
+    if (options->has_point != options->has_vector)
+        return options_refuse(command, "a drag is --drag-point and --drag-vector");
+    if (options->type && (job->type = joint_type_from_name(options->type)) == DM_JOINT_UNKNOWN)
+        return options_refuse(command, "--type: '%s' is no joint type", options->type);
+    job->file = file;
+    job->has_drag = options->has_point;
+    job->drag = (dm_drag_hint){{options->point[0], options->point[1], options->point[2]},
+                               {options->vector[0], options->vector[1], options->vector[2]}};
+    return CLI_OK;
+}
+
+/* ---- lines of JSON ---- */
+
+static const cJSON* member(const cJSON* json, const char* name) {
+    const cJSON* found = cJSON_GetObjectItemCaseSensitive(json, name);
+    return cJSON_IsNull(found) ? NULL : found;
+}
+
+static dm_result read_text(session* session, const cJSON* json, const char* name, const char** out) {
+    const cJSON* found = member(json, name);
+    if (!found) return DM_OK;
+    if (!cJSON_IsString(found))
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not a string", name);
+    *out = found->valuestring;
+    return DM_OK;
+}
+
+static dm_result read_number(session* session, const cJSON* json, const char* name, double* out, int* out_given) {
+    const cJSON* found = member(json, name);
+    if (!found) return DM_OK;
+    if (!cJSON_IsNumber(found))
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not a number", name);
+    *out = found->valuedouble;
+    *out_given = 1;
+    return DM_OK;
+}
+
+static dm_result read_vector(session* session, const cJSON* json, const char* name, dm_vec3* out, int* out_given) {
+    const cJSON* found = member(json, name);
+    if (!found) return DM_OK;
+    float numbers[3];
+    int count = 0;
+    const cJSON* item;
+    cJSON_ArrayForEach(item, found) {
+        if (cJSON_IsNumber(item) && count < 3) numbers[count] = (float)item->valuedouble;
+        count += cJSON_IsNumber(item) ? 1 : 4;
+    }
+    if (!cJSON_IsArray(found) || count != 3)
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not three numbers", name);
+    *out = (dm_vec3){numbers[0], numbers[1], numbers[2]};
+    *out_given = 1;
+    return DM_OK;
+}
+
+static dm_result read_moving(session* session, const cJSON* json, name_list* out) {
+    const cJSON* found = member(json, "moving");
+    if (!found) return DM_OK;
+    if (cJSON_IsString(found)) {
+        name_list_add(out, found->valuestring, strlen(found->valuestring));
+        return DM_OK;
+    }
+    const cJSON* item;
+    cJSON_ArrayForEach(item, found) {
+        if (!cJSON_IsString(item))
+            return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"moving\" holds something else than names");
+        name_list_add(out, item->valuestring, strlen(item->valuestring));
+    }
+    if (!cJSON_IsArray(found))
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"moving\" is not a list of node names");
+    return DM_OK;
+}
+
+static dm_result read_fields(session* session, const cJSON* json, job* out) {
+    const char* type = NULL;
+    int has_vector = 0, ignored = 0;
+    double value = 0;
+    dm_result result = read_text(session, json, "file", &out->file);
+    if (result == DM_OK) result = read_text(session, json, "mask", &out->mask);
+    if (result == DM_OK) result = read_text(session, json, "type", &type);
+    if (result == DM_OK) result = read_number(session, json, "mask_value", &value, &out->has_mask_value);
+    if (result == DM_OK) result = read_number(session, json, "mask_noise", &out->mask_noise, &ignored);
+    if (result == DM_OK) result = read_vector(session, json, "drag_point", &out->drag.point, &out->has_drag);
+    if (result == DM_OK) result = read_vector(session, json, "drag_vector", &out->drag.vector, &has_vector);
+    if (result == DM_OK) result = read_moving(session, json, &out->moving);
+    if (result != DM_OK) return result;
+    out->mask_value = fabs(value) < 9e15 ? (int64_t)value : INT64_MAX;
+    if (out->has_drag != has_vector)
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" without \"%s\"",
+                            has_vector ? "drag_vector" : "drag_point", has_vector ? "drag_point" : "drag_vector");
+    if (type && (out->type = joint_type_from_name(type)) == DM_JOINT_UNKNOWN)
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"type\" is '%s', no joint type", type);
+    if (!(out->mask_noise >= 0 && out->mask_noise < 1))
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"mask_noise\" is %g, not in [0, 1)",
+                            out->mask_noise);
+    return DM_OK;
+}
+
+dm_result job_from_json(session* session, const cJSON* json, job* out_job) {
+    memset(out_job, 0, sizeof *out_job);
+    if (!cJSON_IsObject(json)) return session_fail(session, DM_ERROR_BAD_DATA, "job: the line is not a JSON object");
+    const dm_result result = read_fields(session, json, out_job);
+    if (result != DM_OK) return result;
+    if (!out_job->file) return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"file\" is missing");
+    if (!out_job->mask && out_job->moving.count == 0)
+        return session_fail(session, DM_ERROR_EMPTY_MASK, "job: neither \"moving\" nor \"mask\" says what moves");
+    return DM_OK;
+}
+
+void job_free(job* job) {
+    name_list_free(&job->moving);
+}

@@ -1,0 +1,37 @@
+/* Writing JSON with cJSON: numbers with as many digits as they have, null for those that are none. */
+#include "json.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static cJSON* number_item(double number, int digits) {
+    char text[40];
+    if (!isfinite(number)) return cJSON_CreateNull();
+    snprintf(text, sizeof text, "%.*g", digits, number == 0 ? 0.0 : number);
+    return cJSON_CreateRaw(text);
+}
+
+void json_add_number(cJSON* object, const char* name, double number, int digits) {
+    cJSON_AddItemToObject(object, name, number_item(number, digits));
+}
+
+void json_add_vector(cJSON* object, const char* name, dm_vec3 vector) {
+    cJSON* list = cJSON_AddArrayToObject(object, name);
+    const float numbers[3] = {vector.x, vector.y, vector.z};
+    for (int i = 0; i < 3; i++) cJSON_AddItemToArray(list, number_item((double)numbers[i], 9));
+}
+
+static void print_and_delete(cJSON* object, char* text) {
+    if (text) puts(text);
+    fflush(stdout);
+    cJSON_free(text);
+    cJSON_Delete(object);
+}
+
+void json_print_line(cJSON* object) {
+    print_and_delete(object, cJSON_PrintUnformatted(object));
+}
+
+void json_print(cJSON* object) {
+    print_and_delete(object, cJSON_Print(object));
+}

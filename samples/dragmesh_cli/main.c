@@ -1,0 +1,64 @@
+/* dragmesh: the command-line tool. Picks the subcommand. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "cli.h"
+#include "dragmesh/dragmesh.h"
+
+static const cli_command* const commands[] = {&cli_infer,   &cli_animate, &cli_film,  &cli_pick,
+                                              &cli_prepare, &cli_eval,    &cli_bench, &cli_demo};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+void* cli_grow(void* memory, size_t size) {
+    void* grown = realloc(memory, size > 0 ? size : 1);
+    if (grown) return grown;
+    fprintf(stderr, "dragmesh: no memory for %zu bytes\n", size);
+    exit(CLI_FAILED);
+}
+
+void* cli_alloc(size_t size) {
+    return cli_grow(NULL, size);
+}
+
+void* cli_alloc_zeroed(size_t size) {
+    return memset(cli_alloc(size), 0, size);
+}
+
+double cli_now_ms(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+static void print_help(FILE* out) {
+    fprintf(out, "dragmesh %d.%d.%d: how the parts of an object move, and moves them.\n\n", DM_VERSION_MAJOR,
+            DM_VERSION_MINOR, DM_VERSION_PATCH);
+    for (int i = 0; i < COMMANDS; i++)
+        fprintf(out, "dragmesh %s %s\n    %s\n", commands[i]->name, commands[i]->usage, commands[i]->summary);
+    fprintf(
+        out,
+        "\nEvery command that infers takes --models DIR (weights; without it DRAGMESH_MODELS, then beside the\n"
+        "program) or --models none (geometry alone). Exit status: 0 answered, 1 something failed, 2 bad arguments.\n");
+}
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        print_help(stderr);
+        return CLI_USAGE;
+    }
+    for (int i = 0; i < COMMANDS; i++) {
+        if (strcmp(argv[1], commands[i]->name) == 0) return commands[i]->run(argc - 1, argv + 1);
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "help") == 0) {
+        print_help(stdout);
+        return CLI_OK;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("%u.%u.%u\n", dm_version() >> 22, dm_version() >> 12 & 1023, dm_version() & 4095);
+        return CLI_OK;
+    }
+    fprintf(stderr, "dragmesh: no command '%s'; see dragmesh --help\n", argv[1]);
+    return CLI_USAGE;
+}

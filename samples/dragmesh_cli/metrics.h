@@ -1,0 +1,65 @@
+/* How far an answered joint is from the true one: the metrics of `dragmesh eval`, from their definitions.
+ * Lengths are over the object's largest side. */
+#ifndef CLI_METRICS_H
+#define CLI_METRICS_H
+
+#include "dataset.h"
+
+enum metric {
+    METRIC_TYPE,       /* 1: right (a continuous joint is a revolute one) */
+    METRIC_AXIS,       /* unsigned angle between the axes, mrad */
+    METRIC_ORIGIN,     /* true axis to the point of the found axis nearest the part's centre, x 1000; turning joints */
+    METRIC_ORIGIN_L1,  /* the paper's: mean |difference| of a coordinate of the two origins, x 1000; turning joints */
+    METRIC_LINE,       /* shortest distance of the two axes, x 1000; turning joints */
+    METRIC_POSE,       /* mean distance of the moved part's vertices from where they should be, the dragged point having
+                          gone its true way (full travel, at most 1.2 rad) */
+    METRIC_POSE_TOP3,  /* the least of the first three hypotheses */
+    METRIC_SIGN,       /* 1: a positive step goes along the drag */
+    METRIC_RANGE,      /* intersection over union of the ranges; only where the type is right and limits are known */
+    METRIC_CHAMFER,    /* of the generated motion: two-way squared Chamfer distance, mean over the frames */
+    METRIC_CONSTRAINT, /* 2 (1 - |cos|) + sin^2 / 2 to the true axis (turning); |t x a|^2 (sliding) */
+    METRIC_SLIDE_TURN, /* QR1: mean squared rotation angle of sliding joints */
+    METRIC_TURN_SLIDE, /* Rev. Trans.: mean squared translation of turning joints about the joint's origin */
+    METRIC_COUNT
+};
+
+typedef struct metric_row {
+    double value[METRIC_COUNT]; /* NAN: does not apply */
+    double weight;
+    int slides, answered;
+    const char* source;
+    char category[64], id[256], found_type[16];
+} metric_row;
+
+/* What a row is measured on. */
+typedef struct metric_case {
+    const known_joint* truth;
+    const known_drag* drag; /* the true one, however noisy the hand was */
+    const vec* moving;      /* vertices of the part at rest */
+    size_t moving_count;
+    double size; /* largest side of the whole object's box */
+    int dragged; /* the drag was shown to the library */
+} metric_case;
+
+void metrics_of_failure(const metric_case* known, metric_row* out_row);
+void metrics_of_joint(const metric_case* known, const answer* answer, metric_row* out_row);
+
+/* The joint value of the metrics' full travel, signed along the true axis so that it follows the drag. */
+double metrics_travel(const metric_case* known);
+/* Where the true joint at `value` takes a point. */
+vec metrics_true_move(const metric_case* known, vec point, double value);
+/* Frames of a motion that was asked to follow the true way; truth goes at minimum-jerk pace. */
+void metrics_of_motion(const metric_case* known, const dm_joint* joint, const dm_pose poses[DM_MOTION_FRAMES],
+                       metric_row* out_row);
+
+/* Weighted statistics of one metric over the rows that `pick` (a row of ones and zeros; NULL: all) selects. */
+typedef struct metric_stat {
+    size_t count;
+    double mean, median, p90;
+} metric_stat;
+metric_stat metrics_stat(const metric_row* rows, size_t count, const unsigned char* pick, enum metric metric);
+/* Weighted share of the rows whose metric is below `limit`; NAN when none has it. */
+double metrics_share_below(const metric_row* rows, size_t count, const unsigned char* pick, enum metric metric,
+                           double limit);
+
+#endif

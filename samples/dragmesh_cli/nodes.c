@@ -1,0 +1,56 @@
+/* Parts of an object made of the nodes of its file. */
+#include "nodes.h"
+
+#include <math.h>
+
+#include "cli.h"
+#include "vec.h"
+
+uint32_t node_of_face(const dm_gltf* gltf, uint64_t face) {
+    uint32_t low = 0, high = dm_gltf_node_count(gltf) - 1;
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        dm_gltf_node node;
+        dm_gltf_get_node(gltf, middle, &node);
+        if (face < node.first_face + node.face_count)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
+static double box_diagonal(const float* positions, uint64_t first, uint64_t count) {
+    vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint64_t v = first; v < first + count; v++) {
+        const vec p = vec_at(positions + 3 * v);
+        low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
+        high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
+    }
+    return count ? length(sub(high, low)) : 0;
+}
+
+uint32_t largest_node(const session* session) {
+    uint32_t best = 0;
+    double size = -1;
+    for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
+        dm_gltf_node node;
+        dm_gltf_get_node(session->gltf, i, &node);
+        const double diagonal = box_diagonal(session->mesh.positions, node.first_vertex, node.vertex_count);
+        if (node.face_count == 0 || diagonal <= size) continue;
+        best = i;
+        size = diagonal;
+    }
+    return best;
+}
+
+uint16_t* node_part_ids(const session* session, uint32_t body) {
+    uint16_t* ids = cli_alloc_zeroed(session->mesh.index_count / 3 * sizeof *ids);
+    for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
+        dm_gltf_node node;
+        dm_gltf_get_node(session->gltf, i, &node);
+        for (uint64_t face = 0; face < node.face_count; face++)
+            ids[node.first_face + face] = i == body ? 0 : (uint16_t)(i + 1);
+    }
+    return ids;
+}

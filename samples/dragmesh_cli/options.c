@@ -1,0 +1,114 @@
+/* Command-line arguments, read by a table. */
+#include "options.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int options_refuse(const cli_command* command, const char* format, ...) {
+    va_list arguments;
+    fprintf(stderr, "dragmesh %s: ", command->name);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fprintf(stderr, "\nusage: dragmesh %s %s\n", command->name, command->usage);
+    return CLI_USAGE;
+}
+
+void name_list_add(name_list* list, const char* name, size_t length) {
+    list->names = cli_grow(list->names, (list->count + 1) * sizeof *list->names);
+    char* copy = cli_alloc(length + 1);
+    memcpy(copy, name, length);
+    copy[length] = 0;
+    list->names[list->count++] = copy;
+}
+
+void name_list_free(name_list* list) {
+    for (unsigned i = 0; i < list->count; i++) free(list->names[i]);
+    free(list->names);
+    *list = (name_list){NULL, 0};
+}
+
+static void read_names(name_list* list, const char* text) {
+    for (;;) {
+        const size_t length = strcspn(text, ",");
+        name_list_add(list, text, length);
+        if (text[length] == 0) return;
+        text += length + 1;
+    }
+}
+
+/* A finite number that ends at `end`; 0 when there is none. */
+static int read_number(const char* text, char end, double* out, const char** out_rest) {
+    char* rest;
+    *out = strtod(text, &rest);
+    if (rest == text || *rest != end || !isfinite(*out)) return 0;
+    *out_rest = end ? rest + 1 : rest;
+    return 1;
+}
+
+static int read_numbers(const char* text, int count, float* out) {
+    for (int i = 0; i < count; i++) {
+        double number;
+        if (!read_number(text, i + 1 < count ? ',' : 0, &number, &text)) return 0;
+        out[i] = (float)number;
+    }
+    return 1;
+}
+
+/* 0 when `text` is no value of the option. */
+static int read_value(const option_spec* option, const char* text) {
+    const char* rest;
+    char* end;
+    switch (option->kind) {
+    case OPTION_FLAG:
+        *(int*)option->value = 1;
+        return 1;
+    case OPTION_TEXT:
+        *(const char**)option->value = text;
+        return 1;
+    case OPTION_NAMES:
+        read_names(option->value, text);
+        return 1;
+    case OPTION_NUMBER:
+        return read_number(text, 0, option->value, &rest);
+    case OPTION_NUMBERS:
+        return read_numbers(text, option->count, option->value);
+    case OPTION_INTEGER:
+        break;
+    }
+    errno = 0;
+    const long number = strtol(text, &end, 10);
+    if (end == text || *end || errno || number < -1000000000 || number > 1000000000) return 0;
+    *(int*)option->value = (int)number;
+    return 1;
+}
+
+static const option_spec* find_option(const option_spec* options, size_t count, const char* name) {
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(options[i].name, name) == 0) return &options[i];
+    }
+    return NULL;
+}
+
+int options_read(const cli_command* command, int argc, char** argv, const option_spec* options, size_t option_count,
+                 const char** out_operand) {
+    int operands = 0;
+    for (int i = 1; i < argc; i++) {
+        const option_spec* option = find_option(options, option_count, argv[i]);
+        if (!option && argv[i][0] == '-' && argv[i][1]) return options_refuse(command, "no option '%s'", argv[i]);
+        if (!option) {
+            if (!out_operand || operands++) return options_refuse(command, "'%s' is one argument too many", argv[i]);
+            *out_operand = argv[i];
+            continue;
+        }
+        const char* value = option->kind == OPTION_FLAG ? "" : i + 1 < argc ? argv[++i] : NULL;
+        if (!value) return options_refuse(command, "%s needs a value", option->name);
+        if (!read_value(option, value)) return options_refuse(command, "%s: '%s' can't be read", option->name, value);
+        if (option->given) *option->given = 1;
+    }
+    return CLI_OK;
+}

@@ -1,0 +1,42 @@
+/* Command-line arguments, read by a table. */
+#ifndef CLI_OPTIONS_H
+#define CLI_OPTIONS_H
+
+#include <stddef.h>
+
+#include "cli.h"
+
+/* Names from a comma-separated list; the option may come several times. */
+typedef struct name_list {
+    char** names; /* own copies */
+    unsigned count;
+} name_list;
+
+enum option_kind {
+    OPTION_FLAG,    /* int*: set to 1 */
+    OPTION_TEXT,    /* const char** */
+    OPTION_INTEGER, /* int* */
+    OPTION_NUMBER,  /* double* */
+    OPTION_NUMBERS, /* float[count]: comma-separated */
+    OPTION_NAMES    /* name_list* */
+};
+
+typedef struct option_spec {
+    const char* name; /* with its dashes */
+    enum option_kind kind;
+    void* value;
+    int count;  /* of OPTION_NUMBERS */
+    int* given; /* may be NULL: set to 1 when the option was there */
+} option_spec;
+
+/* Reads argv[1..]; at most one argument may stand alone, and goes to *out_operand (NULL: none may). 0, or prints what
+ * is wrong and answers CLI_USAGE. */
+int options_read(const cli_command* command, int argc, char** argv, const option_spec* options, size_t option_count,
+                 const char** out_operand);
+/* Prints a message and the usage; answers CLI_USAGE. */
+int options_refuse(const cli_command* command, const char* format, ...) __attribute__((format(printf, 2, 3)));
+
+void name_list_add(name_list* list, const char* name, size_t length);
+void name_list_free(name_list* list);
+
+#endif

@@ -1,0 +1,192 @@
+/* Pictures of an answered object: what a ray meets, and how much light comes from there. */
+#include "render.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "nodes.h"
+
+enum { GRID = 2, SKY_RAYS = 6, GAP = 6 };
+static const double sky_reach = 0.7; /* of the object's size: what is farther away shades nothing */
+static const vec sun_light = {1.55, 1.47, 1.32}, accent = {0.86, 0.33, 0.09};
+static const double accent_share = 0.6;
+
+/* ---- the scene ---- */
+
+static void read_colours(renderer* r) {
+    const uint32_t count = dm_gltf_node_count(r->session->gltf);
+    r->colours = cli_alloc(count * sizeof *r->colours);
+    for (uint32_t i = 0; i < count; i++) {
+        dm_gltf_node node;
+        dm_gltf_get_node(r->session->gltf, i, &node);
+        r->colours[i] = scale(vec_at(node.colour), 0.85); /* nothing reflects all of the light */
+        for (uint64_t face = 0; face < node.face_count; face++) r->face_node[node.first_face + face] = i;
+    }
+}
+
+static void measure(renderer* r) {
+    dm_object_info info = {.struct_size = sizeof info};
+    dm_object_get_info(r->session->context, r->session->object, &info);
+    const vec low = vec_of(info.box_min), high = vec_of(info.box_max);
+    r->centre = scale(add(low, high), 0.5);
+    r->size = (double)info.size;
+    r->floor = dot(r->up, low);
+}
+
+dm_result render_open(renderer* r, session* session, char up) {
+    memset(r, 0, sizeof *r);
+    r->session = session;
+    r->up = (vec){up == 'x', up == 'y', up == 'z'};
+    r->random.state = 1;
+    const dm_scene_desc desc = {.struct_size = sizeof desc};
+    dm_result result = dm_scene_create(session->context, &desc, &r->scene);
+    if (result != DM_OK) return result;
+    result = dm_scene_add(session->context, r->scene, session->object, NULL, &r->instance);
+    r->face_node = cli_alloc_zeroed(session->mesh.index_count / 3 * sizeof *r->face_node);
+    r->moving = job_moving_faces(session);
+    r->normals = smooth_build(&session->mesh);
+    read_colours(r);
+    measure(r);
+    return result;
+}
+
+void render_close(renderer* r) {
+    if (r->scene) dm_scene_destroy(r->session->context, r->scene);
+    smooth_free(&r->normals);
+    free(r->face_node);
+    free(r->colours);
+    free(r->moving);
+}
+
+/* ---- light ---- */
+
+static int cast(const renderer* r, vec origin, vec direction, dm_hit* out_hit) {
+    const dm_ray ray = {vec_out(origin), vec_out(direction)};
+    return dm_scene_pick(r->session->context, r->scene, &ray, out_hit) == DM_OK && out_hit->object != 0;
+}
+
+static vec mix(vec a, vec b, double share) {
+    return add(scale(a, 1 - share), scale(b, share));
+}
+
+/* What the sky, and the floor below it, send from a direction. */
+static vec sky(const renderer* r, vec direction) {
+    const vec ground = {0.46, 0.44, 0.42}, zenith = {0.62, 0.72, 0.86};
+    return mix(ground, zenith, 0.5 + 0.5 * dot(direction, r->up));
+}
+
+/* A direction about `normal`, by its cosine; stratum i of SKY_RAYS. */
+static vec sky_direction(renderer* r, vec normal, int i) {
+    const vec helper = fabs(normal.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0};
+    const vec tangent = unit(cross(helper, normal)), other = cross(normal, tangent);
+    const double square = (i + random_unit(&r->random)) / SKY_RAYS, angle = 2 * CLI_PI * random_unit(&r->random);
+    const double radius = sqrt(square);
+    return add(scale(normal, sqrt(1 - square)),
+               add(scale(tangent, radius * cos(angle)), scale(other, radius * sin(angle))));
+}
+
+/* Light that falls on a surface: the sun where nothing stands before it, the sky through what is open of it. */
+static vec light_at(renderer* r, vec point, vec normal) {
+    dm_hit hit;
+    vec light = {0, 0, 0};
+    const vec start = add(point, scale(normal, 2e-4 * r->size));
+    const double facing = dot(normal, r->sun);
+    const vec jitter = {random_unit(&r->random) - 0.5, random_unit(&r->random) - 0.5, random_unit(&r->random) - 0.5};
+    if (facing > 0 && !cast(r, start, add(r->sun, scale(jitter, 0.07)), &hit)) light = scale(sun_light, facing);
+    for (int i = 0; i < SKY_RAYS; i++) {
+        const vec direction = sky_direction(r, normal, i);
+        const int open = !cast(r, start, direction, &hit) || (double)hit.distance > sky_reach * r->size;
+        light = add(light, scale(sky(r, direction), (open ? 1.0 : 0.12) / SKY_RAYS));
+    }
+    return light;
+}
+
+static vec surface(renderer* r, const dm_hit* hit, vec view) {
+    vec normal = smooth_at(&r->normals, hit->triangle, (double)hit->u, (double)hit->v);
+    if (hit->part_id != 0) {
+        const vec axis = vec_at(r->pose.real);
+        const double angle = 2 * atan2(length(axis), (double)r->pose.real[3]);
+        normal = turn(normal, unit(axis), angle);
+    }
+    if (dot(normal, view) > 0) normal = scale(normal, -1); /* inside out, or seen from inside */
+    vec albedo = r->colours[r->face_node[hit->triangle]];
+    if (r->moving[hit->triangle]) albedo = mix(albedo, accent, accent_share);
+    const vec light = light_at(r, vec_of(hit->point), normal);
+    return (vec){albedo.x * light.x, albedo.y * light.y, albedo.z * light.z};
+}
+
+static vec background(double height) {
+    const vec low = {0.83, 0.84, 0.86}, high = {0.55, 0.64, 0.76};
+    return mix(low, high, height);
+}
+
+/* The floor is the background, darker where the object takes the light away. */
+static vec floor_or_sky(renderer* r, vec origin, vec direction, double height) {
+    const vec behind = background(height);
+    const double down = dot(direction, r->up), distance = (r->floor - dot(origin, r->up)) / down;
+    if (!(down < -1e-6) || distance < 0) return behind;
+    const vec point = add(origin, scale(direction, distance));
+    const double away = length(sub(point, r->centre)) / r->size;
+    if (away > 2) return behind;
+    const vec shaded = light_at(r, point, r->up);
+    const vec open = add(scale(sun_light, dot(r->up, r->sun)), (vec){0.59, 0.67, 0.78});
+    const double share = fmin(1, (shaded.x + shaded.y + shaded.z) / (open.x + open.y + open.z));
+    const double fade = fmin(1, fmax(0, away - 1));
+    return scale(behind, mix((vec){share, 0, 0}, (vec){1, 0, 0}, fade).x);
+}
+
+static vec trace(renderer* r, double x, double y) {
+    dm_ray ray;
+    dm_hit hit;
+    if (dm_camera_ray(r->session->context, &r->camera, (float)x, (float)y, &ray) != DM_OK) return (vec){0, 0, 0};
+    const vec origin = vec_of(ray.origin), direction = unit(vec_of(ray.direction));
+    if (cast(r, origin, direction, &hit)) return surface(r, &hit, direction);
+    return floor_or_sky(r, origin, direction, 1 - y / (double)r->camera.height_px);
+}
+
+/* ---- pictures ---- */
+
+dm_result render_draw(renderer* r, const dm_pose* pose, picture* picture, int left) {
+    dm_context* context = r->session->context;
+    dm_result result = dm_scene_move(context, r->scene, r->instance, JOB_PART, pose);
+    if (result == DM_OK) result = dm_scene_commit(context, r->scene);
+    if (result != DM_OK) return result;
+    r->pose = *pose;
+    for (int y = 0; y < (int)r->camera.height_px; y++) {
+        for (int x = 0; x < (int)r->camera.width; x++) {
+            vec sum = {0, 0, 0};
+            for (int s = 0; s < GRID * GRID; s++)
+                sum = add(sum, trace(r, x + (s % GRID + 0.5) / GRID, y + ((double)(s / GRID) + 0.5) / GRID));
+            picture_set(picture, left + x, y, scale(sum, 1.0 / (GRID * GRID)));
+        }
+    }
+    return DM_OK;
+}
+
+static void draw_axis(const renderer* r, const dm_joint* joint, picture* picture, int left) {
+    static const uint8_t dark[3] = {20, 40, 90}, bright[3] = {70, 150, 255};
+    const vec half = scale(vec_of(joint->axis), 0.65 * r->size), middle = vec_of(joint->origin);
+    double x0, y0, x1, y1;
+    render_project(r, sub(middle, half), &x0, &y0);
+    render_project(r, add(middle, half), &x1, &y1);
+    const int right = left + (int)r->camera.width;
+    picture_line(picture, x0 + left, y0, x1 + left, y1, 4, dark, left, right);
+    picture_line(picture, x0 + left, y0, x1 + left, y1, 2, bright, left, right);
+}
+
+dm_result render_film(renderer* r, const dm_pose* poses, uint32_t count, const dm_joint* axis, const char* path) {
+    const int width = (int)r->camera.width, height = (int)r->camera.height_px;
+    picture strip = picture_new((width + GAP) * (int)count - GAP, height);
+    dm_result result = DM_OK;
+    for (uint32_t i = 0; i < count && result == DM_OK; i++) {
+        const int left = (int)i * (width + GAP);
+        result = render_draw(r, &poses[i], &strip, left);
+        if (axis) draw_axis(r, axis, &strip, left);
+    }
+    if (result == DM_OK && picture_write(&strip, path) != 0)
+        result = session_fail(r->session, DM_ERROR_NOT_FOUND, "can't write the picture '%s'", path);
+    picture_free(&strip);
+    return result;
+}

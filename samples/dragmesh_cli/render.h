@@ -1,0 +1,39 @@
+/* Pictures of an answered object: rays through dm_camera_ray and dm_scene_pick, a soft sun, a sky, a floor. */
+#ifndef CLI_RENDER_H
+#define CLI_RENDER_H
+
+#include "job.h"
+#include "picture.h"
+#include "random.h"
+#include "smooth.h"
+
+typedef struct renderer {
+    session* session; /* its file and object are shown */
+    dm_scene scene;
+    uint32_t instance;
+    smooth_normals normals;
+    uint32_t* face_node; /* a face: its node's position in the file's list */
+    vec* colours;        /* a node */
+    uint8_t* moving;     /* a face */
+    vec up, centre;
+    double size, floor; /* largest side; height of the floor along up */
+    dm_camera camera;
+    vec sun;
+    dm_pose pose; /* of the part now */
+    random_state random;
+} renderer;
+
+/* up: 'x', 'y' or 'z'. */
+dm_result render_open(renderer* renderer, session* session, char up);
+void render_close(renderer* renderer);
+/* A camera for pictures of width x height that sees the whole object in all of the poses, from the side that `toward`
+ * (the way the part moves; may be zero) points to. */
+void render_aim(renderer* renderer, vec toward, const dm_pose* poses, uint32_t count, int width, int height);
+/* Where a point of the scene is in the picture. */
+void render_project(const renderer* renderer, vec point, double* out_x, double* out_y);
+/* Draws the object with its part at `pose` into the columns from `left` on. */
+dm_result render_draw(renderer* renderer, const dm_pose* pose, picture* picture, int left);
+/* A film strip: one panel a pose, the joint's axis over each (axis NULL: none). Writes a .png; session->error. */
+dm_result render_film(renderer* renderer, const dm_pose* poses, uint32_t count, const dm_joint* axis, const char* path);
+
+#endif

@@ -1,0 +1,92 @@
+/* One run of the tool: a context with its weights, and the file and object that the last job worked on. */
+#include "session.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "files.h"
+#include "models.h"
+
+static void note(session* session, dm_result code, const char* text) {
+    snprintf(session->error, sizeof session->error, "%s: %s", dm_result_string(code), text);
+}
+
+static void DM_CALL on_message(void* user, int32_t level, dm_result code, const char* text) {
+    if (level == DM_LOG_ERROR)
+        note(user, code, text);
+    else if (level == DM_LOG_WARNING)
+        fprintf(stderr, "dragmesh: %s\n", text);
+}
+
+dm_result session_fail(session* session, dm_result code, const char* format, ...) {
+    char text[900];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    note(session, code, text);
+    return code;
+}
+
+int session_open(session* session, const char* models, const dm_allocator* allocator) {
+    memset(session, 0, sizeof *session);
+    dm_context_desc desc = {.struct_size = sizeof desc, .log = {session, on_message}};
+    if (allocator) desc.allocator = *allocator;
+    if (dm_context_create(&desc, &session->context) != DM_OK) {
+        fprintf(stderr, "dragmesh: %s\n", session->error);
+        return CLI_FAILED;
+    }
+    if (models_load(session, models) == DM_OK) return CLI_OK;
+    fprintf(stderr, "dragmesh: %s\n", session->error);
+    session_close(session);
+    return CLI_USAGE;
+}
+
+void session_drop_object(session* session) {
+    if (session->object) dm_object_destroy(session->context, session->object);
+    free(session->part_ids);
+    session->object = 0;
+    session->part_ids = NULL;
+}
+
+static void drop_file(session* session) {
+    session_drop_object(session);
+    dm_gltf_close(session->gltf);
+    free(session->path);
+    session->gltf = NULL;
+    session->path = NULL;
+}
+
+void session_close(session* session) {
+    drop_file(session);
+    dm_context_destroy(session->context);
+    session->context = NULL;
+}
+
+dm_result session_use_file(session* session, const char* path) {
+    if (session->path && strcmp(session->path, path) == 0) return DM_OK;
+    drop_file(session);
+    size_t size;
+    char* bytes = file_read(path, &size);
+    if (!bytes) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read '%s': %s", path, strerror(errno));
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
+    dm_result result = DM_ERROR_BAD_DATA;
+    if (size == 0)
+        session_fail(session, result, "'%s' is empty", path);
+    else
+        result = dm_gltf_open(&desc, &session->gltf);
+    free(bytes);
+    if (result != DM_OK) {
+        char reason[sizeof session->error];
+        memcpy(reason, session->error, sizeof reason);
+        snprintf(session->error, sizeof session->error, "%.800s (in '%.200s')", reason, path);
+        return result;
+    }
+    dm_gltf_get_mesh(session->gltf, &session->mesh);
+    session->path = cli_alloc(strlen(path) + 1);
+    strcpy(session->path, path);
+    return DM_OK;
+}
