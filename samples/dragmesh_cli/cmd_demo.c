@@ -1,0 +1,228 @@
+/* dragmesh demo: a player at the screen, scripted. A pixel is picked, the pointer drags across the screen, the part
+ * under it follows; the film and the animated file show it, and the joint found stands beside the true one. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dataset.h"
+#include "files.h"
+#include "metrics.h"
+#include "play.h"
+#include "render.h"
+
+enum { PANELS = 6, UPDATES = 90, PANEL_PIXELS = 420 };
+static const float seconds = 1.5f;
+static const double first_stretch = 0.25; /* of the drag: what the library hears of it before it decides on a joint */
+
+typedef struct pixel {
+    double x, y;
+} pixel;
+
+typedef struct player {
+    session* session;
+    renderer* view;
+    pixel from, to; /* the pointer's way across the screen */
+    dm_hit grab;
+} player;
+
+static dm_result ray_through(const player* p, double share, dm_ray* out_ray) {
+    const double x = p->from.x + share * (p->to.x - p->from.x), y = p->from.y + share * (p->to.y - p->from.y);
+    return dm_camera_ray(p->session->context, &p->view->camera, (float)x, (float)y, out_ray);
+}
+
+/* Picks what is under the pointer; it must be the part. */
+static dm_result grab_part(player* p) {
+    dm_ray ray;
+    dm_result result = ray_through(p, 0, &ray);
+    if (result == DM_OK) result = dm_scene_commit(p->session->context, p->view->scene);
+    if (result == DM_OK) result = dm_scene_pick(p->session->context, p->view->scene, &ray, &p->grab);
+    if (result != DM_OK) return result;
+    if (p->grab.object == 0 || p->grab.part_id != JOB_PART)
+        return session_fail(p->session, DM_ERROR_NOT_FOUND, "the pixel (%.0f, %.0f) does not show the part", p->from.x,
+                            p->from.y);
+    printf("picked pixel (%.0f, %.0f): the part, at (%.3f, %.3f, %.3f)\n", p->from.x, p->from.y,
+           (double)p->grab.object_point.x, (double)p->grab.object_point.y, (double)p->grab.object_point.z);
+    return DM_OK;
+}
+
+/* What a drag on the screen means in space: the pointer's ray cut with the plane through the grabbed point that holds
+ * the surface's normal and faces the camera best, so that pulling, pushing and sliding can all be said. */
+static dm_result drag_in_space(const player* p, dm_drag_hint* out_hint) {
+    dm_ray ray;
+    const dm_result result = ray_through(p, first_stretch, &ray);
+    if (result != DM_OK) return result;
+    const vec point = vec_of(p->grab.object_point), normal = vec_of(p->grab.normal);
+    const vec origin = vec_of(ray.origin), direction = unit(vec_of(ray.direction));
+    const vec across = sub(direction, scale(normal, dot(direction, normal)));
+    const vec plane = length(across) > 1e-3 ? unit(across) : direction;
+    const double along = dot(sub(point, origin), plane) / dot(direction, plane);
+    *out_hint = (dm_drag_hint){vec_out(point), vec_out(sub(add(origin, scale(direction, along)), point))};
+    return DM_OK;
+}
+
+/* The pointer goes its way; the part follows. */
+static dm_result follow(const player* p, dm_pose poses[UPDATES], float* out_value) {
+    dm_context* context = p->session->context;
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = JOB_PART,
+                               .object = p->session->object,
+                               .grab_point = p->grab.object_point};
+    dm_drag drag;
+    dm_result result = dm_drag_begin(context, &desc, &drag);
+    if (result != DM_OK) return result;
+    dm_drag_state state = {0};
+    for (int i = 0; i < UPDATES && result == DM_OK; i++) {
+        dm_ray ray;
+        result = ray_through(p, (double)play_pace((float)i / (UPDATES - 1)), &ray);
+        if (result == DM_OK) result = dm_drag_update(context, drag, &ray, seconds / UPDATES, &state);
+        poses[i] = state.pose;
+    }
+    *out_value = state.value;
+    return result == DM_OK ? dm_drag_end(context, drag, NULL) : result;
+}
+
+/* The hand's way: from the drag point to where the true joint takes it, most of its travel. */
+static void aim_hand(player* p, const metric_case* known) {
+    const vec start = known->drag->point;
+    render_project(p->view, start, &p->from.x, &p->from.y);
+    render_project(p->view, metrics_true_move(known, start, 0.95 * metrics_travel(known)), &p->to.x, &p->to.y);
+}
+
+static void print_joint_beside_truth(const known_joint* truth, const dm_joint* found, const metric_row* row) {
+    printf("found  ");
+    joint_print(found);
+    printf("true   %-10s        axis (%.4f, %.4f, %.4f)  origin (%.4f, %.4f, %.4f)  from %.4f to %.4f %s\n",
+           truth->slides ? "prismatic" : "revolute", truth->axis.x, truth->axis.y, truth->axis.z, truth->origin.x,
+           truth->origin.y, truth->origin.z, truth->lower, truth->upper, truth->slides ? "units" : "rad");
+    printf("       axis %.1f mrad off", row->value[METRIC_AXIS]);
+    if (!truth->slides) printf(", %.1f thousandths of the object beside the true line", row->value[METRIC_ORIGIN]);
+    printf("; fully open, the part is %.1f thousandths out of place\n", row->value[METRIC_POSE] * 1e3);
+}
+
+/* A first guess of where the part will be, so that the camera sees all of it: the true way. */
+static void true_poses(const metric_case* known, dm_pose poses[PANELS]) {
+    const known_joint* truth = known->truth;
+    const dm_joint joint = {.type = truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE,
+                            .axis = vec_out(truth->axis),
+                            .origin = vec_out(truth->origin)};
+    for (int i = 0; i < PANELS; i++)
+        dm_joint_pose(&joint, (float)(metrics_travel(known) * i / (PANELS - 1)), &poses[i]);
+}
+
+static dm_result open_view(player* p, metric_case* known, const job* job, answer* answer) {
+    dm_pose poses[PANELS];
+    dm_result result = job_answer(p->session, job, answer); /* as a game does while it loads: no drag is known yet */
+    if (result == DM_OK) result = render_open(p->view, p->session, 'y');
+    if (result != DM_OK) return result;
+    known->size = p->view->size;
+    true_poses(known, poses);
+    render_aim(p->view, known->drag->vector, poses, PANELS, PANEL_PIXELS, PANEL_PIXELS);
+    aim_hand(p, known);
+    return DM_OK;
+}
+
+static dm_result play(player* p, const metric_case* known, answer* answer, dm_pose poses[UPDATES]) {
+    dm_drag_hint hint;
+    float value = 0;
+    dm_result result = grab_part(p);
+    if (result == DM_OK) result = drag_in_space(p, &hint);
+    if (result == DM_OK && p->session->model)
+        result = dm_object_refine(p->session->context, p->session->object, JOB_PART, &hint);
+    if (result == DM_OK)
+        result = dm_object_get_joint(p->session->context, p->session->object, JOB_PART, &answer->joint);
+    if (result == DM_OK) result = follow(p, poses, &value);
+    if (result != DM_OK) return result;
+    metric_row row;
+    answer->hypothesis_count = 0;
+    metrics_of_joint(known, answer, &row);
+    printf("dragged to pixel (%.0f, %.0f): the joint went to %.3f\n", p->to.x, p->to.y, (double)value);
+    print_joint_beside_truth(known->truth, &answer->joint, &row);
+    return DM_OK;
+}
+
+static dm_result show(player* p, const answer* answer, const dm_pose poses[UPDATES], const char* prefix) {
+    dm_pose panels[PANELS];
+    const size_t room = strlen(prefix) + 8;
+    char* path = cli_alloc(room);
+    for (int i = 0; i < PANELS; i++) panels[i] = poses[i * (UPDATES - 1) / (PANELS - 1)];
+    snprintf(path, room, "%s.png", prefix);
+    dm_result result = render_film(p->view, panels, PANELS, &answer->joint, path);
+    if (result == DM_OK) printf("wrote %s\n", path);
+    snprintf(path, room, "%s.glb", prefix);
+    if (result == DM_OK) result = play_export(p->session, poses, UPDATES, seconds, path);
+    if (result == DM_OK) printf("wrote %s\n", path);
+    free(path);
+    return result;
+}
+
+/* Vertices of the part, for the comparison with the truth. */
+static vec* vertices_of(const session* session, size_t* out_count) {
+    uint8_t* moving = job_moving_faces(session);
+    vec* points = cli_alloc(session->mesh.index_count * sizeof *points);
+    size_t count = 0;
+    for (uint64_t corner = 0; corner < session->mesh.index_count; corner++) {
+        const size_t vertex = ((const uint32_t*)session->mesh.indices)[corner];
+        if (moving[corner / 3]) points[count++] = vec_at((const float*)session->mesh.positions + 3 * vertex);
+    }
+    free(moving);
+    *out_count = count;
+    return points;
+}
+
+static dm_result demonstrate(session* session, const known_object* object, const char* prefix) {
+    const known_joint* truth = &object->joints[0];
+    const job job = {.file = object->glb, .moving = truth->moving};
+    metric_case known = {.truth = truth, .drag = &truth->drags[0], .dragged = 1};
+    renderer view;
+    player p = {.session = session, .view = &view};
+    answer answer;
+    memset(&view, 0, sizeof view);
+    view.session = session;
+    printf("%s: '%s' may move\n", object->name, truth->moving.count ? truth->moving.names[0] : "");
+    dm_result result = open_view(&p, &known, &job, &answer);
+    if (result == DM_OK) {
+        dm_pose* poses = cli_alloc(UPDATES * sizeof *poses);
+        vec* moving = vertices_of(session, &known.moving_count);
+        known.moving = moving;
+        result = play(&p, &known, &answer, poses);
+        if (result == DM_OK) result = show(&p, &answer, poses, prefix);
+        free(moving);
+        free(poses);
+    }
+    render_close(&view);
+    return result;
+}
+
+static int demonstrate_folder(const known_object* object, const char* prefix, const char* models) {
+    session session;
+    const int status = session_open(&session, models, NULL);
+    if (status != CLI_OK) return status;
+    const dm_result result = demonstrate(&session, object, prefix);
+    if (result != DM_OK) fprintf(stderr, "dragmesh: %s\n", session.error);
+    session_close(&session);
+    return result == DM_OK ? CLI_OK : CLI_FAILED;
+}
+
+static int run(int argc, char** argv) {
+    const char *folder = NULL, *prefix = NULL, *models = NULL;
+    const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &prefix},
+                                 {.name = "--models", .kind = OPTION_TEXT, .value = &models}};
+    known_object object;
+    char error[512];
+    int status = options_read(&cli_demo, argc, argv, table, 2, &folder);
+    if (status == CLI_OK && (!folder || !prefix)) status = options_refuse(&cli_demo, "a folder and -o are needed");
+    if (status != CLI_OK) return status;
+    if (dataset_read(folder, ".", &object, error, sizeof error) != 0) return options_refuse(&cli_demo, "%s", error);
+    if (object.joints[0].drag_count > 0)
+        status = demonstrate_folder(&object, prefix, models);
+    else
+        status = options_refuse(&cli_demo, "the first joint of '%s' has no drag", folder);
+    dataset_free(&object);
+    return status;
+}
+
+const cli_command cli_demo = {
+    "demo", run, "DIR -o PREFIX",
+    "Picks a part of a generated object (DIR/object.glb, DIR/joints.json) through a pixel, drags it "
+    "across the screen,\n    and writes PREFIX.png and PREFIX.glb."};

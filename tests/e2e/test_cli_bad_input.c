@@ -1,0 +1,313 @@
+/* Bad input, one of each kind: a named error that says what and where, the right exit status, and the other jobs of the
+ * file still answered. */
+#include <math.h>
+
+#include "test_tool.h"
+
+static tool_output out;
+static tool_object object;
+static char jobs[1 << 16];
+
+static int set_up(void** state) {
+    (void)state;
+    tool_object_make(&object, "cabinet", 5);
+    return 0;
+}
+
+static int tear_down(void** state) {
+    (void)state;
+    tool_object_remove(&object);
+    return 0;
+}
+
+/* ---- corrupted copies ---- */
+
+typedef struct copy {
+    char path[TOOL_PATH + 32];
+    char* bytes;
+    size_t size;
+    uint8_t* bin;   /* the binary chunk */
+    size_t indices; /* where the first node's indices begin in it */
+} copy;
+
+/* A copy of the object's file to be spoiled. The generator writes each node's positions, then its indices. */
+static copy copy_of_object(const char* name) {
+    copy c;
+    uint32_t json_size;
+    snprintf(c.path, sizeof c.path, "%s/%s", object.folder, name);
+    c.bytes = tool_read(object.glb, &c.size);
+    memcpy(&json_size, c.bytes + 12, 4);
+    c.bin = (uint8_t*)c.bytes + 20 + json_size + 8;
+    char* text = strndup(c.bytes + 20, json_size);
+    cJSON* json = cJSON_Parse(text);
+    const cJSON* view = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "bufferViews"), 1);
+    c.indices = (size_t)cJSON_GetObjectItem(view, "byteOffset")->valuedouble;
+    cJSON_Delete(json);
+    free(text);
+    return c;
+}
+
+static void keep(copy* c) {
+    tool_write(c->path, c->bytes, c->size);
+    free(c->bytes);
+}
+
+static void write_not_a_number(const char* name) {
+    copy c = copy_of_object(name);
+    const float bad = NAN;
+    memcpy(c.bin + 5 * 12 + 4, &bad, sizeof bad);
+    keep(&c);
+}
+
+static void write_index_out_of_range(const char* name) {
+    copy c = copy_of_object(name);
+    const uint32_t bad = 123456789;
+    memcpy(c.bin + c.indices + 7 * sizeof bad, &bad, sizeof bad);
+    keep(&c);
+}
+
+static void write_truncated(const char* name) {
+    copy c = copy_of_object(name);
+    c.size = c.size * 2 / 3;
+    keep(&c);
+}
+
+/* The accessor claims more elements than its view holds; the JSON keeps its length. */
+static void write_greedy_accessor(const char* name) {
+    copy c = copy_of_object(name);
+    char* count = strstr(c.bytes + 20, "\"count\":");
+    assert_non_null(count);
+    count[strlen("\"count\":")] = '9';
+    keep(&c);
+}
+
+static void write_text(const char* name, const char* text) {
+    char path[TOOL_PATH + 32];
+    snprintf(path, sizeof path, "%s/%s", object.folder, name);
+    tool_write(path, text, strlen(text));
+}
+
+/* ---- jobs ---- */
+
+typedef struct bad_job {
+    const char* file;   /* in the object's folder */
+    const char* fields; /* of the job, after the file: $ the moving node, @ the folder, * all nodes */
+    const char *error, *says;
+} bad_job;
+
+static const bad_job bad_jobs[] = {
+    {"missing.glb", "\"moving\":[\"$\"]", "DM_ERROR_NOT_FOUND: ", "missing.glb"},
+    {"text.glb", "\"moving\":[\"$\"]", "DM_ERROR_BAD_DATA: ", "not a GLB"},
+    {"empty.glb", "\"moving\":[\"$\"]", "DM_ERROR_BAD_DATA: ", "is empty"},
+    {"truncated.glb", "\"moving\":[\"$\"]", "DM_ERROR_BAD_DATA: ", "truncated"},
+    {"greedy.glb", "\"moving\":[\"$\"]", "DM_ERROR_BAD_DATA: ", "leave buffer view"},
+    {"nan.glb", "\"moving\":[\"$\"]", "DM_ERROR_NOT_FINITE: ", "vertex 5"},
+    {"index.glb", "\"moving\":[\"$\"]", "DM_ERROR_INDEX_OUT_OF_RANGE: ", "triangle 2 names vertex 123456789"},
+    {"object.glb", "\"moving\":[\"nosuch\"]", "DM_ERROR_NOT_FOUND: ", "'nosuch'"},
+    {"object.glb", "\"moving\":[]", "DM_ERROR_EMPTY_MASK: ", "says what moves"},
+    {"object.glb", "\"moving\":[\"*\"]", "DM_ERROR_FULL_MASK: ", ""},
+    {"object.glb", "\"mask\":\"@/zeros.json\"", "DM_ERROR_EMPTY_MASK: ", "mask"},
+    {"object.glb", "\"mask\":\"@/short.json\"", "DM_ERROR_INVALID_ARGUMENT: ", "3 values"},
+    {"object.glb", "\"mask\":\"@/nomask.json\"", "DM_ERROR_NOT_FOUND: ", "nomask.json"},
+    {"object.glb", "\"mask\":\"@/text.glb\"", "DM_ERROR_BAD_DATA: ", "mask"},
+    {"object.glb", "\"moving\":[\"$\"],\"drag_point\":[0,0,0],\"drag_vector\":[0,0,0]", "DM_ERROR_ZERO_DRAG: ", "drag"},
+    {"object.glb", "\"moving\":[\"$\"],\"drag_point\":[0,90,0],\"drag_vector\":[0,0,1]",
+     "DM_ERROR_DRAG_OFF_PART: ", "(0, 90, 0)"},
+    {"object.glb", "\"moving\":[\"$\"],\"drag_point\":[0,0,0]", "DM_ERROR_INVALID_ARGUMENT: ", "drag_vector"},
+    {"object.glb", "\"moving\":[\"$\"],\"drag_point\":[0,0],\"drag_vector\":[0,0,1]",
+     "DM_ERROR_INVALID_ARGUMENT: ", "drag_point"},
+    {"object.glb", "\"moving\":[\"$\"],\"type\":\"sideways\"", "DM_ERROR_INVALID_ARGUMENT: ", "sideways"},
+    {"object.glb", "\"moving\":7", "DM_ERROR_INVALID_ARGUMENT: ", "moving"},
+    {"object.glb", "\"moving\":[\"$\"],\"mask_noise\":2", "DM_ERROR_INVALID_ARGUMENT: ", "mask_noise"},
+};
+enum { BAD_JOBS = sizeof bad_jobs / sizeof *bad_jobs };
+
+/* The JSON of the object's file. */
+static cJSON* object_json(void) {
+    size_t size;
+    uint32_t json_size;
+    char* bytes = tool_read(object.glb, &size);
+    memcpy(&json_size, bytes + 12, 4);
+    cJSON* json = cJSON_ParseWithLength(bytes + 20, json_size);
+    assert_non_null(json);
+    free(bytes);
+    return json;
+}
+
+static void list_nodes(char* out_names) {
+    cJSON* json = object_json();
+    const cJSON* node;
+    out_names[0] = 0;
+    cJSON_ArrayForEach(node, cJSON_GetObjectItem(json, "nodes")) {
+        if (out_names[0]) strcat(out_names, "\",\"");
+        strcat(out_names, cJSON_GetObjectItem(node, "name")->valuestring);
+    }
+    cJSON_Delete(json);
+}
+
+/* As many zeros as the file has triangles. */
+static void write_mask_of_zeros(const char* name) {
+    cJSON* json = object_json();
+    const cJSON* accessor;
+    int corners = 0, at = 0;
+    cJSON_ArrayForEach(accessor, cJSON_GetObjectItem(json, "accessors")) {
+        if (at++ % 2 == 1) corners += cJSON_GetObjectItem(accessor, "count")->valueint;
+    }
+    cJSON_Delete(json);
+    char* text = malloc((size_t)corners + 8);
+    size_t length = 0;
+    for (int face = 0; face < corners / 3; face++) length += (size_t)sprintf(text + length, "%c0", face ? ',' : '[');
+    strcpy(text + length, "]");
+    write_text(name, text);
+    free(text);
+}
+
+static void append_fields(char* to, const char* fields) {
+    char nodes[4096];
+    list_nodes(nodes);
+    for (to += strlen(to); *fields; fields++) {
+        const char* piece = *fields == '$'   ? object.moving
+                            : *fields == '@' ? object.folder
+                            : *fields == '*' ? nodes
+                                             : NULL;
+        if (piece)
+            to += sprintf(to, "%s", piece);
+        else
+            *to++ = *fields;
+    }
+    *to = 0;
+}
+
+static void append_job(const char* id, int number, const char* file, const char* fields) {
+    sprintf(jobs + strlen(jobs), "{\"id\":\"%s%d\",\"file\":\"%s/%s\",", id, number, object.folder, file);
+    append_fields(jobs, fields);
+    strcat(jobs, "}\n");
+}
+
+static void test_every_bad_job_is_named_and_the_rest_answered(void** state) {
+    (void)state;
+    write_text("text.glb", "This is no model.\n");
+    write_text("empty.glb", "");
+    write_text("short.json", "[1, 0, 1]");
+    write_mask_of_zeros("zeros.json");
+    write_truncated("truncated.glb");
+    write_greedy_accessor("greedy.glb");
+    write_not_a_number("nan.glb");
+    write_index_out_of_range("index.glb");
+    jobs[0] = 0;
+    for (int i = 0; i < BAD_JOBS; i++) {
+        append_job("bad", i, bad_jobs[i].file, bad_jobs[i].fields);
+        if (i % 4 == 0) append_job("good", i, "object.glb", "\"moving\":[\"$\"]");
+    }
+    tool_run(&out, "dragmesh", jobs, "infer|--models|none|--jobs|-");
+    assert_int_equal(out.status, 1);
+    char* line = strtok(out.text, "\n");
+    for (int i = 0; i < BAD_JOBS; i++, line = strtok(NULL, "\n")) {
+        char id[16];
+        snprintf(id, sizeof id, "bad%d", i);
+        cJSON* answer = cJSON_Parse(line);
+        assert_non_null(answer);
+        assert_string_equal(cJSON_GetObjectItem(answer, "id")->valuestring, id);
+        const cJSON* error = cJSON_GetObjectItem(answer, "error");
+        if (!error || strncmp(error->valuestring, bad_jobs[i].error, strlen(bad_jobs[i].error)) != 0 ||
+            !strstr(error->valuestring, bad_jobs[i].says))
+            fail_msg("%s, %s: '%s' does not say '%s … %s'", bad_jobs[i].file, bad_jobs[i].fields,
+                     error ? error->valuestring : "no error", bad_jobs[i].error, bad_jobs[i].says);
+        cJSON_Delete(answer);
+        if (i % 4 != 0) continue;
+        line = strtok(NULL, "\n");
+        assert_non_null(line);
+        assert_null(strstr(line, "\"error\""));
+        assert_non_null(strstr(line, "\"good"));
+    }
+    assert_null(line);
+}
+
+static void test_single_job_fails_with_status_1(void** state) {
+    (void)state;
+    tool_run(&out, "dragmesh", NULL, "infer|%s|--models|none|--moving|nosuch", object.glb);
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.errors, "DM_ERROR_NOT_FOUND: no node with triangles is called 'nosuch'"));
+    tool_run(&out, "dragmesh", NULL, "infer|%s|--models|none|--moving|nosuch|--json", object.glb);
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.text, "\"error\":\"DM_ERROR_NOT_FOUND"));
+}
+
+static void test_wrong_weights(void** state) {
+    (void)state;
+    tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|%s|--models|%s", object.glb, object.moving, object.folder);
+    assert_int_equal(out.status, 2);
+    assert_non_null(strstr(out.errors, "DM_ERROR_NOT_FOUND: "));
+    assert_non_null(strstr(out.errors, "kpp_net.safetensors"));
+    write_text("kpp_net.safetensors", "not weights at all");
+    tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|%s|--models|%s", object.glb, object.moving, object.folder);
+    assert_int_equal(out.status, 2);
+    assert_non_null(strstr(out.errors, "DM_ERROR_BAD_DATA: "));
+    static const char other[] = "{\"__metadata__\":{\"architecture\":\"some-other-net\",\"version\":\"1\"}}";
+    char safetensors[8 + sizeof other] = {sizeof other - 1};
+    char path[TOOL_PATH + 32];
+    memcpy(safetensors + 8, other, sizeof other - 1);
+    snprintf(path, sizeof path, "%s/kpp_net.safetensors", object.folder);
+    tool_write(path, safetensors, 8 + sizeof other - 1);
+    tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|%s|--models|%s", object.glb, object.moving, object.folder);
+    assert_int_equal(out.status, 2);
+    assert_non_null(strstr(out.errors, "DM_ERROR_WRONG_MODEL: "));
+    assert_non_null(strstr(out.errors, object.folder));
+}
+
+static void test_unusable_arguments(void** state) {
+    (void)state;
+    static const char* const arguments[] = {"",
+                                            "fly",
+                                            "infer",
+                                            "infer|a.glb",
+                                            "infer|a.glb|--moving",
+                                            "infer|a.glb|b.glb|--moving|x",
+                                            "infer|a.glb|--moving|x|--drag-point|1,2",
+                                            "infer|a.glb|--moving|x|--drag-point|1,2,nan|--drag-vector|1,0,0",
+                                            "infer|a.glb|--moving|x|--drag-point|1,2,3",
+                                            "infer|a.glb|--moving|x|--type|sideways",
+                                            "infer|a.glb|--moving|x|--speed|3",
+                                            "infer|--jobs|/no/such/jobs.jsonl",
+                                            "infer|a.glb|--moving|x|--jobs|-",
+                                            "animate|a.glb|--moving|x",
+                                            "animate|a.glb|--moving|x|-o|b.glb|--frames|1",
+                                            "film|a.glb|--moving|x|-o|b.png|--size|1,1",
+                                            "film|a.glb|--moving|x|-o|b.png|--up|w",
+                                            "pick|a.glb",
+                                            "pick|a.glb|--ray|1,2,3",
+                                            "prepare|a.glb",
+                                            "eval",
+                                            "eval|/no/such/folder",
+                                            "eval|/tmp|--mask-noise|1",
+                                            "bench|a.glb",
+                                            "demo|/no/such/folder|-o|x"};
+    for (size_t i = 0; i < sizeof arguments / sizeof *arguments; i++) {
+        tool_run(&out, "dragmesh", NULL, "%s", arguments[i]);
+        if (out.status != 2 || out.errors[0] == 0)
+            fail_msg("'%s': status %d, '%s'", arguments[i], out.status, out.errors);
+    }
+}
+
+static void test_results_that_cannot_be_written(void** state) {
+    (void)state;
+    static const char* const commands[] = {"animate|%s|--models|none|--moving|%s|-o|/no/such/folder/x.glb",
+                                           "film|%s|--models|none|--moving|%s|-o|/no/such/folder/x.png|--size|16,16",
+                                           "prepare|%s|--models|none|--moving|%s|-o|/no/such/folder/x.dmo"};
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        tool_run(&out, "dragmesh", NULL, commands[i], object.glb, object.moving);
+        assert_int_equal(out.status, 1);
+        assert_non_null(strstr(out.errors, "/no/such/folder/x"));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_bad_job_is_named_and_the_rest_answered),
+        cmocka_unit_test(test_single_job_fails_with_status_1),
+        cmocka_unit_test(test_wrong_weights),
+        cmocka_unit_test(test_unusable_arguments),
+        cmocka_unit_test(test_results_that_cannot_be_written),
+    };
+    return cmocka_run_group_tests_name("cli_bad_input", tests, set_up, tear_down);
+}

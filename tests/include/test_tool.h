@@ -1,0 +1,159 @@
+/* Runs the built programs as a user does: arguments in, output and exit status back. Programs are looked for in the
+ * folder above the test's own (build/<config>). */
+#ifndef DM_TEST_TOOL_H
+#define DM_TEST_TOOL_H
+
+#include <fcntl.h>
+#include <setjmp.h>
+#include <spawn.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include <cjson/cJSON.h>
+
+extern char** environ;
+
+enum { TOOL_ARGUMENTS = 32, TOOL_TEXT = 1 << 18, TOOL_PATH = 512 };
+
+typedef struct tool_output {
+    int status; /* exit status; -1 when a signal ended it */
+    char text[TOOL_TEXT];
+    char errors[TOOL_TEXT];
+} tool_output;
+
+/* A folder of the test's own, removed by tool_folder_remove. */
+static inline void tool_folder_make(char out_path[TOOL_PATH]) {
+    snprintf(out_path, TOOL_PATH, "/tmp/dragmesh_test_XXXXXX");
+    assert_non_null(mkdtemp(out_path));
+}
+
+static inline void tool_folder_remove(const char* path) {
+    char command[TOOL_PATH + 16];
+    snprintf(command, sizeof command, "rm -rf '%s'", path);
+    assert_int_equal(system(command), 0);
+}
+
+static inline char* tool_read(const char* path, size_t* out_size) {
+    FILE* file = fopen(path, "rb");
+    if (!file) fail_msg("there is no %s", path);
+    fseek(file, 0, SEEK_END);
+    *out_size = (size_t)ftell(file);
+    rewind(file);
+    char* bytes = calloc(1, *out_size + 1);
+    assert_int_equal(fread(bytes, 1, *out_size, file), *out_size);
+    fclose(file);
+    return bytes;
+}
+
+static inline void tool_write(const char* path, const void* data, size_t size) {
+    FILE* file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(data, 1, size, file), size);
+    fclose(file);
+}
+
+/* build/<config>/name. */
+static inline void tool_find(const char* name, char out_path[TOOL_PATH]) {
+    char own[TOOL_PATH];
+    const ssize_t length = readlink("/proc/self/exe", own, sizeof own - 1);
+    assert_true(length > 0);
+    own[length] = 0;
+    *strrchr(own, '/') = 0;
+    assert_true(snprintf(out_path, TOOL_PATH, "%s/../%s", own, name) < TOOL_PATH);
+}
+
+static inline void tool_slurp(const char* path, char out_text[TOOL_TEXT]) {
+    size_t size;
+    char* bytes = tool_read(path, &size);
+    assert_true(size < TOOL_TEXT);
+    memcpy(out_text, bytes, size + 1);
+    free(bytes);
+}
+
+/* Runs build/<config>/`name`; `input` (may be NULL) is its standard input. Arguments are split at '|'. */
+static inline void tool_run(tool_output* output, const char* name, const char* input, const char* format, ...) {
+    char folder[TOOL_PATH], program[TOOL_PATH], in[TOOL_PATH + 8], out[TOOL_PATH + 8], err[TOOL_PATH + 8];
+    static char line[8192];
+    char* arguments[TOOL_ARGUMENTS + 2] = {program};
+    va_list list;
+    va_start(list, format);
+    vsnprintf(line, sizeof line, format, list);
+    va_end(list);
+    int count = 1;
+    for (char* next = strtok(line, "|"); next && count <= TOOL_ARGUMENTS; next = strtok(NULL, "|"))
+        arguments[count++] = next;
+    tool_folder_make(folder);
+    tool_find(name, program);
+    snprintf(in, sizeof in, "%s/in", folder);
+    snprintf(out, sizeof out, "%s/out", folder);
+    snprintf(err, sizeof err, "%s/err", folder);
+    tool_write(in, input ? input : "", input ? strlen(input) : 0);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, in, O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, out, O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err, O_WRONLY | O_CREAT, 0600);
+    pid_t child;
+    int status;
+    if (posix_spawn(&child, program, &actions, NULL, arguments, environ) != 0) fail_msg("can't run %s", program);
+    assert_int_equal(waitpid(child, &status, 0), child);
+    posix_spawn_file_actions_destroy(&actions);
+    output->status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    tool_slurp(out, output->text);
+    tool_slurp(err, output->errors);
+    tool_folder_remove(folder);
+}
+
+/* ---- an object to work on, with its truth ---- */
+
+typedef struct tool_object {
+    char folder[TOOL_PATH], glb[TOOL_PATH + 16];
+    cJSON* json;                         /* joints.json */
+    const cJSON* joint;                  /* the first joint */
+    const char* moving;                  /* its first node */
+    double point[3], vector[3], axis[3]; /* its first drag, its axis */
+} tool_object;
+
+static inline void tool_numbers(const cJSON* json, const char* name, double out[3]) {
+    const cJSON* list = cJSON_GetObjectItem(json, name);
+    assert_int_equal(cJSON_GetArraySize(list), 3);
+    for (int i = 0; i < 3; i++) out[i] = cJSON_GetArrayItem(list, i)->valuedouble;
+}
+
+/* Made by the built generator. */
+static inline void tool_object_make(tool_object* object, const char* category, int seed) {
+    static tool_output output;
+    size_t size;
+    char path[TOOL_PATH + 16];
+    tool_folder_make(object->folder);
+    tool_run(&output, "dragmesh_generate", NULL, "--category|%s|--seed|%d|-o|%s", category, seed, object->folder);
+    if (output.status != 0) fail_msg("dragmesh_generate: %s", output.errors);
+    snprintf(object->glb, sizeof object->glb, "%s/object.glb", object->folder);
+    snprintf(path, sizeof path, "%s/joints.json", object->folder);
+    char* text = tool_read(path, &size);
+    object->json = cJSON_Parse(text);
+    free(text);
+    assert_non_null(object->json);
+    object->joint = cJSON_GetArrayItem(cJSON_GetObjectItem(object->json, "joints"), 0);
+    object->moving = cJSON_GetArrayItem(cJSON_GetObjectItem(object->joint, "moving_nodes"), 0)->valuestring;
+    const cJSON* drag = cJSON_GetArrayItem(cJSON_GetObjectItem(object->joint, "drags"), 0);
+    tool_numbers(drag, "point", object->point);
+    tool_numbers(drag, "vector", object->vector);
+    tool_numbers(object->joint, "axis", object->axis);
+}
+
+static inline void tool_object_remove(tool_object* object) {
+    cJSON_Delete(object->json);
+    tool_folder_remove(object->folder);
+}
+
+#endif
