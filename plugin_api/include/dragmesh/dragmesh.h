@@ -536,6 +536,7 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
     X(dm_result, scene_commit, (dm_context * context, dm_scene scene))                                                 \
     X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))
 
+/* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;
 typedef struct dm_core_1 {
     uint32_t struct_size; /* bytes of this table in the library at hand: check before calling a newer entry */
