@@ -92,11 +92,9 @@ static void pools_start_at_different_generations(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_pool *pool = NULL, *other = NULL;
+    dmi_pool *pool = make_pool(&t), *other = make_pool(&t);
     int item;
     uint64_t handle = 0, twin = 0;
-    assert_int_equal(dmi_pool_create(&t.env, KIND, &pool), DM_OK);
-    assert_int_equal(dmi_pool_create(&t.env, KIND, &other), DM_OK);
     dmi_pool_insert(pool, &item, &handle);
     dmi_pool_insert(other, &item, &twin);
     assert_null(dmi_pool_get(other, handle));
