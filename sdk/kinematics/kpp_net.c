@@ -13,12 +13,15 @@
 #define POINT_HIDDEN 64
 #define POSITION_HIDDEN 48
 #define MAX_LAYERS 3
-#define POOLED (2 * WIDTH)    /* mean and max */
-#define FEATURES (2 * POOLED) /* global and local */
-#define BLOCK_SIZE (64 * 1024)
+#define BLOCK_SIZE ((size_t)64 * 1024)
 
 #define STEP_GROUPS 4 /* whose points go through the point MLP together, and stay in the first cache */
 #define STEP_POINTS (STEP_GROUPS * DMI_KPP_GROUP)
+
+enum {
+    POOLED = 2 * WIDTH,    /* mean and max */
+    FEATURES = 2 * POOLED, /* global and local */
+};
 
 typedef struct encoder {
     dmi_mlp point, position;
@@ -102,7 +105,7 @@ static void make_tokens(const encoder* encoder, const dmi_kernels* kernels,
                         uint32_t groups, scratch* s) {
     for (uint32_t first = 0; first < groups; first += STEP_GROUPS) {
         dmi_mlp_apply(&encoder->point, kernels, points[first][0], STEP_POINTS, 0, s->hidden[0], s->points[0]);
-        for (uint32_t g = 0; g < STEP_GROUPS; ++g)
+        for (size_t g = 0; g < STEP_GROUPS; ++g)
             kernels->max_rows(s->points[g * DMI_KPP_GROUP], DMI_KPP_GROUP, WIDTH, s->tokens[first + g]);
     }
     dmi_mlp_apply(&encoder->position, kernels, centres[0], groups, DMI_GEMM_ADD, s->positions[0], s->tokens[0]);

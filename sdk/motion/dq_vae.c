@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "motion/dq_vae_net.h"
 
-#define BLOCK_SIZE (64 * 1024)
+#define BLOCK_SIZE ((size_t)64 * 1024)
 #define STEP_POINTS (2 * DMI_VAE_NEIGHBOURS) /* whose features are made together */
 #define MAX_LOG_VARIANCE 4.0f
 #define MIN_LOG_VARIANCE (-8.0f)
@@ -32,9 +32,19 @@ typedef struct scratch {
     _Alignas(64) float transformer[];
 } scratch;
 
-#define F_LOCAL 0
-#define F_JOINT VAE_FEATURE
-#define F_MOTION (2 * VAE_FEATURE)
+/* Where the parts of a layer's input begin. */
+enum {
+    F_LOCAL = 0, /* of the context */
+    F_JOINT = VAE_FEATURE,
+    F_MOTION = 2 * VAE_FEATURE,
+    JOINT_ORIGIN = VAE_SMALL, /* of the joint encoder, after the axis */
+    JOINT_SCALARS = 2 * VAE_SMALL,
+    INTENT_VELOCITY = VAE_SMALL, /* of the intent encoder, after the direction or the chords */
+    INTENT_AMPLITUDE = 2 * VAE_SMALL,
+    INTENT_PATH = 3 * VAE_SMALL,
+    NEAR_DRAG = VAE_FEATURE, /* of the local sampler, after the features near the origin */
+    WHOLE = 2 * VAE_FEATURE
+};
 
 dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae) {
     dmi_dq_vae* vae = dmi_alloc_zeroed(env, sizeof *vae, _Alignof(dmi_dq_vae));
@@ -100,10 +110,10 @@ static void encode_joint(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
     dmi_linear fuse = vae->joint_fuse;
-    fuse.bias = vae->joint_bias + type_index(joint) * VAE_FEATURE;
+    fuse.bias = vae->joint_bias[type_index(joint)];
     dmi_mlp_apply(&vae->joint_axis, kernels, axis, 1, 0, s->hidden, s->inputs);
-    dmi_mlp_apply(&vae->joint_origin, kernels, origin, 1, 0, s->hidden, s->inputs + VAE_SMALL);
-    memcpy(s->inputs + 2 * VAE_SMALL, scalars, 3 * sizeof(float));
+    dmi_mlp_apply(&vae->joint_origin, kernels, origin, 1, 0, s->hidden, s->inputs + JOINT_ORIGIN);
+    memcpy(s->inputs + JOINT_SCALARS, scalars, 3 * sizeof(float));
     dmi_linear_apply(&fuse, kernels, s->inputs, 1, DMI_GEMM_RELU, s->hidden);
     dmi_linear_apply(&vae->joint_out, kernels, s->hidden, 1, 0, s->context + F_JOINT);
     dmi_linear_apply(&vae->films, kernels, s->context + F_JOINT, 1, 0, (float*)(void*)&s->films);
@@ -116,13 +126,13 @@ static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, int
         dmi_mlp_apply(&vae->chord, kernels, features->chords, 1, 0, s->hidden, s->inputs);
     } else {
         dmi_mlp_apply(&vae->direction, kernels, features->rotation_direction, 1, 0, s->hidden, s->inputs);
-        dmi_mlp_apply(&vae->velocity, kernels, features->mean_velocity, 1, 0, s->hidden, s->inputs + VAE_SMALL);
+        dmi_mlp_apply(&vae->velocity, kernels, features->mean_velocity, 1, 0, s->hidden, s->inputs + INTENT_VELOCITY);
     }
-    dmi_mlp_apply(&vae->amplitude, kernels, features->amplitude, 1, 0, s->hidden, s->inputs + 2 * VAE_SMALL);
+    dmi_mlp_apply(&vae->amplitude, kernels, features->amplitude, 1, 0, s->hidden, s->inputs + INTENT_AMPLITUDE);
     memcpy(s->path, vae->path_position, sizeof s->path);
     dmi_linear_apply(&vae->path_in, kernels, features->path[0], DMI_VAE_PATH, DMI_GEMM_ADD, s->path[0]);
     dmi_transformer_apply(&vae->path_layer, kernels, DMI_VAE_PATH, s->path[0], s->transformer);
-    kernels->mean_rows(s->path[0], DMI_VAE_PATH, VAE_SMALL, s->inputs + 3 * VAE_SMALL);
+    kernels->mean_rows(s->path[0], DMI_VAE_PATH, VAE_SMALL, s->inputs + INTENT_PATH);
     dmi_mlp_apply(&vae->motion_fuse, kernels, s->inputs, 1, 0, s->hidden, s->context + F_MOTION);
 }
 
@@ -137,8 +147,8 @@ static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
     for (uint32_t i = 0; i < STEP_POINTS; ++i) set_point(object, near[i], s->point_inputs[i]);
     encode_points(vae, kernels, s);
     kernels->max_rows(s->point_features[0], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs);
-    kernels->max_rows(s->point_features[DMI_VAE_NEIGHBOURS], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs + VAE_FEATURE);
-    memcpy(s->inputs + 2 * VAE_FEATURE, object->global, sizeof object->global);
+    kernels->max_rows(s->point_features[DMI_VAE_NEIGHBOURS], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs + NEAR_DRAG);
+    memcpy(s->inputs + WHOLE, object->global, sizeof object->global);
     dmi_mlp_apply(&vae->local, kernels, s->inputs, 1, 0, s->hidden, f_local);
     kernels->modulate(f_local, 1, VAE_FEATURE, s->films.local_scale, s->films.local_shift);
     for (uint32_t i = 0; i < VAE_FEATURE; ++i) f_local[i] = fmaxf(f_local[i], 0.0f);
@@ -173,7 +183,7 @@ static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t s
     memcpy(s->inputs + DMI_VAE_LATENT, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     dmi_linear_apply(&vae->condition, kernels, s->inputs, 1, 0, s->condition);
     for (uint32_t t = 0; t < DM_MOTION_FRAMES; ++t)
-        for (uint32_t i = 0; i < VAE_WIDTH; ++i) s->tokens[t][i] = vae->tokens[t * VAE_WIDTH + i] + s->condition[i];
+        for (uint32_t i = 0; i < VAE_WIDTH; ++i) s->tokens[t][i] = vae->tokens[t][i] + s->condition[i];
     for (uint32_t l = 0; l < VAE_LAYERS; ++l) {
         dmi_transformer_apply(&vae->layers[l], kernels, DM_MOTION_FRAMES, s->tokens[0], s->transformer);
         kernels->modulate(s->tokens[0], DM_MOTION_FRAMES, VAE_WIDTH, s->films.decoder[l].scale,
@@ -188,7 +198,7 @@ static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_
                     dmi_vae_output* out) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     dmi_linear of_joint = vae->correction_joint, of_base = vae->correction_base;
-    of_joint.bias = vae->correction_bias + type_index(joint) * VAE_FEATURE;
+    of_joint.bias = vae->correction_bias[type_index(joint)];
     memcpy(s->inputs, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     memcpy(s->inputs + VAE_FEATURE, axis, sizeof axis);
     dmi_linear_apply(&of_joint, kernels, s->inputs, 1, 0, s->condition);

@@ -7,8 +7,8 @@
 #define INJECTION 0.1f /* a condition is given twice: as it is, and scaled by this (paper §3.3.3) */
 
 /* out[t] = bias + W[:, columns] row t of `table`: what a one-of-n input adds to a layer, tabled. */
-static float* fold_table(dmi_loader* loader, const float* weight, uint32_t stride, const float* bias, uint32_t outputs,
-                         const float* table, uint32_t entries, uint32_t width) {
+static void* fold_table(dmi_loader* loader, const float* weight, uint32_t stride, const float* bias, uint32_t outputs,
+                        const float* table, uint32_t entries, uint32_t width) {
     float* folded = dmi_load_alloc(loader, (size_t)entries * outputs);
     if (!folded) return NULL;
     for (uint32_t t = 0; t < entries; ++t)
@@ -50,9 +50,8 @@ static void read_intent(dmi_loader* loader, dmi_dq_vae* vae) {
                          &vae->path_layer);
     dmi_load_mlp(loader, "intent.fuse", 4 * VAE_SMALL, VAE_HIDDEN, VAE_FEATURE, &vae->motion_fuse);
     const float* position = dmi_load_tensor(loader, "intent.path_position", DMI_VAE_PATH, VAE_SMALL);
-    float* kept = dmi_load_alloc(loader, (size_t)DMI_VAE_PATH * VAE_SMALL);
-    if (kept) memcpy(kept, position, (size_t)DMI_VAE_PATH * VAE_SMALL * sizeof(float));
-    vae->path_position = kept;
+    vae->path_position = (void*)dmi_load_alloc(loader, (size_t)DMI_VAE_PATH * VAE_SMALL);
+    if (vae->path_position) memcpy(vae->path_position, position, DMI_VAE_PATH * sizeof vae->path_position[0]);
 }
 
 /* One FiLM layer's rows, gamma then beta, at `row` of the layer of them all; 1 + gamma by its bias. */
@@ -107,7 +106,7 @@ static void read_correction(dmi_loader* loader, const float* embedding, dmi_dq_v
         fold_table(loader, weight + type, inputs, bias, VAE_FEATURE, embedding, VAE_TYPES, VAE_EMBEDDING);
     fold_injection(weight, inputs, VAE_FEATURE, joint, VAE_FEATURE);
     fold_injection(weight, inputs, VAE_FEATURE, axis, 3);
-    for (uint32_t o = 0; o < VAE_FEATURE; ++o) /* the axis follows f_joint */
+    for (size_t o = 0; o < VAE_FEATURE; ++o) /* the axis follows f_joint */
         memmove(weight + o * inputs + joint + VAE_FEATURE, weight + o * inputs + axis, 3 * sizeof(float));
     dmi_pack_linear(loader, weight + joint, inputs, NULL, VAE_FEATURE + 3, VAE_FEATURE, &vae->correction_joint);
     out_bias[3] += 1.0f; /* w of the identity */

@@ -40,8 +40,8 @@ struct dmi_dq_vae {
     dmi_arena arena;
 
     dmi_mlp joint_axis, joint_origin;
-    dmi_linear joint_fuse;   /* of [axis, origin, scalars], without bias … */
-    const float* joint_bias; /* … which a type's embedding gives: VAE_TYPES x VAE_FEATURE */
+    dmi_linear joint_fuse;            /* of [axis, origin, scalars], without bias … */
+    float (*joint_bias)[VAE_FEATURE]; /* … which a type's embedding gives */
     dmi_linear joint_out;
     dmi_linear films; /* f_joint -> dmi_vae_films */
 
@@ -49,7 +49,7 @@ struct dmi_dq_vae {
 
     dmi_mlp direction, velocity, chord, amplitude;
     dmi_linear path_in;
-    const float* path_position; /* DMI_VAE_PATH x VAE_SMALL */
+    float (*path_position)[VAE_SMALL];
     dmi_transformer path_layer;
     dmi_mlp motion_fuse;
 
@@ -58,16 +58,16 @@ struct dmi_dq_vae {
     dmi_mlp fuse;
     dmi_mlp encoder;
 
-    const float* tokens;  /* DM_MOTION_FRAMES x VAE_WIDTH: decoder.input of the frames' positions */
-    dmi_linear condition; /* … of [z, f_joint], both its uses of f_joint summed; no bias */
+    float (*tokens)[VAE_WIDTH]; /* decoder.input of the frames' positions */
+    dmi_linear condition;       /* … of [z, f_joint], both its uses of f_joint summed; no bias */
     dmi_transformer layers[VAE_LAYERS];
     dmi_norm norm;
     dmi_mlp head;
 
-    dmi_linear correction_joint;  /* of [f_joint, axis], both uses of each summed; without bias … */
-    const float* correction_bias; /* … which a type's embedding gives: VAE_TYPES x VAE_FEATURE */
-    dmi_linear correction_base;   /* of a frame's base; without bias */
-    dmi_linear correction_out;    /* its bias holds the identity pose too */
+    dmi_linear correction_joint;           /* of [f_joint, axis], both uses of each summed; without bias … */
+    float (*correction_bias)[VAE_FEATURE]; /* … which a type's embedding gives */
+    dmi_linear correction_base;            /* of a frame's base; without bias */
+    dmi_linear correction_out;             /* its bias holds the identity pose too */
 };
 
 /* Reads the layers of a dmi_dq_vae. */

@@ -113,15 +113,15 @@ void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_fea
     make_direction(query, origin, out_features->rotation_direction);
     subtract(query->path[DMI_VAE_PATH - 1], query->path[0], out_features->mean_velocity);
     for (int i = 0; i < 3; ++i) out_features->mean_velocity[i] *= whole;
-    for (int i = 0; i < 3; ++i) subtract(query->path[5 * (i + 1)], query->path[0], out_features->chords + 3 * i);
+    for (size_t i = 0; i < 3; ++i) subtract(query->path[5 * (i + 1)], query->path[0], &out_features->chords[3 * i]);
     make_path(query, axis, origin, out_features->path);
     out_features->amplitude[0] = out_features->path[DMI_VAE_PATH - 1][3];
     out_features->amplitude[1] = path_length(query->path);
 }
 
 void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object) {
-    const uint32_t step = DMI_CLOUD_POINTS / DMI_VAE_POINTS;
-    for (uint32_t i = 0; i < DMI_VAE_POINTS; ++i) {
+    const size_t step = DMI_CLOUD_POINTS / DMI_VAE_POINTS;
+    for (size_t i = 0; i < DMI_VAE_POINTS; ++i) {
         memcpy(out_object->xyz[i], cloud->xyz[i * step], sizeof out_object->xyz[i]);
         out_object->mask[i] = i * step < DMI_CLOUD_PART ? 1.0f : 0.0f;
     }

@@ -13,10 +13,10 @@
 static const float zeros[4 * DMI_PANEL];
 
 /* The end of a tile whose last panel is not full. */
-TARGET static void store_part(const dmi_gemm* gemm, float* y, uint32_t columns, const float (*sums)[DMI_PANEL],
-                              uint32_t rows, uint32_t panels) {
-    for (uint32_t r = 0; r < rows; ++r, y += gemm->y_stride, sums += panels)
-        for (uint32_t j = 0; j < columns; ++j) {
+TARGET static void store_part(const dmi_gemm* gemm, float* y, size_t columns, const float (*sums)[DMI_PANEL],
+                              size_t rows, size_t panels) {
+    for (size_t r = 0; r < rows; ++r, y += gemm->y_stride, sums += panels)
+        for (size_t j = 0; j < columns; ++j) {
             const float sum = sums[j / DMI_PANEL][j % DMI_PANEL];
             y[j] = gemm->flags & DMI_GEMM_ADD ? y[j] + sum : sum;
         }
@@ -24,38 +24,37 @@ TARGET static void store_part(const dmi_gemm* gemm, float* y, uint32_t columns, 
 
 /* Sums of rows x panels; low and high are columns 0-7 and 8-15 of a panel. `rows` and `panels` are constants where this
  * is inlined: the sums stay in registers, as long as no loop over them has a branch. */
-TARGET_INLINE void accumulate(const dmi_gemm* gemm, const float* x, uint32_t first, const uint32_t rows,
-                              const uint32_t panels, __m256* low, __m256* high) {
+TARGET_INLINE void accumulate(const dmi_gemm* gemm, const float* x, size_t first, const size_t rows,
+                              const size_t panels, __m256* low, __m256* high) {
     const size_t panel_size = (size_t)gemm->depth * DMI_PANEL, stride = gemm->x_stride;
-    const float* panel = gemm->panels + (size_t)first * gemm->depth;
+    const float* panel = gemm->panels + first * gemm->depth;
     const float* bias = gemm->bias ? gemm->bias + first : zeros;
-    for (uint32_t i = 0; i < rows * panels; ++i) {
+    for (size_t i = 0; i < rows * panels; ++i) {
         low[i] = _mm256_loadu_ps(bias + i % panels * DMI_PANEL);
         high[i] = _mm256_loadu_ps(bias + i % panels * DMI_PANEL + 8);
     }
     for (const float* end = panel + panel_size; panel < end; panel += DMI_PANEL, ++x)
-        for (uint32_t i = 0; i < rows * panels; ++i) {
+        for (size_t i = 0; i < rows * panels; ++i) {
             const __m256 value = _mm256_broadcast_ss(x + i / panels * stride);
             const float* weights = panel + i % panels * panel_size;
             low[i] = _mm256_fmadd_ps(value, _mm256_load_ps(weights), low[i]);
             high[i] = _mm256_fmadd_ps(value, _mm256_load_ps(weights + 8), high[i]);
         }
     const __m256 floor = _mm256_set1_ps(gemm->flags & DMI_GEMM_RELU ? 0.0f : -INFINITY);
-    for (uint32_t i = 0; i < rows * panels; ++i) {
+    for (size_t i = 0; i < rows * panels; ++i) {
         low[i] = _mm256_max_ps(floor, low[i]);
         high[i] = _mm256_max_ps(floor, high[i]);
     }
 }
 
-TARGET_INLINE void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, const uint32_t rows,
-                        const uint32_t panels) {
+TARGET_INLINE void tile(const dmi_gemm* gemm, size_t row, size_t first, const size_t rows, const size_t panels) {
     const size_t stride = gemm->y_stride;
     float* y = gemm->y + row * stride + first;
     __m256 low[TILE], high[TILE];
     accumulate(gemm, gemm->x + row * gemm->x_stride, first, rows, panels, low, high);
     if (gemm->columns - first < panels * DMI_PANEL) {
         float sums[TILE][DMI_PANEL];
-        for (uint32_t i = 0; i < rows * panels; ++i) {
+        for (size_t i = 0; i < rows * panels; ++i) {
             _mm256_storeu_ps(sums[i], low[i]);
             _mm256_storeu_ps(sums[i] + 8, high[i]);
         }
@@ -63,12 +62,12 @@ TARGET_INLINE void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, cons
         return;
     }
     if (gemm->flags & DMI_GEMM_ADD)
-        for (uint32_t i = 0; i < rows * panels; ++i) {
+        for (size_t i = 0; i < rows * panels; ++i) {
             const float* old = y + i / panels * stride + i % panels * DMI_PANEL;
             low[i] = _mm256_add_ps(low[i], _mm256_loadu_ps(old));
             high[i] = _mm256_add_ps(high[i], _mm256_loadu_ps(old + 8));
         }
-    for (uint32_t i = 0; i < rows * panels; ++i) {
+    for (size_t i = 0; i < rows * panels; ++i) {
         float* out = y + i / panels * stride + i % panels * DMI_PANEL;
         _mm256_storeu_ps(out, low[i]);
         _mm256_storeu_ps(out + 8, high[i]);
@@ -76,7 +75,7 @@ TARGET_INLINE void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, cons
 }
 
 /* All rows for one panel, in tiles as even as can be: 16 rows are 6 + 5 + 5. */
-TARGET static void panel_rows(const dmi_gemm* gemm, uint32_t first) {
+TARGET static void panel_rows(const dmi_gemm* gemm, size_t first) {
     uint32_t row = 0;
     for (uint32_t tiles = (gemm->rows + TILE - 1) / TILE; tiles > 0; --tiles) {
         const uint32_t rows = (gemm->rows - row + tiles - 1) / tiles;

@@ -14,31 +14,30 @@
 static const float zeros[8 * DMI_PANEL];
 
 /* Which columns of the panel that starts at `first` exist. */
-TARGET_INLINE __mmask16 columns_mask(const dmi_gemm* gemm, uint32_t first) {
-    const uint32_t left = gemm->columns - first;
+TARGET_INLINE __mmask16 columns_mask(const dmi_gemm* gemm, size_t first) {
+    const size_t left = gemm->columns - first;
     const uint32_t bits = left >= DMI_PANEL ? 0xffffu : (1u << left) - 1u;
     return (__mmask16)bits;
 }
 
 /* `rows` and `panels` are constants where this is inlined: the sums stay in registers, as long as no loop over them has
  * a branch. */
-TARGET_INLINE void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, const uint32_t rows,
-                        const uint32_t panels) {
+TARGET_INLINE void tile(const dmi_gemm* gemm, size_t row, size_t first, const size_t rows, const size_t panels) {
     const size_t panel_size = (size_t)gemm->depth * DMI_PANEL, x_stride = gemm->x_stride, y_stride = gemm->y_stride;
-    const float* panel = gemm->panels + (size_t)first * gemm->depth;
+    const float* panel = gemm->panels + first * gemm->depth;
     const float* bias = gemm->bias ? gemm->bias + first : zeros;
     const float* x = gemm->x + row * x_stride;
     float* y = gemm->y + row * y_stride + first;
     __m512 sum[TILE];
-    for (uint32_t i = 0; i < rows * panels; ++i) sum[i] = _mm512_loadu_ps(bias + i % panels * DMI_PANEL);
+    for (size_t i = 0; i < rows * panels; ++i) sum[i] = _mm512_loadu_ps(bias + i % panels * DMI_PANEL);
     for (const float* end = panel + panel_size; panel < end; panel += DMI_PANEL, ++x)
-        for (uint32_t i = 0; i < rows * panels; ++i)
+        for (size_t i = 0; i < rows * panels; ++i)
             sum[i] = _mm512_fmadd_ps(_mm512_set1_ps(x[i / panels * x_stride]),
                                      _mm512_load_ps(panel + i % panels * panel_size), sum[i]);
     const __m512 floor = _mm512_set1_ps(gemm->flags & DMI_GEMM_RELU ? 0.0f : -INFINITY);
     const __mmask16 full = 0xffff, last = columns_mask(gemm, first + (panels - 1) * DMI_PANEL);
     const __mmask16 old = gemm->flags & DMI_GEMM_ADD ? full : 0;
-    for (uint32_t i = 0; i < rows * panels; ++i) {
+    for (size_t i = 0; i < rows * panels; ++i) {
         const __mmask16 mask = i % panels == panels - 1 ? last : full;
         float* out = y + i / panels * y_stride + i % panels * DMI_PANEL;
         const __m512 value = _mm512_max_ps(floor, sum[i]);
@@ -47,7 +46,7 @@ TARGET_INLINE void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, cons
 }
 
 /* All rows for the panels from `first` on, in tiles as even as can be. */
-TARGET_INLINE void panel_rows(const dmi_gemm* gemm, uint32_t first, const uint32_t panels) {
+TARGET_INLINE void panel_rows(const dmi_gemm* gemm, size_t first, const size_t panels) {
     uint32_t row = 0;
     for (uint32_t tiles = (gemm->rows + TILE_ROWS - 1) / TILE_ROWS; tiles > 0; --tiles) {
         const uint32_t rows = (gemm->rows - row + tiles - 1) / tiles;

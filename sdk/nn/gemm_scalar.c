@@ -46,7 +46,7 @@ static inline void tile(const dmi_gemm* gemm, uint32_t row, uint32_t first, cons
     if (gemm->bias)
         for (uint32_t r = 0; r < rows; ++r) memcpy(sum[r], gemm->bias + first, sizeof sum[r]);
     for (uint32_t k = 0; k < gemm->depth; ++k, panel += DMI_PANEL)
-        for (uint32_t g = 0; g < GROUPS; ++g) {
+        for (size_t g = 0; g < GROUPS; ++g) {
             const lanes weights = load(panel + g * LANES);
             for (uint32_t r = 0; r < rows; ++r) sum[r][g] += x[r * gemm->x_stride + k] * weights;
         }

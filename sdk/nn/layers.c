@@ -7,7 +7,7 @@
 
 #define MAX_NAME 96
 #define FORMAT_VERSION 1
-#define BLOCK_SIZE (64 * 1024)
+#define BLOCK_SIZE ((size_t)64 * 1024)
 
 dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,
                            dmi_read_network* read, void* network, dmi_arena* keep) {

@@ -116,15 +116,15 @@ static void packing_takes_strides(void** state) {
     _Alignas(64) float straight[2 * DMI_PANEL * DEPTH], across[2 * DMI_PANEL * DEPTH];
     float transposed[DEPTH * COLUMNS];
     dmi_random random = dmi_random_make(5, 0);
-    fill(&random, weights, COLUMNS * DEPTH);
+    fill(&random, weights, (size_t)COLUMNS * DEPTH);
     for (int j = 0; j < COLUMNS; ++j)
         for (int k = 0; k < DEPTH; ++k) transposed[k * COLUMNS + j] = weights[j * DEPTH + k];
     assert_int_equal(dmi_panels_size(COLUMNS, DEPTH), sizeof straight / sizeof straight[0]);
     dmi_panels_pack(weights, DEPTH, 1, COLUMNS, DEPTH, straight);
     dmi_panels_pack(transposed, 1, COLUMNS, COLUMNS, DEPTH, across);
     assert_memory_equal(straight, across, sizeof straight);
-    assert_true(straight[DEPTH * DMI_PANEL + 1] == weights[17 * DEPTH]); /* panel 1, k 0, output 17 */
-    assert_true(straight[DEPTH * DMI_PANEL + 2] == 0.0f);                /* padding */
+    assert_true(straight[DEPTH * DMI_PANEL + 1] == weights[(size_t)17 * DEPTH]); /* panel 1, k 0, output 17 */
+    assert_true(straight[DEPTH * DMI_PANEL + 2] == 0.0f);                        /* padding */
 }
 
 static void unknown_sets_fall_back(void** state) {

@@ -8,7 +8,7 @@
 #include "test_safetensors.h"
 
 #define MAX_COLUMNS 40
-#define ROWS 5
+#define ROWS ((size_t)5)
 #define COUNT (ROWS * MAX_COLUMNS)
 
 static void fill(dmi_random* random, float* values, size_t count) {
@@ -43,7 +43,7 @@ static void check_layer_norm(const dmi_kernels* kernels) {
         fill(&random, bias, columns);
         for (uint32_t c = 0; c < columns; ++c) x[c] = 3.0f; /* a row without variance */
         kernels->layer_norm(x, ROWS, columns, weight, bias, y);
-        for (uint32_t r = 0; r < ROWS; ++r) {
+        for (size_t r = 0; r < ROWS; ++r) {
             normalize_row(x + r * columns, columns, weight, bias, wanted);
             for (uint32_t c = 0; c < columns; ++c) assert_near(y[r * columns + c], wanted[c], 1e-5);
         }
@@ -61,7 +61,7 @@ static void check_softmax(const dmi_kernels* kernels) {
         memcpy(y, x, ROWS * columns * sizeof(float));
         kernels->softmax(y, ROWS, columns);
         assert_true(y[ROWS * columns] == 7.0f); /* nothing past the end */
-        for (uint32_t r = 0; r < ROWS; ++r) {
+        for (size_t r = 0; r < ROWS; ++r) {
             const float* row = x + r * columns;
             double top = row[0], sum = 0;
             for (uint32_t c = 0; c < columns; ++c) top = fmax(top, row[c]);
