@@ -5,7 +5,8 @@
 #include "base/arena.h"
 #include "mesh/mesh.h"
 
-/* out_welded[v] = smallest vertex index within `tolerance` (grid cell) of v. */
+/* out_welded[v] = the smallest vertex within `tolerance` of v that stands for itself, or v. Vertices in a row, each
+ * within the tolerance of the next, need not all become one. */
 dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, uint32_t* out_welded);
 
 /* Labels 0.. of the faces for which select[f] is non-zero (others get UINT32_MAX): connected over shared welded edges

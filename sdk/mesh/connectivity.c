@@ -1,0 +1,227 @@
+/* Welding by a grid of cells, regions and shells by union-find over faces. */
+#include "mesh/connectivity.h"
+
+#include <math.h>
+#include <string.h>
+
+#define NONE UINT32_MAX
+/* Cells a tolerance wide: few vertices lie so near a cell's side that its neighbour must be searched too. */
+#define CELL_TOLERANCES 4
+#define MIN_CELL 1e-6f
+/* Faces at one edge beyond this many are compared with the last ones alone: real edges have two. */
+#define MAX_FACES_AT_EDGE 32
+
+static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
+    return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to connect %u triangles", mesh->face_count);
+}
+
+/* ---- welding ---- */
+
+typedef struct grid {
+    const dmi_mesh* mesh;
+    float tolerance, cells_a_unit;
+    uint32_t* heads; /* newest vertex of each bucket */
+    uint32_t* next;  /* a vertex, in its bucket */
+    uint32_t mask;   /* buckets - 1 */
+} grid;
+
+static uint32_t bucket_of(const grid* grid, const int32_t cell[3]) {
+    uint32_t hash = (uint32_t)cell[0] * 0x9e3779b1u ^ (uint32_t)cell[1] * 0x85ebca6bu ^ (uint32_t)cell[2] * 0xc2b2ae35u;
+    return (hash ^ hash >> 15) & grid->mask;
+}
+
+/* The smallest kept vertex within the tolerance of p in the bucket of a cell, or `found` where that is smaller. */
+static uint32_t search_cell(const grid* grid, const int32_t cell[3], const float p[3], uint32_t found) {
+    for (uint32_t v = grid->heads[bucket_of(grid, cell)]; v != NONE; v = grid->next[v]) {
+        const float* q = grid->mesh->positions + (size_t)v * 3;
+        float x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+        if (v < found && x * x + y * y + z * z <= grid->tolerance * grid->tolerance) found = v;
+    }
+    return found;
+}
+
+/* Cells count from the corner below every position (which lie in [-1, 1]), so that cutting off is rounding down. */
+static int32_t cell_of(const grid* grid, float x) {
+    return (int32_t)((x + 1 + grid->tolerance) * grid->cells_a_unit);
+}
+
+/* The smallest kept vertex within the tolerance of p, and p's own cell. */
+static uint32_t search(const grid* grid, const float p[3], int32_t own[3]) {
+    int32_t low[3], high[3], cell[3];
+    for (int k = 0; k < 3; k++) {
+        low[k] = cell_of(grid, p[k] - grid->tolerance);
+        own[k] = cell_of(grid, p[k]);
+        high[k] = cell_of(grid, p[k] + grid->tolerance);
+    }
+    uint32_t found = NONE;
+    for (cell[0] = low[0]; cell[0] <= high[0]; cell[0]++) {
+        for (cell[1] = low[1]; cell[1] <= high[1]; cell[1]++) {
+            for (cell[2] = low[2]; cell[2] <= high[2]; cell[2]++) found = search_cell(grid, cell, p, found);
+        }
+    }
+    return found;
+}
+
+dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, uint32_t* out_welded) {
+    uint32_t buckets = 16;
+    while (buckets < mesh->vertex_count) buckets *= 2;
+    grid grid = {.mesh = mesh, .tolerance = tolerance, .mask = buckets - 1};
+    grid.cells_a_unit = 1 / fmaxf(CELL_TOLERANCES * tolerance, MIN_CELL);
+    grid.heads = dmi_arena_push(arena, buckets * sizeof(uint32_t));
+    grid.next = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
+    if (grid.heads == NULL || grid.next == NULL) return out_of_memory(arena, mesh);
+    memset(grid.heads, 0xff, buckets * sizeof(uint32_t));
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        int32_t cell[3];
+        uint32_t found = search(&grid, mesh->positions + (size_t)v * 3, cell);
+        out_welded[v] = found == NONE ? v : found;
+        if (found != NONE) continue;
+        uint32_t bucket = bucket_of(&grid, cell);
+        grid.next[v] = grid.heads[bucket];
+        grid.heads[bucket] = v;
+    }
+    return DM_OK;
+}
+
+/* ---- union-find: the root of a set is its smallest face ---- */
+
+static uint32_t find_root(uint32_t* parents, uint32_t face) {
+    while (parents[face] != face) {
+        parents[face] = parents[parents[face]];
+        face = parents[face];
+    }
+    return face;
+}
+
+static void unite(uint32_t* parents, uint32_t a, uint32_t b) {
+    a = find_root(parents, a);
+    b = find_root(parents, b);
+    if (a < b)
+        parents[b] = a;
+    else
+        parents[a] = b;
+}
+
+/* Parents to labels in place: a root comes before its faces, so its label is there when they ask for it. */
+static uint32_t number_sets(uint32_t* parents, const uint8_t* select, uint32_t face_count) {
+    uint32_t count = 0;
+    for (uint32_t f = 0; f < face_count; f++) {
+        if (select[f]) parents[f] = find_root(parents, f);
+    }
+    for (uint32_t f = 0; f < face_count; f++) {
+        if (!select[f])
+            parents[f] = NONE;
+        else
+            parents[f] = parents[f] == f ? count++ : parents[parents[f]];
+    }
+    return count;
+}
+
+/* ---- shells ---- */
+
+static dm_result unite_over_vertices(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded,
+                                     const uint8_t* select, uint32_t* parents) {
+    uint32_t* first_face = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
+    if (first_face == NULL) return out_of_memory(arena, mesh);
+    memset(first_face, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        for (int i = 0; i < 3 && select[f]; i++) {
+            uint32_t v = welded[mesh->indices[(size_t)f * 3 + (size_t)i]];
+            if (first_face[v] == NONE)
+                first_face[v] = f;
+            else
+                unite(parents, first_face[v], f);
+        }
+    }
+    return DM_OK;
+}
+
+/* ---- regions ---- */
+
+/* The edges of the selected faces, in order of their smaller vertex. */
+typedef struct edges {
+    uint32_t* first;  /* a vertex, and two: where its edges begin */
+    uint32_t* other;  /* an edge: its larger vertex */
+    uint32_t* face;   /* an edge */
+    uint32_t* before; /* an edge: the one before it between the same vertices, or NONE */
+    uint32_t* latest; /* a vertex: the latest edge that has it as the larger one */
+} edges;
+
+static dm_result allocate_edges(dmi_arena* arena, const dmi_mesh* mesh, edges* out) {
+    size_t count = (size_t)mesh->face_count * 3 * sizeof(uint32_t);
+    out->first = dmi_arena_push(arena, ((size_t)mesh->vertex_count + 2) * sizeof(uint32_t));
+    out->other = dmi_arena_push(arena, count);
+    out->face = dmi_arena_push(arena, count);
+    out->before = dmi_arena_push(arena, count);
+    out->latest = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
+    return out->first && out->other && out->face && out->before && out->latest ? DM_OK : out_of_memory(arena, mesh);
+}
+
+/* Smaller and larger vertex of side i of a face; 0 when both are one. */
+static int edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, size_t i, uint32_t* low,
+                   uint32_t* high) {
+    const uint32_t* corners = mesh->indices + (size_t)face * 3;
+    uint32_t a = welded[corners[i]], b = welded[corners[i < 2 ? i + 1 : 0]];
+    *low = a < b ? a : b;
+    *high = a < b ? b : a;
+    return a != b;
+}
+
+/* By counting; the counts stand two places on, so that filling leaves first[v] at the beginning of v's. */
+static void sort_edges(const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select, edges* edges) {
+    uint32_t low, high;
+    memset(edges->first, 0, ((size_t)mesh->vertex_count + 2) * sizeof(uint32_t));
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        for (size_t i = 0; i < 3 && select[f]; i++) {
+            if (edge_of(mesh, welded, f, i, &low, &high)) edges->first[low + 2]++;
+        }
+    }
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) edges->first[v + 2] += edges->first[v + 1];
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        for (size_t i = 0; i < 3 && select[f]; i++) {
+            if (!edge_of(mesh, welded, f, i, &low, &high)) continue;
+            uint32_t place = edges->first[low + 1]++;
+            edges->other[place] = high;
+            edges->face[place] = f;
+        }
+    }
+}
+
+/* Slivers have no normal: their cosine with anything is 0. */
+static int is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_cosine) {
+    const float *n = mesh->face_normal + (size_t)a * 3, *m = mesh->face_normal + (size_t)b * 3;
+    return fabsf(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) > min_cosine;
+}
+
+static dm_result unite_over_edges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select,
+                                  float min_cosine, uint32_t* parents) {
+    edges edges;
+    dm_result result = allocate_edges(arena, mesh, &edges);
+    if (result != DM_OK) return result;
+    sort_edges(mesh, welded, select, &edges);
+    memset(edges.latest, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        uint32_t begin = edges.first[v], end = edges.first[v + 1];
+        for (uint32_t e = begin; e < end; e++) {
+            uint32_t* latest = &edges.latest[edges.other[e]];
+            /* One from before `begin` is another vertex's. */
+            edges.before[e] = *latest != NONE && *latest >= begin ? *latest : NONE;
+            *latest = e;
+            uint32_t b = edges.before[e];
+            for (int n = 0; b != NONE && n < MAX_FACES_AT_EDGE; n++, b = edges.before[b]) {
+                if (is_smooth(mesh, edges.face[e], edges.face[b], min_cosine))
+                    unite(parents, edges.face[e], edges.face[b]);
+            }
+        }
+    }
+    return DM_OK;
+}
+
+dm_result dmi_face_regions(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select,
+                           float min_cosine, uint32_t* out_labels, uint32_t* out_count) {
+    for (uint32_t f = 0; f < mesh->face_count; f++) out_labels[f] = f;
+    dm_result result = min_cosine < -1 ? unite_over_vertices(arena, mesh, welded, select, out_labels)
+                                       : unite_over_edges(arena, mesh, welded, select, min_cosine, out_labels);
+    if (result == DM_OK) *out_count = number_sets(out_labels, select, mesh->face_count);
+    return result;
+}
