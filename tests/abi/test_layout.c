@@ -245,8 +245,17 @@ static const char* const table[] = {DM_CORE_FUNCTIONS(T)};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
+/* Without the spaces round stars, on which formatters of the header disagree. */
+static void write_entry(FILE* out, size_t index, const char* entry) {
+    fprintf(out, "dm.core/1 %zu ", index);
+    for (const char* c = entry; *c; c++) {
+        if (*c != ' ' || (c[1] != '*' && c[-1] != '*')) fputc(*c, out);
+    }
+    fputc('\n', out);
+}
+
 static void write_layout(FILE* out) {
-    for (size_t i = 0; i < COUNT(table); i++) fprintf(out, "dm.core/1 %zu %s\n", i, table[i]);
+    for (size_t i = 0; i < COUNT(table); i++) write_entry(out, i, table[i]);
     for (size_t i = 0; i < COUNT(layout); i++) {
         const layout_line* line = &layout[i];
         if (!line->field)

@@ -208,7 +208,7 @@ static void test_masks_say_what_names_say(void** state) {
     write_job(jobs, sizeof jobs, "names", "");
     for (int i = 0; i < 3; i++) {
         char extra[TOOL_PATH + 64];
-        snprintf(extra, sizeof extra, ",\"mask\":\"%s\"%s", paths[i], i == 2 ? ",\"mask_value\":41" : "");
+        snprintf(extra, sizeof extra, ",\"mask\":\"%.*s\"%s", TOOL_PATH, paths[i], i == 2 ? ",\"mask_value\":41" : "");
         write_job(job, sizeof job, "mask", extra);
         strcat(jobs, job);
     }

@@ -72,7 +72,7 @@ static void test_animate(void** state) {
 
 static void test_film(void** state) {
     (void)state;
-    char path[TOOL_PATH + 32], more[TOOL_PATH + 64];
+    char path[TOOL_PATH + 32], more[TOOL_PATH + 128];
     path_in_folder(path, "open.png");
     snprintf(more, sizeof more, "|-o|%s|--frames|3|--size|40,30|--axis", path);
     run_with_drag("film", more);

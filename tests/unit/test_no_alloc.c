@@ -93,21 +93,24 @@ static void test_short_lives_do_not_add_up(void** state) {
     test_world_close(&p.w);
 }
 
-/* A whole life, stopping at the first failure. */
+/* An object's whole life, stopping at the first failure. */
 static dm_result live(test_world* w) {
+    const dm_part_desc part = {.struct_size = sizeof part, .id = TEST_DOOR};
+    const dm_mesh_desc mesh = test_shape_desc(&w->shape);
+    const dm_object_desc desc = {
+        .struct_size = sizeof desc, .mesh = &mesh, .parts = &part, .part_count = 1, .model = w->model};
+    const dm_scene_desc scene_desc = {.struct_size = sizeof scene_desc};
+    const dm_vec3 path[2] = {test_pull().point, {0.8f, 0.5f, 1.3f}};
+    const dm_motion_desc motion_desc = {
+        .struct_size = sizeof motion_desc, .part_id = TEST_DOOR, .drag = test_pull(), .path = path, .path_count = 2};
     dm_object object, loaded;
     dm_scene scene;
     dm_motion motion;
     dm_drag drag;
     uint32_t instance;
     size_t size = 0;
-    const dm_scene_desc scene_desc = {.struct_size = sizeof scene_desc};
-    const dm_vec3 path[2] = {test_pull().point, {0.8f, 0.5f, 1.3f}};
-    const dm_motion_desc motion_desc = {
-        .struct_size = sizeof motion_desc, .part_id = TEST_DOOR, .drag = test_pull(), .path = path, .path_count = 2};
-    const dm_drag_hint pull = test_pull();
-    dm_result result = test_world_prepare(w, 0, &object);
-    if (result == DM_OK) result = dm_object_refine(w->context, object, TEST_DOOR, &pull);
+    dm_result result = dm_object_prepare(w->context, &desc, &object);
+    if (result == DM_OK) result = dm_object_refine(w->context, object, TEST_DOOR, &motion_desc.drag);
     if (result == DM_OK) result = dm_scene_create(w->context, &scene_desc, &scene);
     if (result == DM_OK) result = dm_scene_add(w->context, scene, object, NULL, &instance);
     if (result == DM_OK) result = dm_motion_generate(w->context, object, &motion_desc, &motion);
@@ -123,8 +126,25 @@ static dm_result live(test_world* w) {
     return result;
 }
 
-/* The allocator fails from call n on, for every n; the context still goes down in order. */
-static void test_any_allocation_may_fail(void** state) {
+/* The allocator fails from call n of the life on, for every n, in a context that goes on all the same. */
+static void test_any_allocation_of_a_life_may_fail(void** state) {
+    (void)state;
+    static test_world w;
+    int failures = 0;
+    test_world_init(&w);
+    test_world_open(&w);
+    test_world_load_model(&w);
+    for (dm_result result = DM_ERROR_OUT_OF_MEMORY; result != DM_OK; failures++) {
+        w.memory.fail_at = w.memory.calls + failures;
+        result = live(&w);
+        if (result != DM_OK) assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);
+        if (result != DM_OK) assert_int_equal(w.messages.code, DM_ERROR_OUT_OF_MEMORY);
+    }
+    assert_true(failures > 20);
+    test_world_close(&w);
+}
+
+static void test_any_allocation_of_a_context_may_fail(void** state) {
     (void)state;
     dm_model_desc weights = {.struct_size = sizeof weights};
     void* kinematics = test_read_file("sdk/models/kpp_net.safetensors", &weights.kinematics_size);
@@ -133,17 +153,14 @@ static void test_any_allocation_may_fail(void** state) {
     weights.motion = motion;
     static test_world w;
     int failures = 0;
-    for (int64_t fail_at = 0;; fail_at++) {
+    for (dm_result result = DM_ERROR_OUT_OF_MEMORY; result != DM_OK; failures++) {
         test_world_init(&w);
-        w.memory.fail_at = fail_at;
-        dm_result result = dm_context_create(&w.desc, &w.context);
+        w.memory.fail_at = failures;
+        result = dm_context_create(&w.desc, &w.context);
         if (result == DM_OK) result = dm_model_load(w.context, &weights, &w.model);
-        if (result == DM_OK) result = live(&w);
+        if (result != DM_OK) assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);
+        if (result != DM_OK) assert_int_equal(w.messages.code, DM_ERROR_OUT_OF_MEMORY);
         test_world_close(&w);
-        if (result == DM_OK) break;
-        assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);
-        assert_int_equal(w.messages.code, DM_ERROR_OUT_OF_MEMORY);
-        failures++;
     }
     assert_true(failures > 20);
     free(kinematics);
@@ -154,7 +171,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_frame_calls_take_no_memory_and_log_nothing),
         cmocka_unit_test(test_short_lives_do_not_add_up),
-        cmocka_unit_test(test_any_allocation_may_fail),
+        cmocka_unit_test(test_any_allocation_of_a_context_may_fail),
+        cmocka_unit_test(test_any_allocation_of_a_life_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

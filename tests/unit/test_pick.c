@@ -249,7 +249,7 @@ static void host_point(const world* w, int instance, uint32_t face, int corner, 
 /* The nearest hit in the host's own coordinates, `hit->instance` as an index in the world; 0 when it is a close call.
  */
 static int brute_pick(const world* w, const double origin[3], const double direction[3], dm_hit* hit) {
-    double best = INFINITY, second = INFINITY, corners[3][3];
+    double best = INFINITY, second = INFINITY, corners[3][3] = {{0}};
     *hit = (dm_hit){0};
     for (int i = 0; i < INSTANCES; i++) {
         for (uint32_t f = 0; f < shape.face_count; f++) {

@@ -8,9 +8,10 @@
  *  - Functions return DM_OK (0) or a negative dm_result. On an error the outputs are untouched, a message that
  *    names the field and the value goes to the log callback, and the context stays usable. Nothing aborts.
  *  - Every descriptor starts with struct_size = sizeof(the struct). A zero in any other field means its default,
- *    for ever. A caller that is newer than the library may only send zeros in the part the library can't know.
+ *    for ever. A caller that is newer than the library may only send zeros in the part the library can't know, and gets
+ *    zeros there in outputs. Elements of an array all have the struct_size of the first.
  *  - Handles are 64-bit ids with a generation. 0 is null. A handle to something destroyed answers
- *    DM_ERROR_STALE_HANDLE. A handle belongs to the context that made it.
+ *    DM_ERROR_STALE_HANDLE, and so does one of another context.
  *  - Memory the host passes in is borrowed for the call alone, never kept, never written unless it is an output.
  *  - Threading tags:
  *      [any-thread]        callable at any time from any thread.
@@ -57,27 +58,27 @@ extern "C" {
 typedef int32_t dm_result;
 enum {
     DM_OK = 0,
-    DM_ERROR_INVALID_ARGUMENT = -1,    /* a null pointer, an unknown enum value, a count that makes no sense */
-    DM_ERROR_STRUCT_SIZE = -2,         /* struct_size too small, or a newer field is set that this library can't know */
-    DM_ERROR_STALE_HANDLE = -3,        /* null, destroyed, or of another kind or context */
-    DM_ERROR_OUT_OF_MEMORY = -4,       /* the host's allocator answered NULL */
-    DM_ERROR_NOT_FINITE = -5,          /* a NaN or infinite number in the input */
-    DM_ERROR_INDEX_OUT_OF_RANGE = -6,  /* an index names a vertex that does not exist */
-    DM_ERROR_EMPTY_MASK = -7,          /* no triangle belongs to the part */
-    DM_ERROR_FULL_MASK = -8,           /* every triangle belongs to the part: nothing stays to move against */
-    DM_ERROR_DEGENERATE_MESH = -9,     /* no triangle with an area, or all vertices in one point */
-    DM_ERROR_ZERO_DRAG = -10,          /* the drag vector has no length */
-    DM_ERROR_DRAG_OFF_PART = -11,      /* the drag point is farther from the part than half the object's size */
-    DM_ERROR_BAD_DATA = -12,           /* truncated, corrupt or hostile bytes */
-    DM_ERROR_WRONG_MODEL = -13,        /* readable weights, but not of the architecture asked for */
-    DM_ERROR_VERSION = -14,            /* made by a newer version than this library can read */
-    DM_ERROR_CANCELLED = -15,          /* the progress callback asked to stop */
-    DM_ERROR_NO_MODEL = -16,           /* the call needs weights and none were given */
-    DM_ERROR_TOO_LARGE = -17,          /* more than DM_MAX_ELEMENTS or DM_MAX_PARTS */
-    DM_ERROR_BUFFER_TOO_SMALL = -18,   /* the output buffer can't hold the answer; the size needed is set */
-    DM_ERROR_NOT_FOUND = -19,          /* no such part, node or instance */
-    DM_ERROR_UNSUPPORTED = -20,        /* valid, but this build or this file kind can't do it */
-    DM_ERROR_INTERNAL = -21            /* a bug of ours; please report it */
+    DM_ERROR_INVALID_ARGUMENT = -1,   /* a null pointer, an unknown enum value, a count that makes no sense */
+    DM_ERROR_STRUCT_SIZE = -2,        /* struct_size too small, or a newer field is set that this library can't know */
+    DM_ERROR_STALE_HANDLE = -3,       /* null, destroyed, or of another kind or context */
+    DM_ERROR_OUT_OF_MEMORY = -4,      /* the host's allocator answered NULL */
+    DM_ERROR_NOT_FINITE = -5,         /* a NaN or infinite number in the input */
+    DM_ERROR_INDEX_OUT_OF_RANGE = -6, /* an index names a vertex that does not exist */
+    DM_ERROR_EMPTY_MASK = -7,         /* no triangle belongs to the part */
+    DM_ERROR_FULL_MASK = -8,          /* every triangle belongs to the part: nothing stays to move against */
+    DM_ERROR_DEGENERATE_MESH = -9,    /* no triangle with an area, or all vertices in one point */
+    DM_ERROR_ZERO_DRAG = -10,         /* the drag vector has no length */
+    DM_ERROR_DRAG_OFF_PART = -11,     /* the drag point is farther from the part than half the object's size */
+    DM_ERROR_BAD_DATA = -12,          /* truncated, corrupt or hostile bytes */
+    DM_ERROR_WRONG_MODEL = -13,       /* readable weights, but not of the architecture asked for */
+    DM_ERROR_VERSION = -14,           /* made by a newer version than this library can read */
+    DM_ERROR_CANCELLED = -15,         /* the progress callback asked to stop */
+    DM_ERROR_NO_MODEL = -16,          /* the call needs weights and none were given */
+    DM_ERROR_TOO_LARGE = -17,         /* more than DM_MAX_ELEMENTS or DM_MAX_PARTS */
+    DM_ERROR_BUFFER_TOO_SMALL = -18,  /* the output buffer can't hold the answer; the size needed is set */
+    DM_ERROR_NOT_FOUND = -19,         /* no such part, node or instance */
+    DM_ERROR_UNSUPPORTED = -20,       /* valid, but this build or this file kind can't do it */
+    DM_ERROR_INTERNAL = -21           /* a bug of ours; please report it */
 };
 
 /* ---- plain types (frozen) ----------------------------------------------------------------------------------- */
@@ -144,13 +145,13 @@ enum {
 
 typedef struct dm_context_desc {
     uint32_t struct_size;
-    int32_t axes;            /* DM_AXES_*; 0 = glTF */
-    float unit_in_metres;    /* length of one host unit; 0 = 1. Unreal: 0.01 */
-    float custom_axes[9];    /* for DM_AXES_CUSTOM: row-major matrix that takes a host vector to the canonical frame;
-                                orthogonal, determinant +1 or -1 */
-    dm_allocator allocator;  /* zeros = malloc/free */
-    dm_log log;              /* zeros = silent */
-    dm_jobs jobs;            /* zeros = inline */
+    int32_t axes;           /* DM_AXES_*; 0 = glTF */
+    float unit_in_metres;   /* length of one host unit; 0 = 1. Unreal: 0.01 */
+    float custom_axes[9];   /* for DM_AXES_CUSTOM: row-major matrix that takes a host vector to the canonical frame;
+                               orthogonal, determinant +1 or -1 */
+    dm_allocator allocator; /* zeros = malloc/free */
+    dm_log log;             /* zeros = silent */
+    dm_jobs jobs;           /* zeros = inline */
 } dm_context_desc;
 
 typedef struct dm_memory_info {
@@ -184,7 +185,7 @@ enum {
     DM_JOINT_FIXED = 5
 };
 
-enum { DM_FLOAT32 = 0, DM_FLOAT64 = 1 };                      /* positions: three each */
+enum { DM_FLOAT32 = 0, DM_FLOAT64 = 1 };                           /* positions: three each */
 enum { DM_UINT32 = 0, DM_UINT16 = 1, DM_UINT8 = 2, DM_INT32 = 3 }; /* indices and part ids */
 enum { DM_PER_VERTEX = 0, DM_PER_FACE = 1 };
 
@@ -196,14 +197,15 @@ typedef struct dm_mesh_desc {
     uint64_t vertex_count;
     const void* indices; /* index_count, a multiple of 3; NULL = vertices in order, three a triangle */
     uint64_t index_count;
-    const void* part_ids;     /* which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts.
-                                 Per vertex, a triangle belongs to the id that two of its corners share (else the smallest) */
-    uint32_t part_id_stride;  /* bytes; 0 = packed */
-    int32_t position_format;  /* DM_FLOAT32 | DM_FLOAT64 */
-    int32_t index_format;     /* DM_UINT32 | DM_UINT16 | DM_UINT8 */
-    int32_t part_id_format;   /* DM_UINT32 | DM_UINT16 | DM_UINT8 | DM_INT32 (negative = body) */
-    int32_t part_id_scope;    /* DM_PER_VERTEX | DM_PER_FACE */
-    uint32_t reserved;        /* 0 */
+    const void* part_ids;    /* which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that
+                                dm_object_desc.parts does not list are the body's. Per vertex, a triangle belongs to
+                                the id that two of its corners share (else the smallest) */
+    uint32_t part_id_stride; /* bytes; 0 = packed */
+    int32_t position_format; /* DM_FLOAT32 | DM_FLOAT64 */
+    int32_t index_format;    /* DM_UINT32 | DM_UINT16 | DM_UINT8 */
+    int32_t part_id_format;  /* DM_UINT32 | DM_UINT16 | DM_UINT8 | DM_INT32 (negative = body) */
+    int32_t part_id_scope;   /* DM_PER_VERTEX | DM_PER_FACE */
+    uint32_t reserved;       /* 0 */
 } dm_mesh_desc;
 
 /* A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it. */
@@ -214,9 +216,9 @@ typedef struct dm_drag_hint {
 
 typedef struct dm_part_desc {
     uint32_t struct_size;
-    uint32_t id;          /* as in part_ids; 1.. */
-    uint32_t parent;      /* id of the part that carries this one; 0 = the body. A part moves with its parent */
-    int32_t joint_type;   /* DM_JOINT_*; 0 = to be found out */
+    uint32_t id;              /* as in part_ids; 1.. */
+    uint32_t parent;          /* id of the part that carries this one; 0 = the body. A part moves with its parent */
+    int32_t joint_type;       /* DM_JOINT_*; 0 = to be found out */
     const dm_drag_hint* drag; /* optional evidence */
 } dm_part_desc;
 
@@ -228,9 +230,10 @@ typedef struct dm_joint {
     float pitch;           /* screws: host units a radian, signed along the axis */
     dm_vec3 axis;          /* unit; host object frame. A positive value turns right-handed in a right-handed host
                               frame (left-handed in a left-handed one), or slides along it */
-    dm_vec3 origin;        /* the point of the axis line nearest the part's centre */
-    float lower, upper;    /* limits of the joint value (rad or host units); the rest pose is value 0 */
-    int32_t source;        /* DM_JOINT_FROM_* */
+    dm_vec3 origin;     /* the point of the axis line nearest the part's centre; a host's own stays as it was given */
+    float lower, upper; /* limits of the joint value (rad or host units); the rest pose is value 0. None when they are
+                           equal, and for continuous joints */
+    int32_t source;     /* DM_JOINT_FROM_* */
 } dm_joint;
 
 enum { DM_JOINT_FROM_NETWORK = 0, DM_JOINT_FROM_GEOMETRY = 1, DM_JOINT_FROM_HOST = 2 };
@@ -239,7 +242,7 @@ enum { DM_JOINT_FROM_NETWORK = 0, DM_JOINT_FROM_GEOMETRY = 1, DM_JOINT_FROM_HOST
  * leave the question to the library. */
 typedef int32_t(DM_CALL* dm_intent_callback)(void* user, uint32_t part_id, dm_vec3 box_min, dm_vec3 box_max);
 
-/* 0..1; return non-zero to cancel. */
+/* 0..1, rising; return non-zero to cancel. Called on the thread that prepares, whatever jobs run beside it. */
 typedef int32_t(DM_CALL* dm_progress_callback)(void* user, float done);
 
 enum {
@@ -248,13 +251,13 @@ enum {
 
 typedef struct dm_object_desc {
     uint32_t struct_size;
-    uint32_t flags;            /* DM_PREPARE_* */
+    uint32_t flags; /* DM_PREPARE_* */
     const dm_mesh_desc* mesh;
     const dm_part_desc* parts; /* NULL: every id > 0 in part_ids is a part carried by the body */
     uint32_t part_count;
-    uint32_t reserved;         /* 0 */
-    dm_model model;            /* weights; 0 = geometry alone */
-    uint64_t seed;             /* of the surface sampling; the same seed gives the same bits */
+    uint32_t reserved; /* 0 */
+    dm_model model;    /* weights; 0 = geometry alone */
+    uint64_t seed;     /* of the surface sampling; the same seed gives the same bits */
     dm_intent_callback intent;
     void* intent_user;
     dm_progress_callback progress;
@@ -265,7 +268,7 @@ typedef struct dm_object_info {
     uint32_t struct_size;
     uint32_t part_count;
     uint64_t vertex_count, triangle_count;
-    dm_vec3 box_min, box_max; /* host object frame */
+    dm_vec3 box_min, box_max; /* host object frame; with oblique custom axes it may be larger than need be */
     float size;               /* largest side of the box */
     uint32_t pickable;        /* 1 when it kept its triangles */
 } dm_object_info;
@@ -285,10 +288,10 @@ typedef struct dm_part_info {
 typedef struct dm_motion_desc {
     uint32_t struct_size;
     uint32_t part_id;
-    dm_drag_hint drag;        /* required */
-    const dm_vec3* path;      /* optional: where the pointer drew the drag point, in order, from drag.point on */
-    uint32_t path_count;      /* 0: the path that opens the joint all the way in the drag's direction */
-    uint32_t seed;            /* 0: the most likely motion (z = mean); else z is drawn with this seed */
+    dm_drag_hint drag;   /* required */
+    const dm_vec3* path; /* optional: where the pointer drew the drag point, from drag.point on; 65536 at most */
+    uint32_t path_count; /* 0: the path that opens the joint all the way in the drag's direction */
+    uint32_t seed;       /* 0: the most likely motion (z = mean); else z is drawn with this seed */
 } dm_motion_desc;
 
 /* How a drag feels. Zeros are the defaults. */
@@ -301,29 +304,29 @@ typedef struct dm_drag_desc {
     uint32_t struct_size;
     uint32_t part_id;
     dm_object object;
-    dm_vec3 grab_point;  /* on the part as it is now, host object frame */
-    float start_value;   /* joint value the part has now; 0 = rest */
+    dm_vec3 grab_point; /* on the part as it is now, host object frame */
+    float start_value;  /* joint value the part has now; 0 = rest */
     dm_drag_feel feel;
 } dm_drag_desc;
 
 typedef struct dm_drag_state {
-    dm_pose pose;        /* of the part from rest, object frame; compose with the parent part's own pose */
-    dm_vec3 grab_point;  /* where the grabbed point is now */
-    float value;         /* joint value */
-    float target;        /* value the pointer asks for, before smoothing and inside the limits */
-    float velocity;      /* d value / dt */
-    int32_t at_limit;    /* -1 at lower, +1 at upper, 0 between */
+    dm_pose pose;       /* of the part from rest, object frame; compose with the parent part's own pose */
+    dm_vec3 grab_point; /* where the grabbed point is now */
+    float value;        /* joint value */
+    float target;       /* value the pointer asks for, before smoothing and inside the limits */
+    float velocity;     /* d value / dt */
+    int32_t at_limit;   /* -1 at lower, +1 at upper, 0 between */
 } dm_drag_state;
 
 /* ---- camera and scene --------------------------------------------------------------------------------------- */
 
 typedef struct dm_camera {
     uint32_t struct_size;
-    float fov_y;         /* rad; 0 = orthographic with `height` */
-    dm_vec3 eye;         /* host world frame */
-    dm_vec3 forward, up; /* need not be unit or orthogonal, not parallel */
+    float fov_y;            /* rad; 0 = orthographic with `height` */
+    dm_vec3 eye;            /* host world frame */
+    dm_vec3 forward, up;    /* need not be unit or orthogonal, not parallel */
     float width, height_px; /* of the viewport, pixels */
-    float height;        /* orthographic: host units from bottom to top */
+    float height;           /* orthographic: host units from bottom to top */
 } dm_camera;
 
 typedef struct dm_scene_desc {
@@ -333,13 +336,13 @@ typedef struct dm_scene_desc {
 
 typedef struct dm_hit {
     dm_object object;
-    uint32_t instance; /* as dm_scene_add gave it */
-    uint32_t part_id;  /* 0 = the body */
-    uint32_t triangle; /* index in the host's mesh */
-    float distance;    /* host units from the ray's origin */
-    float u, v;        /* barycentric weights of the triangle's second and third corner */
-    dm_vec3 point;     /* host world frame */
-    dm_vec3 normal;    /* unit, geometric, of the triangle's winding; host world frame */
+    uint32_t instance;    /* as dm_scene_add gave it */
+    uint32_t part_id;     /* 0 = the body */
+    uint32_t triangle;    /* index in the host's mesh */
+    float distance;       /* host units from the ray's origin */
+    float u, v;           /* barycentric weights of the triangle's second and third corner */
+    dm_vec3 point;        /* host world frame */
+    dm_vec3 normal;       /* unit, geometric, of the triangle's winding; host world frame */
     dm_vec3 object_point; /* the same point in the object's frame with the part as it is now: dm_drag_desc.grab_point */
 } dm_hit;
 
@@ -366,7 +369,8 @@ DM_API dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_mem
 /* Reads weights. Errors: BAD_DATA, WRONG_MODEL, VERSION. [any-thread] */
 DM_API dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc* desc, dm_model* out_model);
 
-/* Objects prepared with it keep what they need: motions of such objects afterwards answer NO_MODEL. [exclusive object] */
+/* Objects prepared with it keep their joints, and motions made with it stay; new motions and refinements of such
+ * objects answer NO_MODEL. [exclusive object] */
 DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
 
 /* Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs.
@@ -375,7 +379,7 @@ DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
 DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object);
 
 /* Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size.
- * out_size gets the bytes needed or written. Errors: BUFFER_TOO_SMALL. [exclusive object] */
+ * out_size gets the bytes needed or written, with BUFFER_TOO_SMALL too. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                         size_t* out_size);
 
@@ -384,7 +388,8 @@ DM_API dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, v
 DM_API dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
                                         dm_object* out_object);
 
-/* Drags, motions and scene instances of the object become stale. [exclusive object] */
+/* Its drags and motions end with it, and its instances leave their scenes. [exclusive object, and none of those in use]
+ */
 DM_API dm_result DM_CALL dm_object_destroy(dm_context* context, dm_object object);
 
 /* out_info->struct_size must be set. [any-thread] */
@@ -405,21 +410,23 @@ DM_API dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object
                                                   uint32_t* out_count);
 
 /* Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force.
- * Milliseconds, not for every frame. Needs the model the object was prepared with and DM_PREPARE data that .dmo files
- * don't hold (NO_MODEL, UNSUPPORTED). [exclusive object] */
+ * Milliseconds, not for every frame. Errors: NO_MODEL; UNSUPPORTED when the object kept no triangles. [exclusive
+ * object] */
 DM_API dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32_t part_id,
                                           const dm_drag_hint* drag);
 
-/* The host knows better: puts its joint in force. confidence and source are ignored. [exclusive object] */
+/* The host knows better: puts its joint in force. The axis may have any length; confidence and source are ignored.
+ * Drags and motions that already run keep the joint they began with. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id,
                                              const dm_joint* joint);
 
-/* The DQ-VAE's motion for a drag, projected exactly onto the joint in force. Errors: NO_MODEL, ZERO_DRAG,
- * DRAG_OFF_PART. [any-thread] */
+/* The DQ-VAE's motion for a drag, projected exactly onto the joint in force; a fixed part's motion is rest. Errors:
+ * NO_MODEL, ZERO_DRAG, DRAG_OFF_PART. [any-thread] */
 DM_API dm_result DM_CALL dm_motion_generate(dm_context* context, dm_object object, const dm_motion_desc* desc,
                                             dm_motion* out_motion);
 
-/* Pose at t in [0, 1] (clamped), 0 = rest; between key poses along the joint's own screw. NULL value is allowed. [frame] */
+/* Pose at t in [0, 1] (clamped), 0 = rest; between key poses along the joint's own screw. NULL value is allowed.
+ * [frame] */
 DM_API dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion, float t, dm_pose* out_pose,
                                           float* out_value);
 
@@ -463,13 +470,14 @@ DM_API dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_des
 /* [exclusive object] */
 DM_API dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene);
 
-/* Places a prepared object; placement NULL = identity (object frame to world). Errors: UNSUPPORTED when the object kept
- * no triangles. Takes effect with dm_scene_commit. [exclusive object] */
+/* Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on,
+ * used again after a removal. Errors: UNSUPPORTED when the object kept no triangles. Takes effect with dm_scene_commit.
+ * [exclusive object] */
 DM_API dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement,
                                       uint32_t* out_instance);
 
-/* Moves a part of an instance to `pose` (from rest, object frame; the pose of the parts that carry it included), or with
- * part_id 0 the whole instance to a new placement. Takes effect with dm_scene_commit. [frame] */
+/* Moves a part of an instance to `pose` (from rest, object frame; the pose of the parts that carry it included), or
+ * with part_id 0 the whole instance to a new placement. Takes effect with dm_scene_commit. [frame] */
 DM_API dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id,
                                        const dm_pose* pose);
 
@@ -500,32 +508,30 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
     X(dm_result, object_load,                                                                                          \
       (dm_context * context, const void* data, size_t size, dm_model model, dm_object* out_object))                    \
     X(dm_result, object_destroy, (dm_context * context, dm_object object))                                             \
-    X(dm_result, object_get_info, (dm_context * context, dm_object object, dm_object_info* out_info))                  \
-    X(dm_result, object_get_part, (dm_context * context, dm_object object, uint32_t index, dm_part_info* out_info))    \
-    X(dm_result, object_get_joint, (dm_context * context, dm_object object, uint32_t part_id, dm_joint* out_joint))    \
+    X(dm_result, object_get_info, (dm_context * context, dm_object object, dm_object_info * out_info))                 \
+    X(dm_result, object_get_part, (dm_context * context, dm_object object, uint32_t index, dm_part_info * out_info))   \
+    X(dm_result, object_get_joint, (dm_context * context, dm_object object, uint32_t part_id, dm_joint * out_joint))   \
     X(dm_result, object_get_hypotheses,                                                                                \
       (dm_context * context, dm_object object, uint32_t part_id, const dm_drag_hint* drag, dm_joint* out_joints,       \
        uint32_t capacity, uint32_t* out_count))                                                                        \
-    X(dm_result, object_refine,                                                                                        \
-      (dm_context * context, dm_object object, uint32_t part_id, const dm_drag_hint* drag))                            \
+    X(dm_result, object_refine, (dm_context * context, dm_object object, uint32_t part_id, const dm_drag_hint* drag))  \
     X(dm_result, object_set_joint, (dm_context * context, dm_object object, uint32_t part_id, const dm_joint* joint))  \
     X(dm_result, motion_generate,                                                                                      \
       (dm_context * context, dm_object object, const dm_motion_desc* desc, dm_motion* out_motion))                     \
     X(dm_result, motion_sample,                                                                                        \
       (dm_context * context, dm_motion motion, float t, dm_pose* out_pose, float* out_value))                          \
-    X(dm_result, motion_get_frames, (dm_context * context, dm_motion motion, dm_pose* out_poses, float* out_values))   \
+    X(dm_result, motion_get_frames, (dm_context * context, dm_motion motion, dm_pose * out_poses, float* out_values))  \
     X(dm_result, motion_destroy, (dm_context * context, dm_motion motion))                                             \
     X(dm_result, drag_begin, (dm_context * context, const dm_drag_desc* desc, dm_drag* out_drag))                      \
     X(dm_result, drag_update,                                                                                          \
       (dm_context * context, dm_drag drag, const dm_ray* ray, float dt, dm_drag_state* out_state))                     \
-    X(dm_result, drag_end, (dm_context * context, dm_drag drag, dm_drag_state* out_state))                             \
+    X(dm_result, drag_end, (dm_context * context, dm_drag drag, dm_drag_state * out_state))                            \
     X(dm_result, joint_pose, (const dm_joint* joint, float value, dm_pose* out_pose))                                  \
     X(void, pose_multiply, (const dm_pose* a, const dm_pose* b, dm_pose* out_pose))                                    \
     X(void, pose_to_matrix, (const dm_pose* pose, float out_matrix[16]))                                               \
     X(void, pose_apply_points,                                                                                         \
       (const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride, size_t count))         \
-    X(dm_result, camera_ray,                                                                                           \
-      (const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray))                         \
+    X(dm_result, camera_ray, (const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray))  \
     X(dm_result, scene_create, (dm_context * context, const dm_scene_desc* desc, dm_scene* out_scene))                 \
     X(dm_result, scene_destroy, (dm_context * context, dm_scene scene))                                                \
     X(dm_result, scene_add,                                                                                            \

@@ -1,0 +1,183 @@
+/* Candidates of generated cases with their evidence and their true cost, made by the library's own kinematics. */
+#include "lab_ranker.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "case.h"
+#include "kinematics/evidence.h"
+#include "kinematics/kinematics.h"
+#include "kinematics/linear3.h"
+
+#define POSE_POINTS 96
+#define KEPT_BEST 8
+#define MOST_TURN 1.2f /* rad: the travel over which a pose error is measured, as evaluation does */
+#define FREE_SLIDE 0.3f
+#define ISA DMI_ISA_SCALAR
+
+typedef struct ranker_case {
+    lab_case made;
+    dmi_study study;
+    dmi_kpp_input input;
+    dmi_candidate candidates[DMI_CANDIDATES_MAX];
+    float evidence[DMI_CANDIDATES_MAX][DMI_EVIDENCE_COUNT];
+    float pose[DMI_CANDIDATES_MAX];
+    uint32_t order[DMI_CANDIDATES_MAX];
+    uint32_t count;
+    dm_joint joint; /* the true one, positive along the drag */
+    dmi_drag_hint hint;
+} ranker_case;
+
+uint32_t dm_lab_ranker_columns(void) {
+    return DMI_EVIDENCE_COUNT;
+}
+
+static void axis_of(const dm_joint* joint, float axis[3], float origin[3]) {
+    axis[0] = joint->axis.x, axis[1] = joint->axis.y, axis[2] = joint->axis.z;
+    origin[0] = joint->origin.x, origin[1] = joint->origin.y, origin[2] = joint->origin.z;
+}
+
+/* How far the joint moves in an evaluation: to its farther limit. */
+static float travel(const dm_joint* joint) {
+    const float farther = fmaxf(fabsf(joint->lower), fabsf(joint->upper));
+    if (joint->type == DM_JOINT_PRISMATIC) return farther > 0 ? farther : FREE_SLIDE;
+    return joint->type == DM_JOINT_CONTINUOUS || farther == 0 ? 1.0f : fminf(farther, MOST_TURN);
+}
+
+static void moved(const dm_joint* joint, float value, const float point[3], float out[3]) {
+    const dm_pose pose = dmi_joint_pose(joint, value);
+    dmi_pose_apply(&pose, point, out);
+}
+
+/* The value that brings the dragged point nearest to where it truly goes. */
+static float best_value(const dmi_candidate* c, const float from[3], const float to[3]) {
+    float a[3], b[3], side[3];
+    if (c->type == DM_JOINT_PRISMATIC) {
+        dmi_sub3(to, from, a);
+        return dmi_dot3(a, c->axis);
+    }
+    dmi_sub3(from, c->origin, a), dmi_reject3(a, c->axis);
+    dmi_sub3(to, c->origin, b), dmi_reject3(b, c->axis);
+    dmi_cross3(a, b, side);
+    return fminf(fmaxf(atan2f(dmi_dot3(side, c->axis), dmi_dot3(a, b)), -2.2f), 2.2f);
+}
+
+static float pose_error(const ranker_case* r, const dmi_candidate* c, const float (*goal)[3],
+                        const float goal_point[3]) {
+    const dm_joint joint = {.type = c->type,
+                            .axis = {c->axis[0], c->axis[1], c->axis[2]},
+                            .origin = {c->origin[0], c->origin[1], c->origin[2]}};
+    const dm_pose pose = dmi_joint_pose(&joint, best_value(c, r->hint.point, goal_point));
+    float sum = 0;
+    for (uint32_t i = 0; i < POSE_POINTS; i++) {
+        float x[3];
+        dmi_pose_apply(&pose, r->study.points[i], x);
+        sum += dmi_distance3(x, goal[i]);
+    }
+    return sum / POSE_POINTS;
+}
+
+static void label(ranker_case* r) {
+    float goal[POSE_POINTS][3], goal_point[3];
+    const float value = travel(&r->joint);
+    for (uint32_t i = 0; i < POSE_POINTS; i++) moved(&r->joint, value, r->study.points[i], goal[i]);
+    moved(&r->joint, value, r->hint.point, goal_point);
+    for (uint32_t i = 0; i < r->count; i++)
+        r->pose[i] = pose_error(r, &r->candidates[i], (const float(*)[3])goal, goal_point);
+}
+
+static void read_prediction(const dmi_kpp_net* net, void* scratch, const dmi_drag_hint* hint, ranker_case* r,
+                            dmi_prediction* out) {
+    dmi_kpp_output raw;
+    dmi_kpp_input_make(&r->made.cloud, hint, &r->input);
+    dmi_kpp_net_forward(net, ISA, &r->input, scratch, &raw);
+    dmi_prediction_read(&r->input.frame, &raw, out);
+}
+
+static dm_result make_case(dmi_env* env, dmi_arena* arena, const dm_lab_options* options, const dmi_kpp_net* net,
+                           void* scratch, ranker_case* r, int* out_with_drag) {
+    const uint32_t part = (uint32_t)dmi_mesh_find_part(r->made.mesh, r->made.part);
+    dm_result result = dmi_study_make(arena, r->made.mesh, &r->made.cloud, part, NULL, &r->study);
+    if (result != DM_OK) return dmi_fail(env, result, "lab: a case can't be studied");
+    r->hint = lab_case_drag(&r->made, options->drag_noise_degrees, &r->joint);
+    *out_with_drag = lab_chance(&r->made.random, options->with_drag);
+    const dmi_drag_hint* hint = *out_with_drag ? &r->hint : NULL;
+    dmi_prediction prediction;
+    if (net != NULL) read_prediction(net, scratch, hint, r, &prediction);
+    r->count = dmi_candidates_make(&r->study, hint, net != NULL ? &prediction : NULL, r->candidates);
+    dmi_evidence_make(&r->study, hint, net != NULL ? &prediction : NULL, r->candidates, r->count, r->evidence);
+    label(r);
+    return DM_OK;
+}
+
+/* The best few first, then the others in random order. */
+static void order_rows(ranker_case* r) {
+    for (uint32_t i = 0; i < r->count; i++) r->order[i] = i;
+    for (uint32_t i = 0; i < r->count && i < KEPT_BEST; i++)
+        for (uint32_t j = i + 1; j < r->count; j++)
+            if (r->pose[r->order[j]] < r->pose[r->order[i]]) {
+                const uint32_t swap = r->order[i];
+                r->order[i] = r->order[j], r->order[j] = swap;
+            }
+    for (uint32_t i = KEPT_BEST; i < r->count; i++) {
+        const uint32_t j = i + dmi_random_u32(&r->made.random) % (r->count - i), swap = r->order[i];
+        r->order[i] = r->order[j], r->order[j] = swap;
+    }
+}
+
+static void write_case(const ranker_case* r, int with_drag, const dm_lab_ranker* out, uint32_t at) {
+    const uint32_t rows = r->count < out->rows ? r->count : out->rows;
+    float axis[3], origin[3];
+    axis_of(&r->joint, axis, origin);
+    for (uint32_t i = 0; i < rows; i++) {
+        const uint32_t k = r->order[i], slot = at * out->rows + i;
+        const dmi_candidate* c = &r->candidates[k];
+        memcpy(out->evidence + (size_t)slot * DMI_EVIDENCE_COUNT, r->evidence[k], sizeof r->evidence[k]);
+        out->pose[slot] = r->pose[k];
+        out->axis_error[slot] = acosf(fminf(fabsf(dmi_dot3(axis, c->axis)), 1));
+        out->line_error[slot] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_line_distance3(c->origin, axis, origin);
+    }
+    out->used[at] = (int32_t)rows;
+    out->total[at] = (int32_t)r->count;
+    out->type[at] = r->joint.type - 1;
+    out->has_drag[at] = with_drag;
+    out->category[at] = (int32_t)r->made.category;
+    out->best[at] = r->pose[r->order[0]];
+}
+
+static dm_result make_cases(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net, void* scratch,
+                            ranker_case* r, const dm_lab_ranker* out) {
+    dm_result result = DM_OK;
+    for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
+        result = lab_case_make(env, options, i, &r->made);
+        if (result != DM_OK) break;
+        dmi_arena arena;
+        int with_drag = 0;
+        dmi_arena_init(&arena, env, (size_t)1 << 20);
+        result = make_case(env, &arena, options, net, scratch, r, &with_drag);
+        if (result == DM_OK) {
+            order_rows(r);
+            write_case(r, with_drag, out, i);
+        }
+        dmi_arena_release(&arena);
+        lab_case_release(env, &r->made);
+    }
+    return result;
+}
+
+dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
+                              const dm_lab_ranker* out) {
+    dmi_env env;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    dmi_kpp_net* net = NULL;
+    dm_result result = kinematics != NULL ? dmi_kpp_net_load(&env, kinematics, kinematics_size, &net) : DM_OK;
+    if (result != DM_OK) return result;
+    const size_t scratch_size = net != NULL ? dmi_kpp_net_scratch_size(net) : 64;
+    void* scratch = dmi_alloc(&env, scratch_size, 64);
+    ranker_case* r = dmi_alloc(&env, sizeof *r, 64);
+    result = scratch != NULL && r != NULL ? make_cases(&env, options, net, scratch, r, out) : DM_ERROR_OUT_OF_MEMORY;
+    dmi_free(&env, r, sizeof *r);
+    dmi_free(&env, scratch, scratch_size);
+    dmi_kpp_net_destroy(net);
+    return result;
+}

@@ -1,0 +1,31 @@
+/* What the training of the candidate ranker sees: evidence rows of generated cases, and what each candidate would cost.
+ */
+#ifndef DM_LAB_RANKER_H
+#define DM_LAB_RANKER_H
+
+#include "dragmesh_lab.h"
+
+/* `count` cases of `rows` candidates each; a case with more candidates keeps its best eight and a random choice of the
+ * rest. */
+typedef struct dm_lab_ranker {
+    uint32_t rows;
+    float* evidence; /* x rows x dm_lab_ranker_columns() */
+    float* pose;    /* x rows: mean distance of the moved part from where it should be, over the object's size, when the
+                       dragged point has gone its true way */
+    int32_t* used;  /* rows filled, from the first on */
+    int32_t* total; /* candidates there were; rows from the ninth on stand for total - 8 of them */
+    int32_t* type;  /* of the true joint: 0 revolute, 1 prismatic, 2 screw, 3 continuous */
+    int32_t* has_drag;
+    int32_t* category;
+    float* best;       /* least pose of all candidates */
+    float* axis_error; /* x rows: rad */
+    float* line_error; /* x rows: distance of the axis from the true one at the part's centre; 0 for slides */
+} dm_lab_ranker;
+
+DM_API uint32_t dm_lab_ranker_columns(void);
+/* options: as for KPP-Net. kinematics: bytes of a KPP-Net weights file whose answers go into the evidence; NULL: none.
+ */
+DM_API dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
+                                     const dm_lab_ranker* out);
+
+#endif
