@@ -146,7 +146,7 @@ static dm_result call_scene_pick(bench* b) {
 typedef struct row {
     const char* name;
     dm_result (*call)(bench* b);
-    int needs_model; /* 1: kinematics weights, 2: motion weights */
+    int needs_model;               /* 1: kinematics weights, 2: motion weights */
     dm_result (*before)(bench* b); /* not timed; NULL: nothing */
 } row;
 

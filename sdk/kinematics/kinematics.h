@@ -1,4 +1,5 @@
-/* Mesh + part (+ drag) -> ranked joint hypotheses: network and geometry together. Object-normalised frame throughout. */
+/* Mesh + part (+ drag) -> ranked joint hypotheses: network and geometry together. Object-normalised frame throughout.
+ */
 #ifndef DMI_KINEMATICS_KINEMATICS_H
 #define DMI_KINEMATICS_KINEMATICS_H
 
@@ -14,19 +15,20 @@ typedef struct dmi_hypotheses {
 
 typedef struct dmi_kinematics_query {
     const dmi_mesh* mesh;
-    const dmi_bvh* bvh;         /* NULL: no limits from collision */
-    const dmi_cloud* cloud;     /* of `part` */
-    const dmi_kpp_net* net;     /* NULL: geometry alone */
-    const dmi_ranker* ranker;   /* NULL: candidates are ranked by rules */
-    const dmi_drag_hint* hint;  /* NULL: none */
-    uint32_t part;              /* index in mesh->parts */
-    int32_t given_type;         /* DM_JOINT_*; UNKNOWN = find out */
+    const dmi_bvh* bvh;        /* NULL: no limits from collision */
+    const dmi_cloud* cloud;    /* of `part` */
+    const dmi_kpp_net* net;    /* NULL: geometry alone */
+    const dmi_ranker* ranker;  /* NULL: candidates are ranked by rules */
+    const dmi_drag_hint* hint; /* NULL: none */
+    uint32_t part;             /* index in mesh->parts */
+    int32_t given_type;        /* DM_JOINT_*; UNKNOWN = find out */
     dmi_isa isa;
 } dmi_kinematics_query;
 
 dm_result dmi_kinematics_infer(dmi_env* env, const dmi_kinematics_query* query, dmi_hypotheses* out_hypotheses);
 
-/* Orders hypotheses by how well they explain a drag, and turns their signs so that positive follows it. Microseconds. */
+/* Orders hypotheses by how well they explain a drag, and turns their signs so that positive follows it. Microseconds.
+ */
 void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint* hint, dmi_hypotheses* out);
 /* Signs the joint so that a positive step moves the drag's point along its vector (limits swap with the sign). */
 void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint);

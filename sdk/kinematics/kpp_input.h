@@ -5,10 +5,11 @@
 
 #include "mesh/cloud.h"
 
-#define DMI_KPP_GROUP 16        /* points a group */
+#define DMI_KPP_GROUP 16 /* points a group */
 #define DMI_KPP_GLOBAL_GROUPS 64
 #define DMI_KPP_LOCAL_GROUPS 32
-#define DMI_KPP_CHANNELS 16     /* xyz 3, mask 1, drag point 3, drag vector 3 (the paper's 10), offset in group 3, normal 3 */
+#define DMI_KPP_CHANNELS                                                                                               \
+    16 /* xyz 3, mask 1, drag point 3, drag vector 3 (the paper's 10), offset in group 3, normal 3 */
 
 /* A drag in the object-normalised frame. */
 typedef struct dmi_drag_hint {

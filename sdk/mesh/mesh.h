@@ -34,7 +34,8 @@ dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc
                           uint32_t part_count, dmi_mesh** out_mesh);
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh);
 
-/* A mesh from a file: room, whose positions, indices, face_part and parts (id, parent, face_count) the caller fills, … */
+/* A mesh from a file: room, whose positions, indices, face_part and parts (id, parent, face_count) the caller fills, …
+ */
 dm_result dmi_mesh_restore(dmi_env* env, const dmi_frame* frame, uint32_t vertex_count, uint32_t face_count,
                            uint32_t part_count, dmi_mesh** out_mesh);
 /* … and then areas, normals, boxes and centres, to the bits that dmi_mesh_create made of the same numbers. */

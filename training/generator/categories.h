@@ -4,83 +4,83 @@
 
 #include "build.h"
 
-#define DMG_CATEGORIES(X) \
-    /* storage.c */ \
-    X(kitchen_cabinet) \
-    X(cabinet) \
-    X(drawers) \
-    /* furniture.c */ \
-    X(table) \
-    X(wardrobe) \
-    X(folding_chair) \
-    X(swivel_chair) \
-    /* appliances.c */ \
-    X(microwave) \
-    X(oven) \
-    X(toaster) \
-    X(coffee_machine) \
-    /* cold.c */ \
-    X(refrigerator) \
-    X(dishwasher) \
-    X(washing_machine) \
-    X(safe) \
-    /* office.c */ \
-    X(printer) \
-    X(camera) \
-    X(remote) \
-    X(keyboard) \
-    /* lids.c */ \
-    X(chest) \
-    X(bucket) \
-    /* containers.c */ \
-    X(trash_can) \
-    X(box) \
-    X(pot) \
-    X(toilet) \
-    X(suitcase) \
-    X(mailbox) \
-    /* slabs.c */ \
-    X(laptop) \
-    X(phone) \
-    X(stapler) \
-    X(scissors) \
-    X(pliers) \
-    X(lighter) \
-    X(book) \
-    /* openings.c */ \
-    X(door) \
-    X(sliding_window) \
-    X(window) \
-    X(gate) \
-    X(sliding_door) \
-    X(trapdoor) \
-    X(barrier) \
-    /* buildings.c */ \
-    X(hangar_door) \
-    X(garage_door) \
-    X(drawbridge) \
-    /* controls.c */ \
-    X(knob) \
-    X(faucet) \
-    X(button) \
-    /* levers.c */ \
-    X(lever) \
-    X(switch) \
-    X(slider) \
-    X(crank) \
-    X(valve) \
-    X(joystick) \
-    X(game_controller) \
-    X(pedal) \
-    /* wheels.c */ \
-    X(wheel) \
-    /* rotors.c */ \
-    X(fan) \
-    X(propeller) \
-    X(wind_turbine) \
-    X(globe) \
-    X(clock) \
-    X(turntable) \
+#define DMG_CATEGORIES(X)                                                                                              \
+    /* storage.c */                                                                                                    \
+    X(kitchen_cabinet)                                                                                                 \
+    X(cabinet)                                                                                                         \
+    X(drawers)                                                                                                         \
+    /* furniture.c */                                                                                                  \
+    X(table)                                                                                                           \
+    X(wardrobe)                                                                                                        \
+    X(folding_chair)                                                                                                   \
+    X(swivel_chair)                                                                                                    \
+    /* appliances.c */                                                                                                 \
+    X(microwave)                                                                                                       \
+    X(oven)                                                                                                            \
+    X(toaster)                                                                                                         \
+    X(coffee_machine)                                                                                                  \
+    /* cold.c */                                                                                                       \
+    X(refrigerator)                                                                                                    \
+    X(dishwasher)                                                                                                      \
+    X(washing_machine)                                                                                                 \
+    X(safe)                                                                                                            \
+    /* office.c */                                                                                                     \
+    X(printer)                                                                                                         \
+    X(camera)                                                                                                          \
+    X(remote)                                                                                                          \
+    X(keyboard)                                                                                                        \
+    /* lids.c */                                                                                                       \
+    X(chest)                                                                                                           \
+    X(bucket)                                                                                                          \
+    /* containers.c */                                                                                                 \
+    X(trash_can)                                                                                                       \
+    X(box)                                                                                                             \
+    X(pot)                                                                                                             \
+    X(toilet)                                                                                                          \
+    X(suitcase)                                                                                                        \
+    X(mailbox)                                                                                                         \
+    /* slabs.c */                                                                                                      \
+    X(laptop)                                                                                                          \
+    X(phone)                                                                                                           \
+    X(stapler)                                                                                                         \
+    X(scissors)                                                                                                        \
+    X(pliers)                                                                                                          \
+    X(lighter)                                                                                                         \
+    X(book)                                                                                                            \
+    /* openings.c */                                                                                                   \
+    X(door)                                                                                                            \
+    X(sliding_window)                                                                                                  \
+    X(window)                                                                                                          \
+    X(gate)                                                                                                            \
+    X(sliding_door)                                                                                                    \
+    X(trapdoor)                                                                                                        \
+    X(barrier)                                                                                                         \
+    /* buildings.c */                                                                                                  \
+    X(hangar_door)                                                                                                     \
+    X(garage_door)                                                                                                     \
+    X(drawbridge)                                                                                                      \
+    /* controls.c */                                                                                                   \
+    X(knob)                                                                                                            \
+    X(faucet)                                                                                                          \
+    X(button)                                                                                                          \
+    /* levers.c */                                                                                                     \
+    X(lever)                                                                                                           \
+    X(switch)                                                                                                          \
+    X(slider)                                                                                                          \
+    X(crank)                                                                                                           \
+    X(valve)                                                                                                           \
+    X(joystick)                                                                                                        \
+    X(game_controller)                                                                                                 \
+    X(pedal)                                                                                                           \
+    /* wheels.c */                                                                                                     \
+    X(wheel)                                                                                                           \
+    /* rotors.c */                                                                                                     \
+    X(fan)                                                                                                             \
+    X(propeller)                                                                                                       \
+    X(wind_turbine)                                                                                                    \
+    X(globe)                                                                                                           \
+    X(clock)                                                                                                           \
+    X(turntable)                                                                                                       \
     X(radar)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
