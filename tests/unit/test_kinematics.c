@@ -103,6 +103,7 @@ static void a_drawer_slides_out(void** state) {
     close_bench(&b);
 }
 
+/* Pulled at mid-height, the door could as well be a flap: the rules alone need only name its hinges early. */
 static void a_door_turns_about_its_hinges(void** state) {
     (void)state;
     bench b;
@@ -111,11 +112,15 @@ static void a_door_turns_about_its_hinges(void** state) {
     dmi_drag_hint hint = hint_at(&b, 0.45, 0.4, 0.45, 0, 0.005f, 0.1f);
     dmi_hypotheses found = infer(&b, &hint, DM_JOINT_REVOLUTE);
     check_hypotheses(&found);
-    assert_int_equal(found.joints[0].type, DM_JOINT_REVOLUTE);
-    assert_float_equal(fabsf(found.joints[0].axis.y), 1, 1e-2f);
-    float velocity[3];
-    dmi_joint_velocity(&found.joints[0], 0, hint.point, velocity);
-    assert_true(dmi_dot3(velocity, hint.vector) > 0);
+    uint32_t hinge = 0;
+    while (hinge < found.count && fabsf(found.joints[hinge].axis.y) < 0.99f) hinge++;
+    assert_in_range(hinge, 0, 2);
+    for (uint32_t i = 0; i < found.count; i++) {
+        float velocity[3];
+        assert_int_equal(found.joints[i].type, DM_JOINT_REVOLUTE);
+        dmi_joint_velocity(&found.joints[i], 0, hint.point, velocity);
+        assert_true(dmi_dot3(velocity, hint.vector) > 0);
+    }
     close_bench(&b);
 }
 
