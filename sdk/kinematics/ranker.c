@@ -19,17 +19,15 @@ struct dmi_ranker {
 };
 
 static int copy_transposed(const dmi_weights* weights, const char* name, uint32_t outputs, uint32_t inputs, float* to) {
-    const float* from = dmi_weights_find(weights, name, outputs, inputs);
-    if (from == NULL) return 0;
+    float from[HIDDEN * (DMI_EVIDENCE_COUNT > HIDDEN ? DMI_EVIDENCE_COUNT : HIDDEN)];
+    if (!dmi_weights_read(weights, name, outputs, inputs, from)) return 0;
     for (uint32_t o = 0; o < outputs; o++)
-        for (uint32_t i = 0; i < inputs; i++) memcpy(&to[i * outputs + o], &from[o * inputs + i], sizeof *to);
+        for (uint32_t i = 0; i < inputs; i++) to[i * outputs + o] = from[o * inputs + i];
     return 1;
 }
 
 static int copy_vector(const dmi_weights* weights, const char* name, uint32_t count, float* to) {
-    const float* from = dmi_weights_find(weights, name, count, 0);
-    if (from != NULL) memcpy(to, from, count * sizeof *to);
-    return from != NULL;
+    return dmi_weights_read(weights, name, count, 0, to);
 }
 
 /* Folds the standardisation (x - mean) * scale into the first layer. */

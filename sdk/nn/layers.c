@@ -51,11 +51,9 @@ float* dmi_load_spare(dmi_loader* loader, size_t count) {
 float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols) {
     const size_t count = (size_t)rows * (cols ? cols : 1);
     if (loader->result != DM_OK) return NULL;
-    const float* stored = dmi_weights_find(loader->weights, name, rows, cols);
-    if (!stored) return fail(loader, DM_ERROR_BAD_DATA);
     float* tensor = push(loader, loader->spare, count);
     if (!tensor) return NULL;
-    memcpy(tensor, (const void*)stored, count * sizeof(float));
+    if (!dmi_weights_read(loader->weights, name, rows, cols, tensor)) return fail(loader, DM_ERROR_BAD_DATA);
     for (size_t i = 0; i < count; ++i)
         if (!isfinite(tensor[i])) {
             dmi_fail(loader->env, DM_ERROR_BAD_DATA, "weights: number %zu of '%s' is not finite", i, name);

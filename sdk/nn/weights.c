@@ -18,6 +18,7 @@ typedef struct tensor {
     size_t begin, end; /* bytes, from the start of the tensors */
     uint32_t shape[MAX_DIMENSIONS];
     uint32_t dimensions;
+    int is_half; /* float16; else float32 */
 } tensor;
 
 struct dmi_weights {
@@ -63,7 +64,7 @@ static int read_count(const cJSON* item, size_t limit, size_t* out) {
 
 /* Shape and its product in bytes; 0 when it is not one. */
 static int read_shape(const cJSON* shape, tensor* out, size_t limit, size_t* out_bytes) {
-    size_t bytes = sizeof(float);
+    size_t bytes = out->is_half ? sizeof(uint16_t) : sizeof(float);
     if (!cJSON_IsArray(shape)) return 0;
     for (const cJSON* item = shape->child; item; item = item->next) {
         size_t side = 0;
@@ -82,8 +83,10 @@ static dm_result read_tensor(const dmi_weights* weights, const cJSON* item, tens
     const cJSON* first = cJSON_IsArray(offsets) ? offsets->child : NULL;
     size_t bytes = 0;
     *out = (tensor){.name = item->string};
-    if (!cJSON_IsString(dtype) || strcmp(dtype->valuestring, "F32") != 0)
-        return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: tensor '%s' is not of dtype F32", item->string);
+    out->is_half = cJSON_IsString(dtype) && strcmp(dtype->valuestring, "F16") == 0;
+    if (!out->is_half && (!cJSON_IsString(dtype) || strcmp(dtype->valuestring, "F32") != 0))
+        return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: tensor '%s' is of neither dtype F32 nor F16",
+                        item->string);
     if (!read_shape(cJSON_GetObjectItemCaseSensitive(item, "shape"), out, weights->tensors_size, &bytes))
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: tensor '%s' has no usable shape", item->string);
     if (!first || !first->next || first->next->next || !read_count(first, weights->tensors_size, &out->begin) ||
@@ -186,7 +189,22 @@ void dmi_weights_close(dmi_weights* weights) {
     dmi_free(env, weights, sizeof *weights);
 }
 
-const float* dmi_weights_find(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols) {
+/* IEEE 754 binary16 to binary32: exact, also for subnormals, infinities and NaN. */
+static float widen(uint16_t half) {
+    const uint32_t sign = (uint32_t)(half & 0x8000u) << 16, exponent = half >> 10 & 0x1fu, fraction = half & 0x3ffu;
+    const uint32_t bias = exponent == 0x1f ? 0xe0 : 127 - 15;
+    const uint32_t bits = sign | (exponent + bias) << 23 | fraction << 13;
+    float value;
+    if (exponent == 0) {
+        value = (float)fraction * 0x1p-24f;
+        return sign ? -value : value;
+    }
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* NULL, and a log line, when there is none of this shape. */
+static const tensor* find_tensor(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols) {
     const tensor key = {.name = name};
     const tensor* found = weights->tensor_count == 0
                               ? NULL
@@ -197,7 +215,20 @@ const float* dmi_weights_find(const dmi_weights* weights, const char* name, uint
                  cols ? cols : 1);
         return NULL;
     }
-    return (const float*)(const void*)(weights->tensors_data + found->begin);
+    return found;
+}
+
+int dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out) {
+    const tensor* found = find_tensor(weights, name, rows, cols);
+    if (!found) return 0;
+    const unsigned char* data = weights->tensors_data + found->begin;
+    if (!found->is_half) {
+        memcpy(out, data, found->end - found->begin);
+        return 1;
+    }
+    for (size_t i = 0; i < (found->end - found->begin) / 2; ++i)
+        out[i] = widen((uint16_t)(data[2 * i] | data[2 * i + 1] << 8));
+    return 1;
 }
 
 const char* dmi_weights_metadata(const dmi_weights* weights, const char* key) {

@@ -47,11 +47,8 @@ static inline dmi_weights* golden_open(dmi_env* env, golden_file answers, const 
 }
 
 static inline void golden_copy(const dmi_weights* golden, const char* name, uint32_t rows, uint32_t cols, void* out) {
-    const float* values = dmi_weights_find(golden, name, rows, cols);
-    const size_t size = (size_t)rows * (cols ? cols : 1) * sizeof(float);
-    memset(out, 0, size);
-    if (values) memcpy(out, (const void*)values, size);
-    if (!values) fail_msg("no tensor %s of %u x %u", name, rows, cols);
+    memset(out, 0, (size_t)rows * (cols ? cols : 1) * sizeof(float));
+    if (!dmi_weights_read(golden, name, rows, cols, out)) fail_msg("no tensor %s of %u x %u", name, rows, cols);
 }
 
 /* Largest difference of `found` from the golden tensor; fails when above the tolerance. */

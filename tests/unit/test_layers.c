@@ -165,11 +165,11 @@ static void read_layer(dmi_loader* loader, void* network) {
 }
 
 static double parameter(const dmi_weights* weights, int index, uint32_t row, uint32_t col) {
-    float value;
-    const uint32_t cols = parameters[index].cols;
-    const float* tensor = dmi_weights_find(weights, parameters[index].name, parameters[index].rows, cols);
-    memcpy(&value, (const char*)tensor + sizeof value * (row * (cols ? cols : 1) + col), sizeof value);
-    return value;
+    float tensor[4 * WIDTH * WIDTH]; /* the largest */
+    const uint32_t rows = parameters[index].rows, cols = parameters[index].cols;
+    assert_true(rows * (cols ? cols : 1) <= sizeof tensor / sizeof *tensor);
+    assert_true(dmi_weights_read(weights, parameters[index].name, rows, cols, tensor));
+    return tensor[row * (cols ? cols : 1) + col];
 }
 
 /* y = W x + b with the tensors `index` and `index` + 1. */

@@ -1,6 +1,8 @@
 /* Safetensors: right files are read, wrong ones named, whatever is wrong with them. */
 #include "test_env.h"
 
+#include <math.h>
+
 #include "nn/weights.h"
 #include "test_safetensors.h"
 
@@ -35,19 +37,47 @@ static void tensors_are_found_by_name_and_shape(void** state) {
     test_file file = test_file_of("{" VECTOR "," META "," MATRIX "}  ", NUMBERS);
     test_env_open(&t, TEST_NEVER);
     assert_int_equal(dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights), DM_OK);
-    float number;
-    memcpy(&number, (const void*)dmi_weights_find(weights, "m", 2, 3), sizeof number);
-    assert_true(number == 0.0f);
-    memcpy(&number, (const void*)dmi_weights_find(weights, "v", 4, 0), sizeof number);
-    assert_true(number == 6.0f);
+    float m[6], v[4];
+    assert_true(dmi_weights_read(weights, "m", 2, 3, m));
+    assert_true(m[0] == 0.0f && m[5] == 5.0f);
+    assert_true(dmi_weights_read(weights, "v", 4, 0, v));
+    assert_true(v[0] == 6.0f && v[3] == 9.0f);
     assert_int_equal(t.messages.count, 0);
-    assert_null(dmi_weights_find(weights, "m", 3, 2));
-    assert_null(dmi_weights_find(weights, "m", 6, 0));
-    assert_null(dmi_weights_find(weights, "v", 4, 1));
-    assert_null(dmi_weights_find(weights, "w", 4, 0));
+    assert_false(dmi_weights_read(weights, "m", 3, 2, m));
+    assert_false(dmi_weights_read(weights, "m", 6, 0, m));
+    assert_false(dmi_weights_read(weights, "v", 4, 1, v));
+    assert_false(dmi_weights_read(weights, "w", 4, 0, v));
     assert_int_equal(t.messages.count, 4);
     assert_string_equal(dmi_weights_metadata(weights, "commit"), "abc");
     assert_null(dmi_weights_metadata(weights, "author"));
+    dmi_weights_close(weights);
+    test_env_close(&t);
+    free(file.data);
+}
+
+static void halves_are_widened_exactly(void** state) {
+    (void)state;
+    static const struct {
+        uint16_t half;
+        float value;
+    } cases[] = {{0x0000, 0.0f},        {0x8000, -0.0f},     {0x3c00, 1.0f},     {0xc000, -2.0f},
+                 {0x3555, 0x1.554p-2f}, {0x7bff, 65504.0f},  {0x0400, 0x1p-14f}, {0x03ff, 0x1.ff8p-15f},
+                 {0x0001, 0x1p-24f},    {0x8001, -0x1p-24f}, {0x7c00, INFINITY}, {0xfc00, -INFINITY}};
+    enum { CASES = sizeof cases / sizeof *cases };
+    test_env t;
+    dmi_weights* weights = NULL;
+    char header[256];
+    snprintf(header, sizeof header, "{%s,\"h\":{\"dtype\":\"F16\",\"shape\":[%d],\"data_offsets\":[0,%d]}}", META,
+             CASES, 2 * CASES);
+    test_file file = test_file_of(header, CASES / 2);
+    for (size_t i = 0; i < CASES; ++i) memcpy(file.data + file.size - 2 * (CASES - i), &cases[i].half, 2);
+    test_env_open(&t, TEST_NEVER);
+    assert_int_equal(dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights), DM_OK);
+    float values[CASES];
+    assert_true(dmi_weights_read(weights, "h", CASES, 0, values));
+    for (size_t i = 0; i < CASES; ++i)
+        if (memcmp(&values[i], &cases[i].value, sizeof(float)) != 0)
+            fail_msg("%04x became %a", cases[i].half, (double)values[i]);
     dmi_weights_close(weights);
     test_env_close(&t);
     free(file.data);
@@ -121,6 +151,7 @@ static void wrong_headers_are_errors(void** state) {
         "{" META ",\"m\":1}",
         "{" META ",\"m\":{}}",
         "{" META ",\"m\":{\"dtype\":\"F16\",\"shape\":[1],\"data_offsets\":[0,4]}}",
+        "{" META ",\"m\":{\"dtype\":\"BF16\",\"shape\":[2],\"data_offsets\":[0,4]}}",
         "{" META ",\"m\":{\"dtype\":1,\"shape\":[1],\"data_offsets\":[0,4]}}",
         "{" META ",\"m\":{\"dtype\":\"F32\",\"data_offsets\":[0,4]}}",
         "{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[\"1\"],\"data_offsets\":[0,4]}}",
@@ -210,6 +241,7 @@ static void any_allocation_may_fail(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tensors_are_found_by_name_and_shape),
+        cmocka_unit_test(halves_are_widened_exactly),
         cmocka_unit_test(any_address_will_do),
         cmocka_unit_test(every_truncation_is_an_error),
         cmocka_unit_test(header_lengths_are_checked),
