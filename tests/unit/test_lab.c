@@ -14,6 +14,7 @@
 #include "../../training/lab/dragmesh_lab.h"
 #include "kinematics/kpp_input.h"
 #include "motion/dq_vae.h"
+#include "test_tool.h"
 
 enum { COUNT = 48, REVOLUTE = 0, PRISMATIC = 1, SCREW = 2, CONTINUOUS = 3 };
 
@@ -84,7 +85,9 @@ static dm_lab_options exact(uint64_t seed) {
 
 static int load_lab(void** state) {
     (void)state;
-    void* lab = dlopen("libdragmesh_lab.so", RTLD_NOW);
+    char path[TOOL_PATH];
+    tool_find("libdragmesh_lab.so", path);
+    void* lab = dlopen(path, RTLD_NOW);
     if (!lab) {
         print_error("%s\n", dlerror());
         return -1;
