@@ -57,12 +57,12 @@ class Run:
         self.step, self.chunks, self.seconds = 0, 0, 0.0
         self.resume()
         self.begun = time.monotonic() - self.seconds
-        first = max(0, self.chunks - FIRST_CHUNKS)
-        self.stream = Stream(config.network, config.seed, first, workers)
+        self.chunks = max(0, self.chunks - FIRST_CHUNKS)
+        self.stream = Stream(config.network, config.seed, self.chunks, workers)
         self.pool = Pool(self.stream, config.pool, config.seed + self.step)
-        for _ in range(FIRST_CHUNKS):
+        for _ in range(min(FIRST_CHUNKS, config.pool // CHUNK)):
             self.pool.add_chunk()
-        self.chunks = first + FIRST_CHUNKS
+            self.chunks += 1
 
     @property
     def checkpoint(self):
@@ -134,19 +134,20 @@ def progress(run, losses, per_second, note):
     print(text, end="\r" if sys.stdout.isatty() else "\n", flush=True)
 
 
-def train(config, folder, threads, workers, out=None):
-    """Trains to the end of the config, from the folder's checkpoint when it has one; exports to `out`. The last scores."""
+def train(config, folder, threads, workers, out=None, until=None):
+    """Trains to the end of the config (or step `until`), from the folder's checkpoint when it has one; exports to `out`. The
+    last scores."""
     torch.set_num_threads(threads)
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
     run = Run(config, folder, device, workers)
     scores, sums, since, begun = {}, {}, 0, time.monotonic()
     done = run.done
-    while done < 1:
+    while done < 1 and run.step != until:
         for name, value in run.advance().items():
             sums[name] = sums.get(name, 0.0) + value
         since += 1
         done = run.done
-        if run.step % SAVE_EVERY == 0 or done == 1:
+        if run.step % SAVE_EVERY == 0 or run.step == until or done == 1:
             run.save()
         if run.step % REPORT_EVERY and done < 1:
             continue

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# tests/e2e/smoke_training.sh — trains both networks for a moment from nothing (1 to 3 minutes). Fails when a loss does not
+# fall, when a run does not go on from its checkpoint, when exported weights can't be scored, or when the networks of the
+# paper's size can't take a step.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+python=${PYTHON:-/usr/bin/python3}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Steps 1-100, then 101-200 by a second process; the mean loss of the last 50 against that of the first 50.
+smoke() {
+    local network=$1 weights=$2; shift 2
+    "$python" training/train "$network" --run "$work/$network" --out "$work" --set steps=200 "$@" --until 100
+    "$python" training/train "$network" --run "$work/$network" --out "$work" --set steps=200 "$@"
+    awk -F, -v name="$network" '
+        NR == 1 { for (i = 1; i <= NF; i++) if ($i == "total") column = i }
+        NR == 2 { first = $column }
+        { last = $column; step = $1 }
+        END {
+            printf "%s: loss %.4f, then %.4f at step %d\n", name, first, last, step
+            exit !(NR == 5 && step == 200 && last < 0.9 * first)
+        }' "$work/$network/log.csv" || { echo "smoke training: the loss of $network did not fall, or its run did not resume" >&2; exit 1; }
+    (cd training && "$python" -m dragmesh_training.evaluate "$network" "$work/$weights" --count 64 > /dev/null)
+}
+
+smoke kpp kpp_net.safetensors --set batch=16 --set pool=2048
+smoke vae dq_vae.safetensors --set batch=32 --set pool=2048
+for network in kpp vae; do
+    "$python" training/train "$network" --run "$work/$network-paper" --set size=paper --set steps=1 --set batch=2 --set pool=256
+done
