@@ -81,7 +81,23 @@
     X(globe)                                                                                                           \
     X(clock)                                                                                                           \
     X(turntable)                                                                                                       \
-    X(radar)
+    X(radar)                                                                                                           \
+    /* handheld.c */                                                                                                   \
+    X(motion_controller)                                                                                               \
+    X(pistol)                                                                                                          \
+    /* aircraft.c */                                                                                                   \
+    X(aeroplane)                                                                                                       \
+    X(helicopter)                                                                                                      \
+    X(drone)                                                                                                           \
+    X(windsock)                                                                                                        \
+    /* robots.c */                                                                                                     \
+    X(gripper)                                                                                                         \
+    X(robot_arm)                                                                                                       \
+    X(legged_robot)                                                                                                    \
+    X(pan_tilt)                                                                                                        \
+    X(rail)                                                                                                            \
+    X(jetway)                                                                                                          \
+    X(crane)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

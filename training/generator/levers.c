@@ -46,7 +46,8 @@ static void draw_stick(dmg_builder* b, float length, float radius, float swing) 
     if (shape == 0) dmg_rod(b, foot, top, radius);
     if (shape == 1) dmg_beam(b, foot, top, 0.7f * radius, 2.2f * radius);
     if (shape == 2) dmg_cone(b, foot, top, 0.6f * radius, 1.2f * radius);
-    draw_grip(b, dmg_int(b, 0, 3), top, v3(0, 0, 1), radius * dmg_range(b, 1.4f, 3.0f));
+    int grip = dmg_int(b, 0, 3);
+    draw_grip(b, grip, top, v3(0, 0, 1), radius * dmg_range(b, 1.4f, 3.0f));
     int rest = dmg_int(b, 0, 3);
     if (rest == 0) dmg_rest(b, lever, -swing);
     if (rest == 1) dmg_rest(b, lever, dmg_range(b, -swing, swing));
