@@ -28,7 +28,7 @@ static dm_result check_mesh(dmi_env* env, const dm_mesh_desc* mesh) {
 }
 
 static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
-    if (desc->flags & ~(uint32_t)DM_PREPARE_WITHOUT_PICKING) {
+    if (desc->flags & ~(uint32_t)(DM_PREPARE_WITHOUT_PICKING | DM_PREPARE_NETWORK_ALONE)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.flags is 0x%x: unknown flag",
                         desc->flags);
     }
@@ -145,12 +145,16 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
         model = dmi_find(context, context->models, "dm_object_prepare: desc.model", desc->model);
         if (!model) return DM_ERROR_STALE_HANDLE;
     }
+    if ((desc->flags & DM_PREPARE_NETWORK_ALONE) && !(model && model->kinematics))
+        return dmi_fail(env, DM_ERROR_NO_MODEL,
+                        "dm_object_prepare: desc.flags asks for the network alone, but desc.model has none");
     const dmi_prepare_desc inner = {.axes = &context->axes,
                                     .mesh = &mesh,
                                     .parts = parts,
                                     .part_count = desc->part_count,
                                     .brain = dmi_brain_of(context, model),
                                     .seed = desc->seed,
+                                    .network_alone = (desc->flags & DM_PREPARE_NETWORK_ALONE) != 0,
                                     .keep_triangles = !(desc->flags & DM_PREPARE_WITHOUT_PICKING),
                                     .intent = desc->intent,
                                     .intent_user = desc->intent_user,

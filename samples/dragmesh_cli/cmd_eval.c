@@ -13,7 +13,7 @@ typedef struct figure {
     const char* name;
     enum metric metric;
     int of;       /* 0: all joints, 1: turning, 2: sliding */
-    double below; /* > 0: the share of joints below it; 0: all statistics; < 0: the mean of zeros and ones */
+    double below; /* > 0: the share of joints below it; 0: all statistics; < 0: the mean alone */
     double factor;
 } figure;
 
@@ -33,6 +33,7 @@ static const figure figures[] = {
     {"pose_under_2pct_top3", METRIC_POSE_TOP3, 0, 0.02, 1},
     {"sign_acc", METRIC_SIGN, 0, -1, 1},
     {"range_iou", METRIC_RANGE, 0, 0, 1},
+    {"confidence", METRIC_CONFIDENCE, 0, -1, 1},
     {"motion_cd", METRIC_CHAMFER, 0, 0, 1},
     {"motion_axis_constraint", METRIC_CONSTRAINT, 0, 0, 1},
     {"motion_qr1", METRIC_SLIDE_TURN, 2, 0, 1},
@@ -83,6 +84,20 @@ static void summary_to_json(const eval_rows* rows, const unsigned char* pick, cJ
     cJSON_AddNumberToObject(out, "joints", joints);
     cJSON_AddNumberToObject(out, "answered", answered);
     for (int i = 0; i < FIGURES; i++) figure_to_json(rows, pick, &figures[i], out);
+    json_add_number(out, "calibration_error", metrics_calibrate(rows->rows, rows->count, pick).error, 6);
+}
+
+/* Of the answers given at about so much confidence, how many are right. */
+static void bins_to_json(const eval_rows* rows, cJSON* out) {
+    const metric_calibration found = metrics_calibrate(rows->rows, rows->count, NULL);
+    for (int bin = 0; bin < METRICS_BINS; bin++) {
+        if (!(found.weight[bin] > 0)) continue;
+        cJSON* item = cJSON_CreateObject();
+        json_add_number(item, "stated", found.stated[bin], 4);
+        json_add_number(item, "right", found.right[bin], 4);
+        json_add_number(item, "share", found.weight[bin], 4);
+        cJSON_AddItemToArray(out, item);
+    }
 }
 
 static const char* source_of(const metric_row* row) {
@@ -129,6 +144,7 @@ static void print_json(const eval_rows* rows, double seconds) {
     cJSON* out = cJSON_CreateObject();
     summary_to_json(rows, NULL, out);
     json_add_number(out, "wall_s", seconds, 5);
+    bins_to_json(rows, cJSON_AddArrayToObject(out, "reliability"));
     groups_to_json(rows, source_of, cJSON_AddObjectToObject(out, "by_source"));
     groups_to_json(rows, category_of, cJSON_AddObjectToObject(out, "by_category"));
     json_print(out);
@@ -170,6 +186,11 @@ static void print_text(const eval_rows* rows, double seconds) {
                    stat.p90 * k, stat.count);
         free(pick);
     }
+    const metric_calibration found = metrics_calibrate(rows->rows, rows->count, NULL);
+    printf("%-24s %.4f\n\n%8s %8s %8s\n", "calibration_error", found.error, "stated", "right", "share");
+    for (int bin = 0; bin < METRICS_BINS; bin++)
+        if (found.weight[bin] > 0)
+            printf("%8.3f %8.3f %8.3f\n", found.stated[bin], found.right[bin], found.weight[bin]);
 }
 
 static int by_pose(const void* a, const void* b) {
@@ -216,10 +237,27 @@ static int evaluate(session* session, const char* folder, const eval_options* op
     return status;
 }
 
+/* METHOD_* of a name; -1 for a name that is none. */
+static int read_method(const char* name) {
+    static const char* const names[] = {"full", "kpp", "geometry", "rules"};
+    for (int i = 0; i < (int)(sizeof names / sizeof *names); i++)
+        if (strcmp(name, names[i]) == 0) return i;
+    return -1;
+}
+
+static int check(const char* folder, const char* baseline, const eval_options* options) {
+    if (!folder) return options_refuse(&cli_eval, "which folder?");
+    if (read_method(baseline) < 0) return options_refuse(&cli_eval, "--baseline: full, kpp, geometry or rules");
+    if (options->drags < 1 || options->drag_noise < 0 || options->mask_noise < 0 || options->mask_noise >= 1)
+        return options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
+    return CLI_OK;
+}
+
 static int run(int argc, char** argv) {
-    const char *folder = NULL, *models = NULL;
+    const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL;
     int as_json = 0, worst = 0;
     eval_options options = {.drags = 1};
+    mistake_book book;
     const option_spec table[] = {
         {.name = "--models", .kind = OPTION_TEXT, .value = &models},
         {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
@@ -229,22 +267,24 @@ static int run(int argc, char** argv) {
         {.name = "--given-type", .kind = OPTION_FLAG, .value = &options.given_type},
         {.name = "--drag-noise", .kind = OPTION_NUMBER, .value = &options.drag_noise},
         {.name = "--mask-noise", .kind = OPTION_NUMBER, .value = &options.mask_noise},
-        {.name = "--turn", .kind = OPTION_INTEGER, .value = &options.turn_seed, .given = &options.has_turn}};
+        {.name = "--turn", .kind = OPTION_SEED, .value = &options.turn_seed, .given = &options.has_turn},
+        {.name = "--baseline", .kind = OPTION_TEXT, .value = &baseline},
+        {.name = "--mistakes", .kind = OPTION_TEXT, .value = &pictures}};
     session session;
     int status = options_read(&cli_eval, argc, argv, table, sizeof table / sizeof *table, &folder);
-    if (status == CLI_OK && !folder) status = options_refuse(&cli_eval, "which folder?");
-    if (status == CLI_OK &&
-        (options.drags < 1 || options.drag_noise < 0 || options.mask_noise < 0 || options.mask_noise >= 1))
-        status = options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
-    if (status == CLI_OK) status = session_open(&session, models, NULL);
+    if (status == CLI_OK) status = check(folder, baseline, &options);
+    if (status == CLI_OK) status = session_open_method(&session, models, (enum session_method)read_method(baseline));
     if (status != CLI_OK) return status;
-    status = evaluate(&session, folder, &options, as_json, worst);
+    if (pictures && mistakes_open(&book, pictures) == 0) options.mistakes = &book;
+    status = pictures && !options.mistakes ? CLI_USAGE : evaluate(&session, folder, &options, as_json, worst);
+    if (options.mistakes && mistakes_close(&book) != 0) status = CLI_FAILED;
     session_close(&session);
     return status;
 }
 
 const cli_command cli_eval = {
     "eval", run,
-    "DIR [--json] [--no-drag] [--drag-noise DEGREES] [--turn SEED] [--mask-noise FRACTION] [--given-type]\n"
-    "    [--drags N] [--worst N]",
-    "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category."};
+    "DIR [--json] [--no-drag] [--drag-noise DEGREES] [--turn [SEED]] [--mask-noise FRACTION] [--given-type]\n"
+    "    [--drags N] [--baseline kpp|geometry|rules|full] [--worst N] [--mistakes OUT_DIR]",
+    "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category. --baseline: the\n"
+    "    network alone, no network, or hand-set rules in the ranker's place. --mistakes draws every wrong answer."};

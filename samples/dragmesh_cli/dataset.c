@@ -91,6 +91,9 @@ int dataset_read(const char* folder, const char* name, known_object* out_object,
                                      .joint_count = count};
         int at = 0;
         const cJSON* item;
+        char* up = copy_text(json, "up", "y");
+        out_object->up = up[0] >= 'x' && up[0] <= 'z' ? up[0] : 'y';
+        free(up);
         cJSON_ArrayForEach(item, joints) read_joint(item, &out_object->joints[at++]);
     } else {
         snprintf(error, error_size, "'%s' %s", path, text ? "lists no joints" : strerror(errno));

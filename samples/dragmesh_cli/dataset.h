@@ -24,6 +24,7 @@ typedef struct known_joint {
 
 typedef struct known_object {
     char *name, *glb, *category;
+    char up; /* 'x', 'y' or 'z' */
     known_joint* joints;
     int joint_count;
 } known_object;

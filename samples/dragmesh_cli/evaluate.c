@@ -140,16 +140,23 @@ static dm_result ask(trial* t, const metric_case* known, answer* out_answer) {
     mesh.positions = t->positions;
     uint8_t* ids;
     dm_result result = part_ids(t, &known->truth->moving, &mesh, &ids);
+    job job = {.has_drag = known->dragged};
     if (result == DM_OK) {
-        job job = {.has_drag = known->dragged};
         vec vector = known->drag->vector;
         if (t->options->drag_noise > 0) vector = noisy(vector, t->options->drag_noise, t->random);
         job.drag = (dm_drag_hint){vec_out(known->drag->point), vec_out(vector)};
         if (t->options->given_type) job.type = known->truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE;
         result = job_answer_mesh(t->session, &mesh, &job, out_answer);
     }
-    free(ids);
-    return result;
+    if (result != DM_OK) {
+        free(ids);
+        return result;
+    }
+    const size_t faces = (size_t)(mesh.index_count / 3);
+    const int per_face = mesh.part_id_scope == DM_PER_FACE;
+    if (!per_face) memmove(ids, ids + faces, mesh.vertex_count);
+    session_take_part_ids(t->session, ids, per_face ? faces : mesh.vertex_count, mesh.part_id_scope, job.type);
+    return DM_OK;
 }
 
 /* The network's motion along the true way of the dragged point. */
@@ -171,6 +178,17 @@ static void measure_motion(trial* t, const metric_case* known, const dm_joint* j
     dm_motion_get_frames(t->session->context, motion, poses, NULL);
     dm_motion_destroy(t->session->context, motion);
     metrics_of_motion(known, joint, poses, row);
+}
+
+/* A picture of a wrong answer. The renderer shows what the session holds: the positions asked about, as they are. */
+static void keep_mistake(trial* t, const metric_case* known, const answer* answer, const metric_row* row) {
+    if (!t->options->mistakes || (row->value[METRIC_POSE] < METRICS_RIGHT && row->value[METRIC_TYPE] > 0)) return;
+    session* session = t->session;
+    const void* file_positions = session->mesh.positions;
+    session->mesh.positions = t->positions;
+    if (mistakes_add(t->options->mistakes, session, known, answer, row, t->object.up) != DM_OK)
+        fprintf(stderr, "dragmesh eval: %s: no picture: %s\n", row->id, session->error);
+    session->mesh.positions = file_positions;
 }
 
 static metric_row* new_row(eval_rows* rows) {
@@ -201,6 +219,7 @@ static void evaluate_joint(trial* t, int index) {
             metrics_of_joint(&known, &answer, row);
             snprintf(row->found_type, sizeof row->found_type, "%s", joint_type_name(answer.joint.type));
             if (t->session->has_motion) measure_motion(t, &known, &answer.joint, row);
+            keep_mistake(t, &known, &answer, row);
         } else {
             fprintf(stderr, "dragmesh eval: %s: %s\n", row->id, t->session->error);
             metrics_of_failure(&known, row);

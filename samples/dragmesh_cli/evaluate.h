@@ -3,6 +3,7 @@
 #define CLI_EVALUATE_H
 
 #include "metrics.h"
+#include "mistakes.h"
 #include "random.h"
 #include "session.h"
 
@@ -11,6 +12,7 @@ typedef struct eval_options {
     double drag_noise;              /* degrees: directions off by |N(0, s)|, as a hand's are */
     double mask_noise;              /* share of the part's vertices lost and leaked, in patches */
     int turn_seed, has_turn;        /* every object in a random pose and unit */
+    mistake_book* mistakes;         /* NULL: none is kept */
 } eval_options;
 
 typedef struct eval_rows {

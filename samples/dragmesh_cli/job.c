@@ -75,6 +75,7 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
     const dm_part_desc part = {
         .struct_size = sizeof part, .id = JOB_PART, .joint_type = job->type, .drag = job->has_drag ? &job->drag : NULL};
     const dm_object_desc desc = {.struct_size = sizeof desc,
+                                 .flags = session->method == METHOD_KPP ? DM_PREPARE_NETWORK_ALONE : 0,
                                  .mesh = mesh,
                                  .parts = &part,
                                  .part_count = 1,
@@ -141,11 +142,7 @@ dm_result job_answer(session* session, const job* job, answer* out_answer) {
         result = prepare(session, &mesh, job, out_answer);
     }
     if (result == DM_OK) {
-        free(session->part_ids);
-        session->part_ids = selected.ids;
-        session->part_id_count = selected.count;
-        session->part_id_scope = selected.scope;
-        session->joint_type = job->type;
+        session_take_part_ids(session, selected.ids, selected.count, selected.scope, job->type);
         return read_joints(session, job, out_answer);
     }
     free(selected.ids);

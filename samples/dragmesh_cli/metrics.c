@@ -46,12 +46,16 @@ static double value_to_reach(vec from, vec to, int slides, vec axis, vec origin,
     return fmin(fmax(atan2(sine, cosine), -most_turn), most_turn);
 }
 
+double metrics_answered_travel(const metric_case* known, const dm_joint* joint) {
+    const vec goal = metrics_true_move(known, known->drag->point, metrics_travel(known));
+    return value_to_reach(known->drag->point, goal, kind_slides(joint->type), unit(vec_of(joint->axis)),
+                          vec_of(joint->origin), known->size);
+}
+
 static double pose_error(const metric_case* known, const dm_joint* joint) {
     const int slides = kind_slides(joint->type);
     const vec axis = unit(vec_of(joint->axis)), origin = vec_of(joint->origin);
-    const double travel = metrics_travel(known);
-    const vec goal = metrics_true_move(known, known->drag->point, travel);
-    const double value = value_to_reach(known->drag->point, goal, slides, axis, origin, known->size);
+    const double travel = metrics_travel(known), value = metrics_answered_travel(known, joint);
     double sum = 0;
     for (size_t i = 0; i < known->moving_count; i++)
         sum += length(sub(move(known->moving[i], slides, axis, origin, value),
@@ -116,6 +120,7 @@ void metrics_of_joint(const metric_case* known, const answer* answer, metric_row
     value[METRIC_POSE] = value[METRIC_POSE_TOP3] = pose_error(known, joint);
     for (uint32_t i = 0; i < answer->hypothesis_count && i < 3; i++)
         value[METRIC_POSE_TOP3] = fmin(value[METRIC_POSE_TOP3], pose_error(known, &answer->hypotheses[i]));
+    value[METRIC_CONFIDENCE] = (double)joint->confidence;
     if (known->dragged) {
         const vec way = sub(move(known->drag->point, slides, axis, origin, 1e-4), known->drag->point);
         value[METRIC_SIGN] = dot(way, known->drag->vector) > 0;
@@ -243,4 +248,26 @@ double metrics_share_below(const metric_row* rows, size_t count, const unsigned 
         if (rows[i].value[metric] < limit) below += rows[i].weight;
     }
     return total > 0 ? below / total : NAN;
+}
+
+metric_calibration metrics_calibrate(const metric_row* rows, size_t count, const unsigned char* pick) {
+    metric_calibration out = {.error = NAN};
+    double total = 0, error = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double stated = rows[i].value[METRIC_CONFIDENCE];
+        if ((pick && !pick[i]) || isnan(stated)) continue;
+        const int bin = (int)fmin(fmax(stated, 0) * METRICS_BINS, METRICS_BINS - 1);
+        out.weight[bin] += rows[i].weight;
+        out.stated[bin] += rows[i].weight * stated;
+        out.right[bin] += rows[i].value[METRIC_POSE] < METRICS_RIGHT ? rows[i].weight : 0;
+        total += rows[i].weight;
+    }
+    for (int bin = 0; bin < METRICS_BINS; bin++) {
+        error += fabs(out.stated[bin] - out.right[bin]);
+        out.stated[bin] = out.weight[bin] > 0 ? out.stated[bin] / out.weight[bin] : NAN;
+        out.right[bin] = out.weight[bin] > 0 ? out.right[bin] / out.weight[bin] : NAN;
+        out.weight[bin] = total > 0 ? out.weight[bin] / total : 0;
+    }
+    if (total > 0) out.error = error / total;
+    return out;
 }

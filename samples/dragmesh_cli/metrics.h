@@ -16,6 +16,7 @@ enum metric {
     METRIC_POSE_TOP3,  /* the least of the first three hypotheses */
     METRIC_SIGN,       /* 1: a positive step goes along the drag */
     METRIC_RANGE,      /* intersection over union of the ranges; only where the type is right and limits are known */
+    METRIC_CONFIDENCE, /* the stated probability that the answer is right */
     METRIC_CHAMFER,    /* of the generated motion: two-way squared Chamfer distance, mean over the frames */
     METRIC_CONSTRAINT, /* 2 (1 - |cos|) + sin^2 / 2 to the true axis (turning); |t x a|^2 (sliding) */
     METRIC_SLIDE_TURN, /* QR1: mean squared rotation angle of sliding joints */
@@ -44,6 +45,11 @@ typedef struct metric_case {
 void metrics_of_failure(const metric_case* known, metric_row* out_row);
 void metrics_of_joint(const metric_case* known, const answer* answer, metric_row* out_row);
 
+/* An answer is right when the part ends within this share of the size from where it should. */
+#define METRICS_RIGHT 0.02
+
+/* The value that brings the dragged point of the answered joint nearest to where it should be at full travel. */
+double metrics_answered_travel(const metric_case* known, const dm_joint* joint);
 /* The joint value of the metrics' full travel, signed along the true axis so that it follows the drag. */
 double metrics_travel(const metric_case* known);
 /* Where the true joint at `value` takes a point. */
@@ -61,5 +67,13 @@ metric_stat metrics_stat(const metric_row* rows, size_t count, const unsigned ch
 /* Weighted share of the rows whose metric is below `limit`; NAN when none has it. */
 double metrics_share_below(const metric_row* rows, size_t count, const unsigned char* pick, enum metric metric,
                            double limit);
+
+/* Answers by their stated confidence, in even bins, and how many of each bin are right. */
+#define METRICS_BINS 10
+typedef struct metric_calibration {
+    double weight[METRICS_BINS], stated[METRICS_BINS], right[METRICS_BINS]; /* share of all; means, NAN when empty */
+    double error; /* expected |stated - right|; NAN when nothing was stated */
+} metric_calibration;
+metric_calibration metrics_calibrate(const metric_row* rows, size_t count, const unsigned char* pick);
 
 #endif

@@ -68,12 +68,20 @@ static dm_result read_weights(session* session, const char* folder, const char* 
     return result;
 }
 
+static void drop_weights(weights* weights) {
+    free(weights->data);
+    weights->data = NULL;
+    weights->size = 0;
+}
+
 static dm_result load_folder(session* session, const char* folder) {
     weights kinematics = {NULL, 0}, motion = {NULL, 0}, ranker = {NULL, 0};
     dm_result result = read_weights(session, folder, kinematics_file, 1, &kinematics);
     if (result == DM_OK) result = read_weights(session, folder, motion_file, 0, &motion);
-    if (result == DM_OK) result = read_weights(session, folder, ranker_file, 0, &ranker);
-    if (result == DM_OK) {
+    if (result == DM_OK && session->method != METHOD_RULES)
+        result = read_weights(session, folder, ranker_file, 0, &ranker);
+    if (result == DM_OK && session->method == METHOD_GEOMETRY) drop_weights(&kinematics);
+    if (result == DM_OK && (kinematics.data || motion.data || ranker.data)) {
         const dm_model_desc desc = {.struct_size = sizeof desc,
                                     .kinematics = kinematics.data,
                                     .kinematics_size = kinematics.size,

@@ -78,6 +78,7 @@ static int read_value(const option_spec* option, const char* text) {
     case OPTION_NUMBERS:
         return read_numbers(text, option->count, option->value);
     case OPTION_INTEGER:
+    case OPTION_SEED:
         break;
     }
     errno = 0;
@@ -85,6 +86,17 @@ static int read_value(const option_spec* option, const char* text) {
     if (end == text || *end || errno || number < -1000000000 || number > 1000000000) return 0;
     *(int*)option->value = (int)number;
     return 1;
+}
+
+/* What is to be read as the option's value; NULL when it is missing. Steps over the argument that it takes. */
+static const char* take_value(const option_spec* option, int argc, char** argv, int* at) {
+    if (option->kind == OPTION_FLAG) return "";
+    const char* next = *at + 1 < argc ? argv[*at + 1] : NULL;
+    int ignored;
+    const option_spec integer = {.kind = OPTION_INTEGER, .value = &ignored};
+    if (option->kind == OPTION_SEED && !(next && read_value(&integer, next))) return "1";
+    if (next) ++*at;
+    return next;
 }
 
 static const option_spec* find_option(const option_spec* options, size_t count, const char* name) {
@@ -105,7 +117,7 @@ int options_read(const cli_command* command, int argc, char** argv, const option
             *out_operand = argv[i];
             continue;
         }
-        const char* value = option->kind == OPTION_FLAG ? "" : i + 1 < argc ? argv[++i] : NULL;
+        const char* value = take_value(option, argc, argv, &i);
         if (!value) return options_refuse(command, "%s needs a value", option->name);
         if (!read_value(option, value)) return options_refuse(command, "%s: '%s' can't be read", option->name, value);
         if (option->given) *option->given = 1;

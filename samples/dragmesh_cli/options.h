@@ -16,6 +16,7 @@ enum option_kind {
     OPTION_FLAG,    /* int*: set to 1 */
     OPTION_TEXT,    /* const char** */
     OPTION_INTEGER, /* int* */
+    OPTION_SEED,    /* int*: the integer that follows, or 1 when something else does */
     OPTION_NUMBER,  /* double* */
     OPTION_NUMBERS, /* float[count]: comma-separated */
     OPTION_NAMES    /* name_list* */

@@ -40,6 +40,8 @@ dm_result render_open(renderer* r, session* session, char up) {
     r->session = session;
     r->up = (vec){up == 'x', up == 'y', up == 'z'};
     r->random.state = 1;
+    r->grid = GRID;
+    r->sky_rays = SKY_RAYS;
     const dm_scene_desc desc = {.struct_size = sizeof desc};
     dm_result result = dm_scene_create(session->context, &desc, &r->scene);
     if (result != DM_OK) return result;
@@ -77,11 +79,11 @@ static vec sky(const renderer* r, vec direction) {
     return mix(ground, zenith, 0.5 + 0.5 * dot(direction, r->up));
 }
 
-/* A direction about `normal`, by its cosine; stratum i of SKY_RAYS. */
+/* A direction about `normal`, by its cosine; stratum i of r->sky_rays. */
 static vec sky_direction(renderer* r, vec normal, int i) {
     const vec helper = fabs(normal.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0};
     const vec tangent = unit(cross(helper, normal)), other = cross(normal, tangent);
-    const double square = (i + random_unit(&r->random)) / SKY_RAYS, angle = 2 * CLI_PI * random_unit(&r->random);
+    const double square = (i + random_unit(&r->random)) / r->sky_rays, angle = 2 * CLI_PI * random_unit(&r->random);
     const double radius = sqrt(square);
     return add(scale(normal, sqrt(1 - square)),
                add(scale(tangent, radius * cos(angle)), scale(other, radius * sin(angle))));
@@ -95,10 +97,10 @@ static vec light_at(renderer* r, vec point, vec normal) {
     const double facing = dot(normal, r->sun);
     const vec jitter = {random_unit(&r->random) - 0.5, random_unit(&r->random) - 0.5, random_unit(&r->random) - 0.5};
     if (facing > 0 && !cast(r, start, add(r->sun, scale(jitter, 0.07)), &hit)) light = scale(sun_light, facing);
-    for (int i = 0; i < SKY_RAYS; i++) {
+    for (int i = 0; i < r->sky_rays; i++) {
         const vec direction = sky_direction(r, normal, i);
         const int open = !cast(r, start, direction, &hit) || (double)hit.distance > sky_reach * r->size;
-        light = add(light, scale(sky(r, direction), (open ? 1.0 : 0.12) / SKY_RAYS));
+        light = add(light, scale(sky(r, direction), (open ? 1.0 : 0.12) / r->sky_rays));
     }
     return light;
 }
@@ -157,33 +159,39 @@ dm_result render_draw(renderer* r, const dm_pose* pose, picture* picture, int le
     for (int y = 0; y < (int)r->camera.height_px; y++) {
         for (int x = 0; x < (int)r->camera.width; x++) {
             vec sum = {0, 0, 0};
-            for (int s = 0; s < GRID * GRID; s++)
-                sum = add(sum, trace(r, x + (s % GRID + 0.5) / GRID, y + ((double)(s / GRID) + 0.5) / GRID));
-            picture_set(picture, left + x, y, scale(sum, 1.0 / (GRID * GRID)));
+            for (int row = 0; row < r->grid; row++)
+                for (int column = 0; column < r->grid; column++)
+                    sum = add(sum, trace(r, x + (column + 0.5) / r->grid, y + (row + 0.5) / r->grid));
+            picture_set(picture, left + x, y, scale(sum, 1.0 / (r->grid * r->grid)));
         }
     }
     return DM_OK;
 }
 
-static void draw_axis(const renderer* r, const dm_joint* joint, picture* picture, int left) {
-    static const uint8_t dark[3] = {20, 40, 90}, bright[3] = {70, 150, 255};
-    const vec half = scale(vec_of(joint->axis), 0.65 * r->size), middle = vec_of(joint->origin);
+void render_segment(const renderer* r, vec from, vec to, const uint8_t rgb[3], picture* picture, int left) {
+    const uint8_t dark[3] = {rgb[0] / 3, rgb[1] / 3, rgb[2] / 3};
     double x0, y0, x1, y1;
-    render_project(r, sub(middle, half), &x0, &y0);
-    render_project(r, add(middle, half), &x1, &y1);
+    render_project(r, from, &x0, &y0);
+    render_project(r, to, &x1, &y1);
     const int right = left + (int)r->camera.width;
     picture_line(picture, x0 + left, y0, x1 + left, y1, 4, dark, left, right);
-    picture_line(picture, x0 + left, y0, x1 + left, y1, 2, bright, left, right);
+    picture_line(picture, x0 + left, y0, x1 + left, y1, 2, rgb, left, right);
+}
+
+void render_axis(const renderer* r, const dm_joint* joint, const uint8_t rgb[3], picture* picture, int left) {
+    const vec half = scale(vec_of(joint->axis), 0.65 * r->size), middle = vec_of(joint->origin);
+    render_segment(r, sub(middle, half), add(middle, half), rgb, picture, left);
 }
 
 dm_result render_film(renderer* r, const dm_pose* poses, uint32_t count, const dm_joint* axis, const char* path) {
     const int width = (int)r->camera.width, height = (int)r->camera.height_px;
     picture strip = picture_new((width + GAP) * (int)count - GAP, height);
     dm_result result = DM_OK;
+    static const uint8_t blue[3] = {70, 150, 255};
     for (uint32_t i = 0; i < count && result == DM_OK; i++) {
         const int left = (int)i * (width + GAP);
         result = render_draw(r, &poses[i], &strip, left);
-        if (axis) draw_axis(r, axis, &strip, left);
+        if (axis) render_axis(r, axis, blue, &strip, left);
     }
     if (result == DM_OK && picture_write(&strip, path) != 0)
         result = session_fail(r->session, DM_ERROR_NOT_FOUND, "can't write the picture '%s'", path);

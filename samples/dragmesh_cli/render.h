@@ -21,9 +21,10 @@ typedef struct renderer {
     vec sun;
     dm_pose pose; /* of the part now */
     random_state random;
+    int grid, sky_rays; /* rays a pixel along a side; rays into the sky a hit */
 } renderer;
 
-/* up: 'x', 'y' or 'z'. */
+/* up: 'x', 'y' or 'z'. For a quick look set `grid` and `sky_rays` to less afterwards. */
 dm_result render_open(renderer* renderer, session* session, char up);
 void render_close(renderer* renderer);
 /* A camera for pictures of width x height that sees the whole object in all of the poses, from the side that `toward`
@@ -33,6 +34,10 @@ void render_aim(renderer* renderer, vec toward, const dm_pose* poses, uint32_t c
 void render_project(const renderer* renderer, vec point, double* out_x, double* out_y);
 /* Draws the object with its part at `pose` into the columns from `left` on. */
 dm_result render_draw(renderer* renderer, const dm_pose* pose, picture* picture, int left);
+/* A segment of the scene over it; clipped to the panel that begins at the column `left`. */
+void render_segment(const renderer* renderer, vec from, vec to, const uint8_t rgb[3], picture* picture, int left);
+/* The joint's axis over it. */
+void render_axis(const renderer* renderer, const dm_joint* joint, const uint8_t rgb[3], picture* picture, int left);
 /* A film strip: one panel a pose, the joint's axis over each (axis NULL: none). Writes a .png; session->error. */
 dm_result render_film(renderer* renderer, const dm_pose* poses, uint32_t count, const dm_joint* axis, const char* path);
 

@@ -31,8 +31,9 @@ dm_result session_fail(session* session, dm_result code, const char* format, ...
     return code;
 }
 
-int session_open(session* session, const char* models, const dm_allocator* allocator) {
+static int open_with(session* session, const char* models, const dm_allocator* allocator, enum session_method method) {
     memset(session, 0, sizeof *session);
+    session->method = method;
     dm_context_desc desc = {.struct_size = sizeof desc, .log = {session, on_message}};
     if (allocator) desc.allocator = *allocator;
     if (dm_context_create(&desc, &session->context) != DM_OK) {
@@ -45,11 +46,27 @@ int session_open(session* session, const char* models, const dm_allocator* alloc
     return CLI_USAGE;
 }
 
+int session_open(session* session, const char* models, const dm_allocator* allocator) {
+    return open_with(session, models, allocator, METHOD_FULL);
+}
+
+int session_open_method(session* session, const char* models, enum session_method method) {
+    return open_with(session, models, NULL, method);
+}
+
 void session_drop_object(session* session) {
     if (session->object) dm_object_destroy(session->context, session->object);
     free(session->part_ids);
     session->object = 0;
     session->part_ids = NULL;
+}
+
+void session_take_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type) {
+    free(session->part_ids);
+    session->part_ids = ids;
+    session->part_id_count = count;
+    session->part_id_scope = scope;
+    session->joint_type = joint_type;
 }
 
 static void drop_file(session* session) {

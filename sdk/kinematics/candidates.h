@@ -59,6 +59,11 @@ typedef struct dmi_prediction {
 } dmi_prediction;
 void dmi_prediction_read(const dmi_kpp_frame* frame, const dmi_kpp_output* raw, dmi_prediction* out);
 
+/* The network's answer as two candidates, a turn and a slide, with its probabilities: the plain KPP-Net. centre: of the
+ * part. */
+void dmi_prediction_candidates(const dmi_prediction* prediction, const float centre[3], dmi_candidate out[2],
+                               float out_probability[2]);
+
 /* hint and prediction may be NULL. Signs follow the drag where there is one. Answers how many, at most
  * DMI_CANDIDATES_MAX; at least one. */
 uint32_t dmi_candidates_make(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction,

@@ -144,6 +144,24 @@ static void choose(const work* w, dmi_hypotheses* out) {
     }
 }
 
+/* The plain KPP-Net; a given type is certain. */
+static void ask_network(work* w) {
+    int32_t type = w->query->given_type;
+    dmi_prediction_candidates(&w->prediction, w->study.centre, w->candidates, w->probability);
+    w->count = 2;
+    if (type == DM_JOINT_UNKNOWN || type == DM_JOINT_FIXED) return;
+    w->probability[1] = type == DM_JOINT_PRISMATIC ? 1 : 0;
+    w->probability[0] = 1 - w->probability[1];
+}
+
+static void rank_candidates(work* w, const dmi_prediction* prediction) {
+    const dmi_kinematics_query* query = w->query;
+    w->count = dmi_candidates_make(&w->study, query->hint, prediction, w->candidates);
+    keep_type(w);
+    dmi_evidence_make(&w->study, query->hint, prediction, w->candidates, w->count, w->evidence);
+    dmi_ranker_probabilities(query->ranker, (const float(*)[DMI_EVIDENCE_COUNT])w->evidence, w->count, w->probability);
+}
+
 static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_query* query, dmi_hypotheses* out) {
     work* w = dmi_arena_push(arena, sizeof *w);
     if (w == NULL)
@@ -156,10 +174,10 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_quer
     if (query->net != NULL) result = predict(env, arena, w);
     if (result != DM_OK) return result;
     const dmi_prediction* prediction = query->net != NULL ? &w->prediction : NULL;
-    w->count = dmi_candidates_make(&w->study, query->hint, prediction, w->candidates);
-    keep_type(w);
-    dmi_evidence_make(&w->study, query->hint, prediction, w->candidates, w->count, w->evidence);
-    dmi_ranker_probabilities(query->ranker, (const float(*)[DMI_EVIDENCE_COUNT])w->evidence, w->count, w->probability);
+    if (query->network_alone && prediction != NULL)
+        ask_network(w);
+    else
+        rank_candidates(w, prediction);
     choose(w, out);
     if (query->hint != NULL)
         for (uint32_t i = 0; i < out->count; i++) dmi_joint_orient(&out->joints[i], query->hint);

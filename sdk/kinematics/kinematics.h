@@ -22,6 +22,7 @@ typedef struct dmi_kinematics_query {
     const dmi_drag_hint* hint; /* NULL: none */
     uint32_t part;             /* index in mesh->parts */
     int32_t given_type;        /* DM_JOINT_*; UNKNOWN = find out */
+    int network_alone;         /* the net's own answers are the only candidates, by its own probabilities */
     dmi_isa isa;
 } dmi_kinematics_query;
 

@@ -22,6 +22,7 @@ typedef struct dmi_object {
     uint64_t vertex_count, triangle_count, seed;
     dmi_object_part* parts; /* [0] is the body; then parts by rising id */
     uint32_t part_count;    /* the body included */
+    int network_alone;      /* joints are found by the network, unaided */
     dmi_mesh* mesh;         /* NULL: kept no triangles */
     dmi_bvh* bvh;           /* NULL: kept no triangles */
 } dmi_object;

@@ -52,6 +52,7 @@ static dm_result infer_part(dmi_env* env, dmi_object* object, uint32_t index, co
                                         .hint = hint,
                                         .part = index,
                                         .given_type = part->given_type,
+                                        .network_alone = object->network_alone,
                                         .isa = brain->isa};
     dmi_hypotheses found;
     result = part->given_type == DM_JOINT_FIXED ? DM_OK : dmi_kinematics_infer(env, &query, &found);
@@ -177,6 +178,7 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
     dmi_object* object = NULL;
     result = adopt_mesh(env, mesh, desc->seed, &object);
     if (result != DM_OK) return result;
+    object->network_alone = desc->network_alone;
     result = fill(env, picker, desc, object);
     if (result != DM_OK) {
         dmi_object_destroy(env, object);

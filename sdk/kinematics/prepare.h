@@ -19,6 +19,7 @@ typedef struct dmi_prepare_desc {
     dmi_brain brain;
     uint64_t seed;
     int keep_triangles;
+    int network_alone;         /* brain.net answers, unaided */
     dm_intent_callback intent; /* NULL: none */
     void* intent_user;
     dm_progress_callback progress; /* NULL: none; called on this thread alone */

@@ -240,8 +240,11 @@ static void test_bad_meshes_are_named(void** state) {
     cabinet.mesh.reserved = 1;
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_INVALID_ARGUMENT);
     describe(&w, &cabinet);
-    cabinet.desc.flags = 2;
+    cabinet.desc.flags = 4;
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_INVALID_ARGUMENT);
+    describe(&w, &cabinet);
+    cabinet.desc.flags = DM_PREPARE_NETWORK_ALONE;
+    assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_NO_MODEL);
     describe(&w, &cabinet);
     cabinet.desc.part_count = 3;
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_INVALID_ARGUMENT);

@@ -246,7 +246,9 @@ typedef int32_t(DM_CALL* dm_intent_callback)(void* user, uint32_t part_id, dm_ve
 typedef int32_t(DM_CALL* dm_progress_callback)(void* user, float done);
 
 enum {
-    DM_PREPARE_WITHOUT_PICKING = 1 /* keep no triangles: the object can't be added to a scene, and is small */
+    DM_PREPARE_WITHOUT_PICKING = 1, /* keep no triangles: the object can't be added to a scene, and is small */
+    DM_PREPARE_NETWORK_ALONE = 2    /* the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL
+                                       when `model` has no kinematics weights */
 };
 
 typedef struct dm_object_desc {
