@@ -48,6 +48,7 @@ typedef struct dmi_motion_slot {
 typedef struct dmi_drag_slot {
     dmi_dependent link;
     dmi_object_slot* owner;
+    uint32_t part; /* index in the object */
     dmi_drag drag;
 } dmi_drag_slot;
 

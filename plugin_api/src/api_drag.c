@@ -1,30 +1,102 @@
-/* Drags behind handles. A drag copies the joint it follows, so that an update reads nothing but the drag. */
+/* Drags behind handles. A drag copies the joints it may follow, so that an update reads nothing but the drag. */
 #include <math.h>
 
 #include "api_check.h"
 #include "api_context.h"
+#include "api_motion.h"
 
-static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
-    const float numbers[6] = {desc->grab_point.x, desc->grab_point.y,        desc->grab_point.z,
-                              desc->start_value,  desc->feel.smoothing_time, desc->feel.soft_limit};
-    dm_result result = dmi_check_finite(env, "dm_drag_begin: desc.grab_point", numbers, 3);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.start_value", numbers + 3, 1);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.feel.smoothing_time", numbers + 4, 1);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.feel.soft_limit", numbers + 5, 1);
-    if (result != DM_OK) return result;
-    if (desc->feel.soft_limit < 0.0f || desc->feel.soft_limit > 1.0f) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.feel.soft_limit is %g: it must be 0 to 1",
-                        (double)desc->feel.soft_limit);
+/* Up to desc.feel.soft_limit: what the first version of the struct had. */
+#define FIRST_DRAG_DESC (offsetof(dm_drag_desc, feel) + 2 * sizeof(float))
+
+/* A part that goes in as little of the object's size as this, and is no larger than that, is a push button. */
+#define BUTTON_TRAVEL 0.04f
+#define BUTTON_SIZE 0.25f
+#define BUTTON_RETURN_TIME 0.12f /* s */
+/* A part stands at rest when its value is nearer to it than this share of its range. */
+#define AT_REST 0.02f
+
+static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
+    const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,
+                              feel->detent,         feel->detent_pull, feel->return_time};
+    static const char* const names[6] = {
+        "dm_drag_begin: desc.feel.smoothing_time", "dm_drag_begin: desc.feel.soft_limit",
+        "dm_drag_begin: desc.feel.coast_time",     "dm_drag_begin: desc.feel.detent",
+        "dm_drag_begin: desc.feel.detent_pull",    "dm_drag_begin: desc.feel.return_time"};
+    for (int i = 0; i < 6; i++) {
+        dm_result result = dmi_check_finite(env, names[i], &numbers[i], 1);
+        if (result != DM_OK) return result;
+    }
+    for (int i = 1; i <= 4; i++) {
+        const int share = i == 1 || i == 4;
+        if (i == 2 || (numbers[i] >= 0.0f && !(share && numbers[i] > 1.0f))) continue;
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g: it must be %s", names[i], (double)numbers[i],
+                        share ? "0 to 1" : "0 or more");
     }
     return DM_OK;
+}
+
+static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
+    const float grab[3] = {desc->grab_point.x, desc->grab_point.y, desc->grab_point.z};
+    dm_result result = dmi_check_finite(env, "dm_drag_begin: desc.grab_point", grab, 3);
+    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.start_value", &desc->start_value, 1);
+    if (result == DM_OK) result = check_feel(env, &desc->feel);
+    if (result != DM_OK) return result;
+    if (desc->flags & ~(uint32_t)DM_DRAG_KEEP_JOINT) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.flags is 0x%x: unknown flag", desc->flags);
+    }
+    if (desc->reserved != 0) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.reserved is %u: it must be 0",
+                        desc->reserved);
+    }
+    return DM_OK;
+}
+
+/* Largest side of a part's box, host units. */
+static float part_size(const dmi_object* object, uint32_t part) {
+    const dmi_part* shape = &object->parts[part].shape;
+    float size = 0;
+    for (int i = 0; i < 3; i++) size = fmaxf(size, shape->box_max[i] - shape->box_min[i]);
+    return size * dmi_frame_length_out(&object->frame);
+}
+
+/* A small part that goes a short way in from rest, and no other way. */
+static int is_button(const dmi_object* object, uint32_t part) {
+    const dm_joint* joint = &object->parts[part].joint;
+    const float whole = dmi_frame_length_out(&object->frame), range = joint->upper - joint->lower;
+    if (joint->type != DM_JOINT_PRISMATIC || !(range > 0) || range > BUTTON_TRAVEL * whole) return 0;
+    const int one_way = joint->lower >= -AT_REST * range || joint->upper <= AT_REST * range;
+    return one_way && part_size(object, part) <= BUTTON_SIZE * whole;
+}
+
+/* Whether the pull may say which joint it is: the host has not said so, and the part stands where all of its hypotheses
+ * have it. */
+static int is_open_question(const dmi_object_part* part, const dm_drag_desc* desc) {
+    const dm_joint* joint = &part->joint;
+    if (desc->flags & DM_DRAG_KEEP_JOINT || joint->source == DM_JOINT_FROM_HOST) return 0;
+    const float range = dmi_joint_has_limits(joint) ? joint->upper - joint->lower : 1.0f;
+    return fabsf(desc->start_value) <= AT_REST * range;
+}
+
+static void start(dmi_drag_slot* slot, const dm_drag_desc* desc) {
+    const dmi_object* object = slot->owner->object;
+    const dmi_object_part* part = &object->parts[slot->part];
+    const float grab[3] = {desc->grab_point.x, desc->grab_point.y, desc->grab_point.z};
+    dm_drag_feel feel = desc->feel;
+    if (feel.return_time == 0.0f && is_button(object, slot->part)) feel.return_time = BUTTON_RETURN_TIME;
+    dmi_drag_begin(&slot->drag, &part->joint, grab, desc->start_value, &feel);
+    if (!is_open_question(part, desc)) return;
+    dm_joint joints[DM_MAX_HYPOTHESES];
+    for (uint32_t i = 0; i < part->hypotheses.count; i++) {
+        joints[i] = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
+    }
+    dmi_drag_doubt(&slot->drag, joints, part->hypotheses.count, part_size(object, slot->part));
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {
     if (!context) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_drag_desc known;
-    dm_result result =
-        dmi_read_desc(env, "dm_drag_begin: desc", desc, DMI_FIRST_SIZE(dm_drag_desc, feel), sizeof known, &known);
+    dm_result result = dmi_read_desc(env, "dm_drag_begin: desc", desc, FIRST_DRAG_DESC, sizeof known, &known);
     if (result != DM_OK) return result;
     if (!out_drag) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: out_drag is NULL");
     dmi_object_slot* owner = dmi_find(context, context->objects, "dm_drag_begin: desc.object", known.object);
@@ -36,8 +108,8 @@ dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, d
     dmi_drag_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_drag_slot));
     if (!slot) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_drag_begin: no memory");
     slot->owner = owner;
-    const float grab[3] = {known.grab_point.x, known.grab_point.y, known.grab_point.z};
-    dmi_drag_begin(&slot->drag, &owner->object->parts[part].joint, grab, known.start_value, &known.feel);
+    slot->part = part;
+    start(slot, &known);
     result = dmi_dependent_add(context, context->drags, &owner->drags, &slot->link);
     if (result != DM_OK) {
         dmi_free(env, slot, sizeof *slot);
@@ -53,7 +125,8 @@ dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray
     dmi_env* env = &context->env;
     dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_update", drag);
     if (!slot) return DM_ERROR_STALE_HANDLE;
-    dm_result result = dmi_check_ray(env, "dm_drag_update: ray", ray);
+    dm_result result = DM_OK;
+    if (ray || slot->drag.release.phase == DM_DRAG_HELD) result = dmi_check_ray(env, "dm_drag_update: ray", ray);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_update: dt", &dt, 1);
     if (result != DM_OK) return result;
     if (dt < 0.0f) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_update: dt is %g s", (double)dt);
@@ -69,5 +142,89 @@ dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_drag_state* 
     if (out_state) dmi_drag_state_now(&slot->drag, out_state);
     dmi_dependent_unlink(context, &slot->owner->drags, &slot->link);
     dmi_free(&context->env, slot, sizeof *slot);
+    return DM_OK;
+}
+
+dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint* out_joint) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_get_joint", drag);
+    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (!out_joint) {
+        return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_get_joint: out_joint is NULL");
+    }
+    *out_joint = slot->drag.joint;
+    if (slot->drag.rivals.count > 0) out_joint->confidence = dmi_rivals_confidence(&slot->drag.rivals);
+    return DM_OK;
+}
+
+/* ---- release ---- */
+
+/* The way out from rest that the network makes of the drag: the grabbed point, pulled to the outer end of the plan. */
+static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t seed) {
+    const dmi_release* plan = &slot->drag.release;
+    const dmi_model_slot* model = dmi_pool_get(context->models, slot->owner->model);
+    if (plan->phase != DM_DRAG_RELEASED || plan->glides || slot->drag.feel.return_time > 0) return;
+    if (!model || !model->motion || !slot->owner->features) return; /* a rule will do */
+    const float outer = fabsf(plan->end) > fabsf(plan->start) ? plan->end : plan->start;
+    float pull[3], values[DM_MOTION_FRAMES];
+    dmi_joint_velocity(&slot->drag.joint, 0, slot->drag.rest_point, pull);
+    const float* grab = slot->drag.rest_point;
+    const dm_drag_hint host = {{grab[0], grab[1], grab[2]}, {outer * pull[0], outer * pull[1], outer * pull[2]}};
+    dmi_drag_hint hint;
+    dm_result result = dmi_object_hint(&context->env, "dm_drag_release: the grabbed point", slot->owner->object,
+                                       slot->part, &host, &hint);
+    if (result == DM_OK) {
+        result = dmi_motion_opening(context, slot->owner, slot->part, &slot->drag.joint, &hint, seed, values);
+    }
+    if (result == DM_OK) dmi_drag_set_pace(&slot->drag, values);
+}
+
+static void write_plan(const dmi_release* release, dm_release_plan* out_plan) {
+    const dm_release_plan plan = {.intent = release->intent,
+                                  .start_value = release->start,
+                                  .end_value = release->end,
+                                  .duration = release->duration,
+                                  .from_network = (uint32_t)release->paced};
+    dmi_write_out(out_plan, &plan, sizeof plan);
+}
+
+static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const dmi_release* last) {
+    dm_result result =
+        dmi_check_range(env, "dm_drag_release: desc.intent", desc->intent, DM_INTENT_AUTO, DM_INTENT_FREEZE);
+    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_release: desc.duration", &desc->duration, 1);
+    if (result != DM_OK) return result;
+    if (desc->duration < 0.0f) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_release: desc.duration is %g s",
+                        (double)desc->duration);
+    }
+    if (desc->intent == DM_INTENT_REPLAY && last->phase == DM_DRAG_HELD) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                        "dm_drag_release: desc.intent is DM_INTENT_REPLAY, but the drag "
+                        "was never released");
+    }
+    return DM_OK;
+}
+
+dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
+                                  dm_release_plan* out_plan) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_release", drag);
+    if (!slot) return DM_ERROR_STALE_HANDLE;
+    dm_release_desc known = {0};
+    dm_result result = DM_OK;
+    if (desc) {
+        result = dmi_read_desc(env, "dm_drag_release: desc", desc, DMI_FIRST_SIZE(dm_release_desc, seed), sizeof known,
+                               &known);
+    }
+    if (result == DM_OK && out_plan) {
+        result =
+            dmi_check_out(env, "dm_drag_release: out_plan", out_plan, DMI_FIRST_SIZE(dm_release_plan, from_network));
+    }
+    if (result == DM_OK) result = check_release(env, &known, &slot->drag.release);
+    if (result != DM_OK) return result;
+    dmi_drag_release(&slot->drag, known.intent, known.duration);
+    if (known.intent != DM_INTENT_REPLAY) pace_by_network(context, slot, known.seed);
+    if (out_plan) write_plan(&slot->drag.release, out_plan);
     return DM_OK;
 }

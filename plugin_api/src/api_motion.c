@@ -4,6 +4,7 @@
 
 #include "api_check.h"
 #include "api_context.h"
+#include "api_motion.h"
 
 /* The most points of a host's path: a pointer at 1000 Hz for over a minute. */
 #define MAX_PATH 65536
@@ -14,8 +15,9 @@ typedef struct request {
     const dm_motion_desc* desc;
     const dmi_object_slot* slot;
     const dmi_object_part* part;
+    const dm_joint* moves_by; /* host frame */
     dmi_drag_hint hint;
-    dm_joint joint; /* in force, inner frame, signed so that positive follows the drag */
+    dm_joint joint; /* the same, inner frame, signed so that positive follows the drag */
     float sign;     /* +1, or -1 when that turned it round */
 } request;
 
@@ -25,7 +27,7 @@ static float dot(dm_vec3 a, dm_vec3 b) {
 
 /* The network was trained on joints whose positive step follows the drag. */
 static void orient(request* work) {
-    const dm_joint given = dmi_frame_joint_in(&work->slot->object->frame, &work->part->joint);
+    const dm_joint given = dmi_frame_joint_in(&work->slot->object->frame, work->moves_by);
     work->joint = given;
     dmi_joint_orient(&work->joint, &work->hint);
     work->sign = dot(work->joint.axis, given.axis) < 0.0f ? -1.0f : 1.0f;
@@ -68,7 +70,7 @@ static dm_result make_path(const request* work, float out_path[DMI_VAE_PATH][3])
     return result;
 }
 
-/* Values of the joint in force, host units. */
+/* Values of the joint, host units. */
 static dm_result run_network(const request* work, float out_values[DM_MOTION_FRAMES]) {
     dmi_env* env = &work->context->env;
     const dmi_model_slot* model = dmi_pool_get(work->context->models, work->slot->model);
@@ -89,7 +91,7 @@ static dm_result run_network(const request* work, float out_values[DM_MOTION_FRA
                        &query, scratch, &output);
     dmi_free(env, scratch, size);
     dmi_motion_project(&work->joint, (const float(*)[8])output.raw, out_values);
-    float unit = work->part->joint.type == DM_JOINT_PRISMATIC ? dmi_frame_length_out(&work->slot->object->frame) : 1.0f;
+    float unit = work->joint.type == DM_JOINT_PRISMATIC ? dmi_frame_length_out(&work->slot->object->frame) : 1.0f;
     for (int i = 0; i < DM_MOTION_FRAMES; i++) out_values[i] *= work->sign * unit;
     return DM_OK;
 }
@@ -112,6 +114,7 @@ static dm_result generate(request* work, dmi_motion* out_motion) {
         dmi_find_part(work->context, "dm_motion_generate: desc.part_id", work->slot->object, desc->part_id, &index);
     if (result != DM_OK) return result;
     work->part = &work->slot->object->parts[index];
+    work->moves_by = &work->part->joint;
     result = dmi_object_hint(env, "dm_motion_generate: desc.drag", work->slot->object, index, &desc->drag, &work->hint);
     if (result != DM_OK) return result;
     *out_motion = (dmi_motion){.joint = work->part->joint};
@@ -119,6 +122,21 @@ static dm_result generate(request* work, dmi_motion* out_motion) {
     orient(work);
     result = run_network(work, out_motion->values);
     if (result == DM_OK) clamp_values(&out_motion->joint, out_motion->values);
+    return result;
+}
+
+dm_result dmi_motion_opening(dm_context* context, const dmi_object_slot* slot, uint32_t part, const dm_joint* joint,
+                             const dmi_drag_hint* hint, uint32_t seed, float out_values[DM_MOTION_FRAMES]) {
+    const dm_motion_desc desc = {.seed = seed};
+    request work = {.context = context,
+                    .desc = &desc,
+                    .slot = slot,
+                    .part = &slot->object->parts[part],
+                    .moves_by = joint,
+                    .hint = *hint};
+    orient(&work);
+    const dm_result result = run_network(&work, out_values);
+    if (result == DM_OK) clamp_values(joint, out_values);
     return result;
 }
 

@@ -1,4 +1,5 @@
-/* Drag: pointer ray -> value it asks for (follow.h) -> calmed where that is ill-posed -> limits -> smoothing. */
+/* Drag: pointer ray -> value it asks for (follow.h) -> calmed where that is ill-posed -> feel (drag_feel.h);
+ * beside it, which joint it is (drag_rivals.h), and after it, what was meant (drag_release.h). */
 #include "motion/drag.h"
 
 #include <math.h>
@@ -6,36 +7,18 @@
 
 #include "math/vec3.h"
 
-#define LN_2 0.69314718f
-#define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life */
 /* How much farther than the pointer the grabbed point may go at once. Where the way runs almost along the ray (within
  * 1/16 rad), less than that decides where on it the pointer is; the rest is made up for over a time. */
 #define MOST_GAIN 16.0f
 #define CATCH_UP_TIME 0.1f    /* s, half-life */
+#define BLEND_TIME 0.15f      /* s from one joint's pose to the next one's */
 #define LEAST_TURN 1e-5f      /* rad between rays: rounding makes less, a pixel makes more */
 #define LIMIT_TOLERANCE 1e-4f /* of the range: what counts as being at a limit */
 
-/* Width of the soft zone inside (and outside) each limit. */
-static float soft_width(const dmi_drag* drag) {
-    const float share = fminf(fmaxf(drag->feel.soft_limit, 0), 0.5f);
-    return dmi_joint_has_limits(&drag->joint) ? share * (drag->joint.upper - drag->joint.lower) : 0;
-}
-
-/* An end that gives: x from w before the limit to w behind it comes down on [-w, 0] by a parabola, so that the slope
- * falls from 1 to 0 and the limit itself is reached. */
-static float soften_end(float x, float w) {
-    return x <= -w ? x : x - (x + w) * (x + w) / (4 * w);
-}
-
-static float harden_end(float y, float w) {
-    return y <= -w ? y : 2 * w * (1 - sqrtf(fmaxf(1 - (y + w) / w, 0))) - w;
-}
-
-/* Both ends of the range by one of the two maps. */
-static float map_ends(const dmi_drag* drag, float value, float (*map)(float, float)) {
-    const float w = soft_width(drag), lower = drag->joint.lower, upper = drag->joint.upper;
-    if (!(w > 0)) return value;
-    return value > 0.5f * (lower + upper) ? upper + map(value - upper, w) : lower - map(lower - value, w);
+static float speed_of(const dm_joint* joint, const float rest_point[3]) {
+    float v[3];
+    dmi_joint_velocity(joint, 0, rest_point, v);
+    return sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
 void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_point[3], float start_value,
@@ -44,11 +27,16 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     dm_pose pose = dmi_joint_pose(joint, start_value), back = dmi_pose_inverse(&pose);
     dmi_pose_apply(&back, grab_point, drag->rest_point);
     drag->value = drag->target = dmi_joint_clamp(joint, start_value);
-    drag->reach = map_ends(drag, drag->target, harden_end);
-    float velocity[3];
-    dmi_joint_velocity(joint, 0, drag->rest_point, velocity);
-    drag->speed = sqrtf(velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2]);
+    drag->reach = dmi_feel_reach(feel, joint, drag->target);
+    drag->offset = dmi_pose_identity();
+    drag->offset_age = INFINITY;
+    drag->release.return_time = fmaxf(feel->return_time, 0);
+    drag->speed = speed_of(joint, drag->rest_point);
     memcpy(drag->point, grab_point, sizeof drag->point);
+}
+
+void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size) {
+    dmi_rivals_init(&drag->rivals, joints, count, size);
 }
 
 /* Copies the ray with a unit direction; 0 when it is none. */
@@ -98,46 +86,69 @@ static float pointer_motion(const dmi_drag* drag, const dm_ray* ray) {
 static float calm(const dmi_drag* drag, const dm_ray* ray, float wish, float dt) {
     const float gap = wish - drag->reach;
     const float at_once = fminf(MOST_GAIN * pointer_motion(drag, ray) / drag->speed, fabsf(gap));
-    const float step = at_once + (fabsf(gap) - at_once) * (1 - expf(-LN_2 * dt / CATCH_UP_TIME));
+    const float step = at_once + (fabsf(gap) - at_once) * (1 - expf(-DMI_LN_2 * dt / CATCH_UP_TIME));
     return isfinite(step) ? drag->reach + copysignf(step, gap) : drag->reach;
 }
 
 static void follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     /* Rays that never turn come from an orthographic camera; the first one passes the point and suits either. */
     if (has_last_ray(drag) && turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
-    const float w = soft_width(drag);
+    const float w = dmi_feel_soft_width(&drag->feel, &drag->joint);
     const int limited = dmi_joint_has_limits(&drag->joint);
     const float lower = limited ? drag->joint.lower - w : -INFINITY;
     const float upper = limited ? drag->joint.upper + w : INFINITY;
     const float wish = dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->reach, lower, upper);
     drag->reach = calm(drag, ray, wish, dt);
-    drag->target = dmi_joint_clamp(&drag->joint, map_ends(drag, drag->reach, soften_end));
+    drag->target = dmi_feel_target(&drag->feel, &drag->joint, drag->reach);
     drag->last_ray = *ray;
 }
 
-/* The exact answer of dx/dt = (T - x) ln 2 / half-life to a target that goes evenly from `before` to where it is now:
- * the same path gives the same value however it is cut into updates. A convex mix of x and both targets, so it keeps
- * limits. */
-static void smooth(dmi_drag* drag, float before, float dt) {
-    const float half = drag->feel.smoothing_time == 0 ? DEFAULT_SMOOTHING_TIME : drag->feel.smoothing_time;
-    const float old = drag->value;
-    if (half > 0) {
-        const float k = LN_2 * dt / half, kept = expf(-k);
-        const float lag = k > 0.01f ? (1 - kept) / k : 1 - k / 2 + k * k / 6; /* (1 - exp(-k)) / k */
-        drag->value = (1 - lag) * drag->target + (lag - kept) * before + kept * old;
-        drag->value = dmi_joint_clamp(&drag->joint, drag->value); /* the weights' rounding */
-    } else {
-        drag->value = drag->target;
+/* The pose shown: the joint's own, and what is left of the way over from the last joint. */
+static dm_pose shown_pose(const dmi_drag* drag) {
+    const dm_pose pose = dmi_joint_pose(&drag->joint, drag->value), none = dmi_pose_identity();
+    if (!(drag->offset_age < BLEND_TIME)) return pose;
+    const float s = drag->offset_age / BLEND_TIME, share = s * s * (3 - 2 * s);
+    const dm_pose offset = dmi_pose_sclerp(&drag->offset, &none, share);
+    return dmi_pose_multiply(&offset, &pose);
+}
+
+/* Goes over to the best rival where the pointer asks for it, without a jump of the pose shown. */
+static void change_joint(dmi_drag* drag) {
+    const dmi_rival* best = &drag->rivals.list[drag->rivals.best];
+    const dm_pose before = shown_pose(drag);
+    drag->joint = best->joint;
+    drag->reach = best->reach;
+    drag->target = drag->value = dmi_feel_target(&drag->feel, &drag->joint, drag->reach);
+    drag->velocity = 0;
+    drag->speed = speed_of(&drag->joint, drag->rest_point);
+    const dm_pose now = dmi_joint_pose(&drag->joint, drag->value), back = dmi_pose_inverse(&now);
+    drag->offset = dmi_pose_multiply(&before, &back);
+    drag->offset_age = 0;
+    drag->changes++;
+}
+
+static void hold(dmi_drag* drag, const dm_ray* ray, float dt) {
+    float before = drag->target;
+    dm_ray unit;
+    if (ray && usable_ray(ray, &unit)) {
+        follow(drag, &unit, dt);
+        if (drag->rivals.count > 1 && dmi_rivals_weigh(&drag->rivals, drag->rest_point, &unit, drag->projection)) {
+            change_joint(drag);
+            before = drag->target;
+        }
     }
-    const float velocity = (drag->value - old) / dt;
-    if (dt > 0 && isfinite(velocity)) drag->velocity = velocity;
+    dmi_feel_follow(&drag->feel, &drag->joint, before, drag->target, dt, &drag->value, &drag->velocity);
 }
 
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state) {
-    const float before = drag->target, time = dt > 0 && isfinite(dt) ? dt : 0;
-    dm_ray unit;
-    if (usable_ray(ray, &unit)) follow(drag, &unit, time);
-    smooth(drag, before, time);
+    const float time = dt > 0 && isfinite(dt) ? dt : 0;
+    drag->offset_age += time;
+    if (drag->release.phase == DM_DRAG_HELD) {
+        hold(drag, ray, time);
+    } else if (drag->release.phase == DM_DRAG_RELEASED) {
+        dmi_release_advance(&drag->release, &drag->feel, &drag->joint, time, &drag->value, &drag->velocity);
+        drag->target = drag->release.end;
+    }
     dmi_drag_state_now(drag, out_state);
     const dm_vec3 grab = out_state->grab_point;
     drag->point[0] = grab.x, drag->point[1] = grab.y, drag->point[2] = grab.z;
@@ -150,7 +161,7 @@ static int32_t limit_at(const dm_joint* joint, float value) {
 }
 
 void dmi_drag_state_now(const dmi_drag* drag, dm_drag_state* out_state) {
-    const dm_pose pose = dmi_joint_pose(&drag->joint, drag->value);
+    const dm_pose pose = shown_pose(drag);
     float grab[3];
     dmi_pose_apply(&pose, drag->rest_point, grab);
     *out_state = (dm_drag_state){.pose = pose,
@@ -158,5 +169,7 @@ void dmi_drag_state_now(const dmi_drag* drag, dm_drag_state* out_state) {
                                  .value = drag->value,
                                  .target = drag->target,
                                  .velocity = drag->velocity,
-                                 .at_limit = limit_at(&drag->joint, drag->value)};
+                                 .at_limit = limit_at(&drag->joint, drag->value),
+                                 .phase = drag->release.phase,
+                                 .changes = drag->changes};
 }

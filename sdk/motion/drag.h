@@ -1,8 +1,10 @@
-/* Follow the pointer: the grabbed point stays as near the pointer's ray as its joint allows. */
+/* Follow the pointer: the grabbed point stays as near the pointer's ray as its joint allows; let go, the part moves on.
+ */
 #ifndef DMI_MOTION_DRAG_H
 #define DMI_MOTION_DRAG_H
 
-#include "motion/follow.h"
+#include "motion/drag_release.h"
+#include "motion/drag_rivals.h"
 
 typedef struct dmi_drag {
     dm_joint joint;      /* host object frame */
@@ -14,11 +16,19 @@ typedef struct dmi_drag {
     float reach;               /* the value the pointer asks for before soft ends bring it into the limits */
     dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
     dmi_projection projection; /* perspective once rays of different directions have come */
+    dmi_rivals rivals;         /* none: the joint is sure */
+    dm_pose offset;            /* of the pose shown from the joint's own, when it came to a new joint … */
+    float offset_age;          /* … so long ago, s */
+    uint32_t changes;          /* of the joint */
+    dmi_release release;
 } dmi_drag;
 
 /* grab_point: where the grabbed point is with the joint at start_value. */
 void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_point[3], float start_value,
                     const dm_drag_feel* feel);
+/* Other joints the part may have, the one in force among them, with the part at rest; size: of the part. */
+void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size);
+/* ray may be NULL once released. */
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
 void dmi_drag_state_now(const dmi_drag* drag, dm_drag_state* out_state);
 

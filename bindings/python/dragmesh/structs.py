@@ -101,16 +101,17 @@ class MotionDesc(c.Structure):
 
 
 class DragFeel(c.Structure):
-    _fields_ = [("smoothing_time", c.c_float), ("soft_limit", c.c_float)]
+    _fields_ = [("smoothing_time", c.c_float), ("soft_limit", c.c_float), ("coast_time", c.c_float),
+                ("detent", c.c_float), ("detent_pull", c.c_float), ("return_time", c.c_float)]
 
 
 class DragDesc(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("part_id", c.c_uint32), ("object", c.c_uint64), ("grab_point", Vec3),
-                ("start_value", c.c_float), ("feel", DragFeel)]
+                ("start_value", c.c_float), ("feel", DragFeel), ("flags", c.c_uint32), ("reserved", c.c_uint32)]
 
 
 class DragState(c.Structure):
     """Where a dragged part is; see dm_drag_state."""
 
     _fields_ = [("pose", Pose), ("grab_point", Vec3), ("value", c.c_float), ("target", c.c_float),
-                ("velocity", c.c_float), ("at_limit", c.c_int32)]
+                ("velocity", c.c_float), ("at_limit", c.c_int32), ("phase", c.c_int32), ("changes", c.c_uint32)]

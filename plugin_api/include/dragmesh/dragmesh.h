@@ -296,11 +296,22 @@ typedef struct dm_motion_desc {
     uint32_t seed;       /* 0: the most likely motion (z = mean); else z is drawn with this seed */
 } dm_motion_desc;
 
-/* How a drag feels. Zeros are the defaults. */
+/* How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter through two
+ * ratios, which are times: smoothing_time is damping over stiffness, coast_time inertia over damping. */
 typedef struct dm_drag_feel {
     float smoothing_time; /* s for the part to close half the gap to the pointer; 0 = 0.02, negative = none */
     float soft_limit;     /* share of the range over which the ends give; 0 = hard ends */
+    float coast_time;     /* s in which a part left alone loses half its speed, and how heavy it is in the hand;
+                             0 = 0.1 once released and weightless in the hand, negative = stops where it is let go */
+    float detent;         /* joint value from one catch to the next, the first at rest (rad or host units); 0 = none */
+    float detent_pull;    /* how hard catches hold, up to 1; 0 = 0.7. Nothing without `detent` */
+    float return_time;    /* s for the released part to spring back to rest; 0 = push buttons alone, in 0.12;
+                             negative = nothing springs back */
 } dm_drag_feel;
+
+enum {
+    DM_DRAG_KEEP_JOINT = 1 /* follow the joint in force, whatever the pull says. A joint of the host's is always kept */
+};
 
 typedef struct dm_drag_desc {
     uint32_t struct_size;
@@ -309,7 +320,15 @@ typedef struct dm_drag_desc {
     dm_vec3 grab_point; /* on the part as it is now, host object frame */
     float start_value;  /* joint value the part has now; 0 = rest */
     dm_drag_feel feel;
+    uint32_t flags;    /* DM_DRAG_KEEP_JOINT */
+    uint32_t reserved; /* 0 */
 } dm_drag_desc;
+
+enum {
+    DM_DRAG_HELD = 0,     /* follows the pointer */
+    DM_DRAG_RELEASED = 1, /* moves on by itself: dm_drag_release */
+    DM_DRAG_AT_REST = 2   /* has come to where it goes */
+};
 
 typedef struct dm_drag_state {
     dm_pose pose;       /* of the part from rest, object frame; compose with the parent part's own pose */
@@ -318,7 +337,35 @@ typedef struct dm_drag_state {
     float target;       /* value the pointer asks for, before smoothing and inside the limits */
     float velocity;     /* d value / dt */
     int32_t at_limit;   /* -1 at lower, +1 at upper, 0 between */
+    int32_t phase;      /* DM_DRAG_HELD … */
+    uint32_t changes;   /* how often the pull has changed the joint that the drag follows: dm_drag_get_joint. The pose
+                           comes over to a new joint within 0.15 s */
 } dm_drag_state;
+
+/* What a released part does next. */
+enum {
+    DM_INTENT_AUTO = 0,   /* as the player meant it, by where the part is and how fast it goes */
+    DM_INTENT_STAY = 1,   /* glides to a stop; also stops a part that moves by itself */
+    DM_INTENT_OPEN = 2,   /* goes on to the end of the joint that lies the way it was pulled */
+    DM_INTENT_CLOSE = 3,  /* falls back to rest */
+    DM_INTENT_REPLAY = 4, /* does once more what it did after the last release */
+    DM_INTENT_FREEZE = 5  /* stops dead */
+};
+
+typedef struct dm_release_desc {
+    uint32_t struct_size;
+    int32_t intent; /* DM_INTENT_* */
+    float duration; /* s from here to the end; 0 = as far and fast as it goes asks for */
+    uint32_t seed;  /* of the DQ-VAE, as dm_motion_desc.seed */
+} dm_release_desc;
+
+typedef struct dm_release_plan {
+    uint32_t struct_size;
+    int32_t intent; /* as decided: DM_INTENT_STAY, OPEN, CLOSE or FREEZE */
+    float start_value, end_value;
+    float duration;        /* s; 0 when it is there already */
+    uint32_t from_network; /* 1: paced by the DQ-VAE; 0: by a rule */
+} dm_release_plan;
 
 /* ---- camera and scene --------------------------------------------------------------------------------------- */
 
@@ -439,10 +486,12 @@ DM_API dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion mot
 /* [any-thread] */
 DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion);
 
-/* The player grabs a part. [any-thread] */
+/* The player grabs a part. Where the library found the joint and the part is at rest, the drag holds the part's other
+ * hypotheses too, and follows the one that explains the pull best. [any-thread] */
 DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 
-/* The grabbed point follows the pointer ray (object frame) as closely as its joint allows; dt in seconds. [frame] */
+/* The grabbed point follows the pointer ray (object frame) as closely as its joint allows; dt in seconds. After
+ * dm_drag_release it moves by itself, and ray may be NULL. [frame] */
 DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                         dm_drag_state* out_state);
 
@@ -493,6 +542,16 @@ DM_API dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene);
  * moves or commits. [frame] */
 DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
 
+/* The joint that the drag follows now, confidence after the pull so far. To keep it: dm_object_set_joint. [frame] */
+DM_API dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint* out_joint);
+
+/* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE
+ * paces it where the object has its weights. dm_drag_update moves it, dm_drag_end ends it at any time; a second release
+ * changes its mind or replays. desc NULL = all defaults; out_plan may be NULL, else its struct_size must be set.
+ * Microseconds to a millisecond. One caller at a time per drag. [any-thread] */
+DM_API dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
+                                         dm_release_plan* out_plan);
+
 /* ---- the same functions as a table ---------------------------------------------------------------------------
  * NEVER REARRANGE: the order is the binary interface "dm.core/1". New functions go to the end. */
 
@@ -542,7 +601,10 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
       (dm_context * context, dm_scene scene, uint32_t instance, uint32_t part_id, const dm_pose* pose))                \
     X(dm_result, scene_remove, (dm_context * context, dm_scene scene, uint32_t instance))                              \
     X(dm_result, scene_commit, (dm_context * context, dm_scene scene))                                                 \
-    X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))
+    X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))               \
+    X(dm_result, drag_get_joint, (dm_context * context, dm_drag drag, dm_joint * out_joint))                           \
+    X(dm_result, drag_release,                                                                                         \
+      (dm_context * context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;
