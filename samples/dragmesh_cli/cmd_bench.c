@@ -11,7 +11,7 @@
 #include "session.h"
 
 enum {
-    GRID = 16,             /* 21504 triangles */
+    GRID = 34, /* 97104 triangles */
     COLD_BYTES = 64 << 20, /* read before a cold call: more than the caches hold */
     COLD_ROUNDS = 9,
     MOST_ROUNDS = 20000,

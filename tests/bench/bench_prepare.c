@@ -1,0 +1,163 @@
+/* Where the time of dm_object_prepare goes, stage by stage: bench_prepare [triangles [models]]. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "kinematics/evidence.h"
+#include "kinematics/kinematics.h"
+#include "kinematics/prepare.h"
+#include "kinematics/ranker.h"
+#include "pick/picker.h"
+#include "support.h"
+
+#define ROUND_MS 600
+#define ARENA_BLOCK ((size_t)1 << 20)
+
+typedef struct stages {
+    dmi_env env;
+    dmi_axes axes;
+    dmi_picker* picker;
+    bench_mesh shape;
+    dmi_mesh* mesh;
+    dmi_bvh* bvh;
+    dmi_brain brain;
+    dmi_drag_hint hint;
+    dmi_cloud* cloud;
+    dmi_study study;
+    dmi_arena study_arena;
+    dmi_kpp_input input;
+    dmi_kpp_output output;
+    dmi_prediction prediction;
+    void* scratch;
+    dmi_candidate* candidates;
+    uint32_t candidate_count;
+    float (*evidence)[DMI_EVIDENCE_COUNT];
+    float* probability;
+} stages;
+
+static void check(dm_result result, const char* what) {
+    if (result == DM_OK) return;
+    fprintf(stderr, "bench_prepare: %s: error %d\n", what, result);
+    exit(1);
+}
+
+static void stage_mesh(void* user) {
+    stages* s = user;
+    const dm_mesh_desc desc = bench_mesh_desc(&s->shape);
+    dmi_mesh_destroy(&s->env, s->mesh);
+    check(dmi_mesh_create(&s->env, &s->axes, &desc, NULL, 0, &s->mesh), "mesh");
+}
+
+static void stage_bvh(void* user) {
+    stages* s = user;
+    dmi_bvh_destroy(s->bvh);
+    check(dmi_bvh_create(s->picker, s->mesh, &s->bvh), "bvh");
+}
+
+static void stage_cloud(void* user) {
+    stages* s = user;
+    check(dmi_cloud_sample(&s->env, s->mesh, 1, 0, s->cloud), "cloud");
+}
+
+static void stage_study(void* user) {
+    stages* s = user;
+    dmi_arena_release(&s->study_arena);
+    dmi_arena_init(&s->study_arena, &s->env, ARENA_BLOCK);
+    check(dmi_study_make(&s->study_arena, s->mesh, s->cloud, 1, NULL, &s->study), "study");
+}
+
+static void stage_input(void* user) {
+    stages* s = user;
+    dmi_kpp_input_make(s->cloud, &s->hint, &s->input);
+}
+
+static void stage_network(void* user) {
+    stages* s = user;
+    dmi_kpp_net_forward(s->brain.net, s->brain.isa, &s->input, s->scratch, &s->output);
+    dmi_prediction_read(&s->input.frame, &s->output, &s->prediction);
+}
+
+static void stage_candidates(void* user) {
+    stages* s = user;
+    s->candidate_count = dmi_candidates_make(&s->study, &s->hint, &s->prediction, s->candidates);
+}
+
+static void stage_evidence(void* user) {
+    stages* s = user;
+    dmi_evidence_make(&s->study, &s->hint, &s->prediction, s->candidates, s->candidate_count, s->evidence);
+}
+
+static void stage_ranker(void* user) {
+    stages* s = user;
+    dmi_ranker_probabilities(s->brain.ranker, (const float(*)[DMI_EVIDENCE_COUNT])s->evidence, s->candidate_count,
+                             s->probability);
+}
+
+static void stage_infer(void* user) {
+    stages* s = user;
+    dmi_hypotheses found;
+    const dmi_kinematics_query query = {.mesh = s->mesh,
+                                        .bvh = s->bvh,
+                                        .cloud = s->cloud,
+                                        .net = s->brain.net,
+                                        .ranker = s->brain.ranker,
+                                        .hint = &s->hint,
+                                        .part = 1,
+                                        .isa = s->brain.isa};
+    check(dmi_kinematics_infer(&s->env, &query, &found), "infer");
+}
+
+static void show(const char* name, stages* s, void (*stage)(void*)) {
+    double least;
+    const double median = bench_median_ns(stage, s, ROUND_MS, &least);
+    printf("%-12s %10.3f %10.3f\n", name, median * 1e-6, least * 1e-6);
+}
+
+static void load_models(const char* folder, stages* s) {
+    char path[4096];
+    size_t size;
+    dmi_kpp_net* net = NULL;
+    dmi_ranker* ranker = NULL; /* rules, where there is no file of it */
+    snprintf(path, sizeof path, "%s/kpp_net.safetensors", folder);
+    void* data = bench_read(path, &size);
+    check(dmi_kpp_net_load(&s->env, data, size, &net), path);
+    free(data);
+    snprintf(path, sizeof path, "%s/ranker.safetensors", folder);
+    data = access(path, R_OK) == 0 ? bench_read(path, &size) : NULL;
+    if (data != NULL) check(dmi_ranker_load(&s->env, data, size, &ranker), path);
+    free(data);
+    s->brain = (dmi_brain){net, ranker, dmi_cpu_best_isa()};
+    s->scratch = bench_alloc(dmi_kpp_net_scratch_size(net));
+}
+
+int main(int argc, char** argv) {
+    static stages s;
+    const dm_drag_hint drag = bench_mesh_drag(1);
+    const double point[3] = {(double)drag.point.x, (double)drag.point.y, (double)drag.point.z};
+    const float vector[3] = {drag.vector.x, drag.vector.y, drag.vector.z};
+    dmi_env_init(&s.env, NULL, NULL, NULL);
+    dmi_arena_init(&s.study_arena, &s.env, ARENA_BLOCK);
+    dmi_axes_init(&s.axes, DM_AXES_GLTF, NULL, 1);
+    check(dmi_picker_create(&s.env, &s.picker), "picker");
+    load_models(argc > 2 ? argv[2] : "sdk/models", &s);
+    s.shape = bench_mesh_new(argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 100000, 1);
+    s.cloud = bench_alloc(sizeof *s.cloud);
+    s.candidates = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.candidates);
+    s.evidence = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.evidence);
+    s.probability = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.probability);
+    printf("%u triangles    median ms   least ms\n", s.shape.face_count);
+    show("mesh", &s, stage_mesh);
+    show("bvh", &s, stage_bvh);
+    dmi_frame_point_in(&s.mesh->frame, point, s.hint.point);
+    dmi_frame_vector_in(&s.mesh->frame, vector, s.hint.vector);
+    show("cloud", &s, stage_cloud);
+    show("study", &s, stage_study);
+    show("input", &s, stage_input);
+    show("network", &s, stage_network);
+    show("candidates", &s, stage_candidates);
+    show("evidence", &s, stage_evidence);
+    show("ranker", &s, stage_ranker);
+    show("infer", &s, stage_infer);
+    printf("%u candidates\n", s.candidate_count);
+    return 0;
+}
