@@ -75,13 +75,13 @@ dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t c
                          const float high[3], dmi_field* out) {
     *out = (dmi_field){.samples = samples};
     float longest = 1e-6f;
-    for (int k = 0; k < 3; k++) longest = fmaxf(longest, high[k] - low[k]);
+    for (int k = 0; k < 3; k++) longest = dmi_max(longest, high[k] - low[k]);
     out->cell = longest / (DMI_FIELD_CELLS - 1);
     out->per_cell = 1 / out->cell;
     size_t cells = 1;
     for (int k = 0; k < 3; k++) {
         out->low[k] = low[k];
-        out->size[k] = (int32_t)ceilf(fmaxf(high[k] - low[k], 0) / out->cell) + 1;
+        out->size[k] = (int32_t)ceilf(dmi_max(high[k] - low[k], 0) / out->cell) + 1;
         cells *= (size_t)out->size[k];
     }
     out->distance = dmi_arena_push(arena, sizeof *out->distance * cells);
@@ -120,8 +120,8 @@ static uint32_t nearest_within(const dmi_field* field, const float point[3], flo
     for (int k = 0; k < 3; k++) {
         float at = (point[k] - field->low[k]) / field->cell, r = reach / field->cell,
               last = (float)(field->size[k] - 1);
-        from[k] = (int32_t)fminf(fmaxf(floorf(at - r), 0), last);
-        to[k] = (int32_t)fminf(fmaxf(floorf(at + r), 0), last);
+        from[k] = (int32_t)dmi_min(dmi_max(floorf(at - r), 0), last);
+        to[k] = (int32_t)dmi_min(dmi_max(floorf(at + r), 0), last);
     }
     uint32_t best = UINT32_MAX;
     float least = INFINITY;
@@ -145,7 +145,7 @@ static size_t clamped_cell(const dmi_field* field, const float point[3]) {
     size_t index = 0;
     for (int k = 2; k >= 0; k--) {
         float at = (point[k] - field->low[k]) * field->per_cell, last = (float)(field->size[k] - 1);
-        index = index * (size_t)field->size[k] + (size_t)fminf(fmaxf(at, 0), last);
+        index = index * (size_t)field->size[k] + (size_t)dmi_min(dmi_max(at, 0), last);
     }
     return index;
 }

@@ -6,6 +6,15 @@
 #include <stdint.h>
 #include <string.h>
 
+/* Not libm's: those are calls, for the sake of NaN, which never comes here. */
+static inline float dmi_min(float a, float b) {
+    return b < a ? b : a;
+}
+
+static inline float dmi_max(float a, float b) {
+    return b > a ? b : a;
+}
+
 static inline float dmi_dot3(const float a[3], const float b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -45,8 +45,8 @@ static limits2 limits_along(const point2* hull, uint32_t count, float c, float s
     limits2 l = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (uint32_t i = 0; i < count; i++) {
         float x = c * hull[i].x + s * hull[i].y, y = c * hull[i].y - s * hull[i].x;
-        l.low[0] = fminf(l.low[0], x), l.high[0] = fmaxf(l.high[0], x);
-        l.low[1] = fminf(l.low[1], y), l.high[1] = fmaxf(l.high[1], y);
+        l.low[0] = dmi_min(l.low[0], x), l.high[0] = dmi_max(l.high[0], x);
+        l.low[1] = dmi_min(l.low[1], y), l.high[1] = dmi_max(l.high[1], y);
     }
     return l;
 }
@@ -122,7 +122,7 @@ void dmi_shape_box(const float (*points)[3], uint32_t count, const float (*direc
         }
         dmi_shape_limits(points, count, (const float(*)[3]) & box.axes[2], 1, &box.low[2], &box.high[2]);
         float side[3], most = 0, volume = 1;
-        for (int i = 0; i < 3; i++) side[i] = box.high[i] - box.low[i], most = fmaxf(most, side[i]);
+        for (int i = 0; i < 3; i++) side[i] = box.high[i] - box.low[i], most = dmi_max(most, side[i]);
         for (int i = 0; i < 3; i++) volume *= side[i] + 1e-3f * most;
         if (volume >= best * 0.995f) continue;
         best = volume, *out = box;

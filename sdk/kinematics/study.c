@@ -13,8 +13,8 @@
 
 static void grow(const float point[3], float low[3], float high[3]) {
     for (int k = 0; k < 3; k++) {
-        low[k] = fminf(low[k], point[k]);
-        high[k] = fmaxf(high[k], point[k]);
+        low[k] = dmi_min(low[k], point[k]);
+        high[k] = dmi_max(high[k], point[k]);
     }
 }
 
@@ -72,7 +72,7 @@ static uint32_t faces_in_box(const dmi_mesh* mesh, const uint8_t* moving, const 
             float a = mesh->positions[3 * (size_t)mesh->indices[3 * f] + (size_t)k];
             float b = mesh->positions[3 * (size_t)mesh->indices[3 * f + 1] + (size_t)k];
             float c = mesh->positions[3 * (size_t)mesh->indices[3 * f + 2] + (size_t)k];
-            inside &= fminf(a, fminf(b, c)) <= high[k] && fmaxf(a, fmaxf(b, c)) >= low[k];
+            inside &= dmi_min(a, dmi_min(b, c)) <= high[k] && dmi_max(a, dmi_max(b, c)) >= low[k];
         }
         if (!inside) continue;
         total += mesh->face_area[f];
@@ -275,10 +275,10 @@ dm_result dmi_study_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud
     float(*vertices)[3] = moving != NULL ? part_vertices(arena, moving, out, &vertex_count) : NULL;
     if (vertices == NULL) return DM_ERROR_OUT_OF_MEMORY;
     float side = 0, low[3], high[3];
-    for (int k = 0; k < 3; k++) side = fmaxf(side, out->high[k] - out->low[k]);
-    out->diagonal = fmaxf(dmi_distance3(out->low, out->high), 1e-5f);
+    for (int k = 0; k < 3; k++) side = dmi_max(side, out->high[k] - out->low[k]);
+    out->diagonal = dmi_max(dmi_distance3(out->low, out->high), 1e-5f);
     out->area_ratio = area_ratio(mesh, moving);
-    float pad = fmaxf(0.6f * side, 0.02f);
+    float pad = dmi_max(0.6f * side, 0.02f);
     for (int k = 0; k < 3; k++) low[k] = out->low[k] - pad, high[k] = out->high[k] + pad;
 
     dm_result result = find_near(arena, moving, cloud, low, high, out);

@@ -1,6 +1,8 @@
-/* Where the time of dm_object_prepare goes, stage by stage: bench_prepare [triangles [models]]. */
+/* Where the time of dm_object_prepare goes, stage by stage: bench_prepare [triangles [models [stage]]];
+ * with a stage, for profilers, the others run once. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "kinematics/evidence.h"
@@ -33,6 +35,7 @@ typedef struct stages {
     uint32_t candidate_count;
     float (*evidence)[DMI_EVIDENCE_COUNT];
     float* probability;
+    const char* only; /* NULL: every stage is measured */
 } stages;
 
 static void check(dm_result result, const char* what) {
@@ -108,6 +111,10 @@ static void stage_infer(void* user) {
 }
 
 static void show(const char* name, stages* s, void (*stage)(void*)) {
+    if (s->only != NULL && strcmp(s->only, name) != 0) {
+        stage(s);
+        return;
+    }
     double least;
     const double median = bench_median_ns(stage, s, ROUND_MS, &least);
     printf("%-12s %10.3f %10.3f\n", name, median * 1e-6, least * 1e-6);
@@ -141,6 +148,7 @@ int main(int argc, char** argv) {
     check(dmi_picker_create(&s.env, &s.picker), "picker");
     load_models(argc > 2 ? argv[2] : "sdk/models", &s);
     s.shape = bench_mesh_new(argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 100000, 1);
+    s.only = argc > 3 ? argv[3] : NULL;
     s.cloud = bench_alloc(sizeof *s.cloud);
     s.candidates = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.candidates);
     s.evidence = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.evidence);
