@@ -90,7 +90,7 @@ program("dragmesh_cli", { "samples/dragmesh_cli/*.c" }, { "dragmesh", "dragmesh_
     targetname "dragmesh"
 
 program("dragmesh_generate", { "training/generate/*.c" },
-    { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "m" })
+    { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
 
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")

@@ -1,4 +1,5 @@
-/* dragmesh_generate: writes one generated object as object.glb and joints.json.
+/* dragmesh_generate: writes one generated object as object.glb and joints.json, draws contact sheets of many, measures
+ * how fast they are made.
  * joints.json: the object's fields, then for every joint its line, limits, moving nodes and three exact drags. */
 #include <cjson/cJSON.h>
 #include <errno.h>
@@ -8,53 +9,90 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "bench.h"
 #include "dragmesh/ext/gltf.h"
 #include "generator.h"
+#include "sheet.h"
+
+enum { CATEGORY_LIMIT = 256 };
 
 typedef struct options {
-    const char* category;
-    const char* folder;
+    const char* folder; /* or file */
     uint64_t seed;
-    uint32_t flags;
-    int list;
+    uint32_t flags, columns;
+    enum { MAKE, LIST, SHEET, BENCH } mode;
+    int seeded;
+    uint32_t categories[CATEGORY_LIMIT], count;
 } options;
 
 static int usage(FILE* to) {
     fputs("usage: dragmesh_generate --list\n"
-          "       dragmesh_generate --category NAME --seed N [--messy] -o DIR\n",
+          "       dragmesh_generate --category NAME --seed N [--messy] -o DIR\n"
+          "       dragmesh_generate --sheet -o PICTURE.png [--category NAME]... [--columns N] [--seed N] [--messy]\n"
+          "       dragmesh_generate --bench [--category NAME]... [--messy]\n",
           to);
     return 2;
 }
 
+static int parse_number(const char* name, const char* text, uint64_t most, uint64_t* out) {
+    char* end;
+    errno = 0;
+    *out = strtoull(text, &end, 10);
+    if (!*end && end != text && !errno && *text != '-' && *out <= most) return 1;
+    fprintf(stderr, "dragmesh_generate: %s %s is not a number it takes\n", name, text);
+    return 0;
+}
+
+static int parse_category(const char* name, options* out) {
+    const int32_t category = dmg_category_find(name);
+    if (category >= 0 && out->count < CATEGORY_LIMIT) {
+        out->categories[out->count++] = (uint32_t)category;
+        return 1;
+    }
+    fprintf(stderr, "dragmesh_generate: no category '%s' (see --list)\n", name);
+    return 0;
+}
+
+/* One argument with its value; 0 when it is neither known nor whole. */
+static int parse_value(const char* name, const char* value, options* out) {
+    uint64_t number = 0;
+    if (strcmp(name, "--category") == 0) return parse_category(value, out);
+    if (strcmp(name, "-o") == 0) {
+        out->folder = value;
+        return 1;
+    }
+    if (strcmp(name, "--seed") == 0) {
+        out->seeded = 1;
+        return parse_number(name, value, UINT64_MAX, &out->seed);
+    }
+    if (strcmp(name, "--columns") == 0) {
+        const int ok = parse_number(name, value, 64, &number);
+        out->columns = number > 0 ? (uint32_t)number : 1;
+        return ok;
+    }
+    fprintf(stderr, "dragmesh_generate: unknown or incomplete argument %s\n", name);
+    return 0;
+}
+
 static int parse(int count, char** arguments, options* out) {
-    int seeded = 0;
+    out->columns = 4;
     for (int i = 1; i < count; ++i) {
         const char* a = arguments[i];
-        const char* value = i + 1 < count ? arguments[i + 1] : NULL;
         if (strcmp(a, "--list") == 0)
-            out->list = 1;
+            out->mode = LIST;
+        else if (strcmp(a, "--sheet") == 0)
+            out->mode = SHEET;
+        else if (strcmp(a, "--bench") == 0)
+            out->mode = BENCH;
         else if (strcmp(a, "--messy") == 0)
             out->flags |= DMG_MESSY;
-        else if (value && strcmp(a, "--category") == 0)
-            out->category = arguments[++i];
-        else if (value && strcmp(a, "-o") == 0)
-            out->folder = arguments[++i];
-        else if (value && strcmp(a, "--seed") == 0) {
-            char* end;
-            errno = 0;
-            out->seed = strtoull(value, &end, 10);
-            if (*end || end == value || errno || *value == '-') {
-                fprintf(stderr, "dragmesh_generate: --seed %s is not a number\n", value);
-                return 0;
-            }
-            seeded = 1;
-            ++i;
-        } else {
-            fprintf(stderr, "dragmesh_generate: unknown or incomplete argument %s\n", a);
+        else if (!parse_value(a, i + 1 < count ? arguments[i + 1] : "", out))
             return 0;
-        }
+        else
+            ++i;
     }
-    return out->list || (out->category && out->folder && seeded);
+    if (out->mode == MAKE) return out->count == 1 && out->folder && out->seeded;
+    return out->mode != SHEET || out->folder;
 }
 
 /* ---- joints.json ---- */
@@ -277,13 +315,8 @@ static int make_folder(const char* folder) {
 }
 
 static int generate(const options* options) {
-    int32_t category = dmg_category_find(options->category);
-    if (category < 0) {
-        fprintf(stderr, "dragmesh_generate: no category '%s' (see --list)\n", options->category);
-        return 2;
-    }
     dmg_object object;
-    if (dmg_make((uint32_t)category, options->seed, options->flags, &object) != 0) {
+    if (dmg_make(options->categories[0], options->seed, options->flags, &object) != 0) {
         fprintf(stderr, "dragmesh_generate: out of memory\n");
         return 1;
     }
@@ -292,7 +325,7 @@ static int generate(const options* options) {
     char* json = object_json(&object, options);
     int ok = json && write_glb(&object, &glb, &size);
     if (!ok)
-        fprintf(stderr, "dragmesh_generate: %s seed %llu could not be encoded\n", options->category,
+        fprintf(stderr, "dragmesh_generate: %s seed %llu could not be encoded\n", object.category,
                 (unsigned long long)options->seed);
     ok = ok && make_folder(options->folder) && write_file(options->folder, "object.glb", glb, size) &&
          write_file(options->folder, "joints.json", json, strlen(json));
@@ -302,9 +335,22 @@ static int generate(const options* options) {
     return ok ? 0 : 1;
 }
 
+static int list(void) {
+    for (uint32_t i = 0; i < dmg_category_count(); ++i) puts(dmg_category_name(i));
+    return 0;
+}
+
 int main(int count, char** arguments) {
     options options = {0};
     if (!parse(count, arguments, &options)) return usage(stderr);
-    for (uint32_t i = 0; options.list && i < dmg_category_count(); ++i) puts(dmg_category_name(i));
-    return options.list ? 0 : generate(&options);
+    if (options.mode == LIST) return list();
+    if (options.mode == MAKE) return generate(&options);
+    const int all = options.count == 0;
+    for (uint32_t i = 0; all && i < dmg_category_count() && i < CATEGORY_LIMIT; ++i)
+        options.categories[options.count++] = i;
+    if (options.mode == BENCH) return bench(options.categories, options.count, options.flags);
+    return sheet_write(options.folder, options.categories, options.count, options.columns, options.seed,
+                       options.flags) == 0
+               ? 0
+               : 1;
 }

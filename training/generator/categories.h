@@ -97,7 +97,14 @@
     X(pan_tilt)                                                                                                        \
     X(rail)                                                                                                            \
     X(jetway)                                                                                                          \
-    X(crane)
+    X(crane)                                                                                                           \
+    /* cockpit.c */                                                                                                    \
+    X(control_panel)                                                                                                   \
+    X(instrument)                                                                                                      \
+    X(yoke)                                                                                                            \
+    X(throttle)                                                                                                        \
+    /* gadget.c */                                                                                                     \
+    X(gadget)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

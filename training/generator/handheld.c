@@ -80,7 +80,7 @@ static void draw_ring(dmg_builder* b, const shell* s) {
 /* One part has one joint here: a real stick presses and leans about two lines, and only the drag tells which is meant.
  */
 static void draw_thumbstick(dmg_builder* b, uint32_t parent, float radius) {
-    float rise = radius * dmg_range(b, 0.5f, 1.3f), pivot = -radius * dmg_range(b, -0.3f, 1.0f),
+    float rise = radius * dmg_range(b, 0.35f, 0.9f), pivot = -radius * dmg_range(b, -0.3f, 1.0f),
           swing = dmg_range(b, 0.2f, 0.4f);
     bool collar = dmg_chance(b, 0.6f);
     if (collar) dmg_torus(b, v3(0, 0, 0), v3(0, 0, 1), 1.25f * radius, radius * dmg_range(b, 0.06f, 0.2f));

@@ -188,13 +188,14 @@ static void draw_leg(dmg_builder* b, const link_style* s, float thigh, float shi
     uint32_t carrier = 0;
     float t = s->thick;
     if (out) {
+        dmg_beam(b, v3(-6 * t, 0, 0), v3(-0.5f * t, 0, 0), 0.8f * t, 0.8f * t);
         carrier = dmg_hinge(b, 0, "hip", v3(0, 0, 0), v3(0, 0, dmg_sign(b)), -0.8f, 0.8f);
         draw_hub(b, s, v3(0, 0, 0), v3(0, 0, 1), 1.2f * t);
         dmg_box(b, v3(t, 0, 0), v3(2 * t, 1.2f * t, 1.2f * t));
-    } else if (motor) {
-        dmg_rod(b, v3(-t, 0, 0), v3(t, 0, 0), 1.5f * t);
+    } else {
+        dmg_rod(b, v3(-6 * t, 0, 0), v3(2 * t, 0, 0), motor ? 1.5f * t : 0.5f * t);
     }
-    float x = 2.2f * t;
+    float x = out ? 2.2f * t : 2.0f * t;
     dmg_vec hip = {x, 0, 0}, knee = {x, -thigh * cosf(bend), -thigh * sinf(bend)},
             foot = {x, knee.y - shin * cosf(0.8f * bend), knee.z + shin * sinf(0.8f * bend)};
     bool endless = dmg_chance(b, 0.3f);
@@ -405,14 +406,14 @@ void dmg_build_jetway(dmg_builder* b) {
     if (!room_turns) dmg_box(b, v3(0, 0, 0.2f * width), v3(width, height, 0.6f * width));
     if (dmg_chance(b, 0.7f))
         carrier = dmg_hinge(b, carrier, "slope", v3(0, -0.4f * height, 0), v3(-1, 0, 0), -0.15f, 0.15f);
-    float grow = 1.0f, at = 0.0f;
+    float grow = 1.0f, at = 0.0f, end = 0.0f;
     for (int i = 0; i < tunnels; ++i) {
         if (i > 0) carrier = dmg_slide(b, carrier, "tunnel", v3(0, 0, 1), 0.0f, 0.7f * length);
-        draw_tunnel(b, kind, at, at + length, grow * width, grow * height);
+        end = at + length;
+        draw_tunnel(b, kind, at, end, grow * width, grow * height);
         grow *= dmg_chance(b, 0.5f) ? 0.9f : 1.0f / 0.9f;
         at += length * dmg_range(b, 0.15f, 0.6f);
     }
-    float end = at + (length - (at > 0.0f ? 0.15f * length : 0.0f));
     dmg_move(b, 0, 0, end);
     if (dmg_chance(b, 0.7f)) { /* legs with wheels under the last tunnel */
         float drop = floor + 0.5f * height - 0.3f;
@@ -488,9 +489,10 @@ void dmg_build_crane(dmg_builder* b) {
         dmg_extrude(b, side, 5, -0.35f * size, 0.35f * size);
         dmg_restore(b);
     } else if (dmg_chance(b, 0.5f)) { /* a hook on a rope */
+        dmg_use(b, carrier);
+        dmg_rod(b, v3_add(at, v3(0, -1.4f * size, 0)), at, 0.015f * size);
         dmg_slide(b, carrier, "hook", v3(0, -1, 0), 0.0f, 0.8f * size);
-        dmg_rod(b, v3_add(at, v3(0, -0.6f * size, 0)), at, 0.02f * size);
-        dmg_box(b, v3_add(at, v3(0, -0.65f * size, 0)), v3(0.15f * size, 0.2f * size, 0.1f * size));
+        dmg_box(b, v3_add(at, v3(0, -0.55f * size, 0)), v3(0.15f * size, 0.2f * size, 0.1f * size));
     }
     dmg_use(b, 0);
 }
