@@ -98,8 +98,7 @@ static dm_result run_network(const request* work, float out_values[DM_MOTION_FRA
 
 /* Conversions round: the last key value of a full opening must not lie a bit beyond the limit. */
 static void clamp_values(const dm_joint* joint, float values[DM_MOTION_FRAMES]) {
-    if (joint->type == DM_JOINT_CONTINUOUS) return;
-    for (int i = 0; i < DM_MOTION_FRAMES; i++) values[i] = fminf(fmaxf(values[i], joint->lower), joint->upper);
+    for (int i = 0; i < DM_MOTION_FRAMES; i++) values[i] = dmi_joint_clamp(joint, values[i]);
 }
 
 static dm_result generate(request* work, dmi_motion* out_motion) {

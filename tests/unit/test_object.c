@@ -487,6 +487,27 @@ static void test_motion_follows_the_joint_in_force(void** state) {
     test_world_close(&w);
 }
 
+/* Equal limits are none: the motion is free to turn. */
+static void test_motion_without_limits(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    test_world_load_model(&w);
+    dm_object object = test_world_cabinet(&w);
+    dm_joint hinge = test_hinge();
+    hinge.upper = hinge.lower;
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
+    const dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = TEST_DOOR, .drag = test_pull()};
+    dm_pose poses[DM_MOTION_FRAMES];
+    float values[DM_MOTION_FRAMES];
+    dm_motion motion;
+    assert_int_equal(dm_motion_generate(w.context, object, &desc, &motion), DM_OK);
+    assert_int_equal(dm_motion_get_frames(w.context, motion, poses, values), DM_OK);
+    assert_true(values[DM_MOTION_FRAMES - 1] > 0.5f);
+    test_world_close(&w);
+}
+
 static void test_motion_arguments(void** state) {
     (void)state;
     test_world w;
@@ -654,6 +675,7 @@ int main(void) {
         cmocka_unit_test(test_refine_equals_prepare),
         cmocka_unit_test(test_picking_does_not_change_joints),
         cmocka_unit_test(test_motion_follows_the_joint_in_force),
+        cmocka_unit_test(test_motion_without_limits),
         cmocka_unit_test(test_motion_arguments),
         cmocka_unit_test(test_a_fixed_part_stays),
         cmocka_unit_test(test_destroying_an_object_ends_what_hangs_on_it),
