@@ -14,7 +14,8 @@ typedef struct cli_command {
     const char* summary;
 } cli_command;
 
-extern const cli_command cli_infer, cli_animate, cli_film, cli_pick, cli_prepare, cli_eval, cli_bench, cli_demo;
+extern const cli_command cli_infer, cli_animate, cli_film, cli_pick, cli_prepare, cli_eval, cli_bench, cli_demo,
+    cli_dragbot;
 
 /* Memory of a tool: ends the program with a message when there is none. free() releases it. */
 void* cli_alloc(size_t size);

@@ -7,8 +7,8 @@
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 
-static const cli_command* const commands[] = {&cli_infer,   &cli_animate, &cli_film,  &cli_pick,
-                                              &cli_prepare, &cli_eval,    &cli_bench, &cli_demo};
+static const cli_command* const commands[] = {&cli_infer, &cli_animate, &cli_film, &cli_pick,   &cli_prepare,
+                                              &cli_eval,  &cli_bench,   &cli_demo, &cli_dragbot};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 void* cli_grow(void* memory, size_t size) {

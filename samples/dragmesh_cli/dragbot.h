@@ -1,0 +1,104 @@
+/* A scripted player: looks at an object, grabs a part where it sees it and draws it along the way it should go. The
+ * truth steers the mouse and nothing else. */
+#ifndef CLI_DRAGBOT_H
+#define CLI_DRAGBOT_H
+
+#include "dataset.h"
+#include "random.h"
+
+/* The player's screen, pixels. */
+enum { BOT_WIDTH = 1280, BOT_HEIGHT = 960 };
+
+/* ---- what the player sees ---- */
+
+/* Every BOT_STEP-th pixel of the screen, told by a rasteriser of the bot's own. */
+enum { BOT_STEP = 4, BOT_COLUMNS = BOT_WIDTH / BOT_STEP, BOT_ROWS = BOT_HEIGHT / BOT_STEP };
+
+typedef struct bot_view {
+    dm_camera camera;
+    vec eye, right, up, forward;
+    double zoom;    /* pixels a unit at distance 1 */
+    float* depth;   /* 1 / distance along forward, 0: nothing; BOT_COLUMNS x BOT_ROWS */
+    uint32_t* part; /* the part seen, 0: the body or nothing */
+} bot_view;
+
+bot_view bot_view_new(void);
+void bot_view_free(bot_view* view);
+/* Looks from the unit direction `from` at a ball. */
+void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, double distance);
+/* Draws a mesh, one part id a face. */
+void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face_parts);
+/* The pixel of a point; 0 when it is behind the eye. */
+int bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);
+int bot_view_on_screen(double x, double y);
+/* The point seen at column, row. */
+vec bot_view_point(const bot_view* view, int column, int row);
+
+/* ---- one case ---- */
+
+enum { BOT_FRAMES = 120, BOT_HOLD = 20 }; /* at 60 a second: a pull of two seconds, then still */
+
+/* A pixel to grab at and the way of the mouse. */
+typedef struct bot_pull {
+    int x, y;     /* of the grab */
+    vec point;    /* seen there */
+    double asked; /* the true joint's value at the end */
+    double path[BOT_FRAMES][2];
+    double length; /* of the path, pixels */
+} bot_pull;
+
+/* Where the true joint at `value` takes a point. */
+vec bot_true_move(const known_joint* truth, vec point, double value);
+/* The true value the bot pulls to. */
+double bot_travel(const known_joint* truth, double size);
+/* 1 with a pull a mouse can do; 0: the part is not seen; -1: seen, but no place on it has a way a mouse can draw. */
+int bot_choose_pull(const bot_view* view, uint32_t part, const known_joint* truth, double size, random_state* random,
+                    bot_pull* out_pull);
+
+typedef struct bot_times {
+    float* ns;
+    size_t count, room;
+} bot_times;
+
+typedef struct bot_result {
+    int picked;        /* the right part */
+    double reached;    /* share of what was asked, on the true joint */
+    double off;        /* farthest that the grabbed point was from the pointer, share of the screen's height */
+    int jumps;         /* frames */
+    double worst_jump; /* px */
+    int changes;       /* of the joint, told by the pull */
+    int success;
+    dm_joint joint; /* at the end */
+} bot_result;
+
+/* Picks and drags. centre: of the part's vertices. */
+dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const bot_pull* pull, uint32_t part,
+                   const known_joint* truth, vec centre, bot_times* times, bot_result* out_result);
+
+/* ---- all cases ---- */
+
+typedef struct bot_options {
+    int cameras, given_only, worst;
+} bot_options;
+
+typedef struct bot_row {
+    bot_result found, given; /* with the library's joint; with the true one */
+    int slides;
+    bot_pull pull;
+    int camera;
+    char id[200];
+} bot_row;
+
+typedef struct bot_score {
+    bot_row* rows;
+    size_t count, room;
+    int unseen, undrawable; /* joint and camera: the part is hidden; a mouse can't draw its way */
+    int failed;             /* objects and joints without an answer */
+    bot_times times;
+} bot_score;
+
+/* Plays all joints of an object. */
+void bot_play_object(session* session, const char* folder, const char* name, const bot_options* options,
+                     bot_score* score);
+
+#endif

@@ -1,0 +1,100 @@
+/* Where the scripted player grabs, and the way its mouse goes: the projection of the true motion. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "dragbot.h"
+
+enum { LEAST_SEEN = 12 };             /* samples of a part, with neighbours of the same part */
+enum { TRIES = 24 };                  /* places on a part */
+static const double least_arm = 0.3;  /* of the largest distance to the axis that is seen: nobody grabs at the hinge */
+static const double least_path = 10;  /* px */
+static const double free_slide = 0.1; /* of the object's size, where no limits are known */
+
+vec bot_true_move(const known_joint* truth, vec point, double value) {
+    if (truth->slides) return add(point, scale(truth->axis, value));
+    return add(truth->origin, turn(sub(point, truth->origin), truth->axis, value));
+}
+
+/* +1 or -1: the side of rest that the data's own drags pull to. */
+static double side_of(const known_joint* truth) {
+    if (truth->drag_count == 0) return fabs(truth->lower) > fabs(truth->upper) ? -1 : 1;
+    const vec point = truth->drags[0].point;
+    const vec way = truth->slides ? truth->axis : cross(truth->axis, sub(point, truth->origin));
+    return dot(way, truth->drags[0].vector) < 0 ? -1 : 1;
+}
+
+double bot_travel(const known_joint* truth, double size) {
+    const double side = side_of(truth), end = side > 0 ? truth->upper : truth->lower;
+    if (isfinite(end) && end * side > 0) return end;
+    return side * (truth->slides ? free_slide * size : 0.5 * CLI_PI);
+}
+
+/* ---- the mouse's way ---- */
+
+static double pace(double s) {
+    return s * s * s * (10 - 15 * s + 6 * s * s);
+}
+
+static int make_path(const bot_view* view, const known_joint* truth, bot_pull* pull) {
+    pull->length = 0;
+    for (int i = 0; i < BOT_FRAMES; i++) {
+        const double value = pull->asked * pace((i + 1.0) / BOT_FRAMES);
+        double* at = pull->path[i];
+        if (!bot_view_project(view, bot_true_move(truth, pull->point, value), &at[0], &at[1])) return 0;
+        if (!bot_view_on_screen(at[0], at[1])) return 0;
+        const double x = i ? pull->path[i - 1][0] : pull->x, y = i ? pull->path[i - 1][1] : pull->y;
+        pull->length += hypot(at[0] - x, at[1] - y);
+    }
+    return pull->length >= least_path;
+}
+
+/* ---- the place ---- */
+
+static int is_inside(const bot_view* view, int column, int row, uint32_t part) {
+    for (int y = row - 1; y <= row + 1; y++) {
+        for (int x = column - 1; x <= column + 1; x++) {
+            if (x < 0 || y < 0 || x >= BOT_COLUMNS || y >= BOT_ROWS) return 0;
+            if (view->part[(size_t)y * BOT_COLUMNS + (size_t)x] != part) return 0;
+        }
+    }
+    return 1;
+}
+
+static double arm_of(const known_joint* truth, vec point) {
+    return truth->slides ? 1 : length(cross(truth->axis, sub(point, truth->origin)));
+}
+
+/* Samples well inside what is seen of the part, as row * BOT_COLUMNS + column; those near a hinge left out. */
+static int* find_places(const bot_view* view, uint32_t part, const known_joint* truth, int* out_count) {
+    int* places = cli_alloc((size_t)BOT_COLUMNS * BOT_ROWS * sizeof *places);
+    int count = 0, kept = 0;
+    double most = 0;
+    for (int at = 0; at < BOT_COLUMNS * BOT_ROWS; at++) {
+        if (!is_inside(view, at % BOT_COLUMNS, at / BOT_COLUMNS, part)) continue;
+        most = fmax(most, arm_of(truth, bot_view_point(view, at % BOT_COLUMNS, at / BOT_COLUMNS)));
+        places[count++] = at;
+    }
+    for (int i = 0; i < count; i++) {
+        const vec point = bot_view_point(view, places[i] % BOT_COLUMNS, places[i] / BOT_COLUMNS);
+        if (arm_of(truth, point) >= least_arm * most) places[kept++] = places[i];
+    }
+    *out_count = count < LEAST_SEEN ? 0 : kept;
+    return places;
+}
+
+int bot_choose_pull(const bot_view* view, uint32_t part, const known_joint* truth, double size, random_state* random,
+                    bot_pull* out_pull) {
+    int count;
+    int* places = find_places(view, part, truth, &count);
+    int found = count > 0 ? -1 : 0;
+    for (int i = 0; i < TRIES && found < 0; i++) {
+        const int at = places[random_u64(random) % (uint64_t)count];
+        *out_pull = (bot_pull){.x = at % BOT_COLUMNS * BOT_STEP,
+                               .y = at / BOT_COLUMNS * BOT_STEP,
+                               .point = bot_view_point(view, at % BOT_COLUMNS, at / BOT_COLUMNS),
+                               .asked = bot_travel(truth, size)};
+        if (make_path(view, truth, out_pull)) found = 1;
+    }
+    free(places);
+    return found;
+}
