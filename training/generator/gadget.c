@@ -64,7 +64,7 @@ static body draw_body(dmg_builder* b, float size) {
         add_place(&out, v3(0, 2 * y, 0), v3(0, 1, 0), v3(0, 0, -1), 0.7f * r, 0.7f * r);
         for (int i = 0; i < 3; ++i) {
             float angle = 2.1f * (float)i;
-            add_place(&out, v3(0.97f * r * sinf(angle), y, 0.97f * r * cosf(angle)), v3(sinf(angle), 0, cosf(angle)),
+            add_place(&out, v3(0.985f * r * sinf(angle), y, 0.985f * r * cosf(angle)), v3(sinf(angle), 0, cosf(angle)),
                       v3(0, 1, 0), 0.35f * r, y);
         }
     }
@@ -73,7 +73,7 @@ static body draw_body(dmg_builder* b, float size) {
         dmg_rod(b, v3(-x, r, 0), v3(x, r, 0), r);
         for (int s = -1; s <= 1; s += 2)
             add_place(&out, v3((float)s * x, r, 0), v3((float)s, 0, 0), v3(0, 1, 0), 0.7f * r, 0.7f * r);
-        add_place(&out, v3(0, 1.96f * r, 0), v3(0, 1, 0), v3(0, 0, -1), x, 0.35f * r);
+        add_place(&out, v3(0, 1.99f * r, 0), v3(0, 1, 0), v3(0, 0, -1), x, 0.35f * r);
     }
     if (kind == 5) { /* two blocks */
         dmg_box(b, centre, v3_scale(half, 2));
