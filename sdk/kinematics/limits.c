@@ -21,22 +21,33 @@ typedef struct sweeper {
     uint32_t free_count;
 } sweeper;
 
-static void moved(const sweeper* s, const float point[3], float value, float out[3]) {
+/* The joint at a value. */
+typedef struct placement {
+    float value, cosine, sine;
+} placement;
+
+static placement place(const sweeper* s, float value) {
+    if (s->joint->type == DM_JOINT_PRISMATIC) return (placement){value, 1, 0};
+    return (placement){value, cosf(value), sinf(value)};
+}
+
+static void moved(const sweeper* s, const float point[3], placement at, float out[3]) {
     if (s->joint->type == DM_JOINT_PRISMATIC) {
-        dmi_madd3(point, value, s->axis, out);
+        dmi_madd3(point, at.value, s->axis, out);
         return;
     }
-    dmi_turn3(s->axis, s->origin, cosf(value), sinf(value), point, out);
-    if (s->joint->type == DM_JOINT_SCREW) dmi_madd3(out, s->joint->pitch * value, s->axis, out);
+    dmi_turn3(s->axis, s->origin, at.cosine, at.sine, point, out);
+    if (s->joint->type == DM_JOINT_SCREW) dmi_madd3(out, s->joint->pitch * at.value, s->axis, out);
 }
 
 /* Share of the free points that are inside the body's cells at a value. */
 static float blocked(const sweeper* s, float value) {
+    const placement at = place(s, value);
     uint32_t hits = 0;
     for (uint32_t i = 0; i < POINTS; i++) {
         float x[3];
         if (!s->free[i]) continue;
-        moved(s, s->study->points[i], value, x);
+        moved(s, s->study->points[i], at, x);
         hits += dmi_field_distance(&s->study->body_field, x) < 0.9f * s->study->body_field.cell;
     }
     return s->free_count > 0 ? (float)hits / (float)s->free_count : 0;
@@ -58,10 +69,12 @@ static float extent_along(const sweeper* s) {
 
 /* The part looks the same at several angles: a knob, a wheel, a cap. */
 static int is_round(const sweeper* s) {
+    placement at[3];
     float mean = 0;
+    for (int i = 0; i < 3; i++) at[i] = place(s, 0.4f + 2.1f * (float)i);
     for (uint32_t i = 0; i < POINTS; i++) {
         float x[3];
-        moved(s, s->study->points[i], 0.4f + 2.1f * (float)(i % 3), x);
+        moved(s, s->study->points[i], at[i % 3], x);
         mean += dmi_field_distance(&s->study->part_field, x) / POINTS;
     }
     return mean < ROUND * s->study->diagonal + 0.5f * s->study->part_field.cell;

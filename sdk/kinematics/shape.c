@@ -135,27 +135,79 @@ static void fan_direction(int i, float out[3]) {
     out[0] = r * cosf(angle), out[1] = r * sinf(angle), out[2] = z;
 }
 
-static void extremes_along(const float (*points)[3], uint32_t count, const float d[3], uint32_t out[2]) {
-    float low = INFINITY, high = -INFINITY;
-    for (uint32_t i = 0; i < count; i++) {
-        float t = dmi_dot3(points[i], d);
-        if (t < low) low = t, out[0] = i;
-        if (t > high) high = t, out[1] = i;
+#define LANES 4
+#define BLOCK 1024 /* points at hand at once, coordinates apart */
+#define MAX_DIRECTIONS 128
+
+typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
+typedef int32_t int_lanes __attribute__((vector_size(LANES * sizeof(int32_t))));
+
+/* The first of the points that are farthest one way and the other. */
+typedef struct extreme {
+    float low, high;
+    uint32_t ends[2];
+} extreme;
+
+static inline lanes load(const float* p) {
+    lanes value;
+    memcpy(&value, p, sizeof value);
+    return value;
+}
+
+static inline int_lanes choose(int_lanes mask, int_lanes yes, int_lanes no) {
+    return (mask & yes) | (~mask & no);
+}
+
+/* Goes on with a block of points that starts at index `first`. Points past its last one repeat that. */
+static void extremes_along(const float (*block)[BLOCK], uint32_t count, uint32_t first, const float d[3],
+                           extreme* out) {
+    int_lanes place = {0, 1, 2, 3}, low_place = {0}, high_place = {0};
+    lanes low = INFINITY - (lanes){0}, high = -low;
+    for (uint32_t i = 0; i < count; i += LANES, place += LANES) {
+        const lanes t = load(block[0] + i) * d[0] + load(block[1] + i) * d[1] + load(block[2] + i) * d[2];
+        const int_lanes less = t<low, more = t> high;
+        low = (lanes)choose(less, (int_lanes)t, (int_lanes)low), low_place = choose(less, place, low_place);
+        high = (lanes)choose(more, (int_lanes)t, (int_lanes)high), high_place = choose(more, place, high_place);
+    }
+    for (int lane = 0; lane < LANES; lane++) {
+        const uint32_t a = first + (uint32_t)low_place[lane], b = first + (uint32_t)high_place[lane];
+        if (low[lane] < out->low || (low[lane] == out->low && a < out->ends[0])) out->low = low[lane], out->ends[0] = a;
+        if (high[lane] > out->high || (high[lane] == out->high && b < out->ends[1]))
+            out->high = high[lane], out->ends[1] = b;
+    }
+}
+
+static void find_extremes(const float (*points)[3], uint32_t count, const float (*directions)[3], uint32_t most,
+                          extreme* out) {
+    float block[3][BLOCK];
+    for (uint32_t d = 0; d < most; d++) out[d] = (extreme){INFINITY, -INFINITY, {UINT32_MAX, UINT32_MAX}};
+    for (uint32_t first = 0; first < count; first += BLOCK) {
+        const uint32_t left = count - first, size = left < BLOCK ? left : BLOCK;
+        for (uint32_t i = 0; i < (size + LANES - 1) / LANES * LANES; i++)
+            for (int k = 0; k < 3; k++) block[k][i] = points[first + (i < size ? i : size - 1)][k];
+        for (uint32_t d = 0; d < most; d++)
+            extremes_along((const float(*)[BLOCK])block, size, first, directions[d], &out[d]);
     }
 }
 
 uint32_t dmi_shape_extremes(const float (*points)[3], uint32_t count, const float (*extra)[3], uint32_t extra_count,
                             float (*out)[3]) {
+    float directions[MAX_DIRECTIONS][3];
+    extreme extremes[MAX_DIRECTIONS];
     uint32_t found = 0, chosen[DMI_SHAPE_MAX_HULL];
-    for (uint32_t d = 0; d < FAN + extra_count && found + 2 <= DMI_SHAPE_MAX_HULL; d++) {
-        float fan[3];
-        uint32_t ends[2] = {0, 0};
-        fan_direction((int)d, fan);
-        extremes_along(points, count, d < FAN ? fan : extra[d - FAN], ends);
+    const uint32_t most = FAN + (extra_count < MAX_DIRECTIONS - FAN ? extra_count : MAX_DIRECTIONS - FAN);
+    for (uint32_t d = 0; d < most; d++) {
+        if (d < FAN)
+            fan_direction((int)d, directions[d]);
+        else
+            dmi_copy3(extra[d - FAN], directions[d]);
+    }
+    find_extremes(points, count, (const float(*)[3])directions, most, extremes);
+    for (uint32_t d = 0; count > 0 && d < most; d++) {
         for (int e = 0; e < 2; e++) {
             uint32_t k = 0;
-            while (k < found && chosen[k] != ends[e]) k++;
-            if (k == found) chosen[found++] = ends[e];
+            while (k < found && chosen[k] != extremes[d].ends[e]) k++;
+            if (k == found) chosen[found++] = extremes[d].ends[e];
         }
     }
     for (uint32_t i = 0; i < found; i++) dmi_copy3(points[chosen[i]], out[i]);
@@ -164,39 +216,57 @@ uint32_t dmi_shape_extremes(const float (*points)[3], uint32_t count, const floa
 
 #define MAX_NORMALS 1024 /* the first ones: samples come in random order */
 
+/* Normals, coordinates apart; those already taken are zero. */
+typedef struct normal_set {
+    float xyz[3][MAX_NORMALS];
+    uint32_t count;
+} normal_set;
+
+static float normal_cosine(const normal_set* set, uint32_t i, uint32_t j) {
+    return set->xyz[0][i] * set->xyz[0][j] + set->xyz[1][i] * set->xyz[1][j] + set->xyz[2][i] * set->xyz[2][j];
+}
+
+static int is_taken(const normal_set* set, uint32_t i) {
+    return set->xyz[0][i] == 0 && set->xyz[1][i] == 0 && set->xyz[2][i] == 0;
+}
+
+static void take(normal_set* set, uint32_t i) {
+    for (int k = 0; k < 3; k++) set->xyz[k][i] = 0;
+}
+
 /* The normal that most others are parallel to, among every `step`th of those left. */
-static uint32_t most_shared(const float (*normals)[3], const uint8_t* left, uint32_t count, uint32_t* out_votes) {
-    uint32_t best = 0, step = count / 128 + 1;
+static uint32_t most_shared(const normal_set* set, uint32_t* out_votes) {
+    uint32_t best = 0, step = set->count / 128 + 1;
     *out_votes = 0;
-    for (uint32_t i = 0; i < count; i += step) {
-        if (!left[i]) continue;
+    for (uint32_t i = 0; i < set->count; i += step) {
+        if (is_taken(set, i)) continue;
         uint32_t votes = 0;
-        for (uint32_t j = 0; j < count; j++) votes += left[j] && fabsf(dmi_dot3(normals[i], normals[j])) > 0.9995f;
+        for (uint32_t j = 0; j < set->count; j++) votes += fabsf(normal_cosine(set, i, j)) > 0.9995f;
         if (votes > *out_votes) *out_votes = votes, best = i;
     }
     return best;
 }
 
 uint32_t dmi_shape_normal_clusters(const float (*normals)[3], uint32_t count, uint32_t most, dmi_normal_cluster* out) {
-    uint8_t left[MAX_NORMALS];
-    if (count > MAX_NORMALS) count = MAX_NORMALS;
-    for (uint32_t i = 0; i < count; i++) left[i] = dmi_dot3(normals[i], normals[i]) > 0.5f;
+    normal_set set = {.count = count < MAX_NORMALS ? count : MAX_NORMALS};
+    for (uint32_t i = 0; i < set.count; i++)
+        for (int k = 0; k < 3; k++) set.xyz[k][i] = dmi_dot3(normals[i], normals[i]) > 0.5f ? normals[i][k] : 0;
     uint32_t found = 0;
     while (found < most) {
-        uint32_t votes, seed = most_shared(normals, left, count, &votes);
-        if (votes == 0 || (float)votes < 0.01f * (float)count) break;
+        uint32_t votes, seed = most_shared(&set, &votes);
+        if (votes == 0 || (float)votes < 0.01f * (float)set.count) break;
         float mean[3] = {0, 0, 0}, taken = 0;
-        for (uint32_t i = 0; i < count; i++) {
-            float c = dmi_dot3(normals[i], normals[seed]);
-            if (!left[i] || fabsf(c) < 0.985f) continue;
+        for (uint32_t i = 0; i < set.count; i++) {
+            float c = normal_cosine(&set, i, seed);
+            if (is_taken(&set, i) || fabsf(c) < 0.985f) continue;
             if (fabsf(c) > 0.9995f) dmi_madd3(mean, c < 0 ? -1.0f : 1.0f, normals[i], mean);
-            if (i != seed) left[i] = 0;
+            if (i != seed) take(&set, i);
             taken += 1;
         }
-        left[seed] = 0;
+        take(&set, seed);
         dmi_normalize3(mean);
         dmi_copy3(mean, out[found].direction);
-        out[found++].share = taken / (float)count;
+        out[found++].share = taken / (float)set.count;
     }
     return found;
 }

@@ -7,6 +7,7 @@
 #include "kinematics/linear3.h"
 
 #define NEAR_TRIES 32768
+#define GUIDE 4096
 #define NEAREST_SHARE 20 /* the third contact region: the nearest 1 / 20 of the part's points */
 #define HANDLE_SHARE 32  /* what stands out: the farthest 1 / 32 of its points */
 #define MAX_VERTICES 32768
@@ -81,16 +82,22 @@ static uint32_t faces_in_box(const dmi_mesh* mesh, const uint8_t* moving, const 
     return count;
 }
 
-static uint32_t pick_face(const float* area, uint32_t count, float at) {
-    uint32_t low = 0, high = count - 1;
-    while (low < high) {
-        uint32_t middle = (low + high) / 2;
-        if (area[middle] < at)
-            low = middle + 1;
-        else
-            high = middle;
+/* guide[g] is the first face whose cumulated area reaches g / GUIDE of it all. */
+static void make_guide(const float* area, uint32_t count, uint32_t guide[GUIDE]) {
+    uint32_t face = 0;
+    for (uint32_t g = 0; g < GUIDE; g++) {
+        while (face + 1 < count && area[face] < area[count - 1] * ((float)g / GUIDE)) face++;
+        guide[g] = face;
     }
-    return low;
+}
+
+/* The first face whose cumulated area reaches a share of it all, in [0, 1). */
+static uint32_t pick_face(const float* area, uint32_t count, const uint32_t guide[GUIDE], float share) {
+    const float at = share * area[count - 1];
+    uint32_t face = guide[(uint32_t)(share * GUIDE)];
+    while (face > 0 && area[face - 1] >= at) face--;
+    while (face + 1 < count && area[face] < at) face++;
+    return face;
 }
 
 /* Area-weighted samples of the listed faces that fall into the box. */
@@ -98,8 +105,10 @@ static void sample_near(const uint32_t* faces, const float* area, uint32_t count
                         const float high[3], dmi_study* study) {
     const dmi_mesh* mesh = study->mesh;
     dmi_random random = dmi_random_make(study->part, 91);
+    uint32_t guide[GUIDE];
+    make_guide(area, count, guide);
     for (uint32_t t = 0; t < NEAR_TRIES && study->near_count < DMI_STUDY_NEAR; t++) {
-        uint32_t f = faces[pick_face(area, count, dmi_random_unit(&random) * area[count - 1])];
+        uint32_t f = faces[pick_face(area, count, guide, dmi_random_unit(&random))];
         float r = sqrtf(dmi_random_unit(&random)), s = dmi_random_unit(&random), x[3];
         const float* a = mesh->positions + 3 * (size_t)mesh->indices[3 * f];
         const float* b = mesh->positions + 3 * (size_t)mesh->indices[3 * f + 1];
