@@ -167,7 +167,7 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_quer
     if (w == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for %zu bytes of scratch", sizeof *w);
     w->query = query;
-    dm_result result = dmi_study_make(arena, query->mesh, query->cloud, query->part, NULL, &w->study);
+    dm_result result = dmi_study_make(arena, query->mesh, query->cloud, query->part, query->welded, &w->study);
     if (result == DM_ERROR_OUT_OF_MEMORY)
         return dmi_fail(env, result, "kinematics: no memory to study part %u", query->mesh->parts[query->part].id);
     if (result != DM_OK) return result;

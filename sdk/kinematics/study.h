@@ -62,7 +62,9 @@ typedef struct dmi_study {
     dmi_field body_field, part_field;
 } dmi_study;
 
-/* Everything lives in the arena. welded: from dmi_weld_vertices, or NULL to weld here. */
+#define DMI_STUDY_WELD 1e-5f /* tolerance */
+
+/* Everything lives in the arena. welded: from dmi_weld_vertices with the tolerance above, or NULL to weld here. */
 dm_result dmi_study_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
                          const uint32_t* welded, dmi_study* out);
 

@@ -6,7 +6,6 @@
 #include "mesh/connectivity.h"
 
 #define MAX_FACES 24576 /* of each side; the largest are kept */
-#define WELD_TOLERANCE 1e-5f
 #define SCRATCH_BLOCK ((size_t)1 << 20)
 #define RADIX ((uint32_t)1 << 16)
 #define LARGEST 10 /* regions kept by area, then as many by nearness */
@@ -275,7 +274,7 @@ dm_result dmi_study_patches(dmi_arena* arena, const uint8_t* moving, const float
     if (welded == NULL) {
         uint32_t* fresh = dmi_arena_push(arena, sizeof *fresh * mesh->vertex_count);
         if (fresh == NULL) return DM_ERROR_OUT_OF_MEMORY;
-        dm_result welding = dmi_weld_vertices(arena, mesh, WELD_TOLERANCE, fresh);
+        dm_result welding = dmi_weld_vertices(arena, mesh, DMI_STUDY_WELD, fresh);
         if (welding != DM_OK) return welding;
         welded = fresh;
     }

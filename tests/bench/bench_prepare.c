@@ -9,6 +9,7 @@
 #include "kinematics/kinematics.h"
 #include "kinematics/prepare.h"
 #include "kinematics/ranker.h"
+#include "mesh/connectivity.h"
 #include "pick/picker.h"
 #include "support.h"
 
@@ -24,6 +25,7 @@ typedef struct stages {
     dmi_bvh* bvh;
     dmi_brain brain;
     dmi_drag_hint hint;
+    uint32_t* welded;
     dmi_cloud* cloud;
     dmi_study study;
     dmi_arena study_arena;
@@ -62,11 +64,19 @@ static void stage_cloud(void* user) {
     check(dmi_cloud_sample(&s->env, s->mesh, 1, 0, s->cloud), "cloud");
 }
 
+static void stage_weld(void* user) {
+    stages* s = user;
+    dmi_arena arena;
+    dmi_arena_init(&arena, &s->env, ARENA_BLOCK);
+    check(dmi_weld_vertices(&arena, s->mesh, DMI_STUDY_WELD, s->welded), "weld");
+    dmi_arena_release(&arena);
+}
+
 static void stage_study(void* user) {
     stages* s = user;
     dmi_arena_release(&s->study_arena);
     dmi_arena_init(&s->study_arena, &s->env, ARENA_BLOCK);
-    check(dmi_study_make(&s->study_arena, s->mesh, s->cloud, 1, NULL, &s->study), "study");
+    check(dmi_study_make(&s->study_arena, s->mesh, s->cloud, 1, s->welded, &s->study), "study");
 }
 
 static void stage_input(void* user) {
@@ -105,6 +115,7 @@ static void stage_infer(void* user) {
                                         .net = s->brain.net,
                                         .ranker = s->brain.ranker,
                                         .hint = &s->hint,
+                                        .welded = s->welded,
                                         .part = 1,
                                         .isa = s->brain.isa};
     check(dmi_kinematics_infer(&s->env, &query, &found), "infer");
@@ -158,6 +169,8 @@ int main(int argc, char** argv) {
     show("bvh", &s, stage_bvh);
     dmi_frame_point_in(&s.mesh->frame, point, s.hint.point);
     dmi_frame_vector_in(&s.mesh->frame, vector, s.hint.vector);
+    s.welded = bench_alloc(s.mesh->vertex_count * sizeof *s.welded);
+    show("weld", &s, stage_weld);
     show("cloud", &s, stage_cloud);
     show("study", &s, stage_study);
     show("input", &s, stage_input);
