@@ -29,6 +29,8 @@ dmi_gemm_kernel dmi_gemm_scalar;
 #if defined(__x86_64__)
 dmi_gemm_kernel dmi_gemm_avx2;
 dmi_gemm_kernel dmi_gemm_avx512;
+#elif defined(__aarch64__)
+dmi_gemm_kernel dmi_gemm_neon;
 #endif
 
 static inline uint32_t dmi_padded_columns(uint32_t columns) {

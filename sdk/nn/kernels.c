@@ -5,6 +5,8 @@ const dmi_kernels* dmi_kernels_for(dmi_isa isa) {
 #if defined(__x86_64__)
     if (isa == DMI_ISA_AVX512) return &dmi_kernels_avx512;
     if (isa == DMI_ISA_AVX2) return &dmi_kernels_avx2;
+#elif defined(__aarch64__)
+    if (isa == DMI_ISA_NEON) return &dmi_kernels_neon;
 #endif
     (void)isa;
     return &dmi_kernels_scalar;

@@ -25,6 +25,8 @@ typedef struct dmi_kernels {
 extern const dmi_kernels dmi_kernels_scalar;
 #if defined(__x86_64__)
 extern const dmi_kernels dmi_kernels_avx2, dmi_kernels_avx512;
+#elif defined(__aarch64__)
+extern const dmi_kernels dmi_kernels_neon;
 #endif
 
 /* The scalar ones for a set this build has no kernels for. */
