@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/bench/neon.sh — builds the networks and the mathematics for 64-bit Arm and runs their tests under qemu: the
+# tests/isa/neon.sh — builds the networks and the mathematics for 64-bit Arm and runs their tests under qemu: the
 # NEON kernels against the scalar ones and against PyTorch's answers. For correctness alone; qemu says nothing of speed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
