@@ -266,14 +266,19 @@ static double winding(const dmg_object* o, const float* p) {
     return sum / (4.0 * 3.14159265358979);
 }
 
-/* A part that has opened must show: it is not swallowed by the body. */
+static int is_carried(const dmg_object* o, uint32_t part, uint32_t carrier) {
+    while (part != 0 && part != carrier) part = o->joints[part - 1].parent;
+    return part == carrier;
+}
+
+/* A part that has opened must show, with what it carries: it is not swallowed by the body. */
 static void check_visible(const dmg_object* o, uint32_t part) {
     enum { POINTS = 24 };
     const dmg_joint* j = &o->joints[part - 1];
     uint32_t own = 0, taken = 0, inside = 0;
-    for (uint32_t f = 0; f < o->face_count; ++f) own += o->face_part[f] == part;
+    for (uint32_t f = 0; f < o->face_count; ++f) own += is_carried(o, o->face_part[f], part);
     for (uint32_t f = 0, i = 0; f < o->face_count; ++f) {
-        if (o->face_part[f] != part || i++ % (own / POINTS + 1) != 0) continue;
+        if (!is_carried(o, o->face_part[f], part) || i++ % (own / POINTS + 1) != 0) continue;
         float p[3] = {0, 0, 0}, moved[3];
         for (int c = 0; c < 3; ++c) {
             for (int k = 0; k < 3; ++k) p[k] += o->positions[3 * o->indices[3 * f + (uint32_t)c] + (uint32_t)k] / 3.0f;

@@ -42,7 +42,7 @@ static void move(const dmg_joint* joint, float value, const float x[3], float ou
 static float open_value(const dmg_joint* joint) {
     if (joint->type == DM_JOINT_CONTINUOUS) return 0.7f;
     const float most = joint->opens > 0 ? joint->upper : joint->lower;
-    return joint->type == DM_JOINT_PRISMATIC ? 0.8f * most : fmaxf(-1.2f, fminf(1.2f, 0.8f * most));
+    return joint->type != DM_JOINT_REVOLUTE ? 0.8f * most : fmaxf(-1.2f, fminf(1.2f, 0.8f * most));
 }
 
 /* Every vertex where its part and all that carry it have moved to: the joints are all given at rest, so a part moves

@@ -104,7 +104,31 @@
     X(yoke)                                                                                                            \
     X(throttle)                                                                                                        \
     /* gadget.c */                                                                                                     \
-    X(gadget)
+    X(gadget)                                                                                                          \
+    /* vehicles.c */                                                                                                   \
+    X(car)                                                                                                             \
+    X(two_wheeler)                                                                                                     \
+    X(mobile_robot)                                                                                                    \
+    X(trolley)                                                                                                         \
+    /* small.c */                                                                                                      \
+    X(bottle)                                                                                                          \
+    X(jar)                                                                                                             \
+    X(dispenser)                                                                                                       \
+    X(syringe)                                                                                                         \
+    X(pen)                                                                                                             \
+    X(usb_stick)                                                                                                       \
+    X(folding_knife)                                                                                                   \
+    X(eyeglasses)                                                                                                      \
+    X(padlock)                                                                                                         \
+    /* household.c */                                                                                                  \
+    X(desk_lamp)                                                                                                       \
+    X(kettle)                                                                                                          \
+    X(latch)                                                                                                           \
+    X(folding_panel)                                                                                                   \
+    X(kitchen_counter)                                                                                                 \
+    X(step_ladder)                                                                                                     \
+    X(swing)                                                                                                           \
+    X(vise)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
