@@ -95,7 +95,13 @@ program("dragmesh_generate", { "training/generate/*.c" },
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
     local libraries = name == "dynamic_load" and { "dl" } or { "dragmesh", "m" }
-    if name then program("sample_" .. name, { source }, libraries, "/samples") end
+    if name and name ~= "viewer" then program("sample_" .. name, { source }, libraries, "/samples") end
+end
+
+-- The viewer is built where its libraries are (scripts/install viewer).
+if os.isfile("/usr/include/SDL2/SDL.h") and os.isfile("/usr/include/epoxy/gl.h") then
+    program("dragmesh_viewer", { "samples/10_viewer/*.c" },
+        { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "m" })
 end
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------

@@ -1,0 +1,35 @@
+/* A camera on a sphere round a point: orbit, pan, zoom. */
+#ifndef VIEWER_CAMERA_H
+#define VIEWER_CAMERA_H
+
+#include "vec.h"
+
+typedef struct camera {
+    float yaw, pitch; /* rad; yaw 0 looks along -z of a y-up scene, along +y of a z-up one */
+    float distance;
+    vec3 target;
+    int z_up;
+    float fov_y;
+    int width, height; /* pixels */
+} camera;
+
+vec3 camera_up(const camera* camera);      /* of the world */
+vec3 camera_forward(const camera* camera); /* unit, where it looks */
+vec3 camera_eye(const camera* camera);
+
+/* So that a box is seen whole, from the front and somewhat above and beside. */
+void camera_frame(camera* camera, vec3 box_min, vec3 box_max);
+void camera_orbit(camera* camera, float dx, float dy); /* pixels */
+void camera_pan(camera* camera, float dx, float dy);
+void camera_zoom(camera* camera, float steps);
+
+mat4 camera_view(const camera* camera);
+mat4 camera_projection(const camera* camera);
+
+/* The same camera in the library's words. */
+dm_camera camera_for_picking(const camera* camera);
+
+/* World point to pixels; out[2] = depth in [0, 1] and returns 0 when it lies behind the camera. */
+int camera_project(const camera* camera, vec3 p, float out[3]);
+
+#endif

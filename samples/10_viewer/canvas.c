@@ -1,0 +1,82 @@
+/* Where a frame is drawn: a multisampled buffer, resolved to the window or to a .png. */
+#include "canvas.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <png.h>
+
+#include "files.h"
+
+enum { SAMPLES = 4 };
+
+static GLuint buffer(GLenum format, GLenum attachment, const canvas* canvas, int samples) {
+    GLuint name;
+    glGenRenderbuffers(1, &name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, canvas->width, canvas->height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
+    return name;
+}
+
+int canvas_open(canvas* canvas, int width, int height) {
+    memset(canvas, 0, sizeof *canvas);
+    canvas->width = width;
+    canvas->height = height;
+    glGenFramebuffers(1, &canvas->resolved_frame);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas->resolved_frame);
+    canvas->resolved_colour = buffer(GL_RGBA8, GL_COLOR_ATTACHMENT0, canvas, 0);
+    glGenFramebuffers(1, &canvas->frame);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas->frame);
+    canvas->colour = buffer(GL_RGBA8, GL_COLOR_ATTACHMENT0, canvas, SAMPLES);
+    canvas->depth = buffer(GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, canvas, SAMPLES);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return 0;
+    fprintf(stderr, "viewer: no frame buffer of %d x %d pixels\n", width, height);
+    canvas_close(canvas);
+    return -1;
+}
+
+void canvas_close(canvas* canvas) {
+    const GLuint buffers[3] = {canvas->colour, canvas->depth, canvas->resolved_colour};
+    const GLuint frames[2] = {canvas->frame, canvas->resolved_frame};
+    glDeleteRenderbuffers(3, buffers);
+    glDeleteFramebuffers(2, frames);
+}
+
+void canvas_begin(const canvas* canvas) {
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas->frame);
+    glViewport(0, 0, canvas->width, canvas->height);
+}
+
+static void resolve(const canvas* canvas, GLuint to) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas->frame);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    glBlitFramebuffer(0, 0, canvas->width, canvas->height, 0, 0, canvas->width, canvas->height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+}
+
+void canvas_to_window(const canvas* canvas) {
+    resolve(canvas, 0);
+}
+
+int canvas_to_png(const canvas* canvas, const char* path) {
+    const int stride = canvas->width * 3;
+    uint8_t* pixels = take((size_t)stride * (size_t)canvas->height, 1);
+    resolve(canvas, canvas->resolved_frame);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas->resolved_frame);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, canvas->width, canvas->height, GL_RGB, GL_UNSIGNED_BYTE, pixels);
+    png_image image;
+    memset(&image, 0, sizeof image);
+    image.version = PNG_IMAGE_VERSION;
+    image.width = (png_uint_32)canvas->width;
+    image.height = (png_uint_32)canvas->height;
+    image.format = PNG_FORMAT_RGB;
+    /* OpenGL's first row is the lowest: a negative stride turns the picture the right way up. */
+    const int wrote = png_image_write_to_file(&image, path, 0, pixels, -stride, NULL);
+    free(pixels);
+    if (wrote) return 0;
+    fprintf(stderr, "viewer: can't write '%s': %s\n", path, image.message);
+    return -1;
+}

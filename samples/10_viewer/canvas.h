@@ -1,0 +1,19 @@
+/* Where a frame is drawn: a multisampled buffer, resolved to the window or to a .png. */
+#ifndef VIEWER_CANVAS_H
+#define VIEWER_CANVAS_H
+
+#include <epoxy/gl.h>
+
+typedef struct canvas {
+    int width, height;
+    GLuint frame, colour, depth;            /* multisampled */
+    GLuint resolved_frame, resolved_colour; /* one sample a pixel, for reading back */
+} canvas;
+
+int canvas_open(canvas* canvas, int width, int height); /* 0, or -1 with a line on stderr */
+void canvas_close(canvas* canvas);
+void canvas_begin(const canvas* canvas);
+void canvas_to_window(const canvas* canvas);
+int canvas_to_png(const canvas* canvas, const char* path); /* 0, or -1 with a line on stderr */
+
+#endif

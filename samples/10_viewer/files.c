@@ -1,0 +1,55 @@
+/* Whole files. */
+#include "files.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void* take(size_t count, size_t size) {
+    void* memory = calloc(count ? count : 1, size);
+    if (memory) return memory;
+    fprintf(stderr, "viewer: out of memory\n");
+    exit(1);
+}
+
+char* file_read(const char* path, size_t* out_size) {
+    FILE* file = fopen(path, "rb");
+    if (!file) return NULL;
+    char* bytes = NULL;
+    if (fseek(file, 0, SEEK_END) == 0) {
+        const long size = ftell(file);
+        rewind(file);
+        if (size >= 0) bytes = take((size_t)size + 1, 1);
+        if (bytes && fread(bytes, 1, (size_t)size, file) != (size_t)size) {
+            free(bytes);
+            bytes = NULL;
+        }
+        *out_size = (size_t)size;
+    }
+    fclose(file);
+    return bytes;
+}
+
+int file_write(const char* path, const void* data, size_t size) {
+    FILE* file = fopen(path, "wb");
+    if (!file) return -1;
+    const int wrote = fwrite(data, 1, size, file) == size;
+    return fclose(file) == 0 && wrote ? 0 : -1;
+}
+
+char* path_with_ending(const char* path, const char* ending) {
+    const char* slash = strrchr(path, '/');
+    const char* dot = strrchr(slash ? slash : path, '.');
+    const size_t stem = dot ? (size_t)(dot - path) : strlen(path);
+    char* out = take(stem + strlen(ending) + 1, 1);
+    memcpy(out, path, stem);
+    memcpy(out + stem, ending, strlen(ending) + 1);
+    return out;
+}
+
+char* path_join(const char* folder, const char* name) {
+    const size_t size = strlen(folder) + strlen(name) + 2;
+    char* path = take(size, 1);
+    snprintf(path, size, "%s/%s", folder, name);
+    return path;
+}

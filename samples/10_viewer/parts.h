@@ -1,0 +1,33 @@
+/* Which faces of the file belong to which part. */
+#ifndef VIEWER_PARTS_H
+#define VIEWER_PARTS_H
+
+#include "world.h"
+
+/* From lists of nodes: a list inside another is a part carried by it. */
+int parts_from_names(world* world, const char* const* lists, uint32_t count);
+
+/* The file doesn't say: the largest node is the body, every other one a part. */
+void parts_from_nodes(world* world);
+
+/* From FILE.parts.npy, as parts_save wrote it. */
+int parts_load(world* world, const char* path);
+int parts_save(const world* world, const char* path);
+
+/* A new part without faces; its id, 0 when there are too many. */
+uint32_t parts_add(world* world, const char* name);
+
+/* Node that holds a face. */
+uint32_t parts_node_of_face(const world* world, uint32_t face);
+
+/* The node of a face changes side: body to a part of its own, part to body. */
+void parts_toggle_node(world* world, uint32_t face);
+
+/* Faces with a corner within a radius of a point, or all that hang together with a face, become `part`. How many. */
+uint32_t parts_paint(world* world, vec3 point, float radius, uint32_t part);
+uint32_t parts_fill(world* world, uint32_t face, uint32_t part);
+
+/* Parts that lost their last face go; ids close up. */
+void parts_tidy(world* world);
+
+#endif

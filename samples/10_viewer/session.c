@@ -1,0 +1,117 @@
+/* What a player did, frame by frame, as text: recorded, read back, played again. */
+#include "session.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "files.h"
+
+enum { KINDS = 7, LINE = 4096 };
+static const char* const kinds[KINDS] = {"camera", "move", "press", "release", "wheel", "key", "end"};
+static const int number_counts[KINDS] = {6, 2, 0, 0, 1, 0, 0};
+static const char* const buttons[4] = {"", "left", "middle", "right"};
+
+static int find(const char* const* names, int count, const char* name) {
+    for (int i = 0; i < count; i++)
+        if (strcmp(names[i], name) == 0) return i;
+    return -1;
+}
+
+/* The words after the kind. */
+static int read_arguments(event* event, char* rest) {
+    for (int i = 0; i < number_counts[event->kind]; i++) {
+        char* end = rest;
+        event->numbers[i] = strtof(rest, &end);
+        if (end == rest || !isfinite(event->numbers[i])) return -1;
+        rest = end;
+    }
+    char word[16] = "", extra[16] = "";
+    const int words = sscanf(rest, "%15s %15s", word, extra);
+    event->shift = strcmp(words == 2 ? extra : word, "shift") == 0;
+    if (event->kind == EVENT_KEY) {
+        memcpy(event->key, word, sizeof word);
+        return words >= 1 ? 0 : -1;
+    }
+    if (event->kind != EVENT_PRESS && event->kind != EVENT_RELEASE) return 0;
+    event->button = find(buttons, 4, word);
+    return event->button > 0 ? 0 : -1;
+}
+
+static int read_event(session* session, char* line) {
+    event event;
+    memset(&event, 0, sizeof event);
+    char kind[16];
+    int used = 0;
+    if (sscanf(line, "%u %15s%n", &event.frame, kind, &used) != 2) return -1;
+    event.kind = find(kinds, KINDS, kind);
+    if (event.kind < 0 || read_arguments(&event, line + used) != 0) return -1;
+    if (session->event_count > 0 && event.frame < session->events[session->event_count - 1].frame) return -1;
+    if (session->event_count % 256 == 0) {
+        void* grown = realloc(session->events, (session->event_count + 256) * sizeof event);
+        if (!grown) return -1;
+        session->events = grown;
+    }
+    session->events[session->event_count++] = event;
+    session->end = event.frame;
+    return 0;
+}
+
+static int read_line(session* session, char* line) {
+    char up;
+    line[strcspn(line, "\r\n")] = 0;
+    if (line[0] == 0 || line[0] == '#') return 0;
+    if (sscanf(line, "size %d %d", &session->width, &session->height) == 2)
+        return session->width > 0 && session->width <= 8192 && session->height > 0 && session->height <= 8192 ? 0 : -1;
+    if (sscanf(line, "up %c", &up) == 1) {
+        session->z_up = up == 'z';
+        return 0;
+    }
+    if (strncmp(line, "part ", 5) == 0 && session->part_count < WORLD_MAX_PARTS) {
+        char* name = take(strlen(line), 1);
+        strcpy(name, line + 5);
+        session->parts[session->part_count++] = name;
+        return 0;
+    }
+    return read_event(session, line);
+}
+
+int session_read(session* session, const char* path) {
+    memset(session, 0, sizeof *session);
+    session->width = 960;
+    session->height = 600;
+    FILE* file = fopen(path, "r");
+    char* line = take(LINE, 1);
+    int status = file && fgets(line, LINE, file) && strcmp(line, "dragmesh-session 1\n") == 0 ? 0 : -1;
+    if (status != 0) fprintf(stderr, "viewer: '%s' is no session (its first line is \"dragmesh-session 1\")\n", path);
+    for (int number = 2; status == 0 && fgets(line, LINE, file); number++) {
+        status = read_line(session, line);
+        if (status != 0) fprintf(stderr, "viewer: %s, line %d: can't be read\n", path, number);
+    }
+    free(line);
+    if (file) fclose(file);
+    if (status != 0) session_free(session);
+    return status;
+}
+
+void session_free(session* session) {
+    for (uint32_t i = 0; i < session->part_count; i++) free(session->parts[i]);
+    free(session->events);
+    memset(session, 0, sizeof *session);
+}
+
+void session_write_head(FILE* file, const camera* camera, const world_options* options) {
+    fprintf(file, "dragmesh-session 1\nsize %d %d\nup %c\n", camera->width, camera->height, camera->z_up ? 'z' : 'y');
+    for (uint32_t i = 0; i < options->part_count; i++) fprintf(file, "part %s\n", options->parts[i]);
+    const event start = {.kind = EVENT_CAMERA,
+                         .numbers = {camera->yaw, camera->pitch, camera->distance, camera->target.x, camera->target.y,
+                                     camera->target.z}};
+    session_write_event(file, &start);
+}
+
+void session_write_event(FILE* file, const event* event) {
+    fprintf(file, "%u %s", event->frame, kinds[event->kind]);
+    for (int i = 0; i < number_counts[event->kind]; i++) fprintf(file, " %.9g", (double)event->numbers[i]);
+    if (event->kind == EVENT_KEY) fprintf(file, " %s", event->key);
+    if (event->kind == EVENT_PRESS || event->kind == EVENT_RELEASE) fprintf(file, " %s", buttons[event->button]);
+    fprintf(file, "%s\n", event->shift ? " shift" : "");
+}

@@ -1,0 +1,208 @@
+/* An object of a file, its parts and their joints: opening, preparing, saving. Moving it: world_move.c. */
+#include "world.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "files.h"
+#include "parts.h"
+
+static void DM_CALL keep_message(void* user, int32_t level, dm_result code, const char* text) {
+    (void)code;
+    if (level == DM_LOG_INFO) return;
+    world* w = user;
+    snprintf(w->message, sizeof w->message, "%s", text);
+}
+
+static int fail(world* world, const char* format, ...) {
+    va_list list;
+    va_start(list, format);
+    vsnprintf(world->message, sizeof world->message, format, list);
+    va_end(list);
+    return -1;
+}
+
+static double seconds_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* ---- opening ---- */
+
+static char* read_weights(const char* folder, const char* name, size_t* out_size) {
+    char* path = path_join(folder, name);
+    *out_size = 0;
+    char* data = file_read(path, out_size);
+    free(path);
+    return data;
+}
+
+/* Without its weights the viewer still works, by geometry alone; each file may be absent. */
+static int load_model(world* world, const char* folder) {
+    if (!folder) folder = "sdk/models";
+    if (strcmp(folder, "none") == 0) return 0;
+    dm_model_desc desc = {.struct_size = sizeof desc};
+    char* kinematics = read_weights(folder, "kpp_net.safetensors", &desc.kinematics_size);
+    char* motion = read_weights(folder, "dq_vae.safetensors", &desc.motion_size);
+    char* ranker = read_weights(folder, "ranker.safetensors", &desc.ranker_size);
+    desc.kinematics = kinematics, desc.motion = motion, desc.ranker = ranker;
+    dm_result result = DM_OK;
+    if (kinematics || motion || ranker)
+        result = dm_model_load(world->context, &desc, &world->model);
+    else
+        fail(world, "no weights in '%s': joints come from geometry alone", folder);
+    world->has_motion = result == DM_OK && motion != NULL;
+    free(kinematics);
+    free(motion);
+    free(ranker);
+    return result == DM_OK ? 0 : -1;
+}
+
+static int open_file(world* world, const char* path) {
+    size_t size = 0;
+    char* data = file_read(path, &size);
+    if (!data) return fail(world, "can't read '%s': %s", path, strerror(errno));
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = data, .size = size, .log = {world, keep_message}};
+    dm_result result = dm_gltf_open(&desc, &world->gltf);
+    free(data);
+    if (result == DM_OK) result = dm_gltf_get_mesh(world->gltf, &world->mesh);
+    if (result != DM_OK) return -1;
+    world->face_count = (uint32_t)(world->mesh.index_count / 3);
+    world->face_part = take(world->face_count, 1);
+    return 0;
+}
+
+/* What may move: as told, else as saved beside the file, else every node but the largest. */
+static int find_parts(world* world, const world_options* options) {
+    if (options->part_count) return parts_from_names(world, options->parts, options->part_count);
+    char* beside = path_with_ending(options->dmo ? options->dmo : options->file, ".parts.npy");
+    const int known = parts_load(world, beside) == 0;
+    free(beside);
+    if (!known) parts_from_nodes(world);
+    return 0;
+}
+
+int world_open(world* world, const world_options* options) {
+    memset(world, 0, sizeof *world);
+    const dm_context_desc host = {.struct_size = sizeof host, .log = {world, keep_message}};
+    int status = dm_context_create(&host, &world->context) == DM_OK ? 0 : fail(world, "no context");
+    if (status == 0) status = load_model(world, options->models);
+    if (status == 0) status = open_file(world, options->file);
+    if (status == 0) status = find_parts(world, options);
+    if (status == 0) status = options->dmo ? world_load(world, options->dmo) : 0;
+    /* A failure to prepare is no end: the player can still say what moves. */
+    if (status == 0 && !world->object) world_prepare(world);
+    if (status != 0) world_close(world);
+    return status;
+}
+
+void world_close(world* world) {
+    char message[sizeof world->message];
+    memcpy(message, world->message, sizeof message);
+    dm_context_destroy(world->context);
+    if (world->gltf) dm_gltf_close(world->gltf);
+    free(world->face_part);
+    memset(world, 0, sizeof *world);
+    memcpy(world->message, message, sizeof message);
+}
+
+/* ---- preparing ---- */
+
+static void read_part(world* world, uint32_t index) {
+    dm_part_info info = {.struct_size = sizeof info};
+    if (dm_object_get_part(world->context, world->object, index, &info) != DM_OK) return;
+    if (info.id == 0 || info.id > world->part_count) return;
+    world_part* part = &world->parts[info.id];
+    part->id = info.id;
+    part->parent = info.parent;
+    part->centre = info.centre;
+    part->box_min = info.box_min;
+    part->box_max = info.box_max;
+    part->value = 0;
+    part->has_keys = 0;
+    world_read_joint(world, info.id, NULL);
+}
+
+static int adopt(world* world) {
+    world->info = (dm_object_info){.struct_size = sizeof world->info};
+    const dm_scene_desc desc = {.struct_size = sizeof desc};
+    dm_result result = dm_object_get_info(world->context, world->object, &world->info);
+    if (result == DM_OK) result = dm_scene_create(world->context, &desc, &world->scene);
+    if (result == DM_OK) result = dm_scene_add(world->context, world->scene, world->object, NULL, &world->instance);
+    if (result != DM_OK) return -1;
+    for (uint32_t i = 0; i < world->info.part_count; i++) read_part(world, i);
+    world->revision++;
+    world_update(world);
+    return 0;
+}
+
+static void let_go_of_object(world* world) {
+    world->held = 0;
+    world->drag = 0;
+    if (world->scene) dm_scene_destroy(world->context, world->scene);
+    if (world->object) dm_object_destroy(world->context, world->object);
+    world->scene = 0;
+    world->object = 0;
+}
+
+int world_prepare(world* world) {
+    let_go_of_object(world);
+    world->message[0] = 0;
+    dm_part_desc descs[WORLD_MAX_PARTS];
+    for (uint32_t i = 0; i < world->part_count; i++)
+        descs[i] = (dm_part_desc){.struct_size = sizeof descs[i], .id = i + 1, .parent = world->parts[i + 1].parent};
+    dm_mesh_desc mesh = world->mesh;
+    mesh.part_ids = world->face_part;
+    mesh.part_id_format = DM_UINT8;
+    mesh.part_id_scope = DM_PER_FACE;
+    const dm_object_desc desc = {.struct_size = sizeof desc,
+                                 .mesh = &mesh,
+                                 .parts = descs,
+                                 .part_count = world->part_count,
+                                 .model = world->model,
+                                 .seed = 1};
+    if (world->part_count == 0) return fail(world, "nothing may move yet: point at a piece and press M, or paint (P)");
+    const double start = seconds_now();
+    if (dm_object_prepare(world->context, &desc, &world->object) != DM_OK) return -1;
+    world->prepare_seconds = seconds_now() - start;
+    return adopt(world);
+}
+
+/* ---- prepared objects ---- */
+
+int world_load(world* world, const char* path) {
+    size_t size = 0;
+    char* data = file_read(path, &size);
+    if (!data) return fail(world, "can't read '%s': %s", path, strerror(errno));
+    const dm_result result = dm_object_load(world->context, data, size, world->model, &world->object);
+    free(data);
+    return result == DM_OK ? adopt(world) : -1;
+}
+
+static int write_object(world* world, const char* path) {
+    size_t size = 0;
+    dm_object_save(world->context, world->object, NULL, 0, &size);
+    void* data = take(size, 1);
+    dm_result result = dm_object_save(world->context, world->object, data, size, &size);
+    int status = result == DM_OK ? 0 : -1;
+    if (status == 0 && file_write(path, data, size) != 0)
+        status = fail(world, "can't write '%s': %s", path, strerror(errno));
+    free(data);
+    return status;
+}
+
+int world_save(world* world, const char* path) {
+    if (!world->object) return fail(world, "nothing is prepared, so nothing can be saved");
+    char* beside = path_with_ending(path, ".parts.npy");
+    int status = write_object(world, path);
+    if (status == 0 && parts_save(world, beside) != 0)
+        status = fail(world, "can't write '%s': %s", beside, strerror(errno));
+    if (status == 0) fail(world, "saved %s", path); /* a message, no failure */
+    free(beside);
+    return status;
+}

@@ -1,0 +1,94 @@
+/* An object of a .glb file that can be looked at, told what moves, grabbed and moved. Nothing of the screen is here:
+ * the same calls give the same poses with or without a window. */
+#ifndef VIEWER_WORLD_H
+#define VIEWER_WORLD_H
+
+#include "dragmesh/dragmesh.h"
+#include "dragmesh/ext/gltf.h"
+#include "vec.h"
+
+enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64 };
+
+typedef struct world_part {
+    char name[WORLD_NAME];
+    uint32_t id, parent; /* as the library knows them; 1.. */
+    dm_joint joint;      /* in force */
+    dm_joint hypotheses[DM_MAX_HYPOTHESES];
+    uint32_t hypothesis_count;
+    float value;
+    dm_pose pose;    /* of its own joint, from rest */
+    dm_pose carried; /* with the parts that carry it */
+    vec3 centre, box_min, box_max;
+    dm_pose keys[DM_MOTION_FRAMES]; /* the motion the last pull asked for */
+    int has_keys;
+} world_part;
+
+/* Which nodes of the file move as one: names, comma-separated. */
+typedef struct world_options {
+    const char* file;
+    const char* models; /* folder with the weights; NULL = sdk/models; "none" = geometry alone */
+    const char* dmo;    /* a prepared object to load in place of preparing; may be NULL */
+    const char* parts[WORLD_MAX_PARTS];
+    uint32_t part_count; /* 0: every node but the largest is a part */
+} world_options;
+
+typedef struct world {
+    dm_context* context;
+    dm_model model;
+    int has_motion;
+    dm_gltf* gltf;
+    dm_mesh_desc mesh; /* merged; points into gltf */
+    uint32_t face_count;
+    uint8_t* face_part; /* id of every face's part; 0 = the body */
+    dm_object object;
+    dm_scene scene;
+    uint32_t instance;
+    dm_object_info info;
+    world_part parts[WORLD_MAX_PARTS + 1]; /* [id]; [0] is the body */
+    uint32_t part_count;                   /* ids are 1 .. part_count */
+    uint32_t revision;                     /* counts the preparations */
+    double prepare_seconds;
+    char message[512]; /* what the library, or the world, said last */
+    /* the part in hand */
+    dm_drag drag;
+    uint32_t held;
+    dm_vec3 grab; /* where it was grabbed, as it was then; the frame of the part's carrier */
+    dm_vec3 grab_normal;
+    dm_drag_state state;
+    int decided; /* the pull has been heard */
+} world;
+
+/* 0, or -1 with a line in message. The world is closed in either case. */
+int world_open(world* world, const world_options* options);
+void world_close(world* world);
+
+/* Finds every part's joint anew, after face_part, names or parents changed. */
+int world_prepare(world* world);
+
+/* Takes a prepared object in place of preparing. */
+int world_load(world* world, const char* path);
+
+/* What a ray meets; part 0 and hit 0 when nothing. */
+dm_hit world_pick(world* world, const dm_ray* ray);
+
+/* A part is taken in hand, follows a ray for dt seconds, and is let go. */
+int world_grab(world* world, const dm_hit* hit);
+void world_pull(world* world, const dm_ray* ray, float dt);
+void world_release(world* world);
+
+/* The pull so far says how the part moves: joints are weighed again with it. */
+void world_hear_pull(world* world, const dm_ray* ray);
+
+/* The joint in force and its rivals, as the pull (may be NULL) ranks them. */
+void world_read_joint(world* world, uint32_t part, const dm_drag_hint* pull);
+
+void world_set_value(world* world, uint32_t part, float value);
+void world_set_joint(world* world, uint32_t part, const dm_joint* joint);
+
+/* Poses of all parts from their values, into the scene too. */
+void world_update(world* world);
+
+/* The prepared object, and beside it which faces are whose: FILE.dmo and FILE.parts.npy. */
+int world_save(world* world, const char* path);
+
+#endif

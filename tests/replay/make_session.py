@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""Writes a session for the viewer: a hand that drags a part of an object (object.glb, joints.json) along its true way.
+
+    make_session.py DIR OUT.session [--joint N] [--drag N] [--yaw A] [--pitch A] [--zoom F] [--size WxH] [--share S]
+                    [--frames N] [--keys FRAME:KEY,...] [--back] [--all-parts]
+
+The pointer goes from the drag's point on the screen to where the true joint would take that point, with a hand's ease.
+"""
+import argparse
+import json
+import math
+import os
+import struct
+
+
+def sub(a, b): return [x - y for x, y in zip(a, b)]
+def add(a, b): return [x + y for x, y in zip(a, b)]
+def mul(a, s): return [x * s for x in a]
+def dot(a, b): return sum(x * y for x, y in zip(a, b))
+def cross(a, b): return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+def unit(a): return mul(a, 1 / math.sqrt(dot(a, a)))
+
+
+def box_of(glb):
+    """Bounds of all vertices; nodes are identity, as both the generator and the evaluation set write them."""
+    data = open(glb, "rb").read()
+    size = struct.unpack_from("<I", data, 12)[0]
+    document = json.loads(data[20:20 + size])
+    low, high = [math.inf] * 3, [-math.inf] * 3
+    for mesh in document["meshes"]:
+        for primitive in mesh["primitives"]:
+            accessor = document["accessors"][primitive["attributes"]["POSITION"]]
+            low = [min(a, b) for a, b in zip(low, accessor["min"])]
+            high = [max(a, b) for a, b in zip(high, accessor["max"])]
+    return low, high
+
+
+class Camera:
+    """As samples/10_viewer/camera.c has it."""
+
+    def __init__(self, low, high, z_up, width, height, yaw, pitch, zoom):
+        self.fov, self.width, self.height = 0.6, width, height
+        self.yaw, self.pitch = yaw, pitch
+        self.target = mul(add(low, high), 0.5)
+        self.distance = zoom * 1.15 * 0.5 * math.dist(low, high) / math.sin(0.3) / min(1, width / height)
+        level = math.cos(pitch)
+        forward = [-math.sin(yaw) * level, -math.sin(pitch), -math.cos(yaw) * level]
+        self.forward = [forward[0], -forward[2], forward[1]] if z_up else forward
+        up = [0, 0, 1] if z_up else [0, 1, 0]
+        self.side = unit(cross(self.forward, up))
+        self.up = cross(self.side, self.forward)
+        self.eye = sub(self.target, mul(self.forward, self.distance))
+
+    def pixel(self, p):
+        off = sub(p, self.eye)
+        scale = self.height / 2 / math.tan(self.fov / 2) / dot(off, self.forward)
+        return self.width / 2 + dot(off, self.side) * scale, self.height / 2 - dot(off, self.up) * scale
+
+    def line(self):
+        return "0 camera " + " ".join(f"{v:.6g}" for v in [self.yaw, self.pitch, self.distance, *self.target])
+
+
+def moved(joint, p, q):
+    """The point p when the joint stands at q."""
+    axis = joint["axis"]
+    if joint["type"] == "prismatic":
+        return add(p, mul(axis, q))
+    off = sub(p, joint["origin"])
+    c, s = math.cos(q), math.sin(q)
+    turned = add(add(mul(off, c), mul(cross(axis, off), s)), mul(axis, dot(axis, off) * (1 - c)))
+    return add(joint["origin"], turned)
+
+
+def travel(joint, size):
+    """How far the hand means to go: the limit in the drag's direction, or what seems much."""
+    sign = joint.get("drag_sign", 1)
+    limit = joint["upper"] if sign > 0 else joint["lower"]
+    if limit is None or abs(limit) < 1e-9 or joint.get("continuous"):
+        limit = sign * (0.3 * size if joint["type"] == "prismatic" else math.pi / 2)
+    return limit if joint["type"] == "prismatic" else max(-2.6, min(2.6, limit))
+
+
+def hand(t):
+    return t * t * t * (10 - 15 * t + 6 * t * t)
+
+
+def part_lines(known, joint, all_parts):
+    """The joints' parts, each with all that moves with it; the one in question alone, or all."""
+    parts, seen = [], set()
+    for other in known["joints"] if all_parts else [joint]:
+        nodes = ",".join(other["moving_nodes"])
+        if nodes not in seen:
+            seen.add(nodes)
+            parts.append(f"part {nodes}")
+    return parts
+
+
+def session(folder, o):
+    known = json.load(open(os.path.join(folder, "joints.json")))
+    joint = known["joints"][o.joint]
+    low, high = box_of(os.path.join(folder, "object.glb"))
+    width, height = (int(v) for v in o.size.split("x"))
+    z_up = known.get("up", "y") == "z"
+    camera = Camera(low, high, z_up, width, height, o.yaw, o.pitch, o.zoom)
+    point = joint["drags"][o.drag]["point"]
+    goal = travel(joint, max(sub(high, low))) * o.share
+    lines = ["dragmesh-session 1", f"size {width} {height}", f"up {'z' if z_up else 'y'}"]
+    lines += part_lines(known, joint, o.all_parts)
+    events = [(0, camera.line()[2:])]
+    start = 6
+    for i in range(o.frames + 1):
+        t = hand(i / o.frames) if not o.back else math.sin(math.pi * hand(i / o.frames))
+        x, y = camera.pixel(moved(joint, point, goal * t))
+        events.append((start + i - (i == 0), f"move {x:.2f} {y:.2f}"))
+        if i == 0:
+            events.append((start, "press left"))
+    events.append((start + o.frames + 10, "release left"))
+    for word in filter(None, o.keys.split(",")):
+        frame, key = word.split(":")
+        events.append((int(frame), f"key {key}"))
+    events.append((start + o.frames + o.after, "end"))
+    events.sort(key=lambda e: e[0])
+    return lines + [f"{frame} {what}" for frame, what in events]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("folder")
+    parser.add_argument("out")
+    for name, kind, value in [("joint", int, 0), ("drag", int, 0), ("yaw", float, 0.6), ("pitch", float, 0.38),
+                              ("zoom", float, 1.0), ("size", str, "640x400"), ("share", float, 0.95),
+                              ("frames", int, 60), ("keys", str, ""), ("after", int, 20)]:
+        parser.add_argument("--" + name, type=kind, default=value)
+    parser.add_argument("--back", action="store_true")
+    parser.add_argument("--all-parts", action="store_true")
+    o = parser.parse_args()
+    with open(o.out, "w") as file:
+        file.write("\n".join(session(o.folder, o)) + "\n")
+
+
+if __name__ == "__main__":
+    main()
