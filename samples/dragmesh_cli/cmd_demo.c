@@ -179,7 +179,7 @@ static dm_result demonstrate(session* session, const known_object* object, const
     answer answer;
     memset(&view, 0, sizeof view);
     view.session = session;
-    printf("%s: '%s' may move\n", object->name, truth->moving.count ? truth->moving.names[0] : "");
+    printf("the part '%s' may move\n", truth->moving.count ? truth->moving.names[0] : "");
     dm_result result = open_view(&p, &known, &job, &answer);
     if (result == DM_OK) {
         dm_pose* poses = cli_alloc(UPDATES * sizeof *poses);
