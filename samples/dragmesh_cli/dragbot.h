@@ -13,6 +13,7 @@ enum { BOT_WIDTH = 1280, BOT_HEIGHT = 960 };
 
 /* Every BOT_STEP-th pixel of the screen, told by a rasteriser of the bot's own. */
 enum { BOT_STEP = 4, BOT_COLUMNS = BOT_WIDTH / BOT_STEP, BOT_ROWS = BOT_HEIGHT / BOT_STEP };
+#define BOT_CONTESTED UINT32_MAX /* a surface of two parts */
 
 typedef struct bot_view {
     dm_camera camera;
@@ -36,14 +37,15 @@ vec bot_view_point(const bot_view* view, int column, int row);
 
 /* ---- one case ---- */
 
-enum { BOT_FRAMES = 120, BOT_HOLD = 20 }; /* at 60 a second: a pull of two seconds, then still */
+enum { BOT_FRAMES = 120, BOT_MOST_FRAMES = 1200, BOT_HOLD = 20 }; /* at 60 a second: a pull, then still */
 
 /* A pixel to grab at and the way of the mouse. */
 typedef struct bot_pull {
     int x, y;     /* of the grab */
     vec point;    /* seen there */
     double asked; /* the true joint's value at the end */
-    double path[BOT_FRAMES][2];
+    double path[BOT_MOST_FRAMES][2];
+    int frames;
     double length; /* of the path, pixels */
 } bot_pull;
 

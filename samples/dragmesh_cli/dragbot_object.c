@@ -219,7 +219,7 @@ static void play_joint(stage* s, int joint, const bot_options* options, int give
     for (int i = 0; i < DIRECTIONS && found < options->cameras; i++) {
         bot_pull pull;
         const int seen = look_at(s, joint, i, &random, &pull);
-        if (!given) score->unseen += seen == 0, score->undrawable += seen < 0;
+        if (given) score->unseen += seen == 0, score->undrawable += seen < 0;
         if (seen <= 0) continue;
         bot_row* row = NULL;
         char id[sizeof row->id];

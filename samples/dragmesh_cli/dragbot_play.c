@@ -72,8 +72,8 @@ static dm_result follow_path(session* session, dm_drag drag, const bot_view* vie
     watch w = {.view = view, .centre = centre, .pointer = {pull->x, pull->y}, .result = out_result};
     bot_view_project(view, pull->point, &w.seen[0][0], &w.seen[0][1]);
     bot_view_project(view, centre, &w.seen[1][0], &w.seen[1][1]);
-    for (int i = 0; i < BOT_FRAMES + BOT_HOLD; i++) {
-        const double* at = pull->path[i < BOT_FRAMES ? i : BOT_FRAMES - 1];
+    for (int i = 0; i < pull->frames + BOT_HOLD; i++) {
+        const double* at = pull->path[i < pull->frames ? i : pull->frames - 1];
         const double pointer[2] = {round(at[0]), round(at[1])}; /* a mouse knows whole pixels */
         dm_ray ray;
         dm_result result = dm_camera_ray(session->context, &view->camera, (float)pointer[0], (float)pointer[1], &ray);

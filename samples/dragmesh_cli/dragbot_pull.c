@@ -8,6 +8,9 @@ enum { LEAST_SEEN = 12 };             /* samples of a part, with neighbours of t
 enum { TRIES = 24 };                  /* places on a part */
 static const double least_arm = 0.3;  /* of the largest distance to the axis that is seen: nobody grabs at the hinge */
 static const double least_path = 10;  /* px */
+static const double hand_speed = 600; /* px a second, at most; and two seconds at least */
+/* Looks the same: nearer than the bot's own tolerance on the screen, or than a share of a short way. */
+static const double alike_share = 0.02, alike_way = 0.1, far_share = 0.25;
 static const double free_slide = 0.1; /* of the object's size, where no limits are known */
 
 vec bot_true_move(const known_joint* truth, vec point, double value) {
@@ -35,17 +38,44 @@ static double pace(double s) {
     return s * s * s * (10 - 15 * s + 6 * s * s);
 }
 
-static int make_path(const bot_view* view, const known_joint* truth, bot_pull* pull) {
+/* The projection of the true way in so many frames: its longest step, pixels; infinite when it leaves the screen. */
+static double draw_path(const bot_view* view, const known_joint* truth, int frames, bot_pull* pull) {
+    double longest = 0;
     pull->length = 0;
-    for (int i = 0; i < BOT_FRAMES; i++) {
-        const double value = pull->asked * pace((i + 1.0) / BOT_FRAMES);
+    pull->frames = frames;
+    for (int i = 0; i < frames; i++) {
+        const double value = pull->asked * pace((i + 1.0) / frames);
         double* at = pull->path[i];
-        if (!bot_view_project(view, bot_true_move(truth, pull->point, value), &at[0], &at[1])) return 0;
-        if (!bot_view_on_screen(at[0], at[1])) return 0;
+        if (!bot_view_project(view, bot_true_move(truth, pull->point, value), &at[0], &at[1])) return INFINITY;
+        if (!bot_view_on_screen(at[0], at[1])) return INFINITY;
         const double x = i ? pull->path[i - 1][0] : pull->x, y = i ? pull->path[i - 1][1] : pull->y;
-        pull->length += hypot(at[0] - x, at[1] - y);
+        const double step = hypot(at[0] - x, at[1] - y);
+        pull->length += step;
+        longest = fmax(longest, step);
     }
-    return pull->length >= least_path;
+    return longest;
+}
+
+/* Whether two places on the way that are far apart look the same: the circle of a hinge seen edge on goes out and back
+ * over itself, and there the pointer does not tell which of them it asks for. */
+static int is_folded(const known_joint* truth, const bot_pull* pull) {
+    const double alike = fmin(alike_share * BOT_HEIGHT, alike_way * pull->length), far = fabs(far_share * pull->asked);
+    for (int i = 0; i < pull->frames; i++) {
+        for (int k = 0; k < i; k++) {
+            const double apart = fabs(pull->asked) * (pace((i + 1.0) / pull->frames) - pace((k + 1.0) / pull->frames));
+            if (apart < far || (!truth->slides && apart > CLI_PI)) continue;
+            const double *a = pull->path[i], *b = pull->path[k];
+            if (hypot(a[0] - b[0], a[1] - b[1]) < alike) return 1;
+        }
+    }
+    return 0;
+}
+
+static int make_path(const bot_view* view, const known_joint* truth, bot_pull* pull) {
+    const double longest = draw_path(view, truth, BOT_FRAMES, pull), frames = BOT_FRAMES * longest * 60 / hand_speed;
+    if (!(frames <= BOT_MOST_FRAMES)) return 0;
+    if (frames > BOT_FRAMES) draw_path(view, truth, (int)frames, pull);
+    return pull->length >= least_path && !is_folded(truth, pull);
 }
 
 /* ---- the place ---- */

@@ -5,6 +5,8 @@
 
 #include "dragbot.h"
 
+static const float same_depth = 1e-5f;
+
 #define PIXELS ((size_t)BOT_COLUMNS * BOT_ROWS)
 
 bot_view bot_view_new(void) {
@@ -65,6 +67,15 @@ static double edge(const corner* a, const corner* b, double x, double y) {
     return (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
 }
 
+/* Nearer things hide others; where two parts share a surface, neither is seen. */
+static void show(bot_view* view, size_t at, float near, uint32_t part) {
+    const float before = view->depth[at];
+    if (part != view->part[at] && fabsf(near - before) <= same_depth * before) view->part[at] = BOT_CONTESTED;
+    if (near <= before * (1 + same_depth)) return;
+    view->depth[at] = near;
+    view->part[at] = part;
+}
+
 /* Samples lie at whole columns and rows. */
 static void fill(bot_view* view, const corner c[3], uint32_t part) {
     const double area = edge(&c[0], &c[1], c[2].x, c[2].y);
@@ -78,10 +89,7 @@ static void fill(bot_view* view, const corner c[3], uint32_t part) {
             const double a = edge(&c[1], &c[2], x, y) / area, b = edge(&c[2], &c[0], x, y) / area, g = 1 - a - b;
             if (a < 0 || b < 0 || g < 0) continue;
             const float near = (float)(a * c[0].near + b * c[1].near + g * c[2].near);
-            const size_t at = (size_t)y * BOT_COLUMNS + (size_t)x;
-            if (near <= view->depth[at]) continue;
-            view->depth[at] = near;
-            view->part[at] = part;
+            show(view, (size_t)y * BOT_COLUMNS + (size_t)x, near, part);
         }
     }
 }

@@ -7,10 +7,14 @@
 #include <cglm/cglm.h>
 
 #define MOST_STEPS 16
-#define LONGEST_STEP 0.5f /* rad */
-#define LAST_STEP 3e-5f   /* rad, relative beyond 1; what a Newton step leaves is about its square */
-#define LEAST_SINE2 1e-9f /* of the angle between a ray and a line that count as parallel, squared */
-#define LEAST_ARM 1e-6f   /* of a turning point, as a share of its coordinates */
+#define LONGEST_STEP 0.5f     /* rad */
+#define LAST_STEP 3e-5f       /* rad, relative beyond 1; what a Newton step leaves is about its square */
+#define LEAST_SINE2 1e-9f     /* of the angle between a ray and a line that count as parallel, squared */
+#define LONGEST_FOLD 1.2f     /* rad: how far apart two places either side of a fold may be … */
+#define LONGEST_AT_LIMIT 0.5f /* … when the pointer may only have gone past a limit */
+#define LEAST_SLANT 0.8f      /* sine of the slant at which a circle is seen nearly edge on */
+#define LEAST_FOLD 0.01f      /* of a turning point's arm: how much nearer the other side must look */
+#define LEAST_ARM 1e-6f       /* of a turning point, as a share of its coordinates */
 
 /* A slide's point seen from the ray's origin: P = arm + (along + v) a with the arm across the axis a. */
 typedef struct slide_view {
@@ -133,6 +137,38 @@ static float descend(turn_view* view, float start, float lower, float upper) {
     return value;
 }
 
+/* How far apart the point at `value` and the ray look, as a length where the point is; behind the eye, infinite. */
+static float look_apart(turn_view* view, float value) {
+    const float c = cosf(value), s = sinf(value);
+    vec3 p;
+    for (int i = 0; i < 3; i++) {
+        p[i] = view->centre[i] + c * view->u[i] + s * view->w[i] + value * view->advance[i];
+    }
+    const float along = glm_vec3_dot(p, view->d);
+    if (view->projection == DMI_PERSPECTIVE && !(along > 0)) return INFINITY;
+    for (int i = 0; i < 3; i++) p[i] -= along * view->d[i];
+    return glm_vec3_norm(p);
+}
+
+/* A circle seen at a slant runs out and back on the screen, and the two branches meet in a fold. There a point that
+ * only goes downhill would turn round when the pointer comes back on the other branch. So the other branch's place,
+ * mirrored at the fold, is tried too, and taken when it looks clearly nearer; not far from the fold alone, where the
+ * branches look alike, so that nothing sweeps across. */
+static float pass_fold(turn_view* view, float value, float lower, float upper) {
+    const float out = glm_vec3_dot(view->u, view->d), side = glm_vec3_dot(view->w, view->d);
+    const float arm = glm_vec3_norm(view->u);
+    if (!(out * out + side * side > LEAST_SLANT * LEAST_SLANT * arm * arm)) return value;
+    const float quarter = GLM_PI_2f, slope = atan2f(side, out) + quarter; /* where the circle runs along the ray */
+    const float fold = slope + GLM_PIf * roundf((value - slope) / GLM_PIf), gap = 2 * (fold - value);
+    const float other = value + gap, longest = value > lower && value < upper ? LONGEST_FOLD : LONGEST_AT_LIMIT;
+    if (fabsf(gap) > longest || other < lower || other > upper) return value;
+    const float here = look_apart(view, value);
+    if (here < LEAST_FOLD * arm) return value;
+    const float there = descend(view, other, lower, upper), then = look_apart(view, there);
+    const float passed = (there - fold) * (value - fold);
+    return passed < 0 && then < here - LEAST_FOLD * arm ? there : value;
+}
+
 float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
                      float start, float lower, float upper) {
     float value = start;
@@ -141,7 +177,8 @@ float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_
     } else if (dmi_joint_turns(joint->type)) {
         turn_view view = view_turn(joint, rest_point, ray, projection);
         if (!has_way(joint, rest_point, &view)) return start;
-        value = descend(&view, start, fmaxf(lower, start - GLM_PIf), fminf(upper, start + GLM_PIf));
+        const float least = fmaxf(lower, start - GLM_PIf), most = fminf(upper, start + GLM_PIf);
+        value = pass_fold(&view, descend(&view, start, least, most), least, most);
     }
     return isfinite(value) ? glm_clamp(value, lower, upper) : start;
 }
