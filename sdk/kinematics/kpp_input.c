@@ -1,7 +1,8 @@
-/* KPP-Net's view of a cloud: the frame of drag and part, farthest-point groups, ten channels and more a point
+/* KPP-Net's view of a cloud: the frame of shape and drag, farthest-point groups, ten channels and more a point
  * (paper §3.5; docs/networks.md is the specification). */
 #include "kinematics/kpp_input.h"
 
+#include "kinematics/directions.h"
 #include "kinematics/linear3.h"
 
 #define PART_POINTS 512
@@ -36,36 +37,88 @@ static void flip(float v[3]) {
     for (int k = 0; k < 3; k++) v[k] = -v[k];
 }
 
-/* e1 along the drag; e2 from the drag point's side of the part, or from its shape when the drag line meets its centre.
- */
-static void drag_axes(const dmi_drag_hint* hint, const float centre[3], float radius, const float near[3],
-                      const float principal[3][3], float e1[3], float e2[3]) {
-    dmi_copy3(hint->vector, e1);
-    dmi_normalize3(e1);
-    dmi_sub3(centre, hint->point, e2);
-    dmi_reject3(e2, e1);
-    if (dmi_length3(e2) <= 0.05f * radius) {
-        for (int k = 0; k < 3; k++) {
-            dmi_copy3(principal[k], e2);
-            dmi_reject3(e2, e1);
-            if (dmi_length3(e2) > 0.1f) break;
-        }
-        if (dmi_dot3(e2, near) < 0) flip(e2);
-    }
-    dmi_reject3(e2, e1);
-    dmi_normalize3(e2);
+/* What the frame and the shape numbers are made from, object-normalised. */
+typedef struct view {
+    float centre[3], near[3]; /* mean of the part's points; from there to the mean of the near points */
+    float principal[3][3];
+    float of_part[3][3], of_body[3][3], of_all[3][3];
+    float fit_part, fit_body, fit_all;
+    float radius;
+} view;
+
+/* The better fit of two starts. */
+static float best_directions(const dmi_normals* normals, const float a[3][3], const float b[3][3], float out[3][3]) {
+    float other[3][3];
+    memcpy(out, a, sizeof other);
+    memcpy(other, b, sizeof other);
+    const float fit = dmi_fit_directions(normals, out), other_fit = dmi_fit_directions(normals, other);
+    if (other_fit <= fit) return fit;
+    memcpy(out, other, sizeof other);
+    return other_fit;
 }
 
-/* Signs a principal direction towards the body, else by the part's own skewness. */
-static void sign_direction(const float (*xyz)[3], const float centre[3], float radius, const float near[3],
-                           float e[3]) {
-    float along = dmi_dot3(near, e);
-    if (fabsf(along) <= 0.02f * radius) {
+static void find_directions(const dmi_cloud* cloud, view* v) {
+    const float(*part)[3] = (const float(*)[3])cloud->normal;
+    const float(*body)[3] = part + DMI_CLOUD_PART;
+    const dmi_normals of_part = {part, PART_POINTS, NULL, 0};
+    const dmi_normals of_body = {body, NEAR_POINTS, body + DMI_CLOUD_NEAR, BODY_POINTS};
+    const dmi_normals of_all = {part, PART_POINTS, body, NEAR_POINTS};
+    float start[3][3];
+    dmi_normal_axes(&of_part, start);
+    v->fit_part = best_directions(&of_part, (const float(*)[3])start, (const float(*)[3])v->principal, v->of_part);
+    dmi_normal_axes(&of_body, start);
+    v->fit_body = best_directions(&of_body, (const float(*)[3])start, (const float(*)[3])v->of_part, v->of_body);
+    v->fit_all = best_directions(&of_all, (const float(*)[3])v->of_part, (const float(*)[3])v->of_body, v->of_all);
+}
+
+static void look_at(const dmi_cloud* cloud, view* out) {
+    const float(*part)[3] = (const float(*)[3])cloud->xyz;
+    double variances[3];
+    dmi_principal3(part, PART_POINTS, out->centre, variances, out->principal);
+    mean_of(part + DMI_CLOUD_PART, NEAR_POINTS, out->near);
+    dmi_sub3(out->near, out->centre, out->near);
+    out->radius = radius_of(part, PART_POINTS, out->centre);
+    find_directions(cloud, out);
+}
+
+/* Half the part's extent along a direction. */
+static float extent_along(const dmi_cloud* cloud, const float direction[3]) {
+    float low = INFINITY, high = -INFINITY;
+    for (uint32_t i = 0; i < DMI_CLOUD_PART; i++) {
+        const float t = dmi_dot3(cloud->xyz[i], direction);
+        low = fminf(low, t), high = fmaxf(high, t);
+    }
+    return 0.5f * (high - low);
+}
+
+/* Which direction comes first: the one nearest to the drag; without a drag the part's thinnest. Of the others the
+ * longer one comes second. */
+static void order_directions(const dmi_cloud* cloud, const dmi_drag_hint* hint, const view* v, int order[2]) {
+    float extent[3], rank[3];
+    for (int k = 0; k < 3; k++) {
+        extent[k] = extent_along(cloud, v->of_all[k]);
+        rank[k] = hint != NULL ? fabsf(dmi_dot3(v->of_all[k], hint->vector)) : -extent[k];
+    }
+    order[0] = rank[1] > rank[0] ? 1 : 0;
+    if (rank[2] > rank[order[0]]) order[0] = 2;
+    const int a = (order[0] + 1) % 3, b = (order[0] + 2) % 3;
+    order[1] = extent[a] >= extent[b] ? a : b;
+}
+
+/* Signs a direction towards the body, else away from the drag point, else by the part's own skewness. */
+static void sign_direction(const dmi_cloud* cloud, const view* v, const dmi_drag_hint* hint, float e[3]) {
+    float along = dmi_dot3(v->near, e);
+    if (fabsf(along) <= 0.05f * v->radius && hint != NULL) {
+        float arm[3];
+        dmi_sub3(v->centre, hint->point, arm);
+        along = dmi_dot3(arm, e);
+    }
+    if (fabsf(along) <= 0.02f * v->radius) {
         double third = 0;
         for (uint32_t i = 0; i < PART_POINTS; i++) {
             float d[3];
-            dmi_sub3(xyz[i], centre, d);
-            double t = dmi_dot3(d, e);
+            dmi_sub3(cloud->xyz[i], v->centre, d);
+            const double t = dmi_dot3(d, e);
             third += t * t * t;
         }
         along = (float)third;
@@ -73,27 +126,20 @@ static void sign_direction(const float (*xyz)[3], const float centre[3], float r
     if (along < 0) flip(e);
 }
 
-static void make_frame(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_kpp_frame* out) {
-    const float(*part)[3] = (const float(*)[3])cloud->xyz;
-    float centre[3], near[3], principal[3][3];
-    double variances[3];
-    dmi_principal3(part, PART_POINTS, centre, variances, principal);
-    mean_of(part + DMI_CLOUD_PART, NEAR_POINTS, near);
-    dmi_sub3(near, centre, near);
-    float radius = radius_of(part, PART_POINTS, centre);
-
+static void make_frame(const dmi_cloud* cloud, const dmi_drag_hint* hint, const view* v, dmi_kpp_frame* out) {
     float *e1 = out->rotation, *e2 = out->rotation + 3, *e3 = out->rotation + 6;
-    if (hint != NULL) {
-        drag_axes(hint, centre, radius, near, (const float(*)[3])principal, e1, e2);
-    } else {
-        dmi_copy3(principal[2], e1);
-        dmi_copy3(principal[0], e2);
-        sign_direction(part, centre, radius, near, e1);
-        sign_direction(part, centre, radius, near, e2);
-    }
+    int order[2];
+    order_directions(cloud, hint, v, order);
+    dmi_copy3(v->of_all[order[0]], e1);
+    dmi_copy3(v->of_all[order[1]], e2);
+    if (hint == NULL)
+        sign_direction(cloud, v, hint, e1);
+    else if (dmi_dot3(e1, hint->vector) < 0)
+        flip(e1);
+    sign_direction(cloud, v, hint, e2);
     dmi_cross3(e1, e2, e3);
-    dmi_copy3(centre, out->origin);
-    out->scale = 1 / radius;
+    dmi_copy3(v->centre, out->origin);
+    out->scale = 1 / v->radius;
 }
 
 static void turn_in(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
@@ -188,13 +234,60 @@ static void make_groups(const points* p, const drag_channels* drag, uint32_t cou
     }
 }
 
+/* Directions are lines: the largest component is positive. */
+static float* write_directions(const dmi_kpp_frame* frame, const float axes[3][3], float* out) {
+    for (int k = 0; k < 3; k++, out += 3) {
+        turn_in(frame, axes[k], out);
+        int largest = fabsf(out[1]) > fabsf(out[0]) ? 1 : 0;
+        if (fabsf(out[2]) > fabsf(out[largest])) largest = 2;
+        if (out[largest] < 0) flip(out);
+    }
+    return out;
+}
+
+/* Centre and half sides along the frame's axes; `drawn_in`: far ends shortened to logarithms. */
+static float* write_box(const dmi_kpp_frame* frame, const float (*xyz)[3], uint32_t count, int drawn_in, float* out) {
+    float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < count; i++) {
+        float d[3], y[3];
+        dmi_sub3(xyz[i], frame->origin, d);
+        turn_in(frame, d, y);
+        for (int k = 0; k < 3; k++) low[k] = fminf(low[k], y[k]), high[k] = fmaxf(high[k], y[k]);
+    }
+    for (int k = 0; k < 3; k++) {
+        const float a = low[k] * frame->scale, b = high[k] * frame->scale;
+        const float from = drawn_in ? copysignf(logf(1 + fabsf(a)), a) : a;
+        const float to = drawn_in ? copysignf(logf(1 + fabsf(b)), b) : b;
+        out[k] = 0.5f * (from + to);
+        out[3 + k] = 0.5f * (to - from);
+    }
+    return out + 6;
+}
+
+static void write_shape(const dmi_cloud* cloud, const dmi_kpp_frame* frame, const view* v, const drag_channels* drag,
+                        float out[DMI_KPP_SHAPE]) {
+    const float(*xyz)[3] = (const float(*)[3])cloud->xyz;
+    out = write_directions(frame, (const float(*)[3])v->of_part, out);
+    out = write_directions(frame, (const float(*)[3])v->of_body, out);
+    out = write_directions(frame, (const float(*)[3])v->principal, out);
+    out = write_box(frame, xyz, DMI_CLOUD_PART, 0, out);
+    out = write_box(frame, xyz, DMI_CLOUD_POINTS, 1, out);
+    for (int k = 0; k < 3; k++) out[k] = drag->point[k], out[3 + k] = drag->vector[k];
+    out[6] = 0.5f * logf(v->radius) + 1;
+    out[7] = v->fit_part, out[8] = v->fit_body, out[9] = v->fit_all;
+}
+
 void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_kpp_input* out_input) {
-    make_frame(cloud, hint, &out_input->frame);
+    view v;
+    look_at(cloud, &v);
+    make_frame(cloud, hint, &v, &out_input->frame);
     drag_channels drag = {{0, 0, 0}, {0, 0, 0}};
     if (hint != NULL) {
         point_in(&out_input->frame, hint->point, drag.point);
-        drag.vector[0] = 1;
+        turn_in(&out_input->frame, hint->vector, drag.vector);
+        dmi_normalize3(drag.vector);
     }
+    write_shape(cloud, &out_input->frame, &v, &drag, out_input->shape);
     points p;
     choose_points(cloud, &out_input->frame, &p);
     make_groups(&p, &drag, POINTS, DMI_KPP_GLOBAL_GROUPS, out_input->global_points, out_input->global_centres);

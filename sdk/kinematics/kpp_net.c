@@ -12,6 +12,8 @@
 #define FEED_FORWARD 192
 #define POINT_HIDDEN 64
 #define POSITION_HIDDEN 48
+#define HEAD_HIDDEN 128
+#define SCALAR_HIDDEN 96
 #define MAX_LAYERS 3
 #define BLOCK_SIZE ((size_t)64 * 1024)
 
@@ -21,6 +23,9 @@
 enum {
     POOLED = 2 * WIDTH,    /* mean and max */
     FEATURES = 2 * POOLED, /* global and local */
+    KNOWN = FEATURES + DMI_KPP_SHAPE,
+    AXIS_OUTPUTS = 2 * (3 + DMI_KPP_DIRECTIONS), /* for turns, for slides: a vector, and a share of each direction */
+    ORIGIN_OUTPUTS = 6,                          /* a place in the part's box, and an offset */
 };
 
 typedef struct encoder {
@@ -43,8 +48,9 @@ typedef struct scratch {
     float positions[DMI_KPP_GLOBAL_GROUPS][POSITION_HIDDEN];
     float hidden[STEP_POINTS][POINT_HIDDEN];
     float points[STEP_POINTS][WIDTH];
-    float features[FEATURES];
-    float head[WIDTH];
+    float known[KNOWN]; /* features, then the shape numbers */
+    float head[HEAD_HIDDEN];
+    float axes[AXIS_OUTPUTS], origin[ORIGIN_OUTPUTS];
     _Alignas(64) float transformer[];
 } scratch;
 
@@ -67,10 +73,10 @@ static void read_network(dmi_loader* loader, void* network) {
     dmi_kpp_net* net = network;
     read_encoder(loader, "global", 3, &net->global);
     read_encoder(loader, "local", 2, &net->local);
-    dmi_load_mlp(loader, "type", FEATURES, 64, DMI_KPP_TYPES, &net->type);
-    dmi_load_mlp(loader, "axis", FEATURES, 96, 6, &net->axis);
-    dmi_load_mlp(loader, "origin", FEATURES, 96, 3, &net->origin);
-    dmi_load_mlp(loader, "limits", FEATURES, 64, 5, &net->limits);
+    dmi_load_mlp(loader, "type", KNOWN, SCALAR_HIDDEN, DMI_KPP_TYPES, &net->type);
+    dmi_load_mlp(loader, "axis", KNOWN, HEAD_HIDDEN, AXIS_OUTPUTS, &net->axis);
+    dmi_load_mlp(loader, "origin", KNOWN, HEAD_HIDDEN, ORIGIN_OUTPUTS, &net->origin);
+    dmi_load_mlp(loader, "limits", KNOWN, SCALAR_HIDDEN, 5, &net->limits);
 }
 
 dm_result dmi_kpp_net_load(dmi_env* env, const void* data, size_t size, dmi_kpp_net** out_net) {
@@ -125,18 +131,27 @@ static void encode(const encoder* encoder, const dmi_kernels* kernels,
     kernels->max_rows(normal, groups, WIDTH, pooled + WIDTH);
 }
 
+/* The vector plus its shares of the shape's directions. */
+static void read_axis(const float* head, const float* shape, float out[3]) {
+    for (int k = 0; k < 3; ++k) {
+        out[k] = head[k];
+        for (int d = 0; d < DMI_KPP_DIRECTIONS; ++d) out[k] += head[3 + d] * shape[3 * d + k];
+    }
+}
+
 void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input, void* scratch_memory,
                          dmi_kpp_output* out_output) {
     const dmi_kernels* kernels = dmi_kernels_for(isa);
     scratch* s = scratch_memory;
-    float axes[6];
-    encode(&net->global, kernels, input->global_points, input->global_centres, DMI_KPP_GLOBAL_GROUPS, s, s->features);
-    encode(&net->local, kernels, input->local_points, input->local_centres, DMI_KPP_LOCAL_GROUPS, s,
-           s->features + POOLED);
-    dmi_mlp_apply(&net->type, kernels, s->features, 1, 0, s->head, out_output->type_logits);
-    dmi_mlp_apply(&net->axis, kernels, s->features, 1, 0, s->head, axes);
-    memcpy(out_output->turn_axis, axes, sizeof out_output->turn_axis);
-    memcpy(out_output->slide_axis, axes + 3, sizeof out_output->slide_axis);
-    dmi_mlp_apply(&net->origin, kernels, s->features, 1, 0, s->head, out_output->origin);
-    dmi_mlp_apply(&net->limits, kernels, s->features, 1, 0, s->head, out_output->limits);
+    encode(&net->global, kernels, input->global_points, input->global_centres, DMI_KPP_GLOBAL_GROUPS, s, s->known);
+    encode(&net->local, kernels, input->local_points, input->local_centres, DMI_KPP_LOCAL_GROUPS, s, s->known + POOLED);
+    memcpy(s->known + FEATURES, input->shape, sizeof input->shape);
+    dmi_mlp_apply(&net->type, kernels, s->known, 1, 0, s->head, out_output->type_logits);
+    dmi_mlp_apply(&net->axis, kernels, s->known, 1, 0, s->head, s->axes);
+    read_axis(s->axes, input->shape, out_output->turn_axis);
+    read_axis(s->axes + 3 + DMI_KPP_DIRECTIONS, input->shape, out_output->slide_axis);
+    dmi_mlp_apply(&net->origin, kernels, s->known, 1, 0, s->head, s->origin);
+    const float* box = input->shape + 3 * DMI_KPP_DIRECTIONS;
+    for (int k = 0; k < 3; ++k) out_output->origin[k] = box[k] + box[3 + k] * s->origin[k] + s->origin[3 + k];
+    dmi_mlp_apply(&net->limits, kernels, s->known, 1, 0, s->head, out_output->limits);
 }

@@ -11,6 +11,8 @@ import numpy as np
 import torch
 
 from . import config
+from .losses import PRISMATIC, SCREW
+from .networks import KPP_CHANNELS, KPP_DIRECTIONS
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "bindings", "python"))
 from dragmesh.lab import VAE_FEATURES, Lab  # noqa: E402
@@ -47,6 +49,34 @@ def to_tensors(arrays, device):
         batch.update({name: part for (name, _), part in zip(VAE_FEATURES, parts)})
         batch["path"] = batch["path"].view(-1, 16, 5)
     return batch
+
+
+def mirrored(batch):
+    """A KPP batch with the second and the third axis of each case's frame turned round at random: half of the cases become
+    their mirror images (a turn's axis is a pseudovector), but never a screw, whose thread has a hand."""
+    count, device = len(batch["type"]), batch["axis"].device
+    flips = torch.randint(0, 2, (count, 2), device=device) * 2.0 - 1
+    flips[:, 1] = torch.where(batch["type"] == SCREW, flips[:, 0], flips[:, 1])
+    mirror = torch.cat([torch.ones_like(flips[:, :1]), flips], dim=1)
+    hand = torch.where(batch["type"] == PRISMATIC, torch.ones_like(flips[:, 0]), flips.prod(dim=1))
+    channels = mirror.new_ones(count, KPP_CHANNELS)
+    for first in (0, 4, 7, 10, 13):
+        channels[:, first:first + 3] = mirror
+    result = dict(batch)
+    for name in ("global_points", "local_points"):
+        result[name] = batch[name] * channels[:, None, None]
+    for name in ("global_centres", "local_centres"):
+        result[name] = batch[name] * mirror[:, None]
+    result["axis"] = batch["axis"] * mirror * hand.unsqueeze(-1)
+    result["origin"] = batch["origin"] * mirror
+    lines = batch["shape"][:, :3 * KPP_DIRECTIONS].view(count, KPP_DIRECTIONS, 3) * mirror[:, None]
+    largest = lines.gather(2, lines.abs().argmax(dim=2, keepdim=True))
+    lines = lines * torch.where(largest < 0, -1.0, 1.0)
+    ones = torch.ones_like(mirror)
+    # The boxes' centres and half sides, the drag's point and vector, four numbers without a direction.
+    rest = torch.cat([mirror, ones, mirror, ones, mirror, mirror, ones, ones[:, :1]], dim=1)
+    result["shape"] = torch.cat([lines.flatten(1), batch["shape"][:, 3 * KPP_DIRECTIONS:] * rest], dim=1)
+    return result
 
 
 def _work(network, seed, first, stride, categories, connection):

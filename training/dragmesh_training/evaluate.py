@@ -29,7 +29,7 @@ def predict(network, model, arrays, device):
             batch = data.to_tensors({name: a[begin:begin + BATCH] for name, a in arrays.items()}, device)
             if network == "kpp":
                 outputs.append(model(batch["global_points"], batch["global_centres"], batch["local_points"],
-                                     batch["local_centres"]))
+                                     batch["local_centres"], batch["shape"]))
                 batch = {name: value for name, value in batch.items() if "points" not in name}
             else:
                 raw, mean, log_variance = model(batch)

@@ -35,7 +35,7 @@ def kpp_losses(output, batch):
     slide = F.smooth_l1_loss(along, torch.zeros_like(along), beta=0.05, reduction="none").sum(-1)
     has_limit = kind.new_tensor(LIMITS_OF_TYPE)[kind].to(error.dtype)
     limits = F.smooth_l1_loss(output["limits"], batch["limits"], beta=0.1, reduction="none")
-    return {"type": F.cross_entropy(output["type_logits"], kind), "cosine": (1 - cosine * flip).mean(),
+    return {"type": F.cross_entropy(output["type_logits"], kind, label_smoothing=0.02), "cosine": (1 - cosine * flip).mean(),
             "geodesic": angle.mean(), "origin": masked_mean(line, turning), "along": masked_mean(slide, turning),
             "limits": masked_mean(limits, has_limit)}
 

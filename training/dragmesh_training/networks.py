@@ -15,9 +15,11 @@ FRAMES = 16
 PATH = 16
 PATH_CHANNELS = 5
 KPP_GROUP = 16
-KPP_GLOBAL_GROUPS = 64
-KPP_LOCAL_GROUPS = 32
+KPP_GLOBAL_GROUPS = 48
+KPP_LOCAL_GROUPS = 24
 KPP_CHANNELS = 16
+KPP_DIRECTIONS = 9
+KPP_SHAPE = 49
 VAE_POINTS = 512
 VAE_NEIGHBOURS = 32
 
@@ -33,8 +35,8 @@ class KppConfig:
     position_hidden: int = 48
     global_layers: int = 3
     local_layers: int = 2
-    axis_hidden: int = 96
-    scalar_hidden: int = 64
+    axis_hidden: int = 128
+    scalar_hidden: int = 96
 
 
 @dataclass(frozen=True)
@@ -134,19 +136,28 @@ class KppNet(nn.Module):
         # "global" is a keyword of Python and "type" a method of Module: both are reached through _modules.
         self.add_module("global", PointEncoder(config, config.global_layers))
         self.local = PointEncoder(config, config.local_layers)
-        features = 4 * config.dim
-        self.type = mlp(features, config.scalar_hidden, TYPES)
-        self.axis = mlp(features, config.axis_hidden, 6)
-        self.origin = mlp(features, config.axis_hidden, 3)
-        self.limits = mlp(features, config.scalar_hidden, 5)
+        known = 4 * config.dim + KPP_SHAPE
+        self.type = mlp(known, config.scalar_hidden, TYPES)
+        self.axis = mlp(known, config.axis_hidden, 2 * (3 + KPP_DIRECTIONS))
+        self.origin = mlp(known, config.axis_hidden, 6)
+        self.limits = mlp(known, config.scalar_hidden, 5)
 
-    def forward(self, global_points, global_centres, local_points, local_centres):
-        """global_points: B x 64 x 16 x 16, global_centres: B x 64 x 3; local the same with 32 groups."""
-        features = torch.cat([self._modules["global"](global_points, global_centres),
-                              self.local(local_points, local_centres)], dim=-1)
-        axis = self.axis(features)
-        return {"type_logits": self._modules["type"](features), "turn_axis": axis[:, :3], "slide_axis": axis[:, 3:],
-                "origin": self.origin(features), "limits": self.limits(features)}
+    @staticmethod
+    def read_axis(head, directions):
+        """A vector, plus a share of each of the shape's own directions: joints mostly follow one of them exactly."""
+        return head[:, :3] + (head[:, 3:].unsqueeze(-1) * directions).sum(1)
+
+    def forward(self, global_points, global_centres, local_points, local_centres, shape):
+        """global_points: B x 48 x 16 x 16, global_centres: B x 48 x 3; local the same with 24 groups; shape: B x 49."""
+        known = torch.cat([self._modules["global"](global_points, global_centres),
+                           self.local(local_points, local_centres), shape], dim=-1)
+        turn, slide = self.axis(known).chunk(2, dim=-1)
+        directions = shape[:, :3 * KPP_DIRECTIONS].view(-1, KPP_DIRECTIONS, 3)
+        centre, half = shape[:, 3 * KPP_DIRECTIONS:3 * KPP_DIRECTIONS + 6].chunk(2, dim=-1)
+        in_box, offset = self.origin(known).chunk(2, dim=-1)
+        return {"type_logits": self._modules["type"](known), "turn_axis": self.read_axis(turn, directions),
+                "slide_axis": self.read_axis(slide, directions), "origin": centre + half * in_box + offset,
+                "limits": self.limits(known)}
 
 
 class JointEncoder(nn.Module):

@@ -9,7 +9,7 @@ from dataclasses import asdict
 import torch
 
 from . import evaluate, export
-from .data import CHUNK, Pool, Stream, to_tensors
+from .data import CHUNK, Pool, Stream, mirrored, to_tensors
 from .losses import kpp_losses, vae_losses, weighted
 from .networks import KPP_SIZES, VAE_SIZES, DqVae, KppNet
 
@@ -28,11 +28,14 @@ def make_network(network, size):
 def run_network(network, model, batch, sample):
     """The network's raw outputs for a batch of tensors."""
     if network == "kpp":
-        return model(batch["global_points"], batch["global_centres"], batch["local_points"], batch["local_centres"])
+        return model(batch["global_points"], batch["global_centres"], batch["local_points"], batch["local_centres"],
+                     batch["shape"])
     return model(batch, sample)
 
 
 def batch_losses(config, model, batch):
+    if config.network == "kpp":
+        batch = mirrored(batch)
     output = run_network(config.network, model, batch, sample=True)
     if config.network == "kpp":
         return kpp_losses(output, batch)

@@ -45,6 +45,7 @@ static void write_case(lab_case* made, const dm_lab_options* options, dmi_kpp_in
            sizeof input->global_centres);
     memcpy(out->local_points + i * sizeof input->local_points / 4, input->local_points, sizeof input->local_points);
     memcpy(out->local_centres + i * sizeof input->local_centres / 4, input->local_centres, sizeof input->local_centres);
+    memcpy(out->shape + i * DMI_KPP_SHAPE, input->shape, sizeof input->shape);
     out->has_drag[i] = with_drag;
     out->category[i] = (int32_t)made->category;
     write_labels(&joint, &input->frame, out, i);
