@@ -28,8 +28,9 @@ def read_safetensors(path):
     header = json.loads(data[8:8 + length])
     header.pop("__metadata__", None)
     body = data[8 + length:]
-    return {name: np.frombuffer(body[slice(*entry["data_offsets"])], "<f4").reshape(entry["shape"])
-            for name, entry in header.items()}
+    kinds = {"F32": "<f4", "F16": "<f2"}
+    return {name: np.frombuffer(body[slice(*entry["data_offsets"])], kinds[entry["dtype"]]).astype("f4")
+            .reshape(entry["shape"]) for name, entry in header.items()}
 
 
 def fingerprint(path):
@@ -102,7 +103,13 @@ def grouped(y, normals, mask, drag, centres):
     return np.array(groups, "f4"), np.array(y[centres], "f4")
 
 
-def kpp_case(net, points, normals, drag):
+def directions(rng):
+    """Nine unit vectors, as the part, the body and the principal axes give them."""
+    vectors = rng.normal(0, 1, (9, 3))
+    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).flatten()
+
+
+def kpp_case(net, rng, points, normals, drag):
     """A plausible input: as sdk/kinematics/kpp_input.c makes it, but for the choice of the frame."""
     pick = np.concatenate([np.arange(512), PART + np.arange(256), PART + NEAR + np.arange(256)])
     x, n = points[pick], normals[pick]
@@ -110,9 +117,11 @@ def kpp_case(net, points, normals, drag):
     y = (x - centre) / np.linalg.norm(x[:512] - centre, axis=1).max()
     mask = np.arange(1024) < 512
     inputs = {}
-    inputs["global_points"], inputs["global_centres"] = grouped(y, n, mask, drag, farthest_points(y, 64))
+    inputs["global_points"], inputs["global_centres"] = grouped(y, n, mask, drag, farthest_points(y, 48))
     inputs["local_points"], inputs["local_centres"] = grouped(y[:512], n[:512], mask[:512], drag,
-                                                              farthest_points(y[:512], 32))
+                                                              farthest_points(y[:512], 24))
+    inputs["shape"] = np.array([*directions(rng), *rng.normal(0, 0.3, 3), 0.9, 0.8, 0.1, *rng.normal(0, 0.3, 3), 1, 1, 1,
+                                *drag, 0.4, 0.9, 0.7, 0.8], "f4")
     batch = {name: torch.from_numpy(value)[None] for name, value in inputs.items()}
     outputs = {name: value[0] for name, value in net(**batch).items()}
     pooled = {"between.global": net._modules["global"](batch["global_points"], batch["global_centres"])[0],
@@ -209,7 +218,7 @@ def main():
         weights = arguments.models / "kpp_net.safetensors"
         net, mark = load(KppNet(), weights), fingerprint(weights)
         for name, drag in {"drag": (0.8, 0.1, 0.2, 1, 0, 0), "free": (0, 0, 0, 0, 0, 0)}.items():
-            write_safetensors(arguments.out / f"kpp_{name}.safetensors", kpp_case(net, points, normals, drag),
+            write_safetensors(arguments.out / f"kpp_{name}.safetensors", kpp_case(net, rng, points, normals, drag),
                               "dragmesh-golden-kpp", weights=mark)
         weights = arguments.models / "dq_vae.safetensors"
         net, mark = load(DqVae(), weights), fingerprint(weights)

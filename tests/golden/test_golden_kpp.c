@@ -12,6 +12,7 @@ static void compare(const dmi_kpp_net* net, dmi_isa isa, const char* name, const
     golden_copy(golden, "global_centres", DMI_KPP_GLOBAL_GROUPS, 3, input->global_centres);
     golden_copy(golden, "local_points", DMI_KPP_LOCAL_GROUPS * DMI_KPP_GROUP, DMI_KPP_CHANNELS, input->local_points);
     golden_copy(golden, "local_centres", DMI_KPP_LOCAL_GROUPS, 3, input->local_centres);
+    golden_copy(golden, "shape", DMI_KPP_SHAPE, 0, input->shape);
     void* scratch = aligned_alloc(64, (dmi_kpp_net_scratch_size(net) + 63) / 64 * 64);
     dmi_kpp_net_forward(net, isa, input, scratch, &output);
     golden_compare(golden, "type_logits", DMI_KPP_TYPES, 0, output.type_logits, GOLDEN_TOLERANCE, where);

@@ -13,6 +13,16 @@
 #include "kinematics/kpp_input.h"
 #include "kinematics/linear3.h"
 
+/* Normals of a box, somewhat uneven, the body's box turned against the part's. */
+static void make_normal(dmi_random* random, int is_part, float out[3]) {
+    const uint32_t face = dmi_random_u32(random) % 8; /* the first direction has more faces than the others */
+    for (int k = 0; k < 3; k++) out[k] = 0.04f * dmi_random_normal(random);
+    out[face < 4 ? 2 : face < 6 ? 0 : 1] += face % 2 ? 1.0f : -1.0f;
+    const float axis[3] = {0, 1, 0}, zero[3] = {0, 0, 0};
+    if (!is_part) dmi_turn3(axis, zero, 0.70710678f, 0.70710678f, out, out);
+    dmi_normalize3(out);
+}
+
 /* A slab (the part) in front of a lopsided heap (the body). */
 static void make_cloud(uint64_t seed, dmi_cloud* out) {
     dmi_random random = dmi_random_make(seed, 7);
@@ -21,8 +31,7 @@ static void make_cloud(uint64_t seed, dmi_cloud* out) {
         float part[3] = {0.4f * u - 0.2f, 0.7f * v * v - 0.3f, 0.05f * w + 0.3f};
         float body[3] = {u - 0.5f, 0.8f * v - 0.4f, 0.6f * w * w - 0.45f};
         memcpy(out->xyz[i], i < DMI_CLOUD_PART ? part : body, sizeof part);
-        for (int k = 0; k < 3; k++) out->normal[i][k] = dmi_random_normal(&random);
-        dmi_normalize3(out->normal[i]);
+        make_normal(&random, i < DMI_CLOUD_PART, out->normal[i]);
     }
 }
 
@@ -73,6 +82,9 @@ static void check_invariance(const dmi_drag_hint* hint) {
     assert_same(&before->global_centres[0][0], &after->global_centres[0][0], DMI_KPP_GLOBAL_GROUPS * 3, 1e-4f);
     assert_same(&before->local_centres[0][0], &after->local_centres[0][0], DMI_KPP_LOCAL_GROUPS * 3, 1e-4f);
     assert_float_equal(after->frame.scale * scale, before->frame.scale, 1e-4f);
+    const int size = 3 * DMI_KPP_DIRECTIONS + 18; /* the part's size is what it is for */
+    for (int i = 0; i < DMI_KPP_SHAPE; i++)
+        if (i != size) assert_float_equal(before->shape[i], after->shape[i], 1e-4f);
     free(cloud), free(before), free(after);
 }
 
@@ -104,7 +116,8 @@ static void frame_is_a_rotation(void** state) {
             }
         dmi_cross3(r, r + 3, third);
         assert_same(third, r + 6, 3, 1e-5f);
-        if (with) assert_float_equal(dmi_dot3(r, hint.vector), dmi_length3(hint.vector), 1e-6f);
+        for (int i = 0; with && i < 3; i++) /* the direction nearest to the drag comes first */
+            assert_true(dmi_dot3(r, hint.vector) >= fabsf(dmi_dot3(r + 3 * i, hint.vector)));
     }
     free(cloud), free(input);
 }
@@ -126,7 +139,7 @@ static void groups_follow_the_specification(void** state) {
             assert_true(d >= last - 1e-6f);
             last = d;
             for (int k = 0; k < 3; k++) assert_float_equal(c[10 + k], 2 * (c[k] - input->global_centres[g][k]), 1e-6f);
-            assert_true(c[7] == 1 && c[8] == 0 && c[9] == 0);
+            assert_float_equal(dmi_length3(c + 7), 1, 1e-5f);
             assert_true(dmi_length3(c) < 2 + logf(8));
             masked += c[3] == 1;
         }
@@ -137,6 +150,27 @@ static void groups_follow_the_specification(void** state) {
     assert_in_range(masked, 1, DMI_KPP_GLOBAL_GROUPS * DMI_KPP_GROUP - 1);
     for (uint32_t g = 0; g < DMI_KPP_LOCAL_GROUPS; g++)
         for (uint32_t m = 0; m < DMI_KPP_GROUP; m++) assert_true(input->local_points[g][m][3] == 1);
+    free(cloud), free(input);
+}
+
+/* The part's faces give the frame, however the drag is off; what a joint may follow is in the shape numbers exactly. */
+static void frame_follows_the_faces(void** state) {
+    (void)state;
+    dmi_cloud* cloud = malloc(sizeof *cloud);
+    dmi_kpp_input* input = malloc(sizeof *input);
+    make_cloud(11, cloud);
+    dmi_drag_hint hint = make_hint();
+    dmi_kpp_input_make(cloud, &hint, input);
+    const float face[3] = {0, 0, 1};
+    assert_true(dmi_dot3(input->frame.rotation, face) > 0.999f);
+    const float* r = input->frame.rotation;
+    const float turned[3] = {0.70710678f, 0, 0.70710678f}; /* of the body's faces */
+    const float inner[3] = {dmi_dot3(r, turned), dmi_dot3(r + 3, turned), dmi_dot3(r + 6, turned)};
+    float best = 0;
+    for (int d = 3; d < 6; d++) best = fmaxf(best, fabsf(dmi_dot3(input->shape + 3 * d, inner)));
+    assert_true(best > 0.999f);
+    const float* half = input->shape + 3 * DMI_KPP_DIRECTIONS + 3;
+    assert_float_equal(half[0] / input->frame.scale, 0.025f, 2e-3f); /* the slab's half thickness */
     free(cloud), free(input);
 }
 
@@ -160,9 +194,9 @@ static void degenerate_clouds_stay_finite(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(invariant_with_drag),           cmocka_unit_test(invariant_without_drag),
-        cmocka_unit_test(frame_is_a_rotation),           cmocka_unit_test(groups_follow_the_specification),
-        cmocka_unit_test(degenerate_clouds_stay_finite),
+        cmocka_unit_test(invariant_with_drag),     cmocka_unit_test(invariant_without_drag),
+        cmocka_unit_test(frame_is_a_rotation),     cmocka_unit_test(groups_follow_the_specification),
+        cmocka_unit_test(frame_follows_the_faces), cmocka_unit_test(degenerate_clouds_stay_finite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

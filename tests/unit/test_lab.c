@@ -24,8 +24,9 @@ static uint32_t (*category_count)(void);
 static const char* (*category_name)(uint32_t);
 
 static struct {
-    float global_points[COUNT][64][16][16], global_centres[COUNT][64][3];
-    float local_points[COUNT][32][16][16], local_centres[COUNT][32][3];
+    float global_points[COUNT][DMI_KPP_GLOBAL_GROUPS][16][16], global_centres[COUNT][DMI_KPP_GLOBAL_GROUPS][3];
+    float local_points[COUNT][DMI_KPP_LOCAL_GROUPS][16][16], local_centres[COUNT][DMI_KPP_LOCAL_GROUPS][3];
+    float shape[COUNT][DMI_KPP_SHAPE];
     int32_t type[COUNT], has_drag[COUNT], category[COUNT];
     float axis[COUNT][3], origin[COUNT][3], limits[COUNT][5], size[COUNT];
 } kpp, kpp_again;
@@ -47,6 +48,7 @@ static dm_result fill_kpp(const dm_lab_options* options, void* arrays) {
                             OUT_OF(a->global_centres),
                             OUT_OF(a->local_points),
                             OUT_OF(a->local_centres),
+                            OUT_OF(a->shape),
                             a->type,
                             a->has_drag,
                             a->category,
@@ -115,7 +117,7 @@ static void velocity(int32_t type, const float axis[3], const float origin[3], f
     }
 }
 
-/* Trap 2 of the method: the sign of the axis. With an exact drag, the drag point starts along e1 = (1, 0, 0). */
+/* Trap 2 of the method: the sign of the axis. With an exact drag, the drag point starts along it. */
 static void kpp_axis_is_signed_by_the_drag(void** state) {
     (void)state;
     const dm_lab_options options = exact(3);
@@ -123,11 +125,11 @@ static void kpp_axis_is_signed_by_the_drag(void** state) {
     for (int i = 0; i < COUNT; i++) {
         const float* channels = kpp.global_points[i][0][0];
         assert_int_equal(kpp.has_drag[i], 1);
-        assert_float_equal(channels[7], 1.0f, 1e-4f);
+        assert_float_equal(dot(channels + 7, channels + 7), 1.0f, 1e-4f);
         if (sqrtf(dot(channels + 4, channels + 4)) > 1.9f) continue; /* the input shortens far points */
         float v[3];
         velocity(kpp.type[i], kpp.axis[i], kpp.origin[i], kpp.limits[i][4], channels + 4, v);
-        assert_true(v[0] > 0.95f * sqrtf(dot(v, v)));
+        assert_true(dot(v, channels + 7) > 0.95f * sqrtf(dot(v, v)));
     }
 }
 
@@ -144,9 +146,10 @@ static void kpp_labels_are_sound(void** state) {
         assert_in_range(kpp.type[i], 0, 3);
         assert_true(kpp.limits[i][0] <= kpp.limits[i][1] && kpp.limits[i][2] <= kpp.limits[i][3]);
         assert_true(kpp.size[i] > 0.0f && kpp.size[i] <= 1.8f);
-        for (const float* p = kpp.global_points[i][0][0]; p < kpp.global_points[i][0][0] + 64 * 16 * 16; p++)
+        for (const float* p = kpp.global_points[i][0][0];
+             p < kpp.global_points[i][0][0] + DMI_KPP_GLOBAL_GROUPS * 16 * 16; p++)
             assert_true(isfinite(*p));
-        for (int g = 0; g < 32; g++) assert_float_equal(kpp.local_points[i][g][0][3], 1.0f, 0.0f);
+        for (int g = 0; g < DMI_KPP_LOCAL_GROUPS; g++) assert_float_equal(kpp.local_points[i][g][0][3], 1.0f, 0.0f);
         drags += kpp.has_drag[i];
     }
     assert_in_range(drags, COUNT / 4, 3 * COUNT / 4);

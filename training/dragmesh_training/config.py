@@ -26,6 +26,8 @@ class KppTraining:
     fresh: int = 16  # of a batch's samples, how many new ones enter the pool a step
     weights: dict = field(default_factory=lambda: dict(
         type=0.5, cosine=1.0, geodesic=1.0, origin=2.0, along=0.1, limits=0.5))
+    # Parts of the network (networks.KppConfig); 0 takes one away, for the ablations.
+    parts: dict = field(default_factory=lambda: dict(mask=1, drag=1, attention=1, decoupled=1, shape=1))
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,9 @@ class VaeTraining:
     fresh: int = 16
     free_nats: float = 24.0  # delta of the free bits
     weights: dict = field(default_factory=lambda: dict(
-        mesh=20.0, qr=4.0, qd=20.0, cd=2.0, axis=4.0, qd0=20.0, qr1=4.0, drag=0.5, unit=0.1, kl=1e-4))
+        mesh=20.0, qr=4.0, qd=20.0, cd=2.0, axis=8.0, qd0=20.0, qr1=4.0, drag=0.5, unit=0.1, kl=1e-3))
+    # Parts of the network (networks.VaeConfig); 0 takes one away, for the ablations.
+    parts: dict = field(default_factory=lambda: dict(transformer=1, fusion=1, local_film=1, decoder_film=1, correction=1))
 
 
 RUNS = {"kpp": KppTraining, "vae": VaeTraining}

@@ -37,6 +37,12 @@ class KppConfig:
     local_layers: int = 2
     axis_hidden: int = 128
     scalar_hidden: int = 96
+    # What an ablation takes away (docs/ablations.md); the library reads the whole network alone.
+    mask: bool = True  # the input tells part from body
+    drag: bool = True  # the input has the drag
+    attention: bool = True  # two streams of grouped points with Transformers; else one PointNet over all points
+    decoupled: bool = True  # a head for each answer; else one for all
+    shape: bool = True  # the shape's directions and boxes
 
 
 @dataclass(frozen=True)
@@ -56,6 +62,13 @@ class VaeConfig:
     ff: int = 384
     layers: int = 3
     correction_hidden: int = 64
+    # What an ablation takes away (docs/ablations.md); the library reads the whole network alone.
+    transformer: bool = True  # decoder; else an MLP from z and f_joint to all frames
+    fusion: bool = True  # local sampler and gate; else the encoder sees the whole cloud's features
+    local_film: bool = True  # FiLM of the local sampler
+    decoder_film: bool = True  # FiLM after every decoder layer
+    correction: bool = True  # physics correction
+    along: bool = False  # … with amounts of turn and slide on the axis itself
 
 
 KPP_SIZES = {
@@ -128,36 +141,81 @@ class PointEncoder(nn.Module):
         return torch.cat([tokens.mean(dim=1), tokens.amax(dim=1)], dim=-1)
 
 
+class PointNet(nn.Module):
+    """The ablation's encoder: all points of all groups by one MLP, then their maximum."""
+
+    def __init__(self, config):
+        super().__init__()
+        self.point = mlp(KPP_CHANNELS, 2 * config.dim, 4 * config.dim)
+
+    def forward(self, points):
+        return self.point(points.flatten(1, 2)).amax(dim=1)
+
+
 class KppNet(nn.Module):
     """Joint type, turn axis, slide axis, origin and limits from the input that sdk/kinematics/kpp_input.c makes."""
 
     def __init__(self, config=KPP_SIZES["game"]):
         super().__init__()
+        self.config = config
         # "global" is a keyword of Python and "type" a method of Module: both are reached through _modules.
-        self.add_module("global", PointEncoder(config, config.global_layers))
-        self.local = PointEncoder(config, config.local_layers)
+        if config.attention:
+            self.add_module("global", PointEncoder(config, config.global_layers))
+            self.local = PointEncoder(config, config.local_layers)
+        else:
+            self.add_module("global", PointNet(config))
         known = 4 * config.dim + KPP_SHAPE
-        self.type = mlp(known, config.scalar_hidden, TYPES)
-        self.axis = mlp(known, config.axis_hidden, 2 * (3 + KPP_DIRECTIONS))
-        self.origin = mlp(known, config.axis_hidden, 6)
-        self.limits = mlp(known, config.scalar_hidden, 5)
+        sizes = {"type": TYPES, "axis": 2 * (3 + KPP_DIRECTIONS), "origin": 6, "limits": 5}
+        self.sizes = sizes
+        if not config.decoupled:
+            self.all = mlp(known, config.axis_hidden, sum(sizes.values()))
+            return
+        self.type = mlp(known, config.scalar_hidden, sizes["type"])
+        self.axis = mlp(known, config.axis_hidden, sizes["axis"])
+        self.origin = mlp(known, config.axis_hidden, sizes["origin"])
+        self.limits = mlp(known, config.scalar_hidden, sizes["limits"])
 
     @staticmethod
     def read_axis(head, directions):
         """A vector, plus a share of each of the shape's own directions: joints mostly follow one of them exactly."""
         return head[:, :3] + (head[:, 3:].unsqueeze(-1) * directions).sum(1)
 
+    def without(self, points):
+        """The channels that the config leaves (docs/networks.md: y 3, mask, drag point 3, drag vector 3, offset 3, normal 3)."""
+        if self.config.mask and self.config.drag:
+            return points
+        keep = points.new_ones(KPP_CHANNELS)
+        if not self.config.mask:
+            keep[3] = 0
+        if not self.config.drag:
+            keep[4:10] = 0
+        return points * keep
+
+    def features(self, global_points, global_centres, local_points, local_centres):
+        whole = self._modules["global"]
+        if not self.config.attention:
+            return whole(self.without(global_points))
+        return torch.cat([whole(self.without(global_points), global_centres),
+                          self.local(self.without(local_points), local_centres)], dim=-1)
+
+    def heads(self, known):
+        if self.config.decoupled:
+            return [self._modules[name](known) for name in self.sizes]
+        return torch.split(self.all(known), list(self.sizes.values()), dim=-1)
+
     def forward(self, global_points, global_centres, local_points, local_centres, shape):
         """global_points: B x 48 x 16 x 16, global_centres: B x 48 x 3; local the same with 24 groups; shape: B x 49."""
-        known = torch.cat([self._modules["global"](global_points, global_centres),
-                           self.local(local_points, local_centres), shape], dim=-1)
-        turn, slide = self.axis(known).chunk(2, dim=-1)
+        if not self.config.shape:
+            shape = torch.zeros_like(shape)
+        known = torch.cat([self.features(global_points, global_centres, local_points, local_centres), shape], dim=-1)
+        kind, axis, origin, limits = self.heads(known)
+        turn, slide = axis.chunk(2, dim=-1)
         directions = shape[:, :3 * KPP_DIRECTIONS].view(-1, KPP_DIRECTIONS, 3)
         centre, half = shape[:, 3 * KPP_DIRECTIONS:3 * KPP_DIRECTIONS + 6].chunk(2, dim=-1)
-        in_box, offset = self.origin(known).chunk(2, dim=-1)
-        return {"type_logits": self._modules["type"](known), "turn_axis": self.read_axis(turn, directions),
+        in_box, offset = origin.chunk(2, dim=-1)
+        return {"type_logits": kind, "turn_axis": self.read_axis(turn, directions),
                 "slide_axis": self.read_axis(slide, directions), "origin": centre + half * in_box + offset,
-                "limits": self.limits(known)}
+                "limits": limits}
 
 
 class JointEncoder(nn.Module):
@@ -203,7 +261,7 @@ class LocalSampler(nn.Module):
     def __init__(self, config):
         super().__init__()
         self.mlp = mlp(3 * config.feature, config.hidden, config.feature)
-        self.film = nn.Linear(config.feature, 2 * config.feature)
+        self.film = nn.Linear(config.feature, 2 * config.feature) if config.local_film else None
 
     @staticmethod
     def pooled(features, neighbours):
@@ -212,8 +270,11 @@ class LocalSampler(nn.Module):
 
     def forward(self, features, near_origin, near_drag, f_joint):
         pooled = [self.pooled(features, near_origin), self.pooled(features, near_drag), features.amax(dim=1)]
+        local = self.mlp(torch.cat(pooled, dim=-1))
+        if self.film is None:
+            return torch.relu(local)
         gamma, beta = self.film(f_joint).chunk(2, dim=-1)
-        return torch.relu(self.mlp(torch.cat(pooled, dim=-1)) * (1 + gamma) + beta)
+        return torch.relu(local * (1 + gamma) + beta)
 
 
 class Gate(nn.Module):
@@ -237,7 +298,8 @@ class Decoder(nn.Module):
         self.input = nn.Linear(config.small + config.latent + 2 * config.feature, config.dim)
         self.layers = nn.ModuleList(
             TransformerLayer(config.dim, config.heads, config.ff) for _ in range(config.layers))
-        self.film = nn.ModuleList(nn.Linear(config.feature, 2 * config.dim) for _ in range(config.layers))
+        self.film = nn.ModuleList(nn.Linear(config.feature, 2 * config.dim) for _ in range(config.layers)
+                                  if config.decoder_film)
         self.norm = nn.LayerNorm(config.dim)
         self.head = mlp(config.dim, config.dim, 8)
 
@@ -246,10 +308,23 @@ class Decoder(nn.Module):
         tokens = torch.cat([self.position.expand(z.shape[0], -1, -1),
                             condition.unsqueeze(1).expand(-1, FRAMES, -1)], dim=-1)
         x = self.input(tokens)
-        for layer, film in zip(self.layers, self.film):
-            gamma, beta = film(f_joint).unsqueeze(1).chunk(2, dim=-1)
-            x = layer(x) * (1 + gamma) + beta
+        for number, layer in enumerate(self.layers):
+            x = layer(x)
+            if self.film:
+                gamma, beta = self.film[number](f_joint).unsqueeze(1).chunk(2, dim=-1)
+                x = x * (1 + gamma) + beta
         return self.head(self.norm(x))
+
+
+class MlpDecoder(nn.Module):
+    """The ablation's decoder: all frames at once from z and f_joint."""
+
+    def __init__(self, config):
+        super().__init__()
+        self.layers = mlp(config.latent + config.feature, 4 * config.dim, FRAMES * 8)
+
+    def forward(self, z, f_joint):
+        return self.layers(torch.cat([z, f_joint], dim=-1)).view(-1, FRAMES, 8)
 
 
 class DqVae(nn.Module):
@@ -260,32 +335,55 @@ class DqVae(nn.Module):
         self.joint = JointEncoder(config)
         self.points = mlp(4, config.small, config.feature)
         self.intent = IntentEncoder(config)
-        self.local = LocalSampler(config)
-        self.gate = Gate(config)
+        if config.fusion:
+            self.local = LocalSampler(config)
+            self.gate = Gate(config)
+        else:
+            self.plain = mlp(3 * config.feature, config.hidden, config.hidden)
         self.encoder = mlp(config.hidden + config.feature, config.encoder_hidden, 2 * config.latent)
-        self.decoder = Decoder(config)
-        self.correction = mlp(8 + config.type_dim + 2 * config.feature + 6, config.correction_hidden, 8)
+        self.decoder = Decoder(config) if config.transformer else MlpDecoder(config)
+        if config.correction:
+            self.correction = mlp(8 + config.type_dim + 2 * config.feature + 6, config.correction_hidden, 8)
+            self.along = nn.Linear(config.correction_hidden, 2) if config.along else None
+        else:
+            self.correction = None
+
+    def fused(self, batch, f_joint):
+        cloud = torch.cat([batch["xyz"], batch["mask"].unsqueeze(-1)], dim=-1)
+        features = torch.relu(self.points(cloud))
+        f_motion = self.intent(batch["type"], batch["rotation_direction"], batch["mean_velocity"], batch["chords"],
+                               batch["amplitude"], batch["path"])
+        if "plain" in self._modules:
+            return self.plain(torch.cat([features.amax(dim=1), f_joint, f_motion], dim=-1))
+        f_local = self.local(features, batch["near_origin"], batch["near_drag"], f_joint)
+        return self.gate(torch.cat([f_local, f_joint, f_motion], dim=-1))
 
     def encode(self, batch):
         """f_joint, the type embedding, and the latent's mean and log variance."""
         f_joint, embedded = self.joint(batch["type"], batch["axis"], batch["origin"], batch["joint_scalars"])
-        cloud = torch.cat([batch["xyz"], batch["mask"].unsqueeze(-1)], dim=-1)
-        features = torch.relu(self.points(cloud))
-        f_local = self.local(features, batch["near_origin"], batch["near_drag"], f_joint)
-        f_motion = self.intent(batch["type"], batch["rotation_direction"], batch["mean_velocity"], batch["chords"],
-                               batch["amplitude"], batch["path"])
-        f_fused = self.gate(torch.cat([f_local, f_joint, f_motion], dim=-1))
+        f_fused = self.fused(batch, f_joint)
         mean, log_variance = self.encoder(torch.cat([f_fused, f_joint], dim=-1)).chunk(2, dim=-1)
         return f_joint, embedded, mean, log_variance.clamp(-8.0, 4.0)
 
-    def decode(self, z, f_joint, embedded, axis):
-        """B x 16 x 8: x, y, z, w of the real part, then of the dual part; not normalised."""
-        base = self.decoder(z, f_joint)
+    def corrected(self, base, f_joint, embedded, axis):
+        """Physics correction: a residual of each base pose, and amounts of turn and slide that lie exactly on the joint's axis
+        whatever they are."""
         condition = torch.cat([embedded, f_joint, 0.1 * f_joint, axis, 0.1 * axis], dim=-1)
         condition = condition.unsqueeze(1).expand(-1, FRAMES, -1)
-        residual = self.correction(torch.cat([base, condition], dim=-1))
-        identity = base.new_tensor([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0])
-        return base + residual + identity
+        hidden = self.correction[1](self.correction[0](torch.cat([base, condition], dim=-1)))
+        if self.along is None:
+            return base + self.correction[2](hidden)
+        turn, slide = self.along(hidden).chunk(2, dim=-1)
+        on_axis = torch.cat([turn * axis.unsqueeze(1), torch.zeros_like(turn), slide * axis.unsqueeze(1),
+                             torch.zeros_like(turn)], dim=-1)
+        return base + self.correction[2](hidden) + on_axis
+
+    def decode(self, z, f_joint, embedded, axis):
+        """B x 16 x 8: x, y, z, w of the real part, then of the dual part; not normalised."""
+        poses = self.decoder(z, f_joint)
+        if self.correction is not None:
+            poses = self.corrected(poses, f_joint, embedded, axis)
+        return poses + poses.new_tensor([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0])
 
     def forward(self, batch, sample=False):
         """batch: type B (int64), axis, origin, joint_scalars, rotation_direction, mean_velocity B x 3, chords B x 9,

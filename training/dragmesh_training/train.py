@@ -4,7 +4,7 @@ import math
 import os
 import sys
 import time
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 import torch
 
@@ -21,8 +21,9 @@ SAVE_EVERY = 250
 REPORT_EVERY = 50
 
 
-def make_network(network, size):
-    return KppNet(KPP_SIZES[size]) if network == "kpp" else DqVae(VAE_SIZES[size])
+def make_network(config):
+    sizes, network = (KPP_SIZES, KppNet) if config.network == "kpp" else (VAE_SIZES, DqVae)
+    return network(replace(sizes[config.size], **{part: bool(there) for part, there in config.parts.items()}))
 
 
 def run_network(network, model, batch, sample):
@@ -53,8 +54,8 @@ class Run:
     def __init__(self, config, folder, device, workers):
         self.config, self.folder, self.device = config, folder, device
         torch.manual_seed(config.seed)
-        self.model = make_network(config.network, config.size).to(device)
-        self.average = make_network(config.network, config.size).to(device)
+        self.model = make_network(config).to(device)
+        self.average = make_network(config).to(device)
         self.average.load_state_dict(self.model.state_dict())
         self.optimizer = torch.optim.AdamW(self.model.parameters(), lr=config.rate, weight_decay=config.decay)
         self.step, self.chunks, self.seconds = 0, 0, 0.0
