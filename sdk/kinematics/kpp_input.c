@@ -8,12 +8,16 @@
 #define PART_POINTS 512
 #define NEAR_POINTS 256
 #define BODY_POINTS 256
+#define LANES 8
+#define HALF_NEAR 0.05f /* of the part's radius: a gap that counts as half near */
+#define TOUCHING 0.5f   /* nearness from which a point of the part counts as touching */
 #define POINTS (PART_POINTS + NEAR_POINTS + BODY_POINTS)
 
 /* The chosen points in the frame, coordinates apart so that distance loops vectorise. */
 typedef struct points {
     float y[3][POINTS];
     float normal[POINTS][3];
+    float nearness[POINTS]; /* of the other side: of the body for points of the part, of the part for others */
 } points;
 
 static void mean_of(const float (*xyz)[3], uint32_t count, float out[3]) {
@@ -156,9 +160,35 @@ static void point_in(const dmi_kpp_frame* frame, const float x[3], float out[3])
     for (int k = 0; k < 3; k++) out[k] *= factor;
 }
 
+/* A cloud's coordinates apart. */
+typedef struct columns {
+    float x[DMI_CLOUD_POINTS], y[DMI_CLOUD_POINTS], z[DMI_CLOUD_POINTS];
+} columns;
+
+static void split_columns(const dmi_cloud* cloud, columns* out) {
+    for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++)
+        out->x[i] = cloud->xyz[i][0], out->y[i] = cloud->xyz[i][1], out->z[i] = cloud->xyz[i][2];
+}
+
+/* Squared distance to the nearest of `count` (a multiple of LANES) points; lanes let the loop vectorise. */
+static float nearest_square(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
+    float best[LANES];
+    for (int k = 0; k < LANES; k++) best[k] = INFINITY;
+    for (uint32_t i = first; i < first + count; i += LANES)
+        for (int k = 0; k < LANES; k++) {
+            const float dx = c->x[i + k] - from[0], dy = c->y[i + k] - from[1], dz = c->z[i + k] - from[2];
+            const float d = dx * dx + dy * dy + dz * dz;
+            best[k] = d < best[k] ? d : best[k];
+        }
+    for (int k = 1; k < LANES; k++) best[0] = fminf(best[0], best[k]);
+    return best[0];
+}
+
 static void choose_points(const dmi_cloud* cloud, const dmi_kpp_frame* frame, points* out) {
     static const uint32_t first[3] = {0, DMI_CLOUD_PART, DMI_CLOUD_PART + DMI_CLOUD_NEAR};
     static const uint32_t count[3] = {PART_POINTS, NEAR_POINTS, BODY_POINTS};
+    columns all;
+    split_columns(cloud, &all);
     uint32_t n = 0;
     for (int block = 0; block < 3; block++)
         for (uint32_t i = first[block]; i < first[block] + count[block]; i++, n++) {
@@ -166,6 +196,9 @@ static void choose_points(const dmi_cloud* cloud, const dmi_kpp_frame* frame, po
             point_in(frame, cloud->xyz[i], y);
             for (int k = 0; k < 3; k++) out->y[k][n] = y[k];
             turn_in(frame, cloud->normal[i], out->normal[n]);
+            const uint32_t other = block == 0 ? DMI_CLOUD_PART : 0;
+            const float gap = nearest_square(&all, other, block == 0 ? DMI_CLOUD_NEAR : DMI_CLOUD_PART, cloud->xyz[i]);
+            out->nearness[n] = 1 / (1 + sqrtf(gap) * frame->scale / HALF_NEAR);
         }
 }
 
@@ -209,6 +242,7 @@ static void write_group(const points* p, const drag_channels* drag, uint32_t cen
             c[10 + k] = 2 * (p->y[k][i] - p->y[k][centre]);
             c[13 + k] = p->normal[i][k];
         }
+        c[16] = p->nearness[i];
         c[3] = i < PART_POINTS ? 1 : 0;
     }
 }
@@ -264,8 +298,25 @@ static float* write_box(const dmi_kpp_frame* frame, const float (*xyz)[3], uint3
     return out + 6;
 }
 
+/* Mean and spread of the part's points that touch the body, and their share; zeros when none does. */
+static void write_contact(const points* p, float out[7]) {
+    uint32_t count = 0;
+    memset(out, 0, 7 * sizeof *out);
+    for (uint32_t i = 0; i < PART_POINTS; i++) {
+        if (p->nearness[i] < TOUCHING) continue;
+        count++;
+        for (int k = 0; k < 3; k++) out[k] += p->y[k][i], out[3 + k] += p->y[k][i] * p->y[k][i];
+    }
+    if (count == 0) return;
+    for (int k = 0; k < 3; k++) {
+        out[k] /= (float)count;
+        out[3 + k] = sqrtf(fmaxf(out[3 + k] / (float)count - out[k] * out[k], 0));
+    }
+    out[6] = (float)count / PART_POINTS;
+}
+
 static void write_shape(const dmi_cloud* cloud, const dmi_kpp_frame* frame, const view* v, const drag_channels* drag,
-                        float out[DMI_KPP_SHAPE]) {
+                        const points* p, float out[DMI_KPP_SHAPE]) {
     const float(*xyz)[3] = (const float(*)[3])cloud->xyz;
     out = write_directions(frame, (const float(*)[3])v->of_part, out);
     out = write_directions(frame, (const float(*)[3])v->of_body, out);
@@ -275,6 +326,7 @@ static void write_shape(const dmi_cloud* cloud, const dmi_kpp_frame* frame, cons
     for (int k = 0; k < 3; k++) out[k] = drag->point[k], out[3 + k] = drag->vector[k];
     out[6] = 0.5f * logf(v->radius) + 1;
     out[7] = v->fit_part, out[8] = v->fit_body, out[9] = v->fit_all;
+    write_contact(p, out + 10);
 }
 
 void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_kpp_input* out_input) {
@@ -287,9 +339,9 @@ void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_k
         turn_in(&out_input->frame, hint->vector, drag.vector);
         dmi_normalize3(drag.vector);
     }
-    write_shape(cloud, &out_input->frame, &v, &drag, out_input->shape);
     points p;
     choose_points(cloud, &out_input->frame, &p);
+    write_shape(cloud, &out_input->frame, &v, &drag, &p, out_input->shape);
     make_groups(&p, &drag, POINTS, DMI_KPP_GLOBAL_GROUPS, out_input->global_points, out_input->global_centres);
     make_groups(&p, &drag, PART_POINTS, DMI_KPP_LOCAL_GROUPS, out_input->local_points, out_input->local_centres);
 }

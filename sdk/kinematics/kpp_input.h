@@ -8,14 +8,15 @@
 #define DMI_KPP_GROUP 16 /* points a group */
 #define DMI_KPP_GLOBAL_GROUPS 48
 #define DMI_KPP_LOCAL_GROUPS 24
-#define DMI_KPP_CHANNELS                                                                                               \
-    16 /* xyz 3, mask 1, drag point 3, drag vector 3 (the paper's 10), offset in group 3, normal 3 */
-
-#define DMI_KPP_DIRECTIONS                                                                                             \
-    9 /* the part's own, the body's, the part's principal ones: what a joint may follow exactly */
+/* xyz 3, mask 1, drag point 3, drag vector 3 (the paper's 10), offset in group 3, normal 3, nearness of the other side
+ * 1
+ */
+#define DMI_KPP_CHANNELS 17
+/* The part's own, the body's, the part's principal ones: what a joint may follow exactly. */
+#define DMI_KPP_DIRECTIONS 9
 /* Of the whole: directions, boxes of the part and of the object (centre, half sides), drag point, drag vector, size of
- * the part, how well the directions of part, body and frame fit. */
-#define DMI_KPP_SHAPE (3 * DMI_KPP_DIRECTIONS + 6 + 6 + 3 + 3 + 1 + 3)
+ * the part, how well the directions of part, body and frame fit, where the part touches (mean, spread, share). */
+#define DMI_KPP_SHAPE (3 * DMI_KPP_DIRECTIONS + 6 + 6 + 3 + 3 + 1 + 3 + 7)
 
 /* A drag in the object-normalised frame. */
 typedef struct dmi_drag_hint {

@@ -93,13 +93,13 @@ def farthest_points(points, count):
     return chosen
 
 
-def grouped(y, normals, mask, drag, centres):
-    """Groups of 16 points with their 16 channels, and the centres."""
+def grouped(rng, y, normals, mask, drag, centres):
+    """Groups of 16 points with their 17 channels, and the centres."""
     groups = []
     for centre in centres:
         near = np.argsort(((y - y[centre]) ** 2).sum(1), kind="stable")[:16]
         groups.append(np.concatenate([y[near], mask[near, None], np.tile(drag, (16, 1)), 2 * (y[near] - y[centre]),
-                                      normals[near]], axis=1))
+                                      normals[near], rng.random((16, 1))], axis=1))
     return np.array(groups, "f4"), np.array(y[centres], "f4")
 
 
@@ -117,17 +117,17 @@ def kpp_case(net, rng, points, normals, drag):
     y = (x - centre) / np.linalg.norm(x[:512] - centre, axis=1).max()
     mask = np.arange(1024) < 512
     inputs = {}
-    inputs["global_points"], inputs["global_centres"] = grouped(y, n, mask, drag, farthest_points(y, 48))
-    inputs["local_points"], inputs["local_centres"] = grouped(y[:512], n[:512], mask[:512], drag,
+    inputs["global_points"], inputs["global_centres"] = grouped(rng, y, n, mask, drag, farthest_points(y, 48))
+    inputs["local_points"], inputs["local_centres"] = grouped(rng, y[:512], n[:512], mask[:512], drag,
                                                               farthest_points(y[:512], 24))
     inputs["shape"] = np.array([*directions(rng), *rng.normal(0, 0.3, 3), 0.9, 0.8, 0.1, *rng.normal(0, 0.3, 3), 1, 1, 1,
-                                *drag, 0.4, 0.9, 0.7, 0.8], "f4")
+                                *drag, 0.4, 0.9, 0.7, 0.8, *rng.normal(0, 0.3, 6), 0.4], "f4")
     batch = {name: torch.from_numpy(value)[None] for name, value in inputs.items()}
     outputs = {name: value[0] for name, value in net(**batch).items()}
     pooled = {"between.global": net._modules["global"](batch["global_points"], batch["global_centres"])[0],
               "between.local": net.local(batch["local_points"], batch["local_centres"])[0]}
     for name in ("global_points", "local_points"):
-        inputs[name] = inputs[name].reshape(-1, 16)
+        inputs[name] = inputs[name].reshape(-1, 17)
     return {**inputs, **outputs, **pooled}
 
 

@@ -24,8 +24,8 @@ static uint32_t (*category_count)(void);
 static const char* (*category_name)(uint32_t);
 
 static struct {
-    float global_points[COUNT][DMI_KPP_GLOBAL_GROUPS][16][16], global_centres[COUNT][DMI_KPP_GLOBAL_GROUPS][3];
-    float local_points[COUNT][DMI_KPP_LOCAL_GROUPS][16][16], local_centres[COUNT][DMI_KPP_LOCAL_GROUPS][3];
+    float global_points[COUNT][DMI_KPP_GLOBAL_GROUPS][16][17], global_centres[COUNT][DMI_KPP_GLOBAL_GROUPS][3];
+    float local_points[COUNT][DMI_KPP_LOCAL_GROUPS][16][17], local_centres[COUNT][DMI_KPP_LOCAL_GROUPS][3];
     float shape[COUNT][DMI_KPP_SHAPE];
     int32_t type[COUNT], has_drag[COUNT], category[COUNT];
     float axis[COUNT][3], origin[COUNT][3], limits[COUNT][5], size[COUNT];
@@ -147,7 +147,7 @@ static void kpp_labels_are_sound(void** state) {
         assert_true(kpp.limits[i][0] <= kpp.limits[i][1] && kpp.limits[i][2] <= kpp.limits[i][3]);
         assert_true(kpp.size[i] > 0.0f && kpp.size[i] <= 1.8f);
         for (const float* p = kpp.global_points[i][0][0];
-             p < kpp.global_points[i][0][0] + DMI_KPP_GLOBAL_GROUPS * 16 * 16; p++)
+             p < kpp.global_points[i][0][0] + DMI_KPP_GLOBAL_GROUPS * 16 * 17; p++)
             assert_true(isfinite(*p));
         for (int g = 0; g < DMI_KPP_LOCAL_GROUPS; g++) assert_float_equal(kpp.local_points[i][g][0][3], 1.0f, 0.0f);
         drags += kpp.has_drag[i];

@@ -73,8 +73,8 @@ def mirrored(batch):
     largest = lines.gather(2, lines.abs().argmax(dim=2, keepdim=True))
     lines = lines * torch.where(largest < 0, -1.0, 1.0)
     ones = torch.ones_like(mirror)
-    # The boxes' centres and half sides, the drag's point and vector, four numbers without a direction.
-    rest = torch.cat([mirror, ones, mirror, ones, mirror, mirror, ones, ones[:, :1]], dim=1)
+    # The boxes' centres and half sides, the drag's point and vector, four numbers without a direction, contact.
+    rest = torch.cat([mirror, ones, mirror, ones, mirror, mirror, ones, ones[:, :1], mirror, ones, ones[:, :1]], dim=1)
     result["shape"] = torch.cat([lines.flatten(1), batch["shape"][:, 3 * KPP_DIRECTIONS:] * rest], dim=1)
     return result
 

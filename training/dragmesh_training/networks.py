@@ -17,9 +17,9 @@ PATH_CHANNELS = 5
 KPP_GROUP = 16
 KPP_GLOBAL_GROUPS = 48
 KPP_LOCAL_GROUPS = 24
-KPP_CHANNELS = 16
+KPP_CHANNELS = 17
 KPP_DIRECTIONS = 9
-KPP_SHAPE = 49
+KPP_SHAPE = 56
 VAE_POINTS = 512
 VAE_NEIGHBOURS = 32
 
@@ -181,7 +181,7 @@ class KppNet(nn.Module):
         return head[:, :3] + (head[:, 3:].unsqueeze(-1) * directions).sum(1)
 
     def without(self, points):
-        """The channels that the config leaves (docs/networks.md: y 3, mask, drag point 3, drag vector 3, offset 3, normal 3)."""
+        """The channels that the config leaves (docs/networks.md: y 3, mask, drag point 3, drag vector 3, offset 3, normal 3, nearness)."""
         if self.config.mask and self.config.drag:
             return points
         keep = points.new_ones(KPP_CHANNELS)
@@ -204,7 +204,7 @@ class KppNet(nn.Module):
         return torch.split(self.all(known), list(self.sizes.values()), dim=-1)
 
     def forward(self, global_points, global_centres, local_points, local_centres, shape):
-        """global_points: B x 48 x 16 x 16, global_centres: B x 48 x 3; local the same with 24 groups; shape: B x 49."""
+        """global_points: B x 48 x 16 x 17, global_centres: B x 48 x 3; local the same with 24 groups; shape: B x 56."""
         if not self.config.shape:
             shape = torch.zeros_like(shape)
         known = torch.cat([self.features(global_points, global_centres, local_points, local_centres), shape], dim=-1)

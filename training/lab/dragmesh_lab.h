@@ -30,11 +30,11 @@ typedef struct dm_lab_options {
 
 /* KPP-Net: its input (docs/networks.md), and labels in the input's frame. */
 typedef struct dm_lab_kpp {
-    float* global_points;  /* x 48 x 16 x 16 */
+    float* global_points;  /* x 48 x 16 x 17 */
     float* global_centres; /* x 48 x 3 */
-    float* local_points;   /* x 24 x 16 x 16 */
+    float* local_points;   /* x 24 x 16 x 17 */
     float* local_centres;  /* x 24 x 3 */
-    float* shape;          /* x 49 */
+    float* shape;          /* x 56 */
     int32_t* type;
     int32_t* has_drag; /* 1: positive motion follows the drag; 0: positive motion opens, the axis' sign is free */
     int32_t* category;

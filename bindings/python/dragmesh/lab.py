@@ -20,8 +20,8 @@ class _Options(c.Structure):
 
 # Name, dtype and shape of one case, in the order of the C structs.
 KPP_ARRAYS = (
-    ("global_points", np.float32, (48, 16, 16)), ("global_centres", np.float32, (48, 3)),
-    ("local_points", np.float32, (24, 16, 16)), ("local_centres", np.float32, (24, 3)), ("shape", np.float32, (49,)),
+    ("global_points", np.float32, (48, 16, 17)), ("global_centres", np.float32, (48, 3)),
+    ("local_points", np.float32, (24, 16, 17)), ("local_centres", np.float32, (24, 3)), ("shape", np.float32, (56,)),
     ("type", np.int32, ()), ("has_drag", np.int32, ()), ("category", np.int32, ()), ("axis", np.float32, (3,)),
     ("origin", np.float32, (3,)), ("limits", np.float32, (5,)), ("size", np.float32, ()))
 VAE_ARRAYS = (
