@@ -7,6 +7,7 @@
 #define ROUNDS 12
 #define NEAR_COSINE 0.8f /* farther normals belong to no direction */
 #define ALONG_COSINE 0.99f
+#define SETTLED 0.9999999f
 #define HOLD 1e-3 /* of the old directions, where a family has no normals */
 
 static uint32_t count_of(const dmi_normals* normals) {
@@ -94,6 +95,9 @@ float dmi_fit_directions(const dmi_normals* normals, float axes[3][3]) {
         family_means(normals, (const float(*)[3])axes, means);
         nearest_rotation((const double(*)[3])means, axes);
         straighten(axes, (const float(*)[3])before);
+        float least = 1; /* cosine between old and new */
+        for (int k = 0; k < 3; k++) least = fminf(least, dmi_dot3(axes[k], before[k]));
+        if (least > SETTLED) break;
     }
     uint32_t along = 0;
     for (uint32_t i = 0; i < count_of(normals); i++) {

@@ -8,7 +8,7 @@
 #define PART_POINTS 512
 #define NEAR_POINTS 256
 #define BODY_POINTS 256
-#define LANES 8
+#define LANES 64
 #define HALF_NEAR 0.05f /* of the part's radius: a gap that counts as half near */
 #define TOUCHING 0.5f   /* nearness from which a point of the part counts as touching */
 #define POINTS (PART_POINTS + NEAR_POINTS + BODY_POINTS)
@@ -170,17 +170,23 @@ static void split_columns(const dmi_cloud* cloud, columns* out) {
         out->x[i] = cloud->xyz[i][0], out->y[i] = cloud->xyz[i][1], out->z[i] = cloud->xyz[i][2];
 }
 
-/* Squared distance to the nearest of `count` (a multiple of LANES) points; lanes let the loop vectorise. */
+/* best[k] becomes the least of itself and the square of the distance from the k-th point; a loop that vectorises. */
+static void least_squares(const float* restrict x, const float* restrict y, const float* restrict z,
+                          const float from[3], float* restrict best) {
+    const float a = from[0], b = from[1], c = from[2];
+    for (int k = 0; k < LANES; k++) {
+        const float dx = x[k] - a, dy = y[k] - b, dz = z[k] - c;
+        const float d = dx * dx + dy * dy + dz * dz;
+        best[k] = d < best[k] ? d : best[k];
+    }
+}
+
+/* Squared distance to the nearest of `count` (a multiple of LANES) points. */
 static float nearest_square(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
     float best[LANES];
     for (int k = 0; k < LANES; k++) best[k] = INFINITY;
-    for (uint32_t i = first; i < first + count; i += LANES)
-        for (int k = 0; k < LANES; k++) {
-            const float dx = c->x[i + k] - from[0], dy = c->y[i + k] - from[1], dz = c->z[i + k] - from[2];
-            const float d = dx * dx + dy * dy + dz * dz;
-            best[k] = d < best[k] ? d : best[k];
-        }
-    for (int k = 1; k < LANES; k++) best[0] = fminf(best[0], best[k]);
+    for (uint32_t i = first; i < first + count; i += LANES) least_squares(c->x + i, c->y + i, c->z + i, from, best);
+    for (int k = 1; k < LANES; k++) best[0] = best[k] < best[0] ? best[k] : best[0];
     return best[0];
 }
 
