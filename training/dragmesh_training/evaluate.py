@@ -152,6 +152,48 @@ def quick_scores(network, model, device):
     return {name: scores[name] for name in QUICK[network]}
 
 
+def latent_effects(model, arrays):
+    """What moves along each active dimension of z: every case decoded with that dimension a standard deviation (over cases) below
+    and above its mean, all else held. extent: change of the last joint value, share of the stroke; pace: change of the frame
+    at which half of the way is done; off_joint: mean distance of moved points from where the projected value puts them."""
+    truth = data.to_tensors(arrays, "cpu")
+    kind, axis = truth["type"], truth["axis"]
+    rows = []
+    with torch.no_grad():
+        f_joint, embedded, mean, log_variance = model.encode(truth)
+        active = (mean.var(dim=0) > 0.01).nonzero().flatten().tolist()
+
+        def values_at(z):
+            rotation, translation, _ = split_pose(model.decode(z, f_joint, embedded, axis))
+            values = projected_values(kind, axis, truth["values"], rotation, translation, truth["limits"])
+            exact = moved_points(truth, *joint_poses(kind, axis, truth["pitch"], values))
+            return values, (moved_points(truth, rotation, translation) - exact).norm(dim=-1).mean()
+
+        def half_way(values):
+            return (values.abs() < 0.5 * values[:, -1:].abs()).float().sum(dim=1)
+
+        stroke = values_at(mean)[0][:, -1].abs().clamp(min=1e-6)
+        for dimension in active:
+            step = torch.zeros_like(mean[0])
+            step[dimension] = mean[:, dimension].std()
+            (low, off_low), (high, off_high) = values_at(mean - step), values_at(mean + step)
+            kl = kl_divergence(mean, log_variance)[:, dimension]
+            rows.append({"dimension": dimension, "kl": mean_of(kl), "step": float(step[dimension]),
+                         "extent": float(((high[:, -1] - low[:, -1]) / stroke).median()),
+                         "extent_size": float(((high[:, -1] - low[:, -1]).abs() / stroke).median()),
+                         "pace": mean_of(half_way(high) - half_way(low)), "off_joint": float(0.5 * (off_low + off_high))})
+    return rows
+
+
+def print_latent_effects(model, count):
+    lab = data.Lab()
+    arrays = data.make_batch(lab, "vae", 13, count, data.trained_categories(lab), "test")
+    rows = sorted(latent_effects(model, arrays), key=lambda row: -row["kl"])
+    print("".join(f"{name:>14}" for name in rows[0]) if rows else "no active dimension")
+    for row in rows:
+        print("".join(f"{value:14.4g}" for value in row.values()))
+
+
 def load_model(network, path):
     model = KppNet() if network == "kpp" else DqVae()
     tensors, _ = export.load_safetensors(path)
@@ -182,8 +224,12 @@ def main():
     parser.add_argument("--split", default="test", choices=("train", "validation", "test"))
     parser.add_argument("--count", type=int, default=4096)
     parser.add_argument("--json", action="store_true")
+    parser.add_argument("--latent", action="store_true", help="vae: what moves along each active dimension of z, instead")
     options = parser.parse_args()
     torch.set_num_threads(1)
+    if options.latent:
+        print_latent_effects(load_model("vae", options.weights), options.count)
+        return
     scores = full_scores(options.network, load_model(options.network, options.weights), options.split, options.count)
     if options.json:
         print(json.dumps(scores, indent=1))
