@@ -124,5 +124,5 @@ for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
 end
 
 for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
-    program(source:match("([%w_]+)%.c$"), { source, "tests/bench/support.c" }, { "dragmesh_core", "cjson", embree, "m" }, "/bench")
+    program(source:match("([%w_]+)%.c$"), { source, "tests/bench/support.c", "tests/bench/world.c" }, { "dragmesh_core", "cjson", embree, "m" }, "/bench")
 end

@@ -6,7 +6,6 @@
 #include "kinematics/kpp_net.h"
 #include "kinematics/ranker.h"
 #include "math/joint.h"
-#include "pick/pick.h"
 
 typedef struct dmi_hypotheses {
     dm_joint joints[DM_MAX_HYPOTHESES]; /* best first, inner frame */
@@ -15,7 +14,6 @@ typedef struct dmi_hypotheses {
 
 typedef struct dmi_kinematics_query {
     const dmi_mesh* mesh;
-    const dmi_bvh* bvh;        /* NULL: no limits from collision */
     const dmi_cloud* cloud;    /* of `part` */
     const dmi_kpp_net* net;    /* NULL: geometry alone */
     const dmi_ranker* ranker;  /* NULL: candidates are ranked by rules */

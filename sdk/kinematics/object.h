@@ -3,6 +3,7 @@
 #define DMI_KINEMATICS_OBJECT_H
 
 #include "kinematics/kinematics.h"
+#include "pick/pick.h"
 
 /* Of a part's cloud, kept for the motion network, which sees a part through so few points. */
 #define DMI_OBJECT_POINTS 512

@@ -50,7 +50,6 @@ static dm_result infer_part(dmi_env* env, dmi_object* object, uint32_t index, co
     dm_result result = dmi_cloud_sample(env, object->mesh, index, object->seed, cloud);
     if (result != DM_OK) return result;
     const dmi_kinematics_query query = {.mesh = object->mesh,
-                                        .bvh = object->bvh,
                                         .cloud = cloud,
                                         .net = brain->net,
                                         .ranker = brain->ranker,
@@ -184,11 +183,9 @@ static dm_result adopt_mesh(dmi_env* env, dmi_mesh* mesh, uint64_t seed, dmi_obj
     return DM_OK;
 }
 
-/* The BVH is built even when the object will not keep it: limits come from collisions, so the joint must not depend on
- * whether the host wants to pick. */
 static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object* object) {
     dm_result result = report(env, desc, 0.05f);
-    if (result == DM_OK) result = dmi_bvh_create(picker, object->mesh, &object->bvh);
+    if (result == DM_OK && desc->keep_triangles) result = dmi_bvh_create(picker, object->mesh, &object->bvh);
     if (result == DM_OK) result = report(env, desc, 0.1f);
     if (result != DM_OK) return result;
     preparation work = {.env = env, .desc = desc, .object = object};

@@ -110,7 +110,6 @@ static void stage_infer(void* user) {
     stages* s = user;
     dmi_hypotheses found;
     const dmi_kinematics_query query = {.mesh = s->mesh,
-                                        .bvh = s->bvh,
                                         .cloud = s->cloud,
                                         .net = s->brain.net,
                                         .ranker = s->brain.ranker,
