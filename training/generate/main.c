@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 #include "bench.h"
+#include "check_all.h"
 #include "dragmesh/ext/gltf.h"
 #include "generator.h"
 #include "sheet.h"
@@ -20,8 +21,8 @@ typedef struct options {
     const char* folder; /* or file */
     uint64_t seed;
     uint32_t flags, columns;
-    enum { MAKE, LIST, SHEET, BENCH } mode;
-    int seeded;
+    enum { MAKE, LIST, SHEET, BENCH, CHECK } mode;
+    int seeded, verbose;
     uint32_t categories[CATEGORY_LIMIT], count;
 } options;
 
@@ -29,7 +30,8 @@ static int usage(FILE* to) {
     fputs("usage: dragmesh_generate --list\n"
           "       dragmesh_generate --category NAME --seed N [--messy] -o DIR\n"
           "       dragmesh_generate --sheet -o PICTURE.png [--category NAME]... [--columns N] [--seed N] [--messy]\n"
-          "       dragmesh_generate --bench [--category NAME]... [--messy]\n",
+          "       dragmesh_generate --bench [--category NAME]... [--messy]\n"
+          "       dragmesh_generate --check [--category NAME]... [--columns OBJECTS] [--seed N] [--verbose]\n",
           to);
     return 2;
 }
@@ -84,6 +86,10 @@ static int parse(int count, char** arguments, options* out) {
             out->mode = SHEET;
         else if (strcmp(a, "--bench") == 0)
             out->mode = BENCH;
+        else if (strcmp(a, "--check") == 0)
+            out->mode = CHECK;
+        else if (strcmp(a, "--verbose") == 0)
+            out->verbose = 1;
         else if (strcmp(a, "--messy") == 0)
             out->flags |= DMG_MESSY;
         else if (!parse_value(a, i + 1 < count ? arguments[i + 1] : "", out))
@@ -349,6 +355,8 @@ int main(int count, char** arguments) {
     for (uint32_t i = 0; all && i < dmg_category_count() && i < CATEGORY_LIMIT; ++i)
         options.categories[options.count++] = i;
     if (options.mode == BENCH) return bench(options.categories, options.count, options.flags);
+    if (options.mode == CHECK)
+        return check_all(options.categories, options.count, options.columns, options.seed, options.verbose);
     return sheet_write(options.folder, options.categories, options.count, options.columns, options.seed,
                        options.flags) == 0
                ? 0
