@@ -6,7 +6,8 @@
 #include "check.h"
 #include "generator.h"
 
-#define DEEP 0.02f  /* more than the interpenetration that untidy objects have on purpose */
+#define DEEP 0.02f /* more than the interpenetration that untidy objects have on purpose */
+#define MOST_PARTS 6
 #define LOOSE 0.05f /* more than the play of a joint */
 
 typedef struct tally {
@@ -17,13 +18,17 @@ static int check_object(uint32_t category, uint64_t seed, int verbose, tally* ou
     dmg_object object;
     if (dmg_make(category, seed, 0, &object) != 0) return -1;
     int result = 0;
-    for (uint32_t part = 1; part <= object.joint_count && result == 0; ++part) {
+    /* A keyboard's keys are all alike: a few parts from all over the object do. */
+    const uint32_t step = 1 + object.joint_count / MOST_PARTS;
+    for (uint32_t part = 1; part <= object.joint_count && result == 0; part += step) {
         const dmg_joint* joint = &object.joints[part - 1];
         dmg_finding finding;
         result = dmg_check(&object, part, &finding);
         /* Lids, caps and trays may be lifted off. */
         const int loose = finding.gap > LOOSE && joint->type != DM_JOINT_PRISMATIC && joint->type != DM_JOINT_SCREW;
-        const int deep = finding.depth > DEEP;
+        /* A button sinks into a case that is modelled solid. */
+        const int sinks = joint->type == DM_JOINT_PRISMATIC && joint->upper - joint->lower < 0.06f * finding.size;
+        const int deep = finding.depth > DEEP && !sinks;
         ++out->parts;
         out->deep += (uint32_t)deep;
         out->loose += (uint32_t)loose;

@@ -8,7 +8,7 @@
 
 #include "build.h"
 
-enum { POINTS = 72, STOPS = 7 };
+enum { POINTS = 40, STOPS = 5 };
 
 typedef struct sample {
     dmg_vec at[POINTS];
@@ -135,7 +135,7 @@ int dmg_check(const dmg_object* object, uint32_t part, dmg_finding* out) {
     if (!samples) return 1;
     take_sample(object, part, true, &samples[0]);
     take_sample(object, part, false, &samples[1]);
-    const float size = object_size(object);
+    const float size = out->size = object_size(object);
     const dmg_frame rest = dmg_frame_identity();
     const float near = part_gap(object, part, &samples[0], &samples[1], &rest, &rest);
     bool outside[POINTS];

@@ -12,6 +12,7 @@ extern "C" {
 typedef struct dmg_finding {
     float depth;       /* how deep a surface point that is outside the body at rest gets into it */
     float depth_value; /* the joint value there */
+    float size;        /* of the object: its largest side */
     float gap;         /* how much farther the part is from all that does not move with it than it is at rest */
 } dmg_finding;
 
