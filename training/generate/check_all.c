@@ -8,7 +8,7 @@
 
 #define DEEP 0.02f /* more than the interpenetration that untidy objects have on purpose */
 #define MOST_PARTS 6
-#define LOOSE 0.05f /* more than the play of a joint */
+#define LOOSE 0.08f /* more than the play of a joint */
 
 typedef struct tally {
     uint32_t parts, deep, loose;
@@ -27,7 +27,7 @@ static int check_object(uint32_t category, uint64_t seed, int verbose, tally* ou
         /* Lids, caps and trays may be lifted off. */
         const int loose = finding.gap > LOOSE && joint->type != DM_JOINT_PRISMATIC && joint->type != DM_JOINT_SCREW;
         /* A button sinks into a case that is modelled solid. */
-        const int sinks = joint->type == DM_JOINT_PRISMATIC && joint->upper - joint->lower < 0.06f * finding.size;
+        const int sinks = joint->type == DM_JOINT_PRISMATIC && joint->upper - joint->lower < 0.15f * finding.size;
         const int deep = finding.depth > DEEP && !sinks;
         ++out->parts;
         out->deep += (uint32_t)deep;

@@ -382,7 +382,7 @@ static void draw_camera_ball(dmg_builder* b, float size) {
 /* An arm along +X that may fold about Y or twist about itself, a motor at its end, a propeller on top. */
 static void draw_drone_arm(dmg_builder* b, int motion, float root, float arm, float thick, float prop, int blades) {
     uint32_t carrier = 0;
-    if (motion == 1) carrier = dmg_hinge(b, 0, "arm", v3(root, 0, 0), v3(0, 1, 0), 0.0f, 1.8f);
+    if (motion == 1) carrier = dmg_hinge(b, 0, "arm", v3(root, 0, 0), v3(0, 1, 0), 0.0f, 1.4f);
     if (motion == 2) carrier = dmg_hinge(b, 0, "arm", v3(root, 0, 0), v3(1, 0, 0), -1.5f, 1.5f);
     if (motion == 3) carrier = dmg_hinge(b, 0, "arm", v3(root, 0, 0), v3(0, 0, -1), 0.0f, 1.6f);
     if (dmg_chance(b, 0.5f))

@@ -107,6 +107,16 @@ static float part_gap(const dmg_object* o, uint32_t part, const sample* moving, 
     return best;
 }
 
+/* How deep the deepest of the moved points lies in the body. */
+static float deepest(const dmg_object* o, uint32_t part, const sample* moving, const dmg_frame* there) {
+    float depth = 0.0f;
+    for (uint32_t i = 0; i < moving->count; ++i) {
+        dmg_vec p = dmg_frame_point(there, moving->at[i]);
+        if (body_winding(o, p) > 0.5f) depth = fmaxf(depth, surface_distance(o, part, false, true, p));
+    }
+    return depth;
+}
+
 static float object_size(const dmg_object* o) {
     float size = 0.0f;
     for (uint32_t k = 0; k < 3; ++k) {
@@ -138,20 +148,16 @@ int dmg_check(const dmg_object* object, uint32_t part, dmg_finding* out) {
     const float size = out->size = object_size(object);
     const dmg_frame rest = dmg_frame_identity();
     const float near = part_gap(object, part, &samples[0], &samples[1], &rest, &rest);
-    bool outside[POINTS];
-    for (uint32_t i = 0; i < samples[0].count; ++i) outside[i] = body_winding(object, samples[0].at[i]) < 0.5f;
+    const float sunk = deepest(object, part, &samples[0], &rest);
     for (int stop = 0; stop < STOPS; ++stop) {
         const float value = stop_value(joint, stop);
         const dmg_frame there = dmg_joint_frame(joint, value), back = dmg_joint_frame(joint, -value);
-        out->gap = fmaxf(out->gap, (part_gap(object, part, &samples[0], &samples[1], &there, &back) - near) / size);
-        for (uint32_t i = 0; i < samples[0].count; ++i) {
-            dmg_vec p = dmg_frame_point(&there, samples[0].at[i]);
-            if (!outside[i] || body_winding(object, p) < 0.5f) continue;
-            float depth = surface_distance(object, part, false, true, p) / size;
-            if (depth <= out->depth) continue;
-            out->depth = depth;
-            out->depth_value = value;
-        }
+        const float gap = part_gap(object, part, &samples[0], &samples[1], &there, &back) - near;
+        const float depth = deepest(object, part, &samples[0], &there) - sunk;
+        out->gap = fmaxf(out->gap, gap / size);
+        if (depth <= out->depth * size) continue;
+        out->depth = depth / size;
+        out->depth_value = value;
     }
     free(samples);
     return 0;

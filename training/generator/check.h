@@ -10,7 +10,7 @@ extern "C" {
 
 /* The worst over the whole way from the lower to the upper limit, in fractions of the object's largest side. */
 typedef struct dmg_finding {
-    float depth;       /* how deep a surface point that is outside the body at rest gets into it */
+    float depth;       /* how much deeper a surface point gets into the body than any is at rest */
     float depth_value; /* the joint value there */
     float size;        /* of the object: its largest side */
     float gap;         /* how much farther the part is from all that does not move with it than it is at rest */

@@ -141,7 +141,7 @@ void dmg_build_robot_arm(dmg_builder* b) {
     float reach = dmg_scale_range(b, 0.2f, 3.0f), thick = reach * dmg_range(b, 0.03f, 0.07f);
     link_style style = pick_links(b, thick);
     int links = dmg_int(b, 2, 5);
-    float base = reach * dmg_range(b, 0.05f, 0.25f), swing = dmg_range(b, 1.0f, 2.6f);
+    float base = reach * dmg_range(b, 0.05f, 0.25f), swing = dmg_range(b, 0.6f, 1.8f);
     draw_pedestal(b, 1.6f * thick, base);
     dmg_move(b, 0, base, 0);
     uint32_t carrier = 0;

@@ -139,7 +139,7 @@ static void draw_car_panels(dmg_builder* b, const car* c) {
         if (up)
             dmg_hinge(b, 0, "tailgate", v3(0, c->roof, tail), v3(1, 0, 0), 0.0f, 1.4f);
         else
-            dmg_hinge(b, 0, "tailgate", v3(0.45f * c->width, y0, tail), v3(0, 1, 0), 0.0f, 1.6f);
+            dmg_hinge(b, 0, "tailgate", v3(0.45f * c->width, y0, tail - t), v3(0, -1, 0), 0.0f, 1.6f);
         dmg_box_span(b, v3(-0.45f * c->width, y0, tail - t), v3(0.45f * c->width, c->roof, tail));
         dmg_use(b, 0);
     } else if (c->cabin == 3) { /* a bed that tips */
@@ -290,7 +290,8 @@ static void draw_caster(dmg_builder* b, float x, float z, float wheel, float top
     dmg_use(b, 0);
 }
 
-static void draw_robot_hull(dmg_builder* b, float width, float length, float floor, float high) {
+/* True when its top is as wide as it is. */
+static bool draw_robot_hull(dmg_builder* b, float width, float length, float floor, float high) {
     int kind = dmg_int(b, 0, 4);
     dmg_vec centre = {0, floor + 0.5f * high, 0};
     if (kind == 0) dmg_box(b, centre, v3(width, high, length));
@@ -310,13 +311,14 @@ static void draw_robot_hull(dmg_builder* b, float width, float length, float flo
         dmg_cone(b, v3(0, floor + 0.3f * high, 0), v3(0, floor + high, 0), 0.45f * fminf(width, length),
                  0.3f * fminf(width, length));
     }
+    return kind <= 1;
 }
 
 void dmg_build_mobile_robot(dmg_builder* b) {
     float size = dmg_scale_range(b, 0.2f, 1.6f), width = size * dmg_range(b, 0.5f, 0.9f),
           wheel = size * dmg_range(b, 0.06f, 0.2f), floor = wheel * dmg_range(b, 0.3f, 1.3f),
           high = size * dmg_range(b, 0.2f, 1.3f);
-    draw_robot_hull(b, width, size, floor, high);
+    bool flat_top = draw_robot_hull(b, width, size, floor, high);
     axle_wheel w = pick_axle_wheel(b, wheel);
     static const float weights[] = {5, 1, 2};
     w.mount = dmg_weighted(b, weights, 3);
@@ -331,7 +333,7 @@ void dmg_build_mobile_robot(dmg_builder* b) {
     if (layout == 0 && dmg_chance(b, 0.5f)) draw_caster(b, 0, 0.4f * size, small, floor);
     float top = floor + high;
     int extra = dmg_int(b, 0, 4);
-    if (extra == 1) { /* a lid */
+    if (extra == 1 && flat_top) { /* a lid */
         dmg_hinge(b, 0, "lid", v3(0, top, -0.4f * size), v3(-1, 0, 0), 0.0f, 1.4f);
         dmg_box_span(b, v3(-0.45f * width, top, -0.4f * size), v3(0.45f * width, top + 0.04f * size, 0.1f * size));
     }
