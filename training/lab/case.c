@@ -4,6 +4,7 @@
 
 #include "case.h"
 #include "kinematics/kinematics.h"
+#include "lab_ranker.h"
 
 #define TRIES 64
 
@@ -118,6 +119,29 @@ dm_result lab_case_make(dmi_env* env, const dm_lab_options* options, uint64_t in
         if (result == DM_OK) break;
         lab_case_release(env, out_case);
     }
+    return result;
+}
+
+dm_result lab_case_given(dmi_env* env, const dm_lab_given* given, lab_case* out_case) {
+    dmg_joint joint = {.type = given->type, .lower = given->lower, .upper = given->upper, .opens = 1};
+    memcpy(joint.axis, given->axis, sizeof joint.axis);
+    memcpy(joint.origin, given->origin, sizeof joint.origin);
+    memset(out_case, 0, sizeof *out_case);
+    const dmg_object object = {.positions = (float*)given->positions,
+                               .indices = (uint32_t*)given->indices,
+                               .face_part = (uint32_t*)given->face_part,
+                               .vertex_count = given->vertex_count,
+                               .face_count = given->face_count,
+                               .joints = &joint,
+                               .joint_count = 1};
+    out_case->part = 1;
+    out_case->random = dmi_random_make(1, 1);
+    dm_result result = make_mesh(env, &object, &out_case->mesh);
+    if (result != DM_OK) return result;
+    out_case->joint = true_joint(out_case->mesh, &joint, (uint32_t)dmi_mesh_find_part(out_case->mesh, 1));
+    result =
+        dmi_cloud_sample(env, out_case->mesh, (uint32_t)dmi_mesh_find_part(out_case->mesh, 1), 1, &out_case->cloud);
+    if (result != DM_OK) dmi_mesh_destroy(env, out_case->mesh);
     return result;
 }
 

@@ -94,14 +94,12 @@ static void read_prediction(const dmi_kpp_net* net, void* scratch, const dmi_dra
     dmi_prediction_read(&r->input.frame, &raw, out);
 }
 
-static dm_result make_case(dmi_env* env, dmi_arena* arena, const dm_lab_options* options, const dmi_kpp_net* net,
-                           void* scratch, ranker_case* r, int* out_with_drag) {
+/* Candidates of a case with their evidence and labels. hint: NULL when the kinematics gets no drag; r->hint labels. */
+static dm_result judge_case(dmi_env* env, dmi_arena* arena, const dmi_drag_hint* hint, const dmi_kpp_net* net,
+                            void* scratch, ranker_case* r) {
     const uint32_t part = (uint32_t)dmi_mesh_find_part(r->made.mesh, r->made.part);
     dm_result result = dmi_study_make(arena, r->made.mesh, &r->made.cloud, part, NULL, &r->study);
     if (result != DM_OK) return dmi_fail(env, result, "lab: a case can't be studied");
-    r->hint = lab_case_drag(&r->made, options->drag_noise_degrees, &r->joint);
-    *out_with_drag = lab_chance(&r->made.random, options->with_drag);
-    const dmi_drag_hint* hint = *out_with_drag ? &r->hint : NULL;
     dmi_prediction prediction;
     if (net != NULL) read_prediction(net, scratch, hint, r, &prediction);
     r->count = dmi_candidates_make(&r->study, hint, net != NULL ? &prediction : NULL, r->candidates);
@@ -145,39 +143,95 @@ static void write_case(const ranker_case* r, int with_drag, const dm_lab_ranker*
     out->best[at] = r->pose[r->order[0]];
 }
 
+static dm_result write_judged(dmi_env* env, const dmi_kpp_net* net, void* scratch, int with_drag, ranker_case* r,
+                              const dm_lab_ranker* out, uint32_t at) {
+    dmi_arena arena;
+    dmi_arena_init(&arena, env, (size_t)1 << 20);
+    const dm_result result = judge_case(env, &arena, with_drag ? &r->hint : NULL, net, scratch, r);
+    if (result == DM_OK) {
+        order_rows(r);
+        write_case(r, with_drag, out, at);
+    }
+    dmi_arena_release(&arena);
+    return result;
+}
+
 static dm_result make_cases(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net, void* scratch,
                             ranker_case* r, const dm_lab_ranker* out) {
     dm_result result = DM_OK;
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         result = lab_case_make(env, options, i, &r->made);
         if (result != DM_OK) break;
-        dmi_arena arena;
-        int with_drag = 0;
-        dmi_arena_init(&arena, env, (size_t)1 << 20);
-        result = make_case(env, &arena, options, net, scratch, r, &with_drag);
-        if (result == DM_OK) {
-            order_rows(r);
-            write_case(r, with_drag, out, i);
-        }
-        dmi_arena_release(&arena);
+        r->hint = lab_case_drag(&r->made, options->drag_noise_degrees, &r->joint);
+        const int with_drag = lab_chance(&r->made.random, options->with_drag);
+        result = write_judged(env, net, scratch, with_drag, r, out, i);
         lab_case_release(env, &r->made);
     }
     return result;
 }
 
+/* What both entries need beside their cases. */
+typedef struct bench {
+    dmi_env env;
+    dmi_kpp_net* net;
+    void* scratch;
+    size_t scratch_size;
+    ranker_case* work;
+} bench;
+
+static void bench_close(bench* b) {
+    dmi_free(&b->env, b->work, sizeof *b->work);
+    dmi_free(&b->env, b->scratch, b->scratch_size);
+    dmi_kpp_net_destroy(b->net);
+}
+
+static dm_result bench_open(const void* kinematics, size_t size, bench* b) {
+    *b = (bench){0};
+    dmi_env_init(&b->env, NULL, NULL, NULL);
+    if (kinematics != NULL) {
+        const dm_result result = dmi_kpp_net_load(&b->env, kinematics, size, &b->net);
+        if (result != DM_OK) return result;
+    }
+    b->scratch_size = b->net != NULL ? dmi_kpp_net_scratch_size(b->net) : 64;
+    b->scratch = dmi_alloc(&b->env, b->scratch_size, 64);
+    b->work = dmi_alloc(&b->env, sizeof *b->work, 64);
+    if (b->scratch != NULL && b->work != NULL) return DM_OK;
+    bench_close(b);
+    return DM_ERROR_OUT_OF_MEMORY;
+}
+
 dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                               const dm_lab_ranker* out) {
-    dmi_env env;
-    dmi_env_init(&env, NULL, NULL, NULL);
-    dmi_kpp_net* net = NULL;
-    dm_result result = kinematics != NULL ? dmi_kpp_net_load(&env, kinematics, kinematics_size, &net) : DM_OK;
+    bench b;
+    dm_result result = bench_open(kinematics, kinematics_size, &b);
     if (result != DM_OK) return result;
-    const size_t scratch_size = net != NULL ? dmi_kpp_net_scratch_size(net) : 64;
-    void* scratch = dmi_alloc(&env, scratch_size, 64);
-    ranker_case* r = dmi_alloc(&env, sizeof *r, 64);
-    result = scratch != NULL && r != NULL ? make_cases(&env, options, net, scratch, r, out) : DM_ERROR_OUT_OF_MEMORY;
-    dmi_free(&env, r, sizeof *r);
-    dmi_free(&env, scratch, scratch_size);
-    dmi_kpp_net_destroy(net);
+    result = make_cases(&b.env, options, b.net, b.scratch, b.work, out);
+    bench_close(&b);
+    return result;
+}
+
+/* A hint in the object-normalised frame, and the joint signed along it. */
+static void take_drag(const dm_lab_given* given, lab_case* made, dmi_drag_hint* hint, dm_joint* joint) {
+    const double point[3] = {given->drag_point[0], given->drag_point[1], given->drag_point[2]};
+    dmi_frame_point_in(&made->mesh->frame, point, hint->point);
+    dmi_frame_vector_in(&made->mesh->frame, given->drag_vector, hint->vector);
+    *joint = made->joint;
+    dmi_joint_orient(joint, hint);
+}
+
+dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
+                              size_t kinematics_size, const dm_lab_ranker* out) {
+    bench b;
+    dm_result result = bench_open(kinematics, kinematics_size, &b);
+    if (result != DM_OK) return result;
+    ranker_case* r = b.work;
+    memset(&r->made, 0, sizeof r->made);
+    result = lab_case_given(&b.env, given, &r->made);
+    if (result == DM_OK) {
+        take_drag(given, &r->made, &r->hint, &r->joint);
+        result = write_judged(&b.env, b.net, b.scratch, with_drag, r, out, 0);
+        dmi_mesh_destroy(&b.env, r->made.mesh);
+    }
+    bench_close(&b);
     return result;
 }

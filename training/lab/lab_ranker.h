@@ -28,4 +28,19 @@ DM_API uint32_t dm_lab_ranker_columns(void);
 DM_API dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                                      const dm_lab_ranker* out);
 
+/* A case that a loader provides: glTF frame, everything in the object's own unit. */
+typedef struct dm_lab_given {
+    const float* positions;    /* vertex_count x 3 */
+    const uint32_t* indices;   /* face_count x 3 */
+    const uint32_t* face_part; /* 0 the body, 1 the part */
+    uint32_t vertex_count, face_count;
+    int32_t type; /* DM_JOINT_* */
+    float axis[3], origin[3], lower, upper;
+    float drag_point[3], drag_vector[3];
+} dm_lab_given;
+
+/* One case into the first place of `out`. with_drag 0: the kinematics does not see the drag, the labels do. */
+DM_API dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
+                                     size_t kinematics_size, const dm_lab_ranker* out);
+
 #endif
