@@ -8,6 +8,7 @@
 #define SYMMETRY_POINTS 40
 #define CONTACT_POINTS 40
 #define SWEEP_STEPS 5
+#define RELATIVE 12
 
 /* Turns by 0.06, 0.15, 0.35, 0.8 and 1.4 rad. */
 static const float SWEEP_COSINE[SWEEP_STEPS] = {0.99820054f, 0.98877108f, 0.93937271f, 0.69670671f, 0.16996714f};
@@ -384,18 +385,24 @@ static judge make_judge(const dmi_study* study, const dmi_drag_hint* hint, const
     return j;
 }
 
-/* How far each candidate's slippages and sweep are above the best of its type. */
+/* How far each candidate's costs are above the least of its own type, and above the least of the other type: whether
+ * this part slides better than it turns shows only between candidates. */
 static void relative_evidence(uint32_t count, float (*rows)[DMI_EVIDENCE_COUNT]) {
-    static const int of[4] = {DMI_EVIDENCE_SLIP, DMI_EVIDENCE_CONTACT + 14, DMI_EVIDENCE_CONTACT + 15,
-                              DMI_EVIDENCE_SWEEP + 2};
-    for (int k = 0; k < 4; k++) {
-        float best[2] = {INFINITY, INFINITY};
+    static const int of[RELATIVE] = {DMI_EVIDENCE_SLIP,         DMI_EVIDENCE_CONTACT,      DMI_EVIDENCE_CONTACT + 14,
+                                     DMI_EVIDENCE_CONTACT + 15, DMI_EVIDENCE_CONTACT + 16, DMI_EVIDENCE_SWEEP,
+                                     DMI_EVIDENCE_SWEEP + 2,    DMI_EVIDENCE_SWEEP + 4,    DMI_EVIDENCE_SWEEP + 6,
+                                     DMI_EVIDENCE_SYMMETRY + 1, DMI_EVIDENCE_ALONG,        DMI_EVIDENCE_DRAG + 2};
+    for (int k = 0; k < RELATIVE; k++) {
+        float best[2] = {1, 1}; /* all costs are about 0 to 1 */
         for (uint32_t i = 0; i < count; i++) {
             int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
             best[type] = fminf(best[type], rows[i][of[k]]);
         }
-        for (uint32_t i = 0; i < count; i++)
-            rows[i][DMI_EVIDENCE_RELATIVE + k] = rows[i][of[k]] - best[rows[i][DMI_EVIDENCE_SLIDES] > 0];
+        for (uint32_t i = 0; i < count; i++) {
+            int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
+            rows[i][DMI_EVIDENCE_RELATIVE + k] = rows[i][of[k]] - best[type];
+            rows[i][DMI_EVIDENCE_RELATIVE + RELATIVE + k] = rows[i][of[k]] - best[!type];
+        }
     }
 }
 

@@ -22,8 +22,8 @@ enum {
     DMI_EVIDENCE_NETWORK = 86,   /* 12 */
     DMI_EVIDENCE_DIRECTION = 98, /* families, one a bit */
     DMI_EVIDENCE_ORIGIN = DMI_EVIDENCE_DIRECTION + DMI_DIRECTION_FAMILIES,
-    DMI_EVIDENCE_RELATIVE = DMI_EVIDENCE_ORIGIN + DMI_ORIGIN_FAMILIES, /* 4: above the best of the same type */
-    DMI_EVIDENCE_HANDLE = DMI_EVIDENCE_RELATIVE + 4,                   /* 4: what stands out, seen from the axis */
+    DMI_EVIDENCE_RELATIVE = DMI_EVIDENCE_ORIGIN + DMI_ORIGIN_FAMILIES, /* 24: see relative_evidence */
+    DMI_EVIDENCE_HANDLE = DMI_EVIDENCE_RELATIVE + 24,                  /* 4: what stands out, seen from the axis */
     DMI_EVIDENCE_OUTLINE = DMI_EVIDENCE_HANDLE + 4,                    /* 4: the axis in the whole object */
     DMI_EVIDENCE_COUNT = DMI_EVIDENCE_OUTLINE + 4
 };

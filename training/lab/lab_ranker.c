@@ -11,6 +11,7 @@
 
 #define POSE_POINTS 96
 #define KEPT_BEST 8
+#define EXACT_DRAGS 0.35f
 #define MOST_TURN 1.2f /* rad: the travel over which a pose error is measured, as evaluation does */
 #define FREE_SLIDE 0.3f
 #define ISA DMI_ISA_SCALAR
@@ -162,7 +163,9 @@ static dm_result make_cases(dmi_env* env, const dm_lab_options* options, const d
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         result = lab_case_make(env, options, i, &r->made);
         if (result != DM_OK) break;
-        r->hint = lab_case_drag(&r->made, options->drag_noise_degrees, &r->joint);
+        /* Some drags are exact: a host may hand over a tangent that it has computed. */
+        const float noise = lab_chance(&r->made.random, EXACT_DRAGS) ? 0 : options->drag_noise_degrees;
+        r->hint = lab_case_drag(&r->made, noise, &r->joint);
         const int with_drag = lab_chance(&r->made.random, options->with_drag);
         result = write_judged(env, net, scratch, with_drag, r, out, i);
         lab_case_release(env, &r->made);
