@@ -6,7 +6,8 @@
 #include "kinematics/ranker.h"
 
 #define SCRATCH_BLOCK ((size_t)1 << 20)
-#define TOP 48 /* candidates that may become hypotheses */
+#define TOP_OF_TYPE 32 /* candidates of turning, and of sliding, that may become hypotheses */
+#define TOP (2 * TOP_OF_TYPE)
 #define ALIKE_POINTS 12
 #define ALIKE 0.05f /* two joints are one hypothesis when their motions differ by less than this share */
 #define SCREW_CERTAIN 0.8f
@@ -74,13 +75,17 @@ typedef struct ranked {
     float mass; /* probability of it and of those alike */
 } ranked;
 
-/* The TOP most probable candidates, most probable first. */
-static uint32_t top_candidates(const work* w, ranked* out) {
+static int slides(const work* w, uint32_t index) {
+    return w->candidates[index].type == DM_JOINT_PRISMATIC;
+}
+
+/* The most probable candidates of one type, most probable first. */
+static uint32_t top_of_type(const work* w, int sliding, ranked out[TOP_OF_TYPE]) {
     uint32_t n = 0;
     for (uint32_t i = 0; i < w->count; i++) {
         float p = w->probability[i];
-        if (n == TOP && p <= w->probability[out[n - 1].index]) continue;
-        uint32_t at = n < TOP ? n++ : TOP - 1;
+        if (slides(w, i) != sliding || (n == TOP_OF_TYPE && p <= w->probability[out[n - 1].index])) continue;
+        uint32_t at = n < TOP_OF_TYPE ? n++ : TOP_OF_TYPE - 1;
         for (; at > 0 && w->probability[out[at - 1].index] < p; at--) out[at] = out[at - 1];
         out[at].index = i;
     }
@@ -89,7 +94,7 @@ static uint32_t top_candidates(const work* w, ranked* out) {
 
 static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, float type_mass) {
     dm_joint joint = {.type = c->type,
-                      .confidence = fminf(mass, 1),
+                      .confidence = dmi_ranker_confidence(w->query->ranker, mass),
                       .type_confidence = fminf(type_mass, 1),
                       .axis = {c->axis[0], c->axis[1], c->axis[2]},
                       .origin = {c->origin[0], c->origin[1], c->origin[2]},
@@ -110,37 +115,57 @@ static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, fl
     return joint;
 }
 
-/* Takes the candidate that gathers most probability with those alike, again and again. */
-static void choose(const work* w, dmi_hypotheses* out) {
+/* Everything that choosing works on: the leading candidates, who is alike, what is left. */
+typedef struct choice {
     ranked top[TOP];
-    uint32_t n = top_candidates(w, top);
-    uint8_t taken[TOP] = {0}, is_alike[TOP][TOP];
-    float type_mass[2] = {0, 0};
-    for (uint32_t i = 0; i < w->count; i++) type_mass[w->candidates[i].type == DM_JOINT_PRISMATIC] += w->probability[i];
-    for (uint32_t i = 0; i < n; i++)
-        for (uint32_t j = 0; j < n; j++)
-            is_alike[i][j] =
-                i == j || alike(&w->study, &w->candidates[top[i].index], &w->candidates[top[j].index]) != 0;
+    uint8_t taken[TOP], is_alike[TOP][TOP];
+    uint32_t count;
+    float type_mass[2]; /* of turning, of sliding */
+} choice;
+
+static void start_choice(const work* w, choice* c) {
+    *c = (choice){.count = 0};
+    for (uint32_t i = 0; i < w->count; i++) c->type_mass[slides(w, i)] += w->probability[i];
+    c->count = top_of_type(w, 0, c->top);
+    c->count += top_of_type(w, 1, c->top + c->count);
+    for (uint32_t i = 0; i < c->count; i++)
+        for (uint32_t j = 0; j < c->count; j++)
+            c->is_alike[i][j] =
+                i == j || alike(&w->study, &w->candidates[c->top[i].index], &w->candidates[c->top[j].index]) != 0;
+}
+
+/* The candidate that gathers most probability with those alike; c->count when none is left. only: -1 or a type. */
+static uint32_t heaviest(const work* w, int only, choice* c) {
+    uint32_t best = c->count;
+    for (uint32_t i = 0; i < c->count; i++) {
+        if (c->taken[i] || (only >= 0 && slides(w, c->top[i].index) != only)) continue;
+        c->top[i].mass = 0;
+        for (uint32_t j = 0; j < c->count; j++)
+            if (!c->taken[j] && c->is_alike[i][j]) c->top[i].mass += w->probability[c->top[j].index];
+        if (best == c->count || c->top[i].mass > c->top[best].mass * 1.0001f) best = i;
+    }
+    return best;
+}
+
+/* Hypotheses by the probability they gather. The first is of the likelier type: turns are many candidates that share
+ * their probability, slides few, so that a single slide outweighs each turn long before slides outweigh turns. */
+static void choose(const work* w, dmi_hypotheses* out) {
+    choice c;
+    start_choice(w, &c);
     out->count = 0;
     while (out->count < DM_MAX_HYPOTHESES) {
-        uint32_t best = n;
-        for (uint32_t i = 0; i < n; i++) {
-            if (taken[i]) continue;
-            top[i].mass = 0;
-            for (uint32_t j = 0; j < n; j++)
-                if (!taken[j] && is_alike[i][j]) top[i].mass += w->probability[top[j].index];
-            if (best == n || top[i].mass > top[best].mass * 1.0001f) best = i;
-        }
-        if (best == n) break;
+        int only = out->count > 0 ? -1 : c.type_mass[1] > c.type_mass[0];
+        uint32_t best = heaviest(w, only, &c), chosen = best;
+        if (best == c.count) break;
         /* Among those alike, the most probable one stands for them. */
-        uint32_t chosen = best;
-        for (uint32_t j = 0; j < n; j++) {
-            if (taken[j] || !is_alike[best][j]) continue;
-            if (w->probability[top[j].index] > w->probability[top[chosen].index]) chosen = j;
-            taken[j] = 1;
+        for (uint32_t j = 0; j < c.count; j++) {
+            if (c.taken[j] || !c.is_alike[best][j]) continue;
+            if (w->probability[c.top[j].index] > w->probability[c.top[chosen].index]) chosen = j;
+            c.taken[j] = 1;
         }
-        const dmi_candidate* c = &w->candidates[top[chosen].index];
-        out->joints[out->count++] = make_joint(w, c, top[best].mass, type_mass[c->type == DM_JOINT_PRISMATIC]);
+        uint32_t index = c.top[chosen].index;
+        out->joints[out->count++] =
+            make_joint(w, &w->candidates[index], c.top[best].mass, c.type_mass[slides(w, index)]);
     }
 }
 

@@ -15,7 +15,7 @@ struct dmi_ranker {
     float first[DMI_EVIDENCE_COUNT][HIDDEN], first_bias[HIDDEN];
     float second[HIDDEN][HIDDEN], second_bias[HIDDEN];
     float last[HIDDEN], last_bias;
-    float inverse_temperature;
+    float calibration[2]; /* slope and offset between log odds */
 };
 
 static int copy_transposed(const dmi_weights* weights, const char* name, uint32_t outputs, uint32_t inputs, float* to) {
@@ -40,7 +40,7 @@ static void fold_standardisation(const float* mean, const float* scale, dmi_rank
 }
 
 static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
-    float mean[DMI_EVIDENCE_COUNT], scale[DMI_EVIDENCE_COUNT], temperature;
+    float mean[DMI_EVIDENCE_COUNT], scale[DMI_EVIDENCE_COUNT];
     if (!copy_vector(weights, "mean", DMI_EVIDENCE_COUNT, mean) ||
         !copy_vector(weights, "scale", DMI_EVIDENCE_COUNT, scale) ||
         !copy_transposed(weights, "0.weight", HIDDEN, DMI_EVIDENCE_COUNT, &ranker->first[0][0]) ||
@@ -48,10 +48,10 @@ static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
         !copy_transposed(weights, "2.weight", HIDDEN, HIDDEN, &ranker->second[0][0]) ||
         !copy_vector(weights, "2.bias", HIDDEN, ranker->second_bias) ||
         !copy_transposed(weights, "4.weight", 1, HIDDEN, ranker->last) ||
-        !copy_vector(weights, "4.bias", 1, &ranker->last_bias) || !copy_vector(weights, "temperature", 1, &temperature))
+        !copy_vector(weights, "4.bias", 1, &ranker->last_bias) ||
+        !copy_vector(weights, "calibration", 2, ranker->calibration))
         return 0;
-    if (!(temperature > 1e-3f && temperature < 1e3f)) return 0;
-    ranker->inverse_temperature = 1 / temperature;
+    if (!(ranker->calibration[0] > 0 && ranker->calibration[0] < 1e3f)) return 0;
     fold_standardisation(mean, scale, ranker);
     return 1;
 }
@@ -68,7 +68,7 @@ dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranke
         if (!read_tensors(weights, ranker)) {
             result = dmi_fail(env, DM_ERROR_WRONG_MODEL,
                               "ranker: a tensor is missing or of another shape, or the "
-                              "temperature is outside 0.001 to 1000");
+                              "calibration does not rise");
             dmi_free(env, ranker, sizeof *ranker);
         }
     }
@@ -95,7 +95,7 @@ static float forward(const dmi_ranker* ranker, const float* restrict evidence) {
         for (uint32_t o = 0; o < HIDDEN; o++) b[o] += a[i] * ranker->second[i][o];
     }
     for (uint32_t i = 0; i < HIDDEN; i++) score += (b[i] > 0 ? b[i] : 0) * ranker->last[i];
-    return score * ranker->inverse_temperature;
+    return score;
 }
 
 /* Rules: surfaces slide on themselves where parts touch; a motion does not run into the body; a drag is followed; axes
@@ -128,4 +128,10 @@ void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[
     }
     for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = expf(out_probability[i] - most);
     for (uint32_t i = 0; i < count; i++) out_probability[i] /= sum;
+}
+
+float dmi_ranker_confidence(const dmi_ranker* ranker, float mass) {
+    if (ranker == NULL) return fminf(mass, 1);
+    float p = fminf(fmaxf(mass, 1e-4f), 1 - 1e-4f);
+    return 1 / (1 + expf(-ranker->calibration[0] * logf(p / (1 - p)) - ranker->calibration[1]));
 }

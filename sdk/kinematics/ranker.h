@@ -5,7 +5,7 @@
 #include "kinematics/evidence.h"
 
 /* Architecture "dragmesh-ranker": standardised evidence -> 64 -> 64 -> 1, ReLU between. The softmax over a part's
- * candidates is a probability, calibrated by the temperature in the file. */
+ * candidates is a probability; what an answer gathers of it is calibrated by two numbers in the file. */
 typedef struct dmi_ranker dmi_ranker;
 
 dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranker** out_ranker);
@@ -14,5 +14,7 @@ void dmi_ranker_destroy(dmi_ranker* ranker);
 /* Probabilities of the candidates; they sum to 1. ranker NULL: by rules. */
 void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
                               float* out_probability);
+/* The chance that an answer is right whose candidates gather this probability. */
+float dmi_ranker_confidence(const dmi_ranker* ranker, float mass);
 
 #endif

@@ -3,8 +3,9 @@
     python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split train] [--only held|trained]
     python -m dragmesh_training.ranker train A.npz B.npz --validate V.npz -o ranker.safetensors
 
-Each candidate's target is exp(-pose / 0.01), its pose error being what a player would see; the softmax over a case's
-candidates learns to share its probability that way. A temperature fitted on validation cases calibrates it.
+A case's candidates share a probability of one by exp(-cost): their cost is what a player would see (the pose error),
+what a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way. Two
+numbers fitted on validation cases turn the probability an answer gathers into the chance that it is right.
 """
 import argparse
 import ctypes
@@ -17,9 +18,10 @@ import time
 import numpy as np
 
 from .config import HELD_OUT
-KEPT_BEST = 8
-SHARPNESS = float(os.environ.get('SHARP','0.01'))
+KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
+SAMPLED = 96  # rows of a case in a training step
+SLIDES, NETWORK = 0, slice(86, 98)  # columns of sdk/kinematics/evidence.h
 
 
 class Options(ctypes.Structure):
@@ -92,91 +94,115 @@ def load(paths, without=()):
     return {name: array[keep] for name, array in data.items()}
 
 
-def log_weights(data):
-    """Rows after the best few are a sample: each stands for several."""
-    rows = data["pose"].shape[1]
-    sampled = np.maximum(data["used"] - KEPT_BEST, 1)
-    weight = np.log(np.maximum(data["total"] - KEPT_BEST, 1) / sampled)
-    out = np.where(np.arange(rows)[None] < KEPT_BEST, 0, weight[:, None])
-    return np.where(np.arange(rows)[None] < data["used"][:, None], out, -1e9).astype(np.float32)
+def costs(data):
+    """Of each row: the pose error in hundredths of the size, a wrong type, axis and line errors in tolerances."""
+    slides = np.stack([data["evidence"][:, row, SLIDES] for row in range(data["pose"].shape[1])], 1) > 0.5
+    wrong_type = slides != (data["type"][:, None] == 1)
+    pose = np.minimum(np.nan_to_num(data["pose"], nan=9) / 0.01, 6)
+    axis, line = np.minimum(data["axis_error"] / 0.02, 3), np.minimum(data["line_error"] / 0.01, 3)
+    return (pose + 6 * wrong_type + axis + line).astype(np.float32)
 
 
-def build(columns):
+def log_weights(rows, used, total):
+    """Rows after the best few are a sample: each stands for several. rows: (cases, k) indices."""
+    sampled = np.maximum(np.minimum(used, rows.shape[1]) - KEPT_BEST, 1)
+    weight = np.log(np.maximum(total - KEPT_BEST, 1) / sampled)
+    out = np.where(rows < KEPT_BEST, 0, weight[:, None])
+    return np.where(rows < used[:, None], out, -1e9).astype(np.float32)
+
+
+def build(columns, hidden, dropout):
     import torch
-    return torch.nn.Sequential(torch.nn.Linear(columns, 64), torch.nn.ReLU(), torch.nn.Linear(64, 64), torch.nn.ReLU(),
-                               torch.nn.Linear(64, 1))
+    return torch.nn.Sequential(torch.nn.Linear(columns, hidden), torch.nn.ReLU(), torch.nn.Dropout(dropout),
+                               torch.nn.Linear(hidden, hidden), torch.nn.ReLU(), torch.nn.Linear(hidden, 1))
 
 
-def evaluate(net, data, mean, scale, temperature=1.0):
-    """Share of good answers, and how far stated confidence is from it."""
+def answer(probability, slides, pose):
+    """The best candidate of the likelier type, and the probability of all that move the part alike."""
+    sliding = probability[slides].sum() > probability[~slides].sum()
+    best = np.where(slides == sliding, probability, -1).argmax()
+    return best, probability[np.abs(pose - pose[best]) < 0.01].sum()
+
+
+def evaluate(net, data, mean, scale):
+    """Whether each answer is good, and how far it is trusted."""
     import torch
-    good, confidence = [], []
-    extra = log_weights(data)
+    good, confidence, everything = [], [], np.arange(data["pose"].shape[1])[None]
+    net.eval()
     with torch.no_grad():
-        for i in range(len(data["used"])):
-            n = data["used"][i]
-            x = (torch.from_numpy(data["evidence"][i, :n].astype(np.float32)) - mean) * scale
-            logits = (net(x)[:, 0] + torch.from_numpy(extra[i, :n])) / temperature
-            p = torch.softmax(logits, 0).numpy()
-            best = p.argmax()
-            near = (np.abs(data["pose"][i, :n] - data["pose"][i, best]) < 0.01)
+        for i, used in enumerate(data["used"]):
+            evidence = data["evidence"][i, :used].astype(np.float32)
+            extra = log_weights(everything[:, :used], data["used"][i:i + 1], data["total"][i:i + 1])
+            logits = net((torch.from_numpy(evidence) - mean) * scale)[:, 0] + torch.from_numpy(extra[0])
+            best, trust = answer(torch.softmax(logits, 0).numpy(), evidence[:, SLIDES] > 0.5, data["pose"][i, :used])
             good.append(data["pose"][i, best] < GOOD)
-            confidence.append(p[near].sum())
+            confidence.append(trust)
+    net.train()
     return np.array(good), np.array(confidence)
 
 
 def summary(good, data, names):
-    drag = data["has_drag"] > 0
-    text = f"pose<2% drag {good[drag].mean():.3f} none {good[~drag].mean():.3f} |"
-    for c in np.unique(data["category"]):
-        text += f" {names[c]} {good[data['category'] == c].mean():.2f}"
-    return text
+    drag, held = data["has_drag"] > 0, np.isin(names[data["category"]], HELD_OUT)
+    return "pose<2% " + " ".join(f"{kind} {good[mask].mean():.3f}" for kind, mask in (
+        ("trained, drag", drag & ~held), ("none", ~drag & ~held), ("held out, drag", drag & held),
+        ("none", ~drag & held)) if mask.any())
 
 
-def fit(data, validation, names, seconds, seed):
+def draw(data, cost, random, batch, without_network):
+    """A training step's evidence, log weights and costs."""
+    index = random.integers(0, len(cost), batch)
+    used, total = data["used"][index], data["total"][index]
+    others = random.integers(KEPT_BEST, np.maximum(used, KEPT_BEST + 1)[:, None], (batch, SAMPLED - KEPT_BEST))
+    rows = np.concatenate([np.tile(np.arange(KEPT_BEST), (batch, 1)), others], 1)
+    evidence = data["evidence"][index[:, None], rows].astype(np.float32)
+    evidence[random.random(batch) < without_network, :, NETWORK] = 0
+    extra = log_weights(rows, np.maximum(used, SAMPLED), total)
+    extra[rows >= used[:, None]] = -1e9
+    return evidence, extra, cost[index[:, None], rows]
+
+
+def fit(data, validation, names, arguments):
     import torch
-    torch.manual_seed(seed)
+    torch.manual_seed(arguments.seed)
     torch.set_num_threads(1)
-    flat = data["evidence"][:800].astype(np.float32)[data["used"][:800, None] > np.arange(data["pose"].shape[1])]
-    mean = torch.from_numpy(flat.mean(0))
-    scale = 1 / (torch.from_numpy(flat.std(0)) + 0.05)
-    extra, target = torch.from_numpy(log_weights(data)), torch.from_numpy(-data["pose"] / SHARPNESS)
-    net = build(len(mean))
-    optimiser = torch.optim.AdamW(net.parameters(), 2e-3, weight_decay=1e-2)
-    random, start, steps, total = np.random.default_rng(seed), time.time(), 0, 0.0
-    best, best_good = None, -1
-    next_check = seconds / 8
-    while time.time() - start < seconds:
-        rate = 1 - (time.time() - start) / seconds
+    real = data["used"][:800, None] > np.arange(data["pose"].shape[1])
+    flat = data["evidence"][:800].astype(np.float32)[real]
+    mean, scale = torch.from_numpy(flat.mean(0)), 1 / (torch.from_numpy(flat.std(0)) + 0.05)
+    net = build(len(mean), arguments.hidden, arguments.dropout)
+    optimiser = torch.optim.AdamW(net.parameters(), arguments.rate, weight_decay=1e-2)
+    average = {name: value.clone() for name, value in net.state_dict().items()}
+    random, cost, smooth, start = np.random.default_rng(arguments.seed), costs(data), 0.0, time.time()
+    for step in range(arguments.steps):
         for group in optimiser.param_groups:
-            group["lr"] = 2e-3 * rate + 2e-5
-        index = random.integers(0, len(extra), 24)
-        x = (torch.from_numpy(data["evidence"][index].astype(np.float32)) - mean) * scale
-        logits = net(x)[..., 0] + extra[index]
-        wanted = torch.softmax(target[index] + extra[index], 1)
-        loss = -(wanted * torch.log_softmax(logits, 1)).sum(1).mean()
+            group["lr"] = arguments.rate * (1 - step / arguments.steps) + 2e-5
+        evidence, extra, cases = map(torch.from_numpy, draw(data, cost, random, arguments.batch,
+                                                            arguments.without_network))
+        wanted = torch.softmax(extra - cases, 1)
+        loss = -(wanted * torch.log_softmax(net((evidence - mean) * scale)[..., 0] + extra, 1)).sum(1).mean()
         optimiser.zero_grad()
         loss.backward()
         optimiser.step()
-        steps, total = steps + 1, 0.98 * total + 0.02 * loss.item()
-        if time.time() - start > next_check or rate <= 0:
+        smooth += (loss.item() - smooth) * max(0.02, 1 / (step + 1))
+        for name, value in net.state_dict().items():
+            average[name].lerp_(value, max(0.002, 1 / (step + 1)))
+        if (step + 1) % max(arguments.steps // 5, 1) == 0:
             good, _ = evaluate(net, validation, mean, scale)
-            print(f"{time.time() - start:5.0f} s {steps} steps loss {total:.3f} {summary(good, validation, names)}",
+            print(f"{time.time() - start:5.0f} s {step + 1} steps loss {smooth:.3f} {summary(good, validation, names)}",
                   flush=True)
-            next_check += seconds / 8
-            if good.mean() >= best_good:
-                best, best_good = {k: v.clone() for k, v in net.state_dict().items()}, good.mean()
-    net.load_state_dict(best)
+    net.load_state_dict(average)
     return net, mean, scale
 
 
-def calibrate(net, validation, mean, scale):
-    """The temperature whose confidences are nearest to the truth (least squared error)."""
-    best = (np.inf, 1.0)
-    for temperature in np.exp(np.linspace(np.log(0.2), np.log(4), 31)):
-        good, confidence = evaluate(net, validation, mean, scale, temperature)
-        best = min(best, (((confidence - good) ** 2).mean(), temperature))
-    return best[1]
+def calibrate(good, trust):
+    """(a, b) of confidence = sigmoid(a logit(trust) + b): the logistic regression of being right, by Newton's method."""
+    trust = np.clip(trust, 1e-4, 1 - 1e-4)
+    x = np.stack([np.log(trust / (1 - trust)), np.ones(len(trust))], 1)
+    w = np.array([1.0, 0.0])
+    for _ in range(30):
+        p = 1 / (1 + np.exp(-x @ w))
+        hessian = x.T @ (x * (p * (1 - p))[:, None]) + 1e-3 * np.eye(2)
+        w += np.linalg.solve(hessian, x.T @ (good - p))
+    return w
 
 
 def export(path, tensors, metadata):
@@ -194,15 +220,17 @@ def export(path, tensors, metadata):
 
 
 def run_train(arguments):
-    names = list(np.load(arguments.data[0])["names"])
-    data = load(arguments.data, () if arguments.everything else HELD_OUT)
-    validation = load([arguments.validate])
-    net, mean, scale = fit(data, validation, names, arguments.seconds, arguments.seed)
-    temperature = arguments.temperature or calibrate(net, validation, mean, scale)
-    good, confidence = evaluate(net, validation, mean, scale, temperature)
-    print(f"validation: {good.mean():.3f} good at mean confidence {confidence.mean():.3f}, temperature {temperature:.2f}")
-    tensors = {"mean": mean.numpy(), "scale": scale.numpy(), "temperature": np.array([temperature], np.float32)}
-    tensors.update({name: value.numpy() for name, value in net.state_dict().items()})
+    names = np.load(arguments.data[0])["names"]
+    data, validation = load(arguments.data, HELD_OUT), load([arguments.validate])
+    net, mean, scale = fit(data, validation, names, arguments)
+    good, trust = evaluate(net, validation, mean, scale)
+    calibration = calibrate(good, trust)
+    print(f"validation: {summary(good, validation, names)}; confidence = sigmoid({calibration[0]:.3f} logit(trust) + "
+          f"{calibration[1]:.3f})")
+    tensors = {"mean": mean.numpy(), "scale": scale.numpy(), "calibration": calibration.astype(np.float32)}
+    state = list(net.state_dict().values())
+    for layer, name in enumerate(("0", "2", "4")):
+        tensors[f"{name}.weight"], tensors[f"{name}.bias"] = state[2 * layer].numpy(), state[2 * layer + 1].numpy()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     export(arguments.out, tensors, {"architecture": "dragmesh-ranker", "version": "1", "commit": commit,
                                     "seed": str(arguments.seed), "trained": f"{len(data['used'])} generated cases"})
@@ -217,7 +245,7 @@ def main():
     one.add_argument("--lab", default=default_lab)
     one.add_argument("--seed", type=int, default=1)
     one.add_argument("--count", type=int, default=2000)
-    one.add_argument("--rows", type=int, default=384)
+    one.add_argument("--rows", type=int, default=128)
     one.add_argument("--split", type=int, default=0)
     one.add_argument("--noise", type=float, default=12.0)
     one.add_argument("--only", choices=("all", "held", "trained"), default="all")
@@ -226,10 +254,13 @@ def main():
     two = commands.add_parser("train")
     two.add_argument("data", nargs="+")
     two.add_argument("--validate", required=True)
-    two.add_argument("--seconds", type=float, default=120)
+    two.add_argument("--steps", type=int, default=12000)
+    two.add_argument("--batch", type=int, default=48)
+    two.add_argument("--hidden", type=int, default=64)
+    two.add_argument("--rate", type=float, default=2e-3)
+    two.add_argument("--dropout", type=float, default=0.1)
+    two.add_argument("--without-network", type=float, default=0.15, help="share of cases that do without its columns")
     two.add_argument("--seed", type=int, default=1)
-    two.add_argument("--everything", action="store_true", help="train on the held-out categories too")
-    two.add_argument("--temperature", type=float, help="as a run without the held-out categories found it")
     two.add_argument("-o", "--out", required=True)
     two.set_defaults(run=run_train)
     arguments = parser.parse_args()
