@@ -68,28 +68,30 @@ static int is_button(const dmi_object* object, uint32_t part) {
     return one_way && part_size(object, part) <= BUTTON_SIZE * whole;
 }
 
-/* Whether the pull may say which joint it is: the host has not said so, and the part stands where all of its hypotheses
- * have it. */
-static int is_open_question(const dmi_object_part* part, const dm_drag_desc* desc) {
-    const dm_joint* joint = &part->joint;
-    if (desc->flags & DM_DRAG_KEEP_JOINT || joint->source == DM_JOINT_FROM_HOST) return 0;
+/* Whether all of the part's hypotheses have it where it stands. */
+static int is_at_rest(const dm_joint* joint, float value) {
     const float range = dmi_joint_has_limits(joint) ? joint->upper - joint->lower : 1.0f;
-    return fabsf(desc->start_value) <= AT_REST * range;
+    return fabsf(value) <= AT_REST * range;
 }
 
-static void start(dmi_drag_slot* slot, const dm_drag_desc* desc) {
+static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     const dmi_object* object = slot->owner->object;
     const dmi_object_part* part = &object->parts[slot->part];
     const float grab[3] = {desc->grab_point.x, desc->grab_point.y, desc->grab_point.z};
+    dm_joint joint = part->joint, joints[DM_MAX_HYPOTHESES];
     dm_drag_feel feel = desc->feel;
+    const int sure = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
+    if (!sure && dmi_joint_has_limits(&joint)) { /* an earlier drag may have pulled it farther than estimated */
+        joint.lower = fminf(joint.lower, desc->start_value), joint.upper = fmaxf(joint.upper, desc->start_value);
+    }
     if (feel.return_time == 0.0f && is_button(object, slot->part)) feel.return_time = BUTTON_RETURN_TIME;
-    dmi_drag_begin(&slot->drag, &part->joint, grab, desc->start_value, &feel);
-    if (!is_open_question(part, desc)) return;
-    dm_joint joints[DM_MAX_HYPOTHESES];
-    for (uint32_t i = 0; i < part->hypotheses.count; i++) {
+    dmi_drag_begin(&slot->drag, &joint, grab, desc->start_value, &feel);
+    if (sure) return;
+    const uint32_t count = is_at_rest(&joint, desc->start_value) ? part->hypotheses.count : 0;
+    for (uint32_t i = 0; i < count; i++) {
         joints[i] = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
     }
-    dmi_drag_doubt(&slot->drag, joints, part->hypotheses.count, part_size(object, slot->part));
+    dmi_drag_doubt(&slot->drag, joints, count, part_size(object, slot->part));
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {
@@ -109,7 +111,7 @@ dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, d
     if (!slot) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_drag_begin: no memory");
     slot->owner = owner;
     slot->part = part;
-    start(slot, &known);
+    begin(slot, &known);
     result = dmi_dependent_add(context, context->drags, &owner->drags, &slot->link);
     if (result != DM_OK) {
         dmi_free(env, slot, sizeof *slot);

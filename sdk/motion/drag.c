@@ -35,8 +35,25 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     memcpy(drag->point, grab_point, sizeof drag->point);
 }
 
+/* Takes the joint's limits for estimates. */
+static void estimate_limits(dmi_drag* drag) {
+    drag->yields = dmi_joint_has_limits(&drag->joint);
+    drag->guess_lower = drag->joint.lower, drag->guess_upper = drag->joint.upper;
+    dmi_rivals_limits(&drag->joint, &drag->most_lower, &drag->most_upper);
+}
+
 void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size) {
-    dmi_rivals_init(&drag->rivals, joints, count, size);
+    estimate_limits(drag);
+    if (count > 0) dmi_rivals_init(&drag->rivals, joints, count, size);
+}
+
+/* What the part may be asked for, given where the pointer is; limits that yield come along. */
+static float target_at(dmi_drag* drag, float reach) {
+    if (!drag->yields) return dmi_feel_target(&drag->feel, &drag->joint, reach);
+    const float target = dmi_feel_yield(&drag->feel, drag->guess_lower, drag->guess_upper, reach);
+    const float kept = fminf(fmaxf(target, drag->most_lower), drag->most_upper);
+    drag->joint.lower = fminf(drag->joint.lower, kept), drag->joint.upper = fmaxf(drag->joint.upper, kept);
+    return kept;
 }
 
 /* Copies the ray with a unit direction; 0 when it is none. */
@@ -93,13 +110,16 @@ static float calm(const dmi_drag* drag, const dm_ray* ray, float wish, float dt)
 static void follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     /* Rays that never turn come from an orthographic camera; the first one passes the point and suits either. */
     if (has_last_ray(drag) && turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
-    const float w = dmi_feel_soft_width(&drag->feel, &drag->joint);
-    const int limited = dmi_joint_has_limits(&drag->joint);
-    const float lower = limited ? drag->joint.lower - w : -INFINITY;
-    const float upper = limited ? drag->joint.upper + w : INFINITY;
+    float lower = -INFINITY, upper = INFINITY;
+    if (drag->yields) {
+        lower = drag->most_lower, upper = drag->most_upper;
+    } else if (dmi_joint_has_limits(&drag->joint)) {
+        const float w = dmi_feel_soft_width(&drag->feel, &drag->joint);
+        lower = drag->joint.lower - w, upper = drag->joint.upper + w;
+    }
     const float wish = dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->reach, lower, upper);
     drag->reach = calm(drag, ray, wish, dt);
-    drag->target = dmi_feel_target(&drag->feel, &drag->joint, drag->reach);
+    drag->target = target_at(drag, drag->reach);
     drag->last_ray = *ray;
 }
 
@@ -118,7 +138,8 @@ static void change_joint(dmi_drag* drag) {
     const dm_pose before = shown_pose(drag);
     drag->joint = best->joint;
     drag->reach = best->reach;
-    drag->target = drag->value = dmi_feel_target(&drag->feel, &drag->joint, drag->reach);
+    estimate_limits(drag);
+    drag->target = drag->value = target_at(drag, drag->reach);
     drag->velocity = 0;
     drag->speed = speed_of(&drag->joint, drag->rest_point);
     const dm_pose now = dmi_joint_pose(&drag->joint, drag->value), back = dmi_pose_inverse(&now);
@@ -132,7 +153,7 @@ static void hold(dmi_drag* drag, const dm_ray* ray, float dt) {
     dm_ray unit;
     if (ray && usable_ray(ray, &unit)) {
         follow(drag, &unit, dt);
-        if (drag->rivals.count > 1 && dmi_rivals_weigh(&drag->rivals, drag->rest_point, &unit, drag->projection)) {
+        if (dmi_rivals_weigh(&drag->rivals, drag->rest_point, &unit, drag->projection)) {
             change_joint(drag);
             before = drag->target;
         }

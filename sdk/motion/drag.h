@@ -17,16 +17,19 @@ typedef struct dmi_drag {
     dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
     dmi_projection projection; /* perspective once rays of different directions have come */
     dmi_rivals rivals;         /* none: the joint is sure */
-    dm_pose offset;            /* of the pose shown from the joint's own, when it came to a new joint … */
-    float offset_age;          /* … so long ago, s */
-    uint32_t changes;          /* of the joint */
+    int yields;                /* its limits are estimates: these, and at most those the pull may take it to */
+    float guess_lower, guess_upper, most_lower, most_upper;
+    dm_pose offset;   /* of the pose shown from the joint's own, when it came to a new joint … */
+    float offset_age; /* … so long ago, s */
+    uint32_t changes; /* of the joint */
     dmi_release release;
 } dmi_drag;
 
 /* grab_point: where the grabbed point is with the joint at start_value. */
 void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_point[3], float start_value,
                     const dm_drag_feel* feel);
-/* Other joints the part may have, the one in force among them, with the part at rest; size: of the part. */
+/* The joint was found by the library: its limits yield. joints: what the part may move by instead, the best, which is
+ * in force, first; count 0 or 1: nothing else. Only with the part at rest. size: of the part. */
 void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size);
 /* ray may be NULL once released. */
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state);

@@ -6,6 +6,7 @@
 #define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life */
 #define DEFAULT_COAST_TIME 0.1f      /* s, half-life */
 #define DEFAULT_DETENT_PULL 0.7f
+#define NOTCH_SHARE 0.025f /* of the range */
 #define TWO_PI 6.28318530717958647692f
 #define BISECTIONS 40
 
@@ -57,6 +58,18 @@ static float leave_catch(const dm_drag_feel* feel, float target) {
 
 float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float reach) {
     return dmi_joint_clamp(joint, map_ends(feel, joint, pull_to_catch(feel, reach), soften_end));
+}
+
+/* Holds for a width, and makes up for it over two more. */
+static float notch(float beyond, float width) {
+    return beyond >= 3 * width ? beyond : 1.5f * fmaxf(beyond - width, 0);
+}
+
+float dmi_feel_yield(const dm_drag_feel* feel, float lower, float upper, float reach) {
+    const float width = NOTCH_SHARE * (upper - lower), asked = pull_to_catch(feel, reach);
+    if (asked > upper) return upper + notch(asked - upper, width);
+    if (asked < lower) return lower - notch(lower - asked, width);
+    return asked;
 }
 
 float dmi_feel_reach(const dm_drag_feel* feel, const dm_joint* joint, float target) {

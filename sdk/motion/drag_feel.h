@@ -10,6 +10,8 @@
 float dmi_feel_soft_width(const dm_drag_feel* feel, const dm_joint* joint);
 /* What the pointer asks for, brought into the limits and towards the catches; rises with `reach`. */
 float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float reach);
+/* The same where the limits are estimates, which yield to a pull that goes on: a notch instead of an end. */
+float dmi_feel_yield(const dm_drag_feel* feel, float lower, float upper, float reach);
 /* A reach that has this target. */
 float dmi_feel_reach(const dm_drag_feel* feel, const dm_joint* joint, float target);
 /* The catch nearest to a value, inside the limits; the value itself where there are none. */

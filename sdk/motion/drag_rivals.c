@@ -4,28 +4,24 @@
 #include <math.h>
 #include <string.h>
 
-#define FIRST_PULL 0.01f    /* of the part's size: less tells nothing … */
-#define SURE_PULL 0.1f      /* … and so much rules hopeless rivals out */
-#define SPREAD 0.2f         /* of the pull: how far off the right path a hand goes */
-#define TREMOR 0.004f       /* of the part's size: and how far it is off at the start */
-#define FLOOR 0.01f         /* no pull makes a joint impossible */
-#define OTHER_SIDE 0.15f    /* how probable it is that a range lies on the other side of rest */
+#define HALF_TURN 3.14159265f
+#define FIRST_PULL 0.01f   /* of the part's size: less tells nothing */
+#define SPREAD 0.2f        /* of the pull: how far off the right path a hand goes */
+#define TREMOR 0.004f      /* of the part's size: and how far it is off at the start */
+#define FLOOR 0.01f        /* no pull makes a joint impossible */
+#define OTHER_SIDE (-1.9f) /* log of how probable it is that a range lies on the other side of rest */
+#define LEAST_PRIOR 1e-3f
+#define EACH_TIME 2         /* besides the best: an update takes no more than a microsecond */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
 #define MARGIN 0.7f         /* how much more probable another joint must be, log */
-#define HOPELESS 7.0f       /* log */
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
 #define SAME_DISTANCE 0.02f /* of the part's size */
 
-static int stops_at_rest(const dm_joint* joint) {
+/* The side of rest that a range which begins there lies on. */
+static float side_of(const dm_joint* joint) {
     if (!dmi_joint_has_limits(joint)) return 0;
     const float near = REST_SHARE * (joint->upper - joint->lower);
-    return fabsf(joint->lower) <= near || fabsf(joint->upper) <= near;
-}
-
-static void add(dmi_rivals* rivals, const dm_joint* joint, float probability) {
-    if (rivals->count == DMI_RIVALS) return;
-    rivals->list[rivals->count++] =
-        (dmi_rival){.joint = *joint, .prior = logf(probability), .score = logf(probability)};
+    return fabsf(joint->lower) <= near ? 1.0f : fabsf(joint->upper) <= near ? -1.0f : 0;
 }
 
 static float distance_of_lines(const dm_joint* a, const dm_joint* b) {
@@ -53,25 +49,21 @@ static int known(const dmi_rivals* rivals, const dm_joint* joint) {
 
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size) {
     *rivals = (dmi_rivals){.size = size};
-    for (uint32_t i = 0; i < count && rivals->count < DMI_RIVALS; i++) {
-        const float probability = fmaxf(joints[i].confidence, 1e-3f);
+    for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) {
+        const float prior = logf(fmaxf(joints[i].confidence, LEAST_PRIOR));
         if (joints[i].type == DM_JOINT_FIXED || known(rivals, &joints[i])) continue;
-        add(rivals, &joints[i], probability);
-        if (!stops_at_rest(&joints[i])) continue;
-        dm_joint mirrored = joints[i];
-        mirrored.lower = -joints[i].upper, mirrored.upper = -joints[i].lower;
-        add(rivals, &mirrored, OTHER_SIDE * probability);
+        rivals->list[rivals->count++] =
+            (dmi_rival){.joint = joints[i], .side = side_of(&joints[i]), .prior = prior, .score = prior};
     }
-    if (rivals->count < 2) rivals->count = 0;
 }
 
-/* Where the pull may take a rival: a stop at rest is a stop, but how far a part opens is known less well. */
-static void evidence_limits(const dm_joint* joint, float* lower, float* upper) {
-    *lower = -INFINITY, *upper = INFINITY;
+void dmi_rivals_limits(const dm_joint* joint, float* out_lower, float* out_upper) {
+    *out_lower = -INFINITY, *out_upper = INFINITY;
     if (!dmi_joint_has_limits(joint)) return;
     const float range = joint->upper - joint->lower, near = REST_SHARE * range;
-    *lower = fabsf(joint->lower) <= near ? joint->lower : joint->lower - range;
-    *upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + range;
+    const float more = dmi_joint_turns(joint->type) ? fmaxf(range, HALF_TURN - range) : range;
+    *out_lower = fabsf(joint->lower) <= near ? joint->lower : joint->lower - more;
+    *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
 }
 
 /* How far apart the ray and a point look, as a length where the grabbed point was at the start. */
@@ -88,47 +80,61 @@ static float miss(const dm_ray* ray, const float point[3], const float grab[3], 
     return along > 0 ? sqrtf(square) / along * fabsf(depth) : INFINITY;
 }
 
-static float likelihood(float share) {
-    return expf(-0.5f * share * share) + FLOOR;
+/* Log likelihood of a pull that is so far off. */
+static float explains(const dmi_rivals* rivals, float off) {
+    const float share = off / (SPREAD * rivals->pull + TREMOR * rivals->size);
+    return logf(expf(-0.5f * share * share) + FLOOR);
 }
 
-static void weigh(dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
+/* What speaks against a side. */
+static float side_cost(const dmi_rival* rival, float side) {
+    return rival->side * side < 0 ? OTHER_SIDE : 0;
+}
+
+static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
                   dmi_projection projection) {
     float lower, upper, point[3];
-    evidence_limits(&rival->joint, &lower, &upper);
+    dmi_rivals_limits(&rival->joint, &lower, &upper);
+    const float now = side_of(&rival->joint);
+    if (now != 0) upper = fmaxf(-lower, upper), lower = -upper;
     rival->reach = dmi_follow_ray(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
     const dm_pose pose = dmi_joint_pose(&rival->joint, rival->reach);
     dmi_pose_apply(&pose, grab, point);
-    const float off = miss(ray, point, grab, projection);
-    rival->score = rival->prior + logf(likelihood(off / (SPREAD * rivals->pull + TREMOR * rivals->size)));
+    rival->score = rival->stop_score =
+        rival->prior + side_cost(rival, rival->reach) + explains(rivals, miss(ray, point, grab, projection));
+    if (now * rival->reach < 0) {
+        rival->stop_score = rival->prior + side_cost(rival, now) + explains(rivals, miss(ray, grab, grab, projection));
+    }
 }
 
-/* Leaves out what the pull has ruled out; the best stays. */
-static void drop_hopeless(dmi_rivals* rivals) {
-    const float least = rivals->list[rivals->best].score - HOPELESS;
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < rivals->count; i++) {
-        if (i != rivals->best && rivals->list[i].score < least) continue;
-        if (i == rivals->best) rivals->best = kept;
-        rivals->list[kept++] = rivals->list[i];
-    }
-    rivals->count = kept;
+/* Gives a joint the side of rest that the pull goes to. */
+static int take_side(dmi_rival* rival) {
+    dm_joint* joint = &rival->joint;
+    if (!(side_of(joint) * rival->reach < 0)) return 0;
+    const float lower = joint->lower;
+    joint->lower = -joint->upper, joint->upper = -lower;
+    return 1;
 }
 
 int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], const dm_ray* ray, dmi_projection projection) {
     const float pull = miss(ray, grab_point, grab_point, projection);
     if (isfinite(pull)) rivals->pull = fmaxf(rivals->pull, pull);
-    uint32_t best = rivals->best;
-    for (uint32_t i = 0; i < rivals->count; i++) weigh(rivals, &rivals->list[i], grab_point, ray, projection);
-    if (rivals->pull < FIRST_PULL * rivals->size) return 0;
-    for (uint32_t i = 0; i < rivals->count; i++) {
-        const float margin = best == rivals->best ? MARGIN : 0;
-        if (rivals->list[i].score > rivals->list[best].score + margin) best = i;
+    if (rivals->count == 0 || rivals->pull < FIRST_PULL * rivals->size) return 0;
+    dmi_rival* best = &rivals->list[rivals->best];
+    weigh(rivals, best, grab_point, ray, projection);
+    const float needed = best->stop_score + MARGIN;
+    uint32_t winner = rivals->best;
+    for (uint32_t i = 0; i < EACH_TIME && i + 1 < rivals->count; i++) {
+        rivals->next = (rivals->next + 1) % rivals->count;
+        if (rivals->next == rivals->best) rivals->next = (rivals->next + 1) % rivals->count;
+        dmi_rival* rival = &rivals->list[rivals->next];
+        weigh(rivals, rival, grab_point, ray, projection);
+        if (rival->score > rivals->list[winner].score) winner = rivals->next;
     }
-    const int changed = best != rivals->best;
-    rivals->best = best;
-    if (rivals->pull > SURE_PULL * rivals->size) drop_hopeless(rivals);
-    return changed;
+    if (rivals->list[winner].score <= needed) return 0;
+    const int changed = winner != rivals->best;
+    rivals->best = winner;
+    return take_side(&rivals->list[winner]) || changed;
 }
 
 float dmi_rivals_confidence(const dmi_rivals* rivals) {

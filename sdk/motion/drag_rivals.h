@@ -5,18 +5,19 @@
 
 #include "motion/follow.h"
 
-#define DMI_RIVALS 6
-
 typedef struct dmi_rival {
-    dm_joint joint; /* host object frame */
-    float prior;    /* log of its probability before the pull, up to a constant */
-    float score;    /* the same after it */
-    float reach;    /* the value the pointer asks of it */
+    dm_joint joint;   /* host object frame */
+    float side;       /* of rest that its range was found on, +1 or -1; 0: both */
+    float prior;      /* log of its probability before the pull, up to a constant */
+    float score;      /* the same after it */
+    float reach;      /* the value the pointer asks of it, on whichever side */
+    float stop_score; /* were it held by the stop at rest that its joint has */
 } dmi_rival;
 
 typedef struct dmi_rivals {
-    dmi_rival list[DMI_RIVALS];
+    dmi_rival list[DM_MAX_HYPOTHESES];
     uint32_t count, best; /* best: in force */
+    uint32_t next;        /* to be weighed; they take turns */
     float size;           /* of the part */
     float pull;           /* how far the pointer went from the grabbed point, at its depth, at most */
 } dmi_rivals;
@@ -24,8 +25,11 @@ typedef struct dmi_rivals {
 /* joints[0] is in force. Adds the other side of ranges that begin at rest: which way a part opens is easily mistaken.
  */
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size);
-/* Weighs them by one more ray. 1 when another has become the best. */
+/* Weighs the best and some of the others by one more ray. 1 when another, or the other side, has become the best. */
 int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], const dm_ray* ray, dmi_projection projection);
+/* Where the pull may take a joint that the library found: a stop at rest is a stop, but how far a part opens was only
+ * estimated. Infinite without limits. */
+void dmi_rivals_limits(const dm_joint* joint, float* out_lower, float* out_upper);
 /* Probability of the best. */
 float dmi_rivals_confidence(const dmi_rivals* rivals);
 
