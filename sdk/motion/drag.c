@@ -107,7 +107,8 @@ static float calm(const dmi_drag* drag, const dm_ray* ray, float wish, float dt)
     return isfinite(step) ? drag->reach + copysignf(step, gap) : drag->reach;
 }
 
-static void follow(dmi_drag* drag, const dm_ray* ray, float dt) {
+/* Answers what the pointer asks of the joint. */
+static float follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     /* Rays that never turn come from an orthographic camera; the first one passes the point and suits either. */
     if (has_last_ray(drag) && turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
     float lower = -INFINITY, upper = INFINITY;
@@ -121,6 +122,7 @@ static void follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     drag->reach = calm(drag, ray, wish, dt);
     drag->target = target_at(drag, drag->reach);
     drag->last_ray = *ray;
+    return wish;
 }
 
 /* The pose shown: the joint's own, and what is left of the way over from the last joint. */
@@ -152,8 +154,8 @@ static void hold(dmi_drag* drag, const dm_ray* ray, float dt) {
     float before = drag->target;
     dm_ray unit;
     if (ray && usable_ray(ray, &unit)) {
-        follow(drag, &unit, dt);
-        if (dmi_rivals_weigh(&drag->rivals, drag->rest_point, &unit, drag->projection)) {
+        const float wish = follow(drag, &unit, dt);
+        if (dmi_rivals_weigh(&drag->rivals, drag->rest_point, wish, &unit, drag->projection)) {
             change_joint(drag);
             before = drag->target;
         }

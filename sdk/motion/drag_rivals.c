@@ -11,7 +11,6 @@
 #define FLOOR 0.01f        /* no pull makes a joint impossible */
 #define OTHER_SIDE (-1.9f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
-#define EACH_TIME 2         /* besides the best: an update takes no more than a microsecond */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
 #define MARGIN 0.7f         /* how much more probable another joint must be, log */
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
@@ -91,20 +90,37 @@ static float side_cost(const dmi_rival* rival, float side) {
     return rival->side * side < 0 ? OTHER_SIDE : 0;
 }
 
+static void score(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
+                  dmi_projection projection) {
+    const dm_pose pose = dmi_joint_pose(&rival->joint, rival->reach);
+    const float now = side_of(&rival->joint);
+    float point[3];
+    dmi_pose_apply(&pose, grab, point);
+    rival->score = rival->prior + side_cost(rival, rival->reach) + explains(rivals, miss(ray, point, grab, projection));
+    rival->stop_score = rival->score;
+    if (now * rival->reach >= 0) return;
+    rival->stop_score = rival->prior + side_cost(rival, now) + explains(rivals, miss(ray, grab, grab, projection));
+}
+
 static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
                   dmi_projection projection) {
-    float lower, upper, point[3];
+    float lower, upper;
     dmi_rivals_limits(&rival->joint, &lower, &upper);
-    const float now = side_of(&rival->joint);
-    if (now != 0) upper = fmaxf(-lower, upper), lower = -upper;
+    if (side_of(&rival->joint) != 0) upper = fmaxf(-lower, upper), lower = -upper;
     rival->reach = dmi_follow_ray(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
-    const dm_pose pose = dmi_joint_pose(&rival->joint, rival->reach);
-    dmi_pose_apply(&pose, grab, point);
-    rival->score = rival->stop_score =
-        rival->prior + side_cost(rival, rival->reach) + explains(rivals, miss(ray, point, grab, projection));
-    if (now * rival->reach < 0) {
-        rival->stop_score = rival->prior + side_cost(rival, now) + explains(rivals, miss(ray, grab, grab, projection));
+    score(rivals, rival, grab, ray, projection);
+}
+
+/* The best is followed already, unless a stop at rest holds it, which it may not have. */
+static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, const float grab[3], const dm_ray* ray,
+                       dmi_projection projection) {
+    const float range = best->joint.upper - best->joint.lower, side = side_of(&best->joint);
+    if (side != 0 && !(side * wish > REST_SHARE * range)) {
+        weigh(rivals, best, grab, ray, projection);
+        return;
     }
+    best->reach = wish;
+    score(rivals, best, grab, ray, projection);
 }
 
 /* Gives a joint the side of rest that the pull goes to. */
@@ -116,20 +132,21 @@ static int take_side(dmi_rival* rival) {
     return 1;
 }
 
-int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], const dm_ray* ray, dmi_projection projection) {
+int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, const dm_ray* ray,
+                     dmi_projection projection) {
     const float pull = miss(ray, grab_point, grab_point, projection);
     if (isfinite(pull)) rivals->pull = fmaxf(rivals->pull, pull);
     if (rivals->count == 0 || rivals->pull < FIRST_PULL * rivals->size) return 0;
     dmi_rival* best = &rivals->list[rivals->best];
-    weigh(rivals, best, grab_point, ray, projection);
+    weigh_best(rivals, best, wish, grab_point, ray, projection);
     const float needed = best->stop_score + MARGIN;
     uint32_t winner = rivals->best;
-    for (uint32_t i = 0; i < EACH_TIME && i + 1 < rivals->count; i++) {
+    if (rivals->count > 1) {
         rivals->next = (rivals->next + 1) % rivals->count;
         if (rivals->next == rivals->best) rivals->next = (rivals->next + 1) % rivals->count;
         dmi_rival* rival = &rivals->list[rivals->next];
         weigh(rivals, rival, grab_point, ray, projection);
-        if (rival->score > rivals->list[winner].score) winner = rivals->next;
+        if (rival->score > best->score) winner = rivals->next;
     }
     if (rivals->list[winner].score <= needed) return 0;
     const int changed = winner != rivals->best;

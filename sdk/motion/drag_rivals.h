@@ -25,8 +25,10 @@ typedef struct dmi_rivals {
 /* joints[0] is in force. Adds the other side of ranges that begin at rest: which way a part opens is easily mistaken.
  */
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size);
-/* Weighs the best and some of the others by one more ray. 1 when another, or the other side, has become the best. */
-int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], const dm_ray* ray, dmi_projection projection);
+/* Weighs the best, which asks for `wish` on its side of rest, and one of the others by one more ray; they take turns,
+ * so that an update stays within a microsecond. 1 when another, or the other side, has become the best. */
+int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, const dm_ray* ray,
+                     dmi_projection projection);
 /* Where the pull may take a joint that the library found: a stop at rest is a stop, but how far a part opens was only
  * estimated. Infinite without limits. */
 void dmi_rivals_limits(const dm_joint* joint, float* out_lower, float* out_upper);
