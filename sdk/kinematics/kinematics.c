@@ -153,6 +153,7 @@ static void choose(const work* w, dmi_hypotheses* out) {
     choice c;
     start_choice(w, &c);
     out->count = 0;
+    float least = 1; /* no alternative is stated likelier than what goes before it */
     while (out->count < DM_MAX_HYPOTHESES) {
         int only = out->count > 0 ? -1 : c.type_mass[1] > c.type_mass[0];
         uint32_t best = heaviest(w, only, &c), chosen = best;
@@ -164,8 +165,8 @@ static void choose(const work* w, dmi_hypotheses* out) {
             c.taken[j] = 1;
         }
         uint32_t index = c.top[chosen].index;
-        out->joints[out->count++] =
-            make_joint(w, &w->candidates[index], c.top[best].mass, c.type_mass[slides(w, index)]);
+        least = fminf(least, c.top[best].mass);
+        out->joints[out->count++] = make_joint(w, &w->candidates[index], least, c.type_mass[slides(w, index)]);
     }
 }
 
