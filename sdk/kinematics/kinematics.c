@@ -93,9 +93,10 @@ static uint32_t top_of_type(const work* w, int sliding, ranked out[TOP_OF_TYPE])
 }
 
 static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, float type_mass) {
+    float confidence = dmi_ranker_confidence(w->query->ranker, mass);
     dm_joint joint = {.type = c->type,
-                      .confidence = dmi_ranker_confidence(w->query->ranker, mass),
-                      .type_confidence = fminf(type_mass, 1),
+                      .confidence = confidence,
+                      .type_confidence = fminf(fmaxf(type_mass, confidence), 1),
                       .axis = {c->axis[0], c->axis[1], c->axis[2]},
                       .origin = {c->origin[0], c->origin[1], c->origin[2]},
                       .source = DM_JOINT_FROM_GEOMETRY};
@@ -147,7 +148,8 @@ static uint32_t heaviest(const work* w, int only, choice* c) {
     return best;
 }
 
-/* Hypotheses by the probability they gather. The first is of the likelier type: turns are many candidates that share
+/* Hypotheses by the probability they gather. The first is of the likelier type (the rules' scores are no
+ * probabilities, they can't say): turns are many candidates that share
  * their probability, slides few, so that a single slide outweighs each turn long before slides outweigh turns. */
 static void choose(const work* w, dmi_hypotheses* out) {
     choice c;
@@ -155,7 +157,7 @@ static void choose(const work* w, dmi_hypotheses* out) {
     out->count = 0;
     float least = 1; /* no alternative is stated likelier than what goes before it */
     while (out->count < DM_MAX_HYPOTHESES) {
-        int only = out->count > 0 ? -1 : c.type_mass[1] > c.type_mass[0];
+        int only = out->count > 0 || w->query->ranker == NULL ? -1 : c.type_mass[1] > c.type_mass[0];
         uint32_t best = heaviest(w, only, &c), chosen = best;
         if (best == c.count) break;
         /* Among those alike, the most probable one stands for them. */
