@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "kinematics/linear3.h"
 #include "nn/transformer.h"
 
 #define WIDTH 96
@@ -15,6 +16,8 @@
 #define HEAD_HIDDEN 128
 #define SCALAR_HIDDEN 96
 #define MAX_LAYERS 3
+#define SNAP_DIRECTIONS 6   /* the part's and the body's: the first of the shape numbers */
+#define SNAP_COSINE 0.9397f /* 20 degrees */
 #define BLOCK_SIZE ((size_t)64 * 1024)
 
 #define STEP_GROUPS 4 /* whose points go through the point MLP together, and stay in the first cache */
@@ -132,11 +135,32 @@ static void encode(const encoder* encoder, const dmi_kernels* kernels,
 }
 
 /* The vector plus its shares of the shape's directions. */
-static void read_axis(const float* head, const float* shape, float out[3]) {
+static void combine_axis(const float* head, const float* shape, float out[3]) {
     for (int k = 0; k < 3; ++k) {
         out[k] = head[k];
         for (int d = 0; d < DMI_KPP_DIRECTIONS; ++d) out[k] += head[3 + d] * shape[3 * d + k];
     }
+}
+
+/* Makes `axis` the direction it is nearest to, of the part's faces, the body's and the frame's, when that is within
+ * SNAP_COSINE: a network means a direction, and says it a few hundredths of a radian off. */
+static void snap_axis(const float* shape, float axis[3]) {
+    static const float frame[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const float length = dmi_length3(axis);
+    const float* nearest = NULL;
+    float best = 0;
+    for (int d = 0; d < SNAP_DIRECTIONS + 3; ++d) {
+        const float* direction = d < SNAP_DIRECTIONS ? shape + 3 * d : frame[d - SNAP_DIRECTIONS];
+        const float along = dmi_dot3(axis, direction);
+        if (fabsf(along) > fabsf(best)) best = along, nearest = direction;
+    }
+    if (fabsf(best) <= SNAP_COSINE * length) return;
+    for (int k = 0; k < 3; ++k) axis[k] = copysignf(length, best) * nearest[k];
+}
+
+static void read_axis(const float* head, const float* shape, float out[3]) {
+    combine_axis(head, shape, out);
+    snap_axis(shape, out);
 }
 
 void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input, void* scratch_memory,

@@ -123,7 +123,7 @@ def kpp_case(net, rng, points, normals, drag):
     inputs["shape"] = np.array([*directions(rng), *rng.normal(0, 0.3, 3), 0.9, 0.8, 0.1, *rng.normal(0, 0.3, 3), 1, 1, 1,
                                 *drag, 0.4, 0.9, 0.7, 0.8, *rng.normal(0, 0.3, 6), 0.4], "f4")
     batch = {name: torch.from_numpy(value)[None] for name, value in inputs.items()}
-    outputs = {name: value[0] for name, value in net(**batch).items()}
+    outputs = {name: value[0] for name, value in net.answer(*batch.values()).items()}
     pooled = {"between.global": net._modules["global"](batch["global_points"], batch["global_centres"])[0],
               "between.local": net.local(batch["local_points"], batch["local_centres"])[0]}
     for name in ("global_points", "local_points"):

@@ -28,8 +28,8 @@ def predict(network, model, arrays, device):
         for begin in range(0, len(arrays["type"]), BATCH):
             batch = data.to_tensors({name: a[begin:begin + BATCH] for name, a in arrays.items()}, device)
             if network == "kpp":
-                outputs.append(model(batch["global_points"], batch["global_centres"], batch["local_points"],
-                                     batch["local_centres"], batch["shape"]))
+                outputs.append(model.answer(batch["global_points"], batch["global_centres"], batch["local_points"],
+                                            batch["local_centres"], batch["shape"]))
                 batch = {name: value for name, value in batch.items() if "points" not in name}
             else:
                 raw, mean, log_variance = model(batch)

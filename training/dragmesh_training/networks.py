@@ -20,6 +20,8 @@ KPP_LOCAL_GROUPS = 24
 KPP_CHANNELS = 17
 KPP_DIRECTIONS = 9
 KPP_SHAPE = 56
+KPP_SNAP_DIRECTIONS = 6
+KPP_SNAP_COSINE = 0.9397  # 20 degrees
 VAE_POINTS = 512
 VAE_NEIGHBOURS = 32
 
@@ -179,6 +181,26 @@ class KppNet(nn.Module):
     def read_axis(head, directions):
         """A vector, plus a share of each of the shape's own directions: joints mostly follow one of them exactly."""
         return head[:, :3] + (head[:, 3:].unsqueeze(-1) * directions).sum(1)
+
+    @staticmethod
+    def snapped(axis, shape):
+        """What the library reads: the nearest of the part's, the body's and the frame's directions, when that is within 20 degrees."""
+        directions = torch.cat([shape[:, :3 * KPP_SNAP_DIRECTIONS].view(-1, KPP_SNAP_DIRECTIONS, 3),
+                                torch.eye(3, device=shape.device).expand(len(shape), 3, 3)], dim=1)
+        length = axis.norm(dim=-1, keepdim=True)
+        along = (directions * axis.unsqueeze(1)).sum(-1)
+        best = along.abs().argmax(dim=1, keepdim=True)
+        cosine = along.gather(1, best)
+        nearest = directions.gather(1, best.unsqueeze(-1).expand(-1, -1, 3)).squeeze(1)
+        return torch.where(cosine.abs() > KPP_SNAP_COSINE * length, nearest * length * cosine.sign(), axis)
+
+    def answer(self, *inputs):
+        """The outputs as the library gives them: axes snapped to the shape's directions."""
+        output = self(*inputs)
+        if self.config.shape:
+            for name in ("turn_axis", "slide_axis"):
+                output[name] = self.snapped(output[name], inputs[-1])
+        return output
 
     def without(self, points):
         """The channels that the config leaves (docs/networks.md: y 3, mask, drag point 3, drag vector 3, offset 3, normal 3, nearness)."""
