@@ -41,52 +41,68 @@ typedef struct xyz8 {
     __m256 x, y, z;
 } xyz8;
 
-/* Eight packed points as three registers of one coordinate each, and back (shuffles inside the 128-bit halves: the low
- * half takes points 0-3, the high half points 4-7). */
-__attribute__((target("avx2,fma"))) static inline xyz8 load_8(const float* p) {
-    const __m256 a = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(p + 12), 1);
-    const __m256 b = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 4)), _mm_loadu_ps(p + 16), 1);
-    const __m256 c = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 8)), _mm_loadu_ps(p + 20), 1);
-    const __m256 xy = _mm256_shuffle_ps(b, c, _MM_SHUFFLE(2, 1, 3, 2)); /* x2 y2 x3 y3 */
-    const __m256 yz = _mm256_shuffle_ps(a, b, _MM_SHUFFLE(1, 0, 2, 1)); /* y0 z0 y1 z1 */
-    return (xyz8){_mm256_shuffle_ps(a, xy, _MM_SHUFFLE(2, 0, 3, 0)), _mm256_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0)),
-                  _mm256_shuffle_ps(yz, c, _MM_SHUFFLE(3, 0, 3, 1))};
+#define AVX2 __attribute__((target("avx2,fma")))
+
+/* Eight packed points as three registers of one coordinate each, the points of a half in the order 0 3 2 1, and back.
+ * The low halves hold points 0-3, the high ones 4-7: first as a = x0 y0 z0 x1, b = y1 z1 x2 y2, c = z2 x3 y3 z3, where
+ * no two of a coordinate share a lane, so that blends (which every port does) collect them. */
+AVX2 static inline xyz8 load_8(const float* p) {
+    const __m256 first = _mm256_loadu_ps(p), second = _mm256_loadu_ps(p + 8), third = _mm256_loadu_ps(p + 16);
+    const __m256 a = _mm256_blend_ps(first, second, 0xf0);
+    const __m256 b = _mm256_permute2f128_ps(first, third, 0x21);
+    const __m256 c = _mm256_blend_ps(second, third, 0xf0);
+    const __m256 x = _mm256_blend_ps(_mm256_blend_ps(a, b, 0x44), c, 0x22); /* 0 3 2 1 */
+    const __m256 y = _mm256_blend_ps(_mm256_blend_ps(b, a, 0x22), c, 0x44); /* 1 0 3 2 */
+    const __m256 z = _mm256_blend_ps(_mm256_blend_ps(c, b, 0x22), a, 0x44); /* 2 1 0 3 */
+    return (xyz8){x, _mm256_permute_ps(y, _MM_SHUFFLE(0, 3, 2, 1)), _mm256_permute_ps(z, _MM_SHUFFLE(1, 0, 3, 2))};
 }
 
-__attribute__((target("avx2,fma"))) static inline void store_8(float* p, xyz8 v) {
-    const __m256 xy = _mm256_shuffle_ps(v.x, v.y, _MM_SHUFFLE(2, 0, 2, 0)); /* x0 x2 y0 y2 */
-    const __m256 yz = _mm256_shuffle_ps(v.y, v.z, _MM_SHUFFLE(3, 1, 3, 1)); /* y1 y3 z1 z3 */
-    const __m256 zx = _mm256_shuffle_ps(v.z, v.x, _MM_SHUFFLE(3, 1, 2, 0)); /* z0 z2 x1 x3 */
-    const __m256 a = _mm256_shuffle_ps(xy, zx, _MM_SHUFFLE(2, 0, 2, 0));
-    const __m256 b = _mm256_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0));
-    const __m256 c = _mm256_shuffle_ps(zx, yz, _MM_SHUFFLE(3, 1, 3, 1));
-    _mm_storeu_ps(p, _mm256_castps256_ps128(a));
-    _mm_storeu_ps(p + 4, _mm256_castps256_ps128(b));
-    _mm_storeu_ps(p + 8, _mm256_castps256_ps128(c));
-    _mm_storeu_ps(p + 12, _mm256_extractf128_ps(a, 1));
-    _mm_storeu_ps(p + 16, _mm256_extractf128_ps(b, 1));
-    _mm_storeu_ps(p + 20, _mm256_extractf128_ps(c, 1));
+AVX2 static inline void store_8(float* p, xyz8 v) {
+    const __m256 x = v.x;
+    const __m256 y = _mm256_permute_ps(v.y, _MM_SHUFFLE(2, 1, 0, 3)),
+                 z = _mm256_permute_ps(v.z, _MM_SHUFFLE(1, 0, 3, 2));
+    const __m256 a = _mm256_blend_ps(_mm256_blend_ps(x, y, 0x22), z, 0x44);
+    const __m256 b = _mm256_blend_ps(_mm256_blend_ps(y, z, 0x22), x, 0x44);
+    const __m256 c = _mm256_blend_ps(_mm256_blend_ps(z, x, 0x22), y, 0x44);
+    _mm256_storeu_ps(p, _mm256_insertf128_ps(a, _mm256_castps256_ps128(b), 1));
+    _mm256_storeu_ps(p + 8, _mm256_blend_ps(c, a, 0xf0));
+    _mm256_storeu_ps(p + 16, _mm256_permute2f128_ps(b, c, 0x31));
 }
 
-__attribute__((target("avx2,fma"))) static inline __m256 row_8(const float m[16], int row, xyz8 p) {
-    __m256 sum = _mm256_fmadd_ps(_mm256_set1_ps(m[8 + row]), p.z, _mm256_set1_ps(m[12 + row]));
-    sum = _mm256_fmadd_ps(_mm256_set1_ps(m[4 + row]), p.y, sum);
-    return _mm256_fmadd_ps(_mm256_set1_ps(m[row]), p.x, sum);
+/* The matrix in registers, where the points written can't change it for all the compiler knows. */
+typedef struct matrix_8 {
+    __m256 x[3], y[3], z[3], t[3];
+} matrix_8;
+
+AVX2 static inline matrix_8 broadcast_8(const float m[16]) {
+    matrix_8 out;
+    for (int row = 0; row < 3; row++) {
+        out.x[row] = _mm256_set1_ps(m[row]);
+        out.y[row] = _mm256_set1_ps(m[4 + row]);
+        out.z[row] = _mm256_set1_ps(m[8 + row]);
+        out.t[row] = _mm256_set1_ps(m[12 + row]);
+    }
+    return out;
 }
 
-__attribute__((target("avx2,fma"))) static void apply_packed_avx2(const float m[16], const float* src, float* dst,
-                                                                  size_t count) {
+AVX2 static inline __m256 row_8(const matrix_8* m, int row, xyz8 p) {
+    const __m256 sum = _mm256_fmadd_ps(m->y[row], p.y, _mm256_fmadd_ps(m->z[row], p.z, m->t[row]));
+    return _mm256_fmadd_ps(m->x[row], p.x, sum);
+}
+
+AVX2 static void apply_packed_avx2(const float m[16], const float* src, float* dst, size_t count) {
+    const matrix_8 matrix = broadcast_8(m);
     size_t i = 0;
     for (; i + 8 <= count; i += 8) {
         const xyz8 p = load_8(src + 3 * i);
-        store_8(dst + 3 * i, (xyz8){row_8(m, 0, p), row_8(m, 1, p), row_8(m, 2, p)});
+        store_8(dst + 3 * i, (xyz8){row_8(&matrix, 0, p), row_8(&matrix, 1, p), row_8(&matrix, 2, p)});
     }
     apply_packed(m, src + 3 * i, dst + 3 * i, count - i);
 }
 
 /* One point at a time, the matrix's columns in registers; the bytes between the points are not touched. */
-__attribute__((target("avx2,fma"))) static void
-apply_strided_avx2(const float m[16], const char* src, size_t src_stride, char* dst, size_t dst_stride, size_t count) {
+AVX2 static void apply_strided_avx2(const float m[16], const char* src, size_t src_stride, char* dst, size_t dst_stride,
+                                    size_t count) {
     const __m128 column[4] = {_mm_loadu_ps(m), _mm_loadu_ps(m + 4), _mm_loadu_ps(m + 8), _mm_loadu_ps(m + 12)};
     for (size_t i = 0; i < count; i++, src += src_stride, dst += dst_stride) {
         float p[3], z;
