@@ -6,8 +6,8 @@
 #include "keys.h"
 #include "parts.h"
 
-/* Pixels the pointer goes before the pull is taken as word of how the part moves. */
-static const float listen_pixels = 12;
+/* Pixels the pointer goes before the pull says enough to imagine the whole motion. */
+static const float imagine_pixels = 20;
 
 void app_open(app* app, world* world, int width, int height, int z_up) {
     memset(app, 0, sizeof *app);
@@ -113,13 +113,11 @@ static void play(app* app) {
 }
 
 void app_tick(app* app) {
-    if (app->world->held) {
-        const dm_ray ray = pointer_ray(app);
-        const float moved = hypotf(app->x - app->press_x, app->y - app->press_y);
-        if (!app->world->decided && moved >= listen_pixels) world_hear_pull(app->world, &ray);
-        world_pull(app->world, &ray, frame_seconds);
-    } else if (app->playing > 0 && app->selected) {
-        play(app);
-    }
+    world* world = app->world;
+    const dm_ray ray = pointer_ray(app);
+    if (!world->held && app->playing > 0 && app->selected) play(app);
+    world_step(world, &ray, frame_seconds);
+    const float moved = hypotf(app->x - app->press_x, app->y - app->press_y);
+    if (world->held && moved >= imagine_pixels && !world->parts[world->held].has_keys) world_imagine(world, &ray);
     if (!app->button) look_under_pointer(app);
 }

@@ -150,7 +150,7 @@ void overlay_ghosts(const app* app, render* render, const surface* surface) {
 static void draw_hand(const app* app, draw* draw) {
     const world* world = app->world;
     const dm_pose carrier = carrier_pose(world, world->held);
-    const vec3 grabbed = pose_point(&carrier, world->drag ? world->state.grab_point : world->grab);
+    const vec3 grabbed = pose_point(&carrier, world->parts[world->held].state.grab_point);
     const float size = fmaxf(3, (float)app->camera.height / 140);
     float p[3];
     if (!camera_project(&app->camera, grabbed, p)) return;

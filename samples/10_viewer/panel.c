@@ -28,13 +28,12 @@ static void write_value(const world_part* part, char* out, size_t room) {
 }
 
 static void write_part(const world_part* part, char* out, size_t room) {
-    char value[32];
+    char value[32], sure[32];
     write_value(part, value, sizeof value);
+    snprintf(sure, sizeof sure, "%.0f%%", (double)(100 * part->joint.type_confidence));
     if (part->joint.source == DM_JOINT_FROM_HOST)
-        snprintf(out, room, "%.28s   %s, yours   %s", part->name, type_name(part->joint.type), value);
-    else
-        snprintf(out, room, "%.28s   %s %.0f%%   %s", part->name, type_name(part->joint.type),
-                 (double)(100 * part->joint.type_confidence), value);
+        snprintf(sure, sizeof sure, part->pulled ? "as pulled" : "as you say");
+    snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->joint.type), sure, value);
 }
 
 /* Lines of text on a dark ground, the first one bright. */

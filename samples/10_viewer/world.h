@@ -21,6 +21,9 @@ typedef struct world_part {
     vec3 centre, box_min, box_max;
     dm_pose keys[DM_MOTION_FRAMES]; /* the motion the last pull asked for */
     int has_keys;
+    dm_drag drag; /* in hand, or still moving after the hand let go; 0 = neither */
+    dm_drag_state state;
+    int pulled; /* the pull decided on the joint, not the host */
 } world_part;
 
 /* Which nodes of the file move as one: names, comma-separated. */
@@ -49,13 +52,10 @@ typedef struct world {
     uint32_t revision;                     /* counts the preparations */
     double prepare_seconds;
     char message[512]; /* what the library, or the world, said last */
-    /* the part in hand */
-    dm_drag drag;
-    uint32_t held;
-    dm_vec3 grab; /* where it was grabbed, as it was then; the frame of the part's carrier */
-    dm_vec3 grab_normal;
-    dm_drag_state state;
-    int decided; /* the pull has been heard */
+    uint32_t held;     /* the part in hand; 0 = none */
+    dm_drag_hint pull; /* of the hand so far, in the frame of the part's carrier; vector 0 = none yet */
+    vec3 grab_normal;
+    int32_t intent; /* DM_INTENT_*: what parts do when they are let go */
 } world;
 
 /* 0, or -1 with a line in message. The world is closed in either case. */
@@ -71,16 +71,18 @@ int world_load(world* world, const char* path);
 /* What a ray meets; part 0 and hit 0 when nothing. */
 dm_hit world_pick(world* world, const dm_ray* ray);
 
-/* A part is taken in hand, follows a ray for dt seconds, and is let go. */
+/* A part is taken in hand; it is let go, and goes where it was meant to. */
 int world_grab(world* world, const dm_hit* hit);
-void world_pull(world* world, const dm_ray* ray, float dt);
 void world_release(world* world);
 
-/* The pull so far says how the part moves: joints are weighed again with it. */
-void world_hear_pull(world* world, const dm_ray* ray);
+/* dt seconds pass: the part in hand follows the pointer's ray, released ones move on. */
+void world_step(world* world, const dm_ray* ray, float dt);
 
-/* The joint in force and its rivals, as the pull (may be NULL) ranks them. */
-void world_read_joint(world* world, uint32_t part, const dm_drag_hint* pull);
+/* The key poses of the motion that the pull so far asks for. */
+void world_imagine(world* world, const dm_ray* ray);
+
+/* The joint in force and its rivals. */
+void world_read_joint(world* world, uint32_t part);
 
 void world_set_value(world* world, uint32_t part, float value);
 void world_set_joint(world* world, uint32_t part, const dm_joint* joint);

@@ -3,19 +3,23 @@
 
 #include "world.h"
 
-void world_read_joint(world* world, uint32_t id, const dm_drag_hint* pull) {
+void world_read_joint(world* world, uint32_t id) {
     world_part* part = &world->parts[id];
     dm_object_get_joint(world->context, world->object, id, &part->joint);
-    if (dm_object_get_hypotheses(world->context, world->object, id, pull, part->hypotheses, DM_MAX_HYPOTHESES,
+    if (dm_object_get_hypotheses(world->context, world->object, id, NULL, part->hypotheses, DM_MAX_HYPOTHESES,
                                  &part->hypothesis_count) != DM_OK)
         part->hypothesis_count = 0;
 }
 
 void world_update(world* world) {
     if (!world->object) return;
-    for (uint32_t id = 1; id <= world->part_count; id++)
-        dm_joint_pose(&world->parts[id].joint, world->parts[id].value, &world->parts[id].pose);
-    if (world->held && world->drag) world->parts[world->held].pose = world->state.pose;
+    for (uint32_t id = 1; id <= world->part_count; id++) {
+        world_part* part = &world->parts[id];
+        if (part->drag)
+            part->pose = part->state.pose;
+        else
+            dm_joint_pose(&part->joint, part->value, &part->pose);
+    }
     for (uint32_t id = 1; id <= world->part_count; id++) {
         dm_pose pose = world->parts[id].pose;
         /* Chains are short; ids of carriers may be larger, and a loop has been refused by the library. */
@@ -45,47 +49,53 @@ static dm_ray carried_ray(const world* world, const dm_ray* ray) {
     return (dm_ray){pose_point(&inverse, ray->origin), pose_direction(&inverse, ray->direction)};
 }
 
-static int begin_drag(world* world) {
-    const world_part* part = &world->parts[world->held];
-    const dm_drag_desc desc = {.struct_size = sizeof desc,
-                               .part_id = world->held,
-                               .object = world->object,
-                               .grab_point = world->grab,
-                               .start_value = part->value};
-    world->decided = 1;
-    memset(&world->state, 0, sizeof world->state);
-    world->state.pose = part->pose;
-    world->state.value = part->value;
-    return dm_drag_begin(world->context, &desc, &world->drag) == DM_OK ? 0 : -1;
+/* The hand is off, and the part stands. A joint that the pull decided on stays in force. */
+static void end_drag(world* world, uint32_t id) {
+    world_part* part = &world->parts[id];
+    dm_joint joint;
+    const int changed = part->state.changes > 0 && dm_drag_get_joint(world->context, part->drag, &joint) == DM_OK;
+    dm_drag_end(world->context, part->drag, NULL);
+    part->drag = 0;
+    part->value = part->state.value;
+    if (!changed) return;
+    world_set_joint(world, id, &joint);
+    part->joint.type_confidence = joint.type_confidence;
+    part->pulled = 1;
 }
 
 int world_grab(world* world, const dm_hit* hit) {
     if (!hit->object || hit->part_id == 0 || hit->part_id > world->part_count) return -1;
-    const dm_pose carrier = carrier_of(world, hit->part_id), inverse = pose_inverse(&carrier);
     world_part* part = &world->parts[hit->part_id];
+    if (part->drag) end_drag(world, hit->part_id);
+    const dm_pose carrier = carrier_of(world, hit->part_id), inverse = pose_inverse(&carrier);
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = hit->part_id,
+                               .object = world->object,
+                               .grab_point = pose_point(&inverse, hit->point),
+                               .start_value = part->value};
+    if (dm_drag_begin(world->context, &desc, &part->drag) != DM_OK) return -1;
     world->held = hit->part_id;
-    world->drag = 0;
-    world->grab = pose_point(&inverse, hit->point);
+    world->pull = (dm_drag_hint){.point = desc.grab_point};
     world->grab_normal = pose_direction(&inverse, hit->normal);
-    /* A part away from rest, or told by the host how it moves, follows at once; another waits for the first pull. */
-    world->decided = part->value != 0 || part->joint.source == DM_JOINT_FROM_HOST;
-    return world->decided ? begin_drag(world) : 0;
+    part->state = (dm_drag_state){.pose = part->pose, .grab_point = desc.grab_point, .value = part->value};
+    return 0;
 }
 
 /* What a pull on the screen means in space: the ray cut with the plane through the grabbed point that holds the
  * surface's normal and faces the camera best, so that pulling, pushing and sliding can all be said. */
-static dm_drag_hint pull_in_space(const world* world, const dm_ray* ray) {
+static vec3 pull_in_space(const world* world, const dm_ray* ray) {
     const vec3 direction = unit(ray->direction), normal = world->grab_normal;
     const vec3 across = along(direction, normal, -dot(direction, normal));
     const vec3 plane = length(across) > 1e-3f ? unit(across) : direction;
-    const float distance = dot(sub(world->grab, ray->origin), plane) / dot(direction, plane);
-    return (dm_drag_hint){world->grab, sub(along(ray->origin, direction, distance), world->grab)};
+    const float distance = dot(sub(world->pull.point, ray->origin), plane) / dot(direction, plane);
+    return sub(along(ray->origin, direction, distance), world->pull.point);
 }
 
-/* The key poses of the motion that the pull asks for. */
-static void imagine(world* world, const dm_drag_hint* pull) {
+void world_imagine(world* world, const dm_ray* ray) {
+    const dm_ray local = carried_ray(world, ray);
     world_part* part = &world->parts[world->held];
-    const dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = world->held, .drag = *pull};
+    world->pull.vector = pull_in_space(world, &local);
+    const dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = world->held, .drag = world->pull};
     dm_motion motion;
     part->has_keys = 0;
     if (!world->has_motion || dm_motion_generate(world->context, world->object, &desc, &motion) != DM_OK) return;
@@ -93,30 +103,40 @@ static void imagine(world* world, const dm_drag_hint* pull) {
     dm_motion_destroy(world->context, motion);
 }
 
-void world_hear_pull(world* world, const dm_ray* ray) {
-    const dm_ray local = carried_ray(world, ray);
-    const dm_drag_hint pull = pull_in_space(world, &local);
-    if (world->decided || length(pull.vector) <= 0) return;
-    if (world->model) dm_object_refine(world->context, world->object, world->held, &pull);
-    world_read_joint(world, world->held, &pull);
-    imagine(world, &pull);
-    if (begin_drag(world) != 0) world->held = 0;
+static void step_part(world* world, uint32_t id, const dm_ray* ray, float dt) {
+    world_part* part = &world->parts[id];
+    const uint32_t changes = part->state.changes;
+    if (dm_drag_update(world->context, part->drag, ray, dt, &part->state) != DM_OK) return;
+    part->value = part->state.value;
+    if (part->state.changes != changes) {
+        dm_drag_get_joint(world->context, part->drag, &part->joint);
+        part->has_keys = 0;
+    }
+    if (part->state.phase == DM_DRAG_AT_REST) end_drag(world, id);
 }
 
-void world_pull(world* world, const dm_ray* ray, float dt) {
-    if (!world->held || !world->drag) return;
-    const dm_ray local = carried_ray(world, ray);
-    if (dm_drag_update(world->context, world->drag, &local, dt, &world->state) != DM_OK) return;
-    world->parts[world->held].value = world->state.value;
-    world_update(world);
+void world_step(world* world, const dm_ray* ray, float dt) {
+    int moving = 0;
+    for (uint32_t id = 1; id <= world->part_count; id++) {
+        if (!world->parts[id].drag) continue;
+        const dm_ray local = id == world->held ? carried_ray(world, ray) : *ray;
+        step_part(world, id, id == world->held ? &local : NULL, dt);
+        moving = 1;
+    }
+    if (moving) world_update(world);
 }
 
 void world_release(world* world) {
-    if (world->held && world->drag && dm_drag_end(world->context, world->drag, &world->state) == DM_OK)
-        world->parts[world->held].value = world->state.value;
+    const dm_release_desc desc = {.struct_size = sizeof desc, .intent = world->intent};
+    const uint32_t id = world->held;
     world->held = 0;
-    world->drag = 0;
+    if (dm_drag_release(world->context, world->parts[id].drag, &desc, NULL) != DM_OK) end_drag(world, id);
     world_update(world);
+}
+
+static void let_go(world* world, uint32_t id) {
+    if (world->parts[id].drag) end_drag(world, id);
+    if (world->held == id) world->held = 0;
 }
 
 static float within(const dm_joint* joint, float value) {
@@ -124,14 +144,17 @@ static float within(const dm_joint* joint, float value) {
 }
 
 void world_set_value(world* world, uint32_t id, float value) {
+    let_go(world, id);
     world->parts[id].value = within(&world->parts[id].joint, value);
     world_update(world);
 }
 
 void world_set_joint(world* world, uint32_t id, const dm_joint* joint) {
+    let_go(world, id);
     if (dm_object_set_joint(world->context, world->object, id, joint) != DM_OK) return;
     world_part* part = &world->parts[id];
     dm_object_get_joint(world->context, world->object, id, &part->joint);
     part->has_keys = 0;
+    part->pulled = 0;
     world_set_value(world, id, part->value);
 }
