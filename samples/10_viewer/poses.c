@@ -13,11 +13,23 @@ static void mix_in(poses* poses, const void* data, size_t size) {
     for (size_t i = 0; i < size; i++) poses->hash = (poses->hash ^ ((const uint8_t*)data)[i]) * 1099511628211u;
 }
 
+/* A joint that is new, or that the pull has changed, as a line that starts with #. */
+static void write_joint(poses* poses, const world_part* part, uint32_t frame, uint32_t id) {
+    const dm_joint* j = &part->joint;
+    if (memcmp(j, &poses->joints[id], sizeof *j) == 0) return;
+    poses->joints[id] = *j;
+    fprintf(poses->file, "# %u %u type %d %.2f axis %.4f %.4f %.4f origin %.4f %.4f %.4f from %.4f to %.4f\n",
+            (unsigned)frame, (unsigned)id, (int)j->type, (double)j->type_confidence, (double)j->axis.x,
+            (double)j->axis.y, (double)j->axis.z, (double)j->origin.x, (double)j->origin.y, (double)j->origin.z,
+            (double)j->lower, (double)j->upper);
+}
+
 void poses_frame(poses* poses, const world* world, uint32_t frame) {
     for (uint32_t id = 1; id <= world->part_count; id++) {
         const world_part* part = &world->parts[id];
         const dm_pose* p = &part->carried;
         mix_in(poses, p, sizeof *p);
+        if (poses->file) write_joint(poses, part, frame, id);
         if (memcmp(p, &poses->last[id], sizeof *p) == 0) continue;
         poses->last[id] = *p;
         if (poses->file)

@@ -103,6 +103,7 @@ static void draw_floor(const render* render, const surface* surface, const camer
     const vec3 up = camera_up(camera), side = vec(1, 0, 0), ahead = cross(side, up);
     const float reach = 2.2f * reach_of(surface);
     const vec3 middle = middle_of(surface);
+    if (dot(sub(camera_eye(camera), surface->box_min), up) <= 0) return; /* it would hide the object */
     const float sunk = dot(sub(middle, surface->box_min), up) + 0.001f * reach;
     glUseProgram(render->floor);
     shader_matrix(render->floor, "view_projection", both);
