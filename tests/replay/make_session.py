@@ -2,7 +2,7 @@
 """Writes a session for the viewer: a hand that drags a part of an object (object.glb, joints.json) along its true way.
 
     make_session.py DIR OUT.session [--joint N] [--drag N] [--yaw A] [--pitch A] [--zoom F] [--size WxH] [--share S]
-                    [--frames N] [--keys FRAME:KEY,...] [--back] [--all-parts]
+                    [--frames N] [--events "FRAME WHAT,..."] [--back] [--all-parts] [--aim] [--still] [--start FRAME]
 
 The pointer goes from the drag's point on the screen to where the true joint would take that point, with a hand's ease.
 """
@@ -38,10 +38,10 @@ def box_of(glb):
 class Camera:
     """As samples/10_viewer/camera.c has it."""
 
-    def __init__(self, low, high, z_up, width, height, yaw, pitch, zoom):
+    def __init__(self, low, high, z_up, width, height, yaw, pitch, zoom, target=None):
         self.fov, self.width, self.height = 0.6, width, height
         self.yaw, self.pitch = yaw, pitch
-        self.target = mul(add(low, high), 0.5)
+        self.target = target or mul(add(low, high), 0.5)
         self.distance = zoom * 1.15 * 0.5 * math.dist(low, high) / math.sin(0.3) / min(1, width / height)
         level = math.cos(pitch)
         forward = [-math.sin(yaw) * level, -math.sin(pitch), -math.cos(yaw) * level]
@@ -101,13 +101,13 @@ def session(folder, o):
     low, high = box_of(os.path.join(folder, "object.glb"))
     width, height = (int(v) for v in o.size.split("x"))
     z_up = known.get("up", "y") == "z"
-    camera = Camera(low, high, z_up, width, height, o.yaw, o.pitch, o.zoom)
     point = joint["drags"][o.drag]["point"]
+    camera = Camera(low, high, z_up, width, height, o.yaw, o.pitch, o.zoom, point if o.aim else None)
     goal = travel(joint, max(sub(high, low))) * o.share
     lines = ["dragmesh-session 1", f"size {width} {height}", f"up {'z' if z_up else 'y'}"]
     lines += part_lines(known, joint, o.all_parts)
     events = [(0, camera.line()[2:])]
-    start = 6
+    start = o.start
     for i in range(o.frames + 1):
         t = hand(i / o.frames) if not o.back else math.sin(math.pi * hand(i / o.frames))
         x, y = camera.pixel(moved(joint, point, goal * t))
@@ -115,10 +115,12 @@ def session(folder, o):
         if i == 0:
             events.append((start, "press left"))
     events.append((start + o.frames + 10, "release left"))
-    for word in filter(None, o.keys.split(",")):
-        frame, key = word.split(":")
-        events.append((int(frame), f"key {key}"))
+    for word in filter(None, o.events.split(",")):
+        frame, what = word.strip().split(" ", 1)
+        events.append((int(frame), what))
     events.append((start + o.frames + o.after, "end"))
+    if o.still:  # the pointer stays where it is; what happens comes with --events alone
+        events = [e for e in events if e[0] in (0, start) and "press" not in e[1] or e[1] == "end" or e[1] in o.events]
     events.sort(key=lambda e: e[0])
     return lines + [f"{frame} {what}" for frame, what in events]
 
@@ -129,10 +131,12 @@ def main():
     parser.add_argument("out")
     for name, kind, value in [("joint", int, 0), ("drag", int, 0), ("yaw", float, 0.6), ("pitch", float, 0.38),
                               ("zoom", float, 1.0), ("size", str, "640x400"), ("share", float, 0.95),
-                              ("frames", int, 60), ("keys", str, ""), ("after", int, 20)]:
+                              ("frames", int, 60), ("start", int, 6), ("events", str, ""), ("after", int, 20)]:
         parser.add_argument("--" + name, type=kind, default=value)
-    parser.add_argument("--back", action="store_true")
-    parser.add_argument("--all-parts", action="store_true")
+    parser.add_argument("--back", action="store_true", help="there and back again")
+    parser.add_argument("--all-parts", action="store_true", help="all joints' parts may move, not this one alone")
+    parser.add_argument("--still", action="store_true", help="point, but don't drag")
+    parser.add_argument("--aim", action="store_true", help="look at the drag's point, not at the object's middle")
     o = parser.parse_args()
     with open(o.out, "w") as file:
         file.write("\n".join(session(o.folder, o)) + "\n")
