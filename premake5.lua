@@ -111,7 +111,7 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
         local name = source:match("([%w_]+)%.c$")
         local libraries = { "cmocka", "dragmesh_gltf", "dragmesh_generator", "dragmesh_core", "cjson", embree, "dl", "m" }
         if room == "abi" or room == "e2e" then
-            libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "dl", "m" }
+            libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
         end
         program(name, { source }, libraries, "/tests")
             if room ~= "abi" then defines { "DM_TEST_ROOM=\"" .. room .. "\"" } end

@@ -55,7 +55,7 @@ static void play(app* app) {
 
 /* What a part does when it is let go. */
 static void next_intent(app* app) {
-    static const char* const words[] = {"as the pull meant it", "stays", "opens", "closes"};
+    static const char* const words[] = {"as the pull meant it", "stays", "goes on to the end", "falls back to rest"};
     app->world->intent = (app->world->intent + 1) % 4;
     snprintf(app->world->message, sizeof app->world->message, "a part let go: %s", words[app->world->intent]);
 }
@@ -193,7 +193,7 @@ const key_binding key_bindings[] = {
     {"U", "U", "y or z is up", turn_up},
     {"Space", "Space", "play the part's travel", play},
     {"R", "R", "everything to rest", to_rest},
-    {"V", "V", "parts let go: as meant, stay, open, close", next_intent},
+    {"V", "V", "a part let go: as meant, stays, goes on, goes back", next_intent},
     {"M", "M", "piece under pointer: part or body", toggle_node},
     {"P", "P", "paint the part (shift erases); again to finish", paint},
     {"C", "C", "painting: take all that hangs together", fill},
