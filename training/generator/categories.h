@@ -128,7 +128,22 @@
     X(kitchen_counter)                                                                                                 \
     X(step_ladder)                                                                                                     \
     X(swing)                                                                                                           \
-    X(vise)
+    X(vise)                                                                                                            \
+    /* machines.c */                                                                                                   \
+    X(roll_top)                                                                                                        \
+    X(pivot_panel)                                                                                                     \
+    X(telescope)                                                                                                       \
+    X(gyroscope)                                                                                                       \
+    X(turnstile)                                                                                                       \
+    X(vending_machine)                                                                                                 \
+    X(figure)                                                                                                          \
+    X(gear_train)                                                                                                      \
+    X(fairground_wheel)                                                                                                \
+    X(mixer)                                                                                                           \
+    X(power_tool)                                                                                                      \
+    X(press)                                                                                                           \
+    X(balance)                                                                                                         \
+    X(slats)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
