@@ -264,6 +264,7 @@ void dmg_build_yoke(dmg_builder* b) {
     int kind = dmg_int(b, 0, 2), count = dmg_chance(b, 0.25f) ? 2 : 1;
     for (int i = 0; i < count; ++i) {
         dmg_save(b);
+        dmg_use(b, 0);
         dmg_move(b, 3 * size * (float)i, high, 0);
         uint32_t column = 0;
         if (kind == 2) { /* a column that leans from the floor */

@@ -10,6 +10,7 @@ void dmg_build_roll_top(dmg_builder* b) {
           wall = radius * dmg_range(b, 0.01f, 0.08f), arc = dmg_range(b, 0.8f, 1.7f),
           slack = wall * dmg_range(b, 0.2f, 1.5f);
     int shape = dmg_int(b, 0, 2); /* a bin, a box with a curved front, a helmet */
+    if (shape == 2) width = fminf(width, 1.9f * radius);
     float outer = radius + wall, inner = radius - slack - wall, half = 0.5f * width;
     dmg_move(b, 0, shape == 2 ? 1.2f * radius : 0.02f * radius, 0);
     for (int s = -1; s <= 1 && shape < 2; s += 2) { /* cheeks */
@@ -281,8 +282,8 @@ static void draw_limb(dmg_builder* b, uint32_t carrier, dmg_vec at, dmg_vec way,
         bool side = i == 0 && dmg_chance(b, 0.4f);
         float lower = dmg_range(b, 0.1f, 1.2f), upper = dmg_range(b, 0.5f, 1.6f);
         dmg_vec to = v3_mad(at, way, length);
-        carrier =
-            dmg_hinge(b, carrier, i == 0 ? "limb" : "forelimb", at, side ? v3(0, 0, 1) : v3(1, 0, 0), -lower, upper);
+        dmg_vec axis = side ? v3(0, 0, at.x > 0 ? 1.0f : -1.0f) : v3(1, 0, 0); /* to the side: away from the trunk */
+        carrier = dmg_hinge(b, carrier, i == 0 ? "limb" : "forelimb", at, axis, side ? -0.1f * lower : -lower, upper);
         if (style == 0) dmg_rod(b, at, to, thick);
         if (style == 1) dmg_beam(b, at, to, 1.8f * thick, 2.0f * thick);
         if (style == 2) dmg_cone(b, at, to, 1.1f * thick, 0.7f * thick);

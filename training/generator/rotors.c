@@ -338,7 +338,7 @@ void dmg_build_radar(dmg_builder* b) {
     bool limited = dmg_chance(b, 0.3f);
     uint32_t yaw = limited ? dmg_hinge(b, 0, "mount", v3(0, mast, 0), v3(0, 1, 0), -2.0f, 2.0f)
                            : dmg_spin(b, 0, "mount", v3(0, mast, 0), v3(0, 1, 0));
-    float y = mast + 0.35f * size;
+    float y = mast + (base == 1 ? 0.65f : 0.35f) * size;
     dmg_rod(b, v3(0, mast, 0), v3(0, y, 0), 0.06f * size);
     if (dmg_chance(b, 0.5f)) dmg_box(b, v3(0, mast + 0.1f * size, 0), v3(0.3f * size, 0.2f * size, 0.3f * size));
     if (head != 1 && dmg_chance(b, 0.6f))
