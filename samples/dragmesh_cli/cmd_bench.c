@@ -11,11 +11,12 @@
 #include "session.h"
 
 enum {
-    GRID = 34, /* 97104 triangles */
+    GRID = 34,             /* 97104 triangles */
     COLD_BYTES = 64 << 20, /* read before a cold call: more than the caches hold */
     COLD_ROUNDS = 9,
     MOST_ROUNDS = 20000,
-    POINTS = 100000
+    POINTS = 100000,
+    CROWD = 10000
 };
 static const double row_ms = 250; /* spent on each row's warm rounds */
 
@@ -35,6 +36,11 @@ static void count_release(void* user, void* memory, size_t size) {
     free(memory);
 }
 
+typedef struct blob {
+    void* data;
+    size_t size;
+} blob;
+
 typedef struct bench {
     session session;
     counter counter;
@@ -46,8 +52,8 @@ typedef struct bench {
     uint32_t instance;
     dm_camera camera;
     dm_pose pose;
-    void* saved;
-    size_t saved_size;
+    blob saved, saved_bare; /* with and without triangles */
+    dm_motion crowd[CROWD];
     float* points;
     double clock_ns;
     unsigned round; /* so that no two calls in a row are the same */
@@ -59,9 +65,10 @@ static float wave(const bench* b) {
 
 /* ---- the calls: each is one round of its row, 0 on failure ---- */
 
-static dm_result prepare_with(bench* b, dm_object* out_object) {
+static dm_result prepare_with(bench* b, uint32_t flags, dm_object* out_object) {
     const dm_part_desc part = {.struct_size = sizeof part, .id = 1, .drag = &box_object_drag};
     const dm_object_desc desc = {.struct_size = sizeof desc,
+                                 .flags = flags,
                                  .mesh = &b->mesh,
                                  .parts = &part,
                                  .part_count = 1,
@@ -70,10 +77,18 @@ static dm_result prepare_with(bench* b, dm_object* out_object) {
     return dm_object_prepare(b->session.context, &desc, out_object);
 }
 
-static dm_result call_object_prepare(bench* b) {
+static dm_result prepare_and_drop(bench* b, uint32_t flags) {
     dm_object object;
-    const dm_result result = prepare_with(b, &object);
+    const dm_result result = prepare_with(b, flags, &object);
     return result == DM_OK ? dm_object_destroy(b->session.context, object) : result;
+}
+
+static dm_result call_object_prepare(bench* b) {
+    return prepare_and_drop(b, 0);
+}
+
+static dm_result call_object_prepare_bare(bench* b) {
+    return prepare_and_drop(b, DM_PREPARE_WITHOUT_PICKING);
 }
 
 static dm_result call_object_refine(bench* b) {
@@ -88,13 +103,21 @@ static dm_result call_object_get_hypotheses(bench* b) {
 }
 
 static dm_result call_object_save(bench* b) {
-    return dm_object_save(b->session.context, b->session.object, b->saved, b->saved_size, &b->saved_size);
+    return dm_object_save(b->session.context, b->session.object, b->saved.data, b->saved.size, &b->saved.size);
+}
+
+static dm_result load_and_drop(bench* b, const blob* saved) {
+    dm_object object;
+    const dm_result result = dm_object_load(b->session.context, saved->data, saved->size, b->session.model, &object);
+    return result == DM_OK ? dm_object_destroy(b->session.context, object) : result;
 }
 
 static dm_result call_object_load(bench* b) {
-    dm_object object;
-    const dm_result result = dm_object_load(b->session.context, b->saved, b->saved_size, b->session.model, &object);
-    return result == DM_OK ? dm_object_destroy(b->session.context, object) : result;
+    return load_and_drop(b, &b->saved);
+}
+
+static dm_result call_object_load_bare(bench* b) {
+    return load_and_drop(b, &b->saved_bare);
 }
 
 static dm_result call_motion_generate(bench* b) {
@@ -106,6 +129,14 @@ static dm_result call_motion_generate(bench* b) {
 
 static dm_result call_motion_sample(bench* b) {
     return dm_motion_sample(b->session.context, b->motion, wave(b), &b->pose, NULL);
+}
+
+/* All the motions of a crowd, as a game's frame does. */
+static dm_result call_motion_sample_crowd(bench* b) {
+    dm_result result = DM_OK;
+    for (int i = 0; i < CROWD && result == DM_OK; i++)
+        result = dm_motion_sample(b->session.context, b->crowd[i], wave(b), &b->pose, NULL);
+    return result;
 }
 
 static dm_result call_drag_update(bench* b) {
@@ -151,12 +182,15 @@ typedef struct row {
 } row;
 
 static const row rows[] = {{"object_prepare", call_object_prepare, 0, NULL},
+                           {"object_prepare_bare", call_object_prepare_bare, 0, NULL},
                            {"object_refine", call_object_refine, 1, NULL},
                            {"object_get_hypotheses", call_object_get_hypotheses, 0, NULL},
                            {"object_save", call_object_save, 0, NULL},
                            {"object_load", call_object_load, 0, NULL},
+                           {"object_load_bare", call_object_load_bare, 0, NULL},
                            {"motion_generate", call_motion_generate, 2, NULL},
                            {"motion_sample", call_motion_sample, 2, NULL},
+                           {"motion_sample_10000", call_motion_sample_crowd, 2, NULL},
                            {"drag_update", call_drag_update, 0, NULL},
                            {"joint_pose", call_joint_pose, 0, NULL},
                            {"pose_apply_points", call_pose_apply_points, 0, NULL},
@@ -242,10 +276,29 @@ static const char* best_isa(void) {
 
 /* ---- setting up ---- */
 
+static dm_result save(bench* b, dm_object object, blob* out) {
+    dm_result result = dm_object_save(b->session.context, object, NULL, 0, &out->size);
+    if (result != DM_OK) return result;
+    out->data = cli_alloc(out->size);
+    return dm_object_save(b->session.context, object, out->data, out->size, &out->size);
+}
+
+static dm_result set_up_objects(bench* b) {
+    dm_object bare;
+    dm_result result = prepare_with(b, DM_PREPARE_WITHOUT_PICKING, &bare);
+    if (result == DM_OK) result = save(b, bare, &b->saved_bare);
+    if (result == DM_OK) result = dm_object_destroy(b->session.context, bare);
+    if (result == DM_OK) result = prepare_with(b, 0, &b->session.object);
+    return result == DM_OK ? save(b, b->session.object, &b->saved) : result;
+}
+
 static dm_result set_up_motion(bench* b) {
     const dm_motion_desc motion = {.struct_size = sizeof motion, .part_id = 1, .drag = box_object_drag};
     if (!b->session.has_motion) return DM_OK;
-    return dm_motion_generate(b->session.context, b->session.object, &motion, &b->motion);
+    dm_result result = dm_motion_generate(b->session.context, b->session.object, &motion, &b->motion);
+    for (int i = 0; i < CROWD && result == DM_OK; i++)
+        result = dm_motion_generate(b->session.context, b->session.object, &motion, &b->crowd[i]);
+    return result;
 }
 
 static dm_result set_up(bench* b) {
@@ -262,10 +315,8 @@ static dm_result set_up(bench* b) {
                             .up = {0, 1, 0},
                             .width = 1920,
                             .height_px = 1080};
-    dm_result result = prepare_with(b, &b->session.object);
+    dm_result result = set_up_objects(b);
     if (result != DM_OK) return result;
-    dm_object_save(context, b->session.object, NULL, 0, &b->saved_size);
-    b->saved = cli_alloc(b->saved_size);
     const dm_drag_desc drag = {
         .struct_size = sizeof drag, .part_id = 1, .object = b->session.object, .grab_point = box_object_drag.point};
     const dm_scene_desc scene = {.struct_size = sizeof scene};
@@ -278,7 +329,8 @@ static dm_result set_up(bench* b) {
 
 static void tear_down(bench* b) {
     free(b->points);
-    free(b->saved);
+    free(b->saved.data);
+    free(b->saved_bare.data);
     box_object_free(&b->shape);
     session_close(&b->session);
 }
@@ -289,6 +341,8 @@ static dm_result run_rows(bench* b, int as_json) {
     cJSON_AddStringToObject(out, "isa", best_isa());
     cJSON_AddNumberToObject(out, "triangles", b->shape.face_count);
     cJSON_AddNumberToObject(out, "points", POINTS);
+    cJSON_AddNumberToObject(out, "dmo_bytes", (double)b->saved.size);
+    cJSON_AddNumberToObject(out, "dmo_bare_bytes", (double)b->saved_bare.size);
     cJSON* list = cJSON_AddArrayToObject(out, "rows");
     dm_result result = DM_OK;
     if (!as_json) printf("%-24s %12s %12s %12s %7s\n", best_isa(), "median ns", "p99 ns", "cold ns", "allocs");

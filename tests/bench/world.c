@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 static void* DM_CALL count_allocate(void* user, size_t size, size_t alignment) {
-    ++*(uint64_t*)user;
+    ++*(_Atomic uint64_t*)user;
     if (alignment < sizeof(void*)) alignment = sizeof(void*);
     return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
@@ -36,9 +36,9 @@ static void* read_weights(const char* folder, const char* name, size_t* out_size
 }
 
 void bench_world_open(bench_world* world, const char* models, const dm_jobs* jobs) {
-    *world = (bench_world){0};
+    *world = (bench_world){.context = NULL};
     dm_context_desc context = {.struct_size = sizeof context};
-    context.allocator = (dm_allocator){&world->allocations, count_allocate, count_release};
+    context.allocator = (dm_allocator){(void*)&world->allocations, count_allocate, count_release};
     context.log = (dm_log){NULL, print_message};
     if (jobs != NULL) context.jobs = *jobs;
     bench_check(dm_context_create(&context, &world->context), "dm_context_create");

@@ -10,7 +10,7 @@ typedef struct bench_world {
     dm_model model;
     bench_mesh mesh;
     dm_object object;
-    uint64_t allocations; /* of the context so far */
+    _Atomic uint64_t allocations; /* of the context so far */
 } bench_world;
 
 /* Checks a call's answer. */
