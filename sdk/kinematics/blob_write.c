@@ -4,16 +4,30 @@
 #include "kinematics/blob.h"
 #include "kinematics/blob_format.h"
 
-uint32_t dmi_blob_crc(const uint8_t* bytes, size_t size) {
-    static const uint32_t nibble[16] = {0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac, 0x76dc4190, 0x6b6b51f4,
-                                        0x4db26158, 0x5005713c, 0xedb88320, 0xf00f9344, 0xd6d6a3e8, 0xcb61b38c,
-                                        0x9b64c2b0, 0x86d3d2d4, 0xa00ae278, 0xbdbdf21c};
-    uint32_t crc = 0xffffffff;
-    for (size_t i = 0; i < size; i++) {
-        crc ^= bytes[i];
-        crc = nibble[crc & 15] ^ crc >> 4;
-        crc = nibble[crc & 15] ^ crc >> 4;
+#define SLICES 8 /* bytes at a time */
+
+/* table[k][b]: what byte b does to the sum when k more bytes follow it. Made anew each time: a microsecond or two. */
+static void make_crc_table(uint32_t table[SLICES][256]) {
+    for (uint32_t b = 0; b < 256; b++) {
+        uint32_t crc = b;
+        for (int bit = 0; bit < 8; bit++) crc = crc >> 1 ^ (0xedb88320 & -(crc & 1));
+        table[0][b] = crc;
     }
+    for (int k = 1; k < SLICES; k++)
+        for (uint32_t b = 0; b < 256; b++) table[k][b] = table[0][table[k - 1][b] & 255] ^ table[k - 1][b] >> 8;
+}
+
+/* CRC-32 as zlib and PNG have it, sliced (Kounavis and Berry 2005). */
+uint32_t dmi_blob_crc(const uint8_t* bytes, size_t size) {
+    uint32_t table[SLICES][256], crc = 0xffffffff;
+    make_crc_table(table);
+    for (; size >= SLICES; size -= SLICES, bytes += SLICES) {
+        uint32_t next = 0;
+        for (uint32_t k = 0; k < SLICES; k++)
+            next ^= table[SLICES - 1 - k][bytes[k] ^ (k < 4 ? crc >> 8 * k & 255 : 0)];
+        crc = next;
+    }
+    for (size_t i = 0; i < size; i++) crc = table[0][(crc ^ bytes[i]) & 255] ^ crc >> 8;
     return ~crc;
 }
 
