@@ -41,16 +41,16 @@ static void DM_CALL print(void* user, int32_t level, dm_result code, const char*
 }
 
 int main(int argc, char** argv) {
-    static char kpp[4 << 20], vae[4 << 20];
+    static char kpp[4 << 20], vae[4 << 20], ranker[1 << 20];
     const char* folder = argc > 1 ? argv[1] : "sdk/models";
     dm_context* context;
     dm_model model;
     dm_context_desc host = {.struct_size = sizeof host, .log = {stderr, print}};
-    dm_model_desc weights = {.struct_size = sizeof weights, .kinematics = kpp, .motion = vae};
+    dm_model_desc weights = {.struct_size = sizeof weights, .kinematics = kpp, .motion = vae, .ranker = ranker};
     weights.kinematics_size = read_file(folder, "kpp_net.safetensors", kpp, sizeof kpp);
     weights.motion_size = read_file(folder, "dq_vae.safetensors", vae, sizeof vae);
+    weights.ranker_size = read_file(folder, "ranker.safetensors", ranker, sizeof ranker);
     if (dm_context_create(&host, &context) != DM_OK || dm_model_load(context, &weights, &model) != DM_OK) return 1;
-
     make_cabinet();
     dm_mesh_desc mesh = {.struct_size = sizeof mesh, .positions = positions, .vertex_count = BOXES * 8};
     mesh.indices = indices, mesh.index_count = BOXES * 36, mesh.index_format = DM_UINT16;

@@ -43,7 +43,7 @@ static void DM_CALL print(void* user, int32_t level, dm_result code, const char*
 }
 
 int main(int argc, char** argv) {
-    static char kpp[4 << 20], vae[4 << 20];
+    static char kpp[4 << 20], vae[4 << 20], ranker[1 << 20];
     const char* file = argc > 1 ? argv[1] : "libdragmesh.so";
     const char* folder = argc > 2 ? argv[2] : "sdk/models";
     dm_library library;
@@ -54,9 +54,10 @@ int main(int argc, char** argv) {
     dm_context* context;
     dm_model model;
     dm_context_desc host = {.struct_size = sizeof host, .log = {stderr, print}};
-    dm_model_desc weights = {.struct_size = sizeof weights, .kinematics = kpp, .motion = vae};
+    dm_model_desc weights = {.struct_size = sizeof weights, .kinematics = kpp, .motion = vae, .ranker = ranker};
     weights.kinematics_size = read_file(folder, "kpp_net.safetensors", kpp, sizeof kpp);
     weights.motion_size = read_file(folder, "dq_vae.safetensors", vae, sizeof vae);
+    weights.ranker_size = read_file(folder, "ranker.safetensors", ranker, sizeof ranker);
     if (dm->context_create(&host, &context) != DM_OK || dm->model_load(context, &weights, &model) != DM_OK) return 1;
 
     make_cabinet();

@@ -64,12 +64,15 @@ static inline dm_model test_load_model(dm_context* context) {
     dm_model_desc desc = {.struct_size = sizeof desc};
     void* kinematics = test_read_file("sdk/models/kpp_net.safetensors", &desc.kinematics_size);
     void* motion = test_read_file("sdk/models/dq_vae.safetensors", &desc.motion_size);
+    void* ranker = test_read_file("sdk/models/ranker.safetensors", &desc.ranker_size);
     desc.kinematics = kinematics;
     desc.motion = motion;
+    desc.ranker = ranker;
     dm_model model = 0;
     assert_int_equal(dm_model_load(context, &desc, &model), DM_OK);
     free(kinematics);
     free(motion);
+    free(ranker);
     return model;
 }
 

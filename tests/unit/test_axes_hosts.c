@@ -210,7 +210,7 @@ static void test_every_host_sees_the_same(void** state) {
     for (int i = 1; i < HOSTS; i++) {
         assert_int_equal(records[i].count, records[0].count);
         /* Shared among candidates that are told apart by thresholds: rounding may put one on the other side. */
-        assert_float_equal(records[i].confidence, records[0].confidence, 0.1f);
+        assert_float_equal(records[i].confidence, records[0].confidence, 0.25f);
         for (int k = 0; k < records[0].count; k++) {
             const float a = records[0].numbers[k], b = records[i].numbers[k];
             if (fabsf(a - b) > 1e-3f) fail_msg("%s: number %d is %g, in glTF's axes %g", hosts[i].name, k, b, a);

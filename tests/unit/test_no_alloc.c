@@ -149,8 +149,10 @@ static void test_any_allocation_of_a_context_may_fail(void** state) {
     dm_model_desc weights = {.struct_size = sizeof weights};
     void* kinematics = test_read_file("sdk/models/kpp_net.safetensors", &weights.kinematics_size);
     void* motion = test_read_file("sdk/models/dq_vae.safetensors", &weights.motion_size);
+    void* ranker = test_read_file("sdk/models/ranker.safetensors", &weights.ranker_size);
     weights.kinematics = kinematics;
     weights.motion = motion;
+    weights.ranker = ranker;
     static test_world w;
     int failures = 0;
     for (dm_result result = DM_ERROR_OUT_OF_MEMORY; result != DM_OK; failures++) {
@@ -165,6 +167,7 @@ static void test_any_allocation_of_a_context_may_fail(void** state) {
     assert_true(failures > 20);
     free(kinematics);
     free(motion);
+    free(ranker);
 }
 
 int main(void) {
