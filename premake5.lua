@@ -101,7 +101,7 @@ end
 -- The viewer is built where its libraries are (scripts/install viewer).
 if os.isfile("/usr/include/SDL2/SDL.h") and os.isfile("/usr/include/epoxy/gl.h") then
     program("dragmesh_viewer", { "samples/10_viewer/*.c" },
-        { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "m" })
+        { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" })
 end
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------

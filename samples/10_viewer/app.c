@@ -12,7 +12,7 @@ static const float imagine_pixels = 20;
 void app_open(app* app, world* world, int width, int height, int z_up) {
     memset(app, 0, sizeof *app);
     app->world = world;
-    app->show = SHOW_AXIS | SHOW_PANEL;
+    app->show = SHOW_AXIS | SHOW_PANEL | SHOW_LABEL;
     app->brush = 0.03f;
     app->camera.width = width;
     app->camera.height = height;

@@ -8,7 +8,15 @@
 
 static const float frame_seconds = 1.0f / 60;
 
-enum { SHOW_AXIS = 1, SHOW_RIVALS = 2, SHOW_GHOSTS = 4, SHOW_PANEL = 8, SHOW_HELP = 16 };
+enum {
+    SHOW_AXIS = 1,
+    SHOW_RIVALS = 2,
+    SHOW_GHOSTS = 4,
+    SHOW_PANEL = 8,
+    SHOW_HELP = 16,
+    SHOW_CLAY = 32,
+    SHOW_LABEL = 64
+};
 
 typedef struct app {
     world* world;

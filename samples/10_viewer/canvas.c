@@ -60,21 +60,27 @@ void canvas_to_window(const canvas* canvas) {
     resolve(canvas, 0);
 }
 
-int canvas_to_png(const canvas* canvas, const char* path) {
-    const int stride = canvas->width * 3;
-    uint8_t* pixels = take((size_t)stride * (size_t)canvas->height, 1);
+uint8_t* canvas_pixels(const canvas* canvas) {
+    const size_t stride = (size_t)canvas->width * 3, rows = (size_t)canvas->height;
+    uint8_t *pixels = take(rows, stride), *turned = take(rows, stride);
     resolve(canvas, canvas->resolved_frame);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas->resolved_frame);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, canvas->width, canvas->height, GL_RGB, GL_UNSIGNED_BYTE, pixels);
+    for (size_t y = 0; y < rows; y++) memcpy(turned + y * stride, pixels + (rows - 1 - y) * stride, stride);
+    free(pixels);
+    return turned;
+}
+
+int canvas_to_png(const canvas* canvas, const char* path) {
+    uint8_t* pixels = canvas_pixels(canvas);
     png_image image;
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
     image.width = (png_uint_32)canvas->width;
     image.height = (png_uint_32)canvas->height;
     image.format = PNG_FORMAT_RGB;
-    /* OpenGL's first row is the lowest: a negative stride turns the picture the right way up. */
-    const int wrote = png_image_write_to_file(&image, path, 0, pixels, -stride, NULL);
+    const int wrote = png_image_write_to_file(&image, path, 0, pixels, 0, NULL);
     free(pixels);
     if (wrote) return 0;
     fprintf(stderr, "viewer: can't write '%s': %s\n", path, image.message);

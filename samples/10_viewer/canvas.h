@@ -2,6 +2,8 @@
 #ifndef VIEWER_CANVAS_H
 #define VIEWER_CANVAS_H
 
+#include <stdint.h>
+
 #include <epoxy/gl.h>
 
 typedef struct canvas {
@@ -14,6 +16,8 @@ int canvas_open(canvas* canvas, int width, int height); /* 0, or -1 with a line 
 void canvas_close(canvas* canvas);
 void canvas_begin(const canvas* canvas);
 void canvas_to_window(const canvas* canvas);
+/* RGB rows from top to bottom, to be freed. */
+uint8_t* canvas_pixels(const canvas* canvas);
 int canvas_to_png(const canvas* canvas, const char* path); /* 0, or -1 with a line on stderr */
 
 #endif

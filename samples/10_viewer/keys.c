@@ -32,6 +32,14 @@ static void show_panel(app* app) {
     app->show ^= SHOW_PANEL;
 }
 
+static void show_clay(app* app) {
+    app->show ^= SHOW_CLAY;
+}
+
+static void show_label(app* app) {
+    app->show ^= SHOW_LABEL;
+}
+
 static void show_help(app* app) {
     app->show ^= SHOW_HELP;
 }
@@ -189,6 +197,8 @@ const key_binding key_bindings[] = {
     {"H", "H", "rival hypotheses", show_rivals},
     {"G", "G", "16 key poses", show_ghosts},
     {"F2", "F2", "panel", show_panel},
+    {"L", "L", "label at the part", show_label},
+    {"K", "K", "clay in place of the file's colours", show_clay},
     {"F", "F", "look at everything", keys_frame},
     {"U", "U", "y or z is up", turn_up},
     {"Space", "Space", "play the part's travel", play},

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "apng.h"
 #include "app.h"
 #include "canvas.h"
 #include "draw.h"
@@ -23,11 +24,12 @@ static const char* const usage =
     "  --replay FILE           do what was written down, off screen\n"
     "    --frames N            pictures to take, evenly spaced, the last at the end (1)\n"
     "    --png DIR             where they go, as frame_000.png ... ; without it nothing is drawn\n"
+    "    --apng FILE           ... or as one looping animation, 15 pictures a second\n"
     "    --poses FILE          every pose, in hexadecimal floats; their hash is printed in any case\n";
 
 typedef struct options {
     world_options world;
-    const char *save, *record, *replay, *png, *poses;
+    const char *save, *record, *replay, *png, *apng, *poses;
     int width, height, frames, z_up;
 } options;
 
@@ -36,7 +38,7 @@ typedef struct graphics {
     render render;
     surface surface;
     draw draw;
-    uint32_t revision; /* of the world, that the surface shows */
+    apng animation;
 } graphics;
 
 /* ---- options ---- */
@@ -45,9 +47,10 @@ static int read_option(options* options, const char* name, const char* value) {
     const struct {
         const char* name;
         const char** value;
-    } texts[] = {{"--dmo", &options->world.dmo}, {"--models", &options->world.models}, {"--save", &options->save},
-                 {"--record", &options->record}, {"--replay", &options->replay},       {"--png", &options->png},
-                 {"--poses", &options->poses}};
+    } texts[] = {{"--dmo", &options->world.dmo}, {"--models", &options->world.models},
+                 {"--save", &options->save},     {"--record", &options->record},
+                 {"--replay", &options->replay}, {"--png", &options->png},
+                 {"--poses", &options->poses},   {"--apng", &options->apng}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         if (strcmp(texts[i].name, name) != 0) continue;
         *texts[i].value = value;
@@ -174,14 +177,20 @@ static uint32_t picture_frame(const session* session, int i, int count) {
     return (uint32_t)((uint64_t)session->end * (uint64_t)(i + 1) / (uint64_t)count);
 }
 
-static int take_picture(graphics* graphics, app* app, const char* folder, int number) {
+static int take_picture(graphics* graphics, const char* folder, int number) {
     char name[32];
     snprintf(name, sizeof name, "frame_%03d.png", number);
     char* path = path_join(folder, name);
-    draw_frame(graphics, app);
     const int status = canvas_to_png(&graphics->canvas, path);
     free(path);
     return status;
+}
+
+/* The last picture stands for a while before the animation begins anew. */
+static void take_animated(const options* options, graphics* graphics, int number) {
+    uint8_t* pixels = canvas_pixels(&graphics->canvas);
+    apng_frame(&graphics->animation, pixels, number + 1 == options->frames ? 1200 : 66);
+    free(pixels);
 }
 
 static int play_events(const options* options, const session* session, app* app, graphics* graphics, poses* poses) {
@@ -192,8 +201,12 @@ static int play_events(const options* options, const session* session, app* app,
             app_event(app, &session->events[next]);
         app_tick(app);
         poses_frame(poses, app->world, frame);
-        while (graphics && picture < options->frames && picture_frame(session, picture, options->frames) == frame)
-            status |= take_picture(graphics, app, options->png, picture++);
+        for (; graphics && picture < options->frames && picture_frame(session, picture, options->frames) == frame;
+             picture++) {
+            draw_frame(graphics, app);
+            if (options->png) status |= take_picture(graphics, options->png, picture);
+            if (options->apng) take_animated(options, graphics, picture);
+        }
     }
     return status;
 }
@@ -203,7 +216,11 @@ static int play_drawn(const options* options, const session* session, app* app, 
     graphics graphics;
     if (window_open(&window, session->width, session->height, 1) != 0) return 3;
     int status = graphics_open(&graphics, session->width, session->height);
+    if (status == 0 && options->apng)
+        status =
+            apng_open(&graphics.animation, options->apng, session->width, session->height, (uint32_t)options->frames);
     if (status == 0) status = play_events(options, session, app, &graphics, poses);
+    if (graphics.animation.file) status |= apng_close(&graphics.animation);
     graphics_close(&graphics);
     window_close(&window);
     return status;
@@ -221,8 +238,8 @@ static int replay(const options* options, const session* session, world* world) 
     app_open(&app, world, session->width, session->height, session->z_up);
     app.save_path = options->save;
     app.hide_times = 1;
-    const int status =
-        options->png ? play_drawn(options, session, &app, &poses) : play_events(options, session, &app, NULL, &poses);
+    const int status = options->png || options->apng ? play_drawn(options, session, &app, &poses)
+                                                     : play_events(options, session, &app, NULL, &poses);
     if (file) fclose(file);
     if (status == 0) printf("poses %016llx over %u frames\n", (unsigned long long)poses.hash, session->end + 1);
     for (uint32_t id = 1; id <= world->part_count && status == 0; id++)

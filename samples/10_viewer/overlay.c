@@ -11,21 +11,33 @@ static const colour rival_colour = {0.75f, 0.35f, 0.85f, 0.85f}, hand_colour = {
 
 enum { ARC_STEPS = 64 };
 
+/* How much a part stands out. */
+static float emphasis(const app* app, uint32_t id) {
+    if (app->painting) return id == app->selected ? 0.65f : 0.15f;
+    if (id == app->world->held) return 0.32f;
+    return id == app->hovered ? 0.24f : id == app->selected ? 0.08f : 0;
+}
+
+/* Laid over the file's own colour: clay, if asked for, and over that what stands out. */
+static void lay_over(float tint[4], const float under[4], const colour over) {
+    const float rest = under[3] * (1 - over.a), whole = over.a + rest;
+    const float share = whole > 0 ? over.a / whole : 0;
+    tint[0] = over.r * share + under[0] * (1 - share);
+    tint[1] = over.g * share + under[1] * (1 - share);
+    tint[2] = over.b * share + under[2] * (1 - share);
+    tint[3] = whole;
+}
+
 void overlay_looks(const app* app, look* looks) {
-    const world* world = app->world;
+    static const float body_clay[4] = {0.66f, 0.64f, 0.60f, 1}, part_clay[4] = {0.50f, 0.33f, 0.19f, 1};
+    static const float none[4] = {0, 0, 0, 0};
+    const int clay = (app->show & SHOW_CLAY) != 0;
     looks[0] = (look){.pose = pose_identity};
-    for (uint32_t id = 1; id <= world->part_count; id++) {
-        looks[id] = (look){.pose = world->parts[id].carried, .tint = {1.0f, 0.62f, 0.15f, 0}};
-        if (app->painting) {
-            looks[id].tint[3] = id == app->selected ? 0.65f : 0.15f;
-            looks[id].pose = pose_identity;
-        } else if (id == world->held) {
-            looks[id].tint[3] = 0.32f;
-        } else if (id == app->hovered) {
-            looks[id].tint[3] = 0.24f;
-        } else if (id == app->selected) {
-            looks[id].tint[3] = 0.08f;
-        }
+    memcpy(looks[0].tint, clay ? body_clay : none, sizeof none);
+    for (uint32_t id = 1; id <= app->world->part_count; id++) {
+        looks[id].pose = app->painting ? pose_identity : app->world->parts[id].carried;
+        looks[id].glow = emphasis(app, id);
+        lay_over(looks[id].tint, clay ? part_clay : none, (colour){1.0f, 0.62f, 0.15f, emphasis(app, id)});
     }
 }
 

@@ -92,7 +92,7 @@ static void draw_message(const app* app, draw* draw) {
 }
 
 void panel_draw(const app* app, draw* draw, uint32_t id) {
-    if (id && app->world->object) {
+    if (id && app->world->object && (app->show & SHOW_LABEL)) {
         const world_part* part = &app->world->parts[id];
         char text[LINE];
         write_part(part, text, sizeof text);

@@ -141,6 +141,7 @@ void render_scene(render* render, const surface* surface, const camera* camera, 
     shader_vec3(render->solid, "up", camera_up(camera));
     for (uint32_t part = 0; part <= parts; part++) {
         shader_vec4(render->solid, "tint", looks[part].tint);
+        shader_float(render->solid, "glow", looks[part].glow);
         draw_part(surface, part, render->solid, &looks[part].pose);
     }
 }

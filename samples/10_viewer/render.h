@@ -9,6 +9,7 @@
 typedef struct look {
     dm_pose pose;
     float tint[4]; /* colour, and how much of it */
+    float glow;    /* of its outline */
 } look;
 
 typedef struct render {

@@ -30,7 +30,7 @@ static const char* const solid_vertex =
 static const char* const solid_fragment =
     "in vec3 at; in vec3 n; in vec3 base; in vec4 in_light;\n"
     "uniform vec3 eye, sun, up;\n"
-    "uniform vec4 tint;\n"
+    "uniform vec4 tint; uniform float glow;\n"
     "out vec4 colour;\n" SHADOW_GLSL "void main() {\n"
     "    vec3 towards = normalize(eye - at);\n"
     "    vec3 flat_normal = normalize(cross(dFdx(at), dFdy(at)));\n"
@@ -46,7 +46,7 @@ static const char* const solid_fragment =
     "    vec3 light = ambient + fill + vec3(1.25, 1.19, 1.08) * lit;\n"
     "    float shine = pow(max(dot(normal, normalize(towards + sun)), 0.0), 48.0) * 0.16 * lit;\n"
     "    float rim = pow(1.0 - max(dot(normal, towards), 0.0), 3.0);\n"
-    "    vec3 sum = albedo * light + shine + rim * (0.06 + 0.5 * tint.a * tint.rgb);\n"
+    "    vec3 sum = albedo * light + shine + rim * (0.06 + 0.4 * glow * tint.rgb);\n"
     "    sum = sum * (1.0 + sum * 0.12) / (1.0 + sum * 0.35);\n"
     "    colour = vec4(pow(sum, vec3(1.0 / 2.2)), 1.0);\n"
     "}\n";
