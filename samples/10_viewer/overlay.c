@@ -149,7 +149,7 @@ void overlay_ghosts(const app* app, render* render, const surface* surface) {
     if (!(app->show & SHOW_GHOSTS) || !id || app->painting) return;
     const dm_pose carrier = carrier_pose(app->world, id);
     for (int key = 0; key < DM_MOTION_FRAMES; key++) {
-        look ghost = {.tint = {0.25f, 0.55f, 0.95f, 0.16f}};
+        look ghost = {.tint = {0.25f, 0.55f, 0.95f, 0.11f}};
         key_pose(&app->world->parts[id], key, &ghost.pose);
         dm_pose_multiply(&carrier, &ghost.pose, &ghost.pose);
         render_ghost(render, surface, &app->camera, id, &ghost);
