@@ -6,13 +6,13 @@
 
 #define HALF_TURN 3.14159265f
 #define FIRST_PULL 0.01f   /* of the part's size: less tells nothing */
-#define SPREAD 0.2f        /* of the pull: how far off the right path a hand goes */
+#define SPREAD 0.1f        /* of the pull: how far off the right path a hand goes */
 #define TREMOR 0.004f      /* of the part's size: and how far it is off at the start */
-#define FLOOR 0.01f        /* no pull makes a joint impossible */
+#define FLOOR 3e-4f        /* no pull makes a joint impossible */
 #define OTHER_SIDE (-1.9f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
-#define MARGIN 0.7f         /* how much more probable another joint must be, log */
+#define MARGIN 0.5f         /* how much more probable another joint must be, log */
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
 #define SAME_DISTANCE 0.02f /* of the part's size */
 
@@ -46,13 +46,25 @@ static int known(const dmi_rivals* rivals, const dm_joint* joint) {
     return 0;
 }
 
+static void add(dmi_rivals* rivals, const dm_joint* joint) {
+    const float prior = logf(fmaxf(joint->confidence, LEAST_PRIOR));
+    if (joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
+    rivals->list[rivals->count++] =
+        (dmi_rival){.joint = *joint, .side = side_of(joint), .prior = prior, .score = prior};
+}
+
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size) {
     *rivals = (dmi_rivals){.size = size};
-    for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) {
-        const float prior = logf(fmaxf(joints[i].confidence, LEAST_PRIOR));
-        if (joints[i].type == DM_JOINT_FIXED || known(rivals, &joints[i])) continue;
-        rivals->list[rivals->count++] =
-            (dmi_rival){.joint = joints[i], .side = side_of(&joints[i]), .prior = prior, .score = prior};
+    for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) add(rivals, &joints[i]);
+    if (rivals->count == 0) return;
+    for (int i = 0; i < 3; i++) {
+        const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
+                                .axis = {i == 0, i == 1, i == 2},
+                                .origin = joints[0].origin,
+                                .lower = -size,
+                                .upper = size,
+                                .source = DM_JOINT_FROM_GEOMETRY};
+        add(rivals, &slide);
     }
 }
 

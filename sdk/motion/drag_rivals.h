@@ -5,6 +5,8 @@
 
 #include "motion/follow.h"
 
+#define DMI_RIVALS (DM_MAX_HYPOTHESES + 3)
+
 typedef struct dmi_rival {
     dm_joint joint;   /* host object frame */
     float side;       /* of rest that its range was found on, +1 or -1; 0: both */
@@ -15,7 +17,7 @@ typedef struct dmi_rival {
 } dmi_rival;
 
 typedef struct dmi_rivals {
-    dmi_rival list[DM_MAX_HYPOTHESES];
+    dmi_rival list[DMI_RIVALS];
     uint32_t count, best; /* best: in force */
     uint32_t next;        /* to be weighed; they take turns */
     float size;           /* of the part */
