@@ -218,20 +218,29 @@ static void add_patches(side* s, uint32_t most, int shell) {
     }
 }
 
-/* Shells first, then regions bounded by creases of 53 and of 26 degrees. */
-static dm_result add_levels(dmi_arena* arena, side* s) {
-    static const float cosines[3] = {-2.0f, 0.6f, 0.9f};
-    for (int level = 0; level < 3; level++) {
-        uint32_t count;
-        dm_result result = dmi_face_regions(arena, &s->mesh, s->welded, s->select, cosines[level], s->labels, &count);
-        if (result == DM_OK) result = measure_regions(arena, count, s);
-        if (result != DM_OK) return result;
-        qsort(s->regions, count, sizeof *s->regions, by_region_area);
-        add_patches(s, LARGEST / 2, level == 0);
-        qsort(s->regions, count, sizeof *s->regions, by_region_gap);
-        add_patches(s, LARGEST / 2, level == 0);
-    }
+static dm_result add_level(dmi_arena* arena, int shell, float min_cosine, side* s) {
+    uint32_t count;
+    dm_result result = dmi_face_regions(arena, &s->mesh, s->welded, s->select, min_cosine, s->labels, &count);
+    if (result == DM_OK) result = measure_regions(arena, count, s);
+    if (result != DM_OK) return result;
+    qsort(s->regions, count, sizeof *s->regions, by_region_area);
+    add_patches(s, LARGEST / 2, shell);
+    qsort(s->regions, count, sizeof *s->regions, by_region_gap);
+    add_patches(s, LARGEST / 2, shell);
     return DM_OK;
+}
+
+/* Shells first, then regions bounded by creases of 53 and of 26 degrees; each level in the memory of the last. */
+static dm_result add_levels(dmi_env* env, side* s) {
+    static const float cosines[3] = {-2.0f, 0.6f, 0.9f};
+    dm_result result = DM_OK;
+    for (int level = 0; level < 3 && result == DM_OK; level++) {
+        dmi_arena arena;
+        dmi_arena_init(&arena, env, SCRATCH_BLOCK);
+        result = add_level(&arena, level == 0, cosines[level], s);
+        dmi_arena_release(&arena);
+    }
+    return result;
 }
 
 /* The faces' patches, from scratch memory of its own. `faces` is overwritten. */
@@ -241,7 +250,7 @@ static dm_result side_patches(dmi_env* env, const dmi_mesh* mesh, const uint32_t
     dmi_arena_init(&arena, env, SCRATCH_BLOCK);
     dm_result result = thin_faces(&arena, mesh, faces, &count);
     if (result == DM_OK) result = cut_out(&arena, mesh, welded, faces, count, other, s);
-    if (result == DM_OK) result = add_levels(&arena, s);
+    if (result == DM_OK) result = add_levels(env, s);
     dmi_arena_release(&arena);
     return result;
 }
