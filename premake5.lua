@@ -92,14 +92,31 @@ program("dragmesh_cli", { "samples/dragmesh_cli/*.c" }, { "dragmesh", "dragmesh_
 program("dragmesh_generate", { "training/generate/*.c" },
     { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
 
+-- What samples link beside the library; one whose library is missing is left out (scripts/install viewer).
+local function installed(header)
+    for _, folder in ipairs { "", "x86_64-linux-gnu/", "aarch64-linux-gnu/" } do
+        if os.isfile("/usr/include/" .. folder .. header) then return true end
+    end
+    return false
+end
+local has_viewer = installed "SDL2/SDL.h" and installed "epoxy/gl.h"
+local needs = {
+    dynamic_load = { "dl" },
+    host_memory_and_jobs = { "dragmesh", "pthread", "m" },
+    prepare_offline = { "dragmesh", "dragmesh_gltf", "m" },
+    gpu_skinning = { "dragmesh", "SDL2", "epoxy", "m" },
+    vlm_intent = { "dragmesh", "curl", "cjson", "m" },
+}
+local missing = { viewer = true, gpu_skinning = not has_viewer, vlm_intent = not installed "curl/curl.h" }
+
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
-    local libraries = name == "dynamic_load" and { "dl" } or { "dragmesh", "m" }
-    if name and name ~= "viewer" then program("sample_" .. name, { source }, libraries, "/samples") end
+    if name and not missing[name] then
+        program("sample_" .. name, { source }, needs[name] or { "dragmesh", "m" }, "/samples")
+    end
 end
 
--- The viewer is built where its libraries are (scripts/install viewer).
-if os.isfile("/usr/include/SDL2/SDL.h") and os.isfile("/usr/include/epoxy/gl.h") then
+if has_viewer then
     program("dragmesh_viewer", { "samples/10_viewer/*.c" },
         { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" })
 end

@@ -1,0 +1,216 @@
+/* Every sample runs and says what its README promises. The language model of sample 08 is a stub that listens on this
+ * machine. Runs from the repository's root. */
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <sys/socket.h>
+
+#include "test_tool.h"
+
+static tool_output out;
+
+/* Runs a sample; skips the test when it is not built. */
+static void run_sample(const char* name, const char* arguments) {
+    char program[128], path[TOOL_PATH];
+    snprintf(program, sizeof program, "samples/sample_%s", name);
+    tool_find(program, path);
+    if (access(path, X_OK) != 0) {
+        print_message("skipped: %s is not built, a library is missing (scripts/install viewer)\n", name);
+        skip();
+    }
+    tool_run(&out, program, NULL, "%s", arguments);
+}
+
+static void assert_says(const char* words) {
+    if (!strstr(out.text, words)) fail_msg("\"%s\" is not in:\n%s%s", words, out.text, out.errors);
+}
+
+static void test_hello_drag(void** state) {
+    (void)state;
+    run_sample("hello_drag", "sdk/models");
+    assert_int_equal(out.status, 0);
+    assert_says("t 1.00");
+}
+
+static void test_dynamic_load(void** state) {
+    (void)state;
+    char library[TOOL_PATH];
+    tool_find("libdragmesh.so", library);
+    run_sample("dynamic_load", library);
+    assert_int_equal(out.status, 0);
+}
+
+static void test_host_memory_and_jobs(void** state) {
+    (void)state;
+    run_sample("host_memory_and_jobs", "sdk/models");
+    assert_int_equal(out.status, 0);
+    assert_says("with 1000 bytes left: DM_ERROR_OUT_OF_MEMORY");
+    assert_says("tasks on the host's threads");
+    assert_says(", 0 allocations");
+    assert_says("after dm_context_destroy: 0 bytes");
+}
+
+static void test_host_pick(void** state) {
+    (void)state;
+    run_sample("host_pick", "sdk/models");
+    assert_int_equal(out.status, 0);
+    assert_says("hits part 2");
+}
+
+static void test_prepare_offline(void** state) {
+    (void)state;
+    char folder[TOOL_PATH], path[TOOL_PATH + 16], arguments[2 * TOOL_PATH];
+    tool_folder_make(folder);
+    snprintf(path, sizeof path, "%s/cabinet.dmo", folder);
+    snprintf(arguments, sizeof arguments, "tests/replay/cabinet_door/object.glb|body|%s", path);
+    run_sample("prepare_offline", arguments);
+    assert_int_equal(out.status, 0);
+    char* parts = strstr(out.text, "  part 1");
+    assert_non_null(parts);
+    char expected[1024];
+    snprintf(expected, sizeof expected, "%.*s", (int)(strstr(parts, path) - parts), parts);
+    run_sample("prepare_offline", path);
+    assert_int_equal(out.status, 0);
+    assert_says(expected); /* the game sees the joints that the build machine found */
+    tool_folder_remove(folder);
+}
+
+static void test_gpu_skinning(void** state) {
+    (void)state;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    skip(); /* the software OpenGL driver leaks, and races on purpose */
+#endif
+    run_sample("gpu_skinning", "sdk/models");
+    if (out.status == 3) {
+        print_message("skipped: no OpenGL 3.3 can be made here: %s\n", out.errors);
+        skip();
+    }
+    assert_int_equal(out.status, 0);
+    assert_says("vertices in 11 poses");
+}
+
+static void test_many_objects(void** state) {
+    (void)state;
+    run_sample("many_objects", "sdk/models");
+    assert_int_equal(out.status, 0);
+    assert_says("256 cabinets");
+}
+
+/* ---- a stub of a language model ---- */
+
+typedef struct stub {
+    pid_t process;
+    int port;
+} stub;
+
+/* The whole request has come when its body is as long as its head says. */
+static void read_request(int connection, char* text, size_t room) {
+    size_t size = 0;
+    ssize_t got;
+    while ((got = read(connection, text + size, room - 1 - size)) > 0) {
+        size += (size_t)got;
+        text[size] = 0;
+        const char *length = strcasestr(text, "Content-Length: "), *body = strstr(text, "\r\n\r\n");
+        if (length && body && strlen(body + 4) >= strtoul(length + 16, NULL, 10)) return;
+    }
+}
+
+/* "part number 1" -> the first answer, "part number 2" -> the second. */
+static void answer(int connection, const char* const answers[2]) {
+    static char request[1 << 16], body[1024], text[2048];
+    read_request(connection, request, sizeof request);
+    const int good = strncmp(request, "POST /v1/chat/completions ", 26) == 0 && strstr(request, "Bearer secret") &&
+                     strstr(request, "\"model\":\"stub\"");
+    snprintf(body, sizeof body, "{\"choices\":[{\"message\":{\"role\":\"assistant\",\"content\":\"%s\"}}]}",
+             answers[strstr(request, "part number 2") != NULL]);
+    snprintf(text, sizeof text,
+             "HTTP/1.1 %s\r\nContent-Type: application/json\r\nContent-Length: %zu\r\n"
+             "Connection: close\r\n\r\n%s",
+             good ? "200 OK" : "400 Bad Request", strlen(body), body);
+    if (write(connection, text, strlen(text)) < 0) _exit(1);
+    close(connection);
+}
+
+static stub stub_start(const char* first, const char* second) {
+    const char* const answers[2] = {first, second};
+    struct sockaddr_in address = {.sin_family = AF_INET, .sin_addr.s_addr = htonl(INADDR_LOOPBACK)};
+    socklen_t size = sizeof address;
+    stub stub;
+    const int listening = socket(AF_INET, SOCK_STREAM, 0);
+    assert_true(listening >= 0);
+    assert_int_equal(bind(listening, (struct sockaddr*)&address, size), 0);
+    assert_int_equal(listen(listening, 8), 0);
+    assert_int_equal(getsockname(listening, (struct sockaddr*)&address, &size), 0);
+    stub.port = ntohs(address.sin_port);
+    stub.process = fork();
+    assert_true(stub.process >= 0);
+    if (stub.process == 0) {
+        for (int connection; (connection = accept(listening, NULL, NULL)) >= 0;) answer(connection, answers);
+        _exit(0);
+    }
+    close(listening);
+    return stub;
+}
+
+static void stub_stop(const stub* stub) {
+    kill(stub->process, SIGTERM);
+    waitpid(stub->process, NULL, 0);
+}
+
+static void point_at(int port) {
+    char url[64];
+    snprintf(url, sizeof url, "http://127.0.0.1:%d/v1", port);
+    setenv("DRAGMESH_VLM_URL", url, 1);
+    setenv("DRAGMESH_VLM_KEY", "secret", 1);
+    setenv("DRAGMESH_VLM_MODEL", "stub", 1);
+    setenv("no_proxy", "127.0.0.1", 1);
+}
+
+static void test_model_decides(void** state) {
+    (void)state;
+    const stub stub = stub_start("It is prismatic.", "I would say: revolute, hinged.");
+    point_at(stub.port);
+    run_sample("vlm_intent", "sdk/models|tests/replay/laptop/frame_000.png");
+    stub_stop(&stub);
+    assert_int_equal(out.status, 0);
+    assert_says("part 1: the model says prismatic");
+    assert_says("part 2: the model says revolute");
+    assert_says("part 1 moves: prismatic"); /* against all geometry: the host's word counts */
+    assert_says("part 2 moves: revolute");
+}
+
+static void test_model_is_no_use(void** state) {
+    (void)state;
+    const stub stub = stub_start("Sorry, I can't see it.", "\\u0000{[");
+    point_at(stub.port);
+    run_sample("vlm_intent", "sdk/models");
+    stub_stop(&stub);
+    assert_int_equal(out.status, 0);
+    assert_says("part 1: the model says unknown");
+    assert_says("part 2: the model says unknown");
+    assert_says("part 1 moves: ");
+}
+
+static void test_model_is_down(void** state) {
+    (void)state;
+    point_at(1); /* nobody listens there */
+    run_sample("vlm_intent", "sdk/models");
+    assert_int_equal(out.status, 0);
+    assert_non_null(strstr(out.errors, "geometry decides"));
+    unsetenv("DRAGMESH_VLM_URL");
+    run_sample("vlm_intent", "sdk/models");
+    assert_int_equal(out.status, 0);
+    assert_says("DRAGMESH_VLM_URL is not set: geometry decides");
+}
+
+int main(void) {
+    setenv("SDL_VIDEODRIVER", "offscreen", 1);
+    setenv("XDG_RUNTIME_DIR", "/tmp", 0);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_hello_drag),           cmocka_unit_test(test_dynamic_load),
+        cmocka_unit_test(test_host_memory_and_jobs), cmocka_unit_test(test_host_pick),
+        cmocka_unit_test(test_prepare_offline),      cmocka_unit_test(test_gpu_skinning),
+        cmocka_unit_test(test_many_objects),         cmocka_unit_test(test_model_decides),
+        cmocka_unit_test(test_model_is_no_use),      cmocka_unit_test(test_model_is_down)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
