@@ -71,8 +71,8 @@ static void draw_ring(dmg_builder* b, const shell* s) {
                            {1.15f * radius, 2 * tube},
                            {1.05f * radius, 2 * tube},
                            {radius, -2 * tube}};
-    dmg_lathe_arc(b, v3(0, y, z), axis, band, 5, dmg_chance(b, 0.5f) ? 0.0f : 0.8f,
-                  dmg_chance(b, 0.6f) ? 2.0f * DMG_PI : 4.5f);
+    float start = dmg_chance(b, 0.5f) ? 0.0f : 0.8f, arc = dmg_chance(b, 0.6f) ? 2.0f * DMG_PI : 4.5f;
+    dmg_lathe_arc(b, v3(0, y, z), axis, band, 5, start, arc);
 }
 
 /* ---- on the thumb's face: z = 0, +Z out of the shell ---- */

@@ -322,8 +322,10 @@ void dmg_build_valve(dmg_builder* b) {
         dmg_face_up(b);
         if (kind == 2)
             dmg_knob_draw(b, dmg_int(b, 0, DMG_KNOB_KINDS - 1), wheel, 0.6f * wheel);
-        else
-            dmg_wheel_draw(b, dmg_chance(b, 0.75f) ? 3 : 2, wheel, 0.25f * wheel, dmg_int(b, 2, 7));
+        else {
+            int look = dmg_chance(b, 0.75f) ? 3 : 2;
+            dmg_wheel_draw(b, look, wheel, 0.25f * wheel, dmg_int(b, 2, 7));
+        }
     }
     dmg_restore(b);
     dmg_use(b, 0);
