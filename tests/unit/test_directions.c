@@ -47,7 +47,7 @@ static float worst_match(const float axes[3][3], const float found[3][3]) {
 
 static void assert_perpendicular(const float axes[3][3]) {
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) assert_float_equal(dmi_dot3(axes[i], axes[j]), i == j ? 1 : 0, 1e-5f);
+        for (int j = 0; j < 3; j++) assert_float_equal(dmi_dot3(axes[i], axes[j]), (i == j ? 1.0f : 0.0f), 1e-5f);
 }
 
 static void boxes_give_their_axes(void** state) {
