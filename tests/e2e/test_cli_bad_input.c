@@ -255,6 +255,23 @@ static void test_wrong_weights(void** state) {
     assert_non_null(strstr(out.errors, object.folder));
 }
 
+/* The one bad file of three is named. */
+static void test_a_wrong_ranker(void** state) {
+    (void)state;
+    char path[TOOL_PATH + 32];
+    size_t size;
+    char* kinematics = tool_read("sdk/models/kpp_net.safetensors", &size);
+    snprintf(path, sizeof path, "%s/kpp_net.safetensors", object.folder);
+    tool_write(path, kinematics, size);
+    snprintf(path, sizeof path, "%s/ranker.safetensors", object.folder);
+    tool_write(path, kinematics, size);
+    free(kinematics);
+    tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|%s|--models|%s", object.glb, object.moving, object.folder);
+    assert_int_equal(out.status, 2);
+    assert_non_null(strstr(out.errors, "DM_ERROR_WRONG_MODEL: "));
+    assert_non_null(strstr(out.errors, "dragmesh-ranker"));
+}
+
 static void test_unusable_arguments(void** state) {
     (void)state;
     static const char* const arguments[] = {"",
@@ -306,6 +323,7 @@ int main(void) {
         cmocka_unit_test(test_every_bad_job_is_named_and_the_rest_answered),
         cmocka_unit_test(test_single_job_fails_with_status_1),
         cmocka_unit_test(test_wrong_weights),
+        cmocka_unit_test(test_a_wrong_ranker),
         cmocka_unit_test(test_unusable_arguments),
         cmocka_unit_test(test_results_that_cannot_be_written),
     };
