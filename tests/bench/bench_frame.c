@@ -49,7 +49,7 @@ COUNTED static void frame_pose_apply_points(frame* f) {
 }
 
 COUNTED static void frame_camera_ray(frame* f) {
-    CHECK(dm_camera_ray(f->world.context, &f->camera, (float)(f->round % 1000), 500, &f->ray));
+    CHECK(dm_camera_ray(f->world.context, &f->camera, (float)(480 + f->round % 40), 500, &f->ray));
 }
 
 COUNTED static void frame_scene_move(frame* f) {
