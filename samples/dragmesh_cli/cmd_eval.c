@@ -33,6 +33,8 @@ static const figure figures[] = {
     {"pose_under_2pct_top3", METRIC_POSE_TOP3, 0, 0.02, 1},
     {"sign_acc", METRIC_SIGN, 0, -1, 1},
     {"range_iou", METRIC_RANGE, 0, 0, 1},
+    {"mask_iou", METRIC_MASK, 0, 0, 1},
+    {"mask_found", METRIC_MASK_FOUND, 0, -1, 1},
     {"confidence", METRIC_CONFIDENCE, 0, -1, 1},
     {"motion_cd", METRIC_CHAMFER, 0, 0, 1},
     {"motion_axis_constraint", METRIC_CONSTRAINT, 0, 0, 1},
@@ -254,7 +256,7 @@ static int check(const char* folder, const char* baseline, const eval_options* o
 }
 
 static int run(int argc, char** argv) {
-    const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL;
+    const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL;
     int as_json = 0, worst = 0;
     eval_options options = {.drags = 1};
     mistake_book book;
@@ -268,10 +270,14 @@ static int run(int argc, char** argv) {
         {.name = "--drag-noise", .kind = OPTION_NUMBER, .value = &options.drag_noise},
         {.name = "--mask-noise", .kind = OPTION_NUMBER, .value = &options.mask_noise},
         {.name = "--turn", .kind = OPTION_SEED, .value = &options.turn_seed, .given = &options.has_turn},
+        {.name = "--moving", .kind = OPTION_TEXT, .value = &moving},
+        {.name = "--merge", .kind = OPTION_FLAG, .value = &options.merged},
         {.name = "--baseline", .kind = OPTION_TEXT, .value = &baseline},
         {.name = "--mistakes", .kind = OPTION_TEXT, .value = &pictures}};
     session session;
     int status = options_read(&cli_eval, argc, argv, table, sizeof table / sizeof *table, &folder);
+    options.find_part = moving && strcmp(moving, "auto") == 0;
+    if (status == CLI_OK && moving && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
     if (status == CLI_OK) status = check(folder, baseline, &options);
     if (status == CLI_OK) status = session_open_method(&session, models, (enum session_method)read_method(baseline));
     if (status != CLI_OK) return status;
@@ -285,6 +291,9 @@ static int run(int argc, char** argv) {
 const cli_command cli_eval = {
     "eval", run,
     "DIR [--json] [--no-drag] [--drag-noise DEGREES] [--turn [SEED]] [--mask-noise FRACTION] [--given-type]\n"
-    "    [--drags N] [--baseline kpp|geometry|rules|full] [--worst N] [--mistakes OUT_DIR]",
+    "    [--drags N] [--baseline kpp|geometry|rules|full] [--moving auto [--merge]]\n"
+    "    [--worst N] [--mistakes OUT_DIR]",
     "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category. --baseline: the\n"
-    "    network alone, no network, or hand-set rules in the ranker's place. --mistakes draws every wrong answer."};
+    "    network alone, no network, or hand-set rules in the ranker's place. --mistakes draws every wrong answer. "
+    "--moving auto\n"
+    "    finds the part from the drag's point instead of the true mask, with --merge as if the file were one mesh."};

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/types.h>
 
+#include "grabbed.h"
 #include "job.h"
 #include "json.h"
 
@@ -32,6 +33,7 @@ static int answer_line(session* session, const char* line, unsigned number) {
         answer_to_json(&answer, result);
     else
         cJSON_AddStringToObject(result, "error", session->error);
+    if (code == DM_OK && grabbed_asked(&job.moving)) grabbed_to_json(session, cJSON_AddArrayToObject(result, "moving"));
     json_print_line(result);
     job_free(&job);
     cJSON_Delete(json);
@@ -68,6 +70,8 @@ static int answer_one(session* session, const job* job, int as_json) {
             answer_to_json(&answer, result);
         else
             cJSON_AddStringToObject(result, "error", session->error);
+        if (code == DM_OK && grabbed_asked(&job->moving))
+            grabbed_to_json(session, cJSON_AddArrayToObject(result, "moving"));
         json_print_line(result);
     } else if (code == DM_OK) {
         answer_print(&answer);
@@ -78,21 +82,23 @@ static int answer_one(session* session, const job* job, int as_json) {
 }
 
 static int run(int argc, char** argv) {
-    const char *file = NULL, *jobs = NULL;
+    const char *file = NULL, *jobs = NULL, *mask_out = NULL;
     int as_json = 0;
     job_options options;
-    option_spec table[JOB_OPTIONS + 2];
+    option_spec table[JOB_OPTIONS + 3];
     job_options_table(&options, table);
     table[JOB_OPTIONS] = (option_spec){.name = "--jobs", .kind = OPTION_TEXT, .value = &jobs};
     table[JOB_OPTIONS + 1] = (option_spec){.name = "--json", .kind = OPTION_FLAG, .value = &as_json};
+    table[JOB_OPTIONS + 2] = (option_spec){.name = "--mask-out", .kind = OPTION_TEXT, .value = &mask_out};
     session session;
-    int status = options_read(&cli_infer, argc, argv, table, JOB_OPTIONS + 2, &file);
+    int status = options_read(&cli_infer, argc, argv, table, JOB_OPTIONS + 3, &file);
     if (status == CLI_OK && !jobs) status = job_options_finish(&cli_infer, &options, file);
-    if (status == CLI_OK && jobs && (file || options.job.moving.count > 0))
+    if (status == CLI_OK && jobs && (file || mask_out || options.job.moving.count > 0))
         status = options_refuse(&cli_infer, "--jobs stands alone");
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
         status = jobs ? answer_jobs(&session, jobs) : answer_one(&session, &options.job, as_json);
+        if (mask_out && status == CLI_OK && grabbed_write(&session, mask_out) != 0) status = CLI_FAILED;
         session_close(&session);
     }
     job_free(&options.job);
@@ -101,6 +107,8 @@ static int run(int argc, char** argv) {
 
 const cli_command cli_infer = {
     "infer", run,
-    "FILE.glb --moving NODE[,NODE…] [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE] [--json]\n"
+    "FILE.glb --moving NODE[,NODE…]|auto [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
+    "    [--mask-out FILE] [--json]\n"
     "dragmesh infer --jobs JOBS.jsonl",
-    "How the part moves: type, axis, origin, limits. --jobs ('-': standard input) answers one JSON line a line."};
+    "How the part moves: type, axis, origin, limits. --jobs ('-': standard input) answers one JSON line a line.\n"
+    "    --moving auto finds the part that the drag point is on; --mask-out writes it, one 0 or 1 a triangle."};

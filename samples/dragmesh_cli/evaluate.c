@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "grabbed.h"
 #include "mask_noise.h"
 #include "play.h"
 
@@ -20,6 +21,7 @@ typedef struct trial {
     known_object object;
     float* positions; /* turned copy */
     double size;
+    double mask_overlap; /* of the last joint's part with the true one; NAN: it was not to be found */
     eval_rows* rows;
 } trial;
 
@@ -116,16 +118,47 @@ static vec noisy(vec vector, double degrees, random_state* random) {
     return turn(vector, aside, fabs(random_normal(random)) * degrees * CLI_PI / 180);
 }
 
+/* Intersection over union of two sets of faces, by area. */
+static double overlap(const trial* t, const uint8_t* a, const uint8_t* b) {
+    const uint32_t* corner = t->session->mesh.indices;
+    double both = 0, either = 0;
+    for (uint64_t f = 0; f < t->session->mesh.index_count / 3; f++, corner += 3) {
+        if (!a[f] && !b[f]) continue;
+        const vec p = vec_at(t->positions + 3 * (size_t)corner[0]), q = vec_at(t->positions + 3 * (size_t)corner[1]);
+        const double area = length(cross(sub(q, p), sub(vec_at(t->positions + 3 * (size_t)corner[2]), p)));
+        either += area;
+        if (a[f] && b[f]) both += area;
+    }
+    return either > 0 ? both / either : 0;
+}
+
+/* Puts the part that the library finds in the true one's place. */
+static dm_result find_part(trial* t, const metric_case* known, uint64_t faces, uint8_t* ids) {
+    uint8_t* found = cli_alloc_zeroed(faces);
+    const dm_drag_hint drag = {vec_out(known->drag->point),
+                               known->dragged ? vec_out(known->drag->vector) : (dm_vec3){0, 0, 0}};
+    t->mask_overlap = 0;
+    const dm_result result = grabbed_mark(t->session, t->positions, &drag, t->options->merged, found);
+    if (result == DM_OK) {
+        t->mask_overlap = overlap(t, found, ids);
+        memcpy(ids, found, faces);
+    }
+    free(found);
+    return result;
+}
+
 /* Part ids of the named nodes, per face; per vertex once noise has eaten into them. */
-static dm_result part_ids(trial* t, const name_list* moving, dm_mesh_desc* mesh, uint8_t** out_ids) {
+static dm_result part_ids(trial* t, const metric_case* known, dm_mesh_desc* mesh, uint8_t** out_ids) {
+    const name_list* moving = &known->truth->moving;
     const uint64_t faces = mesh->index_count / 3;
     uint8_t* ids = cli_alloc_zeroed(faces + mesh->vertex_count);
     *out_ids = ids;
     mesh->part_ids = ids;
     mesh->part_id_format = DM_UINT8;
     mesh->part_id_scope = DM_PER_FACE;
-    const dm_result result =
+    dm_result result =
         dm_gltf_mark_faces(t->session->gltf, (const char* const*)moving->names, moving->count, JOB_PART, ids, faces);
+    if (result == DM_OK && t->options->find_part) result = find_part(t, known, faces, ids);
     if (result != DM_OK || t->options->mask_noise <= 0) return result;
     uint8_t* vertices = ids + faces;
     mask_vertices_of_faces(mesh->indices, faces, ids, mesh->vertex_count, vertices);
@@ -139,7 +172,7 @@ static dm_result ask(trial* t, const metric_case* known, answer* out_answer) {
     dm_mesh_desc mesh = t->session->mesh;
     mesh.positions = t->positions;
     uint8_t* ids;
-    dm_result result = part_ids(t, &known->truth->moving, &mesh, &ids);
+    dm_result result = part_ids(t, known, &mesh, &ids);
     job job = {.has_drag = known->dragged};
     if (result == DM_OK) {
         vec vector = known->drag->vector;
@@ -215,6 +248,7 @@ static void evaluate_joint(trial* t, int index) {
         snprintf(row->category, sizeof row->category, "%s", t->object.category);
         row->source = dataset_source(t->object.name);
         row->weight = truth->weight / drags;
+        t->mask_overlap = NAN;
         if (known.moving_count > 0 && ask(t, &known, &answer) == DM_OK) {
             metrics_of_joint(&known, &answer, row);
             snprintf(row->found_type, sizeof row->found_type, "%s", joint_type_name(answer.joint.type));
@@ -224,6 +258,8 @@ static void evaluate_joint(trial* t, int index) {
             fprintf(stderr, "dragmesh eval: %s: %s\n", row->id, t->session->error);
             metrics_of_failure(&known, row);
         }
+        row->value[METRIC_MASK] = t->mask_overlap;
+        if (!isnan(t->mask_overlap)) row->value[METRIC_MASK_FOUND] = t->mask_overlap >= 0.8;
     }
     free(moving);
 }

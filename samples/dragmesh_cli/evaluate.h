@@ -12,6 +12,7 @@ typedef struct eval_options {
     double drag_noise;              /* degrees: directions off by |N(0, s)|, as a hand's are */
     double mask_noise;              /* share of the part's vertices lost and leaked, in patches */
     int turn_seed, has_turn;        /* every object in a random pose and unit */
+    int find_part, merged;          /* the part is found from the drag's point; as if the file were one mesh */
     mistake_book* mistakes;         /* NULL: none is kept */
 } eval_options;
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "files.h"
+#include "grabbed.h"
 #include "mask_noise.h"
 
 /* Part ids of a job, one byte a face or a vertex. */
@@ -52,9 +53,14 @@ static dm_result select_part(session* session, const job* job, selection* out, a
     out->ids = cli_alloc_zeroed(larger(faces, session->mesh.vertex_count));
     out->scope = DM_PER_FACE;
     out->count = faces;
-    const dm_result result = job->mask ? select_by_mask(session, job, out, answer)
-                                       : dm_gltf_mark_faces(session->gltf, (const char* const*)job->moving.names,
-                                                            job->moving.count, JOB_PART, out->ids, faces);
+    dm_result result;
+    if (job->mask)
+        result = select_by_mask(session, job, out, answer);
+    else if (grabbed_asked(&job->moving))
+        result = grabbed_mark(session, NULL, &job->drag, 0, out->ids);
+    else
+        result = dm_gltf_mark_faces(session->gltf, (const char* const*)job->moving.names, job->moving.count, JOB_PART,
+                                    out->ids, faces);
     if (result == DM_OK && job->mask_noise > 0) spoil(session, job->mask_noise, out);
     return result;
 }

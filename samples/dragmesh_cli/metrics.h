@@ -16,6 +16,8 @@ enum metric {
     METRIC_POSE_TOP3,  /* the least of the first three hypotheses */
     METRIC_SIGN,       /* 1: a positive step goes along the drag */
     METRIC_RANGE,      /* intersection over union of the ranges; only where the type is right and limits are known */
+    METRIC_MASK,       /* of a part that was found: intersection over union with the true one, by area */
+    METRIC_MASK_FOUND, /* 1: that is 0.8 or more */
     METRIC_CONFIDENCE, /* the stated probability that the answer is right */
     METRIC_CHAMFER,    /* of the generated motion: two-way squared Chamfer distance, mean over the frames */
     METRIC_CONSTRAINT, /* 2 (1 - |cos|) + sin^2 / 2 to the true axis (turning); |t x a|^2 (sliding) */

@@ -225,3 +225,75 @@ dm_result dmi_face_regions(dmi_arena* arena, const dmi_mesh* mesh, const uint32_
     if (result == DM_OK) *out_count = number_sets(out_labels, select, mesh->face_count);
     return result;
 }
+
+/* ---- sheets ---- */
+
+/* The corner of a face that is not on the edge between a and b. */
+static uint32_t third_corner(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, uint32_t a, uint32_t b) {
+    const uint32_t* corners = mesh->indices + (size_t)face * 3;
+    for (int i = 0; i < 2; i++)
+        if (welded[corners[i]] != a && welded[corners[i]] != b) return welded[corners[i]];
+    return welded[corners[2]];
+}
+
+/* Whether the outer side of a face sees the far corner of its neighbour, by more than the sine. */
+static int sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint32_t far_corner, float sine) {
+    const float *n = mesh->face_normal + (size_t)face * 3, *a = mesh->positions + (size_t)edge_corner * 3;
+    const float* b = mesh->positions + (size_t)far_corner * 3;
+    const float to[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const float height = (n[0] * to[0] + n[1] * to[1] + n[2] * to[2]) * mesh->winding;
+    return height > sine * sqrtf(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+}
+
+/* The faces at one edge, from its newest entry on: those in one place become one; if just two places are left, they
+ * are of one sheet. */
+static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const edges* edges, uint32_t low, uint32_t e,
+                          float concave_sine, uint32_t* parents) {
+    uint32_t faces[MAX_FACES_AT_EDGE], corners[MAX_FACES_AT_EDGE], count = 0;
+    const uint32_t high = edges->other[e];
+    for (; e != NONE && count < MAX_FACES_AT_EDGE; e = edges->before[e]) {
+        const uint32_t face = edges->face[e], corner = third_corner(mesh, welded, face, low, high);
+        uint32_t same = 0;
+        while (same < count && corners[same] != corner) same++;
+        if (same < count) {
+            unite(parents, faces[same], face);
+        } else {
+            faces[count] = face;
+            corners[count++] = corner;
+        }
+    }
+    if (count != 2) return;
+    if (sees(mesh, faces[0], low, corners[1], concave_sine) && sees(mesh, faces[1], low, corners[0], concave_sine))
+        return;
+    unite(parents, faces[0], faces[1]);
+}
+
+dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, float concave_sine,
+                          uint32_t* out_labels, uint32_t* out_count) {
+    edges edges;
+    uint8_t* all = dmi_arena_push(arena, mesh->face_count);
+    if (all == NULL) return out_of_memory(arena, mesh);
+    dm_result result = allocate_edges(arena, mesh, &edges);
+    if (result != DM_OK) return result;
+    memset(all, 1, mesh->face_count);
+    sort_edges(mesh, welded, all, &edges);
+    for (uint32_t f = 0; f < mesh->face_count; f++) out_labels[f] = f;
+    memset(edges.latest, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        uint32_t begin = edges.first[v], end = edges.first[v + 1];
+        for (uint32_t e = begin; e < end; e++) {
+            uint32_t* latest = &edges.latest[edges.other[e]];
+            edges.before[e] = *latest != NONE && *latest >= begin ? *latest : NONE;
+            *latest = e;
+        }
+        for (uint32_t e = begin; e < end; e++)
+            if (edges.latest[edges.other[e]] == e) unite_at_edge(mesh, welded, &edges, v, e, concave_sine, out_labels);
+    }
+    *out_count = number_sets(out_labels, all, mesh->face_count);
+    return DM_OK;
+}
+
+dm_result dmi_face_sheets(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, uint32_t* out_labels,
+                          uint32_t* out_count) {
+    return dmi_face_bulges(arena, mesh, welded, 2, out_labels, out_count);
+}

@@ -192,10 +192,16 @@ static void add_face(dmi_mesh* mesh, uint32_t face, part_sums* sums) {
     }
 }
 
-static dm_result check_areas(dmi_env* env, const dmi_mesh* mesh) {
+static dm_result check_any_area(dmi_env* env, const dmi_mesh* mesh) {
     double area = 0;
     for (uint32_t p = 0; p < mesh->part_count; p++) area += (double)mesh->parts[p].area;
-    if (!(area > 0)) return dmi_fail(env, DM_ERROR_DEGENERATE_MESH, "dm_mesh_desc.indices: no triangle has an area");
+    if (area > 0) return DM_OK;
+    return dmi_fail(env, DM_ERROR_DEGENERATE_MESH, "dm_mesh_desc.indices: no triangle has an area");
+}
+
+static dm_result check_areas(dmi_env* env, const dmi_mesh* mesh) {
+    dm_result result = check_any_area(env, mesh);
+    if (result != DM_OK) return result;
     for (uint32_t p = 0; p < mesh->part_count; p++) {
         const dmi_part* part = &mesh->parts[p];
         if (part->area > 0) continue;
@@ -222,25 +228,40 @@ static dm_result measure_parts(dmi_env* env, dmi_mesh* mesh) {
         for (int k = 0; k < 3; k++) mesh->parts[p].centre[k] = (float)(sums[p].moment[k] / sums[p].area);
     }
     dmi_free(env, sums, mesh->part_count * sizeof *sums);
-    return check_areas(env, mesh);
+    return DM_OK;
 }
 
 dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh) {
     measure_faces(mesh);
-    return measure_parts(env, mesh);
+    dm_result result = measure_parts(env, mesh);
+    return result == DM_OK ? check_areas(env, mesh) : result;
 }
 
 /* ---- the whole ---- */
+
+static dm_result fill_shape(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, dmi_mesh* mesh) {
+    dm_result result = set_frame(env, reader, axes, mesh);
+    if (result != DM_OK) return result;
+    set_positions(reader, mesh);
+    measure_faces(mesh);
+    return measure_parts(env, mesh);
+}
 
 static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, const dm_part_desc* parts,
                       uint32_t part_count, dmi_mesh* mesh) {
     dm_result result = dmi_mesh_read_indices(env, reader, mesh->indices);
     if (result == DM_OK) result = dmi_mesh_check_positions(env, reader);
     if (result == DM_OK) result = dmi_mesh_assign_parts(env, reader, parts, part_count, mesh);
-    if (result == DM_OK) result = set_frame(env, reader, axes, mesh);
-    if (result != DM_OK) return result;
-    set_positions(reader, mesh);
-    return dmi_mesh_measure(env, mesh);
+    if (result == DM_OK) result = fill_shape(env, reader, axes, mesh);
+    return result == DM_OK ? check_areas(env, mesh) : result;
+}
+
+static dm_result fill_pieces(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, dmi_mesh* mesh) {
+    dm_result result = dmi_mesh_read_indices(env, reader, mesh->indices);
+    if (result == DM_OK) result = dmi_mesh_check_positions(env, reader);
+    if (result == DM_OK) result = dmi_mesh_assign_pieces(env, reader, mesh);
+    if (result == DM_OK) result = fill_shape(env, reader, axes, mesh);
+    return result == DM_OK ? check_any_area(env, mesh) : result;
 }
 
 dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
@@ -250,6 +271,20 @@ dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc
     dm_result result = dmi_mesh_reader_open(env, desc, &reader);
     if (result == DM_OK) result = allocate(env, reader.vertex_count, reader.face_count, &mesh);
     if (result == DM_OK) result = fill(env, &reader, axes, parts, part_count, mesh);
+    if (result != DM_OK) {
+        dmi_mesh_destroy(env, mesh);
+        return result;
+    }
+    *out_mesh = mesh;
+    return DM_OK;
+}
+
+dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, dmi_mesh** out_mesh) {
+    dmi_mesh_reader reader;
+    dmi_mesh* mesh = NULL;
+    dm_result result = dmi_mesh_reader_open(env, desc, &reader);
+    if (result == DM_OK) result = allocate(env, reader.vertex_count, reader.face_count, &mesh);
+    if (result == DM_OK) result = fill_pieces(env, &reader, axes, mesh);
     if (result != DM_OK) {
         dmi_mesh_destroy(env, mesh);
         return result;

@@ -32,6 +32,9 @@ typedef struct dmi_mesh {
  * a triangle is a part; with a list, ids that are not in it are the body's. */
 dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
                           uint32_t part_count, dmi_mesh** out_mesh);
+/* A mesh to look for parts in: desc->part_ids may be NULL (then all is one piece), and parts may be empty, cover
+ * everything, or have no area. parts[0] has the faces of id 0. */
+dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, dmi_mesh** out_mesh);
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh);
 
 /* A mesh from a file: room, whose positions, indices, face_part and parts (id, parent, face_count) the caller fills, …

@@ -100,8 +100,7 @@ static dm_result collect_ids(dmi_env* env, const dmi_mesh_reader* reader, dmi_me
         }
         last = id;
     }
-    if (set->count > 0) return DM_OK;
-    return dmi_fail(env, DM_ERROR_EMPTY_MASK, "dm_mesh_desc.part_ids: no triangle belongs to a part");
+    return DM_OK;
 }
 
 /* face_part holds ids: makes them indices. */
@@ -110,10 +109,12 @@ static void ids_to_indices(dmi_mesh* mesh) {
     for (uint32_t f = 0; f < mesh->face_count; f++) mesh->face_part[f] = find_cached(mesh, mesh->face_part[f], &cache);
 }
 
-static dm_result assign_all_ids(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh* mesh) {
+static dm_result assign_all_ids(dmi_env* env, const dmi_mesh_reader* reader, int may_be_none, dmi_mesh* mesh) {
     id_set* set = dmi_alloc_zeroed(env, sizeof *set, 64);
     if (set == NULL) return out_of_memory(env, DM_MAX_PARTS);
     dm_result result = collect_ids(env, reader, mesh, set);
+    if (result == DM_OK && set->count == 0 && !may_be_none)
+        result = dmi_fail(env, DM_ERROR_EMPTY_MASK, "dm_mesh_desc.part_ids: no triangle belongs to a part");
     if (result == DM_OK) result = make_parts(env, mesh, set->count);
     if (result == DM_OK) {
         sort_keys(set->ids, set->count);
@@ -215,7 +216,20 @@ dm_result dmi_mesh_assign_parts(dmi_env* env, const dmi_mesh_reader* reader, con
     if (descs == NULL && desc_count > 0) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_desc.parts: NULL, but part_count is %u", desc_count);
     }
+    if (reader->desc->part_ids == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_desc.part_ids: NULL");
     dm_result result =
-        descs != NULL ? assign_listed(env, reader, descs, desc_count, mesh) : assign_all_ids(env, reader, mesh);
+        descs != NULL ? assign_listed(env, reader, descs, desc_count, mesh) : assign_all_ids(env, reader, 0, mesh);
     return result == DM_OK ? count_faces(env, mesh) : result;
+}
+
+dm_result dmi_mesh_assign_pieces(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh* mesh) {
+    dm_result result;
+    if (reader->desc->part_ids != NULL) {
+        result = assign_all_ids(env, reader, 1, mesh);
+    } else {
+        result = make_parts(env, mesh, 0);
+        memset(mesh->face_part, 0, mesh->face_count * sizeof *mesh->face_part);
+    }
+    for (uint32_t f = 0; f < mesh->face_count && result == DM_OK; f++) mesh->parts[mesh->face_part[f]].face_count++;
+    return result;
 }

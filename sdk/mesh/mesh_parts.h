@@ -9,5 +9,7 @@
  * dmi_mesh_destroy still releases what was made. descs NULL: every id that owns a triangle is a part of the body. */
 dm_result dmi_mesh_assign_parts(dmi_env* env, const dmi_mesh_reader* reader, const dm_part_desc* descs,
                                 uint32_t desc_count, dmi_mesh* mesh);
+/* The same by whatever ids there are: part ids may be NULL, and no face or every face may be the body's. */
+dm_result dmi_mesh_assign_pieces(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh* mesh);
 
 #endif

@@ -69,7 +69,7 @@ static dm_result check_indices_desc(dmi_env* env, const dm_mesh_desc* desc, dmi_
 }
 
 static dm_result check_part_ids_desc(dmi_env* env, const dm_mesh_desc* desc, dmi_mesh_reader* reader) {
-    if (desc->part_ids == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_desc.part_ids: NULL");
+    if (desc->part_ids == NULL) return DM_OK;
     size_t size = integer_size(desc->part_id_format);
     if (size == 0) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_desc.part_id_format: unknown value %d",

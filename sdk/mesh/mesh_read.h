@@ -4,7 +4,7 @@
 
 #include "base/env.h"
 
-/* A dm_mesh_desc whose pointers, formats, strides and counts make sense. */
+/* A dm_mesh_desc whose pointers, formats, strides and counts make sense; only part_ids may still be NULL. */
 typedef struct dmi_mesh_reader {
     const dm_mesh_desc* desc;
     size_t position_stride, index_size, part_id_stride; /* bytes */

@@ -552,6 +552,16 @@ DM_API dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm
 DM_API dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
                                          dm_release_plan* out_plan);
 
+/* Finds the part that a point of the surface belongs to, when no mask names it: 1 in out_face_ids for every triangle
+ * that moves with it, 0 for the others; as part ids per face they go straight into a dm_mesh_desc. mesh->part_ids tell
+ * pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or
+ * one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was
+ * pulled; a zero vector: no direction. Milliseconds to tens of them. Errors: as dm_object_prepare's of the mesh;
+ * BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays.
+ * [any-thread] */
+DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
+                                           uint8_t* out_face_ids, uint64_t face_count);
+
 /* ---- the same functions as a table ---------------------------------------------------------------------------
  * NEVER REARRANGE: the order is the binary interface "dm.core/1". New functions go to the end. */
 
@@ -604,7 +614,10 @@ DM_API dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, cons
     X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))               \
     X(dm_result, drag_get_joint, (dm_context * context, dm_drag drag, dm_joint * out_joint))                           \
     X(dm_result, drag_release,                                                                                         \
-      (dm_context * context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan))
+      (dm_context * context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan))                    \
+    X(dm_result, mesh_find_part,                                                                                       \
+      (dm_context * context, const dm_mesh_desc* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids,                \
+       uint64_t face_count))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;

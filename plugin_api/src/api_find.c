@@ -1,0 +1,55 @@
+/* Which part was grabbed, for hosts that have no mask. */
+#include "api_check.h"
+#include "api_context.h"
+#include "kinematics/linear3.h"
+#include "kinematics/part_finder.h"
+
+static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_count) {
+    if (face_count >= mesh->face_count) return DM_OK;
+    return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_mesh_find_part: face_count is %llu, the mesh has %u triangles",
+                    (unsigned long long)face_count, mesh->face_count);
+}
+
+/* The host's drag in the frame of the mesh. The point may be off the surface by half the object's size. */
+static dm_result read_drag(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* drag, dmi_part_query* out) {
+    const double point[3] = {(double)drag->point.x, (double)drag->point.y, (double)drag->point.z};
+    const float vector[3] = {drag->vector.x, drag->vector.y, drag->vector.z};
+    const float numbers[6] = {drag->point.x, drag->point.y, drag->point.z, vector[0], vector[1], vector[2]};
+    dm_result result = dmi_check_finite(env, "dm_mesh_find_part: drag", numbers, 6);
+    if (result != DM_OK) return result;
+    dmi_frame_point_in(&mesh->frame, point, out->point);
+    dmi_frame_direction_in(&mesh->frame, vector, out->drag);
+    if (!(dmi_normalize3(out->drag) > 0)) out->drag[0] = out->drag[1] = out->drag[2] = 0;
+    for (int k = 0; k < 3; k++) {
+        if (fabsf(out->point[k]) <= 1) continue;
+        return dmi_fail(env, DM_ERROR_DRAG_OFF_PART, "dm_mesh_find_part: drag.point (%g, %g, %g) is far from the mesh",
+                        point[0], point[1], point[2]);
+    }
+    return DM_OK;
+}
+
+static dm_result find(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids) {
+    dmi_part_query query = {.mesh = mesh};
+    dm_result result = read_drag(env, mesh, drag, &query);
+    if (result == DM_OK) result = dmi_part_find(env, &query, out_face_ids);
+    return result;
+}
+
+dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
+                                    uint8_t* out_face_ids, uint64_t face_count) {
+    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dm_mesh_desc known;
+    if (!drag || !out_face_ids)
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_find_part: %s is NULL",
+                        drag ? "out_face_ids" : "drag");
+    dm_result result = dmi_read_desc(env, "dm_mesh_find_part: mesh", mesh, DMI_FIRST_SIZE(dm_mesh_desc, reserved),
+                                     sizeof known, &known);
+    dmi_mesh* inner = NULL;
+    if (result == DM_OK) result = dmi_mesh_create_pieces(env, &context->axes, &known, &inner);
+    if (result != DM_OK) return result;
+    result = check_buffer(env, inner, face_count);
+    if (result == DM_OK) result = find(env, inner, drag, out_face_ids);
+    dmi_mesh_destroy(env, inner);
+    return result;
+}
