@@ -1,4 +1,5 @@
-/* What flies: aeroplanes with their control surfaces, helicopters, drones; and the sock that shows the wind. */
+/* What flies: aeroplanes with their control surfaces, helicopters, drones; the sock that shows the wind; and what dives
+ * much as they fly. */
 #include "categories.h"
 #include "hardware.h"
 
@@ -56,7 +57,9 @@ static void draw_surface(dmg_builder* b, const wing* w, uint32_t parent, const s
     float s0 = f->s0 + along, s1 = f->s1 - along, at = f->c + gap;
     dmg_vec from = wing_point(w, s0, at, 0), to = wing_point(w, s1, at, 0);
     /* About +X (root to tip) the trailing edge, which lies to -Z, goes up: lower it. */
-    dmg_hinge(b, parent, f->name, from, v3_normalize(v3_sub(from, to)), -f->swing, f->swing);
+    dmg_vec line = v3_normalize(v3_sub(from, to)), middle = v3_lerp(from, to, 0.5f);
+    bool plain = dmg_chance(b, 0.25f); /* straight across, whatever the sweep: good enough for many a model */
+    dmg_hinge(b, parent, f->name, plain ? middle : from, plain ? v3(-1, 0, 0) : line, -f->swing, f->swing);
     draw_wing_piece(b, w, s0, s1, at, 1.0f);
     if (dmg_chance(b, 0.15f))
         dmg_box(b, v3_lerp(from, to, 0.5f), v3(0.01f * w->span, 0.2f * w->thick * w->root, 0.05f * w->root));
@@ -456,6 +459,82 @@ void dmg_build_windsock(dmg_builder* b) {
         dmg_rest(b, cloth, rest * swing);
         carrier = cloth;
         z += far;
+    }
+    dmg_use(b, 0);
+}
+
+/* ---- submarine ---- */
+
+/* A propeller in a duct, blowing along +Z. */
+static void draw_thruster(dmg_builder* b, float radius) {
+    float wall = 0.1f * radius, half = radius * dmg_range(b, 0.3f, 0.7f);
+    const dmg_xy duct[] = {{1.08f * radius, -half},
+                           {1.08f * radius + wall, -half},
+                           {1.08f * radius + wall, half},
+                           {1.08f * radius, half},
+                           {1.08f * radius, -half}};
+    dmg_use(b, 0);
+    if (dmg_chance(b, 0.8f)) dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), duct, 5);
+    dmg_rod(b, v3(0, 0, -1.5f * half), v3(0, 0, -0.2f * half), 0.3f * radius);
+    for (int i = 0; i < 3; ++i) {
+        float angle = 2.0f * DMG_PI * (float)i / 3.0f;
+        dmg_beam(b, v3(0, 0, -0.8f * half), v3(1.1f * radius * cosf(angle), 1.1f * radius * sinf(angle), -0.8f * half),
+                 wall, wall);
+    }
+    draw_prop(b, "thruster", radius, dmg_int(b, 2, 5));
+}
+
+void dmg_build_submarine(dmg_builder* b) {
+    float size = dmg_scale_range(b, 0.2f, 4.0f), width = size * dmg_range(b, 0.3f, 0.8f),
+          high = size * dmg_range(b, 0.25f, 0.6f), prop = size * dmg_range(b, 0.05f, 0.1f);
+    dmg_move(b, 0, high, 0);
+    if (dmg_chance(b, 0.5f)) { /* an open frame with floats on top */
+        for (int s = -1; s <= 1; s += 2)
+            dmg_box(b, v3((float)s * 0.5f * width, -0.1f * high, 0), v3(0.03f * size, high, size));
+        for (int s = -1; s <= 1; s += 2)
+            dmg_rounded_box(b, v3((float)s * 0.22f * width, 0.4f * high, 0),
+                            v3(0.4f * width, 0.35f * high, 0.9f * size), 0.1f * high);
+        dmg_rod(b, v3(0, 0, -0.35f * size), v3(0, 0, 0.35f * size), 0.15f * width);
+        int pairs = dmg_int(b, 1, 2);
+        float toe = dmg_chance(b, 0.5f) ? 0.25f * DMG_PI : dmg_range(b, -0.8f, 0.8f);
+        for (int i = 0; i < 4 * pairs; ++i) {
+            float x = (i & 1 ? 1.0f : -1.0f), z = (i & 2 ? 1.0f : -1.0f);
+            dmg_save(b);
+            dmg_move(b, x * 0.36f * width, i < 4 ? -0.3f * high : 0.1f * high, z * 0.36f * size);
+            if (i < 4)
+                dmg_turn(b, v3(0, 1, 0), -x * z * toe);
+            else
+                dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI);
+            draw_thruster(b, prop);
+            dmg_restore(b);
+        }
+    } else { /* a hull with fins and a screw */
+        float radius = 0.5f * fminf(width, high);
+        draw_fuselage(b, radius, 0.5f * size, 0.6f * size);
+        dmg_save(b);
+        dmg_move(b, 0, 0, -0.6f * size);
+        dmg_turn(b, v3(0, 1, 0), DMG_PI);
+        draw_thruster(b, fminf(0.6f * radius, 2 * prop));
+        dmg_restore(b);
+        for (int i = 0; i < 4; ++i) { /* rudders and planes at the stern */
+            wing fin = pick_wing(b, radius, 0.6f * radius);
+            dmg_save(b);
+            dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI * (float)i);
+            dmg_move(b, 0.2f * radius, 0, -0.45f * size);
+            dmg_use(b, 0);
+            if (dmg_chance(b, 0.5f)) {
+                surface flap = {"rudder", 0.1f, 0.98f, dmg_range(b, 0.4f, 0.75f), 0.6f};
+                draw_wing(b, &fin, 0, &flap, 1);
+            } else {
+                dmg_hinge(b, 0, "plane", wing_point(&fin, 0, 0.4f, 0), v3(1, 0, 0), -0.5f, 0.5f);
+                draw_wing_piece(b, &fin, 0.05f, 1, 0, 1);
+            }
+            dmg_restore(b);
+        }
+        dmg_use(b, 0);
+        dmg_box(b, v3(0, 0.9f * radius, 0.05f * size), v3(0.5f * radius, 0.9f * radius, 0.25f * size));
+        dmg_hinge(b, 0, "hatch", v3(0, 1.35f * radius, -0.05f * size), v3(-1, 0, 0), 0.0f, 1.5f);
+        dmg_box(b, v3(0, 1.38f * radius, 0.03f * size), v3(0.4f * radius, 0.06f * radius, 0.15f * size));
     }
     dmg_use(b, 0);
 }

@@ -143,7 +143,9 @@
     X(power_tool)                                                                                                      \
     X(press)                                                                                                           \
     X(balance)                                                                                                         \
-    X(slats)
+    X(slats)                                                                                                           \
+    /* aircraft.c */                                                                                                   \
+    X(submarine)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

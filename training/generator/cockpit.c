@@ -194,15 +194,18 @@ static void draw_needles(dmg_builder* b, float radius) {
             dmg_turn(b, v3(0, 0, 1), dmg_range(b, 0, 6));
         else
             dmg_rest(b, needle, dmg_range(b, -swing, swing));
+        /* Some begin in the middle or out at the rim: the line they turn about does not touch them. */
+        float from = dmg_chance(b, 0.6f) ? -0.2f * length : length * dmg_range(b, 0.0f, 0.7f),
+              middle = 0.5f * (from + length);
         int kind = dmg_int(b, 0, 2);
-        if (kind == 0) dmg_box(b, v3(0, 0.4f * length, z), v3(width, 1.2f * length, 0.3f * width));
+        if (kind == 0) dmg_box(b, v3(0, middle, z), v3(width, length - from, 0.3f * width));
         if (kind == 1) { /* one face */
-            const dmg_xy tip[] = {{-width, -0.2f * length}, {width, -0.2f * length}, {0, length}};
+            const dmg_xy tip[] = {{-width, from}, {width, from}, {0, length}};
             dmg_extrude(b, tip, 3, z, z + 0.1f * width);
         }
         if (kind == 2)
-            dmg_box_faces(b, v3(0, 0.4f * length, z), v3(2 * width, 1.2f * length, 0.001f * radius), DMG_FACE_FRONT);
-        if (dmg_chance(b, 0.6f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, z + 0.3f * width), 1.5f * width);
+            dmg_box_faces(b, v3(0, middle, z), v3(2 * width, length - from, 0.001f * radius), DMG_FACE_FRONT);
+        if (from < 0.0f && dmg_chance(b, 0.6f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, z + 0.3f * width), 1.5f * width);
         dmg_restore(b);
         dmg_use(b, 0);
     }

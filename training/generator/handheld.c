@@ -170,15 +170,30 @@ static void draw_thumb_face(dmg_builder* b, uint32_t parent, float width) {
 /* Hangs from the origin towards -Y, its face to +Z; turns about X at a pivot that is somewhere above or behind. */
 static void draw_finger_trigger(dmg_builder* b, uint32_t parent, const char* name, float width, float length) {
     float far = dmg_range(b, 0.12f, 0.55f), tilt = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, -0.25f, 0.25f);
-    float up = length * dmg_range(b, -0.2f, 0.7f), back = length * dmg_range(b, -0.3f, 0.5f);
+    /* The pivot: somewhere in the shell, near the trigger's root or well away from it. */
+    bool far_off = dmg_chance(b, 0.4f);
+    float up = length * dmg_range(b, -0.2f, far_off ? 1.6f : 0.6f),
+          back = length * dmg_range(b, -0.5f, far_off ? 1.4f : 0.4f);
     dmg_turn(b, v3(0, 0, 1), tilt);
     dmg_hinge(b, parent, name, v3(0, up, -back), v3(1, 0, 0), 0.0f, far);
-    int kind = dmg_int(b, 0, 3);
+    int kind = dmg_int(b, 0, 4);
+    if (kind == 4) { /* a cap round the shell's front, thin and hollow */
+        const dmg_xy cap[] = {{0.9f * length, -0.5f * width},
+                              {length, -0.4f * width},
+                              {length, 0.4f * width},
+                              {0.9f * length, 0.5f * width}};
+        float round = dmg_range(b, 0.7f, 1.6f);
+        dmg_save(b);
+        dmg_move(b, 0, 0.5f * length, -0.5f * length);
+        dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI + dmg_range(b, -0.9f, 0.1f));
+        dmg_lathe_arc(b, v3(0, 0, 0), v3(1, 0, 0), cap, 4, 0.5f * DMG_PI - 0.5f * round, round);
+        dmg_restore(b);
+    }
     if (kind == 0) dmg_ellipsoid(b, v3(0, -0.4f * length, 0), v3(0.5f * width, 0.55f * length, 0.3f * length));
     if (kind == 1)
         dmg_rounded_box(b, v3(0, -0.4f * length, 0), v3(width, length, 0.5f * length),
                         0.2f * fminf(width, 0.5f * length));
-    if (kind >= 2) { /* a curved blade: hooks forward at its end */
+    if (kind == 2 || kind == 3) { /* a curved blade: hooks forward at its end */
         enum { POINTS = 6 };
         dmg_xy line[2 * POINTS];
         float thick = length * dmg_range(b, 0.12f, 0.35f), hook = length * dmg_range(b, 0.1f, 0.5f);

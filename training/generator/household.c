@@ -159,7 +159,8 @@ void dmg_build_folding_panel(dmg_builder* b) {
     int panels = dmg_int(b, 2, 6), start = dmg_int(b, 0, 2);
     dmg_panel panel = dmg_panel_pick(b);
     dmg_hinge_style hinge = dmg_hinge_pick(b, 0.4f * t);
-    bool zigzag = dmg_chance(b, 0.8f), flat = dmg_chance(b, 0.3f);
+    bool zigzag = dmg_chance(b, 0.8f), flat = dmg_chance(b, 0.3f), stacked = zigzag && dmg_chance(b, 0.3f);
+    if (stacked) angle = dmg_range(b, 2.95f, 3.1f); /* folded up */
     dmg_move(b, 0, 0.5f * height, 0);
     if (flat) dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI);
     uint32_t carrier = 0;
@@ -178,7 +179,7 @@ void dmg_build_folding_panel(dmg_builder* b) {
         float z = side > 0 ? -t : 0.0f;
         uint32_t before = carrier;
         carrier = dmg_hinge(b, before, "panel", v3(0, 0, z), v3(0, side, 0), 0.0f, 3.1f);
-        dmg_rest(b, carrier, i == 0 ? 0.5f * angle : angle);
+        dmg_rest(b, carrier, i == 0 && angle < 2.0f ? 0.5f * angle : angle);
         dmg_save(b);
         dmg_move(b, 0.5f * width, 0, 0);
         dmg_panel_draw(b, &panel, 0.995f * width, height, t);

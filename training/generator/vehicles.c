@@ -14,17 +14,18 @@ static void draw_wheel_at(dmg_builder* b, const axle_wheel* w, float x, float z,
     dmg_save(b);
     dmg_move(b, x, w->radius, z);
     float in = x > 0 ? -1.0f : 1.0f;
-    if (w->mount == 1) { /* the knuckle's own pin lies a little inside the wheel, or in its middle */
+    bool bare = dmg_chance(b, 0.5f); /* the wheel itself steers or gives way: one part, one joint */
+    if (w->mount == 1) {             /* the knuckle's own pin lies a little inside the wheel, or in its middle */
         float pin = in * w->width * dmg_range(b, 0.0f, 1.2f);
         carrier = dmg_hinge(b, 0, "steering", v3(pin, 0, 0), v3_normalize(v3(0, cosf(lean), -sinf(lean))), -0.7f, 0.7f);
-        dmg_rod(b, v3(pin, 0, 0), v3(0, 0, 0), 0.2f * w->radius);
+        if (!bare) dmg_rod(b, v3(pin, 0, 0), v3(0, 0, 0), 0.2f * w->radius);
     }
     if (w->mount == 2) {
         carrier = dmg_slide(b, 0, "suspension", v3(0, 1, 0), -0.2f * w->radius, 0.3f * w->radius);
-        dmg_rod(b, v3(in * 0.8f * w->width, 0, 0), v3(0, 0, 0), 0.15f * w->radius);
+        if (!bare) dmg_rod(b, v3(in * 0.8f * w->width, 0, 0), v3(0, 0, 0), 0.15f * w->radius);
     }
     dmg_turn(b, v3(0, 1, 0), 0.5f * DMG_PI);
-    if (w->mount == 0 || dmg_chance(b, 0.8f)) dmg_spin(b, carrier, "wheel", v3(0, 0, 0), v3(0, 0, 1));
+    if (w->mount == 0 || !bare) dmg_spin(b, carrier, "wheel", v3(0, 0, 0), v3(0, 0, 1));
     dmg_wheel_draw(b, w->kind, w->radius, w->width, w->spokes);
     dmg_restore(b);
     dmg_use(b, 0);
@@ -320,7 +321,7 @@ void dmg_build_mobile_robot(dmg_builder* b) {
           high = size * dmg_range(b, 0.2f, 1.3f);
     bool flat_top = draw_robot_hull(b, width, size, floor, high);
     axle_wheel w = pick_axle_wheel(b, wheel);
-    static const float weights[] = {5, 1, 2};
+    static const float weights[] = {4, 1.5f, 3};
     w.mount = dmg_weighted(b, weights, 3);
     float x = 0.5f * width + w.width * dmg_range(b, -0.9f, 0.55f), small = wheel * dmg_range(b, 0.3f, 0.6f);
     int layout = dmg_int(b, 0, 2); /* two and casters, four, six */
