@@ -174,6 +174,7 @@ static void draw_finger_trigger(dmg_builder* b, uint32_t parent, const char* nam
     bool far_off = dmg_chance(b, 0.4f);
     float up = length * dmg_range(b, -0.2f, far_off ? 1.6f : 0.6f),
           back = length * dmg_range(b, -0.5f, far_off ? 1.4f : 0.4f);
+    far = fminf(far, 0.5f * length / hypotf(up + 0.4f * length, back)); /* a finger pulls no farther */
     dmg_turn(b, v3(0, 0, 1), tilt);
     dmg_hinge(b, parent, name, v3(0, up, -back), v3(1, 0, 0), 0.0f, far);
     int kind = dmg_int(b, 0, 4);
@@ -184,7 +185,7 @@ static void draw_finger_trigger(dmg_builder* b, uint32_t parent, const char* nam
                               {0.9f * length, 0.5f * width}};
         float round = dmg_range(b, 0.7f, 1.6f);
         dmg_save(b);
-        dmg_move(b, 0, 0.5f * length, -0.5f * length);
+        dmg_move(b, 0, 0.3f * length, -0.4f * length);
         dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI + dmg_range(b, -0.9f, 0.1f));
         dmg_lathe_arc(b, v3(0, 0, 0), v3(1, 0, 0), cap, 4, 0.5f * DMG_PI - 0.5f * round, round);
         dmg_restore(b);
