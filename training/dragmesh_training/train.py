@@ -48,14 +48,26 @@ def rate_at(config, step, done):
     return config.rate * min(1.0, (step + 1) / WARM_UP) * (0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * done)))
 
 
+def begin_from(model, path):
+    """Exported weights as a start; what they lack keeps its own start, what they have too much is an error."""
+    tensors, _ = export.load_safetensors(path)
+    lacking, unknown = model.load_state_dict(tensors, strict=False)
+    if unknown:
+        raise SystemExit(f"training: {path} has {', '.join(unknown)}, which the network has not")
+    if lacking:
+        print(f"training: {path} lacks {', '.join(lacking)}", flush=True)
+
+
 class Run:
     """A training run in its folder: checkpoint.pt, log.csv."""
 
-    def __init__(self, config, folder, device, workers):
+    def __init__(self, config, folder, device, workers, start=None):
         self.config, self.folder, self.device = config, folder, device
         torch.manual_seed(config.seed)
         self.model = make_network(config).to(device)
         self.average = make_network(config).to(device)
+        if start:
+            begin_from(self.model, start)
         self.average.load_state_dict(self.model.state_dict())
         self.optimizer = torch.optim.AdamW(self.model.parameters(), lr=config.rate, weight_decay=config.decay)
         self.step, self.chunks, self.seconds = 0, 0, 0.0
@@ -138,12 +150,12 @@ def progress(run, losses, per_second, note):
     print(text, end="\r" if sys.stdout.isatty() else "\n", flush=True)
 
 
-def train(config, folder, threads, workers, out=None, until=None):
+def train(config, folder, threads, workers, out=None, until=None, start=None):
     """Trains to the end of the config (or step `until`), from the folder's checkpoint when it has one; exports to `out`. The
     last scores."""
     torch.set_num_threads(threads)
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
-    run = Run(config, folder, device, workers)
+    run = Run(config, folder, device, workers, start)
     scores, sums, since, begun = {}, {}, 0, time.monotonic()
     done = run.done
     while done < 1 and run.step != until:
