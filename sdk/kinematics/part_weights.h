@@ -1,5 +1,6 @@
-/* Weights of the network that says whether a piece belongs to a growing part. Fitted on generated objects alone by
- * training/fit_part_growth: do not edit. */
+/* Weights of the network that says whether a piece belongs to a growing part. Fitted on generated objects alone (94,261
+ * pieces of 630 objects of 63 categories, half of them messy) by the method of training/dragmesh_training/growth.py:
+ * not to be edited. */
 #ifndef DMI_KINEMATICS_PART_WEIGHTS_H
 #define DMI_KINEMATICS_PART_WEIGHTS_H
 

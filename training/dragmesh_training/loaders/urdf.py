@@ -1,7 +1,7 @@
 """URDF folders, as GAPartNet and PartNet-Mobility ship them, to object.glb + joints.json.
 
 One node a link, in the frame of the URDF's root with all joints at 0. semantics.txt (PartNet-Mobility: link, kind of
-joint, name of the part) and meta.json (model_cat) are read where they are. The format: docs/data.md.
+joint, name of the part) and meta.json (model_cat) are read where they are.
 """
 import json
 import xml.etree.ElementTree as ElementTree
