@@ -60,8 +60,8 @@ void dmg_builder_init(dmg_builder* b, uint64_t seed, bool messy) {
     dmg_random(b);
     b->messy = messy;
     b->frames[0] = dmg_frame_identity();
-    static const int levels[] = {8, 10, 12, 14, 16, 20, 24};
-    b->sides = levels[dmg_int(b, messy ? 0 : 3, 6)];
+    static const int levels[] = {8, 10, 12, 14, 16, 20, 24, 32, 48};
+    b->sides = levels[dmg_int(b, messy ? 0 : 3, messy ? 8 : 6)];
 }
 
 void dmg_builder_free(dmg_builder* b) {
