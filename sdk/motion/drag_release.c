@@ -14,6 +14,7 @@
 #define LEAST_TIME 0.18f  /* s */
 #define WHOLE_TIME 0.7f   /* s over the whole range */
 #define COAST_HALVES 7.0f /* after so many half-lives a free part stands */
+#define BACKWARDS 0.105f  /* most of s (1 - s)^3 */
 #define FIND_STEPS 64     /* of a place on the keys */
 
 static float pace(float s) {
@@ -26,16 +27,18 @@ static float range_of(const dm_joint* joint) {
     return joint->upper - joint->lower;
 }
 
-/* The limit on the side that the part was pulled to. */
-static float open_end(const dmi_drag* drag) {
-    const float side = drag->value + THROW_TIME * drag->velocity - dmi_joint_clamp(&drag->joint, 0);
-    if (side == 0) return fabsf(drag->joint.upper) >= fabsf(drag->joint.lower) ? drag->joint.upper : drag->joint.lower;
-    return side > 0 ? drag->joint.upper : drag->joint.lower;
-}
-
 static int rests_at_stop(const dm_joint* joint) {
     const float near = AT_STOP * range_of(joint), rest = dmi_joint_clamp(joint, 0);
     return rest - joint->lower <= near || joint->upper - rest <= near;
+}
+
+/* The limit that is not rest; of two, the one on the side that the part was pulled to. */
+static float open_end(const dmi_drag* drag) {
+    const dm_joint* joint = &drag->joint;
+    const float rest = dmi_joint_clamp(joint, 0), side = drag->value + THROW_TIME * drag->velocity - rest;
+    if (side == 0 || rests_at_stop(joint))
+        return joint->upper - rest >= rest - joint->lower ? joint->upper : joint->lower;
+    return side > 0 ? joint->upper : joint->lower;
 }
 
 /* What the player meant. */
@@ -81,6 +84,15 @@ static void plan_stay(dmi_drag* drag, dmi_release* r) {
     if (way <= ARRIVED * (dmi_joint_has_limits(&drag->joint) ? range_of(&drag->joint) : 1)) r->duration = 0;
 }
 
+/* Going back first, a part gets no farther than BACKWARDS of its speed times the duration: what would take it into the
+ * stop behind it is lost at once. */
+static float speed_with_room(const dmi_drag* drag, const dmi_release* r) {
+    const float way = r->end - r->start, u = r->velocity;
+    if (u * way >= 0) return u;
+    const float room = u > 0 ? drag->joint.upper - r->start : r->start - drag->joint.lower;
+    return copysignf(fminf(fabsf(u), fmaxf(room, 0) / (BACKWARDS * r->duration)), u);
+}
+
 static void plan_move(dmi_drag* drag, dmi_release* r, float end) {
     const float way = end - r->start;
     r->end = end;
@@ -107,8 +119,9 @@ void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
     else if (asked != DM_INTENT_FREEZE)
         r->intent = DM_INTENT_STAY, plan_stay(drag, r);
     if (duration > 0 && r->duration > 0) r->duration = duration;
+    if (!r->glides && r->duration > 0 && !free) r->velocity = speed_with_room(drag, r);
     if (r->duration > 0) return;
-    r->velocity = 0;
+    r->velocity = drag->velocity = 0;
     r->phase = DM_DRAG_AT_REST;
 }
 

@@ -310,7 +310,8 @@ typedef struct dm_drag_feel {
 } dm_drag_feel;
 
 enum {
-    DM_DRAG_KEEP_JOINT = 1 /* follow the joint in force, whatever the pull says. A joint of the host's is always kept */
+    DM_DRAG_KEEP_JOINT =
+        1 /* follow the joint in force, limits and all, whatever the pull says, as with a host's joint */
 };
 
 typedef struct dm_drag_desc {
@@ -486,8 +487,9 @@ DM_API dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion mot
 /* [any-thread] */
 DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion);
 
-/* The player grabs a part. Where the library found the joint and the part is at rest, the drag holds the part's other
- * hypotheses too, and follows the one that explains the pull best. [any-thread] */
+/* The player grabs a part. Where the library found the joint, a pull tells more about it: the drag holds the part's
+ * other hypotheses too and follows the one that explains the pull best (a part at rest), and limits that were estimated
+ * yield when the pull goes on beyond them. docs/feel.md. [any-thread] */
 DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 
 /* The grabbed point follows the pointer ray (object frame) as closely as its joint allows; dt in seconds. After
@@ -542,7 +544,8 @@ DM_API dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene);
  * moves or commits. [frame] */
 DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
 
-/* The joint that the drag follows now, confidence after the pull so far. To keep it: dm_object_set_joint. [frame] */
+/* The joint that the drag follows now, with the limits and the confidence that the pull so far has left it. To keep it:
+ * dm_object_set_joint. [frame] */
 DM_API dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint* out_joint);
 
 /* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE

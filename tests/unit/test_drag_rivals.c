@@ -1,0 +1,191 @@
+/* Early evidence: the pull tells which joint it is, soon, without a jump, in any axes; a hand's tremor does not. */
+#include "test_math.h"
+
+#include <string.h>
+
+#include "math/frames.h"
+#include "motion/drag.h"
+
+#define FRAME (1.0f / 60)
+
+/* A front panel that might slide out, or swing on either side, or on its lower edge. */
+enum { SLIDES, LEFT, RIGHT, LOWER, JOINTS };
+static const dm_joint joints[JOINTS] = {
+    {.type = DM_JOINT_PRISMATIC, .confidence = 0.5f, .axis = {0, 0, 1}, .upper = 0.5f},
+    {.type = DM_JOINT_REVOLUTE, .confidence = 0.3f, .axis = {0, -1, 0}, .origin = {-0.5f, 0, 0}, .upper = 1.57f},
+    {.type = DM_JOINT_REVOLUTE, .confidence = 0.1f, .axis = {0, 1, 0}, .origin = {0.5f, 0, 0}, .upper = 1.57f},
+    {.type = DM_JOINT_REVOLUTE, .confidence = 0.1f, .axis = {1, 0, 0}, .origin = {0, -0.5f, 0}, .upper = 1.57f},
+};
+static const float handle[3] = {0.3f, 0.3f, 0.02f}, eye[3] = {1.2f, 1.4f, 3};
+
+static dm_ray ray_to(const float from[3], const float point[3]) {
+    return (dm_ray){dmi_vec3(from), {point[0] - from[0], point[1] - from[1], point[2] - from[2]}};
+}
+
+static void point_on(const dm_joint* joint, float value, float out[3]) {
+    const dm_pose pose = dmi_joint_pose(joint, value);
+    dmi_pose_apply(&pose, handle, out);
+}
+
+typedef struct pulled {
+    dmi_drag drag;
+    dm_drag_state now;
+    float longest_step; /* of the grabbed point between two frames */
+    int decided;        /* the frame of the last change */
+} pulled;
+
+/* Pulls along `truth` to `to` in `frames`, then holds on for the blend. */
+static pulled pull(const dm_joint* truth, float to, int frames, float tremor) {
+    pulled p = {.decided = -1};
+    dmi_random random = dmi_random_make(9, 9);
+    const dm_drag_feel feel = {0};
+    float last[3], point[3];
+    uint32_t changes = 0;
+    dmi_drag_begin(&p.drag, &joints[SLIDES], handle, 0, &feel);
+    dmi_drag_doubt(&p.drag, joints, JOINTS, 1);
+    memcpy(last, handle, sizeof last);
+    for (int k = 1; k <= frames + 30; k++) {
+        point_on(truth, to * fminf((float)k / (float)frames, 1), point);
+        for (int i = 0; i < 3; i++) point[i] += tremor * dmi_random_normal(&random);
+        const dm_ray ray = ray_to(eye, point);
+        dmi_drag_update(&p.drag, &ray, FRAME, &p.now);
+        p.longest_step = fmaxf(p.longest_step, (float)test_distance(last, dmi_xyz(p.now.grab_point).v));
+        memcpy(last, dmi_xyz(p.now.grab_point).v, sizeof last);
+        if (p.now.changes != changes) p.decided = k, changes = p.now.changes;
+    }
+    return p;
+}
+
+static void the_pull_tells_the_joint(void** state) {
+    (void)state;
+    for (int i = 0; i < JOINTS; i++) {
+        const float to = i == SLIDES ? 0.4f : 1.4f;
+        const pulled p = pull(&joints[i], to, 120, 0);
+        float there[3];
+        point_on(&joints[i], to, there);
+        assert_near3(dmi_xyz(p.now.grab_point).v, there, 0.02);
+        assert_int_equal(p.drag.joint.type, joints[i].type);
+        assert_near3(dmi_xyz(p.drag.joint.axis).v, dmi_xyz(joints[i].axis).v, 0);
+        assert_near(p.now.value, to, 0.02);
+        assert_true(p.longest_step < 0.06f);
+        const dm_pose pose = dmi_joint_pose(&p.drag.joint, p.now.value); /* on the joint again */
+        assert_same_motion(&pose, &p.now.pose, 1, 1e-6);
+        assert_true(dmi_rivals_confidence(&p.drag.rivals) > 0.3f);
+    }
+}
+
+static void a_hand_that_trembles_decides_the_same(void** state) {
+    (void)state;
+    for (int i = 0; i < JOINTS; i++) {
+        const pulled p = pull(&joints[i], i == SLIDES ? 0.4f : 1.4f, 120, 0.003f);
+        assert_int_equal(p.drag.joint.type, joints[i].type);
+        assert_near3(dmi_xyz(p.drag.joint.axis).v, dmi_xyz(joints[i].axis).v, 0);
+        assert_true(p.now.changes <= 2);
+        assert_true(p.longest_step < 0.08f);
+    }
+}
+
+/* A panel pulled the way its range does not lie opens to the other side. */
+static void the_pull_tells_the_side(void** state) {
+    (void)state;
+    const dm_joint door = joints[LEFT];
+    const dm_drag_feel feel = {0};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    dmi_drag_begin(&drag, &door, handle, 0, &feel);
+    dmi_drag_doubt(&drag, &door, 1, 1);
+    for (int k = 1; k <= 150; k++) {
+        float point[3];
+        point_on(&door, -1.2f * fminf((float)k / 120, 1), point);
+        const dm_ray ray = ray_to(eye, point);
+        dmi_drag_update(&drag, &ray, FRAME, &now);
+    }
+    assert_near(now.value, -1.2f, 0.01);
+    assert_int_equal(now.changes, 1);
+    assert_true(drag.joint.lower < -1.5f && drag.joint.upper == 0);
+    dmi_drag_begin(&drag, &door, handle, 0, &feel); /* a joint that is sure has its stop */
+    for (int k = 1; k <= 150; k++) {
+        float point[3];
+        point_on(&door, -1.2f * fminf((float)k / 120, 1), point);
+        const dm_ray ray = ray_to(eye, point);
+        dmi_drag_update(&drag, &ray, FRAME, &now);
+        assert_near(now.value, 0, 1e-6);
+    }
+}
+
+/* A pull that fits none of the joints takes the part along. */
+static void nothing_is_stuck(void** state) {
+    (void)state;
+    const dm_joint up = {.type = DM_JOINT_PRISMATIC, .axis = {0, 1, 0}, .lower = -1, .upper = 1};
+    const pulled p = pull(&up, 0.6f, 120, 0);
+    float there[3];
+    point_on(&up, 0.6f, there);
+    assert_near3(dmi_xyz(p.now.grab_point).v, there, 0.02);
+}
+
+static void half_the_step_is_the_same_drag(void** state) {
+    (void)state;
+    for (int i = 0; i < JOINTS; i++) {
+        const float to = i == SLIDES ? 0.4f : 1.4f;
+        const dm_drag_feel feel = {0};
+        float ends[2];
+        for (int fine = 0; fine < 2; fine++) {
+            dmi_drag drag;
+            dm_drag_state now = {0};
+            const int steps = fine ? 240 : 120;
+            dmi_drag_begin(&drag, &joints[SLIDES], handle, 0, &feel);
+            dmi_drag_doubt(&drag, joints, JOINTS, 1);
+            for (int k = 1; k <= steps; k++) {
+                float point[3];
+                point_on(&joints[i], to * (float)k / (float)steps, point);
+                const dm_ray ray = ray_to(eye, point);
+                dmi_drag_update(&drag, &ray, 2.0f / (float)steps, &now);
+            }
+            ends[fine] = now.value;
+        }
+        assert_near(ends[0], ends[1], 0.01 * (double)to);
+    }
+}
+
+static void host_axes_do_not_matter(void** state) {
+    (void)state;
+    for (int axes = 0; axes < 4; axes++) {
+        for (int i = 0; i < JOINTS; i++) {
+            dmi_frame frame = {.size = 0.8, .centre = {0.3, -0.2, 5}};
+            assert_true(dmi_axes_init(&frame.axes, axes, NULL, 0.01f));
+            dm_joint host[JOINTS];
+            for (int k = 0; k < JOINTS; k++) host[k] = dmi_frame_joint_out(&frame, &joints[k]);
+            float host_handle[3], host_eye[3], point[3], host_point[3];
+            dmi_frame_point_out(&frame, handle, host_handle);
+            dmi_frame_point_out(&frame, eye, host_eye);
+            const dm_drag_feel feel = {0};
+            const float unit = dmi_frame_length_out(&frame), to = i == SLIDES ? 0.4f : 1.4f;
+            dmi_drag inner, outer;
+            dm_drag_state a, b;
+            dmi_drag_begin(&inner, &joints[SLIDES], handle, 0, &feel);
+            dmi_drag_doubt(&inner, joints, JOINTS, 1);
+            dmi_drag_begin(&outer, &host[SLIDES], host_handle, 0, &feel);
+            dmi_drag_doubt(&outer, host, JOINTS, unit);
+            for (int k = 1; k <= 120; k++) {
+                point_on(&joints[i], to * (float)k / 120, point);
+                dmi_frame_point_out(&frame, point, host_point);
+                const dm_ray ray = ray_to(eye, point), host_ray = ray_to(host_eye, host_point);
+                dmi_drag_update(&inner, &ray, FRAME, &a);
+                dmi_drag_update(&outer, &host_ray, FRAME, &b);
+            }
+            assert_int_equal(inner.joint.type, outer.joint.type);
+            assert_near(b.value, a.value * (i == SLIDES ? unit : 1), 2e-3 * (double)(i == SLIDES ? unit : 1));
+            dmi_frame_point_out(&frame, dmi_xyz(a.grab_point).v, host_point);
+            assert_near3(dmi_xyz(b.grab_point).v, host_point, 2e-3 * (double)unit);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_pull_tells_the_joint),       cmocka_unit_test(a_hand_that_trembles_decides_the_same),
+        cmocka_unit_test(the_pull_tells_the_side),        cmocka_unit_test(nothing_is_stuck),
+        cmocka_unit_test(half_the_step_is_the_same_drag), cmocka_unit_test(host_axes_do_not_matter),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
