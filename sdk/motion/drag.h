@@ -19,9 +19,10 @@ typedef struct dmi_drag {
     dmi_rivals rivals;         /* none: the joint is sure */
     int yields;                /* its limits are estimates: these, and at most those the pull may take it to */
     float guess_lower, guess_upper, most_lower, most_upper;
-    dm_pose offset;   /* of the pose shown from the joint's own, when it came to a new joint … */
-    float offset_age; /* … so long ago, s */
-    uint32_t changes; /* of the joint */
+    dm_pose offset;    /* of the pose shown from the joint's own, when it came to a new joint … */
+    float offset_age;  /* … so long ago, s … */
+    float offset_time; /* … which is gone after this */
+    uint32_t changes;  /* of the joint */
     dmi_release release;
 } dmi_drag;
 

@@ -5,14 +5,14 @@
 #include <string.h>
 
 #define HALF_TURN 3.14159265f
-#define FIRST_PULL 0.01f   /* of the part's size: less tells nothing */
+#define FIRST_PULL 0.006f  /* of the part's size: less tells nothing */
 #define SPREAD 0.1f        /* of the pull: how far off the right path a hand goes */
 #define TREMOR 0.004f      /* of the part's size: and how far it is off at the start */
 #define FLOOR 3e-4f        /* no pull makes a joint impossible */
 #define OTHER_SIDE (-1.9f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
-#define MARGIN 0.5f         /* how much more probable another joint must be, log */
+#define MARGIN 0.4f         /* how much more probable another joint must be, log */
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
 #define SAME_DISTANCE 0.02f /* of the part's size */
 

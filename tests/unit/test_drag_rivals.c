@@ -44,7 +44,7 @@ static pulled pull(const dm_joint* truth, float to, int frames, float tremor) {
     dmi_drag_begin(&p.drag, &joints[SLIDES], handle, 0, &feel);
     dmi_drag_doubt(&p.drag, joints, JOINTS, 1);
     memcpy(last, handle, sizeof last);
-    for (int k = 1; k <= frames + 30; k++) {
+    for (int k = 1; k <= frames + 60; k++) {
         point_on(truth, to * fminf((float)k / (float)frames, 1), point);
         for (int i = 0; i < 3; i++) point[i] += tremor * dmi_random_normal(&random);
         const dm_ray ray = ray_to(eye, point);
