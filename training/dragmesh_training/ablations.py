@@ -213,7 +213,7 @@ def efficiency_rows(lab):
                     call()
                     times.append(time.process_time() - begun)
             parameters = sum(p.numel() for p in model.parameters())
-            key = "motion_generate" if network == "vae" else "kpp"
+            key = "motion_generate" if network == "vae" else ""  # KPP-Net is a part of object_prepare alone
             rows[f"{name}, {size}"] = {
                 "row": f"{name}, {size}", "parameters": parameters, "bytes": 2 * parameters, "gflop": f"{flop * 1e-9:.4g}",
                 "ms_pytorch": f"{1000 * float(np.median(times)):.4g}",
