@@ -109,7 +109,7 @@ def train_row(row, arrays, steps, log):
     model, average = train.make_network(row), train.make_network(row)
     average.load_state_dict(model.state_dict())
     optimizer = torch.optim.AdamW(model.parameters(), lr=RATE, weight_decay=row.decay)
-    warm_up, total = min(100, steps // 5), 0.0
+    warm_up, total = max(1, min(100, steps // 5)), 0.0
     for step in range(steps):
         index = random.integers(0, len(arrays["type"]), row.batch)
         batch = data.to_tensors({name: array[index] for name, array in arrays.items()}, "cpu")
