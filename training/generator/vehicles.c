@@ -96,7 +96,37 @@ static void draw_car_body(dmg_builder* b, const car* c) {
     }
 }
 
-/* Panels lying on the body: side doors, bonnet, boot. */
+/* What opens at the back: a tailgate, a bed that tips, a boot. low: the lower edge of the doors. */
+static void draw_car_back(dmg_builder* b, const car* c, float low) {
+    float t = 0.012f * c->length;
+    if (c->cabin == 1) { /* a door at the back: upwards, or to the side */
+        float tail = -0.5f * c->length;
+        bool up = dmg_chance(b, 0.6f);
+        if (c->trunk > tail + 0.02f * c->length) tail = c->trunk;
+        float y0 = tail == c->trunk ? c->belt : low;
+        if (up)
+            dmg_hinge(b, 0, "tailgate", v3(0, c->roof, tail), v3(1, 0, 0), 0.0f, 1.4f);
+        else
+            dmg_hinge(b, 0, "tailgate", v3(0.45f * c->width, y0, tail - t), v3(0, -1, 0), 0.0f, 1.6f);
+        dmg_box_span(b, v3(-0.45f * c->width, y0, tail - t), v3(0.45f * c->width, c->roof, tail));
+        dmg_use(b, 0);
+    } else if (c->cabin == 3) { /* a bed that tips */
+        float tail = -0.5f * c->length, end = c->hood - 0.14f * c->length;
+        if (dmg_chance(b, 0.6f)) dmg_hinge(b, 0, "bed", v3(0, c->belt, tail), v3(-1, 0, 0), 0.0f, 0.9f);
+        dmg_save(b);
+        dmg_move(b, 0, c->roof, 0.5f * (tail + end));
+        dmg_face_up(b);
+        dmg_case_draw(b, DMG_CASE_BOARDS, c->width, end - tail, c->roof - c->belt, t);
+        dmg_restore(b);
+        dmg_use(b, 0);
+    } else if (dmg_chance(b, 0.6f)) {
+        dmg_hinge(b, 0, "boot", v3(0, c->belt, c->trunk), v3(1, 0, 0), 0.0f, 1.2f);
+        dmg_box_span(b, v3(-0.45f * c->width, c->belt, -0.5f * c->length), v3(0.45f * c->width, c->belt + t, c->trunk));
+        dmg_use(b, 0);
+    }
+}
+
+/* Panels lying on the body: side doors, bonnet, what is at the back. */
 static void draw_car_panels(dmg_builder* b, const car* c) {
     float t = 0.012f * c->length, top = 0.97f * c->belt, low = c->floor + 0.1f * (c->belt - c->floor),
           doors = (float)dmg_int(b, 1, 2);
@@ -132,31 +162,7 @@ static void draw_car_panels(dmg_builder* b, const car* c) {
         dmg_box_span(b, v3(-0.45f * c->width, c->belt, c->hood), v3(0.45f * c->width, c->belt + t, nose));
         dmg_use(b, 0);
     }
-    if (c->cabin == 1) { /* a door at the back: upwards, or to the side */
-        float tail = -0.5f * c->length;
-        bool up = dmg_chance(b, 0.6f);
-        if (c->trunk > tail + 0.02f * c->length) tail = c->trunk;
-        float y0 = tail == c->trunk ? c->belt : low;
-        if (up)
-            dmg_hinge(b, 0, "tailgate", v3(0, c->roof, tail), v3(1, 0, 0), 0.0f, 1.4f);
-        else
-            dmg_hinge(b, 0, "tailgate", v3(0.45f * c->width, y0, tail - t), v3(0, -1, 0), 0.0f, 1.6f);
-        dmg_box_span(b, v3(-0.45f * c->width, y0, tail - t), v3(0.45f * c->width, c->roof, tail));
-        dmg_use(b, 0);
-    } else if (c->cabin == 3) { /* a bed that tips */
-        float tail = -0.5f * c->length, end = c->hood - 0.14f * c->length;
-        if (dmg_chance(b, 0.6f)) dmg_hinge(b, 0, "bed", v3(0, c->belt, tail), v3(-1, 0, 0), 0.0f, 0.9f);
-        dmg_save(b);
-        dmg_move(b, 0, c->roof, 0.5f * (tail + end));
-        dmg_face_up(b);
-        dmg_case_draw(b, DMG_CASE_BOARDS, c->width, end - tail, c->roof - c->belt, t);
-        dmg_restore(b);
-        dmg_use(b, 0);
-    } else if (dmg_chance(b, 0.6f)) {
-        dmg_hinge(b, 0, "boot", v3(0, c->belt, c->trunk), v3(1, 0, 0), 0.0f, 1.2f);
-        dmg_box_span(b, v3(-0.45f * c->width, c->belt, -0.5f * c->length), v3(0.45f * c->width, c->belt + t, c->trunk));
-        dmg_use(b, 0);
-    }
+    draw_car_back(b, c, low);
 }
 
 /* What hands and feet move in an open car. */
@@ -197,6 +203,27 @@ void dmg_build_car(dmg_builder* b) {
 }
 
 /* ---- bicycle, motorcycle, scooter ---- */
+
+static void draw_cranks(dmg_builder* b, dmg_vec bottom, float wheel, float tube, float half) {
+    uint32_t crank = dmg_spin(b, 0, "crank", bottom, v3(1, 0, 0));
+    float arm = 0.45f * wheel;
+    dmg_rod(b, v3_add(bottom, v3(-half, 0, 0)), v3_add(bottom, v3(half, 0, 0)), tube);
+    for (int s = -1; s <= 1; s += 2) {
+        dmg_vec end = v3_add(bottom, v3((float)s * half, (float)s * 0.5f * arm, (float)s * 0.8f * arm));
+        dmg_use(b, crank);
+        dmg_beam(b, v3_add(bottom, v3((float)s * half, 0, 0)), end, 0.6f * tube, tube);
+        dmg_spin(b, crank, "pedal", end, v3(1, 0, 0));
+        dmg_box(b, v3_add(end, v3((float)s * 0.15f * wheel, 0, 0)), v3(0.3f * wheel, 0.08f * wheel, 0.25f * wheel));
+    }
+    dmg_use(b, 0);
+}
+
+static void draw_side_stand(dmg_builder* b, float wheel, float base, float tube, float half) {
+    dmg_vec pin = {-0.5f * half, 0.7f * wheel, -0.2f * base};
+    dmg_hinge(b, 0, "stand", pin, v3(-1, 0, 0), 0.0f, 1.5f);
+    dmg_rod(b, pin, v3(-1.5f * half, 0.02f * wheel, -0.2f * base), 0.6f * tube);
+    dmg_use(b, 0);
+}
 
 void dmg_build_two_wheeler(dmg_builder* b) {
     float wheel = dmg_scale_range(b, 0.08f, 0.4f), base = wheel * dmg_range(b, 2.8f, 4.5f),
@@ -242,24 +269,10 @@ void dmg_build_two_wheeler(dmg_builder* b) {
         dmg_restore(b);
     }
     dmg_use(b, 0);
-    if (kind == 0) { /* cranks */
-        uint32_t crank = dmg_spin(b, 0, "crank", bottom, v3(1, 0, 0));
-        float arm = 0.45f * wheel;
-        dmg_rod(b, v3_add(bottom, v3(-half, 0, 0)), v3_add(bottom, v3(half, 0, 0)), tube);
-        for (int s = -1; s <= 1; s += 2) {
-            dmg_vec end = v3_add(bottom, v3((float)s * half, (float)s * 0.5f * arm, (float)s * 0.8f * arm));
-            dmg_use(b, crank);
-            dmg_beam(b, v3_add(bottom, v3((float)s * half, 0, 0)), end, 0.6f * tube, tube);
-            dmg_spin(b, crank, "pedal", end, v3(1, 0, 0));
-            dmg_box(b, v3_add(end, v3((float)s * 0.15f * wheel, 0, 0)), v3(0.3f * wheel, 0.08f * wheel, 0.25f * wheel));
-        }
-        dmg_use(b, 0);
-    } else if (dmg_chance(b, 0.6f)) {
-        dmg_vec pin = {-0.5f * half, 0.7f * wheel, -0.2f * base};
-        dmg_hinge(b, 0, "stand", pin, v3(-1, 0, 0), 0.0f, 1.5f);
-        dmg_rod(b, pin, v3(-1.5f * half, 0.02f * wheel, -0.2f * base), 0.6f * tube);
-        dmg_use(b, 0);
-    }
+    if (kind == 0)
+        draw_cranks(b, bottom, wheel, tube, half);
+    else if (dmg_chance(b, 0.6f))
+        draw_side_stand(b, wheel, base, tube, half);
 }
 
 /* ---- small robots and trolleys on wheels ---- */
