@@ -90,7 +90,7 @@ static void make_button(void) {
         for (int x = 0; x < 2; x++) raised[y][x] = test_shape_vertex(&shape, 1 + (float)x, 1 + (float)y, 1.4f);
     for (int y = 0; y < 3; y++) {
         for (int x = 0; x < 3; x++) {
-            const uint32_t(*low)[4] = grid[0], (*high)[4] = grid[1];
+            uint32_t(*low)[4] = grid[0], (*high)[4] = grid[1];
             test_shape_face(&shape, low[y][x], low[y + 1][x + 1], low[y][x + 1], 0);
             test_shape_face(&shape, low[y][x], low[y + 1][x], low[y + 1][x + 1], 0);
             if (x == 1 && y == 1) continue;
