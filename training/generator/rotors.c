@@ -192,9 +192,8 @@ void dmg_build_globe(dmg_builder* b) {
 static void draw_hand(dmg_builder* b, uint32_t parent, const char* name, int kind, float length, float width, float z,
                       float angle) {
     dmg_save(b);
-    uint32_t hand = dmg_spin(b, parent, name, v3(0, 0, 0), v3(0, 0, -1));
+    dmg_spin(b, parent, name, v3(0, 0, 0), v3(0, 0, -1));
     dmg_turn(b, v3(0, 0, 1), -angle);
-    (void)hand;
     float t = 0.3f * width;
     if (kind == 0) dmg_box(b, v3(0, 0.42f * length, z), v3(width, 1.16f * length, t));
     if (kind == 1) {
@@ -286,7 +285,7 @@ void dmg_build_turntable(dmg_builder* b) {
     if (base == 0) dmg_box(b, v3(0.15f * radius, 0.5f * foot, 0), v3(2.5f * radius, foot, 2.2f * radius));
     if (base == 1) dmg_cone(b, v3(0, 0, 0), v3(0, foot, 0), radius * dmg_range(b, 0.4f, 0.9f), 0.2f * radius);
     if (base == 2) dmg_rod(b, v3(0, 0, 0), v3(0, foot, 0), radius * dmg_range(b, 0.8f, 1.2f));
-    uint32_t disc = dmg_spin(b, 0, "turntable", v3(0, 0, 0), v3(0, 1, 0));
+    dmg_spin(b, 0, "turntable", v3(0, 0, 0), v3(0, 1, 0));
     dmg_save(b);
     dmg_move(b, 0, foot, 0);
     if (dmg_chance(b, 0.85f))
@@ -316,7 +315,6 @@ void dmg_build_turntable(dmg_builder* b) {
         dmg_box(b, v3(x, h - 0.04f * radius, 0.5f * radius), v3(0.08f * radius, 0.08f * radius, 0.15f * radius));
         dmg_use(b, 0);
     }
-    (void)disc;
 }
 
 /* ---- radar ---- */
