@@ -2,7 +2,8 @@
  *
  * With several rigid pieces given (nodes), the grabbed one moves, and what hangs on the rest through it alone moves
  * with it: a handle on a door, the further links of a chain. In one piece, sheets of surface are the pieces, and the
- * part grows from the grabbed one by learned evidence of what belongs together. */
+ * part grows from the grabbed one by learned evidence of what belongs together. A sheet that is most of the mesh is cut
+ * where it bends inwards, else at its creases. */
 #include "kinematics/part_finder.h"
 
 #include <string.h>
@@ -15,8 +16,10 @@
 #define WELD 1e-5f         /* of the object's size */
 #define MOST_CARRIED 0.25f /* of the part's area: what is larger has a joint of its own, or holds the part */
 #define CONCAVE_SINE 0.2f
-#define MOST_SHARE                                                                                                     \
-    0.5f /* a sheet with more of the area than this is rather the body, and what was grabbed a bulge of it */
+#define CREASE_COSINE 0.8f /* smooth regions end where neighbouring faces turn by more than 37 degrees */
+#define WHOLE_SHARE 0.85f  /* a bulge with more is the whole body again */
+#define RIM_SHARE 0.25f    /* of the grabbed smooth region's area: its walls and bevels */
+#define MOST_SHARE 0.5f    /* of the whole area: a sheet with more is the body, and what was grabbed a bulge of it */
 #define NONE UINT32_MAX
 
 typedef struct finder {
@@ -181,16 +184,46 @@ static dm_result find_among_given(finder* f) {
     return result == DM_OK ? carry(f) : result;
 }
 
-/* A surface cut where it bends inwards. The grabbed bulge alone is the part; what hangs on it is not asked. */
+static float total_area(const finder* f) {
+    float sum = 0;
+    for (uint32_t p = 0; p < f->pieces.count; p++) sum += f->pieces.area[p];
+    return sum;
+}
+
+/* The small smooth regions around the grabbed one: walls and bevels between it and what it stands on. */
+static dm_result take_rims(finder* f, const uint32_t* welded) {
+    const dmi_mesh* mesh = f->query->mesh;
+    const uint32_t* labels = f->pieces.labels;
+    uint8_t* corner = dmi_arena_push(f->arena, mesh->vertex_count);
+    if (corner == NULL) return out_of_memory(f);
+    memset(corner, 0, mesh->vertex_count);
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++)
+        if (labels[i / 3] == f->seed) corner[welded[mesh->indices[i]]] = 1;
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) {
+        const uint32_t piece = labels[i / 3];
+        if (corner[welded[mesh->indices[i]]] && f->pieces.area[piece] <= RIM_SHARE * f->pieces.area[f->seed])
+            f->inside[piece] = 1;
+    }
+    return DM_OK;
+}
+
+/* A surface cut where it bends inwards, or, where that cuts nothing off, at every crease. What was grabbed is the part
+ * alone; what hangs on it is not asked. */
 static dm_result split(finder* f) {
     const dmi_mesh* mesh = f->query->mesh;
     uint32_t count;
     uint32_t* welded = dmi_arena_push(f->arena, mesh->vertex_count * sizeof *welded);
     uint32_t* labels = dmi_arena_push(f->arena, mesh->face_count * sizeof *labels);
-    if (welded == NULL || labels == NULL) return out_of_memory(f);
+    uint8_t* all = dmi_arena_push(f->arena, mesh->face_count);
+    if (welded == NULL || labels == NULL || all == NULL) return out_of_memory(f);
     dm_result result = dmi_weld_vertices(f->arena, mesh, WELD, welded);
     if (result == DM_OK) result = dmi_face_bulges(f->arena, mesh, welded, CONCAVE_SINE, labels, &count);
-    return result == DM_OK ? take_pieces(f, labels, count) : result;
+    if (result == DM_OK) result = take_pieces(f, labels, count);
+    if (result != DM_OK || f->pieces.area[f->seed] <= WHOLE_SHARE * total_area(f)) return result;
+    memset(all, 1, mesh->face_count);
+    result = dmi_face_regions(f->arena, mesh, welded, all, CREASE_COSINE, labels, &count);
+    if (result == DM_OK) result = take_pieces(f, labels, count);
+    return result == DM_OK ? take_rims(f, welded) : result;
 }
 
 dm_result dmi_part_sheets(dmi_arena* arena, const dmi_mesh* mesh, dmi_pieces* out_pieces, uint32_t** out_shells) {
@@ -212,12 +245,6 @@ dm_result dmi_part_sheets(dmi_arena* arena, const dmi_mesh* mesh, dmi_pieces* ou
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to take %u triangles apart", face_count);
     for (uint32_t f = 0; f < face_count; f++) (*out_shells)[labels[f]] = by_face[f];
     return DM_OK;
-}
-
-static float total_area(const finder* f) {
-    float sum = 0;
-    for (uint32_t p = 0; p < f->pieces.count; p++) sum += f->pieces.area[p];
-    return sum;
 }
 
 static int is_everything(const finder* f) {

@@ -124,13 +124,29 @@ static void test_a_bulge_is_cut_where_the_surface_bends_inwards(void** state) {
     expect_parts(0, 1, 0);
 }
 
+/* Nothing bends inwards on a box: its lid, with a low rim, is told by the creases. */
+static void test_what_has_no_inward_bend_is_cut_at_creases(void** state) {
+    (void)state;
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){1, 1, 1}, 0);
+    find_well(0, (const float[]){0.5f, 0.5f, 1}, outwards);
+    uint32_t count = 0;
+    for (uint32_t f = 0; f < shape.face_count; f++) {
+        count += found[f];
+        for (int i = 0; i < 3 && found[f]; i++) assert_true(shape.xyz[shape.corners[f][i]][2] > 0.5f);
+    }
+    assert_int_equal(count, 2);
+}
+
 static void test_a_whole_mesh_is_no_part(void** state) {
     (void)state;
     test_env t;
     shape.vertex_count = shape.face_count = 0;
-    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){1, 1, 1}, 0);
+    for (int i = 0; i < 4; i++) test_shape_vertex(&shape, (float)(i % 2), (float)(i / 2), 0);
+    test_shape_face(&shape, 0, 1, 3, 0);
+    test_shape_face(&shape, 0, 3, 2, 0);
     test_env_open(&t, TEST_NEVER);
-    assert_int_equal(find(&t.env, 0, (const float[]){0.5f, 0.5f, 1}, outwards), DM_ERROR_FULL_MASK);
+    assert_int_equal(find(&t.env, 0, (const float[]){0.5f, 0.5f, 0}, outwards), DM_ERROR_FULL_MASK);
     test_env_close(&t);
 }
 
@@ -177,6 +193,7 @@ int main(void) {
         cmocka_unit_test(test_a_large_neighbour_has_a_joint_of_its_own),
         cmocka_unit_test(test_sheets_of_one_mesh_stay_apart),
         cmocka_unit_test(test_a_bulge_is_cut_where_the_surface_bends_inwards),
+        cmocka_unit_test(test_what_has_no_inward_bend_is_cut_at_creases),
         cmocka_unit_test(test_a_whole_mesh_is_no_part),
         cmocka_unit_test(test_every_failing_allocation_is_reported),
         cmocka_unit_test(test_the_boundary_names_what_is_wrong),
