@@ -1,9 +1,9 @@
 /* Finds the part that a grabbed point belongs to.
  *
- * With several rigid pieces given (nodes), the grabbed one moves, and what hangs on the rest through it alone moves
- * with it: a handle on a door, the further links of a chain. In one piece, sheets of surface are the pieces, and the
- * part grows from the grabbed one by learned evidence of what belongs together. A sheet that is most of the mesh is cut
- * where it bends inwards, else at its creases. */
+ * With several rigid pieces given (nodes), the grabbed one moves, and what is small and hangs on the rest through it
+ * alone moves with it: a handle on a door. In one piece, sheets of surface are the pieces, and the part grows from the
+ * grabbed one by learned evidence of what belongs together. A sheet that is most of the mesh is cut where it bends
+ * inwards, else at its creases. */
 #include "kinematics/part_finder.h"
 
 #include <string.h>
