@@ -30,12 +30,12 @@ static dm_ray pointer_ray(const app* app) {
 static void look_under_pointer(app* app) {
     const dm_ray ray = pointer_ray(app);
     app->under = world_pick(app->world, &ray);
-    app->hovered = app->under.object ? app->under.part_id : 0;
+    app->hovered = app->under.part_id;
 }
 
 static void paint(app* app) {
-    if (!app->under.object) return;
-    const float radius = app->brush * length(sub(app->world->info.box_max, app->world->info.box_min));
+    if (app->under.distance <= 0) return;
+    const float radius = app->brush * app->world->size;
     if (parts_paint(app->world, app->under.object_point, radius, app->shift ? 0 : app->selected)) app->repaint = 1;
 }
 
@@ -48,7 +48,7 @@ static void press(app* app, int button) {
     if (button != BUTTON_LEFT) return;
     if (app->painting) {
         paint(app);
-    } else if (app->under.object && world_grab(app->world, &app->under) == 0) {
+    } else if (app->under.distance > 0 && world_grab(app->world, &app->under) == 0) {
         app->selected = app->world->held;
     }
 }

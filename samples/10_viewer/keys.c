@@ -85,7 +85,7 @@ static void prepare_again(app* app) {
 }
 
 static void toggle_node(app* app) {
-    if (!app->under.object) return;
+    if (app->under.distance <= 0) return;
     parts_toggle_node(app->world, app->under.triangle);
     prepare_again(app);
 }
@@ -102,7 +102,7 @@ static void paint(app* app) {
 }
 
 static void fill(app* app) {
-    if (app->painting && app->under.object && parts_fill(app->world, app->under.triangle, app->selected))
+    if (app->painting && app->under.distance > 0 && parts_fill(app->world, app->under.triangle, app->selected))
         app->repaint = 1;
 }
 
@@ -165,7 +165,7 @@ static void invert(app* app) {
 /* The axis goes through the point under the pointer. */
 static void origin_here(app* app) {
     dm_joint joint = app->world->parts[app->selected].joint;
-    if (!app->under.object) return;
+    if (app->under.distance <= 0) return;
     joint.origin = app->under.object_point;
     override(app, &joint);
 }

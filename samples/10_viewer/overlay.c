@@ -185,7 +185,7 @@ static void draw_pointer(const app* app, draw* draw) {
 }
 
 static void draw_brush(const app* app, draw* draw) {
-    const float radius = app->brush * length(sub(app->world->info.box_max, app->world->info.box_min));
+    const float radius = app->brush * app->world->size;
     const vec3 n = app->under.normal, side = perpendicular(n), ahead = cross(n, side);
     vec3 last = along(app->under.point, side, radius);
     for (int i = 1; i <= 32; i++) {
@@ -203,7 +203,7 @@ void overlay_draw(const app* app, draw* draw) {
         if (app->show & SHOW_RIVALS) draw_rivals(app, draw, id);
         if (app->show & SHOW_AXIS) draw_joint(app, draw, id);
     }
-    if (app->painting && app->under.object) draw_brush(app, draw);
+    if (app->painting && app->under.distance > 0) draw_brush(app, draw);
     panel_draw(app, draw, app->painting ? 0 : id);
     if (app->world->held) draw_hand(app, draw);
     draw_pointer(app, draw);

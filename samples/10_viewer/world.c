@@ -63,6 +63,15 @@ static int load_model(world* world, const char* folder) {
     return result == DM_OK ? 0 : -1;
 }
 
+static float mesh_diagonal(const dm_mesh_desc* mesh) {
+    vec3 low = vec(INFINITY, INFINITY, INFINITY), high = scale(low, -1);
+    for (uint64_t v = 0; v < mesh->vertex_count; v++) {
+        const vec3 p = vec_from((const float*)mesh->positions + 3 * v);
+        low = vec_min(low, p), high = vec_max(high, p);
+    }
+    return length(sub(high, low));
+}
+
 static int open_file(world* world, const char* path) {
     size_t size = 0;
     char* data = file_read(path, &size);
@@ -74,6 +83,7 @@ static int open_file(world* world, const char* path) {
     if (result != DM_OK) return -1;
     world->face_count = (uint32_t)(world->mesh.index_count / 3);
     world->face_part = take(world->face_count, 1);
+    world->size = mesh_diagonal(&world->mesh);
     return 0;
 }
 

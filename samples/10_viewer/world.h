@@ -47,6 +47,7 @@ typedef struct world {
     dm_scene scene;
     uint32_t instance;
     dm_object_info info;
+    float size;                            /* diagonal of the box round all vertices */
     world_part parts[WORLD_MAX_PARTS + 1]; /* [id]; [0] is the body */
     uint32_t part_count;                   /* ids are 1 .. part_count */
     uint32_t revision;                     /* counts the preparations */
@@ -68,7 +69,7 @@ int world_prepare(world* world);
 /* Takes a prepared object in place of preparing. */
 int world_load(world* world, const char* path);
 
-/* What a ray meets; part 0 and hit 0 when nothing. */
+/* What a ray meets; distance 0 when nothing. */
 dm_hit world_pick(world* world, const dm_ray* ray);
 
 /* A part is taken in hand; it is let go, and goes where it was meant to. */

@@ -31,10 +31,40 @@ void world_update(world* world) {
     dm_scene_commit(world->context, world->scene);
 }
 
-dm_hit world_pick(world* world, const dm_ray* ray) {
+/* Moeller and Trumbore: distance along the ray, 0 when it misses. */
+static float meet(const dm_ray* ray, vec3 a, vec3 b, vec3 c) {
+    const vec3 ab = sub(b, a), ac = sub(c, a), p = cross(ray->direction, ac), from = sub(ray->origin, a);
+    const float det = dot(ab, p);
+    if (det == 0) return 0;
+    const vec3 q = cross(from, ab);
+    const float u = dot(from, p) / det, v = dot(ray->direction, q) / det;
+    return u < 0 || v < 0 || u + v > 1 ? 0 : fmaxf(dot(ac, q) / det, 0);
+}
+
+/* While nothing is prepared there is no scene to ask: the file's own triangles, one by one. */
+static dm_hit pick_file(const world* world, const dm_ray* ray) {
+    const float* positions = world->mesh.positions;
+    const uint32_t* indices = world->mesh.indices;
     dm_hit hit;
     memset(&hit, 0, sizeof hit);
-    if (world->scene && dm_scene_pick(world->context, world->scene, ray, &hit) != DM_OK) hit.object = 0;
+    for (uint32_t face = 0; face < world->face_count; face++) {
+        const vec3 a = vec_from(positions + 3 * (size_t)indices[3 * face]),
+                   b = vec_from(positions + 3 * (size_t)indices[3 * face + 1]),
+                   c = vec_from(positions + 3 * (size_t)indices[3 * face + 2]);
+        const float distance = meet(ray, a, b, c);
+        if (distance <= 0 || (hit.distance > 0 && distance >= hit.distance)) continue;
+        hit.distance = distance;
+        hit.triangle = face;
+        hit.normal = unit(cross(sub(b, a), sub(c, a)));
+    }
+    hit.point = hit.object_point = along(ray->origin, ray->direction, hit.distance);
+    return hit;
+}
+
+dm_hit world_pick(world* world, const dm_ray* ray) {
+    dm_hit hit;
+    if (!world->scene) return pick_file(world, ray);
+    if (dm_scene_pick(world->context, world->scene, ray, &hit) != DM_OK || !hit.object) memset(&hit, 0, sizeof hit);
     return hit;
 }
 
@@ -64,7 +94,7 @@ static void end_drag(world* world, uint32_t id) {
 }
 
 int world_grab(world* world, const dm_hit* hit) {
-    if (!hit->object || hit->part_id == 0 || hit->part_id > world->part_count) return -1;
+    if (!world->object || hit->part_id == 0 || hit->part_id > world->part_count) return -1;
     world_part* part = &world->parts[hit->part_id];
     if (part->drag) end_drag(world, hit->part_id);
     const dm_pose carrier = carrier_of(world, hit->part_id), inverse = pose_inverse(&carrier);
