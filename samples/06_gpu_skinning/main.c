@@ -87,7 +87,7 @@ static void skin_on_gpu(GLuint program, const dm_pose poses[PARTS], float out[CA
     glBeginTransformFeedback(GL_POINTS);
     glDrawArrays(GL_POINTS, 0, CABINET_VERTICES);
     glEndTransformFeedback();
-    glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, CABINET_VERTICES * 3 * sizeof(float), out);
+    glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, sizeof(float[CABINET_VERTICES][3]), out);
 }
 
 /* ---- the comparison ---- */

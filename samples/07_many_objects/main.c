@@ -20,7 +20,8 @@ static dm_pose placed(float x, float y, float z) {
 static dm_result place_all(dm_context* context, dm_scene scene, dm_object object, uint32_t instances[COUNT]) {
     dm_result result = DM_OK;
     for (int i = 0; i < COUNT && result == DM_OK; i++) {
-        const dm_pose at = placed(0.8f * (float)(i % COLUMNS), 0, -1.5f * (float)(i / COLUMNS));
+        const int row = i / COLUMNS, column = i % COLUMNS;
+        const dm_pose at = placed(0.8f * (float)column, 0, -1.5f * (float)row);
         result = dm_scene_add(context, scene, object, &at, &instances[i]);
     }
     return result == DM_OK ? dm_scene_commit(context, scene) : result;

@@ -32,14 +32,11 @@ int draw_open(draw* draw) {
     glGenBuffers(1, &draw->buffer);
     glBindVertexArray(draw->array);
     glBindBuffer(GL_ARRAY_BUFFER, draw->buffer);
-    const struct {
-        GLint size;
-        size_t offset;
-    } attributes[3] = {{3, 0}, {4, offsetof(draw_vertex, u)}, {4, offsetof(draw_vertex, r)}};
-    for (GLuint i = 0; i < 3; i++) {
+    static const GLint sizes[3] = {3, 4, 4}; /* place; u, v, length, radius; colour */
+    const float* offset = NULL;              /* of the attribute in a vertex, as OpenGL wants it: a pointer */
+    for (GLuint i = 0; i < 3; offset += sizes[i++]) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, attributes[i].size, GL_FLOAT, GL_FALSE, sizeof(draw_vertex),
-                              (const void*)attributes[i].offset);
+        glVertexAttribPointer(i, sizes[i], GL_FLOAT, GL_FALSE, sizeof(draw_vertex), offset);
     }
     return draw->program ? 0 : -1;
 }

@@ -41,9 +41,9 @@ char* path_with_ending(const char* path, const char* ending) {
     const char* slash = strrchr(path, '/');
     const char* dot = strrchr(slash ? slash : path, '.');
     const size_t stem = dot ? (size_t)(dot - path) : strlen(path);
-    char* out = take(stem + strlen(ending) + 1, 1);
-    memcpy(out, path, stem);
-    memcpy(out + stem, ending, strlen(ending) + 1);
+    const size_t size = stem + strlen(ending) + 1;
+    char* out = take(size, 1);
+    snprintf(out, size, "%.*s%s", (int)stem, path, ending);
     return out;
 }
 

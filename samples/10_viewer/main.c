@@ -43,6 +43,14 @@ typedef struct graphics {
 
 /* ---- options ---- */
 
+/* WxH */
+static int read_size(options* options, const char* text) {
+    char* rest;
+    const long width = strtol(text, &rest, 10), height = *rest == 'x' ? strtol(rest + 1, NULL, 10) : 0;
+    options->width = (int)width, options->height = (int)height;
+    return width >= 64 && width <= 8192 && height >= 64 && height <= 8192 ? 0 : -1;
+}
+
 static int read_option(options* options, const char* name, const char* value) {
     const struct {
         const char* name;
@@ -65,14 +73,10 @@ static int read_option(options* options, const char* name, const char* value) {
         return 0;
     }
     if (strcmp(name, "--frames") == 0) {
-        options->frames = atoi(value);
+        options->frames = (int)strtol(value, NULL, 10);
         return options->frames > 0 && options->frames <= 10000 ? 0 : -1;
     }
-    if (strcmp(name, "--size") == 0)
-        return sscanf(value, "%dx%d", &options->width, &options->height) == 2 && options->width >= 64 &&
-                       options->height >= 64 && options->width <= 8192 && options->height <= 8192
-                   ? 0
-                   : -1;
+    if (strcmp(name, "--size") == 0) return read_size(options, value);
     return -1;
 }
 
@@ -126,11 +130,12 @@ static void resize(graphics* graphics, app* app, SDL_Window* window) {
     if (canvas_open(&graphics->canvas, app->camera.width, app->camera.height) != 0) app->quit = 1;
 }
 
+enum { MOST_BEHIND = 15 }; /* frames: after a longer stop the world doesn't catch up */
+
 /* Steps of a sixtieth of a second, however fast the screen is, so that a recording plays back the same. */
 static void run(app* app, graphics* graphics, SDL_Window* window, FILE* record) {
-    Uint64 last = SDL_GetPerformanceCounter();
-    double owed = 0;
-    uint32_t frame = 0;
+    const Uint64 start = SDL_GetPerformanceCounter();
+    uint32_t frame = 0, skipped = 0;
     event event;
     while (!app->quit) {
         int resized = 0;
@@ -140,9 +145,10 @@ static void run(app* app, graphics* graphics, SDL_Window* window, FILE* record) 
             if (record) session_write_event(record, &event);
         }
         if (resized) resize(graphics, app, window);
-        const Uint64 now = SDL_GetPerformanceCounter();
-        owed = fmin(owed + (double)(now - last) / (double)SDL_GetPerformanceFrequency(), 0.25);
-        for (last = now; owed >= (double)frame_seconds; owed -= (double)frame_seconds, frame++) app_tick(app);
+        const Uint64 passed = SDL_GetPerformanceCounter() - start;
+        const uint32_t due = (uint32_t)(passed * 60 / SDL_GetPerformanceFrequency()) - skipped;
+        if (due > frame + MOST_BEHIND) skipped += due - frame - MOST_BEHIND;
+        for (const uint32_t end = SDL_min(due, frame + MOST_BEHIND); frame < end; frame++) app_tick(app);
         draw_frame(graphics, app);
         canvas_to_window(&graphics->canvas);
         SDL_GL_SwapWindow(window);

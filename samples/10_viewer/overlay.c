@@ -120,12 +120,17 @@ static void draw_joint(const app* app, draw* draw, uint32_t id) {
     draw_travel(draw, part, &part->joint, &carrier, 2.2f * pixel, limit_colour);
 }
 
+/* The hypothesis that is in force already. */
+static int same_line(const dm_joint* a, const dm_joint* b) {
+    return a->type == b->type && length(sub(a->axis, b->axis)) < 1e-6f && length(sub(a->origin, b->origin)) < 1e-6f;
+}
+
 static void draw_rivals(const app* app, draw* draw, uint32_t id) {
     const world_part* part = &app->world->parts[id];
     const dm_pose carrier = carrier_pose(app->world, id);
     for (uint32_t i = 0; i < part->hypothesis_count && i < 4; i++) {
         const dm_joint* rival = &part->hypotheses[i];
-        if (!moves(rival) || memcmp(&rival->axis, &part->joint.axis, sizeof rival->axis) == 0) continue;
+        if (!moves(rival) || same_line(rival, &part->joint)) continue;
         draw_axis(draw, part, rival, &carrier, 1.5f, rival_colour);
         draw_travel(draw, part, rival, &carrier, 1.2f, rival_colour);
     }

@@ -1,4 +1,4 @@
-/* Which faces of the file belong to which part: from names, from nodes, from a file, from a brush. */
+/* Which faces of the file belong to which part: from names, from nodes, from a file. By hand: parts_paint.c. */
 #include "parts.h"
 
 #include <stdio.h>
@@ -6,10 +6,6 @@
 #include <string.h>
 
 #include "files.h"
-
-static const float* corner(const world* world, uint32_t face, int k) {
-    return (const float*)world->mesh.positions + 3 * (size_t)((const uint32_t*)world->mesh.indices)[3 * face + k];
-}
 
 uint32_t parts_add(world* world, const char* name) {
     if (world->part_count == WORLD_MAX_PARTS) return 0;
@@ -128,66 +124,7 @@ void parts_toggle_node(world* world, uint32_t face) {
     parts_tidy(world);
 }
 
-/* ---- from a brush ---- */
-
-static int touches(const world* world, uint32_t face, vec3 point, float radius) {
-    for (int k = 0; k < 3; k++)
-        if (length(sub(vec_from(corner(world, face, k)), point)) <= radius) return 1;
-    return 0;
-}
-
-uint32_t parts_paint(world* world, vec3 point, float radius, uint32_t part) {
-    uint32_t changed = 0;
-    for (uint32_t face = 0; face < world->face_count; face++) {
-        if (world->face_part[face] == part || !touches(world, face, point, radius)) continue;
-        world->face_part[face] = (uint8_t)part;
-        changed++;
-    }
-    return changed;
-}
-
-static uint32_t root_of(uint32_t* links, uint32_t i) {
-    while (links[i] != i) i = links[i] = links[links[i]];
-    return i;
-}
-
-static const float* sorting; /* positions that by_place compares */
-
-static int by_place(const void* a, const void* b) {
-    const int place =
-        memcmp(sorting + 3 * (size_t) * (const uint32_t*)a, sorting + 3 * (size_t) * (const uint32_t*)b, 12);
-    return place;
-}
-
-/* Vertices in the same place, and the corners of a face, hang together. */
-static uint32_t* link_vertices(const world* world) {
-    const uint32_t count = (uint32_t)world->mesh.vertex_count;
-    uint32_t *links = take(count, sizeof *links), *order = take(count, sizeof *order);
-    for (uint32_t i = 0; i < count; i++) links[i] = order[i] = i;
-    sorting = world->mesh.positions;
-    qsort(order, count, sizeof *order, by_place);
-    for (uint32_t i = 1; i < count; i++)
-        if (by_place(&order[i - 1], &order[i]) == 0) links[root_of(links, order[i])] = root_of(links, order[i - 1]);
-    const uint32_t* indices = world->mesh.indices;
-    for (uint32_t face = 0; face < world->face_count; face++)
-        for (int k = 1; k < 3; k++) links[root_of(links, indices[3 * face + k])] = root_of(links, indices[3 * face]);
-    free(order);
-    return links;
-}
-
-uint32_t parts_fill(world* world, uint32_t face, uint32_t part) {
-    uint32_t* links = link_vertices(world);
-    const uint32_t* indices = world->mesh.indices;
-    const uint32_t root = root_of(links, indices[3 * face]);
-    uint32_t changed = 0;
-    for (uint32_t i = 0; i < world->face_count; i++) {
-        if (root_of(links, indices[3 * i]) != root || world->face_part[i] == part) continue;
-        world->face_part[i] = (uint8_t)part;
-        changed++;
-    }
-    free(links);
-    return changed;
-}
+/* ---- after changes ---- */
 
 void parts_tidy(world* world) {
     uint32_t faces[256] = {0}, renamed[256] = {0}, count = 0;

@@ -9,6 +9,11 @@ void poses_open(poses* poses, FILE* file) {
     poses->hash = 14695981039346656037u; /* FNV-1a, 64 bits */
 }
 
+/* Of floats, on purpose: -0 is not 0 here. */
+static int same_bits(const void* a, const void* b, size_t size) {
+    return memcmp(a, b, size) == 0;
+}
+
 static void mix_in(poses* poses, const void* data, size_t size) {
     for (size_t i = 0; i < size; i++) poses->hash = (poses->hash ^ ((const uint8_t*)data)[i]) * 1099511628211u;
 }
@@ -16,7 +21,7 @@ static void mix_in(poses* poses, const void* data, size_t size) {
 /* A joint that is new, or that the pull has changed, as a line that starts with #. */
 static void write_joint(poses* poses, const world_part* part, uint32_t frame, uint32_t id) {
     const dm_joint* j = &part->joint;
-    if (memcmp(j, &poses->joints[id], sizeof *j) == 0) return;
+    if (same_bits(j, &poses->joints[id], sizeof *j)) return;
     poses->joints[id] = *j;
     fprintf(poses->file, "# %u %u type %d %.2f axis %.4f %.4f %.4f origin %.4f %.4f %.4f from %.4f to %.4f\n",
             (unsigned)frame, (unsigned)id, (int)j->type, (double)j->type_confidence, (double)j->axis.x,
@@ -30,7 +35,7 @@ void poses_frame(poses* poses, const world* world, uint32_t frame) {
         const dm_pose* p = &part->carried;
         mix_in(poses, p, sizeof *p);
         if (poses->file) write_joint(poses, part, frame, id);
-        if (memcmp(p, &poses->last[id], sizeof *p) == 0) continue;
+        if (same_bits(p, &poses->last[id], sizeof *p)) continue;
         poses->last[id] = *p;
         if (poses->file)
             fprintf(poses->file, "%u %u %.6g %a %a %a %a %a %a %a %a\n", (unsigned)frame, (unsigned)id,

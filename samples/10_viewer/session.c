@@ -40,11 +40,13 @@ static int read_arguments(event* event, char* rest) {
 static int read_event(session* session, char* line) {
     event event;
     memset(&event, 0, sizeof event);
-    char kind[16];
+    char kind[16], *rest = line;
     int used = 0;
-    if (sscanf(line, "%u %15s%n", &event.frame, kind, &used) != 2) return -1;
+    const unsigned long frame = strtoul(line, &rest, 10);
+    if (rest == line || frame > 1000000 || sscanf(rest, "%15s%n", kind, &used) != 1) return -1;
+    event.frame = (uint32_t)frame;
     event.kind = find(kinds, KINDS, kind);
-    if (event.kind < 0 || read_arguments(&event, line + used) != 0) return -1;
+    if (event.kind < 0 || read_arguments(&event, rest + used) != 0) return -1;
     if (session->event_count > 0 && event.frame < session->events[session->event_count - 1].frame) return -1;
     if (session->event_count % 256 == 0) {
         void* grown = realloc(session->events, (session->event_count + 256) * sizeof event);
@@ -56,19 +58,25 @@ static int read_event(session* session, char* line) {
     return 0;
 }
 
+static int read_size(session* session, const char* text) {
+    char* rest;
+    const long width = strtol(text, &rest, 10), height = strtol(rest, NULL, 10);
+    session->width = (int)width, session->height = (int)height;
+    return width > 0 && width <= 8192 && height > 0 && height <= 8192 ? 0 : -1;
+}
+
 static int read_line(session* session, char* line) {
-    char up;
     line[strcspn(line, "\r\n")] = 0;
     if (line[0] == 0 || line[0] == '#') return 0;
-    if (sscanf(line, "size %d %d", &session->width, &session->height) == 2)
-        return session->width > 0 && session->width <= 8192 && session->height > 0 && session->height <= 8192 ? 0 : -1;
-    if (sscanf(line, "up %c", &up) == 1) {
-        session->z_up = up == 'z';
+    if (strncmp(line, "size ", 5) == 0) return read_size(session, line + 5);
+    if (strncmp(line, "up ", 3) == 0) {
+        session->z_up = line[3] == 'z';
         return 0;
     }
     if (strncmp(line, "part ", 5) == 0 && session->part_count < WORLD_MAX_PARTS) {
-        char* name = take(strlen(line), 1);
-        strcpy(name, line + 5);
+        const size_t size = strlen(line + 5) + 1;
+        char* name = take(size, 1);
+        memcpy(name, line + 5, size);
         session->parts[session->part_count++] = name;
         return 0;
     }

@@ -109,9 +109,10 @@ void surface_make(surface* surface, const world* world) {
     glBindVertexArray(surface->array);
     glBindBuffer(GL_ARRAY_BUFFER, surface->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof *vertices), vertices, GL_STATIC_DRAW);
-    for (GLuint i = 0; i < 3; i++) {
+    const char* offset = NULL; /* of the attribute in a vertex, as OpenGL wants it: a pointer */
+    for (GLuint i = 0; i < 3; i++, offset += sizeof(vec3)) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof *vertices, (const void*)(i * sizeof(vec3)));
+        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof *vertices, offset);
     }
     free(vertices);
 }

@@ -101,8 +101,8 @@ static inline vec3 pose_direction(const dm_pose* pose, vec3 d) {
 
 static inline mat4 mat4_multiply(const mat4* a, const mat4* b) {
     mat4 out;
-    for (int c = 0; c < 4; c++)
-        for (int r = 0; r < 4; r++)
+    for (size_t c = 0; c < 4; c++)
+        for (size_t r = 0; r < 4; r++)
             out.m[4 * c + r] = a->m[r] * b->m[4 * c] + a->m[4 + r] * b->m[4 * c + 1] + a->m[8 + r] * b->m[4 * c + 2] +
                                a->m[12 + r] * b->m[4 * c + 3];
     return out;

@@ -48,9 +48,9 @@ static dm_hit pick_file(const world* world, const dm_ray* ray) {
     dm_hit hit;
     memset(&hit, 0, sizeof hit);
     for (uint32_t face = 0; face < world->face_count; face++) {
-        const vec3 a = vec_from(positions + 3 * (size_t)indices[3 * face]),
-                   b = vec_from(positions + 3 * (size_t)indices[3 * face + 1]),
-                   c = vec_from(positions + 3 * (size_t)indices[3 * face + 2]);
+        const uint32_t* corners = indices + 3 * (size_t)face;
+        const vec3 a = vec_from(positions + 3 * (size_t)corners[0]), b = vec_from(positions + 3 * (size_t)corners[1]),
+                   c = vec_from(positions + 3 * (size_t)corners[2]);
         const float distance = meet(ray, a, b, c);
         if (distance <= 0 || (hit.distance > 0 && distance >= hit.distance)) continue;
         hit.distance = distance;
