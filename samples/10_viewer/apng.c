@@ -17,6 +17,10 @@ static void put32(uint8_t* out, uint32_t value) {
     for (int i = 0; i < 4; i++) out[i] = (uint8_t)(value >> (24 - 8 * i));
 }
 
+static void put(apng* apng, const void* data, size_t size) {
+    if (size && fwrite(data, 1, size, apng->file) != size) apng->failed = 1;
+}
+
 /* `head` (may be empty) and `body` together are the chunk's data. */
 static void write_chunk(apng* apng, const char* name, const uint8_t* head, size_t head_size, const uint8_t* body,
                         size_t body_size) {
@@ -26,10 +30,11 @@ static void write_chunk(apng* apng, const char* name, const uint8_t* head, size_
     if (body_size) crc = crc32(crc, body, (uInt)body_size);
     put32(size, (uint32_t)(head_size + body_size));
     put32(check, (uint32_t)crc);
-    const size_t wrote = fwrite(size, 1, 4, apng->file) + fwrite(name, 1, 4, apng->file) +
-                         fwrite(head, 1, head_size, apng->file) + fwrite(body, 1, body_size, apng->file) +
-                         fwrite(check, 1, 4, apng->file);
-    if (wrote != 12 + head_size + body_size) apng->failed = 1;
+    put(apng, size, 4);
+    put(apng, name, 4);
+    put(apng, head, head_size);
+    put(apng, body, body_size);
+    put(apng, check, 4);
 }
 
 int apng_open(apng* apng, const char* path, int width, int height, uint32_t count) {
@@ -48,7 +53,7 @@ int apng_open(apng* apng, const char* path, int width, int height, uint32_t coun
     put32(header, (uint32_t)width);
     put32(header + 4, (uint32_t)height);
     put32(control, count);
-    if (fwrite("\x89PNG\r\n\x1a\n", 1, 8, apng->file) != 8) apng->failed = 1;
+    put(apng, "\x89PNG\r\n\x1a\n", 8);
     write_chunk(apng, "IHDR", header, sizeof header, NULL, 0);
     write_chunk(apng, "acTL", control, sizeof control, NULL, 0);
     return 0;
