@@ -51,10 +51,16 @@ def category_names(lab):
     return [lab.dm_lab_category_name(i).decode() for i in range(lab.dm_lab_category_count())]
 
 
+def category_weights(lab, chosen):
+    """Every kind of joint gets its share: a category is drawn the more often the more kinds it has."""
+    return np.array([2 + min(lab.dm_lab_category_kinds(i), 12) if name in chosen else 0
+                     for i, name in enumerate(category_names(lab))], np.uint8)
+
+
 def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, with_drag=0.7, mask_noise=0.15):
     """Evidence and labels of `count` cases drawn from the chosen categories."""
     columns = lab.dm_lab_ranker_columns()
-    mask = np.array([name in chosen for name in category_names(lab)], np.uint8)
+    mask = category_weights(lab, chosen)
     data = {"evidence": np.zeros((count, rows, columns), np.float32)}
     for name, dtype, each_row in ARRAYS:
         data[name] = np.zeros((count, rows) if each_row else count, dtype)

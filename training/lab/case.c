@@ -21,15 +21,17 @@ static int32_t split_of(uint32_t category, uint64_t object_seed) {
     return slot == 0 ? DM_LAB_VALIDATION : slot == 1 ? DM_LAB_TEST : DM_LAB_TRAIN;
 }
 
-/* A category the options allow; -1 when they allow none. */
+/* A category by the weights of the options; -1 when they allow none. */
 static int32_t draw_category(dmi_random* random, const dm_lab_options* options) {
-    const uint32_t total = dmg_category_count();
-    uint32_t allowed = 0;
-    for (uint32_t c = 0; c < total; c++) allowed += options->categories[c] != 0;
-    if (allowed == 0) return -1;
-    uint32_t pick = dmi_random_u32(random) % allowed;
-    for (uint32_t c = 0; c < total; c++)
-        if (options->categories[c] != 0 && pick-- == 0) return (int32_t)c;
+    const uint32_t count = dmg_category_count();
+    uint32_t total = 0;
+    for (uint32_t c = 0; c < count; c++) total += options->categories[c];
+    if (total == 0) return -1;
+    uint32_t pick = dmi_random_u32(random) % total;
+    for (uint32_t c = 0; c < count; c++) {
+        if (pick < options->categories[c]) return (int32_t)c;
+        pick -= options->categories[c];
+    }
     return -1;
 }
 

@@ -1,6 +1,11 @@
 /* The generator's categories and the layout of the lab's structs, for bindings. */
+#include <string.h>
+
 #include "dragmesh_lab.h"
 #include "generator.h"
+
+#define KIND_SEEDS 24
+#define MOST_KINDS 64
 
 uint32_t dm_lab_category_count(void) {
     return dmg_category_count();
@@ -8,6 +13,33 @@ uint32_t dm_lab_category_count(void) {
 
 const char* dm_lab_category_name(uint32_t index) {
     return dmg_category_name(index);
+}
+
+/* Length of a joint's name without the number it may end in. */
+static size_t stem(const char* name) {
+    size_t length = strlen(name);
+    while (length > 0 && (name[length - 1] == '_' || (name[length - 1] >= '0' && name[length - 1] <= '9'))) length--;
+    return length;
+}
+
+uint32_t dm_lab_category_kinds(uint32_t index) {
+    char kinds[MOST_KINDS][sizeof((dmg_joint*)0)->name];
+    uint32_t count = 0;
+    for (uint64_t seed = 0; seed < KIND_SEEDS; seed++) {
+        dmg_object object;
+        if (dmg_make(index, seed, 0, &object) != 0) continue;
+        for (uint32_t j = 0; j < object.joint_count; j++) {
+            const char* name = object.joints[j].name;
+            const size_t length = stem(name);
+            uint32_t k = 0;
+            while (k < count && (strlen(kinds[k]) != length || strncmp(kinds[k], name, length) != 0)) k++;
+            if (k < count || count == MOST_KINDS) continue;
+            memcpy(kinds[count], name, length);
+            kinds[count++][length] = 0;
+        }
+        dmg_object_release(&object);
+    }
+    return count;
 }
 
 uint32_t dm_lab_layout(uint32_t which) {

@@ -17,15 +17,16 @@ enum { DM_LAB_TRAIN = 0, DM_LAB_VALIDATION = 1, DM_LAB_TEST = 2 };
 typedef struct dm_lab_options {
     uint64_t seed;
     uint32_t count;
-    int32_t split;             /* DM_LAB_* */
-    const uint8_t* categories; /* dm_lab_category_count() bytes, non-zero = may be drawn */
-    float messy;               /* share of objects made with DMG_MESSY */
-    float mask_noise;          /* share of objects whose part mask loses or leaks patches */
-    float rotated;             /* share of objects turned by a random rotation */
-    float with_drag;           /* share of cases with a drag (KPP alone: the VAE always has one) */
-    float drag_noise_degrees;  /* a case's drag is up to this much off (1 sigma at the most) */
-    float joint_noise;         /* VAE: share of cases whose given joint is slightly off */
-    float hand_noise;          /* VAE: share of cases whose path is drawn by an unsteady hand */
+    int32_t split; /* DM_LAB_* */
+    const uint8_t*
+        categories;           /* dm_lab_category_count() bytes, how often each is drawn against the others; 0 = never */
+    float messy;              /* share of objects made with DMG_MESSY */
+    float mask_noise;         /* share of objects whose part mask loses or leaks patches */
+    float rotated;            /* share of objects turned by a random rotation */
+    float with_drag;          /* share of cases with a drag (KPP alone: the VAE always has one) */
+    float drag_noise_degrees; /* a case's drag is up to this much off (1 sigma at the most) */
+    float joint_noise;        /* VAE: share of cases whose given joint is slightly off */
+    float hand_noise;         /* VAE: share of cases whose path is drawn by an unsteady hand */
 } dm_lab_options;
 
 /* KPP-Net: its input (docs/networks.md), and labels in the input's frame. */
@@ -65,6 +66,9 @@ typedef struct dm_lab_vae {
 
 DM_API uint32_t dm_lab_category_count(void);
 DM_API const char* dm_lab_category_name(uint32_t index);
+/* How many differently named kinds of joints objects of the category have (among its first seeds): a controller many, a
+ * book one. A weight that gives every kind of joint its share. */
+DM_API uint32_t dm_lab_category_kinds(uint32_t index);
 /* Bytes of the two structs and of the options, so that a binding can check its own. */
 DM_API uint32_t dm_lab_layout(uint32_t which);
 

@@ -11,7 +11,7 @@
 
 #define POSE_POINTS 96
 #define KEPT_BEST 8
-#define EXACT_DRAGS 0.35f
+#define EXACT_DRAGS 0.5f
 #define MOST_TURN 1.2f /* rad: the travel over which a pose error is measured, as evaluation does */
 #define FREE_SLIDE 0.3f
 #define ISA DMI_ISA_SCALAR
