@@ -3,12 +3,14 @@
 
 #include "kinematics/linear3.h"
 
-#define MAX_DIRECTIONS 48
+#define MAX_DIRECTIONS 64
 #define MAX_POINTS 128
 #define SAME_DIRECTION (1 - 0.5f * 0.003f * 0.003f)
 #define SAME_LINE 0.0015f
 #define DRAG_CONE 0.8f   /* least cosine between a candidate's motion at the drag point and the drag: 37 degrees */
 #define ACROSS_DRAG 0.6f /* most cosine between a turning axis and the drag */
+#define NEARLY_ACROSS 0.3f
+#define LAID_ALREADY 0.005f
 #define LINE_RESIDUAL 0.12f
 #define SLIP_RESIDUAL 0.3f
 
@@ -140,6 +142,19 @@ static void suggest_clusters(const dmi_study* study, suggestions* s) {
     }
 }
 
+/* Directions that are nearly across the drag, laid across it: a turn moves its points exactly across its axis, so that
+ * a careful drag corrects what the shape only suggests. */
+static void straighten_directions(const float drag[3], suggestions* s) {
+    for (uint32_t i = 0, count = s->direction_count; i < count; i++) {
+        float across[3];
+        float along = dmi_dot3(s->directions[i].d, drag);
+        if (fabsf(along) < LAID_ALREADY || fabsf(along) > NEARLY_ACROSS) continue;
+        dmi_copy3(s->directions[i].d, across);
+        dmi_reject3(across, drag);
+        add_direction(s, across, DMI_DIRECTION_DRAG);
+    }
+}
+
 /* Directions across the drag: with a face normal, a side of the box, the way to the centre or to a contact. */
 static void suggest_drag(const dmi_study* study, const dmi_drag_hint* hint, const float drag[3], suggestions* s) {
     float with[DMI_STUDY_CLUSTERS + 3 + 1 + DMI_STUDY_CONTACTS][3];
@@ -179,6 +194,7 @@ static void gather(const dmi_study* study, const collector* c, const dmi_predict
     suggest_clusters(study, s);
     if (c->hint != NULL) suggest_drag(study, c->hint, c->drag, s);
     for (int i = 0; i < 3; i++) add_direction(s, study->all_directions[i], DMI_DIRECTION_ALL);
+    if (c->hint != NULL) straighten_directions(c->drag, s);
 }
 
 /* Turns the axis so that the drag's point goes along the drag; 0 when it goes elsewhere or hardly moves. */

@@ -9,6 +9,7 @@
 #define CONTACT_POINTS 40
 #define SWEEP_STEPS 5
 #define RELATIVE 12
+#define FOLLOWS (RELATIVE - 1) /* the drag */
 
 /* Turns by 0.06, 0.15, 0.35, 0.8 and 1.4 rad. */
 static const float SWEEP_COSINE[SWEEP_STEPS] = {0.99820054f, 0.98877108f, 0.93937271f, 0.69670671f, 0.16996714f};
@@ -386,8 +387,9 @@ static judge make_judge(const dmi_study* study, const dmi_drag_hint* hint, const
 }
 
 /* How far each candidate's costs are above the least of its own type, and above the least of the other type: whether
- * this part slides better than it turns shows only between candidates. */
-static void relative_evidence(uint32_t count, float (*rows)[DMI_EVIDENCE_COUNT]) {
+ * this part slides better than it turns shows only between candidates. How well the drag is followed is held against
+ * what the shape alone suggests: a drag that hits one of its directions to a hair was meant so. */
+static void relative_evidence(const dmi_candidate* candidates, uint32_t count, float (*rows)[DMI_EVIDENCE_COUNT]) {
     static const int of[RELATIVE] = {DMI_EVIDENCE_SLIP,         DMI_EVIDENCE_CONTACT,      DMI_EVIDENCE_CONTACT + 14,
                                      DMI_EVIDENCE_CONTACT + 15, DMI_EVIDENCE_CONTACT + 16, DMI_EVIDENCE_SWEEP,
                                      DMI_EVIDENCE_SWEEP + 2,    DMI_EVIDENCE_SWEEP + 4,    DMI_EVIDENCE_SWEEP + 6,
@@ -396,6 +398,7 @@ static void relative_evidence(uint32_t count, float (*rows)[DMI_EVIDENCE_COUNT])
         float best[2] = {1, 1}; /* all costs are about 0 to 1 */
         for (uint32_t i = 0; i < count; i++) {
             int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
+            if (k == FOLLOWS && (candidates[i].direction_families & DMI_DIRECTION_DRAG) != 0) continue;
             best[type] = fminf(best[type], rows[i][of[k]]);
         }
         for (uint32_t i = 0; i < count; i++) {
@@ -430,5 +433,5 @@ void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const 
         network_evidence(&j, c, row + DMI_EVIDENCE_NETWORK);
         family_evidence(c, row + DMI_EVIDENCE_DIRECTION, row + DMI_EVIDENCE_ORIGIN);
     }
-    relative_evidence(count, out);
+    relative_evidence(candidates, count, out);
 }

@@ -5,15 +5,13 @@
 #include <string.h>
 
 #include "case.h"
+#include "goal.h"
 #include "kinematics/evidence.h"
 #include "kinematics/kinematics.h"
 #include "kinematics/linear3.h"
 
-#define POSE_POINTS 96
 #define KEPT_BEST 8
 #define EXACT_DRAGS 0.5f
-#define MOST_TURN 1.2f /* rad: the travel over which a pose error is measured, as evaluation does */
-#define FREE_SLIDE 0.3f
 #define ISA DMI_ISA_SCALAR
 
 typedef struct ranker_case {
@@ -38,53 +36,13 @@ static void axis_of(const dm_joint* joint, float axis[3], float origin[3]) {
     origin[0] = joint->origin.x, origin[1] = joint->origin.y, origin[2] = joint->origin.z;
 }
 
-/* How far the joint moves in an evaluation: to its farther limit. */
-static float travel(const dm_joint* joint) {
-    const float farther = fmaxf(fabsf(joint->lower), fabsf(joint->upper));
-    if (joint->type == DM_JOINT_PRISMATIC) return farther > 0 ? farther : FREE_SLIDE;
-    return joint->type == DM_JOINT_CONTINUOUS || farther == 0 ? 1.0f : fminf(farther, MOST_TURN);
-}
-
-static void moved(const dm_joint* joint, float value, const float point[3], float out[3]) {
-    const dm_pose pose = dmi_joint_pose(joint, value);
-    dmi_pose_apply(&pose, point, out);
-}
-
-/* The value that brings the dragged point nearest to where it truly goes. */
-static float best_value(const dmi_candidate* c, const float from[3], const float to[3]) {
-    float a[3], b[3], side[3];
-    if (c->type == DM_JOINT_PRISMATIC) {
-        dmi_sub3(to, from, a);
-        return dmi_dot3(a, c->axis);
-    }
-    dmi_sub3(from, c->origin, a), dmi_reject3(a, c->axis);
-    dmi_sub3(to, c->origin, b), dmi_reject3(b, c->axis);
-    dmi_cross3(a, b, side);
-    return fminf(fmaxf(atan2f(dmi_dot3(side, c->axis), dmi_dot3(a, b)), -2.2f), 2.2f);
-}
-
-static float pose_error(const ranker_case* r, const dmi_candidate* c, const float (*goal)[3],
-                        const float goal_point[3]) {
-    const dm_joint joint = {.type = c->type,
-                            .axis = {c->axis[0], c->axis[1], c->axis[2]},
-                            .origin = {c->origin[0], c->origin[1], c->origin[2]}};
-    const dm_pose pose = dmi_joint_pose(&joint, best_value(c, r->hint.point, goal_point));
-    float sum = 0;
-    for (uint32_t i = 0; i < POSE_POINTS; i++) {
-        float x[3];
-        dmi_pose_apply(&pose, r->study.points[i], x);
-        sum += dmi_distance3(x, goal[i]);
-    }
-    return sum / POSE_POINTS;
-}
-
 static void label(ranker_case* r) {
-    float goal[POSE_POINTS][3], goal_point[3];
-    const float value = travel(&r->joint);
-    for (uint32_t i = 0; i < POSE_POINTS; i++) moved(&r->joint, value, r->study.points[i], goal[i]);
-    moved(&r->joint, value, r->hint.point, goal_point);
-    for (uint32_t i = 0; i < r->count; i++)
-        r->pose[i] = pose_error(r, &r->candidates[i], (const float(*)[3])goal, goal_point);
+    lab_goal goal;
+    lab_goal_make(&r->made.cloud, &r->joint, r->hint.point, &goal);
+    for (uint32_t i = 0; i < r->count; i++) {
+        const dmi_candidate* c = &r->candidates[i];
+        r->pose[i] = lab_goal_error(&goal, c->type, c->axis, c->origin);
+    }
 }
 
 static void read_prediction(const dmi_kpp_net* net, void* scratch, const dmi_drag_hint* hint, ranker_case* r,

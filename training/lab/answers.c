@@ -1,0 +1,68 @@
+/* The library's whole kinematics on generated cases: what it answers, how sure it is, how wrong it is. */
+#include "answers.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "case.h"
+#include "goal.h"
+#include "kinematics/kinematics.h"
+#include "kinematics/linear3.h"
+
+static void score(const lab_case* made, const dm_joint* truth, const float drag_point[3], const dm_joint* answer,
+                  const dm_lab_answers* out, uint32_t at) {
+    const float axis[3] = {answer->axis.x, answer->axis.y, answer->axis.z};
+    const float origin[3] = {answer->origin.x, answer->origin.y, answer->origin.z};
+    const float true_axis[3] = {truth->axis.x, truth->axis.y, truth->axis.z};
+    const float true_origin[3] = {truth->origin.x, truth->origin.y, truth->origin.z};
+    const int slides = answer->type == DM_JOINT_PRISMATIC;
+    lab_goal goal;
+    lab_goal_make(&made->cloud, truth, drag_point, &goal);
+    out->pose[at] = lab_goal_error(&goal, slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE, axis, origin);
+    out->confidence[at] = answer->confidence;
+    out->right_type[at] = slides == (truth->type == DM_JOINT_PRISMATIC);
+    out->axis_error[at] = acosf(fminf(fabsf(dmi_dot3(axis, true_axis)), 1));
+    out->line_error[at] = slides ? 0 : dmi_line_distance3(origin, true_axis, true_origin);
+    out->category[at] = (int32_t)made->category;
+}
+
+static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net,
+                             const dmi_ranker* ranker, lab_case* made, const dm_lab_answers* out, uint32_t at) {
+    dm_joint truth;
+    const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &truth);
+    const int with_drag = lab_chance(&made->random, options->with_drag);
+    const dmi_kinematics_query query = {.mesh = made->mesh,
+                                        .cloud = &made->cloud,
+                                        .net = net,
+                                        .ranker = ranker,
+                                        .hint = with_drag ? &hint : NULL,
+                                        .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
+    dmi_hypotheses found;
+    const dm_result result = dmi_kinematics_infer(env, &query, &found);
+    if (result != DM_OK) return result;
+    out->has_drag[at] = with_drag;
+    score(made, &truth, hint.point, &found.joints[0], out, at);
+    return DM_OK;
+}
+
+dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
+                        const void* ranker, size_t ranker_size, const dm_lab_answers* out) {
+    dmi_env env;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    dmi_kpp_net* net = NULL;
+    dmi_ranker* chooser = NULL;
+    lab_case* made = dmi_alloc(&env, sizeof *made, 64);
+    dm_result result = made != NULL ? DM_OK : DM_ERROR_OUT_OF_MEMORY;
+    if (result == DM_OK && kinematics != NULL) result = dmi_kpp_net_load(&env, kinematics, kinematics_size, &net);
+    if (result == DM_OK && ranker != NULL) result = dmi_ranker_load(&env, ranker, ranker_size, &chooser);
+    for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
+        result = lab_case_make(&env, options, i, made);
+        if (result != DM_OK) break;
+        result = answer_case(&env, options, net, chooser, made, out, i);
+        lab_case_release(&env, made);
+    }
+    dmi_ranker_destroy(chooser);
+    if (net != NULL) dmi_kpp_net_destroy(net);
+    if (made != NULL) dmi_free(&env, made, sizeof *made);
+    return result;
+}

@@ -1,0 +1,22 @@
+/* What the library answers on generated cases, for calibration and scores. */
+#ifndef DM_LAB_ANSWERS_H
+#define DM_LAB_ANSWERS_H
+
+#include "dragmesh_lab.h"
+
+/* One entry a case. */
+typedef struct dm_lab_answers {
+    float* pose;       /* as dm_lab_ranker.pose, of the first hypothesis */
+    float* confidence; /* stated */
+    int32_t* right_type;
+    float* axis_error; /* rad */
+    float* line_error; /* object sizes; 0 for slides */
+    int32_t* has_drag;
+    int32_t* category;
+} dm_lab_answers;
+
+/* kinematics, ranker: bytes of weights files; NULL: without. */
+DM_API dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
+                               const void* ranker, size_t ranker_size, const dm_lab_answers* out);
+
+#endif
