@@ -72,7 +72,6 @@ static int alike(const dmi_study* study, const dmi_candidate* a, const dmi_candi
 
 typedef struct ranked {
     uint32_t index;
-    float mass; /* probability of it and of those alike */
 } ranked;
 
 static int slides(const work* w, uint32_t index) {
@@ -110,7 +109,7 @@ static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, fl
         joint.type = DM_JOINT_SCREW;
         joint.pitch = p != NULL ? (dmi_dot3(p->turn_axis, c->axis) < 0 ? -p->pitch : p->pitch) : 0.02f;
     }
-    dmi_limits_set(&w->study, p, &joint);
+    dmi_limits_set(&w->study, p, w->query->hint != NULL, dmi_ranker_limits(w->query->ranker), &joint);
     if (given == DM_JOINT_CONTINUOUS || (given == DM_JOINT_REVOLUTE && joint.type == DM_JOINT_CONTINUOUS))
         joint.type = given;
     return joint;
@@ -135,22 +134,31 @@ static void start_choice(const work* w, choice* c) {
                 i == j || alike(&w->study, &w->candidates[c->top[i].index], &w->candidates[c->top[j].index]) != 0;
 }
 
-/* The candidate that gathers most probability with those alike; c->count when none is left. only: -1 or a type. */
-static uint32_t heaviest(const work* w, int only, choice* c) {
+/* The most probable candidate left; c->count when none is. only: -1 or a type. */
+static uint32_t likeliest(const work* w, int only, const choice* c) {
     uint32_t best = c->count;
     for (uint32_t i = 0; i < c->count; i++) {
-        if (c->taken[i] || (only >= 0 && slides(w, c->top[i].index) != only)) continue;
-        c->top[i].mass = 0;
-        for (uint32_t j = 0; j < c->count; j++)
-            if (!c->taken[j] && c->is_alike[i][j]) c->top[i].mass += w->probability[c->top[j].index];
-        if (best == c->count || c->top[i].mass > c->top[best].mass * 1.0001f) best = i;
+        uint32_t index = c->top[i].index;
+        if (c->taken[i] || (only >= 0 && slides(w, index) != only)) continue;
+        if (best == c->count || w->probability[index] > w->probability[c->top[best].index]) best = i;
     }
     return best;
 }
 
-/* Hypotheses by the probability they gather. The first is of the likelier type (the rules' scores are no
- * probabilities, they can't say): turns are many candidates that share
- * their probability, slides few, so that a single slide outweighs each turn long before slides outweigh turns. */
+/* Takes a candidate and all that move the part alike; answers the probability they gather. */
+static float take_alike(const work* w, uint32_t chosen, choice* c) {
+    float mass = 0;
+    for (uint32_t j = 0; j < c->count; j++) {
+        if (c->taken[j] || !c->is_alike[chosen][j]) continue;
+        mass += w->probability[c->top[j].index];
+        c->taken[j] = 1;
+    }
+    return mass;
+}
+
+/* The first hypothesis is of the likelier type (the rules' scores are no probabilities, they can't say): turns are many
+ * candidates that share their probability, slides few, so that a single slide outweighs each turn long before slides
+ * outweigh turns. */
 static void choose(const work* w, dmi_hypotheses* out) {
     choice c;
     start_choice(w, &c);
@@ -158,16 +166,10 @@ static void choose(const work* w, dmi_hypotheses* out) {
     float least = 1; /* no alternative is stated likelier than what goes before it */
     while (out->count < DM_MAX_HYPOTHESES) {
         int only = out->count > 0 || w->query->ranker == NULL ? -1 : c.type_mass[1] > c.type_mass[0];
-        uint32_t best = heaviest(w, only, &c), chosen = best;
+        uint32_t best = likeliest(w, only, &c);
         if (best == c.count) break;
-        /* Among those alike, the most probable one stands for them. */
-        for (uint32_t j = 0; j < c.count; j++) {
-            if (c.taken[j] || !c.is_alike[best][j]) continue;
-            if (w->probability[c.top[j].index] > w->probability[c.top[chosen].index]) chosen = j;
-            c.taken[j] = 1;
-        }
-        uint32_t index = c.top[chosen].index;
-        least = fminf(least, c.top[best].mass);
+        uint32_t index = c.top[best].index;
+        least = fminf(least, take_alike(w, best, &c));
         out->joints[out->count++] = make_joint(w, &w->candidates[index], least, c.type_mass[slides(w, index)]);
     }
 }

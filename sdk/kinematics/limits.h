@@ -3,9 +3,16 @@
 #define DMI_KINEMATICS_LIMITS_H
 
 #include "kinematics/candidates.h"
+#include "kinematics/limit_net.h"
+
+/* What tells the limits of a joint: its sweep to either side, its shape, the network's guess. Answers the unit that the
+ * limits are learnt in: 1 rad, or the part's extent along a slide. prediction may be NULL. */
+float dmi_limits_features(const dmi_study* study, const dmi_prediction* prediction, int with_drag,
+                          const dm_joint* joint, float out[DMI_LIMIT_FEATURES]);
 
 /* Sets lower and upper of a revolute, prismatic or screw joint (inner frame), and turns a revolute one that nothing
- * stops, and that the part's shape does not contradict, into a continuous one. prediction may be NULL. */
-void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, dm_joint* joint);
+ * stops into a continuous one. with_drag: positive follows a drag. prediction and net (then by rules) may be NULL. */
+void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, int with_drag, const dmi_limit_net* net,
+                    dm_joint* joint);
 
 #endif

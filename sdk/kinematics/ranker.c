@@ -16,6 +16,7 @@ struct dmi_ranker {
     float second[HIDDEN][HIDDEN], second_bias[HIDDEN];
     float last[HIDDEN], last_bias;
     float calibration[2]; /* slope and offset between log odds */
+    dmi_limit_net limits;
 };
 
 static int copy_transposed(const dmi_weights* weights, const char* name, uint32_t outputs, uint32_t inputs, float* to) {
@@ -49,7 +50,7 @@ static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
         !copy_vector(weights, "2.bias", HIDDEN, ranker->second_bias) ||
         !copy_transposed(weights, "4.weight", 1, HIDDEN, ranker->last) ||
         !copy_vector(weights, "4.bias", 1, &ranker->last_bias) ||
-        !copy_vector(weights, "calibration", 2, ranker->calibration))
+        !copy_vector(weights, "calibration", 2, ranker->calibration) || !dmi_limit_net_read(weights, &ranker->limits))
         return 0;
     if (!(ranker->calibration[0] > 0 && ranker->calibration[0] < 1e3f)) return 0;
     fold_standardisation(mean, scale, ranker);
@@ -134,4 +135,8 @@ float dmi_ranker_confidence(const dmi_ranker* ranker, float mass) {
     if (ranker == NULL) return fminf(mass, 1);
     float p = fminf(fmaxf(mass, 1e-4f), 1 - 1e-4f);
     return 1 / (1 + expf(-ranker->calibration[0] * logf(p / (1 - p)) - ranker->calibration[1]));
+}
+
+const dmi_limit_net* dmi_ranker_limits(const dmi_ranker* ranker) {
+    return ranker != NULL ? &ranker->limits : NULL;
 }

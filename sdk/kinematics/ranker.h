@@ -3,6 +3,7 @@
 #define DMI_KINEMATICS_RANKER_H
 
 #include "kinematics/evidence.h"
+#include "kinematics/limit_net.h"
 
 /* Architecture "dragmesh-ranker": standardised evidence -> 64 -> 64 -> 1, ReLU between. The softmax over a part's
  * candidates is a probability; what an answer gathers of it is calibrated by two numbers in the file. */
@@ -16,5 +17,8 @@ void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[
                               float* out_probability);
 /* The chance that an answer is right whose candidates gather this probability. */
 float dmi_ranker_confidence(const dmi_ranker* ranker, float mass);
+
+/* The limits' network of the same file; NULL without a ranker. */
+const dmi_limit_net* dmi_ranker_limits(const dmi_ranker* ranker);
 
 #endif

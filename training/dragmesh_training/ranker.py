@@ -22,6 +22,10 @@ KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
 SAMPLED = 96  # rows of a case in a training step
 SLIDES, NETWORK = 0, slice(86, 98)  # columns of sdk/kinematics/evidence.h
+# The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
+GROUPS = [slice(first, last) for first, last in (
+    (1, 2), (2, 9), (9, 16), (16, 23), (23, 37), (37, 42), (42, 54), (54, 65), (65, 68), (68, 72), (72, 75), (98, 109),
+    (109, 125), (125, 149), (149, 153), (153, 157))]
 
 
 class Options(ctypes.Structure):
@@ -154,7 +158,7 @@ def summary(good, data, names):
         ("none", ~drag & held)) if mask.any())
 
 
-def draw(data, cost, random, batch, without_network):
+def draw(data, cost, random, batch, without_network, without_group, mean):
     """A training step's evidence, log weights and costs."""
     index = random.integers(0, len(cost), batch)
     used, total = data["used"][index], data["total"][index]
@@ -162,6 +166,8 @@ def draw(data, cost, random, batch, without_network):
     rows = np.concatenate([np.tile(np.arange(KEPT_BEST), (batch, 1)), others], 1)
     evidence = data["evidence"][index[:, None], rows].astype(np.float32)
     evidence[random.random(batch) < without_network, :, NETWORK] = 0
+    for group in GROUPS:
+        evidence[random.random(batch) < without_group, :, group] = mean[group]
     extra = log_weights(rows, np.maximum(used, SAMPLED), total)
     extra[rows >= used[:, None]] = -1e9
     return evidence, extra, cost[index[:, None], rows]
@@ -182,7 +188,8 @@ def fit(data, validation, names, arguments):
         for group in optimiser.param_groups:
             group["lr"] = arguments.rate * (1 - step / arguments.steps) + 2e-5
         evidence, extra, cases = map(torch.from_numpy, draw(data, cost, random, arguments.batch,
-                                                            arguments.without_network))
+                                                            arguments.without_network, arguments.without_group,
+                                                            mean.numpy()))
         wanted = torch.softmax(extra - cases, 1)
         loss = -(wanted * torch.log_softmax(net((evidence - mean) * scale)[..., 0] + extra, 1)).sum(1).mean()
         optimiser.zero_grad()
@@ -225,21 +232,120 @@ def export(path, tensors, metadata):
             file.write(array.astype("<f4").tobytes())
 
 
+LIMIT_ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32))
+ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type", np.int32), ("axis_error", np.float32),
+                 ("line_error", np.float32), ("has_drag", np.int32), ("category", np.int32))
+
+
+def options_of(lab, seed, count, split, chosen, noise_degrees=8.0, with_drag=0.7, mask_noise=0.15):
+    """Cases as `make` draws them; the weights of the categories must live as long as the options."""
+    weights = category_weights(lab, chosen)
+    return Options(seed, count, split, weights.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0), weights
+
+
+def limits_data(lab, kinematics, seed, count, split, chosen):
+    columns = lab.dm_lab_limits_columns()
+    data = {"features": np.zeros((count, columns), np.float32)}
+    data.update({name: np.zeros(count, dtype) for name, dtype in LIMIT_ARRAYS})
+    options, keep = options_of(lab, seed, count, split, chosen)
+    pointers = (ctypes.c_void_p * 5)(*[array.ctypes.data for array in data.values()])
+    if lab.dm_lab_limits_batch(ctypes.byref(options), kinematics, ctypes.c_size_t(len(kinematics)), pointers) != 0:
+        raise RuntimeError("dm_lab_limits_batch failed")
+    del keep
+    return data
+
+
+def range_overlap(low, high, lower, upper):
+    """Intersection over union of two ranges."""
+    import torch
+    both = torch.relu(torch.minimum(high, upper) - torch.maximum(low, lower))
+    return both / (torch.maximum(high, upper) - torch.minimum(low, lower)).clamp(min=1e-4)
+
+
+def fit_limits(data, validation, steps, seed):
+    """The limits' network (sdk/kinematics/limit_net.c): sizes on a logarithmic scale, by their overlap with the truth."""
+    import torch
+    torch.manual_seed(seed)
+    hidden, x = 48, torch.from_numpy(data["features"])
+    mean, scale = x.mean(0), 1 / (x.std(0) + 0.02)
+    net = torch.nn.Sequential(torch.nn.Linear(x.shape[1], hidden), torch.nn.ReLU(), torch.nn.Linear(hidden, hidden),
+                              torch.nn.ReLU(), torch.nn.Linear(hidden, 3))
+    optimiser = torch.optim.AdamW(net.parameters(), 2e-3, weight_decay=3e-2)
+
+    def measure(batch):
+        features, lower, upper, free = (torch.from_numpy(batch[k]) for k in ("features", "lower", "upper", "free"))
+        out = net((features - mean) * scale)
+        low, high = -(out[:, 0].exp() - 0.01).clamp(0, 7), (out[:, 1].exp() - 0.01).clamp(0, 7)
+        logs = (out[:, 0] - (0.01 - lower.clamp(max=0)).log()).abs() + (out[:, 1] - (0.01 + upper.clamp(min=0)).log()).abs()
+        limited = free == 0
+        overlap = range_overlap(low, high, lower, upper)[limited]
+        stops = torch.nn.functional.binary_cross_entropy_with_logits(out[:, 2], free.float())
+        return overlap.mean(), 1 - overlap.mean() + 0.1 * logs[limited].mean() + stops
+
+    random = np.random.default_rng(seed)
+    for step in range(steps):
+        for group in optimiser.param_groups:
+            group["lr"] = 2e-3 * (1 - step / steps) + 1e-5
+        index = random.integers(0, len(x), 256)
+        _, loss = measure({name: array[index] for name, array in data.items()})
+        optimiser.zero_grad()
+        loss.backward()
+        optimiser.step()
+    with torch.no_grad():
+        print(f"limits: overlap with the truth {measure(data)[0]:.3f} trained, {measure(validation)[0]:.3f} validation",
+              flush=True)
+    tensors = {"limits.mean": mean.numpy(), "limits.scale": scale.numpy()}
+    tensors.update({f"limits.{name}": value.numpy() for name, value in net.state_dict().items()})
+    return tensors
+
+
+def answers(lab, kinematics, ranker, seed, count, split, chosen):
+    """What the whole library answers on fresh cases."""
+    data = {name: np.zeros(count, dtype) for name, dtype in ANSWER_ARRAYS}
+    options, keep = options_of(lab, seed, count, split, chosen)
+    pointers = (ctypes.c_void_p * len(data))(*[array.ctypes.data for array in data.values()])
+    result = lab.dm_lab_answer(ctypes.byref(options), kinematics, ctypes.c_size_t(len(kinematics)), ranker,
+                               ctypes.c_size_t(len(ranker)), pointers)
+    if result != 0:
+        raise RuntimeError(f"dm_lab_answer: {result}")
+    del keep
+    return data
+
+
+def calibrated(lab, kinematics, path, tensors, metadata, count, names):
+    """Writes the file with an identity, asks the library itself, and writes it again with the calibration found."""
+    export(path, {**tensors, "calibration": np.array([1, 0], np.float32)}, metadata)
+    with open(path, "rb") as file:
+        ranker = file.read()
+    found = answers(lab, kinematics, ranker, 77, count, 1, names)
+    good = found["pose"] < GOOD
+    calibration = calibrate(good, found["confidence"])
+    export(path, {**tensors, "calibration": calibration.astype(np.float32)}, metadata)
+    print(f"whole library, validation: type {found['right_type'].mean():.3f} {summary(good, found, np.array(names))}; "
+          f"confidence = sigmoid({calibration[0]:.3f} logit(mass) + {calibration[1]:.3f})", flush=True)
+
+
 def run_train(arguments):
+    lab = open_lab(arguments.lab)
     names = np.load(arguments.data[0])["names"]
     data, validation = load(arguments.data, HELD_OUT), load([arguments.validate])
+    with open(arguments.weights, "rb") as file:
+        kinematics = file.read()
+    trained = [name for name in category_names(lab) if name not in HELD_OUT]
+    limits = fit_limits(limits_data(lab, kinematics, 5, arguments.limit_cases, 0, trained),
+                        limits_data(lab, kinematics, 6, arguments.limit_cases // 8, 1, category_names(lab)), 4000,
+                        arguments.seed)
     net, mean, scale = fit(data, validation, names, arguments)
-    good, trust = evaluate(net, validation, mean, scale)
-    calibration = calibrate(good, trust)
-    print(f"validation: {summary(good, validation, names)}; confidence = sigmoid({calibration[0]:.3f} logit(trust) + "
-          f"{calibration[1]:.3f})")
-    tensors = {"mean": mean.numpy(), "scale": scale.numpy(), "calibration": calibration.astype(np.float32)}
-    state = list(net.state_dict().values())
+    good, _ = evaluate(net, validation, mean, scale)
+    print(f"validation: {summary(good, validation, names)}")
+    tensors, state = {"mean": mean.numpy(), "scale": scale.numpy()}, list(net.state_dict().values())
     for layer, name in enumerate(("0", "2", "4")):
         tensors[f"{name}.weight"], tensors[f"{name}.bias"] = state[2 * layer].numpy(), state[2 * layer + 1].numpy()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    export(arguments.out, tensors, {"architecture": "dragmesh-ranker", "version": "1", "commit": commit,
-                                    "seed": str(arguments.seed), "trained": f"{len(data['used'])} generated cases"})
+    metadata = {"architecture": "dragmesh-ranker", "version": "1", "commit": commit, "seed": str(arguments.seed),
+                "trained": f"{len(data['used'])} generated cases"}
+    calibrated(lab, kinematics, arguments.out, {**tensors, **limits}, metadata, arguments.calibration_cases,
+               category_names(lab))
 
 
 def main():
@@ -260,12 +366,17 @@ def main():
     two = commands.add_parser("train")
     two.add_argument("data", nargs="+")
     two.add_argument("--validate", required=True)
+    two.add_argument("--lab", default=default_lab)
+    two.add_argument("--weights", required=True, help="the KPP-Net that the data was made with")
+    two.add_argument("--limit-cases", type=int, default=8000)
+    two.add_argument("--calibration-cases", type=int, default=2000)
     two.add_argument("--steps", type=int, default=12000)
     two.add_argument("--batch", type=int, default=48)
     two.add_argument("--hidden", type=int, default=64)
     two.add_argument("--rate", type=float, default=2e-3)
     two.add_argument("--dropout", type=float, default=0.1)
     two.add_argument("--without-network", type=float, default=0.15, help="share of cases that do without its columns")
+    two.add_argument("--without-group", type=float, default=0.1, help="and each other group of evidence")
     two.add_argument("--seed", type=int, default=1)
     two.add_argument("-o", "--out", required=True)
     two.set_defaults(run=run_train)
