@@ -72,6 +72,7 @@ static int alike(const dmi_study* study, const dmi_candidate* a, const dmi_candi
 
 typedef struct ranked {
     uint32_t index;
+    float weight; /* its probability; without a ranker, that of all alike: rules leave many ties */
 } ranked;
 
 static int slides(const work* w, uint32_t index) {
@@ -132,15 +133,21 @@ static void start_choice(const work* w, choice* c) {
         for (uint32_t j = 0; j < c->count; j++)
             c->is_alike[i][j] =
                 i == j || alike(&w->study, &w->candidates[c->top[i].index], &w->candidates[c->top[j].index]) != 0;
+    for (uint32_t i = 0; i < c->count; i++) {
+        c->top[i].weight = 0;
+        for (uint32_t j = 0; j < c->count; j++)
+            if (w->query->ranker != NULL ? i == j : c->is_alike[i][j])
+                c->top[i].weight += w->probability[c->top[j].index];
+    }
 }
 
-/* The most probable candidate left; c->count when none is. only: -1 or a type. */
-static uint32_t likeliest(const work* w, int only, const choice* c) {
+/* The heaviest candidate left; c->count when none is. only: -1 or a type. */
+static uint32_t heaviest(const work* w, int only, const choice* c) {
     uint32_t best = c->count;
     for (uint32_t i = 0; i < c->count; i++) {
         uint32_t index = c->top[i].index;
         if (c->taken[i] || (only >= 0 && slides(w, index) != only)) continue;
-        if (best == c->count || w->probability[index] > w->probability[c->top[best].index]) best = i;
+        if (best == c->count || c->top[i].weight > c->top[best].weight * 1.0001f) best = i;
     }
     return best;
 }
@@ -166,7 +173,7 @@ static void choose(const work* w, dmi_hypotheses* out) {
     float least = 1; /* no alternative is stated likelier than what goes before it */
     while (out->count < DM_MAX_HYPOTHESES) {
         int only = out->count > 0 || w->query->ranker == NULL ? -1 : c.type_mass[1] > c.type_mass[0];
-        uint32_t best = likeliest(w, only, &c);
+        uint32_t best = heaviest(w, only, &c);
         if (best == c.count) break;
         uint32_t index = c.top[best].index;
         least = fminf(least, take_alike(w, best, &c));

@@ -183,9 +183,22 @@ float dmi_limits_features(const dmi_study* study, const dmi_prediction* predicti
     return unit;
 }
 
+void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
+    const sweeper s = make_sweeper(study, joint);
+    int slides = joint->type == DM_JOINT_PRISMATIC, steps = slides ? SLIDE_STEPS : TURN_STEPS;
+    float step = slides ? fmaxf(extent_along(&s), 0.01f) / SLIDE_STEPS : TURN_STEP, up[2], down[2];
+    reach(&s, step, steps, up);
+    reach(&s, -step, steps, down);
+    if (up[0] + up[1] >= -down[0] - down[1]) return;
+    const float lower = joint->lower;
+    joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
+    joint->lower = -joint->upper, joint->upper = -lower;
+}
+
 static void ask_network(const dmi_study* study, const dmi_prediction* prediction, int with_drag,
                         const dmi_limit_net* net, dm_joint* joint) {
     float features[DMI_LIMIT_FEATURES], lower, upper, free;
+    if (!with_drag) dmi_limits_face_room(study, joint);
     float unit = dmi_limits_features(study, prediction, with_drag, joint, features);
     dmi_limit_net_forward(net, features, &lower, &upper, &free);
     if (joint->type == DM_JOINT_REVOLUTE && free > 0) {
