@@ -5,6 +5,7 @@
 
 #define LEAST 0.01f /* sizes are learnt as log(size + LEAST) */
 #define MOST 7.0f
+#define AT_AN_END 0.05f /* less room than this share of the other side: it rests at the end */
 
 int dmi_limit_net_read(const dmi_weights* weights, dmi_limit_net* out_net) {
     const uint32_t in = DMI_LIMIT_FEATURES, hidden = DMI_LIMIT_HIDDEN;
@@ -38,8 +39,9 @@ void dmi_limit_net_forward(const dmi_limit_net* net, const float features[DMI_LI
     dense(net->first, net->first_bias, x, DMI_LIMIT_FEATURES, DMI_LIMIT_HIDDEN, 1, a);
     dense(net->second, net->second_bias, a, DMI_LIMIT_HIDDEN, DMI_LIMIT_HIDDEN, 1, b);
     dense(net->last, net->last_bias, b, DMI_LIMIT_HIDDEN, 3, 0, out);
-    *out_lower = -size_of(out[0]);
-    *out_upper = size_of(out[1]);
+    const float down = size_of(out[0]), up = size_of(out[1]);
+    *out_lower = down > AT_AN_END * up ? -down : 0;
+    *out_upper = up > AT_AN_END * down ? up : 0;
     if (*out_upper - *out_lower < LEAST) *out_upper = *out_lower + LEAST;
     *out_free = out[2];
 }

@@ -183,13 +183,28 @@ float dmi_limits_features(const dmi_study* study, const dmi_prediction* predicti
     return unit;
 }
 
+/* Mean distance of the part from the body at a value, over its diagonal. */
+static float distance_at(const sweeper* s, float value) {
+    const placement at = place(s, value);
+    float sum = 0;
+    for (uint32_t i = 0; i < POINTS; i++) {
+        float x[3];
+        moved(s, s->study->points[i], at, x);
+        sum += fminf(dmi_field_distance(&s->study->body_field, x), s->study->diagonal);
+    }
+    return sum / (POINTS * s->study->diagonal);
+}
+
 void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
     const sweeper s = make_sweeper(study, joint);
     int slides = joint->type == DM_JOINT_PRISMATIC, steps = slides ? SLIDE_STEPS : TURN_STEPS;
     float step = slides ? fmaxf(extent_along(&s), 0.01f) / SLIDE_STEPS : TURN_STEP, up[2], down[2];
     reach(&s, step, steps, up);
     reach(&s, -step, steps, down);
-    if (up[0] + up[1] >= -down[0] - down[1]) return;
+    /* Opening leads away from the body even where the sweep meets nothing on either side. */
+    const float room = (up[0] + up[1] + down[0] + down[1]) / (step * (float)steps);
+    const float away = distance_at(&s, 0.2f * step * (float)steps) - distance_at(&s, -0.2f * step * (float)steps);
+    if (room + 4 * away >= 0) return;
     const float lower = joint->lower;
     joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
     joint->lower = -joint->upper, joint->upper = -lower;
