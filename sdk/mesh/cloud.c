@@ -143,7 +143,8 @@ static void weigh_near(sampler* s, const box* near) {
 
 /* ---- points ---- */
 
-static void sample_face(sampler* s, uint32_t face, float xyz[3], float normal[3]) {
+/* at: where on the face, two numbers in [0, 1). */
+static void sample_face(sampler* s, uint32_t face, const float at[2], float xyz[3], float normal[3]) {
     polygon p;
     load_face(s->mesh, face, &p);
     if (s->clip != NULL) cut_to_box(&p, s->clip);
@@ -153,7 +154,7 @@ static void sample_face(sampler* s, uint32_t face, float xyz[3], float normal[3]
         while (corner + 2 < p.count && pick >= fan_area(&p, corner)) pick -= fan_area(&p, corner++);
     }
     const float *a = p.corner[0], *b = p.corner[corner], *c = p.corner[corner + 1];
-    float u = dmi_random_unit(&s->random), v = dmi_random_unit(&s->random);
+    float u = at[0], v = at[1];
     if (u + v > 1) { /* the other half of the parallelogram, folded back */
         u = 1 - u;
         v = 1 - v;
@@ -162,13 +163,16 @@ static void sample_face(sampler* s, uint32_t face, float xyz[3], float normal[3]
     memcpy(normal, s->mesh->face_normal + (size_t)face * 3, 3 * sizeof(float));
 }
 
-/* A random order of [0, count), inside out (Fisher and Yates). */
-static void shuffle(dmi_random* random, uint16_t* order, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t k = (uint32_t)((uint64_t)dmi_random_u32(random) * (i + 1) >> 32);
-        order[i] = order[k];
-        order[k] = (uint16_t)i;
-    }
+/* Where the i-th of `count` (a power of two) shares of the area comes in the block: bits reversed and shifted by a
+ * random number, so that the first few samples of a block are spread as evenly as all of them (van der Corput). */
+static uint32_t place_in_block(uint32_t i, uint32_t count, uint32_t shift) {
+    uint32_t reversed = 0;
+    for (uint32_t bit = 1, value = i; bit < count; bit <<= 1, value >>= 1) reversed = reversed << 1 | (value & 1);
+    return reversed ^ (shift & (count - 1));
+}
+
+static float fraction(float x) {
+    return x - floorf(x);
 }
 
 /* The next face from `face` on that has a weight; face_count when there is none. */
@@ -177,10 +181,11 @@ static uint32_t next_weighted(const sampler* s, uint32_t face) {
     return face;
 }
 
-/* `count` samples by weight, one from each of `count` equal shares of the total, in random order. */
+/* `count` (a power of two) samples by weight, one from each of `count` equal shares of the total. Where on a face
+ * follows the R2 sequence by their place in the block: even a few samples cover a face. */
 static void sample_block(sampler* s, uint32_t count, float (*xyz)[3], float (*normal)[3]) {
-    uint16_t order[CANDIDATES];
-    shuffle(&s->random, order, count);
+    const uint32_t shift = dmi_random_u32(&s->random);
+    const float start[2] = {dmi_random_unit(&s->random), dmi_random_unit(&s->random)};
     uint32_t face = next_weighted(s, 0);
     double up_to = (double)s->weights[face], share = s->total / count;
     for (uint32_t i = 0; i < count; i++) {
@@ -191,7 +196,10 @@ static void sample_block(sampler* s, uint32_t count, float (*xyz)[3], float (*no
             face = next;
             up_to += (double)s->weights[face];
         }
-        sample_face(s, face, xyz[order[i]], normal[order[i]]);
+        const uint32_t place = place_in_block(i, count, shift);
+        const float at[2] = {fraction(start[0] + 0.75487767f * (float)place),
+                             fraction(start[1] + 0.56984029f * (float)place)};
+        sample_face(s, face, at, xyz[place], normal[place]);
     }
 }
 
