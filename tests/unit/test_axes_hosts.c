@@ -217,8 +217,8 @@ static void test_every_host_sees_the_same(void** state) {
         assert_float_equal(records[i].confidence, records[0].confidence, 0.25f);
         for (int k = 0; k < records[0].count; k++) {
             const float a = records[0].numbers[k], b = records[i].numbers[k];
-            /* Limits come from a sweep through a grid that lies otherwise in a mirrored host. */
-            const float tolerance = k == LOWER || k == UPPER ? 0.25f : 1e-3f;
+            /* Limits are estimates from a sweep through a grid, which lies otherwise in a mirrored host. */
+            const float tolerance = k == LOWER || k == UPPER ? 0.5f : 1e-3f;
             if (fabsf(a - b) > tolerance) fail_msg("%s: number %d is %g, in glTF's axes %g", hosts[i].name, k, b, a);
         }
     }
