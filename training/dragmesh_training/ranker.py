@@ -23,7 +23,7 @@ KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
 SHIPPED_FILES = 4  # of 6,000 cases each
 SAMPLED = 96  # rows of a case in a training step
-SLIDES, NETWORK = 0, slice(86, 98)  # columns of sdk/kinematics/evidence.h
+SLIDES, NETWORK = 0, np.r_[86:98, 108, 124]  # columns of sdk/kinematics/evidence.h
 # The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
 GROUPS = [slice(first, last) for first, last in (
     (1, 2), (2, 9), (9, 16), (16, 23), (23, 37), (37, 42), (42, 54), (54, 65), (65, 68), (68, 72), (72, 75), (98, 109),
@@ -136,7 +136,7 @@ def answer(probability, slides, pose):
     return best, probability[np.abs(pose - pose[best]) < 0.01].sum()
 
 
-def evaluate(net, data, mean, scale):
+def evaluate(net, data, mean, scale, blind):
     """Whether each answer is good, and how far it is trusted."""
     import torch
     good, confidence, everything = [], [], np.arange(data["pose"].shape[1])[None]
@@ -144,6 +144,8 @@ def evaluate(net, data, mean, scale):
     with torch.no_grad():
         for i, used in enumerate(data["used"]):
             evidence = data["evidence"][i, :used].astype(np.float32)
+            if blind:
+                evidence[:, NETWORK] = 0
             extra = log_weights(everything[:, :used], data["used"][i:i + 1], data["total"][i:i + 1])
             logits = net((torch.from_numpy(evidence) - mean) * scale)[:, 0] + torch.from_numpy(extra[0])
             best, trust = answer(torch.softmax(logits, 0).numpy(), evidence[:, SLIDES] > 0.5, data["pose"][i, :used])
@@ -167,7 +169,8 @@ def draw(data, cost, random, batch, without_network, without_group, mean):
     others = random.integers(KEPT_BEST, np.maximum(used, KEPT_BEST + 1)[:, None], (batch, SAMPLED - KEPT_BEST))
     rows = np.concatenate([np.tile(np.arange(KEPT_BEST), (batch, 1)), others], 1)
     evidence = data["evidence"][index[:, None], rows].astype(np.float32)
-    evidence[random.random(batch) < without_network, :, NETWORK] = 0
+    blind = np.flatnonzero(random.random(batch) < without_network)
+    evidence[blind[:, None, None], np.arange(SAMPLED)[:, None], NETWORK] = 0
     for group in GROUPS:
         evidence[random.random(batch) < without_group, :, group] = mean[group]
     extra = log_weights(rows, np.maximum(used, SAMPLED), total)
@@ -201,7 +204,7 @@ def fit(data, validation, names, arguments):
         for name, value in net.state_dict().items():
             average[name].lerp_(value, max(0.002, 1 / (step + 1)))
         if (step + 1) % max(arguments.steps // 5, 1) == 0:
-            good, _ = evaluate(net, validation, mean, scale)
+            good, _ = evaluate(net, validation, mean, scale, arguments.without_network >= 1)
             print(f"{time.time() - start:5.0f} s {step + 1} steps loss {smooth:.3f} {summary(good, validation, names)}",
                   flush=True)
     net.load_state_dict(average)
@@ -338,7 +341,7 @@ def run_train(arguments):
                         limits_data(lab, kinematics, 6, arguments.limit_cases // 8, 1, category_names(lab)), 4000,
                         arguments.seed)
     net, mean, scale = fit(data, validation, names, arguments)
-    good, _ = evaluate(net, validation, mean, scale)
+    good, _ = evaluate(net, validation, mean, scale, arguments.without_network >= 1)
     print(f"validation: {summary(good, validation, names)}")
     tensors, state = {"mean": mean.numpy(), "scale": scale.numpy()}, list(net.state_dict().values())
     for layer, name in enumerate(("0", "2", "4")):
