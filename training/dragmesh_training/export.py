@@ -42,7 +42,10 @@ def load_safetensors(path):
 
 def commit():
     here = os.path.dirname(os.path.abspath(__file__))
-    found = subprocess.run(["git", "-C", here, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True)
+    try:
+        found = subprocess.run(["git", "-C", here, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True)
+    except FileNotFoundError:  # no git on this machine
+        return "unknown"
     return found.stdout.strip() or "unknown"
 
 
