@@ -163,8 +163,7 @@ static void test_eval_does_not_depend_on_the_frame(void** state) {
     tool_folder_make(folder);
     tool_run(&out, "dragmesh_generate", NULL, "--category|drawers|--seed|2|-o|%s/b", folder);
     for (int turned = 0; turned < 2; turned++) {
-        tool_run(&out, "dragmesh", NULL, "eval|%s|--json|--given-type%s", folder,
-                 turned ? "|--turn|3" : "");
+        tool_run(&out, "dragmesh", NULL, "eval|%s|--json|--given-type%s", folder, turned ? "|--turn|3" : "");
         cJSON* json = cJSON_Parse(out.text);
         pose[turned] = cJSON_GetObjectItem(cJSON_GetObjectItem(json, "pose_e3"), "mean")->valuedouble;
         cJSON_Delete(json);
