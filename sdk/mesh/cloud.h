@@ -7,10 +7,11 @@
 
 #include "mesh/mesh.h"
 
-#define DMI_CLOUD_PART 2048   /* points on the moving part and what it carries */
-#define DMI_CLOUD_NEAR 1024   /* on the rest, inside the part's box grown by 0.2 of its diagonal (at least 0.02) */
-#define DMI_CLOUD_BODY 1024   /* anywhere on the rest */
-#define DMI_CLOUD_POINTS 4096 /* in this order: part, near, body; each block in an even order: its first points cover it too */
+#define DMI_CLOUD_PART 2048 /* points on the moving part and what it carries */
+#define DMI_CLOUD_NEAR 1024 /* on the rest, inside the part's box grown by 0.2 of its diagonal (at least 0.02) */
+#define DMI_CLOUD_BODY 1024 /* anywhere on the rest */
+#define DMI_CLOUD_POINTS                                                                                               \
+    4096 /* in this order: part, near, body; each block in an even order: its first points cover it too */
 
 typedef struct dmi_cloud {
     float xyz[DMI_CLOUD_POINTS][3];    /* object-normalised */
