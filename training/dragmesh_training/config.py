@@ -22,10 +22,10 @@ class KppTraining:
     batch: int = 32
     rate: float = 1.5e-3
     decay: float = 0.01  # AdamW
-    pool: int = 20000  # samples kept in memory
-    fresh: int = 16  # of a batch's samples, how many new ones enter the pool a step
+    pool: int = 40000  # samples kept in memory
+    fresh: int = 8  # of a batch's samples, how many new ones enter the pool a step
     weights: dict = field(default_factory=lambda: dict(
-        type=0.5, cosine=1.0, geodesic=1.0, origin=2.0, along=0.1, limits=0.5))
+        type=0.5, cosine=1.0, geodesic=1.0, length=0.1, origin=2.0, along=0.1, limits=0.5))
     # Parts of the network (networks.KppConfig); 0 takes one away, for the ablations.
     parts: dict = field(default_factory=lambda: dict(mask=1, drag=1, attention=1, decoupled=1, shape=1))
 

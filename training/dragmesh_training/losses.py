@@ -35,8 +35,10 @@ def kpp_losses(output, batch):
     slide = F.smooth_l1_loss(along, torch.zeros_like(along), beta=0.05, reduction="none").sum(-1)
     has_limit = kind.new_tensor(LIMITS_OF_TYPE)[kind].to(error.dtype)
     limits = F.smooth_l1_loss(output["limits"], batch["limits"], beta=0.1, reduction="none")
+    # Only the axes' directions are asked for: without this their lengths grow, and the gradient of a direction falls with them.
+    lengths = torch.stack([output["turn_axis"], output["slide_axis"]]).norm(dim=-1)
     return {"type": F.cross_entropy(output["type_logits"], kind, label_smoothing=0.02), "cosine": (1 - cosine * flip).mean(),
-            "geodesic": angle.mean(), "origin": masked_mean(line, turning), "along": masked_mean(slide, turning),
+            "geodesic": angle.mean(), "length": ((lengths - 1) ** 2).mean(), "origin": masked_mean(line, turning), "along": masked_mean(slide, turning),
             "limits": masked_mean(limits, has_limit)}
 
 

@@ -124,6 +124,21 @@ class TransformerLayer(nn.Module):
         return x + self.ff2(torch.relu(self.ff1(self.norm2(x))))
 
 
+class GroupMaximum(torch.autograd.Function):
+    """Maximum over a group's points (dimension 2). As amax, several times faster than max, which also looks for indices."""
+
+    @staticmethod
+    def forward(context, points):
+        maximum = points.amax(dim=2)
+        context.save_for_backward(points, maximum)
+        return maximum
+
+    @staticmethod
+    def backward(context, gradient):
+        points, maximum = context.saved_tensors
+        return torch.where(points == maximum.unsqueeze(2), gradient.unsqueeze(2), gradient.new_zeros(()))
+
+
 class PointEncoder(nn.Module):
     """Grouped points to one vector: PointNet a group, then a Transformer over the groups (paper §3.5)."""
 
@@ -136,7 +151,7 @@ class PointEncoder(nn.Module):
         self.norm = nn.LayerNorm(config.dim)
 
     def forward(self, points, centres):
-        tokens = self.point(points).max(dim=2).values + self.position(centres)
+        tokens = GroupMaximum.apply(self.point(points)) + self.position(centres)
         for layer in self.layers:
             tokens = layer(tokens)
         tokens = self.norm(tokens)

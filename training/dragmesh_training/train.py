@@ -154,6 +154,7 @@ def train(config, folder, threads, workers, out=None, until=None, start=None):
     """Trains to the end of the config (or step `until`), from the folder's checkpoint when it has one; exports to `out`. The
     last scores."""
     torch.set_num_threads(threads)
+    torch.set_flush_denormal(True)
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
     run = Run(config, folder, device, workers, start)
     scores, sums, since, begun = {}, {}, 0, time.monotonic()
