@@ -10,7 +10,8 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent / "training"))
-from dragmesh_training.loaders import glb, meshes, objects, urdf  # noqa: E402
+from dragmesh_training import config, data  # noqa: E402
+from dragmesh_training.loaders import batches, glb, meshes, objects, urdf  # noqa: E402
 
 
 class Drawer(unittest.TestCase):
@@ -66,6 +67,58 @@ class Drawer(unittest.TestCase):
         self.assertGreaterEqual(moving[:, 0].min(), 0.4 - 1e-6)
         self.assertEqual(slide.face_part.sum(), len(self.parts["link_1"][1]) + len(self.parts["knob"][1]))
         self.assertEqual(len(turn.drags), 3)
+
+
+class Batches(unittest.TestCase):
+    """What training/train --data gives the networks; through the lab of a build."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        urdf.convert(HERE / "drawer", Path(cls.folder.name) / "drawer")
+        cls.lab = data.Lab()
+        cls.loaded = batches.Loaded(cls.folder.name)
+
+    def batch(self, network, seed=1, **mix):
+        return self.loaded.batch(self.lab, network, seed, 24, {**config.MIX, **mix})
+
+    def test_kpp_axes_follow_the_drags(self):
+        arrays = self.batch("kpp", with_drag=1.0, drag_noise_degrees=0.0)
+        self.assertEqual(set(arrays["type"]), {0, 1})
+        vector = arrays["shape"][:, 42:45]  # of the drag, in the network's frame
+        along = (arrays["axis"] * vector).sum(-1)
+        np.testing.assert_allclose(along[arrays["type"] == 1], 1, atol=1e-3)
+        np.testing.assert_allclose(along[arrays["type"] == 0], 0, atol=1e-3)
+        self.assertTrue(np.isfinite(arrays["global_points"]).all())
+
+    def test_noise_turns_the_drag_alone(self):
+        arrays = self.batch("kpp", with_drag=1.0, drag_noise_degrees=30.0)
+        along = (arrays["axis"] * arrays["shape"][:, 42:45]).sum(-1)[arrays["type"] == 1]
+        self.assertLess(along.min(), 0.999)
+
+    def test_strokes_stay_inside_the_limits(self):
+        arrays = self.batch("vae", joint_noise=0.0)
+        lower, upper = arrays["limits"].T
+        self.assertTrue((arrays["values"] >= lower[:, None] - 1e-6).all() and (arrays["values"] <= upper[:, None] + 1e-6).all())
+        self.assertGreater(np.abs(arrays["values"]).max(), 0.05)
+
+    def test_a_seed_gives_the_same_batch(self):
+        for network in ("kpp", "vae"):
+            first, second, other = self.batch(network), self.batch(network), self.batch(network, seed=2)
+            for name in first:
+                np.testing.assert_array_equal(first[name], second[name])
+            self.assertTrue(any((first[name] != other[name]).any() for name in first))
+
+    def test_a_chunk_for_training_has_its_share(self):
+        chunk = data.mixed_batch(self.lab, "vae", 1, ["door"], self.loaded, 0.25)
+        self.assertEqual(len(chunk["type"]), data.CHUNK)
+        theirs = self.loaded.batch(self.lab, "vae", 1, data.CHUNK // 4, config.MIX)
+        np.testing.assert_array_equal(chunk["values"][:data.CHUNK // 4], theirs["values"])
+
+    def test_a_folder_without_objects_is_named(self):
+        with self.assertRaisesRegex(SystemExit, "no sub-folder"):
+            batches.Loaded(HERE)
 
 
 class Primitives(unittest.TestCase):

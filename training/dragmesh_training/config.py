@@ -24,6 +24,8 @@ class KppTraining:
     decay: float = 0.01  # AdamW
     pool: int = 40000  # samples kept in memory
     fresh: int = 8  # of a batch's samples, how many new ones enter the pool a step
+    data: str = ""  # a folder of object.glb + joints.json in sub-folders …
+    data_share: float = 0.5  # … and their share of the cases
     weights: dict = field(default_factory=lambda: dict(
         type=0.5, cosine=1.0, geodesic=1.0, length=0.1, origin=2.0, along=0.1, limits=0.5))
     # Parts of the network (networks.KppConfig); 0 takes one away, for the ablations.
@@ -44,6 +46,8 @@ class VaeTraining:
     decay: float = 0.0
     pool: int = 60000
     fresh: int = 16
+    data: str = ""
+    data_share: float = 0.5
     free_nats: float = 24.0  # delta of the free bits
     weights: dict = field(default_factory=lambda: dict(
         mesh=20.0, qr=4.0, qd=20.0, cd=2.0, axis=8.0, qd0=20.0, qr1=4.0, drag=0.5, unit=0.1, kl=1e-3))

@@ -11,6 +11,7 @@ import numpy as np
 import torch
 
 from . import config
+from .loaders.batches import Loaded
 from .losses import PRISMATIC, SCREW
 from .networks import KPP_CHANNELS, KPP_DIRECTIONS
 
@@ -29,9 +30,13 @@ def held_out_categories(lab):
 
 
 def make_batch(lab, network, seed, count, categories, split, mix=None):
-    """Arrays of `count` cases; KPP inputs as float16, which halves the pool."""
+    """Arrays of `count` generated cases."""
     make = lab.kpp_batch if network == "kpp" else lab.vae_batch
-    arrays = make(seed, count, categories, split, **(mix or config.MIX))
+    return packed(network, make(seed, count, categories, split, **(mix or config.MIX)))
+
+
+def packed(network, arrays):
+    """KPP inputs as float16, which halves the pool."""
     if network == "kpp":
         for name in ("global_points", "global_centres", "local_points", "local_centres"):
             arrays[name] = arrays[name].astype(np.float16)
@@ -79,12 +84,23 @@ def mirrored(batch):
     return result
 
 
-def _work(network, seed, first, stride, categories, connection):
-    lab = Lab()
+def mixed_batch(lab, network, seed, categories, loaded, share):
+    """A chunk for training: generated cases, a share of them replaced by cases of loaded objects."""
+    arrays = make_batch(lab, network, seed, CHUNK, categories, "train")
+    count = round(share * CHUNK) if loaded else 0
+    if count:
+        theirs = packed(network, loaded.batch(lab, network, seed, count, config.MIX))
+        for name, array in arrays.items():
+            array[:count] = theirs[name]
+    return arrays
+
+
+def _work(network, seed, first, stride, categories, folder, share, connection):
+    lab, loaded = Lab(), Loaded(folder) if folder else None
     index = first
     try:
         while True:
-            connection.send(make_batch(lab, network, seed * 1000003 + index, CHUNK, categories, "train"))
+            connection.send(mixed_batch(lab, network, seed * 1000003 + index, categories, loaded, share))
             index += stride
     except (BrokenPipeError, KeyboardInterrupt):
         pass
@@ -93,14 +109,14 @@ def _work(network, seed, first, stride, categories, connection):
 class Stream:
     """Chunks of the training split, in order, from worker processes that run ahead by one chunk each."""
 
-    def __init__(self, network, seed, first, workers):
+    def __init__(self, network, seed, first, workers, folder="", share=0.0):
         context = multiprocessing.get_context("spawn")
         categories = trained_categories(Lab())
         self.connections, self.processes, self.next = [], [], 0
         for worker in range(workers):
             ours, theirs = context.Pipe(duplex=False)
             process = context.Process(target=_work, daemon=True,
-                                      args=(network, seed, first + worker, workers, categories, theirs))
+                                      args=(network, seed, first + worker, workers, categories, folder, share, theirs))
             process.start()
             theirs.close()
             self.connections.append(ours)

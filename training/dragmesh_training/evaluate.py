@@ -11,6 +11,7 @@ import torch
 import torch.nn.functional as F
 
 from . import config, data, export
+from .loaders.batches import Loaded
 from .losses import (CONTINUOUS, PRISMATIC, REVOLUTE, SCREW, axis_error, chamfer, joint_poses, kl_divergence, rotate,
                      split_pose)
 from .networks import DqVae, KppNet
@@ -217,6 +218,13 @@ def full_scores(network, model, split, count, seed=11):
     return result
 
 
+def loaded_scores(network, model, folder, count, seed=11):
+    """Of the joints of a folder's objects (loaders), their drags as exact as they come."""
+    mix = {**config.MIX, "drag_noise_degrees": 0.0, "joint_noise": 0.0}
+    arrays = Loaded(folder).batch(data.Lab(), network, seed, count, mix)
+    return {"loaded": score(network, model, data.packed(network, arrays))}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("network", choices=("kpp", "vae"))
@@ -224,13 +232,16 @@ def main():
     parser.add_argument("--split", default="test", choices=("train", "validation", "test"))
     parser.add_argument("--count", type=int, default=4096)
     parser.add_argument("--json", action="store_true")
+    parser.add_argument("--data", metavar="DIR", help="score on these objects (object.glb + joints.json) instead of generated ones")
     parser.add_argument("--latent", action="store_true", help="vae: what moves along each active dimension of z, instead")
     options = parser.parse_args()
     torch.set_num_threads(1)
     if options.latent:
         print_latent_effects(load_model("vae", options.weights), options.count)
         return
-    scores = full_scores(options.network, load_model(options.network, options.weights), options.split, options.count)
+    model = load_model(options.network, options.weights)
+    scores = (loaded_scores(options.network, model, options.data, options.count) if options.data
+              else full_scores(options.network, model, options.split, options.count))
     if options.json:
         print(json.dumps(scores, indent=1))
         return

@@ -33,7 +33,10 @@ def kpp_losses(output, batch):
     along = (error * batch["axis"]).sum(-1, keepdim=True) * batch["axis"]
     line = F.smooth_l1_loss(error - along, torch.zeros_like(error), beta=0.05, reduction="none").sum(-1)
     slide = F.smooth_l1_loss(along, torch.zeros_like(along), beta=0.05, reduction="none").sum(-1)
-    has_limit = kind.new_tensor(LIMITS_OF_TYPE)[kind].to(error.dtype)
+    # Equal limits are none (loaded objects); generated joints always have theirs.
+    turn, slide_range = (batch["limits"][:, lower] != batch["limits"][:, lower + 1] for lower in (0, 2))
+    known = torch.stack([turn, turn, slide_range, slide_range, torch.ones_like(turn)], dim=-1)
+    has_limit = (kind.new_tensor(LIMITS_OF_TYPE)[kind] * known).to(error.dtype)
     limits = F.smooth_l1_loss(output["limits"], batch["limits"], beta=0.1, reduction="none")
     # Only the axes' directions are asked for: without this their lengths grow, and the gradient of a direction falls with them.
     lengths = torch.stack([output["turn_axis"], output["slide_axis"]]).norm(dim=-1)

@@ -74,7 +74,7 @@ class Run:
         self.resume()
         self.begun = time.monotonic() - self.seconds
         self.chunks = max(0, self.chunks - FIRST_CHUNKS)
-        self.stream = Stream(config.network, config.seed, self.chunks, workers)
+        self.stream = Stream(config.network, config.seed, self.chunks, workers, config.data, config.data_share)
         self.pool = Pool(self.stream, config.pool, config.seed + self.step)
         for _ in range(min(FIRST_CHUNKS, config.pool // CHUNK)):
             self.pool.add_chunk()

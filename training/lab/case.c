@@ -169,3 +169,18 @@ dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_j
     dmi_joint_orient(out_joint, &hint);
     return hint;
 }
+
+dmi_drag_hint lab_given_drag(lab_case* made, const dm_lab_given* given, float noise_degrees, dm_joint* out_joint) {
+    const float degrees = lab_uniform(&made->random, 0.0f, noise_degrees) * dmi_random_normal(&made->random);
+    float about[3], rotation[9], vector[3];
+    lab_direction(&made->random, about);
+    lab_rotation(about, degrees * 0.01745329f, rotation);
+    lab_rotate(rotation, given->drag_vector, vector);
+    const double point[3] = {given->drag_point[0], given->drag_point[1], given->drag_point[2]};
+    dmi_drag_hint hint;
+    dmi_frame_point_in(&made->mesh->frame, point, hint.point);
+    dmi_frame_vector_in(&made->mesh->frame, vector, hint.vector);
+    *out_joint = made->joint;
+    dmi_joint_orient(out_joint, &hint);
+    return hint;
+}

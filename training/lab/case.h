@@ -22,13 +22,17 @@ typedef struct lab_case {
 dm_result lab_case_make(dmi_env* env, const dm_lab_options* options, uint64_t index, lab_case* out_case);
 void lab_case_release(dmi_env* env, lab_case* made);
 
-/* A case from a mesh and joint of the caller's. Destroy its mesh after success. */
+/* A case from a mesh and joint of the caller's, which it borrows. Release after success. */
 struct dm_lab_given;
 dm_result lab_case_given(dmi_env* env, const struct dm_lab_given* given, lab_case* out_case);
 
 /* A hand's drag on the case's part, in the object-normalised frame: mostly opening, sometimes closing where the joint
  * has room for that. The joint comes back signed so that positive follows the drag. */
 dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_joint);
+
+/* The drag of a case given, turned about any direction by a random angle, and the joint signed along it. */
+dmi_drag_hint lab_given_drag(lab_case* made, const struct dm_lab_given* given, float noise_degrees,
+                             dm_joint* out_joint);
 
 /* [low, high) */
 float lab_uniform(dmi_random* random, float low, float high);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "case.h"
+#include "lab_given.h"
 
 static void to_inner(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
     for (int i = 0; i < 3; i++)
@@ -33,22 +34,28 @@ static void write_labels(const dm_joint* joint, const dmi_kpp_frame* frame, cons
     out->size[i] = 1.0f / frame->scale;
 }
 
-static void write_case(lab_case* made, const dm_lab_options* options, dmi_kpp_input* input, const dm_lab_kpp* out,
-                       uint32_t i) {
-    dm_joint joint = made->joint;
-    const int with_drag = lab_chance(&made->random, options->with_drag);
-    dmi_drag_hint hint;
-    if (with_drag) hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
-    dmi_kpp_input_make(&made->cloud, with_drag ? &hint : NULL, input);
+/* hint: NULL without a drag. */
+static void write_case(const lab_case* made, const dmi_drag_hint* hint, const dm_joint* joint, dmi_kpp_input* input,
+                       const dm_lab_kpp* out, uint32_t i) {
+    dmi_kpp_input_make(&made->cloud, hint, input);
     memcpy(out->global_points + i * sizeof input->global_points / 4, input->global_points, sizeof input->global_points);
     memcpy(out->global_centres + i * sizeof input->global_centres / 4, input->global_centres,
            sizeof input->global_centres);
     memcpy(out->local_points + i * sizeof input->local_points / 4, input->local_points, sizeof input->local_points);
     memcpy(out->local_centres + i * sizeof input->local_centres / 4, input->local_centres, sizeof input->local_centres);
     memcpy(out->shape + i * DMI_KPP_SHAPE, input->shape, sizeof input->shape);
-    out->has_drag[i] = with_drag;
+    out->has_drag[i] = hint != NULL;
     out->category[i] = (int32_t)made->category;
-    write_labels(&joint, &input->frame, out, i);
+    write_labels(joint, &input->frame, out, i);
+}
+
+static void write_generated(lab_case* made, const dm_lab_options* options, dmi_kpp_input* input, const dm_lab_kpp* out,
+                            uint32_t i) {
+    dm_joint joint = made->joint;
+    const int with_drag = lab_chance(&made->random, options->with_drag);
+    dmi_drag_hint hint;
+    if (with_drag) hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
+    write_case(made, with_drag ? &hint : NULL, &joint, input, out, i);
 }
 
 dm_result dm_lab_kpp_batch(const dm_lab_options* options, const dm_lab_kpp* out) {
@@ -60,7 +67,27 @@ dm_result dm_lab_kpp_batch(const dm_lab_options* options, const dm_lab_kpp* out)
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         result = lab_case_make(&env, options, i, made);
         if (result != DM_OK) break;
-        write_case(made, options, input, out, i);
+        write_generated(made, options, input, out, i);
+        lab_case_release(&env, made);
+    }
+    dmi_free(&env, input, sizeof *input);
+    dmi_free(&env, made, sizeof *made);
+    return result;
+}
+
+dm_result dm_lab_kpp_given(const dm_lab_given* given, const dm_lab_options* options, const dm_lab_kpp* out) {
+    dmi_env env;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    lab_case* made = dmi_alloc(&env, sizeof *made, 64);
+    dmi_kpp_input* input = dmi_alloc(&env, sizeof *input, 64);
+    dm_result result = made && input ? lab_case_given(&env, given, made) : DM_ERROR_OUT_OF_MEMORY;
+    if (result == DM_OK) {
+        made->random = dmi_random_make(options->seed, 0);
+        dm_joint joint = made->joint;
+        const int with_drag = lab_chance(&made->random, options->with_drag);
+        dmi_drag_hint hint;
+        if (with_drag) hint = lab_given_drag(made, given, options->drag_noise_degrees, &joint);
+        write_case(made, with_drag ? &hint : NULL, &joint, input, out, 0);
         lab_case_release(&env, made);
     }
     dmi_free(&env, input, sizeof *input);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "case.h"
+#include "lab_given.h"
 #include "motion/dq_vae.h"
 
 #define STROKES 4 /* of every object: drawing one is much cheaper than making one */
@@ -52,20 +53,19 @@ static void write_query(const dmi_vae_object* object, const dmi_vae_query* query
     }
 }
 
+/* One stroke of a hand that has taken hold at the hint; joint: signed along it. */
 static void write_stroke(lab_case* made, const dm_lab_options* options, const dmi_vae_object* object,
-                         const dm_lab_vae* out, uint32_t i) {
+                         const dmi_drag_hint* hint, const dm_joint* joint, const dm_lab_vae* out, uint32_t i) {
     dmi_random* random = &made->random;
-    dm_joint joint;
-    const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
     const int steady = lab_chance(random, 0.25f);
     lab_stroke stroke;
-    dmi_vae_query query = {.joint = joint};
+    dmi_vae_query query = {.joint = *joint};
     /* The default path follows the joint the library has in hand, right or not. */
-    if (lab_chance(random, options->joint_noise)) query.joint = roughly(random, joint);
-    lab_stroke_make(random, steady ? &query.joint : &joint, hint.point, steady,
+    if (lab_chance(random, options->joint_noise)) query.joint = roughly(random, *joint);
+    lab_stroke_make(random, steady ? &query.joint : joint, hint->point, steady,
                     !steady && lab_chance(random, options->hand_noise), &stroke);
-    memcpy(query.drag_point, hint.point, sizeof query.drag_point);
-    memcpy(query.drag_vector, hint.vector, sizeof query.drag_vector);
+    memcpy(query.drag_point, hint->point, sizeof query.drag_point);
+    memcpy(query.drag_vector, hint->vector, sizeof query.drag_vector);
     memcpy(query.path, stroke.path, sizeof query.path);
     write_query(object, &query, &stroke, out, i);
     out->category[i] = (int32_t)made->category;
@@ -81,7 +81,33 @@ dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out)
         result = lab_case_make(&env, options, i, made);
         if (result != DM_OK) break;
         dmi_vae_object_points(&made->cloud, object);
-        for (uint32_t k = 0; k < STROKES && i < options->count; k++, i++) write_stroke(made, options, object, out, i);
+        for (uint32_t k = 0; k < STROKES && i < options->count; k++, i++) {
+            dm_joint joint;
+            const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
+            write_stroke(made, options, object, &hint, &joint, out, i);
+        }
+        lab_case_release(&env, made);
+    }
+    dmi_free(&env, object, sizeof *object);
+    dmi_free(&env, made, sizeof *made);
+    return result;
+}
+
+dm_result dm_lab_vae_given(const dm_lab_given* given, const dm_lab_options* options, const dm_lab_vae* out) {
+    if (given->type != DM_JOINT_CONTINUOUS && given->lower >= given->upper) return DM_ERROR_NOT_FOUND;
+    dmi_env env;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    lab_case* made = dmi_alloc(&env, sizeof *made, 64);
+    dmi_vae_object* object = dmi_alloc(&env, sizeof *object, 64);
+    dm_result result = made && object ? lab_case_given(&env, given, made) : DM_ERROR_OUT_OF_MEMORY;
+    if (result == DM_OK) {
+        made->random = dmi_random_make(options->seed, 0);
+        dmi_vae_object_points(&made->cloud, object);
+        for (uint32_t i = 0; i < options->count; i++) {
+            dm_joint joint;
+            const dmi_drag_hint hint = lab_given_drag(made, given, options->drag_noise_degrees, &joint);
+            write_stroke(made, options, object, &hint, &joint, out, i);
+        }
         lab_case_release(&env, made);
     }
     dmi_free(&env, object, sizeof *object);

@@ -57,12 +57,25 @@ class Lab:
         """Arrays of VAE_ARRAYS for `count` cases."""
         return self._batch(self._lib.dm_lab_vae_batch, VAE_ARRAYS, seed, count, categories, split, mix)
 
+    def given(self, network, case, seed, count, **mix):
+        """Arrays of a case that the caller has: `case` a ctypes struct dm_lab_given (training/lab/lab_ranker.h). `count` strokes
+        of the DQ-VAE; KPP-Net makes one case. None when the library refuses it."""
+        layout = KPP_ARRAYS if network == "kpp" else VAE_ARRAYS
+        function = self._lib.dm_lab_kpp_given if network == "kpp" else self._lib.dm_lab_vae_given
+        arrays, pointers = self._arrays(layout, 1 if network == "kpp" else count)
+        options = _Options(seed=seed, count=count, **mix)
+        return arrays if function(c.byref(case), c.byref(options), pointers) == 0 else None
+
+    @staticmethod
+    def _arrays(layout, count):
+        arrays = {name: np.zeros((count, *shape), dtype) for name, dtype, shape in layout}
+        return arrays, (c.c_void_p * len(layout))(*(arrays[name].ctypes.data for name, _, _ in layout))
+
     def _batch(self, function, layout, seed, count, categories, split, mix):
         allowed = np.zeros(len(self.categories), np.uint8)
         allowed[[self.categories.index(name) for name in categories]] = 1
         options = _Options(seed=seed, count=count, split=SPLITS[split], categories=allowed.ctypes.data, **mix)
-        arrays = {name: np.zeros((count, *shape), dtype) for name, dtype, shape in layout}
-        pointers = (c.c_void_p * len(layout))(*(arrays[name].ctypes.data for name, _, _ in layout))
+        arrays, pointers = self._arrays(layout, count)
         result = function(c.byref(options), pointers)
         if result != 0:
             raise RuntimeError(f"dm_lab: error {result} (seed {seed}, categories {', '.join(categories)})")

@@ -10,24 +10,7 @@ import numpy as np
 
 from .. import ranker
 from . import objects
-
-
-class Given(ctypes.Structure):
-    """dm_lab_given of training/lab/lab_ranker.h."""
-    _fields_ = [(name, ctypes.c_void_p) for name in ("positions", "indices", "face_part")] + [
-        ("vertex_count", ctypes.c_uint32), ("face_count", ctypes.c_uint32), ("type", ctypes.c_int32)] + [
-        (name, ctypes.c_float * 3) for name in ("axis", "origin")] + [
-        (name, ctypes.c_float) for name in ("lower", "upper")] + [
-        (name, ctypes.c_float * 3) for name in ("drag_point", "drag_vector")]
-
-
-def given(case, drag):
-    arrays = [np.ascontiguousarray(a) for a in (case.positions, case.indices, case.face_part)]
-    vectors = [(ctypes.c_float * 3)(*v) for v in (case.axis, case.origin, *case.drags[drag])]
-    out = Given(*[a.ctypes.data for a in arrays], len(case.positions), len(case.indices), case.type, *vectors[:2],
-                case.lower, case.upper, *vectors[2:])
-    out.arrays = arrays  # live as long as the pointers
-    return out
+from .batches import given
 
 
 def make_one(lab, case, drag, rows, with_drag, weights):
