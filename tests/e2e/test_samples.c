@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 
 #include "test_tool.h"
@@ -98,10 +99,7 @@ static void test_many_objects(void** state) {
 
 /* ---- a stub of a language model ---- */
 
-typedef struct stub {
-    pid_t process;
-    int port;
-} stub;
+static pid_t stub_process; /* 0: none runs */
 
 /* The whole request has come when its body is as long as its head says. */
 static void read_request(int connection, char* text, size_t room) {
@@ -131,30 +129,36 @@ static void answer(int connection, const char* const answers[2]) {
     close(connection);
 }
 
-static stub stub_start(const char* first, const char* second) {
+/* Serves until it is stopped, or the test ends in any way; the port it listens on. */
+static int stub_start(const char* first, const char* second) {
     const char* const answers[2] = {first, second};
     struct sockaddr_in address = {.sin_family = AF_INET, .sin_addr.s_addr = htonl(INADDR_LOOPBACK)};
     socklen_t size = sizeof address;
-    stub stub;
     const int listening = socket(AF_INET, SOCK_STREAM, 0);
     assert_true(listening >= 0);
     assert_int_equal(bind(listening, (struct sockaddr*)&address, size), 0);
     assert_int_equal(listen(listening, 8), 0);
     assert_int_equal(getsockname(listening, (struct sockaddr*)&address, &size), 0);
-    stub.port = ntohs(address.sin_port);
-    stub.process = fork();
-    assert_true(stub.process >= 0);
-    if (stub.process == 0) {
+    stub_process = fork();
+    assert_true(stub_process >= 0);
+    if (stub_process == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
         for (int connection; (connection = accept(listening, NULL, NULL)) >= 0;) answer(connection, answers);
         _exit(0);
     }
     close(listening);
-    return stub;
+    return ntohs(address.sin_port);
 }
 
-static void stub_stop(const stub* stub) {
-    kill(stub->process, SIGTERM);
-    waitpid(stub->process, NULL, 0);
+/* The teardown: runs also when an assertion failed. */
+static int stub_stop(void** state) {
+    (void)state;
+    if (stub_process > 0) {
+        kill(stub_process, SIGKILL);
+        waitpid(stub_process, NULL, 0);
+    }
+    stub_process = 0;
+    return 0;
 }
 
 static void point_at(int port) {
@@ -168,10 +172,8 @@ static void point_at(int port) {
 
 static void test_model_decides(void** state) {
     (void)state;
-    const stub stub = stub_start("It is prismatic.", "I would say: revolute, hinged.");
-    point_at(stub.port);
+    point_at(stub_start("It is prismatic.", "I would say: revolute, hinged."));
     run_sample("vlm_intent", "sdk/models|tests/replay/laptop/frame_000.png");
-    stub_stop(&stub);
     assert_int_equal(out.status, 0);
     assert_says("part 1: the model says prismatic");
     assert_says("part 2: the model says revolute");
@@ -181,10 +183,8 @@ static void test_model_decides(void** state) {
 
 static void test_model_is_no_use(void** state) {
     (void)state;
-    const stub stub = stub_start("Sorry, I can't see it.", "\\u0000{[");
-    point_at(stub.port);
+    point_at(stub_start("Sorry, I can't see it.", "\\u0000{["));
     run_sample("vlm_intent", "sdk/models");
-    stub_stop(&stub);
     assert_int_equal(out.status, 0);
     assert_says("part 1: the model says unknown");
     assert_says("part 2: the model says unknown");
@@ -206,11 +206,15 @@ static void test_model_is_down(void** state) {
 int main(void) {
     setenv("SDL_VIDEODRIVER", "offscreen", 1);
     setenv("XDG_RUNTIME_DIR", "/tmp", 0);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hello_drag),           cmocka_unit_test(test_dynamic_load),
-        cmocka_unit_test(test_host_memory_and_jobs), cmocka_unit_test(test_host_pick),
-        cmocka_unit_test(test_prepare_offline),      cmocka_unit_test(test_gpu_skinning),
-        cmocka_unit_test(test_many_objects),         cmocka_unit_test(test_model_decides),
-        cmocka_unit_test(test_model_is_no_use),      cmocka_unit_test(test_model_is_down)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_hello_drag),
+                                       cmocka_unit_test(test_dynamic_load),
+                                       cmocka_unit_test(test_host_memory_and_jobs),
+                                       cmocka_unit_test(test_host_pick),
+                                       cmocka_unit_test(test_prepare_offline),
+                                       cmocka_unit_test(test_gpu_skinning),
+                                       cmocka_unit_test(test_many_objects),
+                                       cmocka_unit_test_teardown(test_model_decides, stub_stop),
+                                       cmocka_unit_test_teardown(test_model_is_no_use, stub_stop),
+                                       cmocka_unit_test(test_model_is_down)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -79,17 +79,18 @@ static inline void tool_slurp(const char* path, char out_text[TOOL_TEXT]) {
     free(bytes);
 }
 
-/* Runs build/<config>/`name`; `input` (may be NULL) is its standard input. Arguments are split at '|'. */
+/* Runs build/<config>/`name`; `input` (may be NULL) is its standard input. Arguments are split at '|'. The test fails
+ * when the program is not there or takes more than ten minutes. */
 static inline void tool_run(tool_output* output, const char* name, const char* input, const char* format, ...) {
     char folder[TOOL_PATH], program[TOOL_PATH], in[TOOL_PATH + 8], out[TOOL_PATH + 8], err[TOOL_PATH + 8];
     static char line[8192];
-    char* arguments[TOOL_ARGUMENTS + 2] = {program};
+    char* arguments[TOOL_ARGUMENTS + 5] = {"timeout", "--foreground", "600", program};
     va_list list;
     va_start(list, format);
     vsnprintf(line, sizeof line, format, list);
     va_end(list);
-    int count = 1;
-    for (char* next = strtok(line, "|"); next && count <= TOOL_ARGUMENTS; next = strtok(NULL, "|"))
+    int count = 4;
+    for (char* next = strtok(line, "|"); next && count < TOOL_ARGUMENTS + 4; next = strtok(NULL, "|"))
         arguments[count++] = next;
     tool_folder_make(folder);
     tool_find(name, program);
@@ -104,13 +105,15 @@ static inline void tool_run(tool_output* output, const char* name, const char* i
     posix_spawn_file_actions_addopen(&actions, 2, err, O_WRONLY | O_CREAT, 0600);
     pid_t child;
     int status;
-    if (posix_spawn(&child, program, &actions, NULL, arguments, environ) != 0) fail_msg("can't run %s", program);
+    if (posix_spawnp(&child, arguments[0], &actions, NULL, arguments, environ) != 0) fail_msg("can't run timeout");
     assert_int_equal(waitpid(child, &status, 0), child);
     posix_spawn_file_actions_destroy(&actions);
     output->status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     tool_slurp(out, output->text);
     tool_slurp(err, output->errors);
     tool_folder_remove(folder);
+    if (output->status == 124) fail_msg("%s took more than %s seconds", program, arguments[2]);
+    if (output->status >= 125 && output->status <= 127) fail_msg("can't run %s: %s", program, output->errors);
 }
 
 /* ---- an object to work on, with its truth ---- */
