@@ -63,7 +63,8 @@ def kpp_scores(output, truth):
               "type_no_drag": mean_of((guess == kind).float(), ~dragged),
               "axis_mean": mean_of(angle), "axis_median": float(angle.median()),
               "axis_mean_drag": mean_of(angle, dragged), "axis_mean_no_drag": mean_of(angle, ~dragged),
-              "sign": mean_of((cosine > 0).float(), dragged), "line": mean_of(line, turning),
+              "axis_within_45": mean_of((angle < 45).float()), "sign": mean_of((cosine > 0).float(), dragged),
+              "line": mean_of(line, turning), "line_drag": mean_of(line, turning & dragged),
               "line_median": float(line[turning].median()) if turning.any() else math.nan,
               "origin_l1": mean_of(1000 * error.abs().mean(-1), turning)}
     for name, index in (("revolute", REVOLUTE), ("prismatic", PRISMATIC), ("screw", SCREW), ("continuous", CONTINUOUS)):
@@ -203,12 +204,13 @@ def load_model(network, path):
 
 
 def full_scores(network, model, split, count, seed=11):
-    """Trained and held-out categories apart; for the VAE also with a steady hand and the exact joint."""
+    """Trained and held-out categories apart, as in training and clean: for KPP-Net objects, masks and drags without mistakes, for
+    the VAE a steady hand and the exact joint."""
     lab = data.Lab()
     groups = {"trained": data.trained_categories(lab), "held_out": data.held_out_categories(lab)}
-    mixes = {"": config.MIX}
-    if network == "vae":
-        mixes["_clean"] = {**config.MIX, "joint_noise": 0.0, "hand_noise": 0.0, "mask_noise": 0.0, "drag_noise_degrees": 0.0}
+    clean = {**config.MIX, "mask_noise": 0.0, "drag_noise_degrees": 0.0}
+    clean.update({"messy": 0.0} if network == "kpp" else {"joint_noise": 0.0, "hand_noise": 0.0})
+    mixes = {"": config.MIX, "_clean": clean}
     result = {}
     for group, categories in groups.items():
         for name, mix in mixes.items():

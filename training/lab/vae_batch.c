@@ -3,10 +3,26 @@
 #include <string.h>
 
 #include "case.h"
+#include "kinematics/linear3.h"
 #include "lab_given.h"
 #include "motion/dq_vae.h"
 
-#define STROKES 4 /* of every object: drawing one is much cheaper than making one */
+#define STROKES 4      /* of every object: drawing one is much cheaper than making one */
+#define THREADED 0.12f /* share of turning joints */
+
+/* Few things have a thread, but the network must move whatever has one: a hinge or an axle of the training split made a
+ * screw of either hand, with a drag as a hand on it would make it. The joint stays signed along the drag. */
+static void thread(dmi_random* random, dmi_drag_hint* hint, dm_joint* joint) {
+    const float pitch = 0.004f * powf(25.0f, dmi_random_unit(random)); /* of the object's size, a radian */
+    const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
+    const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
+    joint->type = DM_JOINT_SCREW;
+    joint->pitch = lab_chance(random, 0.5f) ? pitch : -pitch;
+    joint->upper = lab_uniform(random, 0.5f, 12.0f);
+    joint->lower = lab_chance(random, 0.5f) ? 0.0f : -lab_uniform(random, 0.0f, 6.0f);
+    const float lead = joint->pitch / fmaxf(dmi_line_distance3(hint->point, axis, origin), pitch);
+    dmi_madd3(hint->vector, lead * dmi_length3(hint->vector), axis, hint->vector);
+}
 
 /* A joint as a network or a person would have found it: a few degrees and a hundredth of the size off. */
 static dm_joint roughly(dmi_random* random, dm_joint joint) {
@@ -83,7 +99,10 @@ dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out)
         dmi_vae_object_points(&made->cloud, object);
         for (uint32_t k = 0; k < STROKES && i < options->count; k++, i++) {
             dm_joint joint;
-            const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
+            dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
+            const int turns = joint.type == DM_JOINT_REVOLUTE || joint.type == DM_JOINT_CONTINUOUS;
+            if (turns && options->split == DM_LAB_TRAIN && lab_chance(&made->random, THREADED))
+                thread(&made->random, &hint, &joint);
             write_stroke(made, options, object, &hint, &joint, out, i);
         }
         lab_case_release(&env, made);
