@@ -124,19 +124,22 @@ class TransformerLayer(nn.Module):
         return x + self.ff2(torch.relu(self.ff1(self.norm2(x))))
 
 
-class GroupMaximum(torch.autograd.Function):
-    """Maximum over a group's points (dimension 2). As amax, several times faster than max, which also looks for indices."""
+class Maximum(torch.autograd.Function):
+    """Maximum along a dimension. As amax, but twice as fast backwards, which shares a gradient among equals; and several times
+    faster than max, which looks for indices."""
 
     @staticmethod
-    def forward(context, points):
-        maximum = points.amax(dim=2)
-        context.save_for_backward(points, maximum)
+    def forward(context, x, dim):
+        maximum = x.amax(dim=dim)
+        context.save_for_backward(x, maximum)
+        context.dim = dim
         return maximum
 
     @staticmethod
     def backward(context, gradient):
-        points, maximum = context.saved_tensors
-        return torch.where(points == maximum.unsqueeze(2), gradient.unsqueeze(2), gradient.new_zeros(()))
+        x, maximum = context.saved_tensors
+        here = x == maximum.unsqueeze(context.dim)
+        return torch.where(here, gradient.unsqueeze(context.dim), gradient.new_zeros(())), None
 
 
 class PointEncoder(nn.Module):
@@ -151,7 +154,7 @@ class PointEncoder(nn.Module):
         self.norm = nn.LayerNorm(config.dim)
 
     def forward(self, points, centres):
-        tokens = GroupMaximum.apply(self.point(points)) + self.position(centres)
+        tokens = Maximum.apply(self.point(points), 2) + self.position(centres)
         for layer in self.layers:
             tokens = layer(tokens)
         tokens = self.norm(tokens)
@@ -303,10 +306,11 @@ class LocalSampler(nn.Module):
     @staticmethod
     def pooled(features, neighbours):
         index = neighbours.unsqueeze(-1).expand(-1, -1, features.shape[-1])
-        return features.gather(1, index).amax(dim=1)
+        return Maximum.apply(features.gather(1, index), 1)
 
     def forward(self, features, near_origin, near_drag, f_joint):
-        pooled = [self.pooled(features, near_origin), self.pooled(features, near_drag), features.amax(dim=1)]
+        pooled = [self.pooled(features, near_origin), self.pooled(features, near_drag),
+                  Maximum.apply(features, 1)]
         local = self.mlp(torch.cat(pooled, dim=-1))
         if self.film is None:
             return torch.relu(local)
