@@ -105,15 +105,6 @@ void dmi_pose_to_matrix(const dm_pose* pose, float out[16]) {
     memcpy(out, matrix, sizeof matrix);
 }
 
-dm_pose dmi_pose_from_matrix(const float matrix[16]) {
-    mat4 columns;
-    versor rotation;
-    memcpy(columns, matrix, sizeof columns);
-    glm_mat4_quat(columns, rotation);
-    glm_quat_normalize(rotation);
-    return dmi_pose_from_rotation_translation(rotation, columns[3]);
-}
-
 static dmi_screw translation_screw(const dm_pose* pose) {
     dmi_screw screw = {.axis = {1, 0, 0}, .angle = pose->real[3] < 0 ? 2 * GLM_PIf : 0};
     float translation[3];

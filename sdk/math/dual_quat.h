@@ -23,7 +23,6 @@ void dmi_pose_translation(const dm_pose* pose, float out[3]);
 void dmi_pose_apply(const dm_pose* pose, const float point[3], float out[3]);
 void dmi_pose_rotate(const dm_pose* pose, const float vector[3], float out[3]);
 void dmi_pose_to_matrix(const dm_pose* pose, float out[16]); /* column-major */
-dm_pose dmi_pose_from_matrix(const float matrix[16]);
 dmi_screw dmi_pose_to_screw(const dm_pose* pose);
 /* Screw linear interpolation from a (t = 0) to b (t = 1) along the shorter way. */
 dm_pose dmi_pose_sclerp(const dm_pose* a, const dm_pose* b, float t);

@@ -83,7 +83,3 @@ float dmi_motion_value(const dmi_motion* motion, float t) {
     const float c = 3 * rise - 2 * slope_a - slope_b, d = slope_a + slope_b - 2 * rise;
     return values[k] + s * (slope_a + s * (c + s * d));
 }
-
-dm_pose dmi_motion_pose(const dmi_motion* motion, float t) {
-    return dmi_joint_pose(&motion->joint, dmi_motion_value(motion, t));
-}

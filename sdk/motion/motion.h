@@ -26,6 +26,5 @@ void dmi_motion_project(const dm_joint* joint, const float raw[DM_MOTION_FRAMES]
 
 /* t in [0, 1], clamped; monotone-cubic between key values so that it neither overshoots nor jerks. */
 float dmi_motion_value(const dmi_motion* motion, float t);
-dm_pose dmi_motion_pose(const dmi_motion* motion, float t);
 
 #endif

@@ -6,9 +6,6 @@
 
 #define ALIGNMENT 64
 #define POSITION_PADDING 16
-/* Boxes of flat parts have no thickness, and Embree's are rounded outwards too. */
-#define BOX_SLACK 1e-6f
-#define MAX_COORDINATE 1e18f
 
 static size_t positions_size(const dmi_bvh* bvh) {
     return (size_t)bvh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;
@@ -43,7 +40,6 @@ static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** ou
         bvh->vertex_count = mesh->vertex_count;
         bvh->face_count = mesh->face_count;
         bvh->part_count = mesh->part_count;
-        bvh->winding = mesh->winding < 0 ? -1.0f : 1.0f;
         bvh->positions = dmi_alloc(env, positions_size(bvh), ALIGNMENT);
         bvh->corners = dmi_alloc(env, faces * 3 * sizeof(uint32_t), ALIGNMENT);
         bvh->faces = dmi_alloc(env, faces * sizeof(uint32_t), ALIGNMENT);
@@ -63,8 +59,6 @@ static void copy_mesh(dmi_bvh* bvh, const dmi_mesh* mesh) {
         part->id = mesh->parts[p].id;
         part->first_face = first;
         first += mesh->parts[p].face_count;
-        memcpy(part->box_min, mesh->parts[p].box_min, sizeof part->box_min);
-        memcpy(part->box_max, mesh->parts[p].box_max, sizeof part->box_max);
     }
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         dmi_bvh_part* part = &bvh->parts[mesh->face_part[f]];
@@ -118,63 +112,4 @@ void dmi_bvh_destroy(dmi_bvh* bvh) {
     dmi_free(env, bvh->faces, (size_t)bvh->face_count * sizeof(uint32_t));
     dmi_free(env, bvh->parts, bvh->part_count * sizeof(dmi_bvh_part));
     dmi_free(env, bvh, sizeof *bvh);
-}
-
-/* ---- rays ---- */
-
-/* Embree takes coordinates up to 1.8e18, and Debian's build aborts on others. */
-static int is_valid(const float origin[3], const float direction[3], float max_distance) {
-    for (int k = 0; k < 3; k++) {
-        if (!(fabsf(origin[k]) <= MAX_COORDINATE && fabsf(direction[k]) <= MAX_COORDINATE)) return 0;
-    }
-    return max_distance >= 0;
-}
-
-/* Whether the ray meets the part's box before `far`. */
-static int meets_box(const dmi_bvh_part* part, const float origin[3], const float direction[3], float far) {
-    float near = 0;
-    for (int k = 0; k < 3; k++) {
-        float low = part->box_min[k] - BOX_SLACK - origin[k], high = part->box_max[k] + BOX_SLACK - origin[k];
-        if (direction[k] == 0) {
-            if (!(low <= 0 && high >= 0)) return 0;
-            continue;
-        }
-        float a = low / direction[k], b = high / direction[k];
-        float enter = a < b ? a : b, leave = a < b ? b : a;
-        if (enter > near) near = enter;
-        if (leave < far) far = leave;
-    }
-    return near <= far;
-}
-
-static void set_normal(const dmi_bvh* bvh, const struct RTCHit* hit, float out[3]) {
-    float n[3] = {hit->Ng_x, hit->Ng_y, hit->Ng_z};
-    float length = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    float scale = length > 0 ? bvh->winding / length : 0;
-    for (int k = 0; k < 3; k++) out[k] = n[k] * scale;
-}
-
-int dmi_bvh_intersect(const dmi_bvh* bvh, const uint8_t* select, const float origin[3], const float direction[3],
-                      float max_distance, dmi_bvh_hit* out_hit) {
-    if (!is_valid(origin, direction, max_distance)) return 0;
-    struct RTCRayHit ray = dmi_embree_ray(origin, direction, max_distance);
-    struct RTCHit hit = ray.hit;
-    uint32_t hit_part = 0;
-    for (uint32_t p = 0; p < bvh->part_count; p++) {
-        if (select != NULL && !select[p]) continue;
-        if (!meets_box(&bvh->parts[p], origin, direction, ray.ray.tfar)) continue;
-        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        dmi_embree_intersect(bvh->parts[p].scene, &ray); /* shortens the ray where it hits */
-        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-        hit = ray.hit;
-        hit_part = p;
-    }
-    if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return 0;
-    *out_hit = (dmi_bvh_hit){.part = hit_part,
-                             .face = bvh->faces[bvh->parts[hit_part].first_face + hit.primID],
-                             .distance = ray.ray.tfar,
-                             .u = hit.u,
-                             .v = hit.v};
-    set_normal(bvh, &hit, out_hit->normal);
-    return 1;
 }

@@ -8,7 +8,6 @@ typedef struct dmi_bvh_part {
     uint32_t id; /* the host's */
     uint32_t first_face, face_count;
     RTCScene scene; /* its triangles at rest */
-    float box_min[3], box_max[3];
 } dmi_bvh_part;
 
 struct dmi_bvh {
@@ -17,7 +16,6 @@ struct dmi_bvh {
     uint32_t* corners; /* of the faces, part after part; shared with Embree */
     uint32_t* faces;   /* index in the mesh of each of these */
     uint32_t vertex_count, face_count, part_count;
-    float winding;
     dmi_bvh_part* parts;
 };
 

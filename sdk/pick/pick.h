@@ -16,17 +16,6 @@ void dmi_picker_destroy(dmi_picker* picker);
 dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh);
 void dmi_bvh_destroy(dmi_bvh* bvh);
 
-typedef struct dmi_bvh_hit {
-    uint32_t part, face; /* indices in the mesh */
-    float distance;      /* along the unit direction, inner units */
-    float u, v;
-    float normal[3]; /* unit; as dmi_mesh.face_normal */
-} dmi_bvh_hit;
-/* Nearest hit of a ray in the object-normalised frame, parts at rest; only parts p with (!select || select[p]).
- * 0 when nothing is hit before max_distance. Thread-safe. For limits and collision sweeps. */
-int dmi_bvh_intersect(const dmi_bvh* bvh, const uint8_t* select, const float origin[3], const float direction[3],
-                      float max_distance, dmi_bvh_hit* out_hit);
-
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene);
 void dmi_scene_destroy(dmi_scene* scene);
 /* `object` is the handle answered in hits; `frame` is the mesh's. The bvh must outlive the instance. */

@@ -2,22 +2,7 @@
  * answers. */
 #include <math.h>
 
-#include "test_tool.h"
-
-static tool_output out;
-static tool_object door;
-
-static int set_up(void** state) {
-    (void)state;
-    tool_object_make(&door, "door", 3);
-    return 0;
-}
-
-static int tear_down(void** state) {
-    (void)state;
-    tool_object_remove(&door);
-    return 0;
-}
+#include "test_door.h"
 
 /* The job of the object's first joint; `extra` are more members, with a comma before them. */
 static void write_job(char* job, size_t size, const char* id, const char* extra) {

@@ -4,22 +4,7 @@
 
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
-#include "test_tool.h"
-
-static tool_output out;
-static tool_object door;
-
-static int set_up(void** state) {
-    (void)state;
-    tool_object_make(&door, "door", 3);
-    return 0;
-}
-
-static int tear_down(void** state) {
-    (void)state;
-    tool_object_remove(&door);
-    return 0;
-}
+#include "test_door.h"
 
 static void path_in_folder(char* path, const char* name) {
     snprintf(path, TOOL_PATH + 32, "%s/%s", door.folder, name);
