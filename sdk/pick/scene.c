@@ -74,11 +74,14 @@ static void apply(const double m[12], const double p[3], double out[3]) {
     for (int i = 0; i < 3; i++) out[i] = m[i] * p[0] + m[3 + i] * p[1] + m[6 + i] * p[2] + m[9 + i];
 }
 
+/* Directions do not shift. */
+static void turn(const double m[12], const double direction[3], double out[3]) {
+    for (int i = 0; i < 3; i++) out[i] = m[i] * direction[0] + m[3 + i] * direction[1] + m[6 + i] * direction[2];
+}
+
 static void multiply(const double a[12], const double b[12], double out[12]) {
-    for (int column = 0; column < 4; column++) {
-        apply(a, b + 3 * column, out + 3 * column);
-        for (int i = 0; i < 3 && column < 3; i++) out[3 * column + i] -= a[9 + i]; /* directions do not shift */
-    }
+    for (int column = 0; column < 3; column++) turn(a, b + 3 * column, out + 3 * column);
+    apply(a, b + 9, out + 9);
 }
 
 /* ---- placed objects ---- */
@@ -274,14 +277,10 @@ static dm_vec3 narrow(const double p[3]) {
     return (dm_vec3){(float)p[0], (float)p[1], (float)p[2]};
 }
 
-/* (b - a) x (c - a), unit; against the ray where the triangle has no area. */
-static dm_vec3 corner_normal(double world[3][3], const double direction[3]) {
-    double e1[3], e2[3], n[3];
-    for (int k = 0; k < 3; k++) {
-        e1[k] = world[1][k] - world[0][k];
-        e2[k] = world[2][k] - world[0][k];
-    }
-    for (int k = 0; k < 3; k++) n[k] = e1[(k + 1) % 3] * e2[(k + 2) % 3] - e1[(k + 2) % 3] * e2[(k + 1) % 3];
+/* a x b, unit; against the ray where the triangle has no area. */
+static dm_vec3 edge_normal(const double a[3], const double b[3], const double direction[3]) {
+    double n[3];
+    for (int k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
     double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (int k = 0; k < 3; k++) n[k] = length > 0 ? n[k] / length : -direction[k];
     return narrow(n);
@@ -293,15 +292,15 @@ static void describe_hit(const placed_part* part, const struct RTCHit* hit, cons
     const dmi_bvh* bvh = part->owner->bvh;
     const float* corners[3];
     dmi_bvh_corners(bvh, part->part, hit->primID, corners);
-    const double weights[3] = {1 - (double)hit->u - (double)hit->v, (double)hit->u, (double)hit->v};
-    double inner[3] = {0}, object[3], world[3], world_corners[3][3], distance = 0;
-    for (int i = 0; i < 3; i++) {
-        const double corner[3] = {(double)corners[i][0], (double)corners[i][1], (double)corners[i][2]};
-        for (int k = 0; k < 3; k++) inner[k] += weights[i] * corner[k];
-        apply(part->to_world, corner, world_corners[i]);
+    double edges[2][3], inner[3], object[3], world[3], world_edges[2][3], distance = 0;
+    for (int k = 0; k < 3; k++) {
+        const double corner = (double)corners[0][k];
+        for (int i = 0; i < 2; i++) edges[i][k] = (double)corners[i + 1][k] - corner;
+        inner[k] = corner + (double)hit->u * edges[0][k] + (double)hit->v * edges[1][k];
     }
     apply(part->to_object, inner, object);
     apply(part->to_world, inner, world);
+    for (int i = 0; i < 2; i++) turn(part->to_world, edges[i], world_edges[i]);
     for (int k = 0; k < 3; k++) distance += (world[k] - origin[k]) * direction[k];
     *out = (dm_hit){.object = part->owner->object,
                     .instance = part->owner->id,
@@ -311,7 +310,7 @@ static void describe_hit(const placed_part* part, const struct RTCHit* hit, cons
                     .u = hit->u,
                     .v = hit->v,
                     .point = narrow(world),
-                    .normal = corner_normal(world_corners, direction),
+                    .normal = edge_normal(world_edges[0], world_edges[1], direction),
                     .object_point = narrow(object)};
 }
 

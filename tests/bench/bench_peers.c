@@ -19,7 +19,7 @@ typedef struct peers {
     bench_world world;
     dm_object object, small; /* to be picked; to be understood */
     dm_scene scene;
-    RTCScene flat, instanced;
+    RTCScene flat, instanced, robust;
     dm_ray rays[RAYS];
     uint32_t ray, hits;
     dm_pose pose;
@@ -64,6 +64,11 @@ static void pick_instanced(void* user) {
     pick_bare(p, p->instanced);
 }
 
+static void pick_robust(void* user) {
+    peers* p = user;
+    pick_bare(p, p->robust);
+}
+
 static void apply_ours(void* user) {
     peers* p = user;
     dm_pose_apply_points(&p->pose, p->src, 0, p->dst, 0, POINTS);
@@ -96,8 +101,9 @@ static void kinematics_ours(void* user) {
 }
 
 /* A hierarchy of the faces of one part, or of all (part UINT32_MAX), on the mesh's own numbers. */
-static RTCScene make_scene(RTCDevice device, const bench_mesh* mesh, uint32_t part) {
+static RTCScene make_scene(RTCDevice device, const bench_mesh* mesh, uint32_t part, enum RTCSceneFlags flags) {
     RTCScene scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, flags);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     uint32_t count = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++) count += part == UINT32_MAX || mesh->part_ids[f] == part;
@@ -119,11 +125,12 @@ static RTCScene make_scene(RTCDevice device, const bench_mesh* mesh, uint32_t pa
 }
 
 /* Body and door as instances, as any game that moves the door must have them. */
-static RTCScene make_instances(RTCDevice device, const bench_mesh* mesh) {
+static RTCScene make_instances(RTCDevice device, const bench_mesh* mesh, enum RTCSceneFlags flags) {
     static const float identity[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     RTCScene top = rtcNewScene(device);
+    rtcSetSceneFlags(top, flags);
     for (uint32_t part = 0; part < 2; part++) {
-        RTCScene scene = make_scene(device, mesh, part);
+        RTCScene scene = make_scene(device, mesh, part, flags);
         RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
         rtcSetGeometryInstancedScene(instance, scene);
         rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, identity);
@@ -153,14 +160,17 @@ static void compare_picking(peers* p, uint32_t triangles) {
     CHECK(dm_scene_create(p->world.context, &desc, &p->scene));
     CHECK(dm_scene_add(p->world.context, p->scene, p->object, NULL, &instance));
     CHECK(dm_scene_commit(p->world.context, p->scene));
-    p->flat = make_scene(device, &mesh, UINT32_MAX);
-    p->instanced = make_instances(device, &mesh);
+    p->flat = make_scene(device, &mesh, UINT32_MAX, RTC_SCENE_FLAG_NONE);
+    p->instanced = make_instances(device, &mesh, RTC_SCENE_FLAG_NONE);
+    p->robust = make_instances(device, &mesh, RTC_SCENE_FLAG_ROBUST); /* no ray between two triangles, as ours */
     make_rays(p);
     show("dragmesh", "pick", p, pick_ours);
+    show("embree, instances, robust", "pick", p, pick_robust);
     show("embree, instances", "pick", p, pick_instanced);
     show("embree, one mesh", "pick", p, pick_flat);
     rtcReleaseScene(p->flat);
     rtcReleaseScene(p->instanced);
+    rtcReleaseScene(p->robust);
     rtcReleaseDevice(device);
     bench_mesh_free(&mesh);
 }

@@ -19,7 +19,8 @@ def main(folder):
     pairs = [("motion", "motion", [("pytorch", "motion, same network"), ("pytorch", "motion, reference size")]),
              ("kinematics call, 100k triangles, one part", "kinematics", [("pytorch", "kinematics, reference size")]),
              ("KPP-Net alone", "network: kinematics", [("pytorch", "kinematics, same network alone")]),
-             ("pick, 1M triangles", "pick", [("embree, instances", "pick"), ("embree, one mesh", "pick")]),
+             ("pick, 1M triangles", "pick", [("embree, instances, robust", "pick"), ("embree, instances", "pick"),
+                                             ("embree, one mesh", "pick")]),
              ("100k points", "points", [("memcpy", "points"), ("cglm", "points")])]
     pairs += [(f"layer {name[5:]}, 16 rows", f"network: {name}", [("onednn", name)])
               for name in ("gemm_96_288", "gemm_96_96", "gemm_96_384", "gemm_384_96")]
