@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tests/e2e/smoke_training.sh — trains both networks for a moment from nothing (1 to 3 minutes). Fails when a loss does not
-# fall, when a run does not go on from its checkpoint, when exported weights can't be scored, or when the networks of the
+# fall, when a run does not go on from its checkpoint, when exported weights can't be scored, when
+# the same run twice gives other weights, or when the networks of the
 # paper's size can't take a step.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -26,6 +27,10 @@ smoke() {
 
 smoke kpp kpp_net.safetensors --set batch=16 --set pool=2048
 smoke vae dq_vae.safetensors --set batch=32 --set pool=2048
+for run in first second; do
+    "$python" training/train kpp --run "$work/$run" --out "$work/$run" --set steps=20 --set batch=8 --set pool=512
+done
+cmp "$work/first/kpp_net.safetensors" "$work/second/kpp_net.safetensors" || { echo "smoke training: the same run gave other weights" >&2; exit 1; }
 for network in kpp vae; do
     "$python" training/train "$network" --run "$work/$network-paper" --set size=paper --set steps=1 --set batch=2 --set pool=256
 done
