@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # tests/e2e/smoke_training.sh — trains both networks for a moment from nothing (1 to 3 minutes). Fails when a loss does not
-# fall, when a run does not go on from its checkpoint, when exported weights can't be scored, when
-# the same run twice gives other weights, or when the networks of the
-# paper's size can't take a step.
+# fall, when a run does not go on from its checkpoint, when the same run twice gives other weights, when exported weights can't
+# be scored, or when the networks of the paper's size can't take a step.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 python=${PYTHON:-/usr/bin/python3}
