@@ -17,7 +17,7 @@ class KppTraining:
     network: str = "kpp"
     size: str = "game"
     seed: int = 1
-    steps: int = 10000
+    steps: int = 41682
     minutes: float = 0.0  # 0: no limit; else the schedule is compressed into this much training time
     batch: int = 32
     rate: float = 1.5e-3
