@@ -39,14 +39,11 @@ static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
     const float grab[3] = {desc->grab_point.x, desc->grab_point.y, desc->grab_point.z};
     dm_result result = dmi_check_finite(env, "dm_drag_begin: desc.grab_point", grab, 3);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.start_value", &desc->start_value, 1);
+    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.limit_give", &desc->limit_give, 1);
     if (result == DM_OK) result = check_feel(env, &desc->feel);
     if (result != DM_OK) return result;
     if (desc->flags & ~(uint32_t)DM_DRAG_KEEP_JOINT) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.flags is 0x%x: unknown flag", desc->flags);
-    }
-    if (desc->reserved != 0) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.reserved is %u: it must be 0",
-                        desc->reserved);
     }
     return DM_OK;
 }
@@ -91,7 +88,8 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     for (uint32_t i = 0; i < count; i++) {
         joints[i] = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
     }
-    dmi_drag_doubt(&slot->drag, joints, count, part_size(object, slot->part));
+    const dmi_give give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
+    dmi_drag_doubt(&slot->drag, joints, count, part_size(object, slot->part), give);
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {

@@ -53,14 +53,15 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
 
 /* Takes the joint's limits for estimates. */
 static void estimate_limits(dmi_drag* drag) {
-    drag->yields = dmi_joint_has_limits(&drag->joint);
+    drag->yields = dmi_joint_has_limits(&drag->joint) && drag->give.share >= 0;
     drag->guess_lower = drag->joint.lower, drag->guess_upper = drag->joint.upper;
-    dmi_rivals_limits(&drag->joint, &drag->most_lower, &drag->most_upper);
+    dmi_rivals_limits(&drag->joint, drag->give, &drag->most_lower, &drag->most_upper);
 }
 
-void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size) {
+void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size, dmi_give give) {
+    drag->give = give;
     estimate_limits(drag);
-    if (count > 0) dmi_rivals_init(&drag->rivals, joints, count, size);
+    if (count > 0) dmi_rivals_init(&drag->rivals, joints, count, size, give);
 }
 
 /* What the part may be asked for, given where the pointer is; limits that yield come along. */

@@ -17,7 +17,8 @@ typedef struct dmi_drag {
     dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
     dmi_projection projection; /* perspective once rays of different directions have come */
     dmi_rivals rivals;         /* none: the joint is sure */
-    int yields;                /* its limits are estimates: these, and at most those the pull may take it to */
+    dmi_give give;
+    int yields; /* its limits are estimates: these, and at most those the pull may take it to */
     float guess_lower, guess_upper, most_lower, most_upper;
     dm_pose offset;    /* of the pose shown from the joint's own, when it came to a new joint … */
     float offset_age;  /* … so long ago, s … */
@@ -31,7 +32,7 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
                     const dm_drag_feel* feel);
 /* The joint was found by the library: its limits yield. joints: what the part may move by instead, the best, which is
  * in force, first; count 0 or 1: nothing else. Only with the part at rest. size: of the part. */
-void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size);
+void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size, dmi_give give);
 /* ray may be NULL once released. */
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
 void dmi_drag_state_now(const dmi_drag* drag, dm_drag_state* out_state);

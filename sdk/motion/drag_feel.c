@@ -6,7 +6,7 @@
 #define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life */
 #define DEFAULT_COAST_TIME 0.1f      /* s, half-life */
 #define DEFAULT_DETENT_PULL 0.7f
-#define NOTCH_SHARE 0.025f /* of the range */
+#define NOTCH_SHARE 0.01f /* of the range: felt, but seen by nobody */
 #define TWO_PI 6.28318530717958647692f
 #define BISECTIONS 40
 

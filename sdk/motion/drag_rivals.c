@@ -4,13 +4,14 @@
 #include <math.h>
 #include <string.h>
 
-#define HALF_TURN 3.14159265f
+#define ONE_TURN 6.28318531f
 #define FIRST_PULL 0.006f  /* of the part's size: less tells nothing */
-#define SPREAD 0.1f        /* of the pull: how far off the right path a hand goes */
+#define SPREAD 0.04f       /* of the pull: how far off the right path a hand goes */
 #define TREMOR 0.004f      /* of the part's size: and how far it is off at the start */
-#define FLOOR 3e-4f        /* no pull makes a joint impossible */
-#define OTHER_SIDE (-1.9f) /* log of how probable it is that a range lies on the other side of rest */
+#define TAIL 8.0f          /* hands err much now and then: a normal law near the path, a power law far from it */
+#define OTHER_SIDE (-0.7f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
+#define AT_ONCE 3           /* rivals weighed an update, beside the best */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
 #define MARGIN 0.4f         /* how much more probable another joint must be, log */
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
@@ -47,14 +48,15 @@ static int known(const dmi_rivals* rivals, const dm_joint* joint) {
 }
 
 static void add(dmi_rivals* rivals, const dm_joint* joint) {
-    const float prior = logf(fmaxf(joint->confidence, LEAST_PRIOR));
+    /* Odds: confidences are each hypothesis's own, they do not share one whole. */
+    const float p = fminf(fmaxf(joint->confidence, LEAST_PRIOR), 1 - LEAST_PRIOR), prior = logf(p / (1 - p));
     if (joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
     rivals->list[rivals->count++] =
         (dmi_rival){.joint = *joint, .side = side_of(joint), .prior = prior, .score = prior};
 }
 
-void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size) {
-    *rivals = (dmi_rivals){.size = size};
+void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size, dmi_give give) {
+    *rivals = (dmi_rivals){.size = size, .give = give};
     for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) add(rivals, &joints[i]);
     if (rivals->count == 0) return;
     for (int i = 0; i < 3; i++) {
@@ -68,11 +70,12 @@ void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count,
     }
 }
 
-void dmi_rivals_limits(const dm_joint* joint, float* out_lower, float* out_upper) {
+void dmi_rivals_limits(const dm_joint* joint, dmi_give give, float* out_lower, float* out_upper) {
     *out_lower = -INFINITY, *out_upper = INFINITY;
     if (!dmi_joint_has_limits(joint)) return;
     const float range = joint->upper - joint->lower, near = REST_SHARE * range;
-    const float more = dmi_joint_turns(joint->type) ? fmaxf(range, HALF_TURN - range) : range;
+    const float most = dmi_joint_turns(joint->type) ? ONE_TURN : give.length;
+    const float more = give.share == 0 ? most : fmaxf(give.share, 0) * range;
     *out_lower = fabsf(joint->lower) <= near ? joint->lower : joint->lower - more;
     *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
 }
@@ -91,10 +94,11 @@ static float miss(const dm_ray* ray, const float point[3], const float grab[3], 
     return along > 0 ? sqrtf(square) / along * fabsf(depth) : INFINITY;
 }
 
-/* Log likelihood of a pull that is so far off. */
+/* Log likelihood of a pull that is so far off. It counts how far that was at most, as a share of the pull by now: a
+ * slide crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. */
 static float explains(const dmi_rivals* rivals, float off) {
     const float share = off / (SPREAD * rivals->pull + TREMOR * rivals->size);
-    return logf(expf(-0.5f * share * share) + FLOOR);
+    return -TAIL * logf(1 + share * share / (2 * TAIL));
 }
 
 /* What speaks against a side. */
@@ -108,7 +112,8 @@ static void score(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3
     const float now = side_of(&rival->joint);
     float point[3];
     dmi_pose_apply(&pose, grab, point);
-    rival->score = rival->prior + side_cost(rival, rival->reach) + explains(rivals, miss(ray, point, grab, projection));
+    rival->worst = fmaxf(rival->worst, miss(ray, point, grab, projection));
+    rival->score = rival->prior + side_cost(rival, rival->reach) + explains(rivals, rival->worst);
     rival->stop_score = rival->score;
     if (now * rival->reach >= 0) return;
     rival->stop_score = rival->prior + side_cost(rival, now) + explains(rivals, miss(ray, grab, grab, projection));
@@ -117,7 +122,7 @@ static void score(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3
 static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
                   dmi_projection projection) {
     float lower, upper;
-    dmi_rivals_limits(&rival->joint, &lower, &upper);
+    dmi_rivals_limits(&rival->joint, rivals->give, &lower, &upper);
     if (side_of(&rival->joint) != 0) upper = fmaxf(-lower, upper), lower = -upper;
     rival->reach = dmi_follow_ray(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
     score(rivals, rival, grab, ray, projection);
@@ -144,6 +149,18 @@ static int take_side(dmi_rival* rival) {
     return 1;
 }
 
+/* The likeliest of the best and of the rivals whose turn it is. */
+static uint32_t weigh_some(dmi_rivals* rivals, const float grab[3], const dm_ray* ray, dmi_projection projection) {
+    uint32_t winner = rivals->best;
+    for (uint32_t i = 0; i < AT_ONCE && i + 1 < rivals->count; i++) {
+        rivals->next = (rivals->next + 1) % rivals->count;
+        if (rivals->next == rivals->best) rivals->next = (rivals->next + 1) % rivals->count;
+        weigh(rivals, &rivals->list[rivals->next], grab, ray, projection);
+        if (rivals->list[rivals->next].score > rivals->list[winner].score) winner = rivals->next;
+    }
+    return winner;
+}
+
 int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, const dm_ray* ray,
                      dmi_projection projection) {
     const float pull = miss(ray, grab_point, grab_point, projection);
@@ -152,14 +169,7 @@ int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, 
     dmi_rival* best = &rivals->list[rivals->best];
     weigh_best(rivals, best, wish, grab_point, ray, projection);
     const float needed = best->stop_score + MARGIN;
-    uint32_t winner = rivals->best;
-    if (rivals->count > 1) {
-        rivals->next = (rivals->next + 1) % rivals->count;
-        if (rivals->next == rivals->best) rivals->next = (rivals->next + 1) % rivals->count;
-        dmi_rival* rival = &rivals->list[rivals->next];
-        weigh(rivals, rival, grab_point, ray, projection);
-        if (rival->score > best->score) winner = rivals->next;
-    }
+    const uint32_t winner = weigh_some(rivals, grab_point, ray, projection);
     if (rivals->list[winner].score <= needed) return 0;
     const int changed = winner != rivals->best;
     rivals->best = winner;

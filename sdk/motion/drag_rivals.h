@@ -13,27 +13,35 @@ typedef struct dmi_rival {
     float prior;      /* log of its probability before the pull, up to a constant */
     float score;      /* the same after it */
     float reach;      /* the value the pointer asks of it, on whichever side */
+    float worst;      /* how far it has missed the pull, at most */
     float stop_score; /* were it held by the stop at rest that its joint has */
 } dmi_rival;
+
+/* How far a pull takes a part beyond limits that were only estimated. */
+typedef struct dmi_give {
+    float share;  /* of the range; 0: as far as it is pulled … */
+    float length; /* … up to this along a slide, and up to a turn */
+} dmi_give;
 
 typedef struct dmi_rivals {
     dmi_rival list[DMI_RIVALS];
     uint32_t count, best; /* best: in force */
     uint32_t next;        /* to be weighed; they take turns */
     float size;           /* of the part */
-    float pull;           /* how far the pointer went from the grabbed point, at its depth, at most */
+    dmi_give give;
+    float pull; /* how far the pointer went from the grabbed point, at its depth, at most */
 } dmi_rivals;
 
 /* joints[0] is in force. Adds the other side of ranges that begin at rest: which way a part opens is easily mistaken.
  */
-void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size);
-/* Weighs the best, which asks for `wish` on its side of rest, and one of the others by one more ray; they take turns,
+void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size, dmi_give give);
+/* Weighs the best, which asks for `wish` on its side of rest, and some of the others by one more ray; they take turns,
  * so that an update stays within a microsecond. 1 when another, or the other side, has become the best. */
 int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, const dm_ray* ray,
                      dmi_projection projection);
 /* Where the pull may take a joint that the library found: a stop at rest is a stop, but how far a part opens was only
  * estimated. Infinite without limits. */
-void dmi_rivals_limits(const dm_joint* joint, float* out_lower, float* out_upper);
+void dmi_rivals_limits(const dm_joint* joint, dmi_give give, float* out_lower, float* out_upper);
 /* Probability of the best. */
 float dmi_rivals_confidence(const dmi_rivals* rivals);
 

@@ -153,7 +153,7 @@ static const layout_line layout[] = {
     F(dm_drag_desc, start_value),
     F(dm_drag_desc, feel),
     F(dm_drag_desc, flags),
-    F(dm_drag_desc, reserved),
+    F(dm_drag_desc, limit_give),
     S(dm_drag_state),
     F(dm_drag_state, pose),
     F(dm_drag_state, grab_point),

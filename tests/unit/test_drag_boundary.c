@@ -135,9 +135,9 @@ static void nonsense_is_refused(void** state) {
     desc.flags = 8;
     assert_error(&w, dm_drag_begin(w.context, &desc, &drag), DM_ERROR_INVALID_ARGUMENT, "desc.flags is 0x8");
     desc.flags = 0;
-    desc.reserved = 1;
-    assert_error(&w, dm_drag_begin(w.context, &desc, &drag), DM_ERROR_INVALID_ARGUMENT, "desc.reserved");
-    desc.reserved = 0;
+    desc.limit_give = NAN;
+    assert_error(&w, dm_drag_begin(w.context, &desc, &drag), DM_ERROR_NOT_FINITE, "desc.limit_give");
+    desc.limit_give = 0;
     assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
     assert_error(&w, dm_drag_get_joint(w.context, drag, NULL), DM_ERROR_INVALID_ARGUMENT, "out_joint is NULL");
     assert_error(&w, dm_drag_get_joint(w.context, drag + 1, &joint), DM_ERROR_STALE_HANDLE, "dm_drag_get_joint");

@@ -46,14 +46,15 @@ static void a_grab_between_catches_moves_nothing(void** state) {
     }
 }
 
-/* An end that was estimated holds a little, then comes along without a jump; a stop at rest stays one. */
+/* An end that was estimated holds a little, then comes along without a jump, so far as it may; a stop at rest stays
+ * one. */
 static void estimated_ends_yield(void** state) {
     (void)state;
     const dm_drag_feel feel = {.smoothing_time = -1};
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &slide, origin, 0, &feel);
-    dmi_drag_doubt(&drag, &slide, 0, 1);
+    dmi_drag_doubt(&drag, &slide, 0, 1, (dmi_give){.length = 1});
     float last = 0;
     for (int k = 0; k <= 2500; k++) {
         const float x = 0.001f * (float)k;
@@ -61,16 +62,34 @@ static void estimated_ends_yield(void** state) {
         dmi_drag_update(&drag, &ray, FRAME, &now);
         assert_true(now.value >= last - 1e-6f && now.value - last < 0.0016f);
         assert_true(now.value <= drag.joint.upper);
-        if (k > 1000 && k <= 1025) assert_near(now.value, 1, 1e-5);
-        if (k >= 1075 && k <= 2000) assert_near(now.value, x, 1e-4);
+        if (k > 1000 && k <= 1010) assert_near(now.value, 1, 1e-5);
+        if (k >= 1030 && k <= 2000) assert_near(now.value, x, 1e-4);
         last = now.value;
     }
-    assert_near(now.value, 2, 1e-5); /* not for ever */
+    assert_near(now.value, 2, 1e-5); /* no farther than the object is large */
     for (int k = 2500; k >= -500; k--) {
         const dm_ray ray = ray_at(0.001f * (float)k);
         dmi_drag_update(&drag, &ray, FRAME, &now);
     }
     assert_near(now.value, 0, 1e-6);
+}
+
+/* How far is the host's to say. */
+static void ends_yield_as_far_as_asked(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.smoothing_time = -1};
+    const struct { float share, end; } cases[] = {{-1, 1}, {0.25f, 1.25f}, {3, 4}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        dmi_drag_begin(&drag, &slide, origin, 0, &feel);
+        dmi_drag_doubt(&drag, &slide, 0, 1, (dmi_give){.share = cases[i].share, .length = 1});
+        for (int k = 0; k <= 600; k++) {
+            const dm_ray ray = ray_at(0.01f * (float)k);
+            dmi_drag_update(&drag, &ray, FRAME, &now);
+        }
+        assert_near(now.value, cases[i].end, 1e-5);
+    }
 }
 
 static float heavy_value(float coast, int updates, float time, float* out_velocity) {
@@ -123,6 +142,7 @@ int main(void) {
         cmocka_unit_test(catches_hold_and_let_go),
         cmocka_unit_test(a_grab_between_catches_moves_nothing),
         cmocka_unit_test(estimated_ends_yield),
+        cmocka_unit_test(ends_yield_as_far_as_asked),
         cmocka_unit_test(heavy_parts_do_not_depend_on_the_rate),
         cmocka_unit_test(heavy_parts_come_to_the_pointer),
     };

@@ -42,7 +42,7 @@ static pulled pull(const dm_joint* truth, float to, int frames, float tremor) {
     float last[3], point[3];
     uint32_t changes = 0;
     dmi_drag_begin(&p.drag, &joints[SLIDES], handle, 0, &feel);
-    dmi_drag_doubt(&p.drag, joints, JOINTS, 1);
+    dmi_drag_doubt(&p.drag, joints, JOINTS, 1, (dmi_give){.length = 4});
     memcpy(last, handle, sizeof last);
     for (int k = 1; k <= frames + 60; k++) {
         point_on(truth, to * fminf((float)k / (float)frames, 1), point);
@@ -93,7 +93,7 @@ static void the_pull_tells_the_side(void** state) {
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &door, handle, 0, &feel);
-    dmi_drag_doubt(&drag, &door, 1, 1);
+    dmi_drag_doubt(&drag, &door, 1, 1, (dmi_give){.length = 4});
     for (int k = 1; k <= 150; k++) {
         float point[3];
         point_on(&door, -1.2f * fminf((float)k / 120, 1), point);
@@ -134,7 +134,7 @@ static void half_the_step_is_the_same_drag(void** state) {
             dm_drag_state now = {0};
             const int steps = fine ? 240 : 120;
             dmi_drag_begin(&drag, &joints[SLIDES], handle, 0, &feel);
-            dmi_drag_doubt(&drag, joints, JOINTS, 1);
+            dmi_drag_doubt(&drag, joints, JOINTS, 1, (dmi_give){.length = 4});
             for (int k = 1; k <= steps; k++) {
                 float point[3];
                 point_on(&joints[i], to * (float)k / (float)steps, point);
@@ -163,9 +163,9 @@ static void host_axes_do_not_matter(void** state) {
             dmi_drag inner, outer;
             dm_drag_state a, b;
             dmi_drag_begin(&inner, &joints[SLIDES], handle, 0, &feel);
-            dmi_drag_doubt(&inner, joints, JOINTS, 1);
+            dmi_drag_doubt(&inner, joints, JOINTS, 1, (dmi_give){.length = 4});
             dmi_drag_begin(&outer, &host[SLIDES], host_handle, 0, &feel);
-            dmi_drag_doubt(&outer, host, JOINTS, unit);
+            dmi_drag_doubt(&outer, host, JOINTS, unit, (dmi_give){.length = 4 * unit});
             for (int k = 1; k <= 120; k++) {
                 point_on(&joints[i], to * (float)k / 120, point);
                 dmi_frame_point_out(&frame, point, host_point);

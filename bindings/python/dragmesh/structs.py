@@ -107,7 +107,7 @@ class DragFeel(c.Structure):
 
 class DragDesc(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("part_id", c.c_uint32), ("object", c.c_uint64), ("grab_point", Vec3),
-                ("start_value", c.c_float), ("feel", DragFeel), ("flags", c.c_uint32), ("reserved", c.c_uint32)]
+                ("start_value", c.c_float), ("feel", DragFeel), ("flags", c.c_uint32), ("limit_give", c.c_float)]
 
 
 class DragState(c.Structure):

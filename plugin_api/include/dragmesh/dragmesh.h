@@ -321,8 +321,10 @@ typedef struct dm_drag_desc {
     dm_vec3 grab_point; /* on the part as it is now, host object frame */
     float start_value;  /* joint value the part has now; 0 = rest */
     dm_drag_feel feel;
-    uint32_t flags;    /* DM_DRAG_KEEP_JOINT */
-    uint32_t reserved; /* 0 */
+    uint32_t flags;   /* DM_DRAG_KEEP_JOINT */
+    float limit_give; /* how far a pull that goes on takes the part beyond limits that the library estimated, as a share
+                         of the range. 0 = as far as it is pulled, by a turn or the object's size at most; negative =
+                         not at all. The host's own limits never give, nor does a stop at rest */
 } dm_drag_desc;
 
 enum {
