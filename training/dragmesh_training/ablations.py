@@ -151,15 +151,19 @@ def run_row(lab, table, name, row, steps, count):
     os.makedirs(FOLDER, exist_ok=True)
 
     def log(step, loss):
-        with open(path_of(table, "log.csv"), "a") as file:
-            file.write(f"{name},{step},{loss:.5g}\n")
+        with open(path_of(table, "log.csv"), "a", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            if file.tell() == 0:
+                writer.writerow(("row", "step", "loss"))
+            writer.writerow((name, step, f"{loss:.5g}"))
         print(f"{table} {name}: {step}/{steps} loss {loss:.4g} ETA {(time.process_time() - begun) * (steps / step - 1):.0f} s",
               flush=True)
 
     model = train_row(row, arrays, steps, log)
     scores = evaluate.score(row.network, model, cases(lab, row.network, "test", TEST_CASES))
     parameters = sum(p.numel() for p in model.parameters())
-    return {"row": name, "steps": steps, "batch": row.batch, "cases": count, "seed": row.seed,
+    scores.pop("cases")
+    return {"row": name, "steps": steps, "batch": row.batch, "training_cases": count, "test_cases": TEST_CASES, "seed": row.seed,
             "cpu_seconds": round(time.process_time() - begun), "parameters": parameters,
             **{key: f"{value:.6g}" for key, value in scores.items()}}
 
