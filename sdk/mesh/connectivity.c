@@ -241,7 +241,7 @@ static int sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint3
     const float *n = mesh->face_normal + (size_t)face * 3, *a = mesh->positions + (size_t)edge_corner * 3;
     const float* b = mesh->positions + (size_t)far_corner * 3;
     const float to[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const float height = (n[0] * to[0] + n[1] * to[1] + n[2] * to[2]) * mesh->winding;
+    const float height = (n[0] * to[0] + n[1] * to[1] + n[2] * to[2]);
     return height > sine * sqrtf(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
 }
 

@@ -124,6 +124,19 @@ static void test_a_bulge_is_cut_where_the_surface_bends_inwards(void** state) {
     expect_parts(0, 1, 0);
 }
 
+/* Left-handed hosts wind every triangle the other way round. */
+static void test_a_bulge_is_cut_in_a_mesh_wound_inside_out(void** state) {
+    (void)state;
+    make_button();
+    for (uint32_t f = 0; f < shape.face_count; f++) {
+        const uint32_t second = shape.corners[f][1];
+        shape.corners[f][1] = shape.corners[f][2];
+        shape.corners[f][2] = second;
+    }
+    find_well(0, (const float[]){1.5f, 1.5f, 1.4f}, (const float[]){0, 0, -1});
+    expect_parts(0, 1, 0);
+}
+
 /* Nothing bends inwards on a box: its lid, with a low rim, is told by the creases. */
 static void test_what_has_no_inward_bend_is_cut_at_creases(void** state) {
     (void)state;
@@ -193,6 +206,7 @@ int main(void) {
         cmocka_unit_test(test_a_large_neighbour_has_a_joint_of_its_own),
         cmocka_unit_test(test_sheets_of_one_mesh_stay_apart),
         cmocka_unit_test(test_a_bulge_is_cut_where_the_surface_bends_inwards),
+        cmocka_unit_test(test_a_bulge_is_cut_in_a_mesh_wound_inside_out),
         cmocka_unit_test(test_what_has_no_inward_bend_is_cut_at_creases),
         cmocka_unit_test(test_a_whole_mesh_is_no_part),
         cmocka_unit_test(test_every_failing_allocation_is_reported),
