@@ -123,16 +123,18 @@ static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3
                   dmi_projection projection) {
     float lower, upper;
     dmi_rivals_limits(&rival->joint, rivals->give, &lower, &upper);
-    if (side_of(&rival->joint) != 0) upper = fmaxf(-lower, upper), lower = -upper;
+    if (side_of(&rival->joint) != 0 && !rival->settled) upper = fmaxf(-lower, upper), lower = -upper;
     rival->reach = dmi_follow_ray(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
     score(rivals, rival, grab, ray, projection);
 }
 
-/* The best is followed already, unless a stop at rest holds it, which it may not have. */
+/* The best is followed already, unless a stop at rest holds it, which it may not have; a drawer that was pulled out and
+ * is pushed back has it. */
 static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, const float grab[3], const dm_ray* ray,
                        dmi_projection projection) {
     const float range = best->joint.upper - best->joint.lower, side = side_of(&best->joint);
-    if (side != 0 && !(side * wish > REST_SHARE * range)) {
+    best->settled |= side * wish > REST_SHARE * range;
+    if (side != 0 && !best->settled) {
         weigh(rivals, best, grab, ray, projection);
         return;
     }

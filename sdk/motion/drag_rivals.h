@@ -10,6 +10,7 @@
 typedef struct dmi_rival {
     dm_joint joint;   /* host object frame */
     float side;       /* of rest that its range was found on, +1 or -1; 0: both */
+    int settled;      /* the part has gone out on that side: rest is its stop */
     float prior;      /* log of its probability before the pull, up to a constant */
     float score;      /* the same after it */
     float reach;      /* the value the pointer asks of it, on whichever side */

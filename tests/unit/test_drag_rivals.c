@@ -113,6 +113,26 @@ static void the_pull_tells_the_side(void** state) {
     }
 }
 
+/* A drawer that is pushed back does not come out behind. */
+static void what_was_opened_shuts_at_rest(void** state) {
+    (void)state;
+    const dm_joint drawer = joints[SLIDES];
+    const dm_drag_feel feel = {0};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    dmi_drag_begin(&drag, &drawer, handle, 0, &feel);
+    dmi_drag_doubt(&drag, &drawer, 1, 1, (dmi_give){.length = 4});
+    for (int k = 1; k <= 240; k++) {
+        float point[3];
+        point_on(&drawer, k <= 80 ? 0.3f * (float)k / 80 : 0.3f - 0.8f * (float)(k - 80) / 160, point);
+        const dm_ray ray = ray_to(eye, point);
+        dmi_drag_update(&drag, &ray, FRAME, &now);
+        if (k == 80) assert_near(now.value, 0.3f, 0.02);
+    }
+    assert_near(now.value, 0, 1e-6);
+    assert_int_equal(now.changes, 0);
+}
+
 /* A pull that fits none of the joints takes the part along. */
 static void nothing_is_stuck(void** state) {
     (void)state;
@@ -183,9 +203,10 @@ static void host_axes_do_not_matter(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_pull_tells_the_joint),       cmocka_unit_test(a_hand_that_trembles_decides_the_same),
-        cmocka_unit_test(the_pull_tells_the_side),        cmocka_unit_test(nothing_is_stuck),
-        cmocka_unit_test(half_the_step_is_the_same_drag), cmocka_unit_test(host_axes_do_not_matter),
+        cmocka_unit_test(the_pull_tells_the_joint), cmocka_unit_test(a_hand_that_trembles_decides_the_same),
+        cmocka_unit_test(the_pull_tells_the_side),  cmocka_unit_test(what_was_opened_shuts_at_rest),
+        cmocka_unit_test(nothing_is_stuck),         cmocka_unit_test(half_the_step_is_the_same_drag),
+        cmocka_unit_test(host_axes_do_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
