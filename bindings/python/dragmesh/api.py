@@ -17,6 +17,11 @@ class Axes(enum.IntEnum):
     GLTF, UNITY, UNREAL, BLENDER, CUSTOM = range(5)
 
 
+class Intent(enum.IntEnum):
+    """What a released part does next; see DM_INTENT_*."""
+    AUTO, STAY, OPEN, CLOSE, REPLAY, FREEZE = range(6)
+
+
 class Error(RuntimeError):
     """A dm_result below 0; `code` is its number, the text what the library logged."""
 
@@ -230,10 +235,14 @@ class Object:
         self.context.call("motion_generate", self.handle, c.byref(desc), c.byref(handle))
         return Motion(self.context, handle)
 
-    def drag(self, part_id, grab_point, start_value=0.0, smoothing_time=0.0, soft_limit=0.0):
-        """The player grabs the part at a point."""
+    def drag(self, part_id, grab_point, start_value=0.0, keep_joint=False, limit_give=0.0, **feel):
+        """The player grabs the part at a point. feel: fields of dm_drag_feel, such as smoothing_time=0.06."""
+        unknown = set(feel) - {name for name, _ in s.DragFeel._fields_}
+        if unknown:
+            raise TypeError(f"dm_drag_feel has no {', '.join(sorted(unknown))}")
         desc = _described(s.DragDesc, part_id=part_id, object=self.handle, start_value=start_value,
-                          grab_point=s.Vec3(*map(float, grab_point)), feel=s.DragFeel(smoothing_time, soft_limit))
+                          grab_point=s.Vec3(*map(float, grab_point)), feel=s.DragFeel(**feel),
+                          flags=int(keep_joint), limit_give=limit_give)
         handle = c.c_uint64()
         self.context.call("drag_begin", c.byref(desc), c.byref(handle))
         return Drag(self.context, handle)
@@ -271,6 +280,25 @@ class Drag:
         """The state after the pointer's ray of this frame; dt in seconds."""
         ray, state = s.Ray(s.Vec3(*map(float, origin)), s.Vec3(*map(float, direction))), s.DragState()
         self.context.call("drag_update", self.handle, c.byref(ray), c.c_float(dt), c.byref(state))
+        return state
+
+    def joint(self):
+        """The joint that the drag follows now, as the pull has left it; Object.set_joint keeps it."""
+        joint = s.Joint()
+        self.context.call("drag_get_joint", self.handle, c.byref(joint))
+        return joint
+
+    def release(self, intent=Intent.AUTO, duration=0.0, seed=0):
+        """The player lets go: the plan of what the part does now. advance() moves it."""
+        desc = _described(s.ReleaseDesc, intent=int(intent), duration=duration, seed=seed)
+        plan = _described(s.ReleasePlan)
+        self.context.call("drag_release", self.handle, c.byref(desc), c.byref(plan))
+        return plan
+
+    def advance(self, dt):
+        """The state of a released part dt seconds later."""
+        state = s.DragState()
+        self.context.call("drag_update", self.handle, None, c.c_float(dt), c.byref(state))
         return state
 
     def end(self):

@@ -115,3 +115,14 @@ class DragState(c.Structure):
 
     _fields_ = [("pose", Pose), ("grab_point", Vec3), ("value", c.c_float), ("target", c.c_float),
                 ("velocity", c.c_float), ("at_limit", c.c_int32), ("phase", c.c_int32), ("changes", c.c_uint32)]
+
+
+class ReleaseDesc(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("duration", c.c_float), ("seed", c.c_uint32)]
+
+
+class ReleasePlan(c.Structure):
+    """What a released part will do; see dm_release_plan."""
+
+    _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("start_value", c.c_float),
+                ("end_value", c.c_float), ("duration", c.c_float), ("from_network", c.c_uint32)]

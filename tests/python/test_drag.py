@@ -1,0 +1,69 @@
+"""Python holds a drag from the grab to the end: python3 tests/python/test_drag.py (after scripts/build)."""
+import sys
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bindings/python"))
+import dragmesh  # noqa: E402
+from dragmesh import structs  # noqa: E402
+
+CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float32)
+FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],
+                  [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]], np.uint32)
+HANDLE, EYE = np.array([0.9, 0.5, 1.05]), np.array([1.5, 2.0, 4.0])
+
+
+class Door(unittest.TestCase):
+    """A slab before a box, hinged along y through (0, 0, 1), opening towards +z."""
+
+    def setUp(self):
+        self.context = dragmesh.Context()
+        self.addCleanup(self.context.close)
+        slab = CUBE * [1, 1, 0.05] + [0, 0, 1]
+        self.object = self.context.prepare(np.concatenate([CUBE, slab]), np.concatenate([FACES, FACES + 8]),
+                                           np.repeat([0, 1], 8))
+        self.object.set_joint(1, dragmesh.Joint(type=dragmesh.JointType.REVOLUTE, axis=structs.Vec3(0, -1, 0),
+                                                origin=structs.Vec3(0, 0, 1), upper=1.5))
+
+    def pull(self, drag, value):
+        arm, cosine, sine = HANDLE - [0, 0, 1], np.cos(value), np.sin(value)
+        point = np.array([cosine * arm[0] - sine * arm[2], arm[1], sine * arm[0] + cosine * arm[2] + 1])
+        return drag.update(EYE, point - EYE, 1 / 60)
+
+    def dragged(self, **feel):
+        drag = self.object.drag(1, HANDLE, **feel)
+        for frame in range(60):
+            state = self.pull(drag, 0.8 * (frame + 1) / 60)
+        return drag, state
+
+    def test_follows_and_tells_its_joint(self):
+        drag, state = self.dragged(smoothing_time=-1)
+        self.assertAlmostEqual(state.value, 0.8, places=3)
+        joint = drag.joint()
+        self.assertEqual((joint.type, joint.upper), (dragmesh.JointType.REVOLUTE, 1.5))
+        self.assertAlmostEqual(drag.end().value, 0.8, places=3)
+
+    def test_released_it_does_as_planned(self):
+        drag, _ = self.dragged()
+        plan = drag.release(dragmesh.Intent.OPEN, duration=0.5)
+        self.assertEqual((plan.intent, plan.end_value, plan.duration), (dragmesh.Intent.OPEN, 1.5, 0.5))
+        for _ in range(31):
+            state = drag.advance(1 / 60)
+        self.assertEqual((state.value, state.phase), (1.5, 2))
+        self.assertEqual(drag.release(dragmesh.Intent.CLOSE).end_value, 0)
+
+    def test_errors_have_a_text(self):
+        drag = self.object.drag(1, HANDLE)
+        with self.assertRaisesRegex(dragmesh.Error, "never released"):
+            drag.release(dragmesh.Intent.REPLAY)
+        drag.end()
+        with self.assertRaises(dragmesh.Error):
+            drag.joint()
+        with self.assertRaises(TypeError):
+            self.object.drag(1, HANDLE, softness=1)
+
+
+if __name__ == "__main__":
+    unittest.main()
