@@ -23,6 +23,7 @@ typedef struct scratch {
     float point_maxima[DMI_VAE_POINTS / STEP_POINTS][VAE_FEATURE];
     float path[DMI_VAE_PATH][VAE_SMALL];
     float correction_hidden[DM_MOTION_FRAMES][VAE_FEATURE];
+    float along[DM_MOTION_FRAMES][VAE_ALONG];
     float context[VAE_CONTEXT]; /* f_local, f_joint, f_motion */
     float gate[VAE_CONTEXT], gated[VAE_CONTEXT];
     float inputs[VAE_CONTEXT], hidden[VAE_CONTEXT]; /* of the layer at work */
@@ -193,7 +194,8 @@ static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t s
     dmi_mlp_apply(&vae->head, kernels, s->normal[0], DM_MOTION_FRAMES, 0, s->tokens[0], out->raw[0]);
 }
 
-/* Physics correction (§3.3.3): a residual of each base pose under the joint, and the identity. */
+/* Physics correction (§3.3.3): a residual of each base pose under the joint, the identity, and amounts of turn and
+ * slide that lie on the axis whatever they are. */
 static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint, scratch* s,
                     dmi_vae_output* out) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
@@ -206,6 +208,12 @@ static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_
     dmi_linear_apply(&of_base, kernels, out->raw[0], DM_MOTION_FRAMES, DMI_GEMM_RELU, s->correction_hidden[0]);
     dmi_linear_apply(&vae->correction_out, kernels, s->correction_hidden[0], DM_MOTION_FRAMES, DMI_GEMM_ADD,
                      out->raw[0]);
+    dmi_linear_apply(&vae->along, kernels, s->correction_hidden[0], DM_MOTION_FRAMES, 0, s->along[0]);
+    for (uint32_t t = 0; t < DM_MOTION_FRAMES; ++t)
+        for (uint32_t k = 0; k < 3; ++k) {
+            out->raw[t][k] += s->along[t][0] * axis[k];
+            out->raw[t][4 + k] += s->along[t][1] * axis[k];
+        }
 }
 
 void dmi_dq_vae_forward(const dmi_dq_vae* vae, dmi_isa isa, const dmi_vae_object* object, const dmi_vae_query* query,

@@ -100,6 +100,7 @@ static void read_correction(dmi_loader* loader, const float* embedding, dmi_dq_v
     const float* bias = dmi_load_tensor(loader, "correction.0.bias", VAE_FEATURE, 0);
     const float* out_weight = dmi_load_tensor(loader, "correction.2.weight", VAE_POSE, VAE_FEATURE);
     float* out_bias = dmi_load_tensor(loader, "correction.2.bias", VAE_POSE, 0);
+    dmi_load_linear(loader, "along", VAE_FEATURE, VAE_ALONG, &vae->along);
     if (loader->result != DM_OK) return;
     dmi_pack_linear(loader, weight, inputs, NULL, VAE_POSE, VAE_FEATURE, &vae->correction_base);
     vae->correction_bias =

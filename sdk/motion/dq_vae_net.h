@@ -20,7 +20,8 @@ enum {
     VAE_HEADS = 4,
     VAE_FEED_FORWARD = 384,
     VAE_LAYERS = 3,
-    VAE_POSE = 8
+    VAE_POSE = 8,
+    VAE_ALONG = 2
 };
 
 /* FiLM of f_joint for one place: x scale + shift, scale = 1 + gamma. */
@@ -68,6 +69,7 @@ struct dmi_dq_vae {
     float (*correction_bias)[VAE_FEATURE]; /* … which a type's embedding gives */
     dmi_linear correction_base;            /* of a frame's base; without bias */
     dmi_linear correction_out;             /* its bias holds the identity pose too */
+    dmi_linear along;                      /* turn and slide on the axis */
 };
 
 /* Reads the layers of a dmi_dq_vae. */

@@ -39,13 +39,13 @@ class VaeTraining:
     network: str = "vae"
     size: str = "game"
     seed: int = 1
-    steps: int = 18000
+    steps: int = 11133
     minutes: float = 0.0
     batch: int = 64
     rate: float = 1.5e-3
     decay: float = 0.0
     pool: int = 60000
-    fresh: int = 16
+    fresh: int = 32
     data: str = ""
     data_share: float = 0.5
     free_nats: float = 24.0  # delta of the free bits

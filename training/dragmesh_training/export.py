@@ -53,7 +53,7 @@ def export_run(folder, out):
     """The averaged weights of a run's checkpoint. Nothing of the machine or the time goes in: the same run, the same bytes."""
     state = torch.load(os.path.join(folder, "checkpoint.pt"), map_location="cpu")
     config = state["config"]
-    trained = (f"{state['step']} of {config['steps']} steps of {config['batch']}, size {config['size']}, "
+    trained = (f"{state['step']} steps of {config['batch']}, size {config['size']}, "
                "procedural objects (training/generator)")
     save_safetensors(out, state["average"],
                      {"architecture": ARCHITECTURES[config["network"]], "version": "1", "commit": commit(),

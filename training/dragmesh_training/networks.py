@@ -70,7 +70,6 @@ class VaeConfig:
     local_film: bool = True  # FiLM of the local sampler
     decoder_film: bool = True  # FiLM after every decoder layer
     correction: bool = True  # physics correction
-    along: bool = False  # … with amounts of turn and slide on the axis itself
 
 
 KPP_SIZES = {
@@ -385,7 +384,9 @@ class DqVae(nn.Module):
         self.decoder = Decoder(config) if config.transformer else MlpDecoder(config)
         if config.correction:
             self.correction = mlp(8 + config.type_dim + 2 * config.feature + 6, config.correction_hidden, 8)
-            self.along = nn.Linear(config.correction_hidden, 2) if config.along else None
+            self.along = nn.Linear(config.correction_hidden, 2)
+            nn.init.zeros_(self.along.weight)
+            nn.init.zeros_(self.along.bias)
         else:
             self.correction = None
 
@@ -412,8 +413,6 @@ class DqVae(nn.Module):
         condition = torch.cat([embedded, f_joint, 0.1 * f_joint, axis, 0.1 * axis], dim=-1)
         condition = condition.unsqueeze(1).expand(-1, FRAMES, -1)
         hidden = self.correction[1](self.correction[0](torch.cat([base, condition], dim=-1)))
-        if self.along is None:
-            return base + self.correction[2](hidden)
         turn, slide = self.along(hidden).chunk(2, dim=-1)
         on_axis = torch.cat([turn * axis.unsqueeze(1), torch.zeros_like(turn), slide * axis.unsqueeze(1),
                              torch.zeros_like(turn)], dim=-1)
