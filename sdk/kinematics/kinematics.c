@@ -9,7 +9,10 @@
 #define TOP_OF_TYPE 32 /* candidates of turning, and of sliding, that may become hypotheses */
 #define TOP (2 * TOP_OF_TYPE)
 #define ALIKE_POINTS 12
-#define ALIKE 0.05f /* two joints are one hypothesis when their motions differ by less than this share */
+/* Shares by which the motions of two joints differ: below the first they are one hypothesis; … */
+#define ALIKE 0.1f
+/* … about the second is as near as an answer has to be. */
+#define NEAR 0.03f
 #define SCREW_CERTAIN 0.8f
 
 typedef struct work {
@@ -56,9 +59,10 @@ static void velocity(const dmi_candidate* c, const float point[3], float out[3])
     dmi_cross3(c->axis, arm, out);
 }
 
-/* Whether two candidates of one type move the part alike, up to speed and sign. */
-static int alike(const dmi_study* study, const dmi_candidate* a, const dmi_candidate* b) {
-    if (a->type != b->type) return 0;
+/* By how much two candidates move the part differently, up to speed and sign: the sine of the angle between their
+ * velocities, taken over the part; 1 for candidates of different types. */
+static float difference(const dmi_study* study, const dmi_candidate* a, const dmi_candidate* b) {
+    if (a->type != b->type) return 1;
     float aa = 0, ab = 0, bb = 0;
     for (int i = 0; i < ALIKE_POINTS; i++) {
         float u[3], v[3];
@@ -66,13 +70,12 @@ static int alike(const dmi_study* study, const dmi_candidate* a, const dmi_candi
         velocity(b, study->points[i], v);
         aa += dmi_dot3(u, u), ab += dmi_dot3(u, v), bb += dmi_dot3(v, v);
     }
-    float cosine = fabsf(ab) / (sqrtf(aa * bb) + 1e-20f);
-    return cosine > 1 - 0.5f * ALIKE * ALIKE;
+    return sqrtf(fmaxf(1 - ab * ab / (aa * bb + 1e-20f), 0));
 }
 
 typedef struct ranked {
     uint32_t index;
-    float weight; /* its probability; without a ranker, that of all alike: rules leave many ties */
+    float weight; /* the probability that it is near enough, whichever candidate is right */
 } ranked;
 
 static int slides(const work* w, uint32_t index) {
@@ -119,7 +122,8 @@ static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, fl
 /* Everything that choosing works on: the leading candidates, who is alike, what is left. */
 typedef struct choice {
     ranked top[TOP];
-    uint8_t taken[TOP], is_alike[TOP][TOP];
+    float difference[TOP][TOP];
+    uint8_t taken[TOP];
     uint32_t count;
     float type_mass[2]; /* of turning, of sliding */
 } choice;
@@ -129,15 +133,13 @@ static void start_choice(const work* w, choice* c) {
     for (uint32_t i = 0; i < w->count; i++) c->type_mass[slides(w, i)] += w->probability[i];
     c->count = top_of_type(w, 0, c->top);
     c->count += top_of_type(w, 1, c->top + c->count);
-    for (uint32_t i = 0; i < c->count; i++)
-        for (uint32_t j = 0; j < c->count; j++)
-            c->is_alike[i][j] =
-                i == j || alike(&w->study, &w->candidates[c->top[i].index], &w->candidates[c->top[j].index]) != 0;
     for (uint32_t i = 0; i < c->count; i++) {
         c->top[i].weight = 0;
-        for (uint32_t j = 0; j < c->count; j++)
-            if (w->query->ranker != NULL ? i == j : c->is_alike[i][j])
-                c->top[i].weight += w->probability[c->top[j].index];
+        for (uint32_t j = 0; j < c->count; j++) {
+            const dmi_candidate *own = &w->candidates[c->top[i].index], *other = &w->candidates[c->top[j].index];
+            const float off = c->difference[i][j] = i == j ? 0 : difference(&w->study, own, other);
+            c->top[i].weight += w->probability[c->top[j].index] * expf(-off * off / (NEAR * NEAR));
+        }
     }
 }
 
@@ -156,16 +158,17 @@ static uint32_t heaviest(const work* w, int only, const choice* c) {
 static float take_alike(const work* w, uint32_t chosen, choice* c) {
     float mass = 0;
     for (uint32_t j = 0; j < c->count; j++) {
-        if (c->taken[j] || !c->is_alike[chosen][j]) continue;
+        if (c->taken[j] || c->difference[chosen][j] > ALIKE) continue;
         mass += w->probability[c->top[j].index];
         c->taken[j] = 1;
     }
     return mass;
 }
 
-/* The first hypothesis is of the likelier type (the rules' scores are no probabilities, they can't say): turns are many
- * candidates that share their probability, slides few, so that a single slide outweighs each turn long before slides
- * outweigh turns. */
+/* Not the most probable candidate but the one that is most probably near enough: of several lines in the same place,
+ * each a little likely, one in their midst. The first hypothesis is of the likelier type (the rules' scores are no
+ * probabilities, they can't say): turns are many candidates that share their probability, slides few, so that a single
+ * slide outweighs each turn long before slides outweigh turns. */
 static void choose(const work* w, dmi_hypotheses* out) {
     choice c;
     start_choice(w, &c);

@@ -5,10 +5,11 @@
 
 #include "kinematics/study.h"
 #include "mesh/connectivity.h"
+#include "mesh/mend.h"
 
 /* Parts between two calls of the progress callback when the host's workers run them. */
 #define BATCH 32
-#define WELD_BLOCK ((size_t)1 << 16)
+#define GROUND_BLOCK ((size_t)1 << 16)
 
 /* What one part starts from, gathered before the workers begin. */
 typedef struct plan {
@@ -17,13 +18,19 @@ typedef struct plan {
     dm_result result;
 } plan;
 
+/* What the studies of all parts share of the mesh. */
+typedef struct ground {
+    dmi_mesh mesh; /* with the masks as they were meant */
+    const uint32_t* welded;
+} ground;
+
 typedef struct preparation {
     dmi_env* env;
     const dmi_prepare_desc* desc;
     dmi_object* object;
-    plan* plans;      /* one a part, the body's unused */
-    uint32_t* welded; /* what all parts share of the mesh */
-    uint32_t first;   /* part of task 0 */
+    plan* plans; /* one a part, the body's unused */
+    ground ground;
+    uint32_t first; /* part of task 0 */
 } preparation;
 
 static dm_result report(dmi_env* env, const dmi_prepare_desc* desc, float done) {
@@ -43,18 +50,26 @@ static dmi_hypotheses fixed_joint(const dmi_part* shape) {
     return (dmi_hypotheses){.joints = {joint}, .count = 1};
 }
 
+static dm_result lay_ground(dmi_arena* arena, const dmi_mesh* mesh, ground* out) {
+    uint32_t* welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *welded);
+    if (welded == NULL) return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory to weld");
+    dm_result result = dmi_weld_vertices(arena, mesh, DMI_STUDY_WELD, welded);
+    out->welded = welded;
+    return result == DM_OK ? dmi_mesh_mend(arena, mesh, welded, &out->mesh) : result;
+}
+
 /* Cloud -> hypotheses; the best one comes into force. `cloud` is scratch. */
 static dm_result infer_part(dmi_env* env, dmi_object* object, uint32_t index, const dmi_brain* brain,
-                            const dmi_drag_hint* hint, const uint32_t* welded, dmi_cloud* cloud) {
+                            const dmi_drag_hint* hint, const ground* ground, dmi_cloud* cloud) {
     dmi_object_part* part = &object->parts[index];
-    dm_result result = dmi_cloud_sample(env, object->mesh, index, object->seed, cloud);
+    dm_result result = dmi_cloud_sample(env, &ground->mesh, index, object->seed, cloud);
     if (result != DM_OK) return result;
-    const dmi_kinematics_query query = {.mesh = object->mesh,
+    const dmi_kinematics_query query = {.mesh = &ground->mesh,
                                         .cloud = cloud,
                                         .net = brain->net,
                                         .ranker = brain->ranker,
                                         .hint = hint,
-                                        .welded = welded,
+                                        .welded = ground->welded,
                                         .part = index,
                                         .given_type = part->given_type,
                                         .network_alone = object->network_alone,
@@ -79,7 +94,7 @@ static void DM_CALL prepare_part(void* data, uint32_t task) {
         return;
     }
     own->result = infer_part(work->env, work->object, index, &work->desc->brain, own->has_hint ? &own->hint : NULL,
-                             work->welded, cloud);
+                             &work->ground, cloud);
     if (own->result == DM_OK) dmi_cloud_thin(cloud, work->object->parts[index].points);
     dmi_free(work->env, cloud, sizeof *cloud);
 }
@@ -134,23 +149,13 @@ static dm_result make_plans(preparation* work) {
     return DM_OK;
 }
 
-static dm_result weld(dmi_env* env, const dmi_mesh* mesh, uint32_t* out_welded) {
+/* Lays the ground for all parts once, and prepares them. */
+static dm_result lay_and_run(preparation* work) {
     dmi_arena arena;
-    dmi_arena_init(&arena, env, WELD_BLOCK);
-    dm_result result = dmi_weld_vertices(&arena, mesh, DMI_STUDY_WELD, out_welded);
-    dmi_arena_release(&arena);
-    return result;
-}
-
-/* Welds the mesh once for all parts, and prepares them. */
-static dm_result weld_and_run(preparation* work) {
-    const dmi_mesh* mesh = work->object->mesh;
-    const size_t size = mesh->vertex_count * sizeof *work->welded;
-    work->welded = dmi_alloc(work->env, size, _Alignof(uint32_t));
-    if (!work->welded) return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory to weld");
-    dm_result result = weld(work->env, mesh, work->welded);
+    dmi_arena_init(&arena, work->env, GROUND_BLOCK);
+    dm_result result = lay_ground(&arena, work->object->mesh, &work->ground);
     if (result == DM_OK) result = prepare_parts(work);
-    dmi_free(work->env, work->welded, size);
+    dmi_arena_release(&arena);
     return result;
 }
 
@@ -159,7 +164,7 @@ static dm_result plan_and_run(preparation* work) {
     work->plans = dmi_alloc_zeroed(work->env, size, _Alignof(plan));
     if (!work->plans) return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for the parts");
     dm_result result = make_plans(work);
-    if (result == DM_OK) result = weld_and_run(work);
+    if (result == DM_OK) result = lay_and_run(work);
     dmi_free(work->env, work->plans, size);
     return result;
 }
@@ -213,9 +218,13 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
 
 dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, const dmi_brain* brain,
                             const dmi_drag_hint* hint) {
-    dmi_cloud* cloud = dmi_alloc(env, sizeof *cloud, 64);
-    if (!cloud) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
-    dm_result result = infer_part(env, object, part, brain, hint, NULL, cloud);
-    dmi_free(env, cloud, sizeof *cloud);
+    dmi_arena arena;
+    dmi_arena_init(&arena, env, GROUND_BLOCK);
+    dmi_cloud* cloud = dmi_arena_push(&arena, sizeof *cloud);
+    ground ground;
+    dm_result result = cloud != NULL ? lay_ground(&arena, object->mesh, &ground)
+                                     : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
+    if (result == DM_OK) result = infer_part(env, object, part, brain, hint, &ground, cloud);
+    dmi_arena_release(&arena);
     return result;
 }

@@ -212,7 +212,7 @@ static dm_result check_areas(dmi_env* env, const dmi_mesh* mesh) {
     return DM_OK;
 }
 
-static dm_result measure_parts(dmi_env* env, dmi_mesh* mesh) {
+dm_result dmi_mesh_measure_parts(dmi_env* env, dmi_mesh* mesh) {
     part_sums* sums = dmi_alloc_zeroed(env, mesh->part_count * sizeof *sums, ALIGNMENT);
     if (sums == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u parts", mesh->part_count);
     for (uint32_t p = 0; p < mesh->part_count; p++) {
@@ -233,7 +233,7 @@ static dm_result measure_parts(dmi_env* env, dmi_mesh* mesh) {
 
 dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh) {
     measure_faces(mesh);
-    dm_result result = measure_parts(env, mesh);
+    dm_result result = dmi_mesh_measure_parts(env, mesh);
     return result == DM_OK ? check_areas(env, mesh) : result;
 }
 
@@ -244,7 +244,7 @@ static dm_result fill_shape(dmi_env* env, const dmi_mesh_reader* reader, const d
     if (result != DM_OK) return result;
     set_positions(reader, mesh);
     measure_faces(mesh);
-    return measure_parts(env, mesh);
+    return dmi_mesh_measure_parts(env, mesh);
 }
 
 static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, const dm_part_desc* parts,

@@ -43,6 +43,8 @@ dm_result dmi_mesh_restore(dmi_env* env, const dmi_frame* frame, uint32_t vertex
                            uint32_t part_count, dmi_mesh** out_mesh);
 /* … and then areas, normals, boxes and centres, to the bits that dmi_mesh_create made of the same numbers. */
 dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh);
+/* Boxes, areas and centres of the parts alone, from face_part and the faces' areas. */
+dm_result dmi_mesh_measure_parts(dmi_env* env, dmi_mesh* mesh);
 
 /* Index of a part by the host's id; -1 when there is none (0 is the body). */
 int32_t dmi_mesh_find_part(const dmi_mesh* mesh, uint32_t id);

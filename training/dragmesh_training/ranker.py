@@ -63,7 +63,7 @@ def category_weights(lab, chosen):
                      for i, name in enumerate(category_names(lab))], np.uint8)
 
 
-def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, with_drag=0.7, mask_noise=0.15):
+def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, with_drag=0.7, mask_noise=0.3):
     """Evidence and labels of `count` cases drawn from the chosen categories."""
     columns = lab.dm_lab_ranker_columns()
     mask = category_weights(lab, chosen)
@@ -242,7 +242,7 @@ ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type"
                  ("line_error", np.float32), ("has_drag", np.int32), ("category", np.int32))
 
 
-def options_of(lab, seed, count, split, chosen, noise_degrees=8.0, with_drag=0.7, mask_noise=0.15):
+def options_of(lab, seed, count, split, chosen, noise_degrees=8.0, with_drag=0.7, mask_noise=0.3):
     """Cases as `make` draws them; the weights of the categories must live as long as the options."""
     weights = category_weights(lab, chosen)
     return Options(seed, count, split, weights.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0), weights

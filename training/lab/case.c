@@ -4,7 +4,10 @@
 
 #include "case.h"
 #include "kinematics/kinematics.h"
+#include "kinematics/study.h"
 #include "lab_ranker.h"
+#include "mesh/connectivity.h"
+#include "mesh/mend.h"
 
 #define TRIES 64
 
@@ -66,6 +69,23 @@ static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** ou
     return result;
 }
 
+/* Masks as the library would mend them. */
+static dm_result mend(dmi_env* env, dmi_mesh* mesh) {
+    dmi_arena arena;
+    dmi_arena_init(&arena, env, (size_t)1 << 16);
+    uint32_t* welded = dmi_arena_push(&arena, mesh->vertex_count * sizeof *welded);
+    dmi_mesh mended;
+    dm_result result =
+        welded != NULL ? dmi_weld_vertices(&arena, mesh, DMI_STUDY_WELD, welded) : DM_ERROR_OUT_OF_MEMORY;
+    if (result == DM_OK) result = dmi_mesh_mend(&arena, mesh, welded, &mended);
+    if (result == DM_OK) {
+        memcpy(mesh->face_part, mended.face_part, mesh->face_count * sizeof *mesh->face_part);
+        memcpy(mesh->parts, mended.parts, mesh->part_count * sizeof *mesh->parts);
+    }
+    dmi_arena_release(&arena);
+    return result;
+}
+
 static dm_joint flipped(dm_joint joint) {
     const float lower = joint.lower;
     for (int i = 0; i < 3; i++) (&joint.axis.x)[i] = -(&joint.axis.x)[i];
@@ -104,7 +124,8 @@ static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case*
     if (joint->type < DM_JOINT_REVOLUTE || joint->type > DM_JOINT_CONTINUOUS) return DM_ERROR_NOT_FOUND;
     if (lab_chance(random, options->rotated)) lab_turn_object(random, &out->object);
     if (lab_chance(random, options->mask_noise)) lab_disturb_mask(random, &out->object, out->part);
-    const dm_result result = make_mesh(env, &out->object, &out->mesh);
+    dm_result result = make_mesh(env, &out->object, &out->mesh);
+    if (result == DM_OK) result = mend(env, out->mesh);
     if (result != DM_OK) return result;
     const int32_t index = dmi_mesh_find_part(out->mesh, out->part);
     if (index < 1) return DM_ERROR_NOT_FOUND;

@@ -1,0 +1,101 @@
+/* Votes of surface pieces by area: who owns most of a piece owns it all. */
+#include "mesh/mend.h"
+
+#include <string.h>
+
+#include "mesh/connectivity.h"
+
+#define OWNS 0.6f       /* share of a piece's area that makes it its owner's */
+#define MOST_LOSS 0.4f /* of a part's area: who would lose more loses nothing */
+#define SMOOTH_COSINE 0.95f
+
+/* The pieces of the surface and who owns them. */
+typedef struct election {
+    dmi_mesh* mesh;         /* face_part changes, parts do not yet */
+    const uint32_t* labels; /* of faces: their piece */
+    uint32_t* owner;        /* of a piece: the part that holds more than half of it, if any does */
+    float *area, *lead;     /* of a piece: whole, and what its owner holds */
+    float* loss;            /* of a part: what it would lose */
+    uint32_t count;
+} election;
+
+static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
+    return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to mend the mask of %u triangles", mesh->face_count);
+}
+
+/* Majority vote by Boyer and Moore, with areas as weights: finds the owner where there is one. */
+static void find_owners(election* e) {
+    const dmi_mesh* mesh = e->mesh;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t piece = e->labels[f], part = mesh->face_part[f];
+        const float area = mesh->face_area[f];
+        e->area[piece] += area;
+        if (e->owner[piece] == part) {
+            e->lead[piece] += area;
+        } else if (e->lead[piece] < area) {
+            e->owner[piece] = part;
+            e->lead[piece] = area - e->lead[piece];
+        } else {
+            e->lead[piece] -= area;
+        }
+    }
+    memset(e->lead, 0, e->count * sizeof *e->lead);
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        if (e->owner[e->labels[f]] == mesh->face_part[f]) e->lead[e->labels[f]] += mesh->face_area[f];
+}
+
+static int is_stray(const election* e, uint32_t face) {
+    const uint32_t piece = e->labels[face];
+    return e->owner[piece] != e->mesh->face_part[face] && e->lead[piece] >= OWNS * e->area[piece];
+}
+
+static void return_strays(election* e) {
+    dmi_mesh* mesh = e->mesh;
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        if (is_stray(e, f)) e->loss[mesh->face_part[f]] += mesh->face_area[f];
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t part = mesh->face_part[f];
+        if (is_stray(e, f) && e->loss[part] <= MOST_LOSS * mesh->parts[part].area)
+            mesh->face_part[f] = e->owner[e->labels[f]];
+    }
+}
+
+static dm_result vote(dmi_arena* arena, dmi_mesh* mesh, const uint32_t* labels, uint32_t count) {
+    election e = {.mesh = mesh, .labels = labels, .count = count};
+    e.owner = dmi_arena_push(arena, count * sizeof *e.owner);
+    e.area = dmi_arena_push(arena, count * sizeof *e.area);
+    e.lead = dmi_arena_push(arena, count * sizeof *e.lead);
+    e.loss = dmi_arena_push(arena, mesh->part_count * sizeof *e.loss);
+    if (e.owner == NULL || e.area == NULL || e.lead == NULL || e.loss == NULL) return out_of_memory(arena, mesh);
+    memset(e.owner, 0, count * sizeof *e.owner);
+    memset(e.area, 0, count * sizeof *e.area);
+    memset(e.lead, 0, count * sizeof *e.lead);
+    memset(e.loss, 0, mesh->part_count * sizeof *e.loss);
+    find_owners(&e);
+    return_strays(&e);
+    return DM_OK;
+}
+
+/* By sheets, which a modeller made in one go, then by what is smooth within them. */
+static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, dmi_mesh* mesh) {
+    uint32_t count;
+    uint32_t* labels = dmi_arena_push(arena, mesh->face_count * sizeof *labels);
+    uint8_t* all = dmi_arena_push(arena, mesh->face_count);
+    if (labels == NULL || all == NULL) return out_of_memory(arena, mesh);
+    dm_result result = dmi_face_sheets(arena, mesh, welded, labels, &count);
+    if (result == DM_OK) result = vote(arena, mesh, labels, count);
+    memset(all, 1, mesh->face_count);
+    if (result == DM_OK) result = dmi_face_regions(arena, mesh, welded, all, SMOOTH_COSINE, labels, &count);
+    return result == DM_OK ? vote(arena, mesh, labels, count) : result;
+}
+
+dm_result dmi_mesh_mend(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, dmi_mesh* out_mended) {
+    *out_mended = *mesh;
+    out_mended->face_part = dmi_arena_push(arena, mesh->face_count * sizeof *mesh->face_part);
+    out_mended->parts = dmi_arena_push(arena, mesh->part_count * sizeof *mesh->parts);
+    if (out_mended->face_part == NULL || out_mended->parts == NULL) return out_of_memory(arena, mesh);
+    memcpy(out_mended->face_part, mesh->face_part, mesh->face_count * sizeof *mesh->face_part);
+    memcpy(out_mended->parts, mesh->parts, mesh->part_count * sizeof *mesh->parts);
+    dm_result result = vote_twice(arena, welded, out_mended);
+    return result == DM_OK ? dmi_mesh_measure_parts(arena->env, out_mended) : result;
+}
