@@ -25,7 +25,8 @@ enum {
     DMI_EVIDENCE_RELATIVE = DMI_EVIDENCE_ORIGIN + DMI_ORIGIN_FAMILIES, /* 24: see relative_evidence */
     DMI_EVIDENCE_HANDLE = DMI_EVIDENCE_RELATIVE + 24,                  /* 4: what stands out, seen from the axis */
     DMI_EVIDENCE_OUTLINE = DMI_EVIDENCE_HANDLE + 4,                    /* 4: the axis in the whole object */
-    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_OUTLINE + 4
+    DMI_EVIDENCE_SPOT = DMI_EVIDENCE_OUTLINE + 4, /* 8: where the axis runs through the box's cross-section */
+    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_SPOT + 8
 };
 
 /* hint and prediction may be NULL: their numbers are then 0. */

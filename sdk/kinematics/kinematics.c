@@ -14,6 +14,7 @@
 /* … about the second is as near as an answer has to be. */
 #define NEAR 0.03f
 #define SCREW_CERTAIN 0.8f
+#define LEAST_ROOM 0.1f /* of its range, in the drag's direction */
 
 typedef struct work {
     const dmi_kinematics_query* query;
@@ -165,6 +166,14 @@ static float take_alike(const work* w, uint32_t chosen, choice* c) {
     return mass;
 }
 
+/* Signs a joint along the drag. A part that is being dragged has room that way: when its limits leave none there, the
+ * sweep has mistaken the side. */
+static void follow(const dmi_drag_hint* hint, dm_joint* joint) {
+    dmi_joint_orient(joint, hint);
+    if (joint->type == DM_JOINT_CONTINUOUS || joint->upper > LEAST_ROOM * (joint->upper - joint->lower)) return;
+    joint->upper = -joint->lower, joint->lower = 0;
+}
+
 /* Not the most probable candidate but the one that is most probably near enough: of several lines in the same place,
  * each a little likely, one in their midst. The first hypothesis is of the likelier type (the rules' scores are no
  * probabilities, they can't say): turns are many candidates that share their probability, slides few, so that a single
@@ -220,7 +229,7 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_quer
         rank_candidates(w, prediction);
     choose(w, out);
     if (query->hint != NULL)
-        for (uint32_t i = 0; i < out->count; i++) dmi_joint_orient(&out->joints[i], query->hint);
+        for (uint32_t i = 0; i < out->count; i++) follow(query->hint, &out->joints[i]);
     return DM_OK;
 }
 

@@ -5,7 +5,7 @@
 
 #include "mesh/connectivity.h"
 
-#define OWNS 0.6f       /* share of a piece's area that makes it its owner's */
+#define OWNS 0.6f      /* share of a piece's area that makes it its owner's */
 #define MOST_LOSS 0.4f /* of a part's area: who would lose more loses nothing */
 #define SMOOTH_COSINE 0.95f
 
@@ -76,6 +76,19 @@ static dm_result vote(dmi_arena* arena, dmi_mesh* mesh, const uint32_t* labels, 
     return DM_OK;
 }
 
+/* Whether faces of different parts share a vertex: else no piece has two owners, and nothing can be mended. */
+static dm_result find_seam(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, int* out_found) {
+    uint32_t* part_at = dmi_arena_push(arena, mesh->vertex_count * sizeof *part_at);
+    if (part_at == NULL) return out_of_memory(arena, mesh);
+    memset(part_at, 0xff, mesh->vertex_count * sizeof *part_at);
+    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) {
+        uint32_t *at = &part_at[welded[mesh->indices[i]]], part = mesh->face_part[i / 3];
+        if (*at == UINT32_MAX) *at = part;
+        *out_found |= *at != part;
+    }
+    return DM_OK;
+}
+
 /* By sheets, which a modeller made in one go, then by what is smooth within them. */
 static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, dmi_mesh* mesh) {
     uint32_t count;
@@ -91,11 +104,14 @@ static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, dmi_mesh* 
 
 dm_result dmi_mesh_mend(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, dmi_mesh* out_mended) {
     *out_mended = *mesh;
+    int seam = 0;
+    dm_result result = find_seam(arena, mesh, welded, &seam);
+    if (result != DM_OK || !seam) return result;
     out_mended->face_part = dmi_arena_push(arena, mesh->face_count * sizeof *mesh->face_part);
     out_mended->parts = dmi_arena_push(arena, mesh->part_count * sizeof *mesh->parts);
     if (out_mended->face_part == NULL || out_mended->parts == NULL) return out_of_memory(arena, mesh);
     memcpy(out_mended->face_part, mesh->face_part, mesh->face_count * sizeof *mesh->face_part);
     memcpy(out_mended->parts, mesh->parts, mesh->part_count * sizeof *mesh->parts);
-    dm_result result = vote_twice(arena, welded, out_mended);
+    result = vote_twice(arena, welded, out_mended);
     return result == DM_OK ? dmi_mesh_measure_parts(arena->env, out_mended) : result;
 }

@@ -5,7 +5,8 @@
 #include "base/arena.h"
 #include "mesh/mesh.h"
 
-/* out_mended: the mesh with its own face_part and parts, in the arena; all else is the mesh's. A piece of surface (a
+/* out_mended: the mesh with, where anything can be mended, its own face_part and parts, in the arena; all else is the
+ * mesh's. A piece of surface (a
  * sheet, then a smooth region) that belongs to one part but for a small share of its area belongs to it whole, unless
  * a part would lose more of its own area by that than an error explains: a lid of a one-piece box stays a lid.
  * welded: from dmi_weld_vertices. */

@@ -78,7 +78,7 @@ static dm_result mend(dmi_env* env, dmi_mesh* mesh) {
     dm_result result =
         welded != NULL ? dmi_weld_vertices(&arena, mesh, DMI_STUDY_WELD, welded) : DM_ERROR_OUT_OF_MEMORY;
     if (result == DM_OK) result = dmi_mesh_mend(&arena, mesh, welded, &mended);
-    if (result == DM_OK) {
+    if (result == DM_OK && mended.face_part != mesh->face_part) {
         memcpy(mesh->face_part, mended.face_part, mesh->face_count * sizeof *mesh->face_part);
         memcpy(mesh->parts, mended.parts, mesh->part_count * sizeof *mesh->parts);
     }
