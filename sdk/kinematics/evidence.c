@@ -23,7 +23,6 @@ typedef struct judge {
     float drag[3], drag_normal[3]; /* unit */
     float side[3], middle[3];      /* lengths of the box and its centre, along its axes */
     float box_centre[3];
-    float lean[3]; /* along the box's axes: 1, the body lies against the axis alone; -1, along it; 0, on both sides */
     float free[SWEEP_POINTS]; /* 1: not touching at rest */
     float shape[5];
 } judge;
@@ -269,13 +268,13 @@ static void spot_evidence(const judge* j, const dmi_candidate* c, float out[8]) 
     const int wide = along == 0 ? 1 : 0, thin = along == 2 ? 1 : 2; /* sides are sorted, longest first */
     const float w = dmi_dot3(c->origin, s->box.axes[wide]) - j->middle[wide];
     const float t = dmi_dot3(c->origin, s->box.axes[thin]) - j->middle[thin];
-    const float away = j->lean[thin] < 0 ? -t : t, pulled = dmi_dot3(j->drag, s->box.axes[thin]);
+    const float away = s->lean[thin] < 0 ? -t : t, pulled = dmi_dot3(j->drag, s->box.axes[thin]);
     const float least = 0.005f * s->diagonal;
     out[0] = fminf(fabsf(w) / fmaxf(0.5f * j->side[wide], least), 2);
     out[1] = fminf(fmaxf((fabsf(w) - 0.5f * j->side[wide]) / s->diagonal, -0.5f), 0.5f);
     out[2] = fminf(fmaxf(away / fmaxf(0.5f * j->side[thin], least), -4), 4);
     out[3] = fminf(fmaxf(away / s->diagonal, -0.5f), 0.5f);
-    out[4] = fabsf(j->lean[thin]);
+    out[4] = fabsf(s->lean[thin]);
     out[5] = corner(w, away, j->side[wide], j->side[thin], s->diagonal);
     out[6] = corner(w, -away, j->side[wide], j->side[thin], s->diagonal);
     out[7] = fabsf(pulled) < 0.5f ? 0 : fminf(fmaxf((pulled < 0 ? -t : t) / s->diagonal, -0.5f), 0.5f);
@@ -331,6 +330,25 @@ static void handle_evidence(const judge* j, const dmi_candidate* c, float most, 
     dmi_sub3(s->handle, s->centre, off);
     dmi_sub3(s->centre, c->origin, arm);
     out[3] = dmi_dot3(off, arm) / (dmi_length3(arm) * s->diagonal + 1e-9f);
+}
+
+/* What a hand would take hold of: its share of the part, its size, whether it runs along the axis, its distance from
+ * the axis over the part's farthest, and how far beyond the part's middle it lies, seen from the axis. */
+static void grip_evidence(const judge* j, const dmi_candidate* c, float most, float out[6]) {
+    const dmi_study* s = j->study;
+    memset(out, 0, 6 * sizeof *out);
+    if (s->grip_share <= 0) return;
+    out[0] = 1;
+    out[1] = s->grip_share;
+    out[2] = s->grip_spread / s->diagonal;
+    out[3] = fabsf(dmi_dot3(s->grip_direction, c->axis));
+    if (slides(c)) return;
+    float off[3], arm[3];
+    dmi_sub3(s->grip, s->centre, off);
+    dmi_sub3(s->centre, c->origin, arm);
+    dmi_reject3(arm, c->axis);
+    out[4] = dmi_line_distance3(s->grip, c->axis, c->origin) / (most + 1e-9f);
+    out[5] = dmi_dot3(off, arm) / (dmi_length3(arm) * s->diagonal + 1e-9f);
 }
 
 /* Seen from the part's centre towards the axis: how far from the object's far side the axis runs, where the part's
@@ -398,28 +416,6 @@ static void family_evidence(const dmi_candidate* c, float* direction, float* ori
     for (int k = 0; k < DMI_ORIGIN_FAMILIES; k++) origin[k] = (float)(c->origin_families >> k & 1);
 }
 
-/* Towards which side of the part's box the body is nearer, along one of the box's axes. */
-static float lean_along(const judge* j, int axis) {
-    const dmi_study* s = j->study;
-    const float out = 0.5f * j->side[axis] + 0.02f * s->diagonal;
-    float distance[2] = {0, 0};
-    for (int i = 0; i < 9; i++) {
-        float at[3];
-        dmi_copy3(j->box_centre, at);
-        for (int k = 0, n = 0; k < 3; k++) {
-            if (k == axis) continue;
-            const int step = (n++ == 0 ? i % 3 : i / 3) - 1;
-            dmi_madd3(at, 0.35f * (float)step * j->side[k], s->box.axes[k], at);
-        }
-        for (int side = 0; side < 2; side++) {
-            float x[3];
-            dmi_madd3(at, side ? out : -out, s->box.axes[axis], x);
-            distance[side] += dmi_field_distance(&s->body_field, x);
-        }
-    }
-    return (distance[1] - distance[0]) / (distance[0] + distance[1] + 1e-9f);
-}
-
 static judge make_judge(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction) {
     judge j = {.study = study, .hint = hint, .prediction = prediction};
     for (int k = 0; k < 3; k++) {
@@ -427,7 +423,6 @@ static judge make_judge(const dmi_study* study, const dmi_drag_hint* hint, const
         j.middle[k] = (study->box.high[k] + study->box.low[k]) / 2;
         dmi_madd3(j.box_centre, j.middle[k], study->box.axes[k], j.box_centre);
     }
-    for (int k = 0; k < 3; k++) j.lean[k] = lean_along(&j, k);
     for (int i = 0; i < SWEEP_POINTS; i++)
         j.free[i] =
             dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell ? 1.0f : 0.0f;
@@ -487,6 +482,7 @@ void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const 
         float most = row[DMI_EVIDENCE_PLACE + 5] * study->diagonal;
         drag_evidence(&j, c, most, row + DMI_EVIDENCE_DRAG);
         handle_evidence(&j, c, most, row + DMI_EVIDENCE_HANDLE);
+        grip_evidence(&j, c, most, row + DMI_EVIDENCE_GRIP);
         outline_evidence(&j, c, row + DMI_EVIDENCE_OUTLINE);
         network_evidence(&j, c, row + DMI_EVIDENCE_NETWORK);
         family_evidence(c, row + DMI_EVIDENCE_DIRECTION, row + DMI_EVIDENCE_ORIGIN);

@@ -26,7 +26,8 @@ enum {
     DMI_EVIDENCE_HANDLE = DMI_EVIDENCE_RELATIVE + 24,                  /* 4: what stands out, seen from the axis */
     DMI_EVIDENCE_OUTLINE = DMI_EVIDENCE_HANDLE + 4,                    /* 4: the axis in the whole object */
     DMI_EVIDENCE_SPOT = DMI_EVIDENCE_OUTLINE + 4, /* 8: where the axis runs through the box's cross-section */
-    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_SPOT + 8
+    DMI_EVIDENCE_GRIP = DMI_EVIDENCE_SPOT + 8,    /* 6: what a hand takes hold of, seen from the axis */
+    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_GRIP + 6
 };
 
 /* hint and prediction may be NULL: their numbers are then 0. */

@@ -8,8 +8,10 @@
 
 #define NEAR_TRIES 32768
 #define GUIDE 4096
-#define NEAREST_SHARE 20 /* the third contact region: the nearest 1 / 20 of the part's points */
-#define HANDLE_SHARE 32  /* what stands out: the farthest 1 / 32 of its points */
+#define NEAREST_SHARE 20   /* the third contact region: the nearest 1 / 20 of the part's points */
+#define HANDLE_SHARE 32    /* what stands out: the farthest 1 / 32 of its points */
+#define GRIP_HEIGHT 0.015f /* over the diagonal */
+#define GRIP_POINTS 8
 #define MAX_VERTICES 32768
 
 static void grow(const float point[3], float low[3], float high[3]) {
@@ -240,6 +242,64 @@ static void find_handle(dmi_study* study) {
     study->handle_spread = (float)sqrt(variances[0] + variances[1] + variances[2]);
 }
 
+/* On which side of the part's box, along one of its axes, the body is nearer. */
+static float lean_along(const dmi_study* study, const float centre[3], int axis) {
+    const dmi_box* box = &study->box;
+    const float out = 0.5f * (box->high[axis] - box->low[axis]) + 0.02f * study->diagonal;
+    float distance[2] = {0, 0};
+    for (int i = 0; i < 9; i++) {
+        float at[3], x[3];
+        dmi_copy3(centre, at);
+        for (int k = 0, n = 0; k < 3; k++) {
+            if (k == axis) continue;
+            const int step = (n++ == 0 ? i % 3 : i / 3) - 1;
+            dmi_madd3(at, 0.35f * (float)step * (box->high[k] - box->low[k]), box->axes[k], at);
+        }
+        for (int side = 0; side < 2; side++) {
+            dmi_madd3(at, side ? out : -out, box->axes[axis], x);
+            distance[side] += dmi_field_distance(&study->body_field, x);
+        }
+    }
+    return (distance[1] - distance[0]) / (distance[0] + distance[1] + 1e-9f);
+}
+
+static void find_lean(dmi_study* study) {
+    float centre[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++)
+        dmi_madd3(centre, 0.5f * (study->box.high[k] + study->box.low[k]), study->box.axes[k], centre);
+    for (int k = 0; k < 3; k++) study->lean[k] = lean_along(study, centre, k);
+}
+
+/* The height of the outer face: where, above the median, most points lie at one height. */
+static float face_height(const float sorted[DMI_STUDY_PART], float window) {
+    uint32_t best = 0;
+    float height = sorted[DMI_STUDY_PART - 1];
+    for (uint32_t i = DMI_STUDY_PART / 2, end = i; i < DMI_STUDY_PART; i++) {
+        while (end < DMI_STUDY_PART && sorted[end] - sorted[i] < window) end++;
+        if (end - i > best) best = end - i, height = sorted[(i + end - 1) / 2];
+    }
+    return height;
+}
+
+/* The part's points that stand proud of its outer face, across the thinnest side of its box and away from the body: a
+ * handle, a knob, a lip. */
+static void find_grip(dmi_study* study) {
+    float out[3], sorted[DMI_STUDY_PART], xyz[DMI_STUDY_PART][3], directions[3][3];
+    for (int k = 0; k < 3; k++) out[k] = study->lean[2] < 0 ? -study->box.axes[2][k] : study->box.axes[2][k];
+    for (uint32_t i = 0; i < DMI_STUDY_PART; i++) sorted[i] = dmi_dot3(study->points[i], out);
+    qsort(sorted, DMI_STUDY_PART, sizeof *sorted, by_value);
+    const float proud = face_height(sorted, 0.01f * study->diagonal) + GRIP_HEIGHT * study->diagonal;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < DMI_STUDY_PART; i++)
+        if (dmi_dot3(study->points[i], out) > proud) dmi_copy3(study->points[i], xyz[count++]);
+    if (count < GRIP_POINTS || count > DMI_STUDY_PART / 3) return;
+    double variances[3];
+    dmi_principal3((const float(*)[3])xyz, count, study->grip, variances, directions);
+    dmi_copy3(directions[0], study->grip_direction);
+    study->grip_spread = (float)sqrt(variances[0] + variances[1] + variances[2]);
+    study->grip_share = (float)count / DMI_STUDY_PART;
+}
+
 /* Slippage of a contact's part side (side 0) or of the body facing it. */
 static void contact_slippage(const dmi_contact* contact, int side, dmi_study* study, int slot) {
     float xyz[DMI_STUDY_PART][3], normal[DMI_STUDY_PART][3];
@@ -298,6 +358,8 @@ dm_result dmi_study_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud
     find_directions((const float(*)[3])vertices, vertex_count, out);
     find_slippage(out);
     find_handle(out);
+    find_lean(out);
+    find_grip(out);
     out->outline_count = dmi_shape_extremes((const float(*)[3])cloud->xyz, DMI_CLOUD_POINTS,
                                             (const float(*)[3])out->box.axes, 3, out->outline);
     return dmi_study_patches(arena, moving, low, high, welded, out);

@@ -51,6 +51,10 @@ typedef struct dmi_study {
     float handle[3], handle_direction[3]; /* mean and longest direction of what stands out farthest from the body */
     float handle_spread;                  /* root mean square distance from its mean; 0: no body near */
     dmi_box box;
+    float lean[3]; /* along the box's axes: 1, the body lies down the axis alone; -1, up the axis; 0, on both sides
+                      alike */
+    float grip[3], grip_direction[3]; /* mean and longest direction of what stands proud of the box's outer face */
+    float grip_spread, grip_share;    /* root mean square distance from the mean; share of the points, 0: none */
     float part_directions[3][3], all_directions[3][3];
     dmi_normal_cluster part_clusters[DMI_STUDY_CLUSTERS], near_clusters[DMI_STUDY_CLUSTERS];
     uint32_t part_cluster_count, near_cluster_count;
