@@ -120,27 +120,11 @@ static float rule_score(const float* e) {
     return score;
 }
 
-/* The same without what KPP-Net said. */
-static float forward_blind(const dmi_ranker* ranker, const float* evidence) {
-    float row[DMI_EVIDENCE_COUNT];
-    memcpy(row, evidence, sizeof row);
-    memset(row + DMI_EVIDENCE_NETWORK, 0, (DMI_EVIDENCE_DIRECTION - DMI_EVIDENCE_NETWORK) * sizeof *row);
-    row[DMI_EVIDENCE_DIRECTION + DMI_DIRECTION_FAMILIES - 1] = row[DMI_EVIDENCE_ORIGIN + DMI_ORIGIN_FAMILIES - 1] = 0;
-    return forward(ranker, row);
-}
-
-/* On the objects that both were trained on the network looks surer than it is elsewhere. The mean of the ranker's
- * opinion with it and without it trusts it half as far. */
-static float opinion(const dmi_ranker* ranker, const float* evidence) {
-    const float with = forward(ranker, evidence);
-    return evidence[DMI_EVIDENCE_NETWORK] == 0 ? with : 0.5f * (with + forward_blind(ranker, evidence));
-}
-
 void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
                               float* out_probability) {
     float most = -INFINITY, sum = 0;
     for (uint32_t i = 0; i < count; i++) {
-        out_probability[i] = ranker != NULL ? opinion(ranker, evidence[i]) : rule_score(evidence[i]);
+        out_probability[i] = ranker != NULL ? forward(ranker, evidence[i]) : rule_score(evidence[i]);
         most = fmaxf(most, out_probability[i]);
     }
     for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = expf(out_probability[i] - most);
