@@ -11,7 +11,7 @@
 #define TAIL 8.0f          /* hands err much now and then: a normal law near the path, a power law far from it */
 #define OTHER_SIDE (-0.7f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
-#define AT_ONCE 3           /* rivals weighed an update, beside the best */
+#define AT_ONCE 2           /* rivals weighed an update, beside the best */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
 #define MARGIN 0.4f         /* how much more probable another joint must be, log */
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
