@@ -13,6 +13,7 @@
 #define ALIKE 0.1f
 /* … about the second is as near as an answer has to be. */
 #define NEAR 0.03f
+#define GOOD_ENOUGH 0.9f
 #define SCREW_CERTAIN 0.8f
 #define LEAST_ROOM 0.1f /* of its range, in the drag's direction */
 
@@ -155,6 +156,18 @@ static uint32_t heaviest(const work* w, int only, const choice* c) {
     return best;
 }
 
+/* Of the candidates in the same place that are nearly as good, the most probable: where a line or direction of the
+ * geometry is meant, it is met exactly. */
+static uint32_t sharpen(const work* w, uint32_t best, const choice* c) {
+    uint32_t sharp = best;
+    for (uint32_t i = 0; i < c->count; i++) {
+        if (c->taken[i] || c->difference[best][i] > NEAR || c->top[i].weight < GOOD_ENOUGH * c->top[best].weight)
+            continue;
+        if (w->probability[c->top[i].index] > w->probability[c->top[sharp].index]) sharp = i;
+    }
+    return sharp;
+}
+
 /* Takes a candidate and all that move the part alike; answers the probability they gather. */
 static float take_alike(const work* w, uint32_t chosen, choice* c) {
     float mass = 0;
@@ -187,6 +200,7 @@ static void choose(const work* w, dmi_hypotheses* out) {
         int only = out->count > 0 || w->query->ranker == NULL ? -1 : c.type_mass[1] > c.type_mass[0];
         uint32_t best = heaviest(w, only, &c);
         if (best == c.count) break;
+        best = sharpen(w, best, &c);
         uint32_t index = c.top[best].index;
         least = fminf(least, take_alike(w, best, &c));
         out->joints[out->count++] = make_joint(w, &w->candidates[index], least, c.type_mass[slides(w, index)]);
