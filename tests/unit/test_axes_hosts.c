@@ -58,7 +58,7 @@ static dm_vec3 move_point(const dm_pose* pose, dm_vec3 p) {
 #define NUMBERS 256
 
 /* Where the first joint's limits are noted. */
-enum { LOWER = 1, UPPER = 2 };
+enum { LOWER = 1, UPPER = 2, INFERRED = 9 /* the first that is no more of the inferred joint */ };
 
 /* What came out in one host, in canonical metres and radians. */
 typedef struct record {
@@ -217,8 +217,9 @@ static void test_every_host_sees_the_same(void** state) {
         assert_float_equal(records[i].confidence, records[0].confidence, 0.25f);
         for (int k = 0; k < records[0].count; k++) {
             const float a = records[0].numbers[k], b = records[i].numbers[k];
-            /* Limits are estimates from a sweep through a grid, which lies otherwise in a mirrored host. */
-            const float tolerance = k == LOWER || k == UPPER ? 0.5f : 1e-3f;
+            /* Limits are estimates from a sweep through a grid, which lies otherwise in a mirrored host; of lines half
+             * a hundredth of the object apart rounding may prefer another. */
+            const float tolerance = k == LOWER || k == UPPER ? 0.5f : k < INFERRED ? 0.01f : 1e-3f;
             if (fabsf(a - b) > tolerance) fail_msg("%s: number %d is %g, in glTF's axes %g", hosts[i].name, k, b, a);
         }
     }
