@@ -4,6 +4,7 @@
 #define DMI_KINEMATICS_CANDIDATES_H
 
 #include "kinematics/kpp_net.h"
+#include "kinematics/linear3.h"
 #include "kinematics/study.h"
 
 #define DMI_CANDIDATES_MAX 1536
@@ -50,6 +51,17 @@ typedef struct dmi_candidate {
     float axis[3], origin[3]; /* origin: the point of the axis nearest the part's centre */
     uint32_t direction_families, origin_families;
 } dmi_candidate;
+
+/* Of a point of the part, at unit speed: per radian or per unit of way. */
+static inline void dmi_candidate_velocity(const dmi_candidate* c, const float point[3], float out[3]) {
+    if (c->type == DM_JOINT_PRISMATIC) {
+        dmi_copy3(c->axis, out);
+        return;
+    }
+    float arm[3];
+    dmi_sub3(point, c->origin, arm);
+    dmi_cross3(c->axis, arm, out);
+}
 
 /* The network's answer in the object-normalised frame. */
 typedef struct dmi_prediction {

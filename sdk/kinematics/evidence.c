@@ -31,22 +31,12 @@ static int slides(const dmi_candidate* c) {
     return c->type == DM_JOINT_PRISMATIC;
 }
 
-static void velocity(const dmi_candidate* c, const float point[3], float out[3]) {
-    if (slides(c)) {
-        dmi_copy3(c->axis, out);
-        return;
-    }
-    float arm[3];
-    dmi_sub3(point, c->origin, arm);
-    dmi_cross3(c->axis, arm, out);
-}
-
 /* Mean speed of the part's surface; answers the slippage too. */
 static float surface_speed(const judge* j, const dmi_candidate* c, float* out_slip) {
     float speed = 0, normal = 0;
     for (int i = 0; i < SURFACE_POINTS; i++) {
         float v[3];
-        velocity(c, j->study->points[i], v);
+        dmi_candidate_velocity(c, j->study->points[i], v);
         speed += dmi_length3(v);
         normal += fabsf(dmi_dot3(v, j->study->normals[i]));
     }
@@ -66,7 +56,7 @@ static void contact_evidence(const judge* j, const dmi_candidate* c, const dmi_c
     for (uint32_t i = 0; i < contact->count; i += step, n++) {
         uint32_t p = contact->points[i], q = s->facing[p];
         float v[3], length;
-        velocity(c, s->points[p], v);
+        dmi_candidate_velocity(c, s->points[p], v);
         length = dmi_length3(v);
         speed += length;
         part += fabsf(dmi_dot3(v, s->normals[p]));
@@ -379,7 +369,7 @@ static void drag_evidence(const judge* j, const dmi_candidate* c, float most, fl
     if (j->hint == NULL) return;
     const dmi_study* s = j->study;
     float v[3], low, high;
-    velocity(c, j->hint->point, v);
+    dmi_candidate_velocity(c, j->hint->point, v);
     float speed = dmi_length3(v), cosine = dmi_dot3(v, j->drag) / (speed + 1e-12f);
     float angle = acosf(fminf(fmaxf(cosine, -1), 1));
     dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3]) & c->axis, 1, &low, &high);

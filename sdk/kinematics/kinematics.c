@@ -51,16 +51,6 @@ static void keep_type(work* w) {
     if (kept > 0) w->count = kept;
 }
 
-static void velocity(const dmi_candidate* c, const float point[3], float out[3]) {
-    if (c->type == DM_JOINT_PRISMATIC) {
-        dmi_copy3(c->axis, out);
-        return;
-    }
-    float arm[3];
-    dmi_sub3(point, c->origin, arm);
-    dmi_cross3(c->axis, arm, out);
-}
-
 /* By how much two candidates move the part differently, up to speed and sign: the sine of the angle between their
  * velocities, taken over the part; 1 for candidates of different types. */
 static float difference(const dmi_study* study, const dmi_candidate* a, const dmi_candidate* b) {
@@ -68,8 +58,8 @@ static float difference(const dmi_study* study, const dmi_candidate* a, const dm
     float aa = 0, ab = 0, bb = 0;
     for (int i = 0; i < ALIKE_POINTS; i++) {
         float u[3], v[3];
-        velocity(a, study->points[i], u);
-        velocity(b, study->points[i], v);
+        dmi_candidate_velocity(a, study->points[i], u);
+        dmi_candidate_velocity(b, study->points[i], v);
         aa += dmi_dot3(u, u), ab += dmi_dot3(u, v), bb += dmi_dot3(v, v);
     }
     return sqrtf(fmaxf(1 - ab * ab / (aa * bb + 1e-20f), 0));

@@ -171,15 +171,6 @@ dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinemat
     return result;
 }
 
-/* A hint in the object-normalised frame, and the joint signed along it. */
-static void take_drag(const dm_lab_given* given, lab_case* made, dmi_drag_hint* hint, dm_joint* joint) {
-    const double point[3] = {given->drag_point[0], given->drag_point[1], given->drag_point[2]};
-    dmi_frame_point_in(&made->mesh->frame, point, hint->point);
-    dmi_frame_vector_in(&made->mesh->frame, given->drag_vector, hint->vector);
-    *joint = made->joint;
-    dmi_joint_orient(joint, hint);
-}
-
 dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
                               size_t kinematics_size, const dm_lab_ranker* out) {
     bench b;
@@ -189,7 +180,7 @@ dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, cons
     memset(&r->made, 0, sizeof r->made);
     result = lab_case_given(&b.env, given, &r->made);
     if (result == DM_OK) {
-        take_drag(given, &r->made, &r->hint, &r->joint);
+        r->hint = lab_given_drag(&r->made, given, 0, &r->joint);
         result = write_judged(&b.env, b.net, b.scratch, with_drag, r, out, 0);
         dmi_mesh_destroy(&b.env, r->made.mesh);
     }
