@@ -218,15 +218,22 @@ static void place_evidence(const judge* j, const dmi_candidate* c, float out[11]
     out[10] = dmi_field_distance(&s->body_field, c->origin) / s->diagonal;
 }
 
+/* The axis of the part's box that the candidate's is nearest to. */
+static int box_axis_along(const judge* j, const dmi_candidate* c) {
+    int along = 0;
+    float best = 0;
+    for (int k = 0; k < 3; k++) {
+        const float cosine = fabsf(dmi_dot3(c->axis, j->study->box.axes[k]));
+        if (cosine > best) best = cosine, along = k;
+    }
+    return along;
+}
+
 static void side_evidence(const judge* j, const dmi_candidate* c, float out[3]) {
     memset(out, 0, 3 * sizeof *out);
     if (slides(c)) return;
-    int along = 0;
-    float place[2], best = 0;
-    for (int k = 0; k < 3; k++) {
-        float cosine = fabsf(dmi_dot3(c->axis, j->study->box.axes[k]));
-        if (cosine > best) best = cosine, along = k;
-    }
+    const int along = box_axis_along(j, c);
+    float place[2];
     for (int k = 0, n = 0; k < 3; k++) {
         if (k == along) continue;
         float off = fabsf(dmi_dot3(c->origin, j->study->box.axes[k]) - j->middle[k]);
@@ -249,12 +256,7 @@ static void spot_evidence(const judge* j, const dmi_candidate* c, float out[8]) 
     memset(out, 0, 8 * sizeof *out);
     if (slides(c)) return;
     const dmi_study* s = j->study;
-    int along = 0;
-    float cosine[3];
-    for (int k = 0; k < 3; k++) {
-        cosine[k] = fabsf(dmi_dot3(c->axis, s->box.axes[k]));
-        if (cosine[k] > cosine[along]) along = k;
-    }
+    const int along = box_axis_along(j, c);
     const int wide = along == 0 ? 1 : 0, thin = along == 2 ? 1 : 2; /* sides are sorted, longest first */
     const float w = dmi_dot3(c->origin, s->box.axes[wide]) - j->middle[wide];
     const float t = dmi_dot3(c->origin, s->box.axes[thin]) - j->middle[thin];

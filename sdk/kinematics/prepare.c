@@ -52,7 +52,8 @@ static dmi_hypotheses fixed_joint(const dmi_part* shape) {
 
 static dm_result lay_ground(dmi_arena* arena, const dmi_mesh* mesh, ground* out) {
     uint32_t* welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *welded);
-    if (welded == NULL) return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory to weld");
+    if (welded == NULL)
+        return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to weld %u vertices", mesh->vertex_count);
     dm_result result = dmi_weld_vertices(arena, mesh, DMI_STUDY_WELD, welded);
     out->welded = welded;
     return result == DM_OK ? dmi_mesh_mend(arena, mesh, welded, &out->mesh) : result;

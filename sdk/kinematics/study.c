@@ -225,6 +225,15 @@ static void find_directions(const float (*vertices)[3], uint32_t vertex_count, d
                   box_directions, &study->box);
 }
 
+/* Mean and longest direction of points; answers their root mean square distance from the mean. */
+static float spread(const float (*points)[3], uint32_t count, float mean[3], float direction[3]) {
+    double variances[3];
+    float directions[3][3];
+    dmi_principal3(points, count, mean, variances, directions);
+    dmi_copy3(directions[0], direction);
+    return (float)sqrt(variances[0] + variances[1] + variances[2]);
+}
+
 /* The part's points with the widest gaps: a handle where there is one. */
 static void find_handle(dmi_study* study) {
     float sorted[DMI_STUDY_PART], xyz[DMI_STUDY_PART][3];
@@ -235,11 +244,7 @@ static void find_handle(dmi_study* study) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < DMI_STUDY_PART; i++)
         if (study->gap[i] >= least) dmi_copy3(study->points[i], xyz[count++]);
-    double variances[3];
-    float directions[3][3];
-    dmi_principal3((const float(*)[3])xyz, count, study->handle, variances, directions);
-    dmi_copy3(directions[0], study->handle_direction);
-    study->handle_spread = (float)sqrt(variances[0] + variances[1] + variances[2]);
+    study->handle_spread = spread((const float(*)[3])xyz, count, study->handle, study->handle_direction);
 }
 
 /* On which side of the part's box, along one of its axes, the body is nearer. */
@@ -284,7 +289,7 @@ static float face_height(const float sorted[DMI_STUDY_PART], float window) {
 /* The part's points that stand proud of its outer face, across the thinnest side of its box and away from the body: a
  * handle, a knob, a lip. */
 static void find_grip(dmi_study* study) {
-    float out[3], sorted[DMI_STUDY_PART], xyz[DMI_STUDY_PART][3], directions[3][3];
+    float out[3], sorted[DMI_STUDY_PART], xyz[DMI_STUDY_PART][3];
     for (int k = 0; k < 3; k++) out[k] = study->lean[2] < 0 ? -study->box.axes[2][k] : study->box.axes[2][k];
     for (uint32_t i = 0; i < DMI_STUDY_PART; i++) sorted[i] = dmi_dot3(study->points[i], out);
     qsort(sorted, DMI_STUDY_PART, sizeof *sorted, by_value);
@@ -293,10 +298,7 @@ static void find_grip(dmi_study* study) {
     for (uint32_t i = 0; i < DMI_STUDY_PART; i++)
         if (dmi_dot3(study->points[i], out) > proud) dmi_copy3(study->points[i], xyz[count++]);
     if (count < GRIP_POINTS || count > DMI_STUDY_PART / 3) return;
-    double variances[3];
-    dmi_principal3((const float(*)[3])xyz, count, study->grip, variances, directions);
-    dmi_copy3(directions[0], study->grip_direction);
-    study->grip_spread = (float)sqrt(variances[0] + variances[1] + variances[2]);
+    study->grip_spread = spread((const float(*)[3])xyz, count, study->grip, study->grip_direction);
     study->grip_share = (float)count / DMI_STUDY_PART;
 }
 

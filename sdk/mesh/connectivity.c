@@ -187,6 +187,16 @@ static void sort_edges(const dmi_mesh* mesh, const uint32_t* welded, const uint8
     }
 }
 
+/* Puts edge e behind the earlier one between the same vertices, which it answers, or NONE; `begin`: where its vertex's
+ * edges begin. */
+static uint32_t chain_edge(edges* edges, uint32_t begin, uint32_t e) {
+    uint32_t* latest = &edges->latest[edges->other[e]];
+    /* One from before `begin` is another vertex's. */
+    edges->before[e] = *latest != NONE && *latest >= begin ? *latest : NONE;
+    *latest = e;
+    return edges->before[e];
+}
+
 /* Slivers have no normal: their cosine with anything is 0. */
 static int is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_cosine) {
     const float *n = mesh->face_normal + (size_t)a * 3, *m = mesh->face_normal + (size_t)b * 3;
@@ -203,11 +213,7 @@ static dm_result unite_over_edges(dmi_arena* arena, const dmi_mesh* mesh, const 
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t begin = edges.first[v], end = edges.first[v + 1];
         for (uint32_t e = begin; e < end; e++) {
-            uint32_t* latest = &edges.latest[edges.other[e]];
-            /* One from before `begin` is another vertex's. */
-            edges.before[e] = *latest != NONE && *latest >= begin ? *latest : NONE;
-            *latest = e;
-            uint32_t b = edges.before[e];
+            uint32_t b = chain_edge(&edges, begin, e);
             for (int n = 0; b != NONE && n < MAX_FACES_AT_EDGE; n++, b = edges.before[b]) {
                 if (is_smooth(mesh, edges.face[e], edges.face[b], min_cosine))
                     unite(parents, edges.face[e], edges.face[b]);
@@ -241,7 +247,7 @@ static int sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint3
     const float *n = mesh->face_normal + (size_t)face * 3, *a = mesh->positions + (size_t)edge_corner * 3;
     const float* b = mesh->positions + (size_t)far_corner * 3;
     const float to[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const float height = (n[0] * to[0] + n[1] * to[1] + n[2] * to[2]);
+    const float height = n[0] * to[0] + n[1] * to[1] + n[2] * to[2];
     return height > sine * sqrtf(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
 }
 
@@ -281,11 +287,7 @@ dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
     memset(edges.latest, 0xff, mesh->vertex_count * sizeof(uint32_t));
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t begin = edges.first[v], end = edges.first[v + 1];
-        for (uint32_t e = begin; e < end; e++) {
-            uint32_t* latest = &edges.latest[edges.other[e]];
-            edges.before[e] = *latest != NONE && *latest >= begin ? *latest : NONE;
-            *latest = e;
-        }
+        for (uint32_t e = begin; e < end; e++) chain_edge(&edges, begin, e);
         for (uint32_t e = begin; e < end; e++)
             if (edges.latest[edges.other[e]] == e) unite_at_edge(mesh, welded, &edges, v, e, concave_sine, out_labels);
     }
