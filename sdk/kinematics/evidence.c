@@ -453,8 +453,31 @@ static void relative_evidence(const dmi_candidate* candidates, uint32_t count, f
     }
 }
 
+/* The network's choice among the candidates: each one's score below the best of all and below the best of its own type,
+ * as a distance and as a likeness; how its type's best does against the other type's; its share of all. */
+static void choice_evidence(const float* scores, uint32_t count, float (*rows)[DMI_EVIDENCE_COUNT]) {
+    float best[2] = {-INFINITY, -INFINITY}, sum = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
+        best[type] = fmaxf(best[type], scores[i]);
+    }
+    const float most = fmaxf(best[0], best[1]);
+    for (uint32_t i = 0; i < count; i++) sum += expf(scores[i] - most);
+    for (uint32_t i = 0; i < count; i++) {
+        const int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
+        float* out = rows[i] + DMI_EVIDENCE_CHOICE;
+        out[0] = fmaxf(scores[i] - most, -12) / 4;
+        out[1] = expf(scores[i] - most);
+        out[2] = fmaxf(scores[i] - best[type], -12) / 4;
+        out[3] = expf(scores[i] - best[type]);
+        out[4] = fmaxf(fminf(best[type] - best[!type], 8), -8) / 4;
+        out[5] = fmaxf(scores[i] - most - logf(sum), -12) / 4;
+    }
+}
+
 void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction,
-                       const dmi_candidate* candidates, uint32_t count, float (*out)[DMI_EVIDENCE_COUNT]) {
+                       const float* scores, const dmi_candidate* candidates, uint32_t count,
+                       float (*out)[DMI_EVIDENCE_COUNT]) {
     judge j = make_judge(study, hint, prediction);
     for (uint32_t i = 0; i < count; i++) {
         const dmi_candidate* c = &candidates[i];
@@ -480,4 +503,9 @@ void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const 
         family_evidence(c, row + DMI_EVIDENCE_DIRECTION, row + DMI_EVIDENCE_ORIGIN);
     }
     relative_evidence(candidates, count, out);
+    if (scores != NULL)
+        choice_evidence(scores, count, out);
+    else
+        for (uint32_t i = 0; i < count; i++)
+            memset(out[i] + DMI_EVIDENCE_CHOICE, 0, (DMI_EVIDENCE_COUNT - DMI_EVIDENCE_CHOICE) * sizeof(float));
 }

@@ -27,11 +27,13 @@ enum {
     DMI_EVIDENCE_OUTLINE = DMI_EVIDENCE_HANDLE + 4,                    /* 4: the axis in the whole object */
     DMI_EVIDENCE_SPOT = DMI_EVIDENCE_OUTLINE + 4, /* 8: where the axis runs through the box's cross-section */
     DMI_EVIDENCE_GRIP = DMI_EVIDENCE_SPOT + 8,    /* 6: what a hand takes hold of, seen from the axis */
-    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_GRIP + 6
+    DMI_EVIDENCE_CHOICE = DMI_EVIDENCE_GRIP + 6,  /* 6: see choice_evidence */
+    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_CHOICE + 6
 };
 
-/* hint and prediction may be NULL: their numbers are then 0. */
+/* hint, prediction and scores (of dmi_kpp_choice, one a candidate) may be NULL: their numbers are then 0. */
 void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction,
-                       const dmi_candidate* candidates, uint32_t count, float (*out)[DMI_EVIDENCE_COUNT]);
+                       const float* scores, const dmi_candidate* candidates, uint32_t count,
+                       float (*out)[DMI_EVIDENCE_COUNT]);
 
 #endif

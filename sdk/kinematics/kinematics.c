@@ -3,6 +3,7 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/linear3.h"
+#include "kinematics/opinion.h"
 #include "kinematics/ranker.h"
 
 #define SCRATCH_BLOCK ((size_t)1 << 20)
@@ -20,11 +21,10 @@
 typedef struct work {
     const dmi_kinematics_query* query;
     dmi_study study;
-    dmi_kpp_input input;
-    dmi_kpp_output output;
-    dmi_prediction prediction;
+    dmi_opinion opinion; /* with a network */
     dmi_candidate candidates[DMI_CANDIDATES_MAX];
     float evidence[DMI_CANDIDATES_MAX][DMI_EVIDENCE_COUNT];
+    float score[DMI_CANDIDATES_MAX]; /* by the network */
     float probability[DMI_CANDIDATES_MAX];
     uint32_t count;
 } work;
@@ -34,9 +34,7 @@ static dm_result predict(dmi_env* env, dmi_arena* arena, work* w) {
     void* scratch = dmi_arena_push(arena, dmi_kpp_net_scratch_size(query->net));
     if (scratch == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for the network's scratch");
-    dmi_kpp_input_make(query->cloud, query->hint, &w->input);
-    dmi_kpp_net_forward(query->net, query->isa, &w->input, scratch, &w->output);
-    dmi_prediction_read(&w->input.frame, &w->output, &w->prediction);
+    dmi_opinion_form(query->net, query->isa, query->cloud, query->hint, scratch, &w->opinion);
     return DM_OK;
 }
 
@@ -99,7 +97,7 @@ static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, fl
         (c->direction_families & ~(uint32_t)DMI_DIRECTION_NETWORK) == 0)
         joint.source = DM_JOINT_FROM_NETWORK;
     int32_t given = w->query->given_type;
-    const dmi_prediction* p = w->query->net != NULL ? &w->prediction : NULL;
+    const dmi_prediction* p = w->query->net != NULL ? &w->opinion.prediction : NULL;
     if (c->type == DM_JOINT_REVOLUTE &&
         (given == DM_JOINT_SCREW || (given == DM_JOINT_UNKNOWN && p != NULL && p->type[2] > SCREW_CERTAIN))) {
         joint.type = DM_JOINT_SCREW;
@@ -200,7 +198,7 @@ static void choose(const work* w, dmi_hypotheses* out) {
 /* The plain KPP-Net; a given type is certain. */
 static void ask_network(work* w) {
     int32_t type = w->query->given_type;
-    dmi_prediction_candidates(&w->prediction, w->study.centre, w->candidates, w->probability);
+    dmi_prediction_candidates(&w->opinion.prediction, w->study.centre, w->candidates, w->probability);
     w->count = 2;
     if (type == DM_JOINT_UNKNOWN || type == DM_JOINT_FIXED) return;
     w->probability[1] = type == DM_JOINT_PRISMATIC ? 1 : 0;
@@ -211,7 +209,9 @@ static void rank_candidates(work* w, const dmi_prediction* prediction) {
     const dmi_kinematics_query* query = w->query;
     w->count = dmi_candidates_make(&w->study, query->hint, prediction, w->candidates);
     keep_type(w);
-    dmi_evidence_make(&w->study, query->hint, prediction, w->candidates, w->count, w->evidence);
+    if (prediction != NULL) dmi_opinion_score(query->net, query->isa, &w->opinion, w->candidates, w->count, w->score);
+    dmi_evidence_make(&w->study, query->hint, prediction, prediction != NULL ? w->score : NULL, w->candidates, w->count,
+                      w->evidence);
     dmi_ranker_probabilities(query->ranker, (const float(*)[DMI_EVIDENCE_COUNT])w->evidence, w->count, w->probability);
 }
 
@@ -226,7 +226,7 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_quer
     if (result != DM_OK) return result;
     if (query->net != NULL) result = predict(env, arena, w);
     if (result != DM_OK) return result;
-    const dmi_prediction* prediction = query->net != NULL ? &w->prediction : NULL;
+    const dmi_prediction* prediction = query->net != NULL ? &w->opinion.prediction : NULL;
     if (query->network_alone && prediction != NULL)
         ask_network(w);
     else

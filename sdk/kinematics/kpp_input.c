@@ -275,12 +275,16 @@ static void make_groups(const points* p, const drag_channels* drag, uint32_t cou
 }
 
 /* Directions are lines: the largest component is positive. */
+static void sign_line(float line[3]) {
+    int largest = fabsf(line[1]) > fabsf(line[0]) ? 1 : 0;
+    if (fabsf(line[2]) > fabsf(line[largest])) largest = 2;
+    if (line[largest] < 0) flip(line);
+}
+
 static float* write_directions(const dmi_kpp_frame* frame, const float axes[3][3], float* out) {
     for (int k = 0; k < 3; k++, out += 3) {
         turn_in(frame, axes[k], out);
-        int largest = fabsf(out[1]) > fabsf(out[0]) ? 1 : 0;
-        if (fabsf(out[2]) > fabsf(out[largest])) largest = 2;
-        if (out[largest] < 0) flip(out);
+        sign_line(out);
     }
     return out;
 }
@@ -350,4 +354,31 @@ void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_k
     write_shape(cloud, &out_input->frame, &v, &drag, &p, out_input->shape);
     make_groups(&p, &drag, POINTS, DMI_KPP_GLOBAL_GROUPS, out_input->global_points, out_input->global_centres);
     make_groups(&p, &drag, PART_POINTS, DMI_KPP_LOCAL_GROUPS, out_input->local_points, out_input->local_centres);
+}
+
+static void turn_round(float v[3]) {
+    v[1] = -v[1], v[2] = -v[2];
+}
+
+static void turn_groups(uint32_t groups, float (*points)[DMI_KPP_GROUP][DMI_KPP_CHANNELS], float (*centres)[3]) {
+    for (uint32_t g = 0; g < groups; g++) {
+        turn_round(centres[g]);
+        for (uint32_t m = 0; m < DMI_KPP_GROUP; m++) {
+            float* c = points[g][m];
+            turn_round(c), turn_round(c + 4), turn_round(c + 7), turn_round(c + 10), turn_round(c + 13);
+        }
+    }
+}
+
+void dmi_kpp_input_turn(const dmi_kpp_input* input, dmi_kpp_input* out_input) {
+    *out_input = *input;
+    for (int k = 3; k < 9; k++) out_input->frame.rotation[k] = -input->frame.rotation[k];
+    turn_groups(DMI_KPP_GLOBAL_GROUPS, out_input->global_points, out_input->global_centres);
+    turn_groups(DMI_KPP_LOCAL_GROUPS, out_input->local_points, out_input->local_centres);
+    float* shape = out_input->shape;
+    for (int d = 0; d < DMI_KPP_DIRECTIONS; d++, shape += 3) {
+        turn_round(shape);
+        sign_line(shape);
+    }
+    turn_round(shape), turn_round(shape + 6), turn_round(shape + 12), turn_round(shape + 15), turn_round(shape + 22);
 }

@@ -42,5 +42,7 @@ typedef struct dmi_kpp_input {
 
 /* hint NULL: without a drag. Deterministic; allocates nothing. */
 void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
+/* The same in a frame whose second and third axis point the other way. */
+void dmi_kpp_input_turn(const dmi_kpp_input* input, dmi_kpp_input* out_input);
 
 #endif

@@ -1,5 +1,6 @@
 /* KPP-Net (paper §3.5), the `game` size of docs/networks.md: groups of points to tokens by a PointNet, a transformer
- * over the tokens of the whole (global) and of the part (local), pooled features, four decoupled heads. */
+ * over the tokens of the whole (global) and of the part (local), pooled features, four decoupled heads; and a head that
+ * scores candidates. */
 #include "kinematics/kpp_net.h"
 
 #include <stdio.h>
@@ -15,6 +16,7 @@
 #define POSITION_HIDDEN 48
 #define HEAD_HIDDEN 128
 #define SCALAR_HIDDEN 96
+#define SCORE_HIDDEN 64
 #define MAX_LAYERS 3
 #define SNAP_DIRECTIONS 6   /* the part's and the body's: the first of the shape numbers */
 #define SNAP_COSINE 0.9397f /* 20 degrees */
@@ -43,6 +45,8 @@ struct dmi_kpp_net {
     dmi_arena arena;
     encoder global, local;
     dmi_mlp type, axis, origin, limits;
+    dmi_linear known, line; /* of the choice head: of the part, of a candidate */
+    dmi_mlp score;
 };
 
 /* Followed by the transformer's own scratch. */
@@ -80,6 +84,9 @@ static void read_network(dmi_loader* loader, void* network) {
     dmi_load_mlp(loader, "axis", KNOWN, HEAD_HIDDEN, AXIS_OUTPUTS, &net->axis);
     dmi_load_mlp(loader, "origin", KNOWN, HEAD_HIDDEN, ORIGIN_OUTPUTS, &net->origin);
     dmi_load_mlp(loader, "limits", KNOWN, SCALAR_HIDDEN, 5, &net->limits);
+    dmi_load_linear(loader, "choice.known", KNOWN, DMI_KPP_CONTEXT, &net->known);
+    dmi_load_linear(loader, "choice.line", DMI_KPP_LINE, DMI_KPP_CONTEXT, &net->line);
+    dmi_load_mlp(loader, "choice.score", DMI_KPP_CONTEXT, SCORE_HIDDEN, 1, &net->score);
 }
 
 dm_result dmi_kpp_net_load(dmi_env* env, const void* data, size_t size, dmi_kpp_net** out_net) {
@@ -178,4 +185,16 @@ void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_inpu
     const float* box = input->shape + 3 * DMI_KPP_DIRECTIONS;
     for (int k = 0; k < 3; ++k) out_output->origin[k] = box[k] + box[3 + k] * s->origin[k] + s->origin[3 + k];
     dmi_mlp_apply(&net->limits, kernels, s->known, 1, 0, s->head, out_output->limits);
+    dmi_linear_apply(&net->known, kernels, s->known, 1, 0, out_output->context);
+    for (int k = 0; k < DMI_KPP_CONTEXT; ++k) out_output->context[k] += net->line.bias[k];
+}
+
+void dmi_kpp_net_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_output* output,
+                       const float (*lines)[DMI_KPP_LINE], uint32_t count, float* out_scores) {
+    const dmi_kernels* kernels = dmi_kernels_for(isa);
+    _Alignas(64) float context[DMI_KPP_SCORED][DMI_KPP_CONTEXT], hidden[DMI_KPP_SCORED][SCORE_HIDDEN];
+    dmi_linear line = net->line;
+    line.bias = output->context; /* the part's share of the first layer is the same for all */
+    dmi_linear_apply(&line, kernels, lines[0], count, DMI_GEMM_RELU, context[0]);
+    dmi_mlp_apply(&net->score, kernels, context[0], count, 0, hidden[0], out_scores);
 }

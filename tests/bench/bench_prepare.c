@@ -7,6 +7,7 @@
 
 #include "kinematics/evidence.h"
 #include "kinematics/kinematics.h"
+#include "kinematics/opinion.h"
 #include "kinematics/prepare.h"
 #include "kinematics/ranker.h"
 #include "mesh/connectivity.h"
@@ -29,14 +30,12 @@ typedef struct stages {
     dmi_cloud* cloud;
     dmi_study study;
     dmi_arena study_arena;
-    dmi_kpp_input input;
-    dmi_kpp_output output;
-    dmi_prediction prediction;
+    dmi_opinion opinion;
     void* scratch;
     dmi_candidate* candidates;
     uint32_t candidate_count;
     float (*evidence)[DMI_EVIDENCE_COUNT];
-    float* probability;
+    float *score, *probability;
     const char* only; /* NULL: every stage is measured */
 } stages;
 
@@ -79,25 +78,25 @@ static void stage_study(void* user) {
     check(dmi_study_make(&s->study_arena, s->mesh, s->cloud, 1, s->welded, &s->study), "study");
 }
 
-static void stage_input(void* user) {
+static void stage_opinion(void* user) {
     stages* s = user;
-    dmi_kpp_input_make(s->cloud, &s->hint, &s->input);
-}
-
-static void stage_network(void* user) {
-    stages* s = user;
-    dmi_kpp_net_forward(s->brain.net, s->brain.isa, &s->input, s->scratch, &s->output);
-    dmi_prediction_read(&s->input.frame, &s->output, &s->prediction);
+    dmi_opinion_form(s->brain.net, s->brain.isa, s->cloud, &s->hint, s->scratch, &s->opinion);
 }
 
 static void stage_candidates(void* user) {
     stages* s = user;
-    s->candidate_count = dmi_candidates_make(&s->study, &s->hint, &s->prediction, s->candidates);
+    s->candidate_count = dmi_candidates_make(&s->study, &s->hint, &s->opinion.prediction, s->candidates);
+}
+
+static void stage_choice(void* user) {
+    stages* s = user;
+    dmi_opinion_score(s->brain.net, s->brain.isa, &s->opinion, s->candidates, s->candidate_count, s->score);
 }
 
 static void stage_evidence(void* user) {
     stages* s = user;
-    dmi_evidence_make(&s->study, &s->hint, &s->prediction, s->candidates, s->candidate_count, s->evidence);
+    dmi_evidence_make(&s->study, &s->hint, &s->opinion.prediction, s->score, s->candidates, s->candidate_count,
+                      s->evidence);
 }
 
 static void stage_ranker(void* user) {
@@ -162,6 +161,7 @@ int main(int argc, char** argv) {
     s.cloud = bench_alloc(sizeof *s.cloud);
     s.candidates = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.candidates);
     s.evidence = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.evidence);
+    s.score = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.score);
     s.probability = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.probability);
     printf("%u triangles    median ms   least ms\n", s.shape.face_count);
     show("mesh", &s, stage_mesh);
@@ -172,9 +172,9 @@ int main(int argc, char** argv) {
     show("weld", &s, stage_weld);
     show("cloud", &s, stage_cloud);
     show("study", &s, stage_study);
-    show("input", &s, stage_input);
-    show("network", &s, stage_network);
+    show("network", &s, stage_opinion);
     show("candidates", &s, stage_candidates);
+    show("choice", &s, stage_choice);
     show("evidence", &s, stage_evidence);
     show("ranker", &s, stage_ranker);
     show("infer", &s, stage_infer);

@@ -17,6 +17,7 @@ import torch
 
 REPO = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPO / "training"))
+from dragmesh_training.choice import line_numbers  # noqa: E402
 from dragmesh_training.networks import DqVae, KppNet  # noqa: E402
 
 PART, NEAR, BODY = 2048, 1024, 1024  # of a cloud, as sdk/mesh/cloud.h lays them out
@@ -109,6 +110,24 @@ def directions(rng):
     return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).flatten()
 
 
+CANDIDATES = 40
+
+
+def candidates(net, rng, known, shape):
+    """Candidates as the library has them (in a frame of the object's, whose way into the network's frame is given), and their
+    scores."""
+    rotation = np.linalg.qr(rng.normal(0, 1, (3, 3)))[0]
+    rotation *= np.sign(np.linalg.det(rotation))
+    start, scale = rng.normal(0, 0.2, 3), 2.5
+    axis = rng.normal(0, 1, (CANDIDATES, 3))
+    axis /= np.linalg.norm(axis, axis=1, keepdims=True)
+    origin, slides = rng.normal(0, 0.7, (CANDIDATES, 3)), np.arange(CANDIDATES) % 4 == 0
+    given = [torch.from_numpy(v.astype("f4"))[None] for v in (axis, origin)]
+    scores = net.choice(known, line_numbers(torch.from_numpy(slides)[None], *given, shape))[0]
+    return {"frame": np.array([*rotation.flatten(), *start, scale], "f4"), "candidate_slides": slides.astype("f4"),
+            "candidate_axis": axis @ rotation, "candidate_origin": start + origin @ rotation / scale, "scores": scores}
+
+
 def kpp_case(net, rng, points, normals, drag):
     """A plausible input: as sdk/kinematics/kpp_input.c makes it, but for the choice of the frame."""
     pick = np.concatenate([np.arange(512), PART + np.arange(256), PART + NEAR + np.arange(256)])
@@ -124,11 +143,12 @@ def kpp_case(net, rng, points, normals, drag):
                                 *drag, 0.4, 0.9, 0.7, 0.8, *rng.normal(0, 0.3, 6), 0.4], "f4")
     batch = {name: torch.from_numpy(value)[None] for name, value in inputs.items()}
     outputs = {name: value[0] for name, value in net.answer(*batch.values()).items()}
+    chosen = candidates(net, rng, outputs.pop("known")[None], batch["shape"])
     pooled = {"between.global": net._modules["global"](batch["global_points"], batch["global_centres"])[0],
               "between.local": net.local(batch["local_points"], batch["local_centres"])[0]}
     for name in ("global_points", "local_points"):
         inputs[name] = inputs[name].reshape(-1, 17)
-    return {**inputs, **outputs, **pooled}
+    return {**inputs, **outputs, **pooled, **chosen}
 
 
 # DQ-VAE ----------------------------------------------------------------------------------------------------------

@@ -1,7 +1,29 @@
 /* KPP-Net in C against PyTorch: the shipped weights, the same inputs, every kernel path of this machine. */
 #include "golden.h"
 
-#include "kinematics/kpp_net.h"
+#include "kinematics/kpp_choice.h"
+
+#define CANDIDATES 40
+
+static void compare_choice(const dmi_kpp_net* net, dmi_isa isa, const dmi_weights* golden, dmi_kpp_input* input,
+                           const dmi_kpp_output* output, const char* where) {
+    float frame[13], slides[CANDIDATES], axis[CANDIDATES][3], origin[CANDIDATES][3], scores[CANDIDATES];
+    dmi_candidate candidates[CANDIDATES] = {0};
+    golden_copy(golden, "frame", 13, 0, frame);
+    golden_copy(golden, "candidate_slides", CANDIDATES, 0, slides);
+    golden_copy(golden, "candidate_axis", CANDIDATES, 3, axis);
+    golden_copy(golden, "candidate_origin", CANDIDATES, 3, origin);
+    memcpy(input->frame.rotation, frame, sizeof input->frame.rotation);
+    memcpy(input->frame.origin, frame + 9, sizeof input->frame.origin);
+    input->frame.scale = frame[12];
+    for (int i = 0; i < CANDIDATES; ++i) {
+        candidates[i].type = slides[i] > 0 ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE;
+        memcpy(candidates[i].axis, axis[i], sizeof axis[i]);
+        memcpy(candidates[i].origin, origin[i], sizeof origin[i]);
+    }
+    dmi_kpp_choice(net, isa, input, output, candidates, CANDIDATES, scores);
+    golden_compare(golden, "scores", CANDIDATES, 0, scores, 3 * GOLDEN_TOLERANCE, where);
+}
 
 static void compare(const dmi_kpp_net* net, dmi_isa isa, const char* name, const dmi_weights* golden) {
     dmi_kpp_input* input = calloc(1, sizeof *input);
@@ -20,6 +42,7 @@ static void compare(const dmi_kpp_net* net, dmi_isa isa, const char* name, const
     golden_compare(golden, "slide_axis", 3, 0, output.slide_axis, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "origin", 3, 0, output.origin, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "limits", 5, 0, output.limits, GOLDEN_TOLERANCE, where);
+    compare_choice(net, isa, golden, input, &output, where);
     free(scratch);
     free(input);
 }

@@ -149,7 +149,7 @@ static void a_lids_hinge_is_a_candidate(void** state) {
         uint32_t count = dmi_candidates_make(&study, with ? &hint : NULL, NULL, candidates);
         assert_in_range(count, 20, DMI_CANDIDATES_MAX);
         assert_true(nearest_line(count, axis, hinge) < 0.005f);
-        dmi_evidence_make(&study, with ? &hint : NULL, NULL, candidates, count, evidence);
+        dmi_evidence_make(&study, with ? &hint : NULL, NULL, NULL, candidates, count, evidence);
         float sum = 0, probability[DMI_CANDIDATES_MAX];
         for (uint32_t i = 0; i < count; i++) {
             for (int k = 0; k < DMI_EVIDENCE_COUNT; k++) assert_true(isfinite(evidence[i][k]));
@@ -191,11 +191,47 @@ static void the_networks_joint_is_a_candidate(void** state) {
     test_env_close(&t);
 }
 
+/* The scores of the network's choice: shares add up to one, the best has the whole likeness, far ones are cut off;
+ * without scores nothing is said. */
+static void choices_are_shares(void** state) {
+    (void)state;
+    test_env t;
+    dmi_arena arena;
+    test_env_open(&t, TEST_NEVER);
+    make_lid();
+    dmi_mesh* mesh = study_shape(&t.env, &arena);
+    uint32_t count = dmi_candidates_make(&study, NULL, NULL, candidates), best = count / 2;
+    float* scores = calloc(count, sizeof *scores);
+    for (uint32_t i = 0; i < count; i++) scores[i] = i == best ? 2.0f : i == 0 ? -1e30f : -0.01f * (float)i;
+    dmi_evidence_make(&study, NULL, NULL, scores, candidates, count, evidence);
+    float sum = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const float* choice = evidence[i] + DMI_EVIDENCE_CHOICE;
+        sum += expf(4 * choice[5]);
+        assert_int_equal(choice[0] == 0, i == best);
+        assert_true(choice[2] >= choice[0] && choice[3] >= choice[1] && choice[0] >= -3 && choice[2] >= -3);
+        assert_true((choice[4] > 0) == (candidates[i].type == candidates[best].type));
+    }
+    assert_float_equal(sum, 1, 1e-3f);
+    assert_float_equal(evidence[best][DMI_EVIDENCE_CHOICE + 1], 1, 1e-6f);
+    dmi_evidence_make(&study, NULL, NULL, NULL, candidates, count, evidence);
+    for (uint32_t i = 0; i < count; i++)
+        for (int k = 0; k < 6; k++) assert_true(evidence[i][DMI_EVIDENCE_CHOICE + k] == 0);
+    free(scores);
+    dmi_arena_release(&arena);
+    dmi_mesh_destroy(&t.env, mesh);
+    test_env_close(&t);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(eigenvectors_of_a_known_matrix), cmocka_unit_test(box_of_a_turned_box),
-        cmocka_unit_test(slippage_of_a_cylinder),         cmocka_unit_test(distances_agree_with_brute_force),
-        cmocka_unit_test(a_lids_hinge_is_a_candidate),    cmocka_unit_test(the_networks_joint_is_a_candidate),
+        cmocka_unit_test(eigenvectors_of_a_known_matrix),
+        cmocka_unit_test(box_of_a_turned_box),
+        cmocka_unit_test(slippage_of_a_cylinder),
+        cmocka_unit_test(distances_agree_with_brute_force),
+        cmocka_unit_test(a_lids_hinge_is_a_candidate),
+        cmocka_unit_test(the_networks_joint_is_a_candidate),
+        cmocka_unit_test(choices_are_shares),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

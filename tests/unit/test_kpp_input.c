@@ -174,6 +174,45 @@ static void frame_follows_the_faces(void** state) {
     free(cloud), free(input);
 }
 
+/* A point of the input where the library has it. */
+static void outer(const dmi_kpp_frame* frame, const float y[3], float out[3]) {
+    for (int k = 0; k < 3; k++)
+        out[k] = frame->rotation[k] * y[0] + frame->rotation[3 + k] * y[1] + frame->rotation[6 + k] * y[2];
+}
+
+/* The other frame shows the same vectors, and turned twice it is the first again. */
+static void turned_round_is_the_same(void** state) {
+    (void)state;
+    dmi_cloud* cloud = malloc(sizeof *cloud);
+    dmi_kpp_input* inputs = malloc(3 * sizeof *inputs);
+    make_cloud(11, cloud);
+    dmi_drag_hint hint = make_hint();
+    dmi_kpp_input_make(cloud, &hint, &inputs[0]);
+    dmi_kpp_input_turn(&inputs[0], &inputs[1]);
+    dmi_kpp_input_turn(&inputs[1], &inputs[2]);
+    assert_memory_equal(&inputs[0].frame, &inputs[2].frame, sizeof inputs[0].frame);
+    assert_memory_equal(inputs[0].global_points, inputs[2].global_points, sizeof inputs[0].global_points);
+    assert_memory_equal(inputs[0].shape, inputs[2].shape, sizeof inputs[0].shape);
+    static const int vectors[] = {0, 4, 7, 10, 13}; /* channels */
+    for (int v = 0; v < 5; v++) {
+        float a[3], b[3];
+        outer(&inputs[0].frame, inputs[0].global_points[5][3] + vectors[v], a);
+        outer(&inputs[1].frame, inputs[1].global_points[5][3] + vectors[v], b);
+        assert_true(dmi_distance3(a, b) < 1e-6f);
+    }
+    /* Directions (as lines), centres of the boxes, drag point and vector, mean of the contact. */
+    for (int first = 0; first < DMI_KPP_SHAPE - 4; first += first < 42 ? 3 : 7) {
+        if (first == 30 || first == 36) continue; /* half sides */
+        float a[3], b[3];
+        outer(&inputs[0].frame, inputs[0].shape + first, a);
+        outer(&inputs[1].frame, inputs[1].shape + first, b);
+        if (first < 27 && dmi_dot3(a, b) < 0)
+            for (int k = 0; k < 3; k++) b[k] = -b[k];
+        assert_true(dmi_distance3(a, b) < 1e-6f);
+    }
+    free(cloud), free(inputs);
+}
+
 /* All points in one place, a drag through the centre, a drag along the principal direction: finite all the same. */
 static void degenerate_clouds_stay_finite(void** state) {
     (void)state;
@@ -194,9 +233,10 @@ static void degenerate_clouds_stay_finite(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(invariant_with_drag),     cmocka_unit_test(invariant_without_drag),
-        cmocka_unit_test(frame_is_a_rotation),     cmocka_unit_test(groups_follow_the_specification),
-        cmocka_unit_test(frame_follows_the_faces), cmocka_unit_test(degenerate_clouds_stay_finite),
+        cmocka_unit_test(invariant_with_drag),      cmocka_unit_test(invariant_without_drag),
+        cmocka_unit_test(frame_is_a_rotation),      cmocka_unit_test(groups_follow_the_specification),
+        cmocka_unit_test(frame_follows_the_faces),  cmocka_unit_test(degenerate_clouds_stay_finite),
+        cmocka_unit_test(turned_round_is_the_same),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ def vae_row(parts=(), physics=True, free_bits=True):
 
 def kpp_row(*parts):
     base = config.KppTraining()
-    return replace(base, seed=SEED, parts={name: int(name in parts) for name in base.parts})
+    return replace(base, seed=SEED, weights={**base.weights, "choice": 0.0}, parts={name: int(name in parts) for name in base.parts})
 
 
 PARTS = ("transformer", "fusion", "local_film", "decoder_film", "correction")

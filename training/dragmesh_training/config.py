@@ -17,7 +17,9 @@ class KppTraining:
     network: str = "kpp"
     size: str = "game"
     seed: int = 1
-    steps: int = 41682
+    steps: int = 100000
+    restart: float = 0.41682  # share of the run after which the rate rises once more (1: never) …
+    choice_from: float = 0.45  # … and after which the choice head is trained too
     minutes: float = 0.0  # 0: no limit; else the schedule is compressed into this much training time
     batch: int = 32
     rate: float = 1.5e-3
@@ -27,7 +29,7 @@ class KppTraining:
     data: str = ""  # a folder of object.glb + joints.json in sub-folders …
     data_share: float = 0.5  # … and their share of the cases
     weights: dict = field(default_factory=lambda: dict(
-        type=0.5, cosine=1.0, geodesic=1.0, length=0.1, origin=2.0, along=0.1, limits=0.5))
+        type=0.5, cosine=1.0, geodesic=1.0, length=0.1, origin=2.0, along=0.1, limits=0.5, choice=0.3))
     # Parts of the network (networks.KppConfig); 0 takes one away, for the ablations.
     parts: dict = field(default_factory=lambda: dict(mask=1, drag=1, attention=1, decoupled=1, shape=1))
 
@@ -43,6 +45,7 @@ class VaeTraining:
     minutes: float = 0.0
     batch: int = 64
     rate: float = 1.5e-3
+    restart: float = 1.0
     decay: float = 0.0
     pool: int = 60000
     fresh: int = 32

@@ -22,6 +22,7 @@ KPP_DIRECTIONS = 9
 KPP_SHAPE = 56
 KPP_SNAP_DIRECTIONS = 6
 KPP_SNAP_COSINE = 0.9397  # 20 degrees
+KPP_LINE = 21  # numbers of a candidate joint, see choice.line_numbers
 VAE_POINTS = 512
 VAE_NEIGHBOURS = 32
 
@@ -39,6 +40,7 @@ class KppConfig:
     local_layers: int = 2
     axis_hidden: int = 128
     scalar_hidden: int = 96
+    choice_hidden: int = 128
     # What an ablation takes away (docs/ablations.md); the library reads the whole network alone.
     mask: bool = True  # the input tells part from body
     drag: bool = True  # the input has the drag
@@ -171,6 +173,21 @@ class PointNet(nn.Module):
         return self.point(points.flatten(1, 2)).amax(dim=1)
 
 
+class Choice(nn.Module):
+    """A score of any candidate joint, given what the encoders saw: where regression can only answer the middle between two
+    hinges, this says that either is likely."""
+
+    def __init__(self, known, hidden):
+        super().__init__()
+        self.known = nn.Linear(known, hidden)
+        self.line = nn.Linear(KPP_LINE, hidden)
+        self.score = mlp(hidden, hidden // 2, 1)
+
+    def forward(self, known, lines):
+        """known: B x n, lines: B x K x 21; B x K."""
+        return self.score(torch.relu(self.known(known).unsqueeze(1) + self.line(lines))).squeeze(-1)
+
+
 class KppNet(nn.Module):
     """Joint type, turn axis, slide axis, origin and limits from the input that sdk/kinematics/kpp_input.c makes."""
 
@@ -193,6 +210,7 @@ class KppNet(nn.Module):
         self.axis = mlp(known, config.axis_hidden, sizes["axis"])
         self.origin = mlp(known, config.axis_hidden, sizes["origin"])
         self.limits = mlp(known, config.scalar_hidden, sizes["limits"])
+        self.choice = Choice(known, config.choice_hidden)
 
     @staticmethod
     def read_axis(head, directions):
@@ -252,7 +270,7 @@ class KppNet(nn.Module):
         directions = shape[:, :3 * KPP_DIRECTIONS].view(-1, KPP_DIRECTIONS, 3)
         centre, half = shape[:, 3 * KPP_DIRECTIONS:3 * KPP_DIRECTIONS + 6].chunk(2, dim=-1)
         in_box, offset = origin.chunk(2, dim=-1)
-        return {"type_logits": kind, "turn_axis": self.read_axis(turn, directions),
+        return {"known": known, "type_logits": kind, "turn_axis": self.read_axis(turn, directions),
                 "slide_axis": self.read_axis(slide, directions), "origin": centre + half * in_box + offset,
                 "limits": limits}
 

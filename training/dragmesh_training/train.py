@@ -9,6 +9,7 @@ from dataclasses import asdict, replace
 import torch
 
 from . import evaluate, export
+from .choice import choice_loss
 from .data import CHUNK, Pool, Stream, mirrored, to_tensors
 from .losses import kpp_losses, vae_losses, weighted
 from .networks import KPP_SIZES, VAE_SIZES, DqVae, KppNet
@@ -39,13 +40,25 @@ def batch_losses(config, model, batch):
         batch = mirrored(batch)
     output = run_network(config.network, model, batch, sample=True)
     if config.network == "kpp":
-        return kpp_losses(output, batch)
+        losses = kpp_losses(output, batch)
+        chosen = config.weights["choice"] > 0
+        losses["choice"] = choice_loss(model, output["known"], batch) if chosen else torch.zeros(())
+        return losses
     return vae_losses(*output, batch, config.free_nats)
 
 
 def rate_at(config, step, done):
-    """Warm-up, then a cosine down to a hundredth; done: share of the run."""
-    return config.rate * min(1.0, (step + 1) / WARM_UP) * (0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * done)))
+    """Warm-up, then a cosine down to a hundredth, and once more from a little below; done: share of the run."""
+    begun, ends, peak = (0.0, config.restart, config.rate) if done < config.restart else (config.restart, 1.0, 0.8 * config.rate)
+    warm = min(1.0, (step + 1) / WARM_UP, 0.01 + (done - begun) / 0.002 if begun else 1.0)
+    return peak * warm * (0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * (done - begun) / (ends - begun))))
+
+
+def weights_at(config, done):
+    """The choice head joins when the encoders have learnt to see."""
+    if config.network == "kpp" and done < config.choice_from:
+        return {**config.weights, "choice": 0.0}
+    return config.weights
 
 
 def begin_from(model, path):
@@ -110,7 +123,7 @@ class Run:
 
     def advance(self):
         """One step; the losses as floats."""
-        config = self.config
+        config = replace(self.config, weights=weights_at(self.config, self.done))
         if self.step * config.fresh // CHUNK != (self.step + 1) * config.fresh // CHUNK:
             self.pool.add_chunk()
             self.chunks += 1

@@ -6,13 +6,14 @@
 #include "case.h"
 #include "kinematics/kinematics.h"
 #include "kinematics/limits.h"
+#include "kinematics/opinion.h"
 
 typedef struct bench {
     dmi_env env;
     dmi_kpp_net* net;
     void* scratch;
     lab_case made;
-    dmi_kpp_input input;
+    dmi_opinion opinion;
     dmi_study study;
 } bench;
 
@@ -23,20 +24,16 @@ uint32_t dm_lab_limits_columns(void) {
 static dm_result limits_case(bench* b, dmi_arena* arena, const dm_lab_options* options, const dm_lab_limits* out,
                              uint32_t at) {
     dm_joint truth;
-    dmi_kpp_output raw;
-    dmi_prediction prediction;
     const dmi_drag_hint hint = lab_case_drag(&b->made, options->drag_noise_degrees, &truth);
     const int with_drag = lab_chance(&b->made.random, options->with_drag);
     const uint32_t part = (uint32_t)dmi_mesh_find_part(b->made.mesh, b->made.part);
     const dm_result result = dmi_study_make(arena, b->made.mesh, &b->made.cloud, part, NULL, &b->study);
     if (result != DM_OK) return result;
-    dmi_kpp_input_make(&b->made.cloud, with_drag ? &hint : NULL, &b->input);
-    dmi_kpp_net_forward(b->net, DMI_ISA_SCALAR, &b->input, b->scratch, &raw);
-    dmi_prediction_read(&b->input.frame, &raw, &prediction);
+    dmi_opinion_form(b->net, dmi_cpu_best_isa(), &b->made.cloud, with_drag ? &hint : NULL, b->scratch, &b->opinion);
     const int free = truth.type == DM_JOINT_CONTINUOUS;
     if (free) truth.type = DM_JOINT_REVOLUTE;
-    const float unit =
-        dmi_limits_features(&b->study, &prediction, with_drag, &truth, out->features + (size_t)at * DMI_LIMIT_FEATURES);
+    const float unit = dmi_limits_features(&b->study, &b->opinion.prediction, with_drag, &truth,
+                                           out->features + (size_t)at * DMI_LIMIT_FEATURES);
     out->lower[at] = truth.lower / unit;
     out->upper[at] = truth.upper / unit;
     out->free[at] = free;

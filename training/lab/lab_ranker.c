@@ -9,18 +9,18 @@
 #include "kinematics/evidence.h"
 #include "kinematics/kinematics.h"
 #include "kinematics/linear3.h"
+#include "kinematics/opinion.h"
 
 #define KEPT_BEST 8
 #define EXACT_DRAGS 0.5f
-#define ISA DMI_ISA_SCALAR
 
 typedef struct ranker_case {
     lab_case made;
     dmi_study study;
-    dmi_kpp_input input;
+    dmi_opinion opinion; /* with a network */
     dmi_candidate candidates[DMI_CANDIDATES_MAX];
     float evidence[DMI_CANDIDATES_MAX][DMI_EVIDENCE_COUNT];
-    float pose[DMI_CANDIDATES_MAX];
+    float score[DMI_CANDIDATES_MAX], pose[DMI_CANDIDATES_MAX];
     uint32_t order[DMI_CANDIDATES_MAX];
     uint32_t count;
     dm_joint joint; /* the true one, positive along the drag */
@@ -45,24 +45,18 @@ static void label(ranker_case* r) {
     }
 }
 
-static void read_prediction(const dmi_kpp_net* net, void* scratch, const dmi_drag_hint* hint, ranker_case* r,
-                            dmi_prediction* out) {
-    dmi_kpp_output raw;
-    dmi_kpp_input_make(&r->made.cloud, hint, &r->input);
-    dmi_kpp_net_forward(net, ISA, &r->input, scratch, &raw);
-    dmi_prediction_read(&r->input.frame, &raw, out);
-}
-
 /* Candidates of a case with their evidence and labels. hint: NULL when the kinematics gets no drag; r->hint labels. */
 static dm_result judge_case(dmi_env* env, dmi_arena* arena, const dmi_drag_hint* hint, const dmi_kpp_net* net,
                             void* scratch, ranker_case* r) {
     const uint32_t part = (uint32_t)dmi_mesh_find_part(r->made.mesh, r->made.part);
     dm_result result = dmi_study_make(arena, r->made.mesh, &r->made.cloud, part, NULL, &r->study);
     if (result != DM_OK) return dmi_fail(env, result, "lab: a case can't be studied");
-    dmi_prediction prediction;
-    if (net != NULL) read_prediction(net, scratch, hint, r, &prediction);
-    r->count = dmi_candidates_make(&r->study, hint, net != NULL ? &prediction : NULL, r->candidates);
-    dmi_evidence_make(&r->study, hint, net != NULL ? &prediction : NULL, r->candidates, r->count, r->evidence);
+    const dmi_isa isa = dmi_cpu_best_isa();
+    if (net != NULL) dmi_opinion_form(net, isa, &r->made.cloud, hint, scratch, &r->opinion);
+    const dmi_prediction* prediction = net != NULL ? &r->opinion.prediction : NULL;
+    r->count = dmi_candidates_make(&r->study, hint, prediction, r->candidates);
+    if (net != NULL) dmi_opinion_score(net, isa, &r->opinion, r->candidates, r->count, r->score);
+    dmi_evidence_make(&r->study, hint, prediction, net != NULL ? r->score : NULL, r->candidates, r->count, r->evidence);
     label(r);
     return DM_OK;
 }
