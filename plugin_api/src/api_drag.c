@@ -71,6 +71,20 @@ static int is_at_rest(const dm_joint* joint, float value) {
     return fabsf(value) <= AT_REST * range;
 }
 
+static void add_alternatives(dmi_rivals* rivals, const dmi_object* object, const dmi_alternatives* alternatives) {
+    for (uint32_t i = 0; i < alternatives->count; i++) {
+        const dmi_alternative* one = &alternatives->list[i];
+        const dm_joint inner = {.type = one->type,
+                                .type_confidence = one->confidence,
+                                .confidence = one->confidence,
+                                .axis = {one->axis[0], one->axis[1], one->axis[2]},
+                                .origin = {one->origin[0], one->origin[1], one->origin[2]},
+                                .source = DM_JOINT_FROM_GEOMETRY};
+        const dm_joint joint = dmi_frame_joint_out(&object->frame, &inner);
+        dmi_rivals_add_alternative(rivals, &joint);
+    }
+}
+
 static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     const dmi_object* object = slot->owner->object;
     const dmi_object_part* part = &object->parts[slot->part];
@@ -90,6 +104,7 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     }
     const dmi_give give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
     dmi_drag_doubt(&slot->drag, joints, count, part_size(object, slot->part), give);
+    if (count > 0) add_alternatives(&slot->drag.rivals, object, &part->alternatives);
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {

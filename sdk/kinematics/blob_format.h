@@ -9,7 +9,9 @@
  * PART for each part: u32 id, parent index, triangles; f32 box min[3] max[3], centre[3], area; i32 given type
  * JNT  for each part but the body: u32 n hypotheses, i32 k (the one in force, or -1), n joints, for k = -1 one more
  * PNT  for each part but the body: f32 [512][3]
- * TRI  (absent without picking) u64 vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index
+ * ALT  (absent in files made before there were any) for each part but the body: u32 n, n times: i32 type, f32
+ * confidence, axis[3], origin[3] TRI  (absent without picking) u64 vertices, triangles; f32 [][3] positions, u32 [][3]
+ * corners, u16 [] part index
  *
  * A joint: i32 type, f32 type confidence, confidence, pitch, axis[3], origin[3], lower, upper, i32 source.
  * Joints are object-normalised like all else, so a file serves hosts of any axes and unit. A reader skips tags that it
@@ -28,10 +30,18 @@
 #define DMI_BLOB_TAG(a, b, c, d) ((uint32_t)(a) | (uint32_t)(b) << 8 | (uint32_t)(c) << 16 | (uint32_t)(d) << 24)
 #define DMI_BLOB_MAGIC DMI_BLOB_TAG('D', 'M', 'O', '1')
 
-enum { DMI_BLOB_OBJECT, DMI_BLOB_PARTS, DMI_BLOB_JOINTS, DMI_BLOB_POINTS, DMI_BLOB_TRIANGLES, DMI_BLOB_SECTIONS };
+enum {
+    DMI_BLOB_OBJECT,
+    DMI_BLOB_PARTS,
+    DMI_BLOB_JOINTS,
+    DMI_BLOB_POINTS,
+    DMI_BLOB_ALTERNATIVES,
+    DMI_BLOB_TRIANGLES,
+    DMI_BLOB_SECTIONS
+};
 static const uint32_t dmi_blob_tags[DMI_BLOB_SECTIONS] = {
     DMI_BLOB_TAG('O', 'B', 'J', ' '), DMI_BLOB_TAG('P', 'A', 'R', 'T'), DMI_BLOB_TAG('J', 'N', 'T', ' '),
-    DMI_BLOB_TAG('P', 'N', 'T', ' '), DMI_BLOB_TAG('T', 'R', 'I', ' ')};
+    DMI_BLOB_TAG('P', 'N', 'T', ' '), DMI_BLOB_TAG('A', 'L', 'T', ' '), DMI_BLOB_TAG('T', 'R', 'I', ' ')};
 
 /* CRC-32 as of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_blob_crc(const uint8_t* bytes, size_t size);

@@ -133,7 +133,7 @@ static dm_result read_table(loading* load, const uint8_t* data, size_t size) {
             load->sections[s] = (reader){data + offset, length, 0};
         }
     }
-    for (int s = 0; s < DMI_BLOB_TRIANGLES; s++) {
+    for (int s = 0; s < DMI_BLOB_ALTERNATIVES; s++) {
         if (!load->sections[s].at) return bad(load, "a section is missing");
     }
     return DM_OK;
@@ -250,6 +250,33 @@ static dm_result read_points(loading* load) {
     return DM_OK;
 }
 
+static int valid_alternative(const dmi_alternative* one) {
+    const int known =
+        one->type == DM_JOINT_REVOLUTE || one->type == DM_JOINT_CONTINUOUS || one->type == DM_JOINT_PRISMATIC;
+    const float square = one->axis[0] * one->axis[0] + one->axis[1] * one->axis[1] + one->axis[2] * one->axis[2];
+    return known && fabsf(square - 1.0f) <= 1e-3f && within(one->origin, 3, FLT_MAX) &&
+           fabsf(one->confidence - 0.5f) <= 0.5f;
+}
+
+/* Absent, there are none. */
+static dm_result read_alternatives(loading* load) {
+    reader* r = &load->sections[DMI_BLOB_ALTERNATIVES];
+    if (!r->at) return DM_OK;
+    for (uint32_t i = 1; i < load->object->part_count; i++) {
+        dmi_alternatives* all = &load->object->parts[i].alternatives;
+        all->count = get_u32(r);
+        if (all->count > DMI_ALTERNATIVES) return bad(load, "section ALT holds too many joints");
+        for (uint32_t j = 0; j < all->count; j++) {
+            all->list[j].type = (int32_t)get_u32(r);
+            all->list[j].confidence = get_f32(r);
+            get_floats(r, all->list[j].axis, 3);
+            get_floats(r, all->list[j].origin, 3);
+            if (!valid_alternative(&all->list[j])) return bad(load, "section ALT holds a joint that can't be");
+        }
+    }
+    return r->overrun || r->left > 0 ? bad(load, "section ALT has the wrong size") : DM_OK;
+}
+
 /* A mesh with room for what the section holds, and its numbers. */
 static dm_result read_arrays(loading* load, dmi_mesh* mesh) {
     reader* r = &load->sections[DMI_BLOB_TRIANGLES];
@@ -303,6 +330,7 @@ dm_result dmi_object_from_blob(dmi_env* env, dmi_picker* picker, const dmi_axes*
     if (result == DM_OK) result = read_parts(&load);
     if (result == DM_OK) result = read_joints(&load);
     if (result == DM_OK) result = read_points(&load);
+    if (result == DM_OK) result = read_alternatives(&load);
     if (result == DM_OK && load.sections[DMI_BLOB_TRIANGLES].at) {
         result = read_triangles(&load);
         if (result == DM_OK) result = dmi_bvh_create(picker, load.object->mesh, &load.object->bvh);

@@ -135,6 +135,19 @@ static void write_points(writer* w, const dmi_object* object) {
     }
 }
 
+static void write_alternatives(writer* w, const dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        const dmi_alternatives* all = &object->parts[i].alternatives;
+        put_u32(w, all->count);
+        for (uint32_t j = 0; j < all->count; j++) {
+            put_u32(w, (uint32_t)all->list[j].type);
+            put_f32(w, all->list[j].confidence);
+            put_floats(w, all->list[j].axis, 3);
+            put_floats(w, all->list[j].origin, 3);
+        }
+    }
+}
+
 static void write_triangles(writer* w, const dmi_object* object) {
     const dmi_mesh* mesh = object->mesh;
     put(w, mesh->vertex_count, 8);
@@ -146,7 +159,7 @@ static void write_triangles(writer* w, const dmi_object* object) {
 
 static void write_all(writer* w, const dmi_object* object) {
     static void (*const writers[DMI_BLOB_SECTIONS])(writer*, const dmi_object*) = {
-        write_object, write_parts, write_joints, write_points, write_triangles};
+        write_object, write_parts, write_joints, write_points, write_alternatives, write_triangles};
     uint32_t count = object->mesh ? DMI_BLOB_SECTIONS : DMI_BLOB_TRIANGLES;
     writer table = {w->out, DMI_BLOB_HEADER_SIZE};
     w->size = DMI_BLOB_HEADER_SIZE + count * DMI_BLOB_ENTRY_SIZE;

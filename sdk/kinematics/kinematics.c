@@ -215,7 +215,21 @@ static void rank_candidates(work* w, const dmi_prediction* prediction) {
     dmi_ranker_probabilities(query->ranker, (const float(*)[DMI_EVIDENCE_COUNT])w->evidence, w->count, w->probability);
 }
 
-static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_query* query, dmi_hypotheses* out) {
+/* None of screws, whose pitch no geometry tells; the plain network has none. */
+static dm_result find_alternatives(dmi_arena* arena, const work* w, const dmi_hypotheses* hypotheses,
+                                   dmi_alternatives* out) {
+    const int32_t given = w->query->given_type;
+    out->count = 0;
+    if (given == DM_JOINT_SCREW || w->query->network_alone) return DM_OK;
+    const dm_result result = dmi_alternatives_find(arena, &w->study, w->query->ranker, hypotheses->joints,
+                                                   hypotheses->count, w->candidates, w->probability, w->count, out);
+    for (uint32_t i = 0; i < out->count; i++)
+        if (given == DM_JOINT_CONTINUOUS) out->list[i].type = given;
+    return result;
+}
+
+static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_query* query, dmi_hypotheses* out,
+                       dmi_alternatives* out_alternatives) {
     work* w = dmi_arena_push(arena, sizeof *w);
     if (w == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for %zu bytes of scratch", sizeof *w);
@@ -234,13 +248,14 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_quer
     choose(w, out);
     if (query->hint != NULL)
         for (uint32_t i = 0; i < out->count; i++) follow(query->hint, &out->joints[i]);
-    return DM_OK;
+    return out_alternatives != NULL ? find_alternatives(arena, w, out, out_alternatives) : DM_OK;
 }
 
-dm_result dmi_kinematics_infer(dmi_env* env, const dmi_kinematics_query* query, dmi_hypotheses* out_hypotheses) {
+dm_result dmi_kinematics_infer(dmi_env* env, const dmi_kinematics_query* query, dmi_hypotheses* out_hypotheses,
+                               dmi_alternatives* out_alternatives) {
     dmi_arena arena;
     dmi_arena_init(&arena, env, SCRATCH_BLOCK);
-    dm_result result = infer(env, &arena, query, out_hypotheses);
+    dm_result result = infer(env, &arena, query, out_hypotheses, out_alternatives);
     dmi_arena_release(&arena);
     return result;
 }

@@ -3,6 +3,7 @@
 #ifndef DMI_KINEMATICS_KINEMATICS_H
 #define DMI_KINEMATICS_KINEMATICS_H
 
+#include "kinematics/alternatives.h"
 #include "kinematics/kpp_net.h"
 #include "kinematics/ranker.h"
 #include "math/joint.h"
@@ -25,7 +26,9 @@ typedef struct dmi_kinematics_query {
     dmi_isa isa;
 } dmi_kinematics_query;
 
-dm_result dmi_kinematics_infer(dmi_env* env, const dmi_kinematics_query* query, dmi_hypotheses* out_hypotheses);
+/* out_alternatives: NULL, or what a pull may choose from beside the hypotheses. */
+dm_result dmi_kinematics_infer(dmi_env* env, const dmi_kinematics_query* query, dmi_hypotheses* out_hypotheses,
+                               dmi_alternatives* out_alternatives);
 
 /* Orders hypotheses by how well they explain a drag, and turns their signs so that positive follows it. Microseconds.
  */

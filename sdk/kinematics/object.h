@@ -14,6 +14,7 @@ typedef struct dmi_object_part {
     int32_t given_type;                 /* DM_JOINT_* as the host said it; UNKNOWN: the library's to find */
     dm_joint joint;                     /* in force; host object frame */
     dmi_hypotheses hypotheses;          /* inner frame */
+    dmi_alternatives alternatives;      /* inner frame */
     float points[DMI_OBJECT_POINTS][3]; /* dmi_cloud_thin; inner frame */
 } dmi_object_part;
 

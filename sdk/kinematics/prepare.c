@@ -76,11 +76,13 @@ static dm_result infer_part(dmi_env* env, dmi_object* object, uint32_t index, co
                                         .network_alone = object->network_alone,
                                         .isa = brain->isa};
     dmi_hypotheses found;
-    result = part->given_type == DM_JOINT_FIXED ? DM_OK : dmi_kinematics_infer(env, &query, &found);
+    dmi_alternatives others = {.count = 0};
+    result = part->given_type == DM_JOINT_FIXED ? DM_OK : dmi_kinematics_infer(env, &query, &found, &others);
     if (result != DM_OK) return result;
     if (part->given_type == DM_JOINT_FIXED) found = fixed_joint(&part->shape);
     if (found.count == 0) return dmi_fail(env, DM_ERROR_INTERNAL, "part %u: no hypothesis", part->shape.id);
     part->hypotheses = found;
+    part->alternatives = others;
     part->joint = dmi_frame_joint_out(&object->frame, &found.joints[0]);
     return DM_OK;
 }

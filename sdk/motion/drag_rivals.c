@@ -6,14 +6,17 @@
 
 #define ONE_TURN 6.28318531f
 #define FIRST_PULL 0.006f  /* of the part's size: less tells nothing */
-#define SPREAD 0.04f       /* of the pull: how far off the right path a hand goes */
-#define TREMOR 0.004f      /* of the part's size: and how far it is off at the start */
+#define SPREAD 0.02f       /* of the pull: how far off the right path a hand goes */
+#define TREMOR 0.003f      /* of the part's size: and how far it is off at the start */
 #define TAIL 8.0f          /* hands err much now and then: a normal law near the path, a power law far from it */
 #define OTHER_SIDE (-0.7f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
+#define LAST_RESORT (-5.0f) /* log odds of a slide along an axis that nothing speaks for */
 #define AT_ONCE 2           /* rivals weighed an update, beside the best */
+#define STALE 0.02f         /* how much likelier a rival may have become in each round that left it out, log */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
 #define MARGIN 0.4f         /* how much more probable another joint must be, log */
+#define USUAL_OPENING 1.5707963f
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
 #define SAME_DISTANCE 0.02f /* of the part's size */
 
@@ -47,17 +50,27 @@ static int known(const dmi_rivals* rivals, const dm_joint* joint) {
     return 0;
 }
 
-static void add(dmi_rivals* rivals, const dm_joint* joint) {
-    /* Odds: confidences are each hypothesis's own, they do not share one whole. */
-    const float p = fminf(fmaxf(joint->confidence, LEAST_PRIOR), 1 - LEAST_PRIOR), prior = logf(p / (1 - p));
-    if (joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
+/* Odds: confidences are each hypothesis's own, they do not share one whole. */
+static float prior_of(const dm_joint* joint) {
+    const float p = fminf(fmaxf(joint->confidence, LEAST_PRIOR), 1 - LEAST_PRIOR);
+    return logf(p / (1 - p));
+}
+
+static void add(dmi_rivals* rivals, const dm_joint* joint, float prior, int open) {
+    if (rivals->count == DMI_RIVALS || joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
     rivals->list[rivals->count++] =
-        (dmi_rival){.joint = *joint, .side = side_of(joint), .prior = prior, .score = prior};
+        (dmi_rival){.joint = *joint, .side = side_of(joint), .open = open, .prior = prior, .score = prior};
+}
+
+void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint) {
+    dm_joint unlimited = *joint;
+    unlimited.lower = unlimited.upper = 0;
+    add(rivals, &unlimited, prior_of(joint) + 0.5f * OTHER_SIDE, 1); /* the side may be either */
 }
 
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size, dmi_give give) {
     *rivals = (dmi_rivals){.size = size, .give = give};
-    for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) add(rivals, &joints[i]);
+    for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) add(rivals, &joints[i], prior_of(&joints[i]), 0);
     if (rivals->count == 0) return;
     for (int i = 0; i < 3; i++) {
         const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
@@ -66,7 +79,7 @@ void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count,
                                 .lower = -size,
                                 .upper = size,
                                 .source = DM_JOINT_FROM_GEOMETRY};
-        add(rivals, &slide);
+        add(rivals, &slide, LAST_RESORT, 0);
     }
 }
 
@@ -139,26 +152,53 @@ static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, co
         return;
     }
     best->reach = wish;
+    if (side * wish <= 0 && best->settled) return; /* what a stop holds back tells nothing of the joint */
     score(rivals, best, grab, ray, projection);
 }
 
-/* Gives a joint the side of rest that the pull goes to. */
-static int take_side(dmi_rival* rival) {
+/* A range that begins at rest, on the side of the pull, and ends where most do. */
+static void give_range(dmi_rival* rival, float size) {
     dm_joint* joint = &rival->joint;
+    const float usual = joint->type == DM_JOINT_PRISMATIC ? size : USUAL_OPENING;
+    rival->open = 0;
+    joint->lower = rival->reach < 0 ? -usual : 0;
+    joint->upper = rival->reach < 0 ? 0 : usual;
+}
+
+/* Gives a joint the side of rest that the pull goes to. */
+static int take_side(dmi_rival* rival, float size) {
+    dm_joint* joint = &rival->joint;
+    if (rival->open) give_range(rival, size);
     if (!(side_of(joint) * rival->reach < 0)) return 0;
     const float lower = joint->lower;
     joint->lower = -joint->upper, joint->upper = -lower;
     return 1;
 }
 
-/* The likeliest of the best and of the rivals whose turn it is. */
+/* The rival to weigh next: the likeliest of those that this round has not weighed yet; one that has waited long may
+ * have become likelier. */
+static dmi_rival* likeliest(dmi_rivals* rivals) {
+    dmi_rival* found = NULL;
+    float most = -INFINITY;
+    for (uint32_t i = 0; i < rivals->count; i++) {
+        dmi_rival* rival = &rivals->list[i];
+        const float hope = rival->score + STALE * (float)(rivals->round - rival->weighed);
+        if (rival->weighed == rivals->round || !(hope > most)) continue;
+        most = hope, found = rival;
+    }
+    return found;
+}
+
+/* The best of the one in force and of the likeliest others. */
 static uint32_t weigh_some(dmi_rivals* rivals, const float grab[3], const dm_ray* ray, dmi_projection projection) {
     uint32_t winner = rivals->best;
-    for (uint32_t i = 0; i < AT_ONCE && i + 1 < rivals->count; i++) {
-        rivals->next = (rivals->next + 1) % rivals->count;
-        if (rivals->next == rivals->best) rivals->next = (rivals->next + 1) % rivals->count;
-        weigh(rivals, &rivals->list[rivals->next], grab, ray, projection);
-        if (rivals->list[rivals->next].score > rivals->list[winner].score) winner = rivals->next;
+    rivals->list[winner].weighed = ++rivals->round;
+    for (uint32_t i = 0; i < AT_ONCE; i++) {
+        dmi_rival* rival = likeliest(rivals);
+        if (!rival) break;
+        rival->weighed = rivals->round;
+        weigh(rivals, rival, grab, ray, projection);
+        if (rival->score > rivals->list[winner].score) winner = (uint32_t)(rival - rivals->list);
     }
     return winner;
 }
@@ -175,7 +215,7 @@ int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, 
     if (rivals->list[winner].score <= needed) return 0;
     const int changed = winner != rivals->best;
     rivals->best = winner;
-    return take_side(&rivals->list[winner]) || changed;
+    return take_side(&rivals->list[winner], rivals->size) || changed;
 }
 
 float dmi_rivals_confidence(const dmi_rivals* rivals) {

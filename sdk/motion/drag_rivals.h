@@ -5,12 +5,14 @@
 
 #include "motion/follow.h"
 
-#define DMI_RIVALS (DM_MAX_HYPOTHESES + 3)
+#define DMI_RIVALS 64
 
 typedef struct dmi_rival {
     dm_joint joint;   /* host object frame */
     float side;       /* of rest that its range was found on, +1 or -1; 0: both */
+    int open;         /* nothing is known of its range: it begins at rest, on the side that it is pulled to */
     int settled;      /* the part has gone out on that side: rest is its stop */
+    uint32_t weighed; /* in which round, last */
     float prior;      /* log of its probability before the pull, up to a constant */
     float score;      /* the same after it */
     float reach;      /* the value the pointer asks of it, on whichever side */
@@ -27,7 +29,7 @@ typedef struct dmi_give {
 typedef struct dmi_rivals {
     dmi_rival list[DMI_RIVALS];
     uint32_t count, best; /* best: in force */
-    uint32_t next;        /* to be weighed; they take turns */
+    uint32_t round;       /* of weighing */
     float size;           /* of the part */
     dmi_give give;
     float pull; /* how far the pointer went from the grabbed point, at its depth, at most */
@@ -36,7 +38,9 @@ typedef struct dmi_rivals {
 /* joints[0] is in force. Adds the other side of ranges that begin at rest: which way a part opens is easily mistaken.
  */
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size, dmi_give give);
-/* Weighs the best, which asks for `wish` on its side of rest, and some of the others by one more ray; they take turns,
+/* One more, of which no range is known; one too many is left out. */
+void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint);
+/* Weighs the best, which asks for `wish` on its side of rest, and the likeliest of the others by one more ray; not all,
  * so that an update stays within a microsecond. 1 when another, or the other side, has become the best. */
 int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, const dm_ray* ray,
                      dmi_projection projection);

@@ -116,7 +116,7 @@ static void stage_infer(void* user) {
                                         .welded = s->welded,
                                         .part = 1,
                                         .isa = s->brain.isa};
-    check(dmi_kinematics_infer(&s->env, &query, &found), "infer");
+    check(dmi_kinematics_infer(&s->env, &query, &found, NULL), "infer");
 }
 
 static void show(const char* name, stages* s, void (*stage)(void*)) {

@@ -291,6 +291,45 @@ static void test_newer_files(void** state) {
     test_world_close(&w);
 }
 
+/* Where the file's table says that a section lies. */
+static size_t section_at(const bytes* blob, int section) {
+    const uint8_t* offset = blob->data + DMI_BLOB_HEADER_SIZE + (size_t)section * DMI_BLOB_ENTRY_SIZE + 8;
+    return (size_t)offset[0] | (size_t)offset[1] << 8 | (size_t)offset[2] << 16;
+}
+
+static void assert_bad_word(test_world* w, bytes* blob, size_t at, uint32_t word) {
+    uint8_t kept[4];
+    memcpy(kept, blob->data + at, 4);
+    put_u32(blob->data + at, word);
+    sign_again(blob);
+    assert_bad(w, blob, blob->size, DM_ERROR_BAD_DATA);
+    memcpy(blob->data + at, kept, 4);
+}
+
+static void test_alternatives(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
+    const size_t at = section_at(&blob, DMI_BLOB_ALTERNATIVES);
+    assert_true(blob.data[at] > 0 && blob.data[at] <= DMI_ALTERNATIVES);
+    assert_bad_word(&w, &blob, at, DMI_ALTERNATIVES + 1);
+    assert_bad_word(&w, &blob, at, 0); /* then something is left */
+    assert_bad_word(&w, &blob, at + 4, DM_JOINT_FIXED);
+    assert_bad_word(&w, &blob, at + 8, 0x40000000);  /* a confidence of 2 */
+    assert_bad_word(&w, &blob, at + 12, 0x7fc00000); /* no number in the axis … */
+    assert_bad_word(&w, &blob, at + 24, 0x7f800000); /* … and infinity in the origin */
+    /* A file from before there were any: the section is called something else. */
+    put_u32(blob.data + DMI_BLOB_HEADER_SIZE + DMI_BLOB_ALTERNATIVES * DMI_BLOB_ENTRY_SIZE,
+            DMI_BLOB_TAG('N', 'E', 'W', ' '));
+    sign_again(&blob);
+    dm_object object = 0;
+    assert_int_equal(dm_object_load(w.context, blob.data, blob.size, 0, &object), DM_OK);
+    free(blob.data);
+    test_world_close(&w);
+}
+
 static void test_load_arguments(void** state) {
     (void)state;
     test_world w;
@@ -367,6 +406,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(test_every_flipped_bit_is_noticed),
         cmocka_unit_test(test_hostile_numbers_do_no_harm),
         cmocka_unit_test(test_newer_files),
+        cmocka_unit_test(test_alternatives),
         cmocka_unit_test(test_load_arguments),
         cmocka_unit_test(test_the_first_version_still_loads),
     };

@@ -85,6 +85,48 @@ static void a_hand_that_trembles_decides_the_same(void** state) {
     }
 }
 
+/* Lines all over the panel, none of which explains how it is pulled, and the right one among the last. */
+static void add_alternatives(dmi_drag* drag, const dm_joint* right) {
+    for (int k = 0; k < 80; k++) {
+        const float x = 0.1f * (float)(k % 8) - 0.35f, y = 0.1f * (float)(k / 8) - 0.35f;
+        dm_joint other = {.type = DM_JOINT_REVOLUTE, .confidence = 0.01f, .axis = {0, 0, 1}, .origin = {x, y, 0}};
+        if (k == 37) other = *right, other.confidence = 0.005f;
+        dmi_rivals_add_alternative(&drag->rivals, &other);
+    }
+}
+
+static void an_alternative_takes_over(void** state) {
+    (void)state;
+    for (int i = LEFT; i < JOINTS; i++) {
+        const dm_drag_feel feel = {0};
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        float point[3], off = 0;
+        dmi_drag_begin(&drag, &joints[SLIDES], handle, 0, &feel);
+        dmi_drag_doubt(&drag, joints, 1, 1, (dmi_give){.length = 4});
+        add_alternatives(&drag, &joints[i]);
+        assert_int_equal(drag.rivals.count, DMI_RIVALS); /* what is too many is left out */
+        for (int k = 1; k <= 120; k++) {
+            point_on(&joints[i], 1.4f * (float)k / 120, point);
+            const dm_ray ray = ray_to(eye, point);
+            dmi_drag_update(&drag, &ray, FRAME, &now);
+            off = fmaxf(off, (float)test_distance(point, dmi_xyz(now.grab_point).v));
+        }
+        assert_near3(dmi_xyz(now.grab_point).v, point, 0.03);
+        assert_int_equal(drag.joint.type, DM_JOINT_REVOLUTE);
+        assert_near3(dmi_xyz(drag.joint.axis).v, dmi_xyz(joints[i].axis).v, 0);
+        assert_true(off < 0.2f);
+        assert_near(drag.joint.lower, 0, 0);
+        assert_near(drag.joint.upper, 1.5708f, 1e-3);
+        for (int k = 1; k <= 120; k++) { /* what it was pulled open from is a stop now */
+            point_on(&joints[i], 1.4f - 1.8f * (float)k / 120, point);
+            const dm_ray ray = ray_to(eye, point);
+            dmi_drag_update(&drag, &ray, FRAME, &now);
+        }
+        assert_near(now.value, 0, 1e-6);
+    }
+}
+
 /* A panel pulled the way its range does not lie opens to the other side. */
 static void the_pull_tells_the_side(void** state) {
     (void)state;
@@ -206,7 +248,7 @@ int main(void) {
         cmocka_unit_test(the_pull_tells_the_joint), cmocka_unit_test(a_hand_that_trembles_decides_the_same),
         cmocka_unit_test(the_pull_tells_the_side),  cmocka_unit_test(what_was_opened_shuts_at_rest),
         cmocka_unit_test(nothing_is_stuck),         cmocka_unit_test(half_the_step_is_the_same_drag),
-        cmocka_unit_test(host_axes_do_not_matter),
+        cmocka_unit_test(host_axes_do_not_matter),  cmocka_unit_test(an_alternative_takes_over),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

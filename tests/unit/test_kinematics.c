@@ -62,7 +62,7 @@ static void make_door(void) {
 static dmi_hypotheses infer(bench* b, const dmi_drag_hint* hint, int32_t type) {
     dmi_kinematics_query query = {.mesh = b->mesh, .cloud = &cloud, .hint = hint, .part = 1, .given_type = type};
     dmi_hypotheses found;
-    assert_int_equal(dmi_kinematics_infer(&b->t.env, &query, &found), DM_OK);
+    assert_int_equal(dmi_kinematics_infer(&b->t.env, &query, &found, NULL), DM_OK);
     return found;
 }
 
@@ -74,7 +74,7 @@ static dmi_hypotheses infer_ranked(bench* b, const dmi_drag_hint* hint) {
     assert_int_equal(dmi_ranker_load(&b->t.env, bytes, size, &ranker), DM_OK);
     dmi_kinematics_query query = {.mesh = b->mesh, .cloud = &cloud, .hint = hint, .part = 1, .ranker = ranker};
     dmi_hypotheses found;
-    assert_int_equal(dmi_kinematics_infer(&b->t.env, &query, &found), DM_OK);
+    assert_int_equal(dmi_kinematics_infer(&b->t.env, &query, &found, NULL), DM_OK);
     dmi_ranker_destroy(ranker);
     free(bytes);
     return found;
@@ -230,6 +230,55 @@ static void a_drag_reranks(void** state) {
     assert_int_equal(before.joints[0].type, DM_JOINT_REVOLUTE);
 }
 
+/* How unlike each other two joints move the corners of the door: the sine between their velocities. */
+static float unlike(const dm_joint* a, const dm_joint* b) {
+    float aa = 0, ab = 0, bb = 0;
+    for (int corner = 0; corner < 8; corner++) {
+        const float x = corner & 1 ? 0.3f : -0.3f, y = corner & 2 ? 0.4f : -0.4f, z = corner & 4 ? 0.25f : 0.2f;
+        float u[3], v[3];
+        dmi_joint_velocity(a, 0, (const float[]){x, y, z}, u);
+        dmi_joint_velocity(b, 0, (const float[]){x, y, z}, v);
+        aa += dmi_dot3(u, u), ab += dmi_dot3(u, v), bb += dmi_dot3(v, v);
+    }
+    return sqrtf(fmaxf(1 - ab * ab / (aa * bb), 0));
+}
+
+static dm_joint joint_of(const dmi_alternative* one) {
+    return (dm_joint){.type = one->type,
+                      .axis = {one->axis[0], one->axis[1], one->axis[2]},
+                      .origin = {one->origin[0], one->origin[1], one->origin[2]}};
+}
+
+static void alternatives_are_unlike_all_before_them(void** state) {
+    (void)state;
+    static const int32_t given[] = {DM_JOINT_UNKNOWN, DM_JOINT_PRISMATIC, DM_JOINT_CONTINUOUS, DM_JOINT_SCREW};
+    make_door();
+    bench b;
+    open_bench(&b);
+    for (int g = 0; g < 4; g++) {
+        const dmi_kinematics_query query = {.mesh = b.mesh, .cloud = &cloud, .part = 1, .given_type = given[g]};
+        dmi_hypotheses found;
+        dmi_alternatives others;
+        assert_int_equal(dmi_kinematics_infer(&b.t.env, &query, &found, &others), DM_OK);
+        assert_true(others.count <= DMI_ALTERNATIVES);
+        if (given[g] == DM_JOINT_UNKNOWN) assert_int_equal(others.count, DMI_ALTERNATIVES);
+        if (given[g] == DM_JOINT_SCREW) assert_int_equal(others.count, 0);
+        for (uint32_t i = 0; i < others.count; i++) {
+            const dm_joint joint = joint_of(&others.list[i]);
+            assert_true(others.list[i].confidence >= 0 && others.list[i].confidence <= 1);
+            assert_true(given[g] == DM_JOINT_UNKNOWN || joint.type == given[g]);
+            for (uint32_t k = 0; k < found.count; k++)
+                if (dmi_joint_turns(found.joints[k].type) == dmi_joint_turns(joint.type))
+                    assert_true(unlike(&joint, &found.joints[k]) > 0.03f);
+            for (uint32_t k = 0; k < i; k++) {
+                const dm_joint before = joint_of(&others.list[k]);
+                if (before.type == joint.type) assert_true(unlike(&joint, &before) > 0.03f);
+            }
+        }
+    }
+    close_bench(&b);
+}
+
 static void memory_that_runs_out_is_reported(void** state) {
     (void)state;
     make_door();
@@ -241,7 +290,8 @@ static void memory_that_runs_out_is_reported(void** state) {
         t.memory.fail_at = t.memory.calls + fail_at;
         dmi_kinematics_query query = {.mesh = mesh, .cloud = &cloud, .part = 1};
         dmi_hypotheses found;
-        dm_result result = dmi_kinematics_infer(&t.env, &query, &found);
+        dmi_alternatives others;
+        dm_result result = dmi_kinematics_infer(&t.env, &query, &found, &others);
         dmi_mesh_destroy(&t.env, mesh);
         if (result != DM_OK) {
             assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);
@@ -262,6 +312,7 @@ int main(void) {
         cmocka_unit_test(the_same_query_gives_the_same_bits),
         cmocka_unit_test(orienting_follows_the_drag),
         cmocka_unit_test(a_drag_reranks),
+        cmocka_unit_test(alternatives_are_unlike_all_before_them),
         cmocka_unit_test(memory_that_runs_out_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

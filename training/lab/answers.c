@@ -38,7 +38,7 @@ static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const 
                                         .hint = with_drag ? &hint : NULL,
                                         .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
     dmi_hypotheses found;
-    const dm_result result = dmi_kinematics_infer(env, &query, &found);
+    const dm_result result = dmi_kinematics_infer(env, &query, &found, NULL);
     if (result != DM_OK) return result;
     out->has_drag[at] = with_drag;
     score(made, &truth, hint.point, &found.joints[0], out, at);
