@@ -13,10 +13,9 @@
 #define LEAST_PRIOR 1e-3f
 #define LAST_RESORT (-5.0f) /* log odds of a slide along an axis that nothing speaks for */
 #define AT_ONCE 2           /* rivals weighed an update, beside the best */
-#define STALE 0.02f         /* how much likelier a rival may have become in each round that left it out, log */
+#define STALE 0.05f         /* how much likelier a rival may have become in each round that left it out, log */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
 #define MARGIN 0.4f         /* how much more probable another joint must be, log */
-#define USUAL_OPENING 1.5707963f
 #define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
 #define SAME_DISTANCE 0.02f /* of the part's size */
 
@@ -58,6 +57,7 @@ static float prior_of(const dm_joint* joint) {
 
 static void add(dmi_rivals* rivals, const dm_joint* joint, float prior, int open) {
     if (rivals->count == DMI_RIVALS || joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
+    rivals->hope[rivals->count] = prior;
     rivals->list[rivals->count++] =
         (dmi_rival){.joint = *joint, .side = side_of(joint), .open = open, .prior = prior, .score = prior};
 }
@@ -137,7 +137,7 @@ static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3
     float lower, upper;
     dmi_rivals_limits(&rival->joint, rivals->give, &lower, &upper);
     if (side_of(&rival->joint) != 0 && !rival->settled) upper = fmaxf(-lower, upper), lower = -upper;
-    rival->reach = dmi_follow_ray(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
+    rival->reach = dmi_follow_ray_roughly(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
     score(rivals, rival, grab, ray, projection);
 }
 
@@ -156,13 +156,12 @@ static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, co
     score(rivals, best, grab, ray, projection);
 }
 
-/* A range that begins at rest, on the side of the pull, and ends where most do. */
+/* Most slides rest at an end of their range, most turns that are hard to find do not: those stay free. */
 static void give_range(dmi_rival* rival, float size) {
-    dm_joint* joint = &rival->joint;
-    const float usual = joint->type == DM_JOINT_PRISMATIC ? size : USUAL_OPENING;
     rival->open = 0;
-    joint->lower = rival->reach < 0 ? -usual : 0;
-    joint->upper = rival->reach < 0 ? 0 : usual;
+    if (rival->joint.type != DM_JOINT_PRISMATIC) return;
+    rival->joint.lower = rival->reach < 0 ? -size : 0;
+    rival->joint.upper = rival->reach < 0 ? 0 : size;
 }
 
 /* Gives a joint the side of rest that the pull goes to. */
@@ -175,30 +174,36 @@ static int take_side(dmi_rival* rival, float size) {
     return 1;
 }
 
-/* The rival to weigh next: the likeliest of those that this round has not weighed yet; one that has waited long may
- * have become likelier. */
-static dmi_rival* likeliest(dmi_rivals* rivals) {
-    dmi_rival* found = NULL;
-    float most = -INFINITY;
+/* The likeliest rivals but the best, likeliest first; one that has waited long may have become likelier. */
+static uint32_t likeliest(const dmi_rivals* rivals, uint32_t out[AT_ONCE]) {
+    float first = -INFINITY, second = -INFINITY;
+    uint32_t found = 0;
     for (uint32_t i = 0; i < rivals->count; i++) {
-        dmi_rival* rival = &rivals->list[i];
-        const float hope = rival->score + STALE * (float)(rivals->round - rival->weighed);
-        if (rival->weighed == rivals->round || !(hope > most)) continue;
-        most = hope, found = rival;
+        const float hope = rivals->hope[i];
+        if (!(hope > second) || i == rivals->best) continue;
+        const int leads = hope > first;
+        second = leads ? first : hope, out[1] = leads ? out[0] : i;
+        first = leads ? hope : first, out[0] = leads ? i : out[0];
+        found += found < AT_ONCE;
     }
     return found;
 }
 
+/* All that wait gain as much, so those that were weighed lose it instead. */
+static void remember(dmi_rivals* rivals, uint32_t weighed) {
+    rivals->hope[weighed] = rivals->list[weighed].score - STALE * (float)rivals->round;
+}
+
 /* The best of the one in force and of the likeliest others. */
 static uint32_t weigh_some(dmi_rivals* rivals, const float grab[3], const dm_ray* ray, dmi_projection projection) {
-    uint32_t winner = rivals->best;
-    rivals->list[winner].weighed = ++rivals->round;
-    for (uint32_t i = 0; i < AT_ONCE; i++) {
-        dmi_rival* rival = likeliest(rivals);
-        if (!rival) break;
-        rival->weighed = rivals->round;
-        weigh(rivals, rival, grab, ray, projection);
-        if (rival->score > rivals->list[winner].score) winner = (uint32_t)(rival - rivals->list);
+    uint32_t some[AT_ONCE] = {0}, winner = rivals->best;
+    const uint32_t count = likeliest(rivals, some);
+    rivals->round++;
+    remember(rivals, rivals->best);
+    for (uint32_t i = 0; i < count; i++) {
+        weigh(rivals, &rivals->list[some[i]], grab, ray, projection);
+        remember(rivals, some[i]);
+        if (rivals->list[some[i]].score > rivals->list[winner].score) winner = some[i];
     }
     return winner;
 }

@@ -10,9 +10,8 @@
 typedef struct dmi_rival {
     dm_joint joint;   /* host object frame */
     float side;       /* of rest that its range was found on, +1 or -1; 0: both */
-    int open;         /* nothing is known of its range: it begins at rest, on the side that it is pulled to */
+    int open;         /* nothing is known of its range */
     int settled;      /* the part has gone out on that side: rest is its stop */
-    uint32_t weighed; /* in which round, last */
     float prior;      /* log of its probability before the pull, up to a constant */
     float score;      /* the same after it */
     float reach;      /* the value the pointer asks of it, on whichever side */
@@ -28,9 +27,10 @@ typedef struct dmi_give {
 
 typedef struct dmi_rivals {
     dmi_rival list[DMI_RIVALS];
-    uint32_t count, best; /* best: in force */
-    uint32_t round;       /* of weighing */
-    float size;           /* of the part */
+    uint32_t count, best;   /* best: in force */
+    float hope[DMI_RIVALS]; /* by which they are weighed: the score, and what comes with waiting */
+    uint32_t round;         /* of weighing */
+    float size;             /* of the part */
     dmi_give give;
     float pull; /* how far the pointer went from the grabbed point, at its depth, at most */
 } dmi_rivals;

@@ -8,7 +8,8 @@
 
 #define MOST_STEPS 16
 #define LONGEST_STEP 0.5f     /* rad */
-#define LAST_STEP 3e-5f       /* rad, relative beyond 1; what a Newton step leaves is about its square */
+#define LAST_STEP 3e-5f       /* rad, relative beyond 1; what a Newton step leaves is about its square … */
+#define LAST_ROUGH_STEP 1e-2f /* … and this one in half the time */
 #define LEAST_SINE2 1e-9f     /* of the angle between a ray and a line that count as parallel, squared */
 #define LONGEST_FOLD 1.2f     /* rad: how far apart two places either side of a fold may be … */
 #define LONGEST_AT_LIMIT 0.5f /* … when the pointer may only have gone past a limit */
@@ -61,6 +62,7 @@ static float follow_slide(const dm_joint* joint, const float rest_point[3], cons
 typedef struct turn_view {
     vec3 centre, u, w, advance, d;
     dmi_projection projection;
+    float last_step;
 } turn_view;
 
 static turn_view view_turn(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
@@ -130,7 +132,7 @@ static float descend(turn_view* view, float start, float lower, float upper) {
         float step = slope.second > 0 ? -slope.first / slope.second : -copysignf(LONGEST_STEP, slope.first);
         step = glm_clamp(step, -LONGEST_STEP, LONGEST_STEP);
         float next = glm_clamp(value + step, lower, upper);
-        if (fabsf(next - value) <= LAST_STEP * fmaxf(1, fabsf(value))) return next;
+        if (fabsf(next - value) <= view->last_step * fmaxf(1, fabsf(value))) return next;
         if (next <= left || next >= right) next = 0.5f * (left + right);
         value = next;
     }
@@ -169,16 +171,27 @@ static float pass_fold(turn_view* view, float value, float lower, float upper) {
     return passed < 0 && then < here - LEAST_FOLD * arm ? there : value;
 }
 
-float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
-                     float start, float lower, float upper) {
+static float follow(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
+                    float start, float lower, float upper, float last_step) {
     float value = start;
     if (joint->type == DM_JOINT_PRISMATIC) {
         value = follow_slide(joint, rest_point, ray, projection, start, lower, upper);
     } else if (dmi_joint_turns(joint->type)) {
         turn_view view = view_turn(joint, rest_point, ray, projection);
+        view.last_step = last_step;
         if (!has_way(joint, rest_point, &view)) return start;
         const float least = fmaxf(lower, start - GLM_PIf), most = fminf(upper, start + GLM_PIf);
         value = pass_fold(&view, descend(&view, start, least, most), least, most);
     }
     return isfinite(value) ? glm_clamp(value, lower, upper) : start;
+}
+
+float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
+                     float start, float lower, float upper) {
+    return follow(joint, rest_point, ray, projection, start, lower, upper, LAST_STEP);
+}
+
+float dmi_follow_ray_roughly(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
+                             dmi_projection projection, float start, float lower, float upper) {
+    return follow(joint, rest_point, ray, projection, start, lower, upper, LAST_ROUGH_STEP);
 }
