@@ -158,10 +158,15 @@ static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, co
 
 /* Most slides rest at an end of their range, most turns that are hard to find do not: those stay free. */
 static void give_range(dmi_rival* rival, float size) {
+    dm_joint* joint = &rival->joint;
     rival->open = 0;
-    if (rival->joint.type != DM_JOINT_PRISMATIC) return;
-    rival->joint.lower = rival->reach < 0 ? -size : 0;
-    rival->joint.upper = rival->reach < 0 ? 0 : size;
+    if (joint->type == DM_JOINT_PRISMATIC) {
+        joint->lower = rival->reach < 0 ? -size : 0;
+        joint->upper = rival->reach < 0 ? 0 : size;
+        return;
+    }
+    joint->type = DM_JOINT_CONTINUOUS;
+    joint->lower = -0.5f * ONE_TURN, joint->upper = 0.5f * ONE_TURN;
 }
 
 /* Gives a joint the side of rest that the pull goes to. */
