@@ -5,8 +5,8 @@
 
 #include "nn/weights.h"
 
-#define DMI_LIMIT_FEATURES 28
-#define DMI_LIMIT_HIDDEN 48
+#define DMI_LIMIT_FEATURES 37
+#define DMI_LIMIT_HIDDEN 96
 
 typedef struct dmi_limit_net {
     float mean[DMI_LIMIT_FEATURES], scale[DMI_LIMIT_FEATURES];

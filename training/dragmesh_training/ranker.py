@@ -272,15 +272,15 @@ def fit_limits(data, validation, steps, seed):
     """The limits' network (sdk/kinematics/limit_net.c): sizes on a logarithmic scale, by their overlap with the truth."""
     import torch
     torch.manual_seed(seed)
-    hidden, x = 48, torch.from_numpy(data["features"])
+    hidden, x = 96, torch.from_numpy(data["features"])
     mean, scale = x.mean(0), 1 / (x.std(0) + 0.02)
     net = torch.nn.Sequential(torch.nn.Linear(x.shape[1], hidden), torch.nn.ReLU(), torch.nn.Linear(hidden, hidden),
                               torch.nn.ReLU(), torch.nn.Linear(hidden, 3))
     optimiser = torch.optim.AdamW(net.parameters(), 2e-3, weight_decay=3e-2)
 
-    def measure(batch):
+    def measure(batch, noise=0.0):
         features, lower, upper, free = (torch.from_numpy(batch[k]) for k in ("features", "lower", "upper", "free"))
-        out = net((features - mean) * scale)
+        out = net((features - mean) * scale + noise * torch.randn(features.shape))
         low, high = -(out[:, 0].exp() - 0.01).clamp(0, 7), (out[:, 1].exp() - 0.01).clamp(0, 7)
         logs = (out[:, 0] - (0.01 - lower.clamp(max=0)).log()).abs() + (out[:, 1] - (0.01 + upper.clamp(min=0)).log()).abs()
         limited = free == 0
@@ -293,7 +293,7 @@ def fit_limits(data, validation, steps, seed):
         for group in optimiser.param_groups:
             group["lr"] = 2e-3 * (1 - step / steps) + 1e-5
         index = random.integers(0, len(x), 256)
-        _, loss = measure({name: array[index] for name, array in data.items()})
+        _, loss = measure({name: array[index] for name, array in data.items()}, 0.3)
         optimiser.zero_grad()
         loss.backward()
         optimiser.step()

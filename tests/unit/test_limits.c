@@ -1,0 +1,111 @@
+/* What tells how far a joint goes: the way a sweep finds free, which way a lid shuts, how proud a button stands. */
+#include "test_env.h"
+
+#include <math.h>
+
+#include "kinematics/limits.h"
+#include "kinematics/sweep.h"
+#include "test_shapes.h"
+#include "test_world.h"
+
+enum { DOWN = 4, AROUND = 28 };
+
+static test_shape shape;
+static dmi_cloud cloud;
+static dmi_study study;
+
+typedef struct bench {
+    test_env t;
+    dmi_arena arena;
+    dmi_mesh* mesh;
+} bench;
+
+static void open_bench(bench* b) {
+    dm_mesh_desc desc = test_shape_desc(&shape);
+    dmi_axes axes;
+    test_env_open(&b->t, TEST_NEVER);
+    dmi_arena_init(&b->arena, &b->t.env, (size_t)1 << 20);
+    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
+    assert_int_equal(dmi_mesh_create(&b->t.env, &axes, &desc, NULL, 0, &b->mesh), DM_OK);
+    assert_int_equal(dmi_cloud_sample(&b->t.env, b->mesh, 1, 5, &cloud), DM_OK);
+    assert_int_equal(dmi_study_make(&b->arena, b->mesh, &cloud, 1, NULL, &study), DM_OK);
+}
+
+static void close_bench(bench* b) {
+    dmi_arena_release(&b->arena);
+    dmi_mesh_destroy(&b->t.env, b->mesh);
+    test_env_close(&b->t);
+}
+
+/* In the object's coordinates. */
+static dm_joint joint_at(const bench* b, int32_t type, const float axis[3], const double origin[3]) {
+    float point[3];
+    dmi_frame_point_in(&b->mesh->frame, origin, point);
+    return (dm_joint){.type = type, .axis = {axis[0], axis[1], axis[2]}, .origin = {point[0], point[1], point[2]}};
+}
+
+/* A tray, and a lid that stands up at its back edge, leaning back a little. */
+static void make_open_lid(void) {
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){1, 0.05f, 0.7f}, 0);
+    test_shape_box(&shape, (const float[]){0, 0.06f, -0.04f}, (const float[]){1, 0.76f, 0}, 1);
+}
+
+static void an_open_lid_knows_which_way_it_shuts(void** state) {
+    (void)state;
+    bench b;
+    float features[DMI_LIMIT_FEATURES];
+    make_open_lid();
+    open_bench(&b);
+    /* Positive leads on backwards. */
+    const dm_joint joint =
+        joint_at(&b, DM_JOINT_REVOLUTE, (const float[]){-1, 0, 0}, (const double[]){0.5, 0.06, -0.02});
+    assert_float_equal(dmi_limits_features(&study, NULL, 1, &joint, features), 1, 0);
+    for (int k = 0; k < DMI_LIMIT_FEATURES; k++) assert_true(isfinite(features[k]));
+    assert_true(features[DOWN + 1] < -1.2f && features[DOWN + 1] > -1.8f); /* jammed when shut */
+    assert_float_equal(features[AROUND], 0, 0.25f);                        /* a right angle from the tray … */
+    assert_true(features[AROUND + 1] < -0.9f);                             /* … that lies on the shutting side */
+    close_bench(&b);
+}
+
+/* A button of 0.04 with a quarter of it proud of its panel. */
+static void a_button_knows_how_proud_it_stands(void** state) {
+    (void)state;
+    bench b;
+    float features[DMI_LIMIT_FEATURES];
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){-0.5f, -0.1f, -0.1f}, (const float[]){0.5f, 0, 0.1f}, 0);
+    test_shape_box(&shape, (const float[]){-0.03f, -0.03f, -0.03f}, (const float[]){0.03f, 0.01f, 0.03f}, 1);
+    open_bench(&b);
+    const dm_joint joint = joint_at(&b, DM_JOINT_PRISMATIC, (const float[]){0, -1, 0}, (const double[]){0, 0, 0});
+    assert_float_equal(dmi_limits_features(&study, NULL, 1, &joint, features), 0.04f, 0.004f);
+    assert_true(features[AROUND] > 0);
+    assert_float_equal(features[AROUND + 2], 0.25f, 0.12f); /* the panel begins a quarter below the button's top */
+    close_bench(&b);
+}
+
+static void a_sweep_stops_at_the_body(void** state) {
+    (void)state;
+    bench b;
+    float reach[2];
+    make_open_lid();
+    open_bench(&b);
+    const dm_joint joint =
+        joint_at(&b, DM_JOINT_REVOLUTE, (const float[]){-1, 0, 0}, (const double[]){0.5, 0.06, -0.02});
+    const dmi_sweep sweep = dmi_sweep_make(&study, &joint);
+    dmi_sweep_reach(&sweep, DMI_SWEEP_TURN, 20, reach);
+    assert_float_equal(reach[1], 1, 0.01f); /* nothing behind it */
+    dmi_sweep_reach(&sweep, -DMI_SWEEP_TURN, DMI_SWEEP_TURNS, reach);
+    assert_true(reach[0] <= 0 && reach[1] <= reach[0] && reach[1] > -1.8f);
+    assert_true(dmi_sweep_clearance(&sweep, -1.5f).mean < dmi_sweep_clearance(&sweep, 0).mean);
+    close_bench(&b);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_open_lid_knows_which_way_it_shuts),
+        cmocka_unit_test(a_button_knows_how_proud_it_stands),
+        cmocka_unit_test(a_sweep_stops_at_the_body),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
