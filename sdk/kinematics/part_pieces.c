@@ -111,19 +111,28 @@ static void note_touch(const dmi_pieces* pieces, dmi_piece_sample* sample, uint3
     if (at == sample->touch_count) sample->touch_count++;
 }
 
+static void compare(const dmi_pieces* pieces, uint32_t s, uint32_t o) {
+    dmi_piece_sample *one = &pieces->samples[s], *other = &pieces->samples[o];
+    float apart[3];
+    if (one->piece == other->piece) return;
+    dmi_sub3(one->point, other->point, apart);
+    const float square = dmi_dot3(apart, apart);
+    if (square >= pieces->reach * pieces->reach) return;
+    const float distance = sqrtf(square);
+    note_touch(pieces, one, o, distance);
+    note_touch(pieces, other, s, distance);
+}
+
+/* Each pair once: with those before it in its own cell, and all of half the cells around. */
 static void search_around(const dmi_pieces* pieces, const grid* grid, uint32_t s) {
-    dmi_piece_sample* sample = &pieces->samples[s];
     int32_t own[3], cell[3];
-    cell_of(grid, sample->point, own);
-    for (int i = 0; i < 27; i++) {
+    cell_of(grid, pieces->samples[s].point, own);
+    for (uint32_t o = grid->next[s]; o != NONE; o = grid->next[o]) compare(pieces, s, o);
+    for (int i = 14; i < 27; i++) {
         cell[0] = own[0] + i % 3 - 1;
         cell[1] = own[1] + i / 3 % 3 - 1;
         cell[2] = own[2] + i / 9 - 1;
-        for (uint32_t o = grid->heads[bucket_of(grid, cell)]; o != NONE; o = grid->next[o]) {
-            if (pieces->samples[o].piece == sample->piece) continue;
-            const float distance = dmi_distance3(pieces->samples[o].point, sample->point);
-            if (distance < pieces->reach) note_touch(pieces, sample, o, distance);
-        }
+        for (uint32_t o = grid->heads[bucket_of(grid, cell)]; o != NONE; o = grid->next[o]) compare(pieces, s, o);
     }
 }
 
@@ -147,9 +156,35 @@ static dm_result find_touches(dmi_arena* arena, dmi_pieces* pieces) {
     return DM_OK;
 }
 
+/* A pair is found in a table of all that were seen. */
+static dm_result note_pairs(dmi_arena* arena, dmi_pieces* pieces) {
+    const uint32_t samples = pieces->first[pieces->count];
+    uint32_t touches = 0, slots = 16;
+    for (uint32_t s = 0; s < samples; s++) touches += pieces->samples[s].touch_count;
+    while (slots < 2 * touches) slots *= 2;
+    uint32_t(*seen)[2] = dmi_arena_push(arena, slots * sizeof *seen);
+    pieces->pairs = dmi_arena_push(arena, (touches + 1) * sizeof *pieces->pairs);
+    if (seen == NULL || pieces->pairs == NULL) return out_of_memory(arena, pieces->mesh);
+    memset(seen, 0xff, slots * sizeof *seen);
+    for (uint32_t s = 0; s < samples; s++) {
+        const dmi_piece_sample* sample = &pieces->samples[s];
+        for (uint32_t t = 0; t < sample->touch_count; t++) {
+            const uint32_t other = pieces->samples[sample->touches[t].sample].piece;
+            const uint32_t low = other < sample->piece ? other : sample->piece, high = low ^ other ^ sample->piece;
+            uint32_t at = (low * 0x9e3779b1u ^ high * 0x85ebca6bu) & (slots - 1);
+            while (seen[at][0] != NONE && (seen[at][0] != low || seen[at][1] != high)) at = (at + 1) & (slots - 1);
+            if (seen[at][0] == low) continue;
+            seen[at][0] = pieces->pairs[pieces->pair_count][0] = low;
+            seen[at][1] = pieces->pairs[pieces->pair_count++][1] = high;
+        }
+    }
+    return DM_OK;
+}
+
 dm_result dmi_pieces_make(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* labels, uint32_t count,
                           dmi_pieces* out) {
     *out = (dmi_pieces){.mesh = mesh, .labels = labels, .count = count};
     dm_result result = sample_pieces(arena, out);
-    return result == DM_OK ? find_touches(arena, out) : result;
+    if (result == DM_OK) result = find_touches(arena, out);
+    return result == DM_OK ? note_pairs(arena, out) : result;
 }

@@ -26,6 +26,8 @@ typedef struct dmi_pieces {
     dmi_piece_sample* samples; /* piece after piece */
     uint32_t* first;           /* of a piece; one more at the end */
     float reach;               /* samples nearer than this touch */
+    uint32_t (*pairs)[2];      /* pieces that touch, each pair once */
+    uint32_t pair_count;
 } dmi_pieces;
 
 /* Everything lives in the arena. labels: face -> 0 .. count - 1. */

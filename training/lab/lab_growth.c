@@ -1,21 +1,33 @@
-/* Grows the true parts of generated objects piece by piece and notes what touched them on the way. */
+/* Cases for fitting the part finder: grows the true parts of generated objects piece by piece and notes what touched
+ * them on the way; lets parts grow by themselves and notes how much of the true part each stage is.
+ *
+ * The generator's objects are many separate shells. Some are taken as if neighbouring shells were one sheet of surface,
+ * as in meshes that were modelled, scanned or united in one piece; in some the shells are torn at their creases, as
+ * where faces lie double, or more than two meet at an edge. */
 #include "lab_growth.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "case.h"
+#include "kinematics/part_choice.h"
 #include "kinematics/part_finder.h"
+#include "mesh/connectivity.h"
 
+#define BLOCK ((size_t)1 << 20)
 #define MOST_PIECES 400
+#define MOST_SHEETS 1500 /* of a case whose proposals are noted */
 #define GROWTHS 2
 #define STEPS 10
 #define UNDIRECTED 0.1f /* share of growths that are not told the drag */
+#define UNITED 0.35f    /* share of cases in which shells count as one sheet */
+#define CUT 0.3f        /* share of the others in which the grabbed sheet is cut */
+#define TORN 0.35f      /* share of cases in which sheets fall apart at their creases */
+#define CREASE_COSINE 0.8f
 
 typedef struct growing {
     const dm_lab_growth* out;
-    dmi_pieces pieces;
-    uint32_t* shells;
+    dmi_part_level level;
     uint8_t belongs[MOST_PIECES];
     float area; /* of the pieces that belong */
     lab_case made;
@@ -25,31 +37,134 @@ uint32_t dm_lab_growth_columns(void) {
     return DMI_GROWTH_FEATURES;
 }
 
+uint32_t dm_lab_choice_columns(void) {
+    return DMI_CHOICE_FEATURES;
+}
+
+uint32_t dm_lab_choice_most(void) {
+    return DMI_PROPOSALS_MOST;
+}
+
+/* ---- one drag, one surface ---- */
+
+static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
+    dm_joint joint;
+    const dmi_drag_hint hint = lab_case_drag(made, noise_degrees, &joint);
+    float length = 0;
+    for (int k = 0; k < 3; k++) length += hint.vector[k] * hint.vector[k];
+    const int told = !lab_chance(&made->random, UNDIRECTED) && length > 0;
+    for (int k = 0; k < 3; k++) {
+        out->point[k] = hint.point[k];
+        out->drag[k] = told ? hint.vector[k] / sqrtf(length) : 0;
+    }
+    out->face = dmi_part_nearest_face(made->mesh, out->point);
+}
+
+/* United sheets become sheet 0 and one shell, the others follow. */
+static dm_result relabel(dmi_arena* arena, const uint8_t* united, dmi_part_sheets* sheets) {
+    uint32_t* labels = dmi_arena_push(arena, sheets->count * sizeof *labels);
+    if (labels == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    uint32_t count = 1, shell = UINT32_MAX;
+    for (uint32_t p = 0; p < sheets->count; p++) labels[p] = united[p] ? 0 : count++;
+    for (uint32_t f = 0; f < sheets->mesh->face_count; f++) {
+        uint32_t* label = &sheets->labels[f];
+        if (united[*label]) {
+            if (shell == UINT32_MAX) shell = sheets->shells[f];
+            sheets->shells[f] = shell;
+        }
+        *label = labels[*label];
+    }
+    sheets->count = count;
+    return DM_OK;
+}
+
+/* The sheets around the grabbed one, as far as a random share of the whole area, become one. */
+static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t seed, dmi_part_sheets* sheets) {
+    dmi_pieces pieces;
+    dm_result result = dmi_pieces_make(arena, sheets->mesh, sheets->labels, sheets->count, &pieces);
+    uint8_t* united = result == DM_OK ? dmi_arena_push(arena, sheets->count) : NULL;
+    if (united == NULL) return result == DM_OK ? DM_ERROR_OUT_OF_MEMORY : result;
+    float total = 0, area = pieces.area[seed];
+    for (uint32_t p = 0; p < pieces.count; p++) total += pieces.area[p];
+    const float most = lab_uniform(random, 0.2f, 1.2f) * total, eager = lab_uniform(random, 0.02f, 0.5f);
+    memset(united, 0, sheets->count);
+    united[seed] = 1;
+    for (int changed = 1; changed && area < most;) {
+        changed = 0;
+        for (uint32_t s = 0; s < pieces.first[pieces.count] && area < most; s++) {
+            const dmi_piece_sample* sample = &pieces.samples[s];
+            for (uint32_t t = 0; t < sample->touch_count && !united[sample->piece]; t++) {
+                if (!united[pieces.samples[sample->touches[t].sample].piece] || !lab_chance(random, eager)) continue;
+                united[sample->piece] = 1;
+                area += pieces.area[sample->piece];
+                changed = 1;
+            }
+        }
+    }
+    return relabel(arena, united, sheets);
+}
+
+/* A random share of the sheets falls apart into smooth regions. */
+static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_sheets* sheets) {
+    const uint32_t faces = sheets->mesh->face_count;
+    uint32_t* regions = dmi_arena_push(arena, faces * sizeof *regions);
+    uint8_t* select = dmi_arena_push(arena, faces);
+    uint8_t* torn = dmi_arena_push(arena, sheets->count);
+    uint32_t count, labels = sheets->count;
+    if (regions == NULL || select == NULL || torn == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    const float share = lab_uniform(random, 0.1f, 1);
+    for (uint32_t p = 0; p < sheets->count; p++) torn[p] = (uint8_t)lab_chance(random, share);
+    for (uint32_t f = 0; f < faces; f++) select[f] = torn[sheets->labels[f]];
+    dm_result result = dmi_face_regions(arena, sheets->mesh, sheets->welded, select, CREASE_COSINE, regions, &count);
+    uint32_t* owners = result == DM_OK ? dmi_arena_push(arena, (count + 1) * sizeof *owners) : NULL;
+    uint32_t* names = owners != NULL ? dmi_arena_push(arena, (count + 1) * sizeof *names) : NULL;
+    if (names == NULL) return result == DM_OK ? DM_ERROR_OUT_OF_MEMORY : result;
+    memset(owners, 0xff, count * sizeof *owners);
+    memset(torn, 0, sheets->count);
+    for (uint32_t f = 0; f < faces; f++) { /* a sheet's first region keeps its label */
+        const uint32_t sheet = sheets->labels[f], region = regions[f];
+        if (!select[f]) continue;
+        if (owners[region] == UINT32_MAX) {
+            owners[region] = sheet;
+            names[region] = torn[sheet] ? labels++ : sheet;
+            torn[sheet] = 1;
+        }
+        if (owners[region] == sheet) sheets->labels[f] = names[region];
+    }
+    sheets->count = labels;
+    return DM_OK;
+}
+
+/* Sheets of a case, some united or torn. Answers whether the grabbed one was united with others. */
+static dm_result make_sheets(dmi_arena* arena, lab_case* made, const dmi_grab* grab, dmi_part_sheets* out,
+                             int* out_united) {
+    dm_result result = dmi_part_sheets_make(arena, made->mesh, out);
+    if (result == DM_OK && lab_chance(&made->random, TORN)) result = tear_sheets(arena, &made->random, out);
+    *out_united = lab_chance(&made->random, UNITED);
+    if (result != DM_OK || !*out_united || out->count > MOST_SHEETS) return result;
+    return unite_sheets(arena, &made->random, out->labels[grab->face], out);
+}
+
+/* A face moves with the case's part. */
+static int moves(const lab_case* made, uint32_t part, uint32_t face) {
+    return dmi_mesh_moves_with(made->mesh, made->mesh->face_part[face], part);
+}
+
+/* ---- growing ---- */
+
 /* Pieces with more than half of their area on the part. */
 static void find_truth(growing* g) {
     const dmi_mesh* mesh = g->made.mesh;
+    const dmi_pieces* pieces = &g->level.pieces;
     const uint32_t part = (uint32_t)dmi_mesh_find_part(mesh, g->made.part);
     float moving[MOST_PIECES] = {0};
     for (uint32_t f = 0; f < mesh->face_count; f++)
-        if (dmi_mesh_moves_with(mesh, mesh->face_part[f], part)) moving[g->pieces.labels[f]] += mesh->face_area[f];
+        if (moves(&g->made, part, f)) moving[pieces->labels[f]] += mesh->face_area[f];
     g->area = 0;
-    for (uint32_t p = 0; p < g->pieces.count; p++) {
-        g->belongs[p] = moving[p] > 0.5f * g->pieces.area[p];
-        g->area += g->belongs[p] ? g->pieces.area[p] : 0;
+    for (uint32_t p = 0; p < pieces->count; p++) {
+        g->belongs[p] = moving[p] > 0.5f * pieces->area[p];
+        g->area += g->belongs[p] ? pieces->area[p] : 0;
     }
-}
-
-/* By area, as a hand meets them. */
-static uint32_t draw_piece(growing* g) {
-    float left = dmi_random_unit(&g->made.random) * g->area;
-    uint32_t last = 0;
-    for (uint32_t p = 0; p < g->pieces.count; p++) {
-        if (!g->belongs[p]) continue;
-        last = p;
-        left -= g->pieces.area[p];
-        if (left < 0) break;
-    }
-    return last;
 }
 
 static void note(const growing* g, const dmi_growth* growth) {
@@ -73,18 +188,11 @@ static int step(growing* g, dmi_growth* growth) {
     return 1;
 }
 
-static dm_result grow(dmi_arena* arena, growing* g) {
-    static const float none[3] = {0, 0, 0};
-    dm_joint joint;
-    dmi_drag_hint hint = lab_case_drag(&g->made, 8, &joint);
-    const float length =
-        sqrtf(hint.vector[0] * hint.vector[0] + hint.vector[1] * hint.vector[1] + hint.vector[2] * hint.vector[2]);
-    for (int k = 0; k < 3; k++) hint.vector[k] /= length;
-    const int told = !lab_chance(&g->made.random, UNDIRECTED);
+static dm_result grow(dmi_arena* arena, growing* g, const dmi_grab* grab) {
     dmi_growth growth;
-    dm_result result = dmi_growth_make(arena, &g->pieces, g->shells, told ? hint.vector : none, &growth);
+    dm_result result = dmi_growth_make(arena, &g->level, grab->drag, &growth);
     if (result != DM_OK) return result;
-    dmi_growth_add(&growth, draw_piece(g));
+    dmi_growth_add(&growth, g->level.pieces.labels[grab->face]);
     for (int i = 0; i < STEPS; i++) {
         dmi_growth_look(&growth);
         note(g, &growth);
@@ -93,13 +201,22 @@ static dm_result grow(dmi_arena* arena, growing* g) {
     return DM_OK;
 }
 
-static dm_result grow_case(dmi_env* env, growing* g) {
+static dm_result grow_once(dmi_env* env, growing* g) {
     dmi_arena arena;
-    dmi_arena_init(&arena, env, (size_t)1 << 20);
-    dm_result result = dmi_part_sheets(&arena, g->made.mesh, &g->pieces, &g->shells);
-    if (result == DM_OK && g->pieces.count > 1 && g->pieces.count <= MOST_PIECES) {
+    dmi_part_sheets sheets;
+    dmi_grab grab;
+    grab_part(&g->made, 8, &grab);
+    dmi_arena_init(&arena, env, BLOCK);
+    int united;
+    dm_result result = make_sheets(&arena, &g->made, &grab, &sheets, &united);
+    const int cut = united || lab_chance(&g->made.random, CUT);
+    if (result == DM_OK)
+        result = dmi_part_level_make(&arena, &sheets, cut ? sheets.labels[grab.face] : DMI_PART_NONE, &g->level);
+    if (result == DM_OK && g->level.pieces.count == 0)
+        result = dmi_part_level_make(&arena, &sheets, DMI_PART_NONE, &g->level);
+    if (result == DM_OK && g->level.pieces.count > 1 && g->level.pieces.count <= MOST_PIECES) {
         find_truth(g);
-        for (int i = 0; i < GROWTHS && g->area > 0 && result == DM_OK; i++) result = grow(&arena, g);
+        if (g->belongs[g->level.pieces.labels[grab.face]]) result = grow(&arena, g, &grab);
     }
     dmi_arena_release(&arena);
     return result;
@@ -117,9 +234,69 @@ dm_result dm_lab_growth_batch(const dm_lab_options* options, const dm_lab_growth
         if (out->capacity - *out->count < GROWTHS * STEPS * MOST_PIECES) break;
         result = lab_case_make(&env, options, i, &g->made);
         if (result != DM_OK) break;
-        result = grow_case(&env, g);
+        for (int k = 0; k < GROWTHS && result == DM_OK; k++) result = grow_once(&env, g);
         lab_case_release(&env, &g->made);
     }
     dmi_free(&env, g, sizeof *g);
+    return result;
+}
+
+/* ---- choosing ---- */
+
+static float overlap(const lab_case* made, uint32_t part, const dmi_proposal* item) {
+    const dmi_mesh* mesh = made->mesh;
+    float both = 0, either = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const int truly = moves(made, part, f), found = item->inside[item->level->pieces.labels[f]] != 0;
+        both += truly && found ? mesh->face_area[f] : 0;
+        either += truly || found ? mesh->face_area[f] : 0;
+    }
+    return either > 0 ? both / either : 0;
+}
+
+static dm_result propose(dmi_arena* arena, lab_case* made, const dmi_part_net* net, dmi_proposals* out) {
+    dmi_part_sheets sheets;
+    dmi_grab grab;
+    grab_part(made, 8, &grab);
+    out->count = 0;
+    int united;
+    const dm_result result = make_sheets(arena, made, &grab, &sheets, &united);
+    if (result != DM_OK || sheets.count > MOST_SHEETS) return result;
+    return dmi_proposals_make(arena, &sheets, &grab, net, out);
+}
+
+static void note_proposals(const lab_case* made, const dmi_proposals* proposals, uint32_t row,
+                           const dm_lab_choice* out) {
+    const uint32_t part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part);
+    out->used[row] = (int32_t)proposals->count;
+    out->category[row] = (int32_t)made->category;
+    for (uint32_t i = 0; i < proposals->count; i++) {
+        const size_t at = (size_t)row * DMI_PROPOSALS_MOST + i;
+        memcpy(out->features + at * DMI_CHOICE_FEATURES, proposals->items[i].features,
+               sizeof proposals->items[i].features);
+        out->overlap[at] = overlap(made, part, &proposals->items[i]);
+    }
+}
+
+dm_result dm_lab_choice_batch(const dm_lab_options* options, const dm_lab_part_net* net, const dm_lab_choice* out) {
+    const dmi_part_net inner = {net->inputs, net->hidden, net->weights, net->biases, net->outputs, net->bias};
+    dmi_env env;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    if (net->inputs != DMI_GROWTH_FEATURES) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_proposals* proposals = dmi_alloc(&env, sizeof *proposals, 64);
+    if (proposals == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    dm_result result = DM_OK;
+    for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
+        lab_case made;
+        dmi_arena arena;
+        result = lab_case_make(&env, options, i, &made);
+        if (result != DM_OK) break;
+        dmi_arena_init(&arena, &env, BLOCK);
+        result = propose(&arena, &made, &inner, proposals);
+        if (result == DM_OK) note_proposals(&made, proposals, i, out);
+        dmi_arena_release(&arena);
+        lab_case_release(&env, &made);
+    }
+    dmi_free(&env, proposals, sizeof *proposals);
     return result;
 }

@@ -1,4 +1,5 @@
-/* What the part finder's growing is fitted on: pieces that touch a growing part, and whether they belong to it. */
+/* What the part finder is fitted on: pieces that touch a growing part, and whether they belong to it; proposals of the
+ * part, and how much of it they are. */
 #ifndef DM_LAB_GROWTH_H
 #define DM_LAB_GROWTH_H
 
@@ -16,5 +17,25 @@ typedef struct dm_lab_growth {
 DM_API uint32_t dm_lab_growth_columns(void);
 /* Of each case a part grows twice, from a random piece of its own, taking random pieces that belong to it. */
 DM_API dm_result dm_lab_growth_batch(const dm_lab_options* options, const dm_lab_growth* out);
+
+/* A network of one hidden layer, as sdk/kinematics/part_growth.h has it. */
+typedef struct dm_lab_part_net {
+    uint32_t inputs, hidden;
+    const float *weights, *biases, *outputs;
+    float bias;
+} dm_lab_part_net;
+
+typedef struct dm_lab_choice {
+    float* features;   /* x count x dm_lab_choice_most() x dm_lab_choice_columns() */
+    float* overlap;    /* x count x dm_lab_choice_most(): with the true part, intersection over union of areas */
+    int32_t* used;     /* x count: proposals there were */
+    int32_t* category; /* x count */
+} dm_lab_choice;
+
+DM_API uint32_t dm_lab_choice_columns(void);
+DM_API uint32_t dm_lab_choice_most(void);
+/* The proposals that growing by `net` makes of options->count cases. */
+DM_API dm_result dm_lab_choice_batch(const dm_lab_options* options, const dm_lab_part_net* net,
+                                     const dm_lab_choice* out);
 
 #endif

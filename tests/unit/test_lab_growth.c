@@ -1,0 +1,126 @@
+/* What the part finder is fitted on: labels of both kinds, sound features, the same bits for the same seed. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <dlfcn.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../../training/lab/lab_growth.h"
+#include "kinematics/part_choice.h"
+#include "test_tool.h"
+
+enum { CASES = 12, ROWS = 16000 };
+
+static dm_result (*growth_batch)(const dm_lab_options*, const dm_lab_growth*);
+static dm_result (*choice_batch)(const dm_lab_options*, const dm_lab_part_net*, const dm_lab_choice*);
+static uint32_t (*growth_columns)(void), (*choice_columns)(void), (*choice_most)(void), (*category_count)(void);
+
+static struct {
+    float features[ROWS][DMI_GROWTH_FEATURES], belongs[ROWS], weight[ROWS];
+    int32_t category[ROWS];
+    uint32_t count;
+} growth, growth_again;
+
+static struct {
+    float features[CASES][DMI_PROPOSALS_MOST][DMI_CHOICE_FEATURES], overlap[CASES][DMI_PROPOSALS_MOST];
+    int32_t used[CASES], category[CASES];
+} choice, choice_again;
+
+static uint8_t weights[256];
+
+static dm_lab_options options_of(uint64_t seed) {
+    memset(weights, 1, sizeof weights);
+    assert_true(category_count() <= sizeof weights);
+    return (dm_lab_options){.seed = seed,
+                            .count = CASES,
+                            .categories = weights,
+                            .messy = 0.5f,
+                            .rotated = 1,
+                            .with_drag = 1,
+                            .drag_noise_degrees = 8};
+}
+
+static void test_pieces_repeat_and_are_of_both_kinds(void** state) {
+    (void)state;
+    __typeof__(growth)* both[2] = {&growth, &growth_again};
+    for (int i = 0; i < 2; i++) {
+        const dm_lab_options options = options_of(3);
+        const dm_lab_growth out = {
+            ROWS, &both[i]->features[0][0], both[i]->belongs, both[i]->weight, both[i]->category, &both[i]->count};
+        assert_int_equal(growth_batch(&options, &out), DM_OK);
+    }
+    assert_int_equal(growth_columns(), DMI_GROWTH_FEATURES);
+    assert_memory_equal(&growth, &growth_again, sizeof growth);
+    uint32_t belong = 0;
+    assert_true(growth.count > 50);
+    for (uint32_t r = 0; r < growth.count; r++) {
+        belong += growth.belongs[r] > 0.5f;
+        for (int k = 0; k < DMI_GROWTH_FEATURES; k++) assert_true(isfinite(growth.features[r][k]));
+    }
+    assert_true(belong > 0 && belong < growth.count);
+}
+
+static void test_proposals_repeat_and_some_are_the_part(void** state) {
+    (void)state;
+    static const float zeros[DMI_GROWTH_FEATURES];
+    const dm_lab_part_net net = {DMI_GROWTH_FEATURES, 1, zeros, zeros, zeros, 0};
+    __typeof__(choice)* both[2] = {&choice, &choice_again};
+    for (int i = 0; i < 2; i++) {
+        const dm_lab_options options = options_of(5);
+        const dm_lab_choice out = {&both[i]->features[0][0][0], &both[i]->overlap[0][0], both[i]->used,
+                                   both[i]->category};
+        assert_int_equal(choice_batch(&options, &net, &out), DM_OK);
+    }
+    assert_int_equal(choice_columns(), DMI_CHOICE_FEATURES);
+    assert_int_equal(choice_most(), DMI_PROPOSALS_MOST);
+    assert_memory_equal(&choice, &choice_again, sizeof choice);
+    int found = 0;
+    for (int c = 0; c < CASES; c++) {
+        for (int i = 0; i < choice.used[c]; i++) {
+            assert_true(choice.overlap[c][i] >= 0 && choice.overlap[c][i] <= 1.0001f);
+            found += choice.overlap[c][i] > 0.8f;
+            for (int k = 0; k < DMI_CHOICE_FEATURES; k++) assert_true(isfinite(choice.features[c][i][k]));
+        }
+    }
+    assert_true(found > 0);
+}
+
+static void test_a_net_of_another_shape_is_refused(void** state) {
+    (void)state;
+    const dm_lab_options options = options_of(5);
+    const dm_lab_part_net net = {DMI_GROWTH_FEATURES - 1, 0, NULL, NULL, NULL, 0};
+    const dm_lab_choice out = {NULL, NULL, NULL, NULL};
+    assert_int_equal(choice_batch(&options, &net, &out), DM_ERROR_INVALID_ARGUMENT);
+}
+
+static int load_lab(void** state) {
+    (void)state;
+    char path[TOOL_PATH];
+    tool_find("libdragmesh_lab.so", path);
+    void* lab = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (!lab) {
+        print_error("%s\n", dlerror());
+        return -1;
+    }
+    *(void**)&growth_batch = dlsym(lab, "dm_lab_growth_batch");
+    *(void**)&choice_batch = dlsym(lab, "dm_lab_choice_batch");
+    *(void**)&growth_columns = dlsym(lab, "dm_lab_growth_columns");
+    *(void**)&choice_columns = dlsym(lab, "dm_lab_choice_columns");
+    *(void**)&choice_most = dlsym(lab, "dm_lab_choice_most");
+    *(void**)&category_count = dlsym(lab, "dm_lab_category_count");
+    return growth_batch && choice_batch && growth_columns && choice_columns && choice_most && category_count ? 0 : -1;
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pieces_repeat_and_are_of_both_kinds),
+        cmocka_unit_test(test_proposals_repeat_and_some_are_the_part),
+        cmocka_unit_test(test_a_net_of_another_shape_is_refused),
+    };
+    return cmocka_run_group_tests(tests, load_lab, NULL);
+}
