@@ -172,26 +172,27 @@ static float pass_fold(turn_view* view, float value, float lower, float upper) {
 }
 
 static float follow(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
-                    float start, float lower, float upper, float last_step) {
+                    float start, float lower, float upper, int roughly) {
     float value = start;
     if (joint->type == DM_JOINT_PRISMATIC) {
         value = follow_slide(joint, rest_point, ray, projection, start, lower, upper);
     } else if (dmi_joint_turns(joint->type)) {
         turn_view view = view_turn(joint, rest_point, ray, projection);
-        view.last_step = last_step;
+        view.last_step = roughly ? LAST_ROUGH_STEP : LAST_STEP;
         if (!has_way(joint, rest_point, &view)) return start;
         const float least = fmaxf(lower, start - GLM_PIf), most = fminf(upper, start + GLM_PIf);
-        value = pass_fold(&view, descend(&view, start, least, most), least, most);
+        value = descend(&view, start, least, most);
+        if (!roughly) value = pass_fold(&view, value, least, most);
     }
     return isfinite(value) ? glm_clamp(value, lower, upper) : start;
 }
 
 float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
                      float start, float lower, float upper) {
-    return follow(joint, rest_point, ray, projection, start, lower, upper, LAST_STEP);
+    return follow(joint, rest_point, ray, projection, start, lower, upper, 0);
 }
 
 float dmi_follow_ray_roughly(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
                              dmi_projection projection, float start, float lower, float upper) {
-    return follow(joint, rest_point, ray, projection, start, lower, upper, LAST_ROUGH_STEP);
+    return follow(joint, rest_point, ray, projection, start, lower, upper, 1);
 }

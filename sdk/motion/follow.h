@@ -14,7 +14,8 @@ typedef enum dmi_projection { DMI_PARALLEL = 0, DMI_PERSPECTIVE = 1 } dmi_projec
  * own line, away from everything, not finite. ray->direction must be unit. */
 float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
                      float start, float lower, float upper);
-/* The same to about a ten-thousandth of a radian: enough to tell whether a joint explains a pull. */
+/* The same to about a ten-thousandth of a radian, and not past folds: enough to tell whether a joint explains a pull.
+ */
 float dmi_follow_ray_roughly(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
                              dmi_projection projection, float start, float lower, float upper);
 
