@@ -24,7 +24,7 @@ smoke() {
     (cd training && "$python" -m dragmesh_training.evaluate "$network" "$work/$weights" --count 64 > /dev/null)
 }
 
-smoke kpp kpp_net.safetensors --set batch=16 --set pool=2048
+smoke kpp kpp_net.safetensors --set batch=16 --set pool=2048 --set choice_from=0
 smoke vae dq_vae.safetensors --set batch=32 --set pool=2048
 for run in first second; do
     "$python" training/train kpp --run "$work/$run" --out "$work/$run" --set steps=20 --set batch=8 --set pool=512
