@@ -3,8 +3,8 @@ was grabbed, and which of the proposals that growing by it makes is the part.
 
     PYTHONPATH=training python3 -m dragmesh_training.growth -o sdk/kinematics/part_weights.h
 
-makes the shipped weights, from its defaults alone. The categories held out (config.py) are not trained on: they are for
-the score. Cases can be kept between runs (--cache FOLDER).
+makes weights like the shipped ones from its defaults alone (docs/accuracy.md says what was otherwise then). The categories
+held out (config.py) are not trained on: they are for the score. Cases can be kept between runs (--cache FOLDER).
 """
 import argparse
 import ctypes
