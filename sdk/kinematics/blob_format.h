@@ -9,9 +9,10 @@
  * PART for each part: u32 id, parent index, triangles; f32 box min[3] max[3], centre[3], area; i32 given type
  * JNT  for each part but the body: u32 n hypotheses, i32 k (the one in force, or -1), n joints, for k = -1 one more
  * PNT  for each part but the body: f32 [512][3]
- * ALT  (absent in files made before there were any) for each part but the body: u32 n, n times: i32 type, f32
- * confidence, axis[3], origin[3] TRI  (absent without picking) u64 vertices, triangles; f32 [][3] positions, u32 [][3]
- * corners, u16 [] part index
+ * ALT  for each part but the body: u32 n, n times: i32 type, f32 confidence, axis[3], origin[3]
+ *      (absent in files made before there were any)
+ * TRI  u64 vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index
+ *      (absent without picking)
  *
  * A joint: i32 type, f32 type confidence, confidence, pitch, axis[3], origin[3], lower, upper, i32 source.
  * Joints are object-normalised like all else, so a file serves hosts of any axes and unit. A reader skips tags that it

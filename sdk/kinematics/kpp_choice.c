@@ -10,10 +10,6 @@
 /* Of the shape numbers (docs/networks.md). */
 enum { BOX = 3 * DMI_KPP_DIRECTIONS, DRAG = BOX + 12 };
 
-static void turn_in(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = dmi_dot3(frame->rotation + 3 * i, v);
-}
-
 /* The dragged point's motion: how well it follows the drag, where it goes (forwards), how fast a turn moves it. */
 static void write_drag(const dmi_candidate* c, const float shape[DMI_KPP_SHAPE], float out[5]) {
     const float *point = shape + DRAG, *drag = shape + DRAG + 3;
@@ -55,8 +51,8 @@ static dmi_candidate in_frame(const dmi_candidate* c, const dmi_kpp_frame* frame
     dmi_candidate inner = *c;
     float from[3];
     dmi_sub3(c->origin, frame->origin, from);
-    turn_in(frame, c->axis, inner.axis);
-    turn_in(frame, from, inner.origin);
+    dmi_kpp_turn_in(frame, c->axis, inner.axis);
+    dmi_kpp_turn_in(frame, from, inner.origin);
     for (int k = 0; k < 3; k++) inner.origin[k] *= frame->scale;
     return inner;
 }

@@ -146,15 +146,11 @@ static void make_frame(const dmi_cloud* cloud, const dmi_drag_hint* hint, const 
     out->scale = 1 / v->radius;
 }
 
-static void turn_in(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
-    for (int r = 0; r < 3; r++) out[r] = dmi_dot3(frame->rotation + 3 * r, v);
-}
-
 /* Far points are drawn in, so that a small part of a large object keeps its scale. */
 static void point_in(const dmi_kpp_frame* frame, const float x[3], float out[3]) {
     float d[3];
     dmi_sub3(x, frame->origin, d);
-    turn_in(frame, d, out);
+    dmi_kpp_turn_in(frame, d, out);
     float length = dmi_length3(out) * frame->scale, factor = frame->scale;
     if (length > 2) factor *= (2 + logf(length / 2)) / length;
     for (int k = 0; k < 3; k++) out[k] *= factor;
@@ -201,7 +197,7 @@ static void choose_points(const dmi_cloud* cloud, const dmi_kpp_frame* frame, po
             float y[3];
             point_in(frame, cloud->xyz[i], y);
             for (int k = 0; k < 3; k++) out->y[k][n] = y[k];
-            turn_in(frame, cloud->normal[i], out->normal[n]);
+            dmi_kpp_turn_in(frame, cloud->normal[i], out->normal[n]);
             const uint32_t other = block == 0 ? DMI_CLOUD_PART : 0;
             const float gap = nearest_square(&all, other, block == 0 ? DMI_CLOUD_NEAR : DMI_CLOUD_PART, cloud->xyz[i]);
             out->nearness[n] = 1 / (1 + sqrtf(gap) * frame->scale / HALF_NEAR);
@@ -283,7 +279,7 @@ static void sign_line(float line[3]) {
 
 static float* write_directions(const dmi_kpp_frame* frame, const float axes[3][3], float* out) {
     for (int k = 0; k < 3; k++, out += 3) {
-        turn_in(frame, axes[k], out);
+        dmi_kpp_turn_in(frame, axes[k], out);
         sign_line(out);
     }
     return out;
@@ -295,7 +291,7 @@ static float* write_box(const dmi_kpp_frame* frame, const float (*xyz)[3], uint3
     for (uint32_t i = 0; i < count; i++) {
         float d[3], y[3];
         dmi_sub3(xyz[i], frame->origin, d);
-        turn_in(frame, d, y);
+        dmi_kpp_turn_in(frame, d, y);
         for (int k = 0; k < 3; k++) low[k] = fminf(low[k], y[k]), high[k] = fmaxf(high[k], y[k]);
     }
     for (int k = 0; k < 3; k++) {
@@ -346,7 +342,7 @@ void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_k
     drag_channels drag = {{0, 0, 0}, {0, 0, 0}};
     if (hint != NULL) {
         point_in(&out_input->frame, hint->point, drag.point);
-        turn_in(&out_input->frame, hint->vector, drag.vector);
+        dmi_kpp_turn_in(&out_input->frame, hint->vector, drag.vector);
         dmi_normalize3(drag.vector);
     }
     points p;

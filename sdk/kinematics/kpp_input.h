@@ -3,6 +3,7 @@
 #ifndef DMI_KINEMATICS_KPP_INPUT_H
 #define DMI_KINEMATICS_KPP_INPUT_H
 
+#include "kinematics/linear3.h"
 #include "mesh/cloud.h"
 
 #define DMI_KPP_GROUP 16 /* points a group */
@@ -30,6 +31,11 @@ typedef struct dmi_kpp_frame {
     float origin[3];
     float scale;
 } dmi_kpp_frame;
+
+/* A direction in the frame. */
+static inline void dmi_kpp_turn_in(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
+    for (int r = 0; r < 3; r++) out[r] = dmi_dot3(frame->rotation + 3 * r, v);
+}
 
 typedef struct dmi_kpp_input {
     dmi_kpp_frame frame;

@@ -5,11 +5,6 @@
 #include "case.h"
 #include "lab_given.h"
 
-static void to_inner(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
-    for (int i = 0; i < 3; i++)
-        out[i] = frame->rotation[3 * i] * v[0] + frame->rotation[3 * i + 1] * v[1] + frame->rotation[3 * i + 2] * v[2];
-}
-
 static float clamped(float value, float most) {
     return fmaxf(-most, fminf(most, value));
 }
@@ -18,8 +13,8 @@ static void write_labels(const dm_joint* joint, const dmi_kpp_frame* frame, cons
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float from[3] = {joint->origin.x - frame->origin[0], joint->origin.y - frame->origin[1],
                            joint->origin.z - frame->origin[2]};
-    to_inner(frame, axis, out->axis + 3 * i);
-    to_inner(frame, from, out->origin + 3 * i);
+    dmi_kpp_turn_in(frame, axis, out->axis + 3 * i);
+    dmi_kpp_turn_in(frame, from, out->origin + 3 * i);
     for (int k = 0; k < 3; k++) out->origin[3 * i + k] *= frame->scale;
     float* limits = out->limits + 5 * i;
     memset(limits, 0, 5 * sizeof(float));
