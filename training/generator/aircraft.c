@@ -2,115 +2,20 @@
  * much as they fly. */
 #include "categories.h"
 #include "hardware.h"
-
-/* ---- wings: root at the origin, span along +X, nose to +Z, thin along Y ---- */
-
-typedef struct wing {
-    float span, root, tip; /* chords */
-    float sweep;           /* of the leading edge: how far the tip lies back */
-    float thick;           /* fraction of the chord */
-    float dihedral;
-    bool flat; /* a plate, not a profile */
-} wing;
-
-static float chord_at(const wing* w, float s) {
-    return w->root + (w->tip - w->root) * s;
-}
-
-/* A point of the wing: s along the span, c along the chord from the leading edge, side -1 … 1 of the thickness. */
-static dmg_vec wing_point(const wing* w, float s, float c, float side) {
-    float chord = chord_at(w, s), profile = w->flat ? 0.5f : 0.5f * (1.0f - 0.9f * c) * (c < 0.02f ? 0.4f : 1.0f);
-    return v3(s * w->span, side * profile * w->thick * chord + s * w->span * w->dihedral,
-              0.5f * w->root - s * w->sweep - c * chord);
-}
-
-/* The wing between two places along the span and the chord. */
-static void draw_wing_piece(dmg_builder* b, const wing* w, float s0, float s1, float c0, float c1) {
-    enum { HALF = 3 };
-    uint32_t v[2][2 * HALF];
-    dmg_piece_begin(b);
-    for (int end = 0; end < 2; ++end) {
-        for (int i = 0; i < 2 * HALF; ++i) {
-            float share = (float)(i < HALF ? i : 2 * HALF - 1 - i) / (HALF - 1);
-            v[end][i] = dmg_vertex(b, wing_point(w, end ? s1 : s0, c0 + (c1 - c0) * share, i < HALF ? 1.0f : -1.0f));
-        }
-    }
-    for (int i = 0; i < 2 * HALF; ++i) {
-        int next = (i + 1) % (2 * HALF);
-        dmg_quad(b, v[0][i], v[0][next], v[1][next], v[1][i]);
-    }
-    for (int i = 0; i + 1 < HALF; ++i) {
-        int under = 2 * HALF - 1 - i;
-        dmg_quad(b, v[0][i], v[0][under], v[0][under - 1], v[0][i + 1]);
-        dmg_quad(b, v[1][i], v[1][i + 1], v[1][under - 1], v[1][under]);
-    }
-}
-
-/* A movable trailing edge from s0 to s1, its hinge at the fraction c of the chord. */
-typedef struct surface {
-    const char* name;
-    float s0, s1, c, swing;
-} surface;
-
-static void draw_surface(dmg_builder* b, const wing* w, uint32_t parent, const surface* f, float gap) {
-    float along = gap * 0.5f;
-    float s0 = f->s0 + along, s1 = f->s1 - along, at = f->c + gap;
-    dmg_vec from = wing_point(w, s0, at, 0), to = wing_point(w, s1, at, 0);
-    /* About +X (root to tip) the trailing edge, which lies to -Z, goes up: lower it. */
-    dmg_vec line = v3_normalize(v3_sub(from, to)), middle = v3_lerp(from, to, 0.5f);
-    bool plain = dmg_chance(b, 0.25f); /* straight across, whatever the sweep: good enough for many a model */
-    dmg_hinge(b, parent, f->name, plain ? middle : from, plain ? v3(-1, 0, 0) : line, -f->swing, f->swing);
-    draw_wing_piece(b, w, s0, s1, at, 1.0f);
-    if (dmg_chance(b, 0.15f))
-        dmg_box(b, v3_lerp(from, to, 0.5f), v3(0.01f * w->span, 0.2f * w->thick * w->root, 0.05f * w->root));
-    dmg_use(b, parent);
-}
-
-/* The wing with its surfaces cut out of it; surfaces in order along the span. */
-static void draw_wing(dmg_builder* b, const wing* w, uint32_t parent, const surface* surfaces, int count) {
-    float done = 0.0f, gap = dmg_chance(b, 0.4f) ? 0.0f : dmg_range(b, 0.004f, 0.03f);
-    bool whole = dmg_chance(b, 0.15f); /* nobody cut the wing: the surface lies in it */
-    dmg_use(b, parent);
-    if (whole) draw_wing_piece(b, w, 0, 1, 0, 0.99f);
-    for (int i = 0; i < count && !whole; ++i) {
-        if (surfaces[i].s0 > done) draw_wing_piece(b, w, done, surfaces[i].s0, 0, 1);
-        draw_wing_piece(b, w, surfaces[i].s0, surfaces[i].s1, 0, surfaces[i].c);
-        done = surfaces[i].s1;
-    }
-    if (!whole && done < 1.0f) draw_wing_piece(b, w, done, 1, 0, 1);
-    for (int i = 0; i < count; ++i) draw_surface(b, w, parent, &surfaces[i], gap);
-}
-
-static wing pick_wing(dmg_builder* b, float span, float root) {
-    wing w = {.span = span, .root = root, .tip = root * dmg_range(b, 0.25f, 1.0f)};
-    w.sweep = dmg_chance(b, 0.5f) ? 0.5f * (root - w.tip) : span * dmg_range(b, -0.1f, 0.8f);
-    w.thick = dmg_range(b, 0.05f, 0.15f);
-    w.flat = dmg_chance(b, 0.2f);
-    if (w.flat) w.thick *= 0.4f;
-    return w;
-}
-
-static int pick_surfaces(dmg_builder* b, surface out[2], const char* inner, const char* outer) {
-    float swing = dmg_range(b, 0.3f, 0.8f), c = dmg_range(b, 0.62f, 0.85f), middle = dmg_range(b, 0.4f, 0.65f);
-    int count = 0;
-    float first = dmg_range(b, 0.05f, 0.2f), from = dmg_range(b, 0.02f, 0.5f), last = dmg_range(b, 0.85f, 1.0f);
-    if (inner) out[count++] = (surface){inner, first, middle - 0.02f, c, swing};
-    if (outer) out[count++] = (surface){outer, inner ? middle + 0.02f : from, last, c, swing};
-    return count;
-}
+#include "wings.h"
 
 /* Both sides alike. A whole tailplane may turn about a line across it instead. */
-static void draw_pair(dmg_builder* b, const wing* w, const surface* surfaces, int count, bool all_moving) {
+static void draw_pair(dmg_builder* b, const dmg_wing* w, const dmg_surface* surfaces, int count, bool all_moving) {
     for (int side = 0; side < 2; ++side) {
         dmg_save(b);
         if (side) dmg_mirror(b, v3(1, 0, 0));
         dmg_use(b, 0);
         if (all_moving) {
-            dmg_vec pivot = wing_point(w, 0, 0.4f, 0);
+            dmg_vec pivot = dmg_wing_point(w, 0, 0.4f, 0);
             dmg_hinge(b, 0, "tailplane", pivot, v3(1, 0, 0), -0.4f, 0.4f);
-            draw_wing_piece(b, w, 0.03f, 1, 0, 1);
+            dmg_wing_piece_draw(b, w, 0.03f, 1, 0, 1);
         } else {
-            draw_wing(b, w, 0, surfaces, count);
+            dmg_wing_draw(b, w, 0, surfaces, count);
         }
         dmg_restore(b);
     }
@@ -216,30 +121,30 @@ static void draw_prop(dmg_builder* b, const char* name, float radius, int blades
 
 static void draw_tail(dmg_builder* b, float radius, float tail) {
     float span = radius * dmg_range(b, 1.5f, 3.0f), root = radius * dmg_range(b, 0.8f, 1.5f);
-    wing plane = pick_wing(b, span, root);
+    dmg_wing plane = dmg_wing_pick(b, span, root);
     span = radius * dmg_range(b, 1.0f, 2.2f);
     root = radius * dmg_range(b, 0.8f, 1.8f);
-    wing fin = pick_wing(b, span, root);
-    surface flaps[2];
-    int count = pick_surfaces(b, flaps, NULL, "elevator");
+    dmg_wing fin = dmg_wing_pick(b, span, root);
+    dmg_surface flaps[2];
+    int count = dmg_surfaces_pick(b, flaps, NULL, "elevator");
     int fins = dmg_chance(b, 0.2f) ? 2 : 1;
     bool on_fin = fins == 1 && dmg_chance(b, 0.2f);
     dmg_save(b);
     dmg_move(b, 0, on_fin ? fin.span : 0, -tail + 0.5f * plane.root - (on_fin ? fin.sweep : 0));
     draw_pair(b, &plane, flaps, count, dmg_chance(b, 0.25f));
     dmg_restore(b);
-    count = pick_surfaces(b, flaps, NULL, "rudder");
+    count = dmg_surfaces_pick(b, flaps, NULL, "rudder");
     for (int i = 0; i < fins; ++i) {
         dmg_save(b);
         dmg_move(b, fins == 1 ? 0 : ((float)i - 0.5f) * 1.6f * radius, 0.1f * radius, -tail + 0.55f * fin.root);
         dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI);
-        draw_wing(b, &fin, 0, flaps, count);
+        dmg_wing_draw(b, &fin, 0, flaps, count);
         dmg_restore(b);
         dmg_use(b, 0);
     }
 }
 
-static void draw_engines(dmg_builder* b, float radius, float nose, const wing* w) {
+static void draw_engines(dmg_builder* b, float radius, float nose, const dmg_wing* w) {
     int kind = dmg_int(b, 0, 3), blades = dmg_int(b, 2, 5);
     float prop = radius * dmg_range(b, 0.9f, 1.7f);
     if (kind == 0) {
@@ -250,7 +155,7 @@ static void draw_engines(dmg_builder* b, float radius, float nose, const wing* w
     }
     for (int s = -1; s <= 1 && (kind == 1 || kind == 2); s += 2) { /* under the wings */
         float at = dmg_range(b, 0.28f, 0.32f);
-        dmg_vec p = wing_point(w, at, 0.2f, 0);
+        dmg_vec p = dmg_wing_point(w, at, 0.2f, 0);
         dmg_save(b);
         dmg_move(b, (float)s * p.x, p.y - 0.3f * radius, p.z);
         dmg_rod(b, v3(0, 0, -0.8f * radius), v3(0, 0, 0.8f * radius), 0.4f * radius);
@@ -269,12 +174,12 @@ void dmg_build_aeroplane(dmg_builder* b) {
     dmg_move(b, 0, 2 * radius + leg, 0);
     draw_fuselage(b, radius, nose, tail);
     float span = radius * dmg_range(b, 3.0f, 9.0f), root = radius * dmg_range(b, 1.4f, 3.0f);
-    wing w = pick_wing(b, span, root);
+    dmg_wing w = dmg_wing_pick(b, span, root);
     w.dihedral = dmg_range(b, -0.05f, 0.12f);
     float mount = radius * dmg_range(b, -0.7f, 0.9f), along = nose * dmg_range(b, -0.3f, 0.2f);
-    surface flaps[2];
+    dmg_surface flaps[2];
     bool flapped = dmg_chance(b, 0.5f), ailerons = !flapped || dmg_chance(b, 0.9f);
-    int count = pick_surfaces(b, flaps, flapped ? "flap" : NULL, ailerons ? "aileron" : NULL);
+    int count = dmg_surfaces_pick(b, flaps, flapped ? "flap" : NULL, ailerons ? "aileron" : NULL);
     dmg_save(b);
     dmg_move(b, 0, mount, along);
     draw_pair(b, &w, flaps, count, false);
@@ -333,12 +238,13 @@ void dmg_build_helicopter(dmg_builder* b) {
     } else {
         draw_tail_rotor(b, radius, tail);
     }
-    wing fin = pick_wing(b, 0.9f * radius, 0.8f * radius), plane = pick_wing(b, 0.9f * radius, 0.5f * radius);
+    dmg_wing fin = dmg_wing_pick(b, 0.9f * radius, 0.8f * radius),
+             plane = dmg_wing_pick(b, 0.9f * radius, 0.5f * radius);
     dmg_save(b);
     dmg_move(b, 0, 0.35f * radius, -0.97f * tail);
     dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI);
     dmg_use(b, 0);
-    draw_wing_piece(b, &fin, 0, 1, 0, 1);
+    dmg_wing_piece_draw(b, &fin, 0, 1, 0, 1);
     dmg_restore(b);
     dmg_save(b);
     dmg_move(b, 0, 0.3f * radius, -0.8f * tail);
@@ -517,17 +423,17 @@ void dmg_build_submarine(dmg_builder* b) {
         draw_thruster(b, fminf(0.6f * radius, 2 * prop));
         dmg_restore(b);
         for (int i = 0; i < 4; ++i) { /* rudders and planes at the stern */
-            wing fin = pick_wing(b, radius, 0.6f * radius);
+            dmg_wing fin = dmg_wing_pick(b, radius, 0.6f * radius);
             dmg_save(b);
             dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI * (float)i);
             dmg_move(b, 0.2f * radius, 0, -0.45f * size);
             dmg_use(b, 0);
             if (dmg_chance(b, 0.5f)) {
-                surface flap = {"rudder", 0.1f, 0.98f, dmg_range(b, 0.4f, 0.75f), 0.6f};
-                draw_wing(b, &fin, 0, &flap, 1);
+                dmg_surface flap = {"rudder", 0.1f, 0.98f, dmg_range(b, 0.4f, 0.75f), 0.6f, false};
+                dmg_wing_draw(b, &fin, 0, &flap, 1);
             } else {
-                dmg_hinge(b, 0, "plane", wing_point(&fin, 0, 0.4f, 0), v3(1, 0, 0), -0.5f, 0.5f);
-                draw_wing_piece(b, &fin, 0.05f, 1, 0, 1);
+                dmg_hinge(b, 0, "plane", dmg_wing_point(&fin, 0, 0.4f, 0), v3(1, 0, 0), -0.5f, 0.5f);
+                dmg_wing_piece_draw(b, &fin, 0.05f, 1, 0, 1);
             }
             dmg_restore(b);
         }

@@ -145,7 +145,9 @@
     X(balance)                                                                                                         \
     X(slats)                                                                                                           \
     /* aircraft.c */                                                                                                   \
-    X(submarine)
+    X(submarine)                                                                                                       \
+    /* jet.c */                                                                                                        \
+    X(jet)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
