@@ -147,7 +147,10 @@
     /* aircraft.c */                                                                                                   \
     X(submarine)                                                                                                       \
     /* jet.c */                                                                                                        \
-    X(jet)
+    X(jet)                                                                                                             \
+    /* chassis.c */                                                                                                    \
+    X(chassis)                                                                                                         \
+    X(wheelchair)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
