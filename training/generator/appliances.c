@@ -37,6 +37,7 @@ void dmg_build_microwave(dmg_builder* b) {
     dmg_case_draw(b, shell, w, h, depth, wall);
     float fill_x = dmg_range(b, 0.92f, 1.0f), fill_y = dmg_range(b, 0.9f, 1.0f);
     dmg_leaf leaf = dmg_leaf_pick_appliance(b, w * fill_x, h * fill_y, t);
+    if (dmg_chance(b, 0.5f)) dmg_leaf_pick_line(b, &leaf);
     leaf.side = flap ? DMG_SIDE_BOTTOM : DMG_SIDE_LEFT;
     leaf.swing = dmg_range(b, 1.4f, 1.9f);
     dmg_save(b);
@@ -82,6 +83,7 @@ void dmg_build_oven(dmg_builder* b) {
         dmg_racks_draw(b, "rack", dmg_int(b, 0, 3), width - 2.5f * wall, cavity - 2 * wall, depth - 2 * wall, 0.02f);
     float fill_x = dmg_range(b, 0.9f, 1.0f), fill_y = dmg_range(b, 0.92f, 1.0f);
     dmg_leaf leaf = dmg_leaf_pick_appliance(b, width * fill_x, cavity * fill_y, t);
+    if (dmg_chance(b, 0.5f)) dmg_leaf_pick_line(b, &leaf);
     leaf.side = dmg_chance(b, 0.85f) ? DMG_SIDE_BOTTOM : DMG_SIDE_LEFT;
     leaf.swing = dmg_range(b, 1.3f, 1.65f);
     dmg_save(b);

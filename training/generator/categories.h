@@ -144,6 +144,13 @@
     X(press)                                                                                                           \
     X(balance)                                                                                                         \
     X(slats)                                                                                                           \
+    /* notebooks.c */                                                                                                  \
+    X(notebook)                                                                                                        \
+    /* hutches.c */                                                                                                    \
+    X(slab_cabinet)                                                                                                    \
+    X(sliding_cabinet)                                                                                                 \
+    X(desk_hutch)                                                                                                      \
+    X(nightstand)                                                                                                      \
     /* aircraft.c */                                                                                                   \
     X(submarine)                                                                                                       \
     /* jet.c */                                                                                                        \

@@ -95,6 +95,7 @@ static fridge pick_fridge(dmg_builder* b, float height) {
     f.shell = dmg_case_pick(b);
     f.trays = dmg_chance(b, 0.5f);
     f.leaf = dmg_leaf_pick_appliance(b, f.width, 0.6f * height, f.thickness);
+    if (dmg_chance(b, 0.5f)) dmg_leaf_pick_line(b, &f.leaf);
     f.leaf.panel.kind =
         dmg_chance(b, 0.85f) ? (dmg_chance(b, 0.5f) ? DMG_PANEL_FLAT : DMG_PANEL_SOFT) : DMG_PANEL_WINDOW;
     f.leaf.handle_at = dmg_range(b, -0.2f, 0.2f);
@@ -147,6 +148,7 @@ void dmg_build_dishwasher(dmg_builder* b) {
         dmg_racks_draw(b, "rack", dmg_int(b, 1, 3), width - 2.5f * wall, tall - 3 * wall, depth - 2 * wall,
                        0.12f * tall);
     dmg_leaf leaf = dmg_leaf_pick_appliance(b, width, tall, t);
+    if (dmg_chance(b, 0.5f)) dmg_leaf_pick_line(b, &leaf);
     if (dmg_chance(b, 0.8f)) leaf.panel.kind = DMG_PANEL_FLAT;
     leaf.side = DMG_SIDE_BOTTOM;
     leaf.swing = dmg_range(b, 1.35f, 1.6f);

@@ -1,14 +1,63 @@
 /* Doors, flaps, drawers and buttons on a front: the parts that furniture, appliances and panels share. */
 #include "hardware.h"
 
+/* Where modellers put a leaf's line: often no hardware tells, and each has one of a few habits. */
+static void pick_line(dmg_builder* b, float* inset, float* depth) {
+    static const float habits[] = {3, 3, 2, 2, 1.5f, 1, 1.5f, 3};
+    float across = dmg_range(b, 0.0f, 1.0f), through = dmg_range(b, 0.0f, 1.0f);
+    *inset = 0.0f;
+    *depth = 0.0f;
+    switch (dmg_weighted(b, habits, 8)) {
+    case 0: /* the front edge */
+        break;
+    case 1: /* the body's corner, which the back edge lies on */
+        *depth = 1.0f;
+        break;
+    case 2: /* the middle of the hung side */
+        *depth = 0.5f;
+        break;
+    case 3: /* a pivot that the edge is rounded about */
+        *inset = *depth = 0.5f;
+        break;
+    case 4: /* a pivot inside the slab, nearer to its back */
+        *inset = 0.1f + 0.9f * across;
+        *depth = 0.4f + 0.6f * through;
+        break;
+    case 5: /* well inside, as pins of heavy doors are */
+        *inset = 1.0f + 1.5f * across;
+        *depth = 0.3f + 0.5f * through;
+        break;
+    case 6: /* knuckles outside the edge, before or behind the slab */
+        *inset = -0.6f * across;
+        *depth = 1.5f * through - 0.25f;
+        break;
+    default:
+        *inset = dmg_chance(b, 0.5f) ? 0.0f : 2.0f * across - 0.5f;
+        *depth = 1.1f * through;
+        break;
+    }
+}
+
+void dmg_leaf_pick_line(dmg_builder* b, dmg_leaf* leaf) {
+    pick_line(b, &leaf->inset, &leaf->depth);
+}
+
+/* On the free edge, or as a drawer's in the middle of the leaf: the same for all fronts of a piece. */
+static void pick_handle_place(dmg_builder* b, dmg_leaf* leaf) {
+    leaf->handle_at = dmg_chance(b, 0.4f) ? 0.0f : dmg_range(b, -0.4f, 0.4f);
+    leaf->handle_edge = dmg_range(b, 0.05f, 0.15f);
+    leaf->handle_across = dmg_chance(b, 0.12f);
+    if (!dmg_chance(b, 0.1f)) return;
+    leaf->handle_edge = 0.5f;
+    leaf->handle_across = dmg_chance(b, 0.8f);
+    if (leaf->handle_across && dmg_chance(b, 0.7f)) leaf->handle_at = dmg_sign(b) * 0.45f;
+}
+
 dmg_leaf dmg_leaf_pick(dmg_builder* b, float hand) {
     dmg_leaf leaf = {.thickness = 0.13f * hand};
     leaf.swing = dmg_range(b, 1.4f, 2.1f);
-    leaf.inset = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, -0.5f, 1.5f);
-    leaf.depth = dmg_chance(b, 0.3f) ? 0.0f : dmg_range(b, 0.0f, 1.1f);
-    leaf.handle_at = dmg_chance(b, 0.4f) ? 0.0f : dmg_range(b, -0.4f, 0.4f);
-    leaf.handle_edge = dmg_range(b, 0.05f, 0.15f);
-    leaf.handle_across = dmg_chance(b, 0.12f);
+    dmg_leaf_pick_line(b, &leaf);
+    pick_handle_place(b, &leaf);
     leaf.panel = dmg_panel_pick(b);
     leaf.handle = dmg_handle_pick(b, hand);
     leaf.hinge = dmg_hinge_pick(b, 0.06f * hand);
@@ -42,7 +91,9 @@ uint32_t dmg_leaf_draw(dmg_builder* b, uint32_t parent, const char* name, const 
              knob ? 0.0f : leaf->handle_at * 0.8f * height, 0);
     if (leaf->handle_across && !knob) dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI);
     float room = knob ? height : height * (1.0f - 1.6f * fabsf(leaf->handle_at));
-    dmg_handle_draw(b, &leaf->handle, leaf->handle_across && !knob ? fminf(width, room) * 0.3f : room);
+    bool central = leaf->handle_edge > 0.4f;
+    float beside = central ? 0.7f * width : 0.3f * fminf(width, room);
+    dmg_handle_draw(b, &leaf->handle, leaf->handle_across && !knob ? beside : room);
     dmg_restore(b);
     dmg_move(b, hinge.x, 0, hinge.z);
     dmg_hinge_draw(b, &leaf->hinge, height, width, part, parent);

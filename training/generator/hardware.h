@@ -136,6 +136,8 @@ typedef struct dmg_leaf {
 
 /* A usual leaf with everything but size and side filled in. */
 dmg_leaf dmg_leaf_pick(dmg_builder* b, float hand);
+/* Its line anew, by one of the habits of modellers. */
+void dmg_leaf_pick_line(dmg_builder* b, dmg_leaf* leaf);
 /* Adds the part, draws it, leaves it in use. */
 uint32_t dmg_leaf_draw(dmg_builder* b, uint32_t parent, const char* name, const dmg_leaf* leaf);
 

@@ -32,12 +32,13 @@ static fittings fittings_pick(dmg_builder* b, float hand) {
     f.twin_doors = dmg_chance(b, 0.7f);
     f.leaf = dmg_leaf_pick(b, hand);
     f.box = dmg_drawer_pick(b, hand);
+    if (dmg_chance(b, 0.4f)) f.leaf.thickness *= dmg_scale_range(b, 0.5f, 2.5f);
     if (dmg_chance(b, 0.75f)) { /* one family of hardware for all */
         f.box.handle = f.leaf.handle;
         f.box.panel = f.leaf.panel;
         f.box.thickness = f.leaf.thickness;
     }
-    if (f.overlay < 1.0f) f.leaf.depth = fminf(f.leaf.depth, 0.3f); /* a leaf let in turns about its front edge */
+    if (f.overlay < 1.0f) f.leaf.depth = fminf(f.leaf.depth, 0.5f); /* a leaf let in turns about its front edge */
     return f;
 }
 
