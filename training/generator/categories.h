@@ -157,7 +157,12 @@
     X(jet)                                                                                                             \
     /* chassis.c */                                                                                                    \
     X(chassis)                                                                                                         \
-    X(wheelchair)
+    X(wheelchair)                                                                                                      \
+    /* cockpit.c */                                                                                                    \
+    X(avionics)                                                                                                        \
+    X(switchboard)                                                                                                     \
+    /* gauges.c */                                                                                                     \
+    X(gauge)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

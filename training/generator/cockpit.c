@@ -1,141 +1,7 @@
-/* What a pilot or an operator faces: crowded panels, round instruments, yokes and throttle quadrants. */
+/* What a pilot or an operator faces: crowded panels, radios, switchboards, yokes and throttle quadrants. */
 #include "categories.h"
 #include "hardware.h"
-
-/* ---- controls on z = 0 facing +Z, within a circle of the given radius ---- */
-
-/* A knob, perhaps a smaller one on top that turns by itself; some are pulled or pushed instead. */
-static void draw_dual_knob(dmg_builder* b, float radius) {
-    float rise = radius * dmg_range(b, 0.6f, 2.5f), upper = dmg_range(b, 0.5f, 6.0f);
-    int outer = dmg_int(b, 0, DMG_KNOB_KINDS - 1), motion = dmg_int(b, 0, 4);
-    if (dmg_chance(b, 0.3f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.1f * radius), 1.15f * radius);
-    uint32_t knob;
-    if (motion == 0)
-        knob = dmg_slide(b, 0, "knob", v3(0, 0, dmg_sign(b)), 0.0f, 0.2f * rise);
-    else if (motion <= 2)
-        knob = dmg_spin(b, 0, "knob", v3(0, 0, 0), v3(0, 0, 1));
-    else
-        knob = dmg_hinge(b, 0, "knob", v3(0, 0, 0), v3(0, 0, -1), 0.0f, upper);
-    dmg_knob_draw(b, outer, radius, rise);
-    if (dmg_chance(b, 0.35f)) {
-        float inner = radius * dmg_range(b, 0.4f, 0.75f), more = rise * dmg_range(b, 0.5f, 1.2f);
-        bool own = dmg_chance(b, 0.7f); /* beside the first, or carried by it */
-        dmg_move(b, 0, 0, rise);
-        if (dmg_chance(b, 0.75f))
-            dmg_spin(b, own ? 0 : knob, "inner_knob", v3(0, 0, 0), v3(0, 0, 1));
-        else
-            dmg_slide(b, own ? 0 : knob, "inner_knob", v3(0, 0, -1), 0.0f, 0.3f * more);
-        dmg_knob_draw(b, dmg_int(b, 0, DMG_KNOB_KINDS - 1), inner, more);
-    }
-    dmg_use(b, 0);
-}
-
-static void draw_toggle(dmg_builder* b, float radius) {
-    float length = radius * dmg_range(b, 1.0f, 2.5f), swing = dmg_range(b, 0.25f, 0.6f),
-          pivot = -radius * dmg_range(b, 0.0f, 0.3f), thin = radius * dmg_range(b, 0.12f, 0.3f);
-    if (dmg_chance(b, 0.8f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.2f * radius), 0.5f * radius);
-    uint32_t toggle = dmg_hinge(b, 0, "toggle", v3(0, 0, pivot), v3(-1, 0, 0), -swing, swing);
-    if (dmg_chance(b, 0.6f))
-        dmg_cone(b, v3(0, 0, pivot), v3(0, 0, length), 0.7f * thin, 1.2f * thin);
-    else
-        dmg_box(b, v3(0, 0, 0.5f * length), v3(2.5f * thin, thin, length));
-    int rest = dmg_int(b, -1, 1);
-    dmg_rest(b, toggle, (float)rest * swing);
-    dmg_use(b, 0);
-}
-
-static void draw_rocker(dmg_builder* b, float radius) {
-    float width = radius * dmg_range(b, 0.6f, 1.6f), length = radius * dmg_range(b, 1.2f, 1.9f),
-          tilt = dmg_range(b, 0.1f, 0.3f);
-    uint32_t rocker = dmg_hinge(b, 0, "rocker", v3(0, 0, 0), v3(-1, 0, 0), -tilt, tilt);
-    const dmg_xy side[] = {{-0.5f * length, 0.25f * radius},
-                           {-0.5f * length, -0.4f * radius},
-                           {0.5f * length, -0.4f * radius},
-                           {0.5f * length, 0.25f * radius},
-                           {0, 0.1f * radius}};
-    dmg_save(b);
-    dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI); /* the outline's x becomes y, */
-    dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI); /* its y becomes z */
-    dmg_extrude(b, side, 5, -0.5f * width, 0.5f * width);
-    dmg_restore(b);
-    dmg_rest(b, rocker, dmg_chance(b, 0.5f) ? tilt : -tilt);
-    dmg_use(b, 0);
-}
-
-/* A cover that flips up from over a switch. */
-static void draw_guard(dmg_builder* b, float radius) {
-    float length = 2 * radius, rise = radius * dmg_range(b, 0.5f, 1.0f);
-    dmg_hinge(b, 0, "guard", v3(0, 0.5f * length, 0.1f * radius), v3(-1, 0, 0), 0.0f, dmg_range(b, 1.4f, 1.9f));
-    dmg_box_faces(b, v3(0, 0, 0.5f * rise), v3(1.2f * radius, length, rise),
-                  DMG_FACE_ALL & ~(DMG_FACE_BACK | DMG_FACE_BOTTOM));
-    dmg_use(b, 0);
-    dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.6f * rise), 0.15f * radius);
-}
-
-static void draw_wheel_edge(dmg_builder* b, float radius) { /* a thumb wheel: its rim stands out of a slot */
-    bool flat = dmg_chance(b, 0.5f);
-    float sink = radius * dmg_range(b, 0.1f, 0.5f);
-    dmg_vec axis = flat ? v3(1, 0, 0) : v3(0, 1, 0), half = v3_scale(axis, 0.2f * radius), middle = {0, 0, -sink};
-    dmg_spin(b, 0, "thumb_wheel", middle, axis);
-    dmg_rod(b, v3_sub(middle, half), v3_add(middle, half), radius);
-    dmg_use(b, 0);
-}
-
-static void draw_push(dmg_builder* b, float radius) {
-    float rise = radius * dmg_range(b, 0.1f, 0.9f), width = radius * dmg_range(b, 0.8f, 1.9f),
-          height = radius * dmg_range(b, 0.5f, 1.4f);
-    dmg_buttons one = {"button", 1, 1, 0, 0, width, height, rise, rise * 0.6f, dmg_int(b, 0, 3)};
-    dmg_buttons_draw(b, 0, &one);
-}
-
-static void draw_fader(dmg_builder* b, float radius) {
-    float travel = radius * dmg_range(b, 1.0f, 1.6f);
-    dmg_box(b, v3(0, 0, 0), v3(0.15f * radius, 2 * radius, 0.02f * radius));
-    uint32_t fader = dmg_slide(b, 0, "fader", v3(0, 1, 0), -0.5f * travel, 0.5f * travel);
-    dmg_box(b, v3(0, 0, 0.3f * radius), v3(0.8f * radius, 0.3f * radius, 0.6f * radius));
-    dmg_rest(b, fader, travel * dmg_range(b, -0.5f, 0.5f));
-    dmg_use(b, 0);
-}
-
-/* Screens, labels, lamps, screws: they do nothing. */
-static void draw_dead(dmg_builder* b, float radius) {
-    int kind = dmg_int(b, 0, 3);
-    if (kind == 0) dmg_box(b, v3(0, 0, 0), v3(1.9f * radius, 1.3f * radius, 0.1f * radius));
-    if (kind == 1) dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.15f * radius), 0.3f * radius);
-    if (kind == 2) dmg_dome(b, v3(0, 0, 0), v3(0.3f * radius, 0.3f * radius, 0.3f * radius));
-    if (kind == 3) dmg_frame_draw(b, 1.9f * radius, 1.9f * radius, 0.1f * radius, 0.1f * radius);
-}
-
-static void draw_control(dmg_builder* b, int kind, float radius) {
-    dmg_save(b);
-    switch (kind) {
-    case 0:
-        draw_dual_knob(b, radius * dmg_range(b, 0.4f, 0.9f));
-        break;
-    case 1:
-        draw_push(b, radius);
-        break;
-    case 2:
-        draw_toggle(b, radius);
-        break;
-    case 3:
-        draw_rocker(b, radius);
-        break;
-    case 4:
-        draw_guard(b, radius);
-        break;
-    case 5:
-        draw_wheel_edge(b, radius);
-        break;
-    case 6:
-        draw_fader(b, radius);
-        break;
-    default:
-        draw_dead(b, radius);
-        break;
-    }
-    dmg_restore(b);
-}
+#include "switches.h"
 
 /* ---- panel ---- */
 
@@ -163,78 +29,192 @@ void dmg_build_control_panel(dmg_builder* b) {
     }
     float pitch_x = 0.94f * width / (float)columns, pitch_y = 0.9f * height / (float)rows,
           room = 0.5f * fminf(pitch_x, pitch_y);
-    static const float weights[] = {4, 4, 2, 1, 0.6f, 0.7f, 1, 2.5f};
+    static const float weights[DMG_CONTROL_KINDS] = {3, 2, 4, 2, 1, 0.5f, 0.4f, 0.4f, 0.4f, 0.5f, 2.5f};
     for (int row = 0; row < rows; ++row) {
         bool alike = dmg_chance(b, 0.4f);
-        int same = dmg_weighted(b, weights, 7);
+        int same = dmg_weighted(b, weights, DMG_CONTROL_ORNAMENT);
         for (int column = 0; column < columns; ++column) {
             dmg_save(b);
             dmg_move(b, pitch_x * ((float)column - 0.5f * (float)(columns - 1)),
                      pitch_y * ((float)row - 0.5f * (float)(rows - 1)), 0);
             bool last = row + 1 == rows && column + 1 == columns && b->part_count == 0;
-            int kind = alike || last ? same : dmg_weighted(b, weights, 8);
-            draw_control(b, kind, room * dmg_range(b, 0.5f, 0.95f));
+            int kind = alike || last ? same : dmg_weighted(b, weights, DMG_CONTROL_KINDS);
+            dmg_control_row_draw(b, (dmg_control_kind)kind, 1, 0.0f, room * dmg_range(b, 0.4f, 0.95f));
             dmg_restore(b);
         }
     }
 }
 
-/* ---- round instrument ---- */
+/* ---- radios and displays ---- */
 
-static void draw_needles(dmg_builder* b, float radius) {
-    int count = dmg_int(b, 1, 3);
-    for (int i = 0; i < count; ++i) {
-        float length = radius * dmg_range(b, 0.4f, 0.85f), width = radius * dmg_range(b, 0.02f, 0.08f),
-              z = 0.02f * radius * (float)(i + 1), swing = dmg_range(b, 0.6f, 2.6f);
-        bool endless = dmg_chance(b, 0.5f);
-        dmg_save(b);
-        uint32_t needle = endless ? dmg_spin(b, 0, "needle", v3(0, 0, 0), v3(0, 0, 1))
-                                  : dmg_hinge(b, 0, "needle", v3(0, 0, 0), v3(0, 0, -1), -swing, swing);
-        if (endless)
-            dmg_turn(b, v3(0, 0, 1), dmg_range(b, 0, 6));
-        else
-            dmg_rest(b, needle, dmg_range(b, -swing, swing));
-        /* Some begin in the middle or out at the rim: the line they turn about does not touch them. */
-        float from = dmg_chance(b, 0.6f) ? -0.2f * length : length * dmg_range(b, 0.0f, 0.7f),
-              middle = 0.5f * (from + length);
-        int kind = dmg_int(b, 0, 2);
-        if (kind == 0) dmg_box(b, v3(0, middle, z), v3(width, length - from, 0.3f * width));
-        if (kind == 1) { /* one face */
-            const dmg_xy tip[] = {{-width, from}, {width, from}, {0, length}};
-            dmg_extrude(b, tip, 3, z, z + 0.1f * width);
-        }
-        if (kind == 2)
-            dmg_box_faces(b, v3(0, middle, z), v3(2 * width, length - from, 0.001f * radius), DMG_FACE_FRONT);
-        if (from < 0.0f && dmg_chance(b, 0.6f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, z + 0.3f * width), 1.5f * width);
-        dmg_restore(b);
-        dmg_use(b, 0);
+/* The housing behind the face; its back is often missing. */
+static void draw_face(dmg_builder* b, float width, float height, float depth) {
+    int shape = dmg_int(b, 0, 5);
+    float thin = 0.03f * width;
+    dmg_vec centre = {0, 0, -0.5f * depth}, size = {width, height, depth};
+    if (shape == 0) dmg_rounded_plate(b, width, height, depth, 0.1f * height);
+    if (shape <= 2 && shape > 0) dmg_box(b, centre, size);
+    if (shape == 3) dmg_box_faces(b, centre, size, DMG_FACE_ALL & ~DMG_FACE_BACK);
+    if (shape == 4) {
+        dmg_box(b, v3(0, 0, -0.5f * thin), v3(width, height, thin));
+        dmg_box(b, v3(0, 0, -thin - 0.5f * depth), v3(0.9f * width, 0.85f * height, depth));
+    }
+    if (shape == 5) {
+        dmg_box(b, centre, size);
+        float edge = 0.04f * fminf(width, height);
+        dmg_move(b, 0, 0, 0.5f * edge);
+        dmg_frame_draw(b, width, height, 0.5f * edge, edge);
+        dmg_move(b, 0, 0, -0.5f * edge);
     }
 }
 
-void dmg_build_instrument(dmg_builder* b) {
-    float radius = dmg_scale_range(b, 0.02f, 0.12f), depth = radius * dmg_range(b, 0.2f, 2.0f);
-    int frame = dmg_int(b, 0, 2), knobs = dmg_int(b, 0, 3);
-    dmg_move(b, 0, 1.3f * radius, 0);
-    if (dmg_chance(b, 0.2f)) dmg_face_up(b);
-    if (frame == 0) dmg_rounded_plate(b, 2.3f * radius, 2.3f * radius, 0.1f * radius, 0.3f * radius);
-    if (frame == 1) dmg_box(b, v3(0, 0, -0.05f * radius), v3(2.2f * radius, 2.2f * radius, 0.1f * radius));
-    if (dmg_chance(b, 0.7f) || frame == 2) dmg_rod(b, v3(0, 0, -depth), v3(0, 0, 0), 1.05f * radius);
-    if (dmg_chance(b, 0.6f)) dmg_torus(b, v3(0, 0, 0), v3(0, 0, 1), radius, 0.06f * radius);
-    if (dmg_chance(b, 0.2f))
-        dmg_dome(b, v3(0, 0, -1.3f * radius), v3(1.2f * radius, 1.2f * radius, 1.2f * radius)); /* a bowl behind */
-    if (dmg_chance(b, 0.25f)) {                                                                 /* a card that turns */
-        dmg_spin(b, 0, "card", v3(0, 0, 0), v3(0, 0, 1));
-        dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.015f * radius), 0.8f * radius);
-        dmg_use(b, 0);
+static void draw_screen(dmg_builder* b, float width, float height) {
+    int kind = dmg_int(b, 0, 3);
+    float thin = 0.03f * fminf(width, height);
+    if (kind == 0) dmg_box(b, v3(0, 0, 0), v3(width, height, thin));
+    if (kind == 1) dmg_box_faces(b, v3(0, 0, 0.1f * thin), v3(width, height, 0), DMG_FACE_FRONT);
+    if (kind == 2) {
+        dmg_move(b, 0, 0, 2 * thin);
+        dmg_frame_draw(b, width, height, 2 * thin, 2 * thin);
+        dmg_move(b, 0, 0, -2 * thin);
     }
-    if (knobs == 0 || dmg_chance(b, 0.6f)) draw_needles(b, radius);
-    for (int i = 0; i < knobs; ++i) {
-        float angle = 0.25f * DMG_PI + 0.5f * DMG_PI * (float)(i + 2), size = radius * dmg_range(b, 0.12f, 0.25f),
-              sink = depth * dmg_range(b, 0.0f, 0.3f);
+    int digits = dmg_chance(b, 0.4f) ? dmg_int(b, 2, 8) : 0;
+    float pitch = 0.9f * width / (float)(digits + 1);
+    for (int i = 0; i < digits; ++i)
+        dmg_box_faces(b, v3(pitch * ((float)i - 0.5f * (float)(digits - 1)), 0, thin),
+                      v3(0.6f * pitch, 0.5f * height, 0), DMG_FACE_FRONT);
+}
+
+/* A row or two of controls in a field of the given size; `upright` runs it along Y, and what flips, flips across it. */
+static void draw_field(dmg_builder* b, float width, float height, const float weights[DMG_CONTROL_KINDS]) {
+    bool upright = height > width;
+    float length = fmaxf(width, height), across = fminf(width, height);
+    int kind = dmg_weighted(b, weights, DMG_CONTROL_KINDS), rows = dmg_chance(b, 0.25f) ? 2 : 1;
+    if (kind == DMG_CONTROL_STACK) rows = 1;
+    int most = (int)fminf(8.0f, fmaxf(1.0f, (float)rows * length / across)), count = dmg_int(b, 1, most);
+    float pitch = length / (float)count, room = 0.5f * fminf(pitch, across / (float)rows);
+    dmg_save(b);
+    if (upright) dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI);
+    float radius = room * dmg_range(b, 0.4f, 0.95f), gap = across / (float)rows;
+    if (dmg_chance(b, 0.3f)) pitch = fminf(pitch, 2.6f * radius);
+    for (int row = 0; row < rows; ++row) {
         dmg_save(b);
-        dmg_move(b, 1.3f * radius * cosf(angle), 1.3f * radius * sinf(angle), 0);
-        dmg_rod(b, v3(0, 0, -sink - 0.1f * radius), v3(0, 0, 0), 0.8f * size);
-        draw_dual_knob(b, size);
+        dmg_move(b, 0, gap * ((float)row - 0.5f * (float)(rows - 1)), 0);
+        dmg_control_row_draw(b, (dmg_control_kind)kind, count, pitch, radius);
+        dmg_restore(b);
+    }
+    dmg_restore(b);
+}
+
+static const float radio_weights[DMG_CONTROL_KINDS] = {3, 2, 5, 1, 0.7f, 0.1f, 0.1f, 0.1f, 0.2f, 0.1f, 2};
+
+/* Fields side by side: knobs, keys, a display, keys, knobs. */
+static void draw_radio_row(dmg_builder* b, float width, float height) {
+    int fields = dmg_int(b, 2, 6);
+    float at = -0.5f * width, left = width;
+    for (int i = 0; i < fields; ++i) {
+        float size = i + 1 == fields ? left : left * dmg_range(b, 0.6f, 1.4f) / (float)(fields - i);
+        dmg_save(b);
+        dmg_move(b, at + 0.5f * size, height * dmg_range(b, -0.1f, 0.1f), 0);
+        bool display = i > 0 && i + 1 < fields && dmg_chance(b, 0.4f);
+        if (display)
+            draw_screen(b, 0.9f * size, height * dmg_range(b, 0.3f, 0.7f));
+        else if (dmg_chance(b, 0.35f) && (i == 0 || i + 1 == fields))
+            dmg_control_row_draw(b, DMG_CONTROL_STACK, 1, 0, 0.5f * fminf(size, height) * dmg_range(b, 0.4f, 0.85f));
+        else
+            draw_field(b, 0.9f * size, height * dmg_range(b, 0.35f, 0.75f), radio_weights);
+        dmg_restore(b);
+        at += size;
+        left -= size;
+    }
+}
+
+/* A display with controls along its edges and knobs in the corners. */
+static void draw_radio_edges(dmg_builder* b, float width, float height) {
+    float edge = fminf(width, height) * dmg_range(b, 0.1f, 0.25f), x = 0.5f * (width - edge),
+          y = 0.5f * (height - edge);
+    draw_screen(b, width - 2.2f * edge, height - 2.2f * edge);
+    for (int side = 0; side < 4; ++side) {
+        if (dmg_chance(b, 0.35f)) continue;
+        bool upright = side < 2;
+        float sign = side & 1 ? 1.0f : -1.0f, length = (upright ? height : width) - 2.4f * edge;
+        dmg_save(b);
+        dmg_move(b, upright ? sign * x : 0, upright ? 0 : sign * y, 0);
+        draw_field(b, upright ? 0.8f * edge : length, upright ? length : 0.8f * edge, radio_weights);
+        dmg_restore(b);
+    }
+    for (int corner = 0; corner < 4; ++corner) {
+        dmg_save(b);
+        dmg_move(b, corner & 1 ? x : -x, corner & 2 ? y : -y, 0);
+        float radius = 0.5f * edge * dmg_range(b, 0.4f, 1.0f);
+        bool stack = dmg_chance(b, 0.5f);
+        if (dmg_chance(b, 0.45f))
+            dmg_control_row_draw(b, stack ? DMG_CONTROL_STACK : DMG_CONTROL_DIAL, 1, 0, radius);
+        else if (dmg_chance(b, 0.5f))
+            dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.1f * edge), 0.2f * edge); /* a screw */
+        dmg_restore(b);
+    }
+}
+
+/* A round set: a disc, perhaps on a square plate, with controls round its rim. */
+static void draw_radio_disc(dmg_builder* b, float size, float depth) {
+    float radius = 0.5f * size, thin = 0.06f * radius;
+    if (dmg_chance(b, 0.5f)) dmg_box(b, v3(0, 0, -0.5f * thin), v3(size, size, thin));
+    dmg_rod(b, v3(0, 0, -depth), v3(0, 0, thin), 0.97f * radius);
+    if (dmg_chance(b, 0.5f)) dmg_torus(b, v3(0, 0, thin), v3(0, 0, 1), 0.95f * radius, 0.04f * radius);
+    dmg_move(b, 0, 0, thin);
+    draw_screen(b, radius, 0.6f * radius);
+    int places = dmg_int(b, 3, 7);
+    float start = dmg_range(b, 0, 2.0f * DMG_PI);
+    for (int i = 0; i < places; ++i) {
+        float angle = start + 2.0f * DMG_PI * (float)i / (float)places;
+        dmg_save(b);
+        dmg_move(b, 0.72f * radius * cosf(angle), 0.72f * radius * sinf(angle), 0);
+        int kind = dmg_weighted(b, radio_weights, DMG_CONTROL_KINDS);
+        dmg_control_row_draw(b, (dmg_control_kind)kind, 1, 0, radius * dmg_range(b, 0.1f, 0.24f));
+        dmg_restore(b);
+    }
+}
+
+/* Radios, transponders, displays with soft keys: what fills an avionics rack, or a car's dashboard. */
+void dmg_build_avionics(dmg_builder* b) {
+    int layout = dmg_int(b, 0, 2);
+    float width = dmg_scale_range(b, 0.06f, 0.4f), depth = width * dmg_scale_range(b, 0.02f, 0.9f);
+    float height = width * (layout == 0 ? dmg_scale_range(b, 0.12f, 0.5f) : dmg_scale_range(b, 0.5f, 1.2f));
+    place_front(b, height, depth);
+    if (layout == 2) {
+        draw_radio_disc(b, fminf(width, height), depth);
+    } else {
+        draw_face(b, width, height, depth);
+        if (layout == 0)
+            draw_radio_row(b, 0.96f * width, 0.96f * height);
+        else
+            draw_radio_edges(b, 0.97f * width, 0.97f * height);
+    }
+    if (b->part_count == 0) dmg_dial_stack_draw(b, 0.1f * height);
+    dmg_use(b, 0);
+}
+
+/* Rows of switches alike: overhead panels, breaker boards, distribution boxes. */
+void dmg_build_switchboard(dmg_builder* b) {
+    static const float weights[DMG_CONTROL_KINDS] = {1.2f, 0.3f, 1.5f, 3, 3, 0.8f, 0.8f, 0.4f, 0.4f, 0.2f, 0};
+    float width = dmg_scale_range(b, 0.05f, 1.0f), height = width * dmg_scale_range(b, 0.15f, 1.5f),
+          depth = width * dmg_scale_range(b, 0.02f, 0.6f);
+    place_front(b, height, depth);
+    draw_face(b, width, height, depth);
+    bool upright = dmg_chance(b, 0.25f);
+    if (upright) dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI);
+    float length = 0.92f * (upright ? height : width), across = 0.9f * (upright ? width : height);
+    int rows = dmg_int(b, 1, 3), kind = dmg_weighted(b, weights, DMG_CONTROL_KINDS);
+    float gap = across / (float)rows;
+    for (int row = 0; row < rows; ++row) {
+        if (dmg_chance(b, 0.5f)) kind = dmg_weighted(b, weights, DMG_CONTROL_KINDS);
+        int count = dmg_int(b, 1, 9);
+        float pitch = length / (float)count, radius = 0.5f * fminf(pitch, gap) * dmg_range(b, 0.4f, 0.9f);
+        if (dmg_chance(b, 0.4f)) pitch = fminf(pitch, radius * dmg_range(b, 2.3f, 4.0f));
+        dmg_save(b);
+        dmg_move(b, 0, gap * ((float)row - 0.5f * (float)(rows - 1)), 0);
+        dmg_control_row_draw(b, (dmg_control_kind)kind, count, pitch, radius);
         dmg_restore(b);
     }
 }
