@@ -162,7 +162,10 @@
     X(avionics)                                                                                                        \
     X(switchboard)                                                                                                     \
     /* gauges.c */                                                                                                     \
-    X(gauge)
+    X(gauge)                                                                                                           \
+    /* controllers.c */                                                                                                \
+    X(vr_controller)                                                                                                   \
+    X(gamepad)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -1,0 +1,22 @@
+/* What a thumb or a finger moves on a hand-held thing (thumbs.c). */
+#ifndef DMG_THUMBS_H
+#define DMG_THUMBS_H
+
+#include "build.h"
+
+/* On z = 0, +Z out of the shell, +Y away from the player. `parent` is in use afterwards. */
+void dmg_thumb_stick_draw(dmg_builder* b, uint32_t parent, float radius);
+void dmg_touch_pad_draw(dmg_builder* b, uint32_t parent, float radius);
+void dmg_thumb_key_draw(dmg_builder* b, uint32_t parent, const char* name, float radius);
+
+/* Its root is the origin, it hangs towards -Y, the finger pulls its face +Z towards -Z. */
+void dmg_trigger_shell_draw(dmg_builder* b, uint32_t parent, const char* name, float width, float length);
+
+/* A handle's elliptical cross section, its middle this high; the handle runs along Z. */
+typedef struct dmg_handle_section {
+    float half_width, half_height, middle;
+} dmg_handle_section;
+
+void dmg_squeeze_draw(dmg_builder* b, const dmg_handle_section* h, float angle, float z, float length);
+
+#endif
