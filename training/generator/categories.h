@@ -151,6 +151,12 @@
     X(sliding_cabinet)                                                                                                 \
     X(desk_hutch)                                                                                                      \
     X(nightstand)                                                                                                      \
+    /* strongboxes.c */                                                                                                \
+    X(strongbox)                                                                                                       \
+    X(counter_oven)                                                                                                    \
+    X(cooler)                                                                                                          \
+    /* openings.c */                                                                                                   \
+    X(post_door)                                                                                                       \
     /* aircraft.c */                                                                                                   \
     X(submarine)                                                                                                       \
     /* jet.c */                                                                                                        \

@@ -337,8 +337,13 @@ void dmg_build_safe(dmg_builder* b) {
     leaf.side = left ? DMG_SIDE_LEFT : DMG_SIDE_RIGHT;
     leaf.swing = dmg_range(b, 1.5f, 2.9f);
     leaf.handle.kind = DMG_HANDLE_NONE;
-    leaf.inset = dmg_range(b, -0.4f, 0.3f);
-    leaf.depth = let_in ? dmg_range(b, -0.3f, 0.1f) : dmg_range(b, 0, 1);
+    if (dmg_chance(b, 0.6f)) {
+        leaf.inset = dmg_range(b, -0.4f, 0.3f);
+        leaf.depth = let_in ? dmg_range(b, -0.3f, 0.1f) : dmg_range(b, 0, 1);
+    } else {
+        leaf.inset = fminf(leaf.inset, 0.6f);
+        if (let_in) leaf.depth = fminf(leaf.depth, 0.5f);
+    }
     leaf.panel.kind = dmg_chance(b, 0.5f) ? DMG_PANEL_FLAT : (dmg_chance(b, 0.5f) ? DMG_PANEL_RAISED : DMG_PANEL_SOFT);
     leaf.hinge.radius = 0.35f * t;
     dmg_move(b, 0, 0, let_in ? 0.05f * t : t);

@@ -28,7 +28,7 @@ static void pick_line(dmg_builder* b, float* inset, float* depth) {
         *depth = 0.3f + 0.5f * through;
         break;
     case 6: /* knuckles outside the edge, before or behind the slab */
-        *inset = -0.6f * across;
+        *inset = -0.35f * across;
         *depth = 1.5f * through - 0.25f;
         break;
     default:

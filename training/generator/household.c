@@ -235,6 +235,10 @@ static void draw_unit(dmg_builder* b, float width, float height, float depth, fl
         dmg_leaf door = dmg_leaf_pick_appliance(b, width - gap, height - panel, t);
         door.side = DMG_SIDE_BOTTOM;
         door.swing = 1.55f;
+        if (dmg_chance(b, 0.4f)) { /* the door of a machine that is let in reaches below its pivot */
+            door.inset = dmg_range(b, 0.3f, 2.0f);
+            door.depth = dmg_range(b, 0.3f, 1.0f);
+        }
         dmg_use(b, 0);
         dmg_box(b, v3(0, 0.5f * (height - panel), -0.5f * t), v3(width - gap, panel, t));
         dmg_save(b);
@@ -255,7 +259,7 @@ void dmg_build_kitchen_counter(dmg_builder* b) {
     dmg_leaf leaf = dmg_leaf_pick(b, 0.15f);
     dmg_drawer box = dmg_drawer_pick(b, 0.15f);
     leaf.thickness = box.thickness = t;
-    leaf.inset = leaf.depth = 0.0f;
+    if (dmg_chance(b, 0.3f)) leaf.inset = leaf.depth = 0.0f;
     if (dmg_chance(b, 0.8f)) {
         box.handle = leaf.handle;
         box.panel = leaf.panel;

@@ -46,8 +46,10 @@ static uint32_t draw_swing_leaf(dmg_builder* b, float width, float height, float
     leaf.thickness = thickness;
     leaf.side = right ? DMG_SIDE_RIGHT : DMG_SIDE_LEFT;
     leaf.swing = dmg_range(b, 1.4f, 2.6f);
-    leaf.inset = dmg_chance(b, 0.8f) ? dmg_range(b, -0.5f, 0.3f) : dmg_range(b, 0.0f, 4.0f);
-    leaf.depth = dmg_range(b, 0.0f, 1.0f);
+    if (dmg_chance(b, 0.5f)) {
+        leaf.inset = dmg_chance(b, 0.8f) ? dmg_range(b, -0.5f, 0.3f) : dmg_range(b, 0.0f, 4.0f);
+        leaf.depth = dmg_range(b, 0.0f, 1.0f);
+    }
     leaf.hinge.radius = fminf(leaf.hinge.radius, 0.4f * thickness);
     bool furniture = dmg_chance(b, 0.7f);
     if (furniture) leaf.handle.kind = DMG_HANDLE_NONE;
@@ -142,8 +144,10 @@ static void draw_casement(dmg_builder* b, float width, float height, float t, dm
     leaf.side = side;
     leaf.swing = side == DMG_SIDE_LEFT || side == DMG_SIDE_RIGHT ? dmg_range(b, 1.3f, 2.2f) : dmg_range(b, 0.3f, 1.3f);
     leaf.panel = dmg_panel_pick_window(b);
-    leaf.inset = dmg_range(b, -0.4f, 0.4f);
-    leaf.depth = dmg_range(b, 0, 1);
+    if (dmg_chance(b, 0.5f)) {
+        leaf.inset = dmg_range(b, -0.4f, 0.4f);
+        leaf.depth = dmg_range(b, 0, 1);
+    }
     bool lever = dmg_chance(b, 0.5f);
     if (lever) leaf.handle.kind = DMG_HANDLE_NONE;
     uint32_t part = dmg_leaf_draw(b, 0, "window", &leaf);
@@ -377,4 +381,79 @@ void dmg_build_barrier(dmg_builder* b) {
         dmg_box(b, v3(0.96f * length, 0.5f * (y - r), z), v3(0.08f, y - 2 * r, 0.08f));
     }
     if (dmg_chance(b, 0.25f)) dmg_rest(b, boom, far);
+}
+
+/* ---- a door between two posts ---- */
+
+/* Two posts and what joins them, round an opening of width x height on y = 0; the middle of the thickness is z = 0. */
+static void draw_posts(dmg_builder* b, float width, float height, float post, float thick, bool round) {
+    bool lintel = dmg_chance(b, 0.6f), sill = dmg_chance(b, 0.3f);
+    float x = 0.5f * (width + post), top = height + (lintel ? 0.0f : dmg_range(b, 0.0f, 0.1f) * height);
+    for (int s = -1; s <= 1; s += 2) {
+        if (round)
+            dmg_rod(b, v3((float)s * x, 0, 0), v3((float)s * x, top, 0), 0.5f * post);
+        else
+            dmg_box(b, v3((float)s * x, 0.5f * top, 0), v3(post, top, thick));
+    }
+    float over = width + 2 * post;
+    if (lintel) dmg_box(b, v3(0, height + 0.51f * post, 0), v3(over, post, thick));
+    if (sill) dmg_box(b, v3(0, -0.51f * post, 0), v3(over, post, thick));
+}
+
+/* From the leaf's hung edge at x = 0 (the leaf towards +X, middle at z = 0) to its line. */
+static dmg_xy pick_post_line(dmg_builder* b, float width, float gap, float post, float t) {
+    static const float habits[] = {3, 1.5f, 1.5f, 2, 1.5f};
+    float share = dmg_range(b, 0.0f, 1.0f);
+    switch (dmg_weighted(b, habits, 5)) {
+    case 0: /* the post's own middle */
+        return (dmg_xy){-gap - 0.5f * post, 0};
+    case 1: /* between leaf and post, before them */
+        return (dmg_xy){-share * gap, (0.5f + 0.4f * share) * t};
+    case 2: /* the middle of the leaf's edge */
+        return (dmg_xy){0, 0};
+    case 3: /* a pin in floor and lintel */
+        return (dmg_xy){(0.02f + 0.08f * share) * width, 0};
+    default: /* the leaf's front edge */
+        return (dmg_xy){0, 0.5f * t};
+    }
+}
+
+/* The leaf: a slab, perhaps with round stiles, its hung edge at x = 0. */
+static void draw_post_leaf(dmg_builder* b, float width, float height, float t) {
+    bool stiles = dmg_chance(b, 0.25f);
+    float bar = stiles ? t * dmg_range(b, 0.8f, 1.6f) : 0.0f;
+    dmg_save(b);
+    dmg_move(b, 0.5f * width, 0.5f * height, 0.5f * t);
+    if (stiles || dmg_chance(b, 0.6f)) {
+        dmg_box(b, v3(0, 0, -0.5f * t), v3(width - bar, height, t));
+    } else {
+        dmg_panel panel = dmg_panel_pick(b);
+        dmg_panel_draw(b, &panel, width, height, t);
+    }
+    for (int s = -1; s <= 1 && stiles; s += 2) {
+        float x = (float)s * 0.5f * (width - bar);
+        dmg_rod(b, v3(x, -0.5f * height, -0.5f * t), v3(x, 0.5f * height, -0.5f * t), 0.5f * bar);
+    }
+    dmg_restore(b);
+}
+
+void dmg_build_post_door(dmg_builder* b) {
+    float height = dmg_range(b, 0.5f, 2.3f), width = height * dmg_scale_range(b, 0.3f, 1.2f),
+          t = width * dmg_scale_range(b, 0.02f, 0.2f);
+    float post = width * dmg_scale_range(b, 0.04f, 0.16f), thick = fmaxf(post, t) * dmg_range(b, 0.8f, 1.5f),
+          gap = dmg_chance(b, 0.4f) ? 0.001f : width * dmg_range(b, 0.0f, 0.06f);
+    bool round = dmg_chance(b, 0.3f), both_ways = dmg_chance(b, 0.3f);
+    if (round) t = fminf(t, post);
+    draw_posts(b, width + 2 * gap, height * 1.01f, post, round ? post : thick, round);
+    if (dmg_chance(b, 0.5f)) dmg_mirror(b, v3(1, 0, 0));
+    dmg_move(b, -0.5f * width, 0.005f * height, 0);
+    dmg_xy line = pick_post_line(b, width, gap, post, t);
+    float far = dmg_range(b, 1.0f, 2.0f);
+    uint32_t part = dmg_hinge(b, 0, "door", v3(line.x, 0, line.y), v3(0, -1, 0), both_ways ? -far : 0.0f, far);
+    draw_post_leaf(b, width, 0.99f * height, t);
+    dmg_move(b, 0.9f * width, dmg_range(b, 0.4f, 0.55f) * height, 0.5f * t);
+    float small = fminf(width, 0.6f * height) / 0.9f;
+    dmg_grow(b, small);
+    if (dmg_chance(b, 0.7f)) draw_door_furniture(b, part, t / small, -1.0f);
+    dmg_use(b, 0);
 }
