@@ -171,7 +171,14 @@
     X(gauge)                                                                                                           \
     /* controllers.c */                                                                                                \
     X(vr_controller)                                                                                                   \
-    X(gamepad)
+    X(gamepad)                                                                                                         \
+    /* solar.c */                                                                                                      \
+    X(satellite)                                                                                                       \
+    X(solar_case)                                                                                                      \
+    X(solar_tracker)                                                                                                   \
+    /* dishes.c */                                                                                                     \
+    X(dish)                                                                                                            \
+    X(radar_tower)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
