@@ -178,7 +178,12 @@
     X(solar_tracker)                                                                                                   \
     /* dishes.c */                                                                                                     \
     X(dish)                                                                                                            \
-    X(radar_tower)
+    X(radar_tower)                                                                                                     \
+    /* linkages.c */                                                                                                   \
+    X(claw)                                                                                                            \
+    X(bar_legs)                                                                                                        \
+    X(humanoid)                                                                                                        \
+    X(bracket)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

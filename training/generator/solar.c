@@ -82,7 +82,9 @@ static uint32_t draw_chain_leaf(dmg_builder* b, uint32_t carrier, const leaf_sty
 static void draw_chain(dmg_builder* b, uint32_t carrier, const leaf_style* s, const fold_style* f, int count) {
     float sign = 1.0f;
     for (int i = 0; i < count; ++i) {
-        carrier = draw_chain_leaf(b, carrier, s, f, sign);
+        fold_style own = *f;
+        if (i == 0) own.full = fminf(own.full, 1.57f); /* further it would lie in the body */
+        carrier = draw_chain_leaf(b, carrier, s, &own, sign);
         dmg_move(b, (1.0f + 2.0f * f->gap) * s->width, 0, 0);
         if (f->by_turns) sign = -sign;
     }
@@ -184,9 +186,9 @@ void dmg_build_solar_case(dmg_builder* b) {
         uint32_t carrier = stack;
         for (int i = 0; i < layers; ++i) {
             carrier = draw_folded_leaf(b, carrier, &s, (edge + (i % 2 ? 1 - 2 * (edge % 2) : 0)) % 4, (float)i);
-            if (i == 0 && dmg_chance(b, 0.2f))
-                dmg_slide(b, stack, "button", v3(0, -1, 0), 0.0f, 0.1f * t),
-                    dmg_box(b, v3(0.3f * width, 0.5f * height, 0), v3(0.08f * width, 0.2f * t, 0.3f * t));
+            if (i > 0 || !dmg_chance(b, 0.2f)) continue;
+            dmg_slide(b, stack, "button", v3(0, -1, 0), 0.0f, 0.1f * t);
+            dmg_box(b, v3(0.3f * width, 0.5f * height, 0), v3(0.08f * width, 0.2f * t, 0.3f * t));
         }
         dmg_use(b, 0);
         dmg_restore(b);
