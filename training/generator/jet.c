@@ -94,7 +94,7 @@ static void add_hatch_joint(dmg_builder* b, const hull* h, const hatch* d) {
     dmg_vec from = hull_point(h, i0, j0, 1), to = hull_point(h, i1, j1, 1), middle = v3_lerp(from, to, 0.5f);
     dmg_vec axis = v3_normalize(v3_sub(to, from));
     if (d->plain) axis = nearest_axis(axis);
-    dmg_vec centre = hull_point(h, d->i + d->rows / 2, d->j + d->columns / 2, 1);
+    dmg_vec centre = v3_lerp(hull_point(h, d->i, d->j, 1), hull_point(h, d->i + d->rows, d->j + d->columns, 1), 0.5f);
     /* It opens outwards. */
     dmg_vec out = v3(centre.x, centre.y - h->lift[d->i], 0), way = v3_cross(axis, v3_sub(centre, middle));
     if (v3_dot(out, way) < 0) axis = v3_scale(axis, -1.0f);
