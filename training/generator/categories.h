@@ -157,6 +157,10 @@
     X(cooler)                                                                                                          \
     /* openings.c */                                                                                                   \
     X(post_door)                                                                                                       \
+    /* cases.c */                                                                                                      \
+    X(hard_case)                                                                                                       \
+    X(pail)                                                                                                            \
+    X(lidded_bin)                                                                                                      \
     /* aircraft.c */                                                                                                   \
     X(submarine)                                                                                                       \
     /* jet.c */                                                                                                        \
