@@ -187,7 +187,13 @@
     X(claw)                                                                                                            \
     X(bar_legs)                                                                                                        \
     X(humanoid)                                                                                                        \
-    X(bracket)
+    X(bracket)                                                                                                         \
+    /* taps.c */                                                                                                       \
+    X(tap)                                                                                                             \
+    /* stoves.c */                                                                                                     \
+    X(stove)                                                                                                           \
+    /* lever_stands.c */                                                                                               \
+    X(lever_stand)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -82,7 +82,7 @@ void dmg_build_knob(dmg_builder* b) {
     height = draw_front_details(b, width, height);
     control_grid grid = pick_grid(b, width, height, 5);
     int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
-    float rise = grid.radius * dmg_scale_range(b, 0.3f, 2.0f), gap = dmg_chance(b, 0.3f) ? 0.1f * rise : 0.0f;
+    float rise = grid.radius * dmg_scale_range(b, 0.35f, 3.0f), gap = dmg_chance(b, 0.3f) ? 0.1f * rise : 0.0f;
     bool endless = dmg_chance(b, 0.4f), collar = dmg_chance(b, 0.3f), inner = dmg_chance(b, 0.15f);
     float upper = dmg_range(b, 1.5f, 5.2f);
     for (int i = 0; i < grid.columns * grid.rows; ++i) {
@@ -192,7 +192,7 @@ static void draw_tap_handles(dmg_builder* b, float radius, float top, float reac
     float length = reach * dmg_range(b, 0.3f, 0.8f), sides = reach * dmg_range(b, 0.4f, 0.7f);
     if (layout == 0) {
         dmg_move(b, 0, top, 0);
-        if (dmg_chance(b, 0.3f)) { /* it lifts */
+        if (dmg_chance(b, 0.12f)) { /* it lifts */
             uint32_t lever =
                 dmg_hinge(b, 0, "lever", v3(0, 0.5f * radius, 0), v3(-1, 0, 0), 0.0f, dmg_range(b, 0.3f, 0.8f));
             draw_tap_handle(b, 0, radius, length);
@@ -212,10 +212,12 @@ static void draw_tap_handles(dmg_builder* b, float radius, float top, float reac
         dmg_use(b, 0);
         dmg_rod(b, v3(0, -0.5f * radius, 0), v3(0, radius, 0), 0.8f * radius);
         dmg_move(b, 0, radius, 0);
-        dmg_hinge(b, 0, "handle", v3(0, 0, 0), v3(0, side, 0), 0.0f, dmg_range(b, 0.7f, 1.7f));
+        float swing = dmg_range(b, 0.7f, 1.7f);
+        dmg_hinge(b, 0, "handle", v3(0, 0, 0), v3(0, side, 0), dmg_chance(b, 0.4f) ? -swing : 0.0f, swing);
         draw_tap_handle(b, kind, 0.8f * radius, length);
     }
-    if (layout == 2) { /* what joins the three */
+    bool both = layout == 2 && dmg_chance(b, 0.5f) && length < sides - 1.5f * radius; /* past the spout */
+    if (layout == 2) {                                                                /* what joins the three */
         dmg_use(b, 0);
         if (dmg_chance(b, 0.5f))
             dmg_rod(b, v3(-sides, 0.25f * top, 0), v3(sides, 0.25f * top, 0), 0.6f * radius);
@@ -232,7 +234,7 @@ static void draw_tap_handles(dmg_builder* b, float radius, float top, float reac
         if (endless)
             dmg_spin(b, 0, "handle", v3(0, 0, 0), v3(0, (float)s, 0));
         else
-            dmg_hinge(b, 0, "handle", v3(0, 0, 0), v3(0, (float)s, 0), 0.0f, 1.6f);
+            dmg_hinge(b, 0, "handle", v3(0, 0, 0), v3(0, (float)s, 0), both ? -1.6f : 0.0f, 1.6f);
         draw_tap_handle(b, kind, radius, length);
         dmg_restore(b);
     }

@@ -19,7 +19,7 @@ dmg_leaf dmg_leaf_pick_appliance(dmg_builder* b, float width, float height, floa
 /* Knobs in a row or column, each a part, on z = 0 facing +Z. */
 void dmg_knobs_draw(dmg_builder* b, uint32_t parent, int count, float pitch_x, float pitch_y, float radius) {
     int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
-    float height = radius * dmg_range(b, 0.5f, 1.4f);
+    float height = radius * dmg_scale_range(b, 0.5f, 2.0f);
     bool endless = dmg_chance(b, 0.4f);
     float upper = dmg_range(b, 1.5f, 5.0f);
     for (int i = 0; i < count; ++i) {
@@ -60,6 +60,10 @@ void dmg_controls_draw(dmg_builder* b, uint32_t parent, float width, float heigh
         if (dmg_chance(b, 0.4f)) w = h = fminf(w, h);
         float rise = fminf(w, h) * dmg_range(b, 0.1f, 0.5f);
         dmg_buttons set = {"button", columns, rows, px, py, w, h, rise, 0.7f * rise, dmg_int(b, 0, 3)};
+        if (set.kind == 1 || set.kind == 3) { /* what is round and stands out is a knob */
+            set.rise *= 0.45f;
+            set.travel *= 0.45f;
+        }
         dmg_save(b);
         dmg_move(b, tall ? 0 : -0.5f * knob_room, tall ? -0.5f * knob_room : 0, 0);
         dmg_buttons_draw(b, parent, &set);
