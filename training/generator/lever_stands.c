@@ -122,9 +122,11 @@ static void draw_rocker_switch(dmg_builder* b) {
           wall = wide * dmg_range(b, 0.05f, 0.3f), half = 0.5f * high;
     dmg_move(b, 0, half + 2 * wall, 0);
     dmg_frame_draw(b, 1.04f * wide + 2 * wall, 1.1f * high + 2 * wall, 0.5f * rise, wall);
-    dmg_box(b, v3(0, 0, -1.6f * deep), v3(wide, high, 0.8f * deep));
+    float swept = 1.1f * deep + 0.7f * half * sinf(tilt); /* what the rocker's back needs */
+    dmg_box(b, v3(0, 0, -swept - 0.4f * deep), v3(wide, high, 0.8f * deep));
     for (int i = 0; i < 4 && dmg_chance(b, 0.7f); ++i)
-        dmg_box(b, v3(0, high * (0.25f * (float)i - 0.375f), -2.3f * deep), v3(0.3f * wide, 0.05f * high, 0.8f * deep));
+        dmg_box(b, v3(0, high * (0.25f * (float)i - 0.375f), -swept - 1.1f * deep),
+                v3(0.3f * wide, 0.05f * high, 0.8f * deep));
     const dmg_xy hollow[] = {{-half, 1.2f * rise},        {-0.7f * half, -deep},      {0.7f * half, -deep},
                              {half, 1.2f * rise},         {0.6f * half, 0.6f * rise}, {0.2f * half, 0.3f * rise},
                              {-0.2f * half, 0.3f * rise}, {-0.6f * half, 0.6f * rise}};
