@@ -193,7 +193,11 @@
     /* stoves.c */                                                                                                     \
     X(stove)                                                                                                           \
     /* lever_stands.c */                                                                                               \
-    X(lever_stand)
+    X(lever_stand)                                                                                                     \
+    /* shelter.c */                                                                                                    \
+    X(shelter)                                                                                                         \
+    /* bridge.c */                                                                                                     \
+    X(passenger_bridge)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
