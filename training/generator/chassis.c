@@ -97,7 +97,7 @@ static void draw_corner(dmg_builder* b, const corner* c, float x, float z) {
         dmg_hinge(b, 0, "steering", v3(in * c->offset, 0, 0), v3(0, cosf(c->caster), -sinf(c->caster)), -c->swing,
                   c->swing);
     else if (c->kind == CORNER_SPRUNG)
-        dmg_slide(b, 0, "suspension", v3(0, 1, 0), -0.1f * c->radius, c->swing * c->radius);
+        dmg_slide(b, 0, "suspension", v3(0, 1, 0), -0.1f * c->radius, fminf(c->swing, 0.5f) * c->radius);
     else
         dmg_spin(b, c->kind == CORNER_FIXED ? 0 : draw_carrier(b, c, in), "wheel", v3(0, 0, 0),
                  v3(cosf(c->camber), in * sinf(c->camber), 0));
@@ -256,6 +256,7 @@ void dmg_build_chassis(dmg_builder* b) {
     c.wheel = c.length * dmg_range(b, 0.05f, 0.17f);
     c.floor = c.wheel * dmg_range(b, 0.5f, 1.5f);
     c.high = c.length * dmg_range(b, 0.1f, 0.4f);
+    if (c.body == 2) c.floor = fmaxf(c.floor, 1.1f * c.wheel); /* or it would swallow its wheels */
     static const float front[CORNER_KINDS] = {2, 5, 3, 1.5f, 1, 1, 1},
                        back[CORNER_KINDS] = {6, 0.5f, 0.3f, 2, 1, 1.5f, 1};
     corner fore = pick_corner(b, c.wheel, (corner_kind)dmg_weighted(b, front, CORNER_KINDS)), aft = fore;

@@ -187,8 +187,8 @@ void dmg_build_solar_case(dmg_builder* b) {
         for (int i = 0; i < layers; ++i) {
             carrier = draw_folded_leaf(b, carrier, &s, (edge + (i % 2 ? 1 - 2 * (edge % 2) : 0)) % 4, (float)i);
             if (i > 0 || !dmg_chance(b, 0.2f)) continue;
-            dmg_slide(b, stack, "button", v3(0, -1, 0), 0.0f, 0.1f * t);
-            dmg_box(b, v3(0.3f * width, 0.5f * height, 0), v3(0.08f * width, 0.2f * t, 0.3f * t));
+            dmg_slide(b, stack, "button", v3(0, -1, 0), 0.0f, 0.05f * t);
+            dmg_box(b, v3(0.3f * width, 0.5f * height + 0.07f * t, 0), v3(0.08f * width, 0.2f * t, 0.3f * t));
         }
         dmg_use(b, 0);
         dmg_restore(b);
