@@ -197,7 +197,14 @@
     /* shelter.c */                                                                                                    \
     X(shelter)                                                                                                         \
     /* bridge.c */                                                                                                     \
-    X(passenger_bridge)
+    X(passenger_bridge)                                                                                                \
+    /* presses.c */                                                                                                    \
+    X(push_button)                                                                                                     \
+    X(rocker_switch)                                                                                                   \
+    X(pop_up_toaster)                                                                                                  \
+    /* brewers.c */                                                                                                    \
+    X(blender)                                                                                                         \
+    X(coffee_maker)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
