@@ -161,6 +161,9 @@
     X(hard_case)                                                                                                       \
     X(pail)                                                                                                            \
     X(lidded_bin)                                                                                                      \
+    /* toolboxes.c */                                                                                                  \
+    X(toolbox)                                                                                                         \
+    X(casement)                                                                                                        \
     /* aircraft.c */                                                                                                   \
     X(submarine)                                                                                                       \
     /* jet.c */                                                                                                        \
