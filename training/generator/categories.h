@@ -207,7 +207,9 @@
     X(pop_up_toaster)                                                                                                  \
     /* brewers.c */                                                                                                    \
     X(blender)                                                                                                         \
-    X(coffee_maker)
+    X(coffee_maker)                                                                                                    \
+    /* pedestals.c */                                                                                                  \
+    X(pedestal)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

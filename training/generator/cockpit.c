@@ -29,7 +29,7 @@ void dmg_build_control_panel(dmg_builder* b) {
     }
     float pitch_x = 0.94f * width / (float)columns, pitch_y = 0.9f * height / (float)rows,
           room = 0.5f * fminf(pitch_x, pitch_y);
-    static const float weights[DMG_CONTROL_KINDS] = {3, 2, 4, 2, 1, 0.5f, 0.4f, 0.4f, 0.4f, 0.5f, 2.5f};
+    static const float weights[DMG_CONTROL_KINDS] = {3, 2, 4, 2, 1, 0.5f, 0.4f, 0.4f, 0.4f, 0.4f, 0.5f, 2.5f};
     for (int row = 0; row < rows; ++row) {
         bool alike = dmg_chance(b, 0.4f);
         int same = dmg_weighted(b, weights, DMG_CONTROL_ORNAMENT);
@@ -106,7 +106,7 @@ static void draw_field(dmg_builder* b, float width, float height, const float we
     dmg_restore(b);
 }
 
-static const float radio_weights[DMG_CONTROL_KINDS] = {3, 2, 5, 1, 0.7f, 0.1f, 0.1f, 0.1f, 0.2f, 0.1f, 2};
+static const float radio_weights[DMG_CONTROL_KINDS] = {3, 2, 5, 1, 0.7f, 0.1f, 0.1f, 0.1f, 0.1f, 0.2f, 0.1f, 2};
 
 /* Fields side by side: knobs, keys, a display, keys, knobs. */
 static void draw_radio_row(dmg_builder* b, float width, float height) {
@@ -197,7 +197,7 @@ void dmg_build_avionics(dmg_builder* b) {
 
 /* Rows of switches alike: overhead panels, breaker boards, distribution boxes. */
 void dmg_build_switchboard(dmg_builder* b) {
-    static const float weights[DMG_CONTROL_KINDS] = {1.2f, 0.3f, 1.5f, 3, 3, 0.8f, 0.8f, 0.4f, 0.4f, 0.2f, 0};
+    static const float weights[DMG_CONTROL_KINDS] = {1.2f, 0.3f, 1.5f, 3, 3, 0.8f, 0.8f, 0.8f, 0.4f, 0.4f, 0.2f, 0};
     float width = dmg_scale_range(b, 0.05f, 1.0f), height = width * dmg_scale_range(b, 0.15f, 1.5f),
           depth = width * dmg_scale_range(b, 0.02f, 0.6f);
     place_front(b, height, depth);

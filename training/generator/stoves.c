@@ -39,7 +39,7 @@ static void draw_hob(dmg_builder* b, float width, float depth) {
 
 /* Knobs alike in a row on z = 0: discs with a wing, skirts, plain ones; a disc is often a little off its axis. */
 static void draw_knob_row(dmg_builder* b, float length, float height) {
-    int count = dmg_int(b, 1, 6);
+    int count = dmg_chance(b, 0.3f) ? 1 : dmg_int(b, 1, 6);
     float pitch = length / (float)count, radius = 0.5f * fminf(pitch, height) * dmg_range(b, 0.45f, 0.95f);
     dmg_dial dial = dmg_dial_pick(b);
     static const int kinds[] = {1, 2, 2, 2, 5, 6};
@@ -65,7 +65,7 @@ void dmg_build_stove(dmg_builder* b) {
           board = fminf(0.15f * width, 0.8f * high), x = 0.5f * width, z = 0.5f * depth;
     int place = dmg_int(b, 0, 3);
     bool range = high > 0.5f;
-    float strip = place == 3 ? 0.25f * width : 0.0f, row = 0.95f * width;
+    float strip = place == 3 ? width * dmg_range(b, 0.18f, 0.4f) : 0.0f, row = 0.95f * width;
     dmg_box_span(b, v3(-x, 0, -z), v3(x, high, z));
     if (dmg_chance(b, 0.3f)) dmg_box_span(b, v3(-1.03f * x, high, -1.03f * z), v3(1.03f * x, high + 0.01f * width, z));
     dmg_save(b);

@@ -177,6 +177,8 @@ dmg_toggle dmg_toggle_pick(dmg_builder* b) {
     toggle.length = dmg_range(b, 1.0f, 2.6f);
     toggle.thin = dmg_range(b, 0.12f, 0.32f);
     toggle.pivot = dmg_chance(b, 0.4f) ? 0.0f : -dmg_range(b, 0.0f, 0.5f);
+    toggle.start = dmg_chance(b, 0.7f) ? toggle.pivot : fmaxf(toggle.pivot, -0.05f);
+    if (toggle.start > toggle.pivot && dmg_chance(b, 0.5f)) toggle.pivot *= 3.0f;
     toggle.swing = dmg_range(b, 0.2f, 0.65f);
     toggle.rest = dmg_chance(b, 0.4f) ? 0.0f : dmg_sign(b);
     toggle.nut = dmg_chance(b, 0.6f);
@@ -185,15 +187,15 @@ dmg_toggle dmg_toggle_pick(dmg_builder* b) {
 
 void dmg_toggle_draw(dmg_builder* b, const dmg_toggle* toggle, float radius) {
     float length = toggle->length * radius, thin = toggle->thin * radius, pivot = toggle->pivot * radius,
-          middle = 0.5f * (pivot + length), whole = length - pivot;
+          start = toggle->start * radius, middle = 0.5f * (start + length), whole = length - start;
     if (toggle->nut) dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.2f * radius), 0.5f * radius);
     uint32_t part = dmg_hinge(b, 0, "toggle", v3(0, 0, pivot), v3(-1, 0, 0), -toggle->swing, toggle->swing);
-    if (toggle->kind == 0) dmg_cone(b, v3(0, 0, pivot), v3(0, 0, length), 0.7f * thin, 1.2f * thin);
+    if (toggle->kind == 0) dmg_cone(b, v3(0, 0, start), v3(0, 0, length), 0.7f * thin, 1.2f * thin);
     if (toggle->kind == 1) dmg_box(b, v3(0, 0, middle), v3(2.5f * thin, thin, whole));
     if (toggle->kind == 2) dmg_rounded_box(b, v3(0, 0, middle), v3(2 * thin, 2 * thin, whole), 0.6f * thin);
-    if (toggle->kind == 3) dmg_rod(b, v3(0, 0, pivot), v3(0, 0, length), thin);
+    if (toggle->kind == 3) dmg_rod(b, v3(0, 0, start), v3(0, 0, length), thin);
     if (toggle->kind == 4) { /* a thin stalk with a paddle */
-        dmg_rod(b, v3(0, 0, pivot), v3(0, 0, length), 0.5f * thin);
+        dmg_rod(b, v3(0, 0, start), v3(0, 0, length), 0.5f * thin);
         dmg_box(b, v3(0, 0, 0.8f * length), v3(3 * thin, 0.8f * thin, 0.5f * length));
     }
     dmg_rest(b, part, (dmg_chance(b, 0.75f) ? toggle->rest : -toggle->rest) * toggle->swing);
@@ -258,6 +260,26 @@ void dmg_breaker_draw(dmg_builder* b, float radius) {
     bool out = dmg_chance(b, 0.7f);
     dmg_slide(b, 0, "breaker", v3(0, 0, out ? 1 : -1), 0.0f, rise * dmg_range(b, 0.2f, 0.5f));
     dmg_rod(b, v3(0, 0, 0), v3(0, 0, rise), thin);
+    dmg_use(b, 0);
+}
+
+/* What tells it from a knob that turns is the rod between it and the panel. */
+void dmg_plunger_draw(dmg_builder* b, float radius) {
+    float thin = radius * dmg_range(b, 0.12f, 0.3f), knob = radius * dmg_range(b, 0.45f, 0.9f),
+          out = knob * dmg_scale_range(b, 0.5f, 4.0f), height = knob * dmg_range(b, 0.3f, 1.4f),
+          root = out * dmg_range(b, 0.0f, 1.0f), travel = out * dmg_range(b, 0.4f, 0.95f);
+    bool pushed = dmg_chance(b, 0.5f);
+    if (dmg_chance(b, 0.7f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.2f * knob), 1.8f * thin);
+    dmg_slide(b, 0, "plunger", v3(0, 0, pushed ? -1 : 1), 0.0f, travel);
+    dmg_rod(b, v3(0, 0, -root), v3(0, 0, out), thin);
+    dmg_move(b, 0, 0, out);
+    int kind = dmg_int(b, 0, 4);
+    if (kind == 0) dmg_ellipsoid(b, v3(0, 0, 0.8f * knob), v3(knob, knob, knob));
+    if (kind == 1) dmg_rod(b, v3(0, 0, 0), v3(0, 0, height), knob);
+    if (kind == 2) draw_knurled(b, knob, height);
+    if (kind == 3) dmg_knob_draw(b, 3, knob, height);
+    if (kind == 4) dmg_rounded_box(b, v3(0, 0, 0.3f * knob), v3(2.5f * knob, 0.7f * knob, 0.6f * knob), 0.2f * knob);
+    dmg_move(b, 0, 0, -out);
     dmg_use(b, 0);
 }
 
@@ -340,6 +362,9 @@ static void draw_one(dmg_builder* b, dmg_control_kind kind, const row_style* sty
         break;
     case DMG_CONTROL_BREAKER:
         dmg_breaker_draw(b, radius);
+        break;
+    case DMG_CONTROL_PLUNGER:
+        dmg_plunger_draw(b, radius);
         break;
     case DMG_CONTROL_LOCK:
         dmg_key_switch_draw(b, radius);

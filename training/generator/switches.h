@@ -34,6 +34,7 @@ void dmg_key_draw(dmg_builder* b, const dmg_key* key, float radius);
 typedef struct dmg_toggle {
     int kind;
     float length, thin, pivot, swing, rest;
+    float start; /* of what is drawn: the pivot, or the surface above it */
     bool nut;
 } dmg_toggle;
 
@@ -51,6 +52,7 @@ void dmg_rocker_draw(dmg_builder* b, const dmg_rocker* rocker, float radius);
 
 void dmg_guard_draw(dmg_builder* b, float radius);       /* a cover that flips up from over a switch */
 void dmg_breaker_draw(dmg_builder* b, float radius);     /* a button in a collar, pulled out or pushed in */
+void dmg_plunger_draw(dmg_builder* b, float radius);     /* a knob or a T on a thin rod, pulled and pushed */
 void dmg_key_switch_draw(dmg_builder* b, float radius);  /* a lock with its key */
 void dmg_thumb_wheel_draw(dmg_builder* b, float radius); /* its rim stands out of a slot */
 void dmg_fader_draw(dmg_builder* b, float radius);       /* slides along Y in a slot */
@@ -65,6 +67,7 @@ typedef enum dmg_control_kind {
     DMG_CONTROL_ROCKER,
     DMG_CONTROL_GUARD,
     DMG_CONTROL_BREAKER,
+    DMG_CONTROL_PLUNGER,
     DMG_CONTROL_LOCK,
     DMG_CONTROL_THUMB_WHEEL,
     DMG_CONTROL_FADER,
