@@ -62,12 +62,72 @@ static void draw_hangar_leaves(dmg_builder* b, float width, float height, float 
         dmg_box(b, v3(0, 0.5f * height, 0.6f * t * (float)half), v3(2 * width, 0.04f * height, 1.3f * t * (float)half));
 }
 
+/* Leaves in one row, some of them walled in: those that move all go the same way, before or behind the others. */
+static void draw_leaf_row(dmg_builder* b, float width, float height, float t) {
+    int leaves = dmg_int(b, 2, 6);
+    float w = width / (float)leaves, way = dmg_sign(b), step = dmg_chance(b, 0.6f) ? 1.0f : dmg_range(b, 0.5f, 1.0f);
+    dmg_panel panel = {.kind = DMG_PANEL_FLAT};
+    if (dmg_chance(b, 0.4f)) panel = dmg_panel_pick(b);
+    if (panel.kind == DMG_PANEL_BOWED) panel.kind = DMG_PANEL_FLAT;
+    int first = dmg_int(b, 0, 1), moving = 0;
+    for (int i = 0; i < leaves; ++i) {
+        bool moves = (i + first) % 2 == 0 || (i + 1 == leaves && moving == 0);
+        float travel = step * w * (i + 1 == leaves || i == 0 || dmg_chance(b, 0.7f) ? 1.0f : 2.0f);
+        dmg_use(b, 0);
+        if (moves) dmg_slide(b, 0, "door", v3(way, 0, 0), 0.0f, travel);
+        moving += moves;
+        dmg_save(b);
+        dmg_move(b, w * ((float)i + 0.5f) - 0.5f * width, 0, moves ? 1.1f * t : 0.0f);
+        dmg_panel_draw(b, &panel, 1.01f * w, height, t);
+        dmg_restore(b);
+    }
+    dmg_use(b, 0);
+}
+
+/* A gate that falls outwards about the floor, its outline that of the hall's mouth. */
+static void draw_falling_gate(dmg_builder* b, float width, float height, float t) {
+    float x = 0.5f * width, y = 0.5f * height, corner = dmg_range(b, 0.1f, 0.9f) * x,
+          low = dmg_range(b, -0.2f, 0.6f) * y;
+    const dmg_xy cut[] = {{-x, -y}, {x, -y}, {x, low}, {x - corner, y}, {corner - x, y}, {-x, low}};
+    const dmg_xy plain[] = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+    bool trapezoid = dmg_chance(b, 0.5f);
+    float back = dmg_chance(b, 0.6f) ? 0.0f : dmg_range(b, 0.0f, 1.0f) * t;
+    dmg_hinge(b, 0, "gate", v3(0, -y, t - back), v3(1, 0, 0), 0.0f, dmg_range(b, 1.2f, 1.6f));
+    dmg_extrude(b, trapezoid ? cut : plain, trapezoid ? 6 : 4, 0.05f * t, t);
+    dmg_use(b, 0);
+}
+
+/* Two quarters of a dome before the mouth, which slide apart. */
+static void draw_shell_doors(dmg_builder* b, float width, float height) {
+    float radius = 0.5f * width, squash = 2.0f * height / width, t = 0.03f * radius;
+    for (int s = -1; s <= 1; s += 2) {
+        enum { ROWS = 7, COLUMNS = 7 };
+        dmg_slide(b, 0, "door", v3((float)s, 0, 0), 0.0f, radius * dmg_range(b, 0.7f, 1.0f));
+        for (int i = 0; i + 1 < COLUMNS; ++i) { /* bars from the floor to the crown, boards between them */
+            float from = 0.5f * DMG_PI * (float)i / (COLUMNS - 1), to = 0.5f * DMG_PI * (float)(i + 1) / (COLUMNS - 1);
+            for (int k = 0; k + 1 < ROWS; ++k) {
+                float up = 0.47f * DMG_PI * (float)k / (ROWS - 1), above = 0.47f * DMG_PI * (float)(k + 1) / (ROWS - 1);
+                float middle = 0.5f * (from + to);
+                dmg_vec low = {(float)s * radius * cosf(middle) * cosf(up), radius * squash * sinf(up),
+                               radius * sinf(middle) * cosf(up)};
+                dmg_vec high = {(float)s * radius * cosf(middle) * cosf(above), radius * squash * sinf(above),
+                                radius * sinf(middle) * cosf(above)};
+                dmg_beam(b, low, high, 0.9f * radius * (to - from) * cosf(0.5f * (up + above)), t);
+            }
+        }
+    }
+    dmg_use(b, 0);
+}
+
 void dmg_build_hangar_door(dmg_builder* b) {
     float width = dmg_scale_range(b, 8, 40), height = width * dmg_range(b, 0.18f, 0.45f),
           depth = width * dmg_range(b, 0.5f, 1.8f), wall = 0.012f * width, t = 0.012f * width;
     draw_hall(b, dmg_int(b, 0, 2), width, height, depth, wall);
-    int kind = dmg_int(b, 0, 3);
+    int kind = dmg_int(b, 0, 7);
+    if (kind == 7) draw_shell_doors(b, 0.98f * width, height);
     dmg_move(b, 0, 0.5f * height, 0);
+    if (kind == 4 || kind == 5) draw_leaf_row(b, width, height, t * dmg_range(b, 0.3f, 1.2f));
+    if (kind == 6) draw_falling_gate(b, 0.97f * width, height, t);
     if (kind <= 1) draw_hangar_leaves(b, width, height, t);
     if (kind == 2) { /* one leaf, hung above, tilts out; or goes straight up */
         bool lifts = dmg_chance(b, 0.4f);

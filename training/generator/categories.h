@@ -151,6 +151,7 @@
     X(sliding_cabinet)                                                                                                 \
     X(desk_hutch)                                                                                                      \
     X(nightstand)                                                                                                      \
+    X(showcase)                                                                                                        \
     /* strongboxes.c */                                                                                                \
     X(strongbox)                                                                                                       \
     X(counter_oven)                                                                                                    \

@@ -161,6 +161,41 @@ void dmg_build_sliding_cabinet(dmg_builder* b) {
     draw_half_closed(b, &s, width, height);
 }
 
+/* A glazed front in a frame: sashes on two tracks before a shallow or deep case, the ones on the front track move. */
+void dmg_build_showcase(dmg_builder* b) {
+    float height = dmg_scale_range(b, 0.2f, 1.6f), width = height * dmg_scale_range(b, 0.8f, 3.0f),
+          depth = height * dmg_scale_range(b, 0.03f, 0.8f), border = height * dmg_range(b, 0.02f, 0.14f),
+          t = height * dmg_scale_range(b, 0.015f, 0.1f);
+    slabs s = pick_slabs(b, height, depth);
+    s.leaf.panel = dmg_chance(b, 0.7f) ? dmg_panel_pick_window(b) : s.leaf.panel;
+    s.thickness = t;
+    s.gap = s.margin = 0.0f;
+    int count = dmg_int(b, 2, 3);
+    float slab = width / (float)count, sash = slab * dmg_range(b, 1.0f, 1.08f), rim = t * dmg_range(b, 1.0f, 2.4f);
+    bool sunk = dmg_chance(b, 0.6f);
+    dmg_move(b, 0, 0.5f * height + border, 0.5f * depth);
+    dmg_save(b);
+    dmg_move(b, 0, 0, sunk ? 2.2f * t : rim - t);
+    dmg_frame_draw(b, width + 2 * border, height + 2 * border, sunk ? 2.2f * t : rim, border);
+    dmg_restore(b);
+    if (depth > 3 * t) dmg_case_draw(b, DMG_CASE_SHEET, width + border, height + border, depth, s.wall);
+    int first = dmg_int(b, 0, 1);
+    for (int i = 0; i < count; ++i) {
+        dmg_save(b);
+        dmg_move(b, slab * ((float)i - 0.5f * (float)(count - 1)), 0, 0);
+        if (i % 2 == first) {
+            float way = i == 0 ? 1.0f : (i + 1 == count ? -1.0f : dmg_sign(b));
+            dmg_move(b, 0, 0, 1.1f * t);
+            draw_slider(b, &s, sash, height, way,
+                        slab * dmg_range(b, 0.6f, 1.0f) * (sash > 1.04f * slab ? 0.9f : 0.95f));
+        } else {
+            dmg_move(b, 0, 0, t);
+            dmg_panel_draw(b, &s.leaf.panel, sash, height, t);
+        }
+        dmg_restore(b);
+    }
+}
+
 /* ---- desks with something on top ---- */
 
 static void draw_desk_legs(dmg_builder* b, float width, float depth, float height, float leg, float top) {
