@@ -210,7 +210,13 @@
     X(blender)                                                                                                         \
     X(coffee_maker)                                                                                                    \
     /* pedestals.c */                                                                                                  \
-    X(pedestal)
+    X(pedestal)                                                                                                        \
+    /* seats.c */                                                                                                      \
+    X(office_chair)                                                                                                    \
+    /* vessels.c */                                                                                                    \
+    X(rov)                                                                                                             \
+    X(torpedo)                                                                                                         \
+    X(boat)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
