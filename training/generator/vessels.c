@@ -74,7 +74,7 @@ static void draw_rov_frame(dmg_builder* b, float width, float high, float length
         dmg_box(b, v3(0, 0.45f * high, 0), v3(0.9f * width, 0.25f * high, 0.9f * length));
     }
     if (kind == 2) { /* one hull on legs */
-        dmg_rounded_box(b, v3(0, 0.05f * high, 0), v3(0.9f * width, 0.75f * high, length), 0.2f * high);
+        dmg_rounded_box(b, v3(0, 0.15f * high, 0), v3(0.9f * width, 0.45f * high, length), 0.15f * high);
         for (int s = -1; s <= 1; s += 2)
             dmg_beam(b, v3((float)s * 0.4f * width, -0.55f * high, 0), v3((float)s * 0.4f * width, 0, 0), t, t);
     }
