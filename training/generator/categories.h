@@ -216,7 +216,9 @@
     /* vessels.c */                                                                                                    \
     X(rov)                                                                                                             \
     X(torpedo)                                                                                                         \
-    X(boat)
+    X(boat)                                                                                                            \
+    /* gauges.c */                                                                                                     \
+    X(dashboard)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -170,17 +170,38 @@ static void draw_corner(dmg_builder* b, float radius) {
     dmg_dial_draw(b, &dial, size);
 }
 
+/* What watches have at their rim: a crown that turns about a line through the middle, keys that are pressed inwards. */
+static void draw_crown(dmg_builder* b, float radius, float depth) {
+    float angle = dmg_range(b, 0, 2.0f * DMG_PI), size = fminf(0.4f * depth, radius * dmg_range(b, 0.06f, 0.16f));
+    int kinds[] = {DMG_CONTROL_DIAL, DMG_CONTROL_DIAL, DMG_CONTROL_KEY, DMG_CONTROL_PLUNGER};
+    dmg_save(b);
+    dmg_move(b, radius * cosf(angle), radius * sinf(angle), -0.5f * depth);
+    dmg_turn(b, v3(0, 0, 1), angle);
+    dmg_turn(b, v3(0, 1, 0), 0.5f * DMG_PI); /* outwards */
+    dmg_control_row_draw(b, (dmg_control_kind)kinds[dmg_int(b, 0, 3)], 1, 0, size);
+    dmg_restore(b);
+}
+
+/* The ring round the glass; some turn. */
+static void draw_rim(dmg_builder* b, float radius, float wall) {
+    const dmg_xy ring[] = {
+        {0.93f * radius, 0}, {radius, 0}, {radius, wall}, {0.93f * radius, wall}, {0.93f * radius, 0}};
+    bool turns = dmg_chance(b, 0.12f);
+    if (turns) dmg_spin(b, 0, "rim", v3(0, 0, 0), v3(0, 0, -1));
+    dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), ring, 5);
+    if (turns && dmg_chance(b, 0.6f))
+        dmg_box(b, v3(0, 0.965f * radius, wall), v3(0.06f * radius, 0.05f * radius, 0.1f * wall));
+    dmg_use(b, 0);
+}
+
 void dmg_build_gauge(dmg_builder* b) {
     float radius = dmg_scale_range(b, 0.02f, 0.15f), half = radius * dmg_range(b, 1.02f, 1.25f),
           depth = radius * dmg_scale_range(b, 0.1f, 2.0f), wall = radius * dmg_range(b, 0.02f, 0.4f);
     dmg_move(b, 0, half, 0);
     if (dmg_chance(b, 0.2f)) dmg_face_up(b);
     float corner = draw_bezel(b, radius, half, depth);
-    if (dmg_chance(b, 0.7f)) { /* the ring round the glass */
-        const dmg_xy ring[] = {
-            {0.93f * radius, 0}, {radius, 0}, {radius, wall}, {0.93f * radius, wall}, {0.93f * radius, 0}};
-        dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), ring, 5);
-    }
+    if (dmg_chance(b, 0.7f)) draw_rim(b, radius, wall);
+    if (dmg_chance(b, 0.12f)) draw_crown(b, 0.97f * radius, depth);
     int marks = dmg_chance(b, 0.4f) ? dmg_int(b, 4, 12) : 0;
     for (int i = 0; i < marks; ++i) {
         float at = 2.0f * DMG_PI * (float)i / (float)marks, r = 0.85f * radius;
@@ -202,6 +223,53 @@ void dmg_build_gauge(dmg_builder* b) {
         dmg_save(b);
         dmg_move(b, i & 1 ? reach : -reach, i & 2 ? reach : -reach, 0);
         draw_corner(b, radius);
+        dmg_restore(b);
+    }
+}
+
+/* ---- clusters ---- */
+
+/* A window with a needle whose pivot lies at its lower edge or below it. */
+static void draw_meter(dmg_builder* b, float radius) {
+    float width = radius * dmg_range(b, 1.2f, 1.9f), height = radius * dmg_range(b, 0.8f, 1.6f),
+          below = height * dmg_range(b, -0.1f, 0.3f), swing = dmg_range(b, 0.4f, 0.9f), thin = 0.03f * radius,
+          length = (height + below) * dmg_range(b, 0.7f, 0.95f), start = fmaxf(0.0f, below * dmg_range(b, 0.0f, 1.2f));
+    bool idle = dmg_chance(b, 0.4f);
+    dmg_frame_draw(b, width, height, 2 * thin, 2 * thin);
+    dmg_move(b, 0, -0.5f * height - below, thin);
+    uint32_t needle = dmg_hinge(b, 0, "needle", v3(0, 0, 0), v3(0, 0, -1), -swing, swing);
+    draw_pointer(b, length, -start, radius * dmg_range(b, 0.03f, 0.1f));
+    dmg_rest(b, needle, idle ? -swing : swing * dmg_range(b, -1.0f, 1.0f));
+    dmg_use(b, 0);
+}
+
+static void draw_dial_of_cluster(dmg_builder* b, float radius) {
+    if (dmg_chance(b, 0.7f)) dmg_torus(b, v3(0, 0, 0), v3(0, 0, 1), 0.96f * radius, 0.04f * radius);
+    if (dmg_chance(b, 0.3f)) dmg_rod(b, v3(0, 0, -0.2f * radius), v3(0, 0, 0.005f * radius), 0.95f * radius);
+    if (dmg_chance(b, 0.15f)) draw_card(b, 0.9f * radius);
+    draw_pointers(b, 0.9f * radius);
+}
+
+/* Dials of several sizes in one panel: what a needle turns about is its own dial's middle, not the object's. */
+void dmg_build_dashboard(dmg_builder* b) {
+    int columns = dmg_int(b, 2, 4), rows = dmg_chance(b, 0.3f) ? 2 : 1;
+    float cell = dmg_scale_range(b, 0.05f, 0.15f), thin = cell * dmg_scale_range(b, 0.05f, 1.0f);
+    float width = cell * (float)columns, height = cell * (float)rows;
+    dmg_move(b, 0, 0.5f * height, 0);
+    if (dmg_chance(b, 0.4f)) dmg_turn(b, v3(1, 0, 0), -dmg_range(b, 0.1f, 0.8f));
+    if (dmg_chance(b, 0.7f))
+        dmg_box(b, v3(0, 0, -0.5f * thin), v3(1.05f * width, 1.05f * height, thin));
+    else
+        dmg_rounded_plate(b, 1.05f * width, 1.05f * height, thin, 0.2f * height);
+    for (int i = 0; i < columns * rows; ++i) {
+        float room = 0.5f * cell * dmg_range(b, 0.55f, 0.97f);
+        int kind = b->part_count == 0 ? 0 : dmg_int(b, 0, 5);
+        dmg_save(b);
+        dmg_move(b, cell * ((float)(i % columns) - 0.5f * (float)(columns - 1)),
+                 cell * (0.5f * (float)(rows - 1) - (float)(i / columns)), 0);
+        if (kind <= 3) draw_dial_of_cluster(b, room);
+        if (kind == 4) draw_meter(b, 0.9f * room);
+        if (kind == 5) draw_corner(b, 2.5f * room);
         dmg_restore(b);
     }
 }
