@@ -3,7 +3,7 @@
 
 /* Where modellers put a leaf's line: often no hardware tells, and each has one of a few habits. */
 static void pick_line(dmg_builder* b, float* inset, float* depth) {
-    static const float habits[] = {3, 3, 2, 2, 1.5f, 1, 1.5f, 3};
+    static const float habits[] = {1.5f, 2.5f, 1.5f, 2.5f, 4, 1, 1, 3};
     float across = dmg_range(b, 0.0f, 1.0f), through = dmg_range(b, 0.0f, 1.0f);
     *inset = 0.0f;
     *depth = 0.0f;
@@ -32,7 +32,7 @@ static void pick_line(dmg_builder* b, float* inset, float* depth) {
         *depth = 1.5f * through - 0.25f;
         break;
     default:
-        *inset = dmg_chance(b, 0.5f) ? 0.0f : 2.0f * across - 0.5f;
+        *inset = dmg_chance(b, 0.25f) ? 0.0f : 1.5f * across - 0.2f;
         *depth = 1.1f * through;
         break;
     }

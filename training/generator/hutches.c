@@ -33,6 +33,7 @@ static slabs pick_slabs(dmg_builder* b, float small, float depth) {
     s.shell = shells[dmg_int(b, 0, 3)];
     s.leaf = dmg_leaf_pick(b, 0.25f * small);
     s.leaf.thickness = s.thickness;
+    s.leaf.inset = fminf(s.leaf.inset, 0.8f); /* of a slab this thick */
     s.leaf.handle = pick_pull(b, small);
     s.leaf.handle_edge = dmg_range(b, 0.08f, 0.3f);
     if (dmg_chance(b, 0.8f)) s.leaf.handle_at = 0.0f;
