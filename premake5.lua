@@ -7,7 +7,7 @@ workspace "dragmesh"
     cdialect "C17"
     cppdialect "C++17"
     warnings "Extra"
-    buildoptions { "-Wpedantic", "-Wconversion", "-Wno-sign-conversion", "-ffp-contract=off" }
+    buildoptions { "-Wpedantic", "-Wconversion", "-Wno-sign-conversion", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math" }
     fatalwarnings { "All" }
     visibility "Hidden"
     pic "On"

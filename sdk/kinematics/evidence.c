@@ -2,6 +2,7 @@
 #include "kinematics/evidence.h"
 
 #include "kinematics/linear3.h"
+#include "kinematics/moved.h"
 
 #define SURFACE_POINTS 96 /* of the part, for slippage and place */
 #define SWEEP_POINTS 64
@@ -23,7 +24,7 @@ typedef struct judge {
     float drag[3], drag_normal[3]; /* unit */
     float side[3], middle[3];      /* lengths of the box and its centre, along its axes */
     float box_centre[3];
-    float free[SWEEP_POINTS]; /* 1: not touching at rest */
+    int32_t free[SWEEP_POINTS]; /* 1: not touching at rest */
     float shape[5];
 } judge;
 
@@ -74,38 +75,11 @@ static void contact_evidence(const judge* j, const dmi_candidate* c, const dmi_c
     out[6] = (float)contact->count / DMI_STUDY_PART;
 }
 
-/* A candidate's motion of some points: x = base + cosine * across + sine * beside (turns), base + way * beside
- * (slides). */
-typedef struct motion {
-    float base[3][DMI_FIELD_BATCH], across[3][DMI_FIELD_BATCH], beside[3][DMI_FIELD_BATCH];
-} motion;
-
-static void make_motion(const dmi_candidate* c, const float (*points)[3], uint32_t count, motion* out) {
-    for (uint32_t i = 0; i < count; i++) {
-        float arm[3], along[3], side[3];
-        if (slides(c)) {
-            for (int k = 0; k < 3; k++)
-                out->base[k][i] = points[i][k], out->across[k][i] = 0, out->beside[k][i] = c->axis[k];
-            continue;
-        }
-        dmi_sub3(points[i], c->origin, arm);
-        dmi_cross3(c->axis, arm, side);
-        dmi_madd3(c->origin, dmi_dot3(arm, c->axis), c->axis, along);
-        for (int k = 0; k < 3; k++) {
-            out->base[k][i] = along[k];
-            out->across[k][i] = points[i][k] - along[k];
-            out->beside[k][i] = side[k];
-        }
-    }
-}
-
-static void moved_distances(const motion* m, float cosine, float sine, uint32_t count, const dmi_field* field,
-                            float* out) {
-    float at[3][DMI_FIELD_BATCH];
-    for (int k = 0; k < 3; k++)
-        for (uint32_t i = 0; i < count; i++)
-            at[k][i] = m->base[k][i] + cosine * m->across[k][i] + sine * m->beside[k][i];
-    dmi_field_distances(field, (const float(*)[DMI_FIELD_BATCH])at, count, out);
+static void carry(const dmi_candidate* c, const float (*points)[3], uint32_t count, dmi_moved* out) {
+    if (slides(c))
+        dmi_moved_slide(c->axis, points, count, out);
+    else
+        dmi_moved_turn(c->axis, c->origin, points, count, out);
 }
 
 typedef struct sweep {
@@ -113,16 +87,14 @@ typedef struct sweep {
 } sweep;
 
 /* The third smallest of the distances: a couple of points may lag behind a part that has left the body. */
-static float third_smallest(const float* distance, uint32_t count) {
+static float third_smallest(const float* distance) {
     float near[3] = {INFINITY, INFINITY, INFINITY};
-    for (uint32_t i = 0; i < count; i++) {
-        float d = distance[i];
-        if (d >= near[2]) continue;
-        near[2] = d;
-        for (int k = 2; k > 0 && near[k] < near[k - 1]; k--) {
-            float swap = near[k];
-            near[k] = near[k - 1], near[k - 1] = swap;
-        }
+    for (uint32_t i = 0; i < SWEEP_POINTS; i++) {
+        /* The least three, kept in order without a branch. */
+        const float d = distance[i], first = dmi_max(near[0], d), second = dmi_max(near[1], first);
+        near[0] = dmi_min(near[0], d);
+        near[1] = dmi_min(near[1], first);
+        near[2] = dmi_min(near[2], second);
     }
     return near[2];
 }
@@ -132,31 +104,33 @@ static void sweep_part(const judge* j, const dmi_candidate* c, sweep* out) {
     const dmi_study* s = j->study;
     float extent = 0, touch_limit = 2.1f * s->body_field.cell, hit_limit = 0.9f * s->body_field.cell;
     for (int k = 0; k < 3; k++) extent += fabsf(dmi_dot3(c->axis, s->box.axes[k])) * j->side[k];
-    motion m;
-    make_motion(c, s->points, SWEEP_POINTS, &m);
+    dmi_moved m;
+    carry(c, s->points, SWEEP_POINTS, &m);
     for (int side = 0; side < 2; side++) {
-        float hit[SWEEP_POINTS] = {0}, sign = side == 0 ? 1.0f : -1.0f;
+        const float sign = side == 0 ? 1.0f : -1.0f;
+        int32_t hit[SWEEP_POINTS] = {0}; /* once hit, for good */
         for (int step = 0; step < SWEEP_STEPS; step++) {
-            float distance[DMI_FIELD_BATCH], hits = 0, touches = 0;
-            float way = slides(c) ? SWEEP_SHARE[step] * extent : SWEEP_SINE[step];
-            moved_distances(&m, SWEEP_COSINE[step], sign * way, SWEEP_POINTS, &s->body_field, distance);
+            float distance[DMI_FIELD_BATCH];
+            const float shift = slides(c) ? SWEEP_SHARE[step] * extent : 0;
+            dmi_moved_distances(&m, SWEEP_COSINE[step], sign * SWEEP_SINE[step], sign * shift, &s->body_field,
+                                distance);
+            int32_t hits = 0, touches = 0;
             for (int i = 0; i < SWEEP_POINTS; i++) {
-                hit[i] = distance[i] < hit_limit ? j->free[i] : hit[i];
+                hit[i] |= j->free[i] & (distance[i] < hit_limit);
                 hits += hit[i];
-                touches += distance[i] < touch_limit ? 1.0f : 0.0f;
+                touches += distance[i] < touch_limit;
             }
-            out->hit[side][step] = hits / SWEEP_POINTS;
-            out->touch[side][step] = touches / SWEEP_POINTS;
-            if (step == 2 || step == 4)
-                out->detached[side][step] = third_smallest(distance, SWEEP_POINTS) / s->diagonal;
+            out->hit[side][step] = (float)hits / SWEEP_POINTS;
+            out->touch[side][step] = (float)touches / SWEEP_POINTS;
+            if (step == 2 || step == 4) out->detached[side][step] = third_smallest(distance) / s->diagonal;
         }
     }
 }
 
 /* With a drag the first of a pair is along it; without, the smaller. */
 static float* pair(const judge* j, float along, float against, float* out) {
-    out[0] = j->hint != NULL ? along : fminf(along, against);
-    out[1] = j->hint != NULL ? against : fmaxf(along, against);
+    out[0] = j->hint != NULL ? along : dmi_min(along, against);
+    out[1] = j->hint != NULL ? against : dmi_max(along, against);
     return out + 2;
 }
 
@@ -170,16 +144,16 @@ static void sweep_evidence(const judge* j, const dmi_candidate* c, float out[14]
 }
 
 static void shape_evidence(const judge* j, float out[5]) {
-    float longest = fmaxf(j->side[0], 1e-6f);
+    float longest = dmi_max(j->side[0], 1e-6f);
     out[0] = j->side[2] / longest;
-    out[1] = j->side[2] / fmaxf(j->side[1], 1e-6f);
+    out[1] = j->side[2] / dmi_max(j->side[1], 1e-6f);
     out[2] = j->side[1] / longest;
     out[3] = logf(j->study->diagonal);
     out[4] = logf(1 + j->study->area_ratio) / 5;
 }
 
 static void alignment_evidence(const judge* j, const dmi_candidate* c, float out[12]) {
-    float longest = fmaxf(j->side[0], 1e-6f), thin = j->side[2] / longest, middle = j->side[1] / longest;
+    float longest = dmi_max(j->side[0], 1e-6f), thin = j->side[2] / longest, middle = j->side[1] / longest;
     for (int k = 0; k < 3; k++) {
         float cosine = fabsf(dmi_dot3(c->axis, j->study->box.axes[k])), aligned = cosine > 0.9995f ? 1.0f : 0.0f;
         out[k] = aligned;
@@ -203,9 +177,9 @@ static void place_evidence(const judge* j, const dmi_candidate* c, float out[11]
         float d[3], along, r;
         dmi_sub3(s->points[i], c->origin, d);
         along = dmi_dot3(d, c->axis);
-        r = sqrtf(fmaxf(dmi_dot3(d, d) - along * along, 0));
+        r = sqrtf(dmi_max(dmi_dot3(d, d) - along * along, 0));
         behind += dmi_dot3(d, outward) < -0.01f * s->diagonal ? 1.0f : 0.0f;
-        least = fminf(least, r), most = fmaxf(most, r);
+        least = dmi_min(least, r), most = dmi_max(most, r);
         sum += r, square += r * r;
     }
     float mean = sum / SURFACE_POINTS, off = dmi_line_distance3(s->centre, c->axis, c->origin) / s->diagonal;
@@ -213,7 +187,7 @@ static void place_evidence(const judge* j, const dmi_candidate* c, float out[11]
     out[0] = off, out[1] = expf(-off / 0.01f);
     out[2] = off_box, out[3] = expf(-off_box / 0.005f);
     out[4] = least / s->diagonal, out[5] = most / s->diagonal, out[6] = least / (most + 1e-9f);
-    out[7] = sqrtf(fmaxf(square / SURFACE_POINTS - mean * mean, 0)) / (mean + 1e-9f);
+    out[7] = sqrtf(dmi_max(square / SURFACE_POINTS - mean * mean, 0)) / (mean + 1e-9f);
     out[8] = behind / SURFACE_POINTS, out[9] = behind / SURFACE_POINTS < 0.01f ? 1.0f : 0.0f;
     out[10] = dmi_field_distance(&s->body_field, c->origin) / s->diagonal;
 }
@@ -237,10 +211,10 @@ static void side_evidence(const judge* j, const dmi_candidate* c, float out[3]) 
     for (int k = 0, n = 0; k < 3; k++) {
         if (k == along) continue;
         float off = fabsf(dmi_dot3(c->origin, j->study->box.axes[k]) - j->middle[k]);
-        place[n++] = fminf(off / fmaxf(0.5f * j->side[k], 0.01f * j->study->diagonal), 4);
+        place[n++] = dmi_min(off / dmi_max(0.5f * j->side[k], 0.01f * j->study->diagonal), 4);
     }
-    out[0] = fmaxf(place[0], place[1]);
-    out[1] = fminf(place[0], place[1]);
+    out[0] = dmi_max(place[0], place[1]);
+    out[1] = dmi_min(place[0], place[1]);
     out[2] = expf(-fabsf(out[0] - 1) / 0.03f);
 }
 
@@ -262,14 +236,14 @@ static void spot_evidence(const judge* j, const dmi_candidate* c, float out[8]) 
     const float t = dmi_dot3(c->origin, s->box.axes[thin]) - j->middle[thin];
     const float away = s->lean[thin] < 0 ? -t : t, pulled = dmi_dot3(j->drag, s->box.axes[thin]);
     const float least = 0.005f * s->diagonal;
-    out[0] = fminf(fabsf(w) / fmaxf(0.5f * j->side[wide], least), 2);
-    out[1] = fminf(fmaxf((fabsf(w) - 0.5f * j->side[wide]) / s->diagonal, -0.5f), 0.5f);
-    out[2] = fminf(fmaxf(away / fmaxf(0.5f * j->side[thin], least), -4), 4);
-    out[3] = fminf(fmaxf(away / s->diagonal, -0.5f), 0.5f);
+    out[0] = dmi_min(fabsf(w) / dmi_max(0.5f * j->side[wide], least), 2);
+    out[1] = dmi_min(dmi_max((fabsf(w) - 0.5f * j->side[wide]) / s->diagonal, -0.5f), 0.5f);
+    out[2] = dmi_min(dmi_max(away / dmi_max(0.5f * j->side[thin], least), -4), 4);
+    out[3] = dmi_min(dmi_max(away / s->diagonal, -0.5f), 0.5f);
     out[4] = fabsf(s->lean[thin]);
     out[5] = corner(w, away, j->side[wide], j->side[thin], s->diagonal);
     out[6] = corner(w, -away, j->side[wide], j->side[thin], s->diagonal);
-    out[7] = fabsf(pulled) < 0.5f ? 0 : fminf(fmaxf((pulled < 0 ? -t : t) / s->diagonal, -0.5f), 0.5f);
+    out[7] = fabsf(pulled) < 0.5f ? 0 : dmi_min(dmi_max((pulled < 0 ? -t : t) / s->diagonal, -0.5f), 0.5f);
 }
 
 static void along_evidence(const judge* j, const dmi_candidate* c, float out[4]) {
@@ -284,8 +258,8 @@ static void along_evidence(const judge* j, const dmi_candidate* c, float out[4])
         dmi_madd3(c->origin, low + (high - low) * (float)i / 8 - at, c->axis, x);
         float body = dmi_field_distance(&s->body_field, x) / s->diagonal;
         float part = dmi_field_distance(&s->part_field, x) / s->diagonal;
-        out[0] += body / 9, out[1] = fmaxf(out[1], body);
-        out[2] += part / 9, out[3] = fmaxf(out[3], part);
+        out[0] += body / 9, out[1] = dmi_max(out[1], body);
+        out[2] += part / 9, out[3] = dmi_max(out[3], part);
     }
 }
 
@@ -296,16 +270,16 @@ static void symmetry_evidence(const judge* j, const dmi_candidate* c, float out[
     if (slides(c)) return;
     static const float cosine[5] = {-1, -0.5f, 0, 0.30901699f, 0.5f};
     static const float sine[5] = {0, 0.8660254f, 1, 0.95105652f, 0.8660254f};
-    motion m;
-    make_motion(c, s->points, SYMMETRY_POINTS, &m);
+    dmi_moved m;
+    carry(c, s->points, SYMMETRY_POINTS, &m);
     float mean[5] = {0};
     for (int k = 0; k < 5; k++) {
         float distance[DMI_FIELD_BATCH];
-        moved_distances(&m, cosine[k], sine[k], SYMMETRY_POINTS, &s->part_field, distance);
-        for (int i = 0; i < SYMMETRY_POINTS; i++) mean[k] += fminf(distance[i] / s->diagonal, 0.5f) / SYMMETRY_POINTS;
+        dmi_moved_distances(&m, cosine[k], sine[k], 0, &s->part_field, distance);
+        for (int i = 0; i < SYMMETRY_POINTS; i++) mean[k] += dmi_min(distance[i] / s->diagonal, 0.5f) / SYMMETRY_POINTS;
     }
-    float least = fminf(fminf(mean[1], mean[2]), fminf(mean[3], mean[4]));
-    out[0] = mean[0], out[1] = least, out[2] = expf(-fminf(least, mean[0]) / 0.02f);
+    float least = dmi_min(dmi_min(mean[1], mean[2]), dmi_min(mean[3], mean[4]));
+    out[0] = mean[0], out[1] = least, out[2] = expf(-dmi_min(least, mean[0]) / 0.02f);
 }
 
 /* Distance of the handle from the axis over the part's own farthest, whether the handle runs along the axis, and its
@@ -360,9 +334,9 @@ static void outline_evidence(const judge* j, const dmi_candidate* c, float out[4
     out[0] = (part_high - part_low) / (high[0] - low[0] + 1e-9f);
     if (slides(c) || !off_centre) return;
     float width = high[1] - low[1] + 1e-9f;
-    out[1] = fmaxf((high[1] - dmi_dot3(c->origin, way[1])) / width, -1);
+    out[1] = dmi_max((high[1] - dmi_dot3(c->origin, way[1])) / width, -1);
     out[2] = (dmi_dot3(s->centre, way[1]) - low[1]) / width;
-    out[3] = fminf(logf(width / s->diagonal), 3);
+    out[3] = dmi_min(logf(width / s->diagonal), 3);
 }
 
 /* most: largest distance of the part from the axis. */
@@ -373,18 +347,18 @@ static void drag_evidence(const judge* j, const dmi_candidate* c, float most, fl
     float v[3], low, high;
     dmi_candidate_velocity(c, j->hint->point, v);
     float speed = dmi_length3(v), cosine = dmi_dot3(v, j->drag) / (speed + 1e-12f);
-    float angle = acosf(fminf(fmaxf(cosine, -1), 1));
+    float angle = acosf(dmi_min(dmi_max(cosine, -1), 1));
     dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3]) & c->axis, 1, &low, &high);
-    float along = (dmi_dot3(j->hint->point, c->axis) - low) / fmaxf(high - low, 1e-6f);
+    float along = (dmi_dot3(j->hint->point, c->axis) - low) / dmi_max(high - low, 1e-6f);
     out[0] = 1;
-    out[1] = slides(c) ? 0 : fminf(speed / (most + 1e-9f), 2);
+    out[1] = slides(c) ? 0 : dmi_min(speed / (most + 1e-9f), 2);
     out[2] = angle;
     out[3] = expf(-angle / 0.01f);
     out[4] = expf(-angle / 0.1f);
     out[5] = fabsf(dmi_dot3(j->drag, j->drag_normal));
     for (int k = 0; k < 3; k++) out[6 + k] = fabsf(dmi_dot3(j->drag, s->box.axes[k]));
-    out[9] = fmaxf(out[6], fmaxf(out[7], out[8]));
-    out[10] = fminf(fabsf(along - 0.5f), 2);
+    out[9] = dmi_max(out[6], dmi_max(out[7], out[8]));
+    out[10] = dmi_min(fabsf(along - 0.5f), 2);
 }
 
 static void network_evidence(const judge* j, const dmi_candidate* c, float out[12]) {
@@ -393,14 +367,14 @@ static void network_evidence(const judge* j, const dmi_candidate* c, float out[1
     if (p == NULL) return;
     float turning = p->type[0] + p->type[2] + p->type[3];
     float cosine = fabsf(dmi_dot3(c->axis, slides(c) ? p->slide_axis : p->turn_axis));
-    float angle = acosf(fminf(cosine, 1));
+    float angle = acosf(dmi_min(cosine, 1));
     out[0] = 1;
     out[1] = slides(c) ? p->type[1] : turning;
     out[2] = angle, out[3] = expf(-angle / 0.05f), out[4] = expf(-angle / 0.2f);
     for (int k = 0; k < DMI_KPP_TYPES; k++) out[8 + k] = p->type[k];
     if (slides(c)) return;
     float off = dmi_line_distance3(p->origin, c->axis, c->origin) / j->study->diagonal;
-    out[5] = fminf(off, 3), out[6] = expf(-off / 0.03f), out[7] = expf(-off / 0.12f);
+    out[5] = dmi_min(off, 3), out[6] = expf(-off / 0.03f), out[7] = expf(-off / 0.12f);
 }
 
 static void family_evidence(const dmi_candidate* c, float* direction, float* origin) {
@@ -416,8 +390,7 @@ static judge make_judge(const dmi_study* study, const dmi_drag_hint* hint, const
         dmi_madd3(j.box_centre, j.middle[k], study->box.axes[k], j.box_centre);
     }
     for (int i = 0; i < SWEEP_POINTS; i++)
-        j.free[i] =
-            dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell ? 1.0f : 0.0f;
+        j.free[i] = dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell;
     shape_evidence(&j, j.shape);
     if (hint == NULL) return j;
     dmi_copy3(hint->vector, j.drag);
@@ -443,7 +416,7 @@ static void relative_evidence(const dmi_candidate* candidates, uint32_t count, f
         for (uint32_t i = 0; i < count; i++) {
             int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
             if (k == FOLLOWS && (candidates[i].direction_families & DMI_DIRECTION_DRAG) != 0) continue;
-            best[type] = fminf(best[type], rows[i][of[k]]);
+            best[type] = dmi_min(best[type], rows[i][of[k]]);
         }
         for (uint32_t i = 0; i < count; i++) {
             int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
@@ -459,19 +432,19 @@ static void choice_evidence(const float* scores, uint32_t count, float (*rows)[D
     float best[2] = {-INFINITY, -INFINITY}, sum = 0;
     for (uint32_t i = 0; i < count; i++) {
         const int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
-        best[type] = fmaxf(best[type], scores[i]);
+        best[type] = dmi_max(best[type], scores[i]);
     }
-    const float most = fmaxf(best[0], best[1]);
+    const float most = dmi_max(best[0], best[1]);
     for (uint32_t i = 0; i < count; i++) sum += expf(scores[i] - most);
     for (uint32_t i = 0; i < count; i++) {
         const int type = rows[i][DMI_EVIDENCE_SLIDES] > 0;
         float* out = rows[i] + DMI_EVIDENCE_CHOICE;
-        out[0] = fmaxf(scores[i] - most, -12) / 4;
+        out[0] = dmi_max(scores[i] - most, -12) / 4;
         out[1] = expf(scores[i] - most);
-        out[2] = fmaxf(scores[i] - best[type], -12) / 4;
+        out[2] = dmi_max(scores[i] - best[type], -12) / 4;
         out[3] = expf(scores[i] - best[type]);
-        out[4] = fmaxf(fminf(best[type] - best[!type], 8), -8) / 4;
-        out[5] = fmaxf(scores[i] - most - logf(sum), -12) / 4;
+        out[4] = dmi_max(dmi_min(best[type] - best[!type], 8), -8) / 4;
+        out[5] = dmi_max(scores[i] - most - logf(sum), -12) / 4;
     }
 }
 

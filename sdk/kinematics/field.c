@@ -33,7 +33,8 @@ static dm_result sort_samples(dmi_arena* arena, uint32_t count, size_t cells, dm
 }
 
 /* Lower envelope of parabolas along one line of `n` cells `stride` apart, in squared cells; `source` follows. */
-static void transform_line(float* line, uint32_t* source, size_t stride, int32_t n) {
+static void transform_line(float* line, uint32_t* source, size_t stride, int32_t n,
+                           const float half_over[DMI_FIELD_CELLS + 2]) {
     float value[DMI_FIELD_CELLS + 2], bound[DMI_FIELD_CELLS + 3];
     uint32_t from[DMI_FIELD_CELLS + 2];
     int32_t at[DMI_FIELD_CELLS + 2], k = -1;
@@ -42,7 +43,7 @@ static void transform_line(float* line, uint32_t* source, size_t stride, int32_t
         if (f >= FAR) continue;
         float cross = -FAR;
         for (; k >= 0; k--) {
-            cross = ((f + (float)(q * q)) - (value[k] + (float)(at[k] * at[k]))) / (float)(2 * (q - at[k]));
+            cross = ((f + (float)(q * q)) - (value[k] + (float)(at[k] * at[k]))) * half_over[q - at[k]];
             if (cross > bound[k]) break;
         }
         k++;
@@ -58,16 +59,33 @@ static void transform_line(float* line, uint32_t* source, size_t stride, int32_t
     }
 }
 
+/* The first direction needs no parabolas: the nearest occupied cell of a row is the last one seen from either side. */
+static void transform_row(float* line, uint32_t* source, const uint32_t* start, uint32_t first, int32_t n) {
+    int32_t last = -1;
+    for (int32_t q = 0; q < n; q++) {
+        if (start[q + 1] > start[q]) last = q;
+        line[q] = last < 0 ? FAR : (float)((q - last) * (q - last));
+        source[q] = first + (uint32_t)(last < 0 ? q : last);
+    }
+    last = -1;
+    for (int32_t q = n - 1; q >= 0; q--) {
+        if (start[q + 1] > start[q]) last = q;
+        const float square = last < 0 ? FAR : (float)((last - q) * (last - q));
+        if (square < line[q]) line[q] = square, source[q] = first + (uint32_t)last;
+    }
+}
+
 static void transform(dmi_field* field) {
     int32_t nx = field->size[0], ny = field->size[1], nz = field->size[2];
     size_t row = (size_t)nx, slab = row * (size_t)ny, cells = slab * (size_t)nz;
     float* d = field->distance;
     uint32_t* s = field->source;
-    for (size_t c = 0; c < cells; c++) d[c] = field->start[c + 1] > field->start[c] ? 0 : FAR, s[c] = (uint32_t)c;
-    for (size_t r = 0; r < cells; r += row) transform_line(d + r, s + r, 1, nx);
+    float half_over[DMI_FIELD_CELLS + 2];
+    for (int i = 1; i < DMI_FIELD_CELLS + 2; i++) half_over[i] = 0.5f / (float)i;
+    for (size_t r = 0; r < cells; r += row) transform_row(d + r, s + r, field->start + r, (uint32_t)r, nx);
     for (size_t z = 0; z < cells; z += slab)
-        for (size_t x = 0; x < row; x++) transform_line(d + z + x, s + z + x, row, ny);
-    for (size_t c = 0; c < slab; c++) transform_line(d + c, s + c, slab, nz);
+        for (size_t x = 0; x < row; x++) transform_line(d + z + x, s + z + x, row, ny, half_over);
+    for (size_t c = 0; c < slab; c++) transform_line(d + c, s + c, slab, nz, half_over);
     for (size_t c = 0; c < cells; c++) d[c] = sqrtf(d[c]) * field->cell;
 }
 
@@ -108,10 +126,8 @@ void dmi_field_distances(const dmi_field* field, const float (*points)[DMI_FIELD
             index[i] = index[i] * size + (int32_t)inside;
         }
     }
-    for (uint32_t i = 0; i < count; i++) {
-        out[i] = field->distance[index[i]];
-        if (outside[i] > 0) out[i] += sqrtf(outside[i]) * field->cell;
-    }
+    for (uint32_t i = 0; i < count; i++) out[i] = field->distance[index[i]];
+    for (uint32_t i = 0; i < count; i++) out[i] += sqrtf(outside[i]) * field->cell;
 }
 
 /* Nearest sample in the cells that a box of `reach` round the point touches. */

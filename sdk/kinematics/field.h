@@ -37,7 +37,7 @@ static inline float dmi_field_distance(const dmi_field* field, const float point
 }
 
 /* The same for `count` points at once, coordinates apart; count at most DMI_FIELD_BATCH. */
-#define DMI_FIELD_BATCH 128
+#define DMI_FIELD_BATCH 192
 void dmi_field_distances(const dmi_field* field, const float (*points)[DMI_FIELD_BATCH], uint32_t count, float* out);
 
 /* Nearest sample: exact when nearer than a cell and a half, else to within two cells. UINT32_MAX when there is none. */

@@ -32,9 +32,9 @@ static float radius_of(const float (*xyz)[3], uint32_t count, const float centre
     for (uint32_t i = 0; i < count; i++) {
         float d[3];
         dmi_sub3(xyz[i], centre, d);
-        most = fmaxf(most, dmi_dot3(d, d));
+        most = dmi_max(most, dmi_dot3(d, d));
     }
-    return fmaxf(sqrtf(most), 1e-4f);
+    return dmi_max(sqrtf(most), 1e-4f);
 }
 
 static void flip(float v[3]) {
@@ -90,7 +90,7 @@ static float extent_along(const dmi_cloud* cloud, const float direction[3]) {
     float low = INFINITY, high = -INFINITY;
     for (uint32_t i = 0; i < DMI_CLOUD_PART; i++) {
         const float t = dmi_dot3(cloud->xyz[i], direction);
-        low = fminf(low, t), high = fmaxf(high, t);
+        low = dmi_min(low, t), high = dmi_max(high, t);
     }
     return 0.5f * (high - low);
 }
@@ -292,7 +292,7 @@ static float* write_box(const dmi_kpp_frame* frame, const float (*xyz)[3], uint3
         float d[3], y[3];
         dmi_sub3(xyz[i], frame->origin, d);
         dmi_kpp_turn_in(frame, d, y);
-        for (int k = 0; k < 3; k++) low[k] = fminf(low[k], y[k]), high[k] = fmaxf(high[k], y[k]);
+        for (int k = 0; k < 3; k++) low[k] = dmi_min(low[k], y[k]), high[k] = dmi_max(high[k], y[k]);
     }
     for (int k = 0; k < 3; k++) {
         const float a = low[k] * frame->scale, b = high[k] * frame->scale;
@@ -316,7 +316,7 @@ static void write_contact(const points* p, float out[7]) {
     if (count == 0) return;
     for (int k = 0; k < 3; k++) {
         out[k] /= (float)count;
-        out[3 + k] = sqrtf(fmaxf(out[3 + k] / (float)count - out[k] * out[k], 0));
+        out[3 + k] = sqrtf(dmi_max(out[3 + k] / (float)count - out[k] * out[k], 0));
     }
     out[6] = (float)count / PART_POINTS;
 }

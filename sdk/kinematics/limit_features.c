@@ -28,12 +28,14 @@ static void write_shape(const measure* m, float* out) {
     const dmi_study* study = m->study;
     float side[3];
     for (int k = 0; k < 3; k++) side[k] = study->box.high[k] - study->box.low[k];
-    out[0] = m->slides ? 0 : fminf(dmi_sweep_roundness(&m->sweep), 0.5f);
+    out[0] = m->slides ? 0 : dmi_min(dmi_sweep_roundness(&m->sweep), 0.5f);
     out[1] = m->sweep.extent / study->diagonal;
     out[2] =
-        m->slides ? 0 : fminf(dmi_line_distance3(study->centre, m->sweep.axis, m->sweep.origin) / study->diagonal, 2);
-    out[3] = side[2] / fmaxf(side[0], 1e-6f);
-    out[4] = side[1] / fmaxf(side[0], 1e-6f);
+        m->slides
+            ? 0
+            : dmi_min(dmi_line_distance3(study->centre, m->sweep.moved.axis, m->sweep.origin) / study->diagonal, 2);
+    out[3] = side[2] / dmi_max(side[0], 1e-6f);
+    out[4] = side[1] / dmi_max(side[0], 1e-6f);
     out[5] = logf(study->diagonal);
     out[6] = logf(1 + study->area_ratio) / 5;
     out[7] = (float)m->sweep.free_count / DMI_SWEEP_POINTS;
@@ -46,7 +48,7 @@ static void write_off(const measure* m, float* out) {
     for (int k = 0; k < 3; k++)
         for (int way = 0; way < 2; way++) {
             const dmi_clearance at = dmi_sweep_clearance(&m->sweep, (way == 0 ? whole : -whole) * shares[k]);
-            out[k + 3 * way] = fminf(at.least / m->study->diagonal, 1);
+            out[k + 3 * way] = dmi_min(at.least / m->study->diagonal, 1);
         }
 }
 
@@ -59,13 +61,13 @@ static int by_value(const void* a, const void* b) {
  * stands proud, how long a drawer is held. In extents of the part. */
 static void write_surroundings(const measure* m, float* out) {
     const dmi_study* study = m->study;
-    const float* axis = m->sweep.axis;
+    const float* axis = m->sweep.moved.axis;
     float heights[1024], low = INFINITY, high = -INFINITY, radius = 0;
     uint32_t count = 0;
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
         const float height = dmi_dot3(study->points[i], axis);
-        low = fminf(low, height), high = fmaxf(high, height);
-        radius = fmaxf(radius, dmi_line_distance3(study->points[i], axis, study->centre));
+        low = dmi_min(low, height), high = dmi_max(high, height);
+        radius = dmi_max(radius, dmi_line_distance3(study->points[i], axis, study->centre));
     }
     const uint32_t stride = 1 + study->near_count / 4096;
     for (uint32_t i = 0; i < study->near_count && count < 1024; i += stride)
@@ -77,8 +79,8 @@ static void write_surroundings(const measure* m, float* out) {
     static const float shares[4] = {0.05f, 0.3f, 0.7f, 0.95f};
     for (int k = 0; k < 4; k++) {
         const float height = heights[(uint32_t)(shares[k] * (float)(count - 1))];
-        out[1 + k] = fminf(fmaxf((height - low) / m->unit, -4), 4);
-        out[5 + k] = fminf(fmaxf((height - high) / m->unit, -4), 4);
+        out[1 + k] = dmi_min(dmi_max((height - low) / m->unit, -4), 4);
+        out[5 + k] = dmi_min(dmi_max((height - high) / m->unit, -4), 4);
     }
 }
 
@@ -90,7 +92,7 @@ static void mean_arm(const measure* m, const float (*points)[3], uint32_t count,
     for (uint32_t i = 0; i < count; i += stride) {
         float arm[3];
         dmi_sub3(points[i], m->sweep.origin, arm);
-        dmi_reject3(arm, m->sweep.axis);
+        dmi_reject3(arm, m->sweep.moved.axis);
         dmi_madd3(out_arm, 1, arm, out_arm);
         total += dmi_length3(arm);
     }
@@ -105,23 +107,24 @@ static void write_angle(const measure* m, float* out) {
              &out[3]);
     dmi_cross3(part, body, across);
     out[0] = dmi_dot3(part, body);
-    out[1] = dmi_dot3(across, m->sweep.axis);
+    out[1] = dmi_dot3(across, m->sweep.moved.axis);
 }
 
 static void write_network(const measure* m, const dmi_prediction* p, float* out) {
     const float* axis = m->slides ? p->slide_axis : p->turn_axis;
     const float* limits = m->slides ? p->slide_limits : p->turn_limits;
-    const int along = dmi_dot3(axis, m->sweep.axis) >= 0;
+    const int along = dmi_dot3(axis, m->sweep.moved.axis) >= 0;
     out[0] = 1;
-    out[1] = fminf(fmaxf((along ? limits[0] : -limits[1]) / m->unit, -4), 4);
-    out[2] = fminf(fmaxf((along ? limits[1] : -limits[0]) / m->unit, -4), 4);
+    out[1] = dmi_min(dmi_max((along ? limits[0] : -limits[1]) / m->unit, -4), 4);
+    out[2] = dmi_min(dmi_max((along ? limits[1] : -limits[0]) / m->unit, -4), 4);
     out[3] = p->type[DM_JOINT_REVOLUTE - 1];
     out[4] = p->type[DM_JOINT_CONTINUOUS - 1];
 }
 
 float dmi_limits_features(const dmi_study* study, const dmi_prediction* prediction, int with_drag,
                           const dm_joint* joint, float out[DMI_LIMIT_FEATURES]) {
-    measure m = {.study = study, .sweep = dmi_sweep_make(study, joint), .slides = joint->type == DM_JOINT_PRISMATIC};
+    measure m = {.study = study, .slides = joint->type == DM_JOINT_PRISMATIC};
+    dmi_sweep_make(study, joint, &m.sweep);
     m.unit = m.slides ? m.sweep.extent : 1;
     memset(out, 0, sizeof(float) * DMI_LIMIT_FEATURES);
     out[KIND] = m.slides ? 1.0f : 0.0f;
@@ -129,7 +132,7 @@ float dmi_limits_features(const dmi_study* study, const dmi_prediction* predicti
     write_reach(&m, out + REACH);
     write_shape(&m, out + SHAPE);
     write_off(&m, out + OFF);
-    for (int k = 0; k < 3; k++) out[BOX + k] = fabsf(dmi_dot3(m.sweep.axis, study->box.axes[k]));
+    for (int k = 0; k < 3; k++) out[BOX + k] = fabsf(dmi_dot3(m.sweep.moved.axis, study->box.axes[k]));
     if (prediction != NULL) write_network(&m, prediction, out + NETWORK);
     if (m.slides)
         write_surroundings(&m, out + AROUND);

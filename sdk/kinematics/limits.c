@@ -39,7 +39,8 @@ static void limit_slide(const dmi_sweep* s, dm_joint* joint) {
 }
 
 void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
-    const dmi_sweep s = dmi_sweep_make(study, joint);
+    dmi_sweep s;
+    dmi_sweep_make(study, joint, &s);
     int slides = dmi_sweep_slides(&s), steps = slides ? DMI_SWEEP_SLIDES : DMI_SWEEP_TURNS;
     float step = slides ? s.extent / DMI_SWEEP_SLIDES : DMI_SWEEP_TURN, up[2], down[2];
     dmi_sweep_reach(&s, step, steps, up);
@@ -73,7 +74,8 @@ void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, in
         ask_network(study, prediction, with_drag, net, joint);
         return;
     }
-    const dmi_sweep s = dmi_sweep_make(study, joint);
+    dmi_sweep s;
+    dmi_sweep_make(study, joint, &s);
     if (dmi_sweep_slides(&s))
         limit_slide(&s, joint);
     else

@@ -6,37 +6,23 @@
 #define STOPPED 0.03f /* share of the free points that must meet the body */
 #define JAMMED 0.15f  /* share that no gap or thin shell explains */
 
-/* The joint at a value. */
-typedef struct placement {
-    float value, cosine, sine;
-} placement;
-
-static placement place(const dmi_sweep* s, float value) {
-    if (dmi_sweep_slides(s)) return (placement){value, 1, 0};
-    return (placement){value, cosf(value), sinf(value)};
-}
-
-static void moved(const dmi_sweep* s, const float point[3], placement at, float out[3]) {
+/* The points' distances from a field's samples at a value of the joint. */
+static void distances_at(const dmi_sweep* s, float value, const dmi_field* field, float out[DMI_SWEEP_POINTS]) {
     if (dmi_sweep_slides(s)) {
-        dmi_madd3(point, at.value, s->axis, out);
+        dmi_moved_distances(&s->moved, 1, 0, value, field, out);
         return;
     }
-    dmi_turn3(s->axis, s->origin, at.cosine, at.sine, point, out);
-    if (s->joint->type == DM_JOINT_SCREW) dmi_madd3(out, s->joint->pitch * at.value, s->axis, out);
-}
-
-static float distance_of(const dmi_sweep* s, uint32_t point, placement at) {
-    float x[3];
-    moved(s, s->study->points[point], at, x);
-    return dmi_field_distance(&s->study->body_field, x);
+    const float advance = s->joint->type == DM_JOINT_SCREW ? s->joint->pitch * value : 0;
+    dmi_moved_distances(&s->moved, cosf(value), sinf(value), advance, field, out);
 }
 
 /* Share of the free points that are inside the body's cells at a value. */
 static float blocked(const dmi_sweep* s, float value) {
-    const placement at = place(s, value);
-    uint32_t hits = 0;
-    for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++)
-        hits += s->free[i] && distance_of(s, i, at) < 0.9f * s->study->body_field.cell;
+    float distance[DMI_SWEEP_POINTS];
+    distances_at(s, value, &s->study->body_field, distance);
+    const float limit = 0.9f * s->study->body_field.cell;
+    int32_t hits = 0;
+    for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) hits += s->free[i] & (distance[i] < limit);
     return s->free_count > 0 ? (float)hits / (float)s->free_count : 0;
 }
 
@@ -53,40 +39,41 @@ void dmi_sweep_reach(const dmi_sweep* s, float step, int steps, float out[2]) {
 }
 
 dmi_clearance dmi_sweep_clearance(const dmi_sweep* s, float value) {
-    const placement at = place(s, value);
+    float distance[DMI_SWEEP_POINTS];
+    distances_at(s, value, &s->study->body_field, distance);
     dmi_clearance out = {.least = INFINITY};
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
-        const float distance = distance_of(s, i, at);
-        out.mean += fminf(distance, s->study->diagonal) / DMI_SWEEP_POINTS;
-        out.least = fminf(out.least, distance);
+        out.mean += dmi_min(distance[i], s->study->diagonal) / DMI_SWEEP_POINTS;
+        out.least = dmi_min(out.least, distance[i]);
     }
     return out;
 }
 
 float dmi_sweep_roundness(const dmi_sweep* s) {
-    placement at[3];
     float mean = 0;
-    for (int i = 0; i < 3; i++) at[i] = place(s, 0.4f + 2.1f * (float)i);
-    for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
-        float x[3];
-        moved(s, s->study->points[i], at[i % 3], x);
-        mean += dmi_field_distance(&s->study->part_field, x) / DMI_SWEEP_POINTS;
+    for (uint32_t turn = 0; turn < 3; turn++) {
+        float distance[DMI_SWEEP_POINTS];
+        distances_at(s, 0.4f + 2.1f * (float)turn, &s->study->part_field, distance);
+        for (uint32_t i = turn; i < DMI_SWEEP_POINTS; i += 3) mean += distance[i] / DMI_SWEEP_POINTS;
     }
     return mean / s->study->diagonal;
 }
 
-dmi_sweep dmi_sweep_make(const dmi_study* study, const dm_joint* joint) {
-    dmi_sweep s = {.study = study,
-                   .joint = joint,
-                   .axis = {joint->axis.x, joint->axis.y, joint->axis.z},
-                   .origin = {joint->origin.x, joint->origin.y, joint->origin.z}};
-    const float axes[1][3] = {{s.axis[0], s.axis[1], s.axis[2]}};
+void dmi_sweep_make(const dmi_study* study, const dm_joint* joint, dmi_sweep* out) {
+    const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
+    dmi_copy3((const float[]){joint->origin.x, joint->origin.y, joint->origin.z}, out->origin);
+    out->study = study;
+    out->joint = joint;
+    if (joint->type == DM_JOINT_PRISMATIC)
+        dmi_moved_slide(axis, study->points, DMI_SWEEP_POINTS, &out->moved);
+    else
+        dmi_moved_turn(axis, out->origin, study->points, DMI_SWEEP_POINTS, &out->moved);
     float low, high;
-    dmi_shape_limits((const float(*)[3])study->extremes, study->extreme_count, axes, 1, &low, &high);
-    s.extent = fmaxf(high - low, 0.01f);
+    dmi_shape_limits((const float(*)[3])study->extremes, study->extreme_count, &axis, 1, &low, &high);
+    out->extent = dmi_max(high - low, 0.01f);
+    out->free_count = 0;
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
-        s.free[i] = dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell;
-        s.free_count += s.free[i];
+        out->free[i] = dmi_field_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell;
+        out->free_count += out->free[i];
     }
-    return s;
 }

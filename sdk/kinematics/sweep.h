@@ -3,23 +3,25 @@
 #define DMI_KINEMATICS_SWEEP_H
 
 #include "dragmesh/dragmesh.h"
+#include "kinematics/moved.h"
 #include "kinematics/study.h"
 
-#define DMI_SWEEP_POINTS 192 /* of the part */
-#define DMI_SWEEP_TURN 0.05f /* rad: a step of a turn */
-#define DMI_SWEEP_TURNS 63   /* steps to half a turn */
-#define DMI_SWEEP_SLIDES 48  /* steps of a slide */
+#define DMI_SWEEP_POINTS DMI_FIELD_BATCH /* of the part */
+#define DMI_SWEEP_TURN 0.05f             /* rad: a step of a turn */
+#define DMI_SWEEP_TURNS 63               /* steps to half a turn */
+#define DMI_SWEEP_SLIDES 48              /* steps of a slide */
 
 typedef struct dmi_sweep {
     const dmi_study* study;
     const dm_joint* joint; /* inner frame */
-    float axis[3], origin[3];
+    float origin[3];
+    dmi_moved moved;
     float extent;                   /* of the part along the axis, at least 0.01 */
-    uint8_t free[DMI_SWEEP_POINTS]; /* clear of the body at rest */
-    uint32_t free_count;
+    int32_t free[DMI_SWEEP_POINTS]; /* 1: clear of the body at rest */
+    int32_t free_count;
 } dmi_sweep;
 
-dmi_sweep dmi_sweep_make(const dmi_study* study, const dm_joint* joint);
+void dmi_sweep_make(const dmi_study* study, const dm_joint* joint, dmi_sweep* out);
 
 static inline int dmi_sweep_slides(const dmi_sweep* s) {
     return s->joint->type == DM_JOINT_PRISMATIC;

@@ -92,7 +92,8 @@ static void a_sweep_stops_at_the_body(void** state) {
     open_bench(&b);
     const dm_joint joint =
         joint_at(&b, DM_JOINT_REVOLUTE, (const float[]){-1, 0, 0}, (const double[]){0.5, 0.06, -0.02});
-    const dmi_sweep sweep = dmi_sweep_make(&study, &joint);
+    dmi_sweep sweep;
+    dmi_sweep_make(&study, &joint, &sweep);
     dmi_sweep_reach(&sweep, DMI_SWEEP_TURN, 20, reach);
     assert_float_equal(reach[1], 1, 0.01f); /* nothing behind it */
     dmi_sweep_reach(&sweep, -DMI_SWEEP_TURN, DMI_SWEEP_TURNS, reach);
