@@ -145,7 +145,7 @@ static float draw_maker_body(dmg_builder* b, const maker* m) {
 
 /* The button on top: a low cone, a disc in rings, a dome. Round as a knob, but it is pressed. */
 static void draw_top_button(dmg_builder* b, float radius) {
-    float rise = radius * dmg_range(b, 0.1f, 0.6f), deep = radius * dmg_range(b, 0.0f, 0.6f),
+    float rise = radius * dmg_range(b, 0.2f, 0.6f), deep = radius * dmg_range(b, 0.0f, 0.6f),
           flat = dmg_range(b, 0.3f, 0.95f);
     const dmg_xy cone[] = {{0, -deep}, {radius, -deep}, {radius, 0.2f * rise}, {flat * radius, rise}, {0, rise}};
     const dmg_xy rings[] = {{radius, -deep},
@@ -156,7 +156,7 @@ static void draw_top_button(dmg_builder* b, float radius) {
                             {0.5f * radius, 0.9f * rise},
                             {0, rise}};
     int shape = dmg_int(b, 0, 2);
-    dmg_slide(b, 0, "button", v3(0, 0, -1), 0.0f, rise * dmg_scale_range(b, 0.1f, 0.6f));
+    dmg_slide(b, 0, "button", v3(0, 0, -1), 0.0f, rise * dmg_scale_range(b, 0.1f, 0.45f));
     if (shape == 0) dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), cone, 5);
     if (shape == 1) dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), rings, 7);
     if (shape == 2) dmg_ellipsoid(b, v3(0, 0, 0), v3(radius, radius, rise));

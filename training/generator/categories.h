@@ -218,7 +218,9 @@
     X(torpedo)                                                                                                         \
     X(boat)                                                                                                            \
     /* gauges.c */                                                                                                     \
-    X(dashboard)
+    X(dashboard)                                                                                                       \
+    /* headsets.c */                                                                                                   \
+    X(headset)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

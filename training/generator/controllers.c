@@ -29,7 +29,7 @@ static hand_set pick_hand_set(dmg_builder* b) {
     h.tilt = h.wand ? dmg_range(b, -0.1f, 0.35f) : dmg_range(b, 0.0f, 0.9f);
     /* The handle leaves the face from below. */
     h.droop = h.tilt + dmg_range(b, 0.0f, h.wand ? 0.4f : 0.8f);
-    h.lean = dmg_range(b, 0.0f, 0.95f);
+    h.lean = dmg_range(b, -0.1f, 0.7f);
     return h;
 }
 
@@ -121,7 +121,8 @@ static void draw_finger_side(dmg_builder* b, const hand_set* h) {
     float wide = h->head * dmg_range(b, 0.8f, 1.7f), reach = h->head * dmg_range(b, 0.6f, 1.25f);
     bool bumper = dmg_chance(b, 0.25f);
     dmg_save(b);
-    dmg_move(b, 0, -h->thick * dmg_range(b, 0.3f, 0.9f), h->head * dmg_range(b, 0.45f, 0.8f));
+    dmg_turn(b, v3(1, 0, 0), -h->tilt); /* down from the face, at its far edge */
+    dmg_move(b, 0, -h->thick * dmg_range(b, 0.25f, 0.9f), h->head * dmg_range(b, 0.75f, 1.0f));
     dmg_turn(b, v3(0, 1, 0), dmg_range(b, -0.2f, 0.2f));
     dmg_turn(b, v3(0, 0, 1), dmg_range(b, -0.2f, 0.2f));
     dmg_save(b);
@@ -170,7 +171,7 @@ void dmg_build_vr_controller(dmg_builder* b) {
     dmg_restore(b);
     if (dmg_chance(b, 0.5f)) draw_halo(b, &h);
     dmg_save(b);
-    float over = h.grip.half_height * dmg_range(b, 1.0f, 1.25f), ahead = h.head * dmg_range(b, -0.1f, 0.4f);
+    float over = h.grip.half_height * dmg_range(b, 1.1f, 1.3f), ahead = h.head * dmg_range(b, -0.1f, 0.4f);
     dmg_move(b, 0, over * cosf(h.tilt), ahead - over * sinf(h.tilt));
     dmg_save(b);
     dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI - h.tilt);

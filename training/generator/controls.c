@@ -110,6 +110,10 @@ void dmg_build_knob(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
+float dmg_button_way(dmg_builder* b, float rise) {
+    return rise * dmg_scale_range(b, 0.06f, 0.8f);
+}
+
 void dmg_build_button(dmg_builder* b) {
     float width = dmg_scale_range(b, 0.03f, 0.6f), height = width * dmg_scale_range(b, 0.3f, 2.0f),
           depth = width * dmg_scale_range(b, 0.05f, 1.0f);
@@ -121,7 +125,8 @@ void dmg_build_button(dmg_builder* b) {
     float w = px * fill, h = py * fill;
     if (dmg_chance(b, 0.5f)) w = h = fminf(w, h);
     float rise = fminf(w, h) * dmg_scale_range(b, 0.1f, 1.2f);
-    dmg_buttons set = {"button", columns, rows, px, py, w, h, rise, rise * dmg_range(b, 0.3f, 0.8f), dmg_int(b, 0, 3)};
+    float way = dmg_button_way(b, rise);
+    dmg_buttons set = {"button", columns, rows, px, py, w, h, rise, way, dmg_int(b, 0, 3)};
     if (columns * rows == 1 && dmg_chance(b, 0.5f)) { /* a mushroom head on a collar */
         dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.3f * rise), 0.4f * fminf(w, h));
         dmg_save(b);

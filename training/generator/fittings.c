@@ -59,7 +59,8 @@ void dmg_controls_draw(dmg_builder* b, uint32_t parent, float width, float heigh
         float fill = dmg_range(b, 0.4f, 0.85f), w = px * fill, h = py * fill;
         if (dmg_chance(b, 0.4f)) w = h = fminf(w, h);
         float rise = fminf(w, h) * dmg_range(b, 0.1f, 0.5f);
-        dmg_buttons set = {"button", columns, rows, px, py, w, h, rise, 0.7f * rise, dmg_int(b, 0, 3)};
+        float way = dmg_button_way(b, rise);
+        dmg_buttons set = {"button", columns, rows, px, py, w, h, rise, way, dmg_int(b, 0, 3)};
         if (set.kind == 1 || set.kind == 3) { /* what is round and stands out is a knob */
             set.rise *= 0.45f;
             set.travel *= 0.45f;

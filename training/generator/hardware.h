@@ -176,6 +176,8 @@ typedef struct dmg_buttons {
     int kind; /* 0 box, 1 round, 2 rounded box, 3 domed */
 } dmg_buttons;
 
+/* How far one sinks that stands out by `rise`: most of it, or a small share, as a switch under a key allows. */
+float dmg_button_way(dmg_builder* b, float rise);
 void dmg_buttons_draw(dmg_builder* b, uint32_t parent, const dmg_buttons* buttons);
 
 /* Leaves that slide past each other along X, on two tracks behind z = 0, filling a width centred at the origin. */

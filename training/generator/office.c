@@ -191,9 +191,8 @@ void dmg_build_remote(dmg_builder* b) {
     int columns = dmg_int(b, 2, 4), rows = (int)(0.6f * length / width * (float)columns * dmg_range(b, 0.5f, 1.0f));
     rows = rows < 2 ? 2 : (rows > 9 ? 9 : rows);
     float px = 0.9f * width / (float)columns, py = 0.65f * length / (float)rows, fill = dmg_range(b, 0.5f, 0.85f);
-    float rise = px * dmg_range(b, 0.1f, 0.3f);
-    dmg_buttons keys = {"button",    columns,         rows, px, py, fill * px, fill * fminf(py, px), rise,
-                        0.7f * rise, dmg_int(b, 0, 3)};
+    float rise = px * dmg_range(b, 0.1f, 0.3f), way = dmg_button_way(b, rise);
+    dmg_buttons keys = {"button", columns, rows, px, py, fill * px, fill * fminf(py, px), rise, way, dmg_int(b, 0, 3)};
     dmg_save(b);
     dmg_move(b, 0, -0.14f * length, 0);
     dmg_buttons_draw(b, 0, &keys);
@@ -203,7 +202,7 @@ void dmg_build_remote(dmg_builder* b) {
         dmg_hinge(b, 0, "pad", v3(0, 0, 0), v3(dmg_chance(b, 0.5f) ? 1.0f : 0.0f, 1, 0), -0.2f, 0.2f);
         dmg_rod(b, v3(0, 0, -0.5f * rise), v3(0, 0, rise), 0.35f * width);
     } else {
-        dmg_buttons power = {"power", 1, 1, 0, 0, 0.3f * width, 0.3f * width, rise, 0.7f * rise, 1};
+        dmg_buttons power = {"power", 1, 1, 0, 0, 0.3f * width, 0.3f * width, rise, way, 1};
         dmg_buttons_draw(b, 0, &power);
     }
     dmg_use(b, 0);

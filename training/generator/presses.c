@@ -38,12 +38,12 @@ static void draw_plunger(dmg_builder* b, float radius) {
 static void draw_bezel_button(dmg_builder* b, float radius) {
     float wall = radius * dmg_range(b, 0.08f, 0.5f), high = radius * dmg_range(b, 0.1f, 0.8f),
           slope = dmg_range(b, 0.6f, 1.0f), deep = radius * dmg_range(b, 0.1f, 1.0f),
-          top = high * dmg_range(b, 0.5f, 1.6f), bow = radius * dmg_range(b, -0.15f, 0.35f);
+          top = high * dmg_range(b, 0.5f, 1.6f), bow = fmaxf(-0.4f * top, radius * dmg_range(b, -0.15f, 0.35f));
     const dmg_xy ring[] = {
         {radius + wall, 0}, {radius + slope * wall, high}, {1.02f * radius, high}, {1.02f * radius, 0}};
     dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), ring, 4);
     float own = top + deep, way = own * dmg_scale_range(b, 0.04f, 0.4f);
-    dmg_slide(b, 0, "button", v3(0, 0, -1), 0.0f, fminf(way, 0.7f * top));
+    dmg_slide(b, 0, "button", v3(0, 0, -1), 0.0f, fminf(way, 0.45f * top));
     const dmg_xy disc[] = {
         {0, -deep}, {0.98f * radius, -deep}, {0.98f * radius, top}, {0.6f * radius, top + 0.7f * bow}, {0, top + bow}};
     bool shell = dmg_chance(b, 0.4f);
@@ -60,7 +60,7 @@ static void draw_framed_button(dmg_builder* b, float radius) {
     dmg_move(b, 0, 0, high);
     dmg_frame_draw(b, w + 2 * border, h + 2 * border, high, border);
     dmg_restore(b);
-    dmg_slide(b, 0, "button", v3(0, 0, -1), 0.0f, fminf(way, 0.7f * top));
+    dmg_slide(b, 0, "button", v3(0, 0, -1), 0.0f, fminf(way, 0.45f * top));
     dmg_rounded_box(b, v3(0, 0, 0.5f * (top - deep)), v3(0.97f * w, 0.97f * h, top + deep),
                     0.2f * fminf(w, fminf(h, top + deep)));
     dmg_use(b, 0);

@@ -108,7 +108,7 @@ void dmg_touch_pad_draw(dmg_builder* b, uint32_t parent, float radius) {
 void dmg_thumb_key_draw(dmg_builder* b, uint32_t parent, const char* name, float radius) {
     float rise = radius * dmg_range(b, 0.08f, 0.8f), inside = radius * dmg_range(b, 0.0f, 1.2f),
           dome = rise * dmg_range(b, 0, 0.6f);
-    float way = fminf((rise + inside) * dmg_scale_range(b, 0.04f, 0.5f), 0.65f * rise - 0.4f * dome);
+    float way = fminf((rise + inside) * dmg_scale_range(b, 0.04f, 0.5f), 0.5f * rise - 0.3f * dome);
     int shape = dmg_int(b, 0, 3);
     float thin = radius * dmg_range(b, 0.03f, 0.12f);
     if (dmg_chance(b, 0.25f)) dmg_torus(b, v3(0, 0, 0), v3(0, 0, 1), 1.08f * radius, thin);
