@@ -220,7 +220,11 @@
     /* gauges.c */                                                                                                     \
     X(dashboard)                                                                                                       \
     /* headsets.c */                                                                                                   \
-    X(headset)
+    X(headset)                                                                                                         \
+    /* winds.c */                                                                                                      \
+    X(power_turbine)                                                                                                   \
+    X(windmill)                                                                                                        \
+    X(wind_mast)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -95,10 +95,11 @@ void dmg_build_rov(dmg_builder* b) {
     for (int i = 0; i < level + upright; ++i) {
         bool up = i >= level;
         float x = i & 1 ? 1.0f : -1.0f, z = i & 2 ? 1.0f : -1.0f;
-        if (upright == 1 && up) x = 0.0f;
         dmg_save(b);
         if (up) {
-            dmg_move(b, x * (0.5f * width + 1.3f * t.radius), 0.1f * high, upright > 2 ? z * 0.3f * length : 0.0f);
+            bool alone = upright == 1; /* behind, where it is clear of the hull */
+            float aft = alone ? -0.5f * length - 1.3f * t.radius : (upright > 2 ? z * 0.3f * length : 0.0f);
+            dmg_move(b, alone ? 0.0f : x * (0.5f * width + 1.3f * t.radius), 0.1f * high, aft);
             dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI);
         } else {
             dmg_move(b, x * 0.38f * width, -0.32f * high, z * 0.38f * length);
