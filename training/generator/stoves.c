@@ -45,6 +45,7 @@ static void draw_knob_row(dmg_builder* b, float length, float height) {
     static const int kinds[] = {1, 2, 2, 2, 5, 6};
     if (dmg_chance(b, 0.6f)) dial.kind = kinds[dmg_int(b, 0, 5)];
     dial.height = dmg_scale_range(b, 0.2f, 0.9f);
+    dial.sink *= 0.5f;
     dial.pulled = false;
     bool mixed = dmg_chance(b, 0.15f);
     for (int i = 0; i < count; ++i) {
@@ -67,7 +68,8 @@ void dmg_build_stove(dmg_builder* b) {
     bool range = high > 0.5f;
     float strip = place == 3 ? width * dmg_range(b, 0.18f, 0.4f) : 0.0f, row = 0.95f * width;
     dmg_box_span(b, v3(-x, 0, -z), v3(x, high, z));
-    if (dmg_chance(b, 0.3f)) dmg_box_span(b, v3(-1.03f * x, high, -1.03f * z), v3(1.03f * x, high + 0.01f * width, z));
+    bool lid = dmg_chance(b, 0.3f);
+    if (lid) dmg_box_span(b, v3(-1.03f * x, high, -1.03f * z), v3(1.03f * x, high + 0.01f * width, z));
     dmg_save(b);
     dmg_move(b, -0.5f * strip, high + 0.012f * width, 0);
     draw_hob(b, 0.92f * (width - strip), 0.92f * depth);
@@ -97,7 +99,7 @@ void dmg_build_stove(dmg_builder* b) {
     } else {
         row = 0.9f * depth;
         board = 0.9f * strip;
-        dmg_move(b, x - 0.5f * strip, high, 0);
+        dmg_move(b, x - 0.5f * strip, high + (lid ? 0.01f * width : 0.0f), 0);
         dmg_face_up(b);
         dmg_turn(b, v3(0, 0, 1), dmg_sign(b) * 0.5f * DMG_PI);
     }
