@@ -285,3 +285,42 @@ void dmg_build_lidded_bin(dmg_builder* b) {
     dmg_box(b, v3(0, 0.06f * height, 0.5f * taper * depth + 0.5f * out), v3(0.25f * width, 0.02f * height, out));
     dmg_use(b, 0);
 }
+
+/* ---- a flag on the side of a box or post ---- */
+
+/* An arm with a plate at its end, flat in the plane x = 0, its pivot near the arm's root at the origin. */
+static void draw_flag(dmg_builder* b, float length, float wide, float t) {
+    float root = wide * (dmg_chance(b, 0.6f) ? 0.5f : dmg_range(b, 0.0f, 1.5f)),
+          plate = length * dmg_range(b, 0.15f, 0.5f), drop = wide * dmg_range(b, 0.0f, 3.0f), end = length - root;
+    const dmg_xy outline[] = {
+        {-root, -0.5f * wide},      {end - plate, -0.5f * wide}, {end - plate, -0.5f * wide - drop},
+        {end, -0.5f * wide - drop}, {end, 0.5f * wide},          {-root, 0.5f * wide}};
+    bool round = dmg_chance(b, 0.3f), straight = drop < 0.2f * wide;
+    const dmg_xy bar[] = {{-root, -0.5f * wide}, {end, -0.5f * wide}, {end, 0.5f * wide}, {-root, 0.5f * wide}};
+    dmg_save(b);
+    dmg_turn(b, v3(0, 1, 0), -0.5f * DMG_PI); /* the outline's x along Z, the thickness along -X */
+    dmg_extrude(b, straight ? bar : outline, straight ? 4 : 6, -0.5f * t, 0.5f * t);
+    dmg_restore(b);
+    if (round) dmg_rod(b, v3(-0.5f * t, 0, 0), v3(0.5f * t, 0, 0), 0.6f * wide);
+    if (dmg_chance(b, 0.3f)) dmg_rod(b, v3(-1.2f * t, 0, 0), v3(1.2f * t, 0, 0), 0.2f * wide);
+}
+
+void dmg_build_flag_box(dmg_builder* b) {
+    float height = dmg_scale_range(b, 0.15f, 0.6f), width = height * dmg_scale_range(b, 0.2f, 1.5f),
+          depth = height * dmg_scale_range(b, 0.2f, 1.8f),
+          post = dmg_chance(b, 0.4f) ? dmg_range(b, 0.3f, 2.0f) * height : 0.0f;
+    float length = fmaxf(height, depth) * dmg_range(b, 0.3f, 0.9f), wide = length * dmg_range(b, 0.05f, 0.25f),
+          t = length * dmg_scale_range(b, 0.015f, 0.12f),
+          gap = dmg_chance(b, 0.6f) ? 0.02f * t : dmg_range(b, 0.0f, 0.08f) * width;
+    if (post > 0.0f) dmg_box(b, v3(0, 0.5f * post, 0), v3(0.3f * width, post, 0.3f * width));
+    dmg_box(b, v3(0, post + 0.5f * height, 0), v3(width, height, depth));
+    if (dmg_chance(b, 0.5f))
+        dmg_box(b, v3(0, post + height, 0.04f * depth), v3(1.1f * width, 0.06f * height, 1.1f * depth));
+    dmg_move(b, 0.5f * width + gap + 0.5f * t, post + dmg_range(b, 0.3f, 0.9f) * height,
+             dmg_range(b, -0.4f, 0.1f) * depth);
+    if (gap > 0.5f * t) dmg_rod(b, v3(-gap - 0.5f * t, 0, 0), v3(-0.5f * t, 0, 0), 0.3f * wide);
+    uint32_t flag = dmg_hinge(b, 0, "flag", v3(0, 0, 0), v3(-1, 0, 0), 0.0f, dmg_range(b, 1.0f, 1.7f));
+    draw_flag(b, length, wide, t);
+    if (dmg_chance(b, 0.5f)) dmg_rest(b, flag, b->parts[flag - 1].joint.upper);
+    dmg_use(b, 0);
+}

@@ -162,6 +162,7 @@
     X(hard_case)                                                                                                       \
     X(pail)                                                                                                            \
     X(lidded_bin)                                                                                                      \
+    X(flag_box)                                                                                                        \
     /* toolboxes.c */                                                                                                  \
     X(toolbox)                                                                                                         \
     X(casement)                                                                                                        \
