@@ -171,7 +171,7 @@ static void draw_thumb_face(dmg_builder* b, uint32_t parent, float width) {
 static void draw_finger_trigger(dmg_builder* b, uint32_t parent, const char* name, float width, float length) {
     float far = dmg_range(b, 0.12f, 0.55f), tilt = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, -0.25f, 0.25f);
     /* The pivot: somewhere in the shell, near the trigger's root or well away from it. */
-    bool far_off = dmg_chance(b, 0.4f);
+    bool far_off = dmg_chance(b, 0.25f);
     float up = length * dmg_range(b, -0.2f, far_off ? 1.6f : 0.6f),
           back = length * dmg_range(b, -0.5f, far_off ? 1.4f : 0.4f);
     far = fminf(far, 0.5f * length / hypotf(up + 0.4f * length, back)); /* a finger pulls no farther */

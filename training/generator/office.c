@@ -216,7 +216,7 @@ void dmg_build_remote(dmg_builder* b) {
 /* ---- keyboard ---- */
 
 /* One row of keys of different widths; what is left over goes to the longest. */
-static void draw_key_row(dmg_builder* b, float width, float pitch, float rise, int kind, bool space) {
+static void draw_key_row(dmg_builder* b, float width, float pitch, float rise, float way, int kind, bool space) {
     float left = width, x = -0.5f * width;
     while (left > 0.5f * pitch && b->part_count < 70) {
         float units = dmg_chance(b, 0.85f) ? 1.0f : 1.5f;
@@ -225,7 +225,7 @@ static void draw_key_row(dmg_builder* b, float width, float pitch, float rise, i
         if (left - w < 0.5f * pitch) w = left;
         dmg_save(b);
         dmg_move(b, x + 0.5f * w, 0, 0);
-        dmg_buttons key = {"key", 1, 1, 0, 0, w - 0.14f * pitch, 0.86f * pitch, rise, 0.6f * rise, kind};
+        dmg_buttons key = {"key", 1, 1, 0, 0, w - 0.14f * pitch, 0.86f * pitch, rise, way, kind};
         dmg_buttons_draw(b, 0, &key);
         dmg_restore(b);
         x += w;
@@ -261,7 +261,7 @@ void dmg_build_keyboard(dmg_builder* b) {
     float pitch = dmg_range(b, 0.014f, 0.02f), width = pitch * (float)dmg_int(b, 8, 15),
           rise = pitch * dmg_range(b, 0.15f, 0.6f), thick = pitch * dmg_range(b, 0.3f, 1.5f);
     int rows = dmg_int(b, 3, 5), kind = dmg_chance(b, 0.6f) ? 0 : 2;
-    float depth = pitch * (float)rows, border = pitch * dmg_range(b, 0.2f, 1.0f);
+    float depth = pitch * (float)rows, border = pitch * dmg_range(b, 0.2f, 1.0f), way = dmg_button_way(b, rise);
     dmg_move(b, 0, thick, 0);
     dmg_face_up(b);
     if (dmg_chance(b, 0.5f))
@@ -271,7 +271,7 @@ void dmg_build_keyboard(dmg_builder* b) {
     for (int row = 0; row < rows; ++row) {
         dmg_save(b);
         dmg_move(b, 0, pitch * ((float)row + 0.5f) - 0.5f * depth, 0);
-        draw_key_row(b, width, pitch, rise, kind, row == 0);
+        draw_key_row(b, width, pitch, rise, way, kind, row == 0);
         dmg_restore(b);
     }
     if (dmg_chance(b, 0.4f)) { /* feet that fold out below */
