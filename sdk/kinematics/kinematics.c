@@ -10,10 +10,11 @@
 #define TOP_OF_TYPE 32 /* candidates of turning, and of sliding, that may become hypotheses */
 #define TOP (2 * TOP_OF_TYPE)
 #define ALIKE_POINTS 12
-/* Shares by which the motions of two joints differ: below the first they are one hypothesis; … */
-#define ALIKE 0.1f
-/* … about the second is as near as an answer has to be. */
+/* Shares by which the motions of two joints differ: about the first is as near as an answer has to be, within the
+ * second they support one hypothesis, and beyond the third they are worth two. */
 #define NEAR 0.03f
+#define ALIKE 0.1f
+#define APART 0.3f
 #define GOOD_ENOUGH 0.9f
 #define SCREW_CERTAIN 0.8f
 #define LEAST_ROOM 0.1f /* of its range, in the drag's direction */
@@ -156,12 +157,13 @@ static uint32_t sharpen(const work* w, uint32_t best, const choice* c) {
     return sharp;
 }
 
-/* Takes a candidate and all that move the part alike; answers the probability they gather. */
+/* Takes a candidate and all that are not worth a hypothesis beside it; answers the probability of those that move the
+ * part alike. */
 static float take_alike(const work* w, uint32_t chosen, choice* c) {
     float mass = 0;
     for (uint32_t j = 0; j < c->count; j++) {
-        if (c->taken[j] || c->difference[chosen][j] > ALIKE) continue;
-        mass += w->probability[c->top[j].index];
+        if (c->taken[j] || c->difference[chosen][j] > APART) continue;
+        if (c->difference[chosen][j] <= ALIKE) mass += w->probability[c->top[j].index];
         c->taken[j] = 1;
     }
     return mass;
