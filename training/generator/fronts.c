@@ -1,13 +1,13 @@
 /* Doors, flaps, drawers and buttons on a front: the parts that furniture, appliances and panels share. */
 #include "hardware.h"
 
-/* Where modellers put a leaf's line: often no hardware tells, and each has one of a few habits. */
+/* Where modellers put a leaf's line: often no hardware tells, and each has one of a few habits, all of them drawn alike
+ * often. */
 static void pick_line(dmg_builder* b, float* inset, float* depth) {
-    static const float habits[] = {1.5f, 2.5f, 1.5f, 2.5f, 4, 1, 1, 3};
     float across = dmg_range(b, 0.0f, 1.0f), through = dmg_range(b, 0.0f, 1.0f);
     *inset = 0.0f;
     *depth = 0.0f;
-    switch (dmg_weighted(b, habits, 8)) {
+    switch (dmg_int(b, 0, 7)) {
     case 0: /* the front edge */
         break;
     case 1: /* the body's corner, which the back edge lies on */
@@ -32,8 +32,8 @@ static void pick_line(dmg_builder* b, float* inset, float* depth) {
         *depth = 1.5f * through - 0.25f;
         break;
     default:
-        *inset = dmg_chance(b, 0.25f) ? 0.0f : 1.5f * across - 0.2f;
-        *depth = 1.1f * through;
+        *inset = 1.5f * across - 0.2f;
+        *depth = through;
         break;
     }
 }

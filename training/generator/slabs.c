@@ -66,7 +66,7 @@ void dmg_build_laptop(dmg_builder* b) {
     dmg_restore(b);
     float radius = fminf(base, thick) * dmg_range(b, 0.3f, 0.7f),
           back = -0.5f * depth + radius * dmg_range(b, -1.2f, 1.2f);
-    if (dmg_chance(b, 0.5f)) back = depth * dmg_range(b, -0.49f, -0.44f); /* inside the lid's lower edge */
+    if (dmg_chance(b, 0.5f)) back = depth * dmg_range(b, -0.5f, -0.4f); /* inside the lid's lower edge */
     float up = base + gap + (dmg_chance(b, 0.4f) ? 0.0f : dmg_range(b, -0.5f, 0.5f) * base);
     if (dmg_chance(b, 0.5f)) { /* the barrel under the screen's lower edge */
         float span = width * dmg_range(b, 0.06f, 0.45f);
