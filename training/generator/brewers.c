@@ -214,8 +214,10 @@ void dmg_build_coffee_maker(dmg_builder* b) {
     dmg_restore(b);
     dmg_restore(b);
     draw_brew_head(b, &m);
+    dmg_box_span(b, v3(-0.4f * m.radius, 0, 0), v3(0.4f * m.radius, 0.2f * m.foot, m.reach + 0.3f * m.radius));
     dmg_slide(b, 0, "drip_tray", v3(0, 0, 1), 0.0f, m.radius * dmg_range(b, 0.3f, 1.2f));
-    dmg_rod(b, v3(0, 0, m.reach + 0.3f * m.radius), v3(0, 0.9f * m.foot, m.reach + 0.3f * m.radius), 0.6f * m.radius);
+    dmg_rod(b, v3(0, 0.22f * m.foot, m.reach + 0.3f * m.radius), v3(0, 0.9f * m.foot, m.reach + 0.3f * m.radius),
+            0.6f * m.radius);
     dmg_use(b, 0);
     if (dmg_chance(b, 0.6f)) { /* the tank behind lifts out */
         dmg_slide(b, 0, "tank", v3(0, 1, 0), 0.0f, m.height * dmg_range(b, 0.2f, 0.9f));

@@ -199,6 +199,8 @@ static void draw_antenna(dmg_builder* b, int kind, float width, float t) {
         dmg_restore(b);
         dmg_box(b, v3(0, 0.5f * t, 0.5f * back), v3(2 * t, t, fabsf(back) + 2 * t));
     }
+    if (kind > 1) /* what it stands on the neck with */
+        dmg_rod(b, v3(0, 0.5f * t, 0), v3(0, t, kind == 2 ? 0.3f * back : back), 0.6f * t);
     if (kind == 2) dmg_box(b, v3(0, 1.5f * t, 0.3f * back), v3(width, 2 * t, 1.5f * t)); /* a bar, as ships have */
     if (kind == 3) {                                                                     /* a flat array, leaning */
         dmg_beam(b, v3(0, 0, back), v3(0, high, back - 0.2f * high), width, 0.06f * width);

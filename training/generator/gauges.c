@@ -149,9 +149,13 @@ static float draw_bezel(dmg_builder* b, float radius, float half, float depth) {
     }
     if (kind == 2) dmg_box_faces(b, v3(0, 0, 0), v3(2 * half, 2 * half, 0), DMG_FACE_FRONT);
     if (kind == 3) dmg_rod(b, v3(0, 0, -thin), v3(0, 0, 0), half);
-    if (dmg_chance(b, 0.7f)) dmg_rod(b, v3(0, 0, -depth), v3(0, 0, -thin), radius * dmg_range(b, 0.8f, 1.02f));
+    if (dmg_chance(b, 0.7f) || kind == 0) { /* behind a hole it shows as the dial's face and fills it */
+        float can = dmg_range(b, 0.8f, 1.02f);
+        dmg_rod(b, v3(0, 0, -depth), v3(0, 0, -thin), radius * (kind == 0 ? fmaxf(can, 0.97f) : can));
+    }
+    float at = kind == 3 ? 0.66f * half : (kind == 1 ? 0.46f * (half + cut) : 0.88f * half);
     for (int i = 0; i < 4 && dmg_chance(b, 0.6f); ++i) { /* screws */
-        float x = 0.88f * (i & 1 ? half : -half), y = 0.88f * (i & 2 ? half : -half), size = 0.07f * radius;
+        float x = i & 1 ? at : -at, y = i & 2 ? at : -at, size = 0.07f * radius;
         dmg_rod(b, v3(x, y, -thin), v3(x, y, 0.4f * size), size);
     }
     return kind == 3 ? 0.66f * half : 0.5f * (half + (kind == 1 ? cut : half));

@@ -279,8 +279,11 @@ void dmg_build_bracket(dmg_builder* b) {
         carrier = dmg_chance(b, 0.3f) ? dmg_spin(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0))
                                       : dmg_hinge(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0), -dmg_range(b, 0.3f, 3.1f),
                                                   dmg_range(b, 0.3f, 3.1f));
-    if (carrier && (arms > 0 || dmg_chance(b, 0.4f)))
+    if (carrier) { /* the neck: it turns, or a cradle turns on it */
+        if (arms == 0 && !dmg_chance(b, 0.4f)) dmg_use(b, 0);
         dmg_rod(b, v3(0, 0.1f * neck, 0), v3(0, neck + 0.5f * t, 0), 0.8f * t);
+        dmg_use(b, carrier);
+    }
     dmg_vec at = {0, neck, 0};
     float lean = dmg_range(b, -0.6f, 0.6f);
     for (int i = 0; i < arms; ++i) {

@@ -106,7 +106,7 @@ static void draw_bus(dmg_builder* b, float size, float high) {
         dmg_extrude(b, outline, 8, -0.5f * high, 0.5f * high);
     }
     if (dmg_chance(b, 0.5f)) dmg_cone(b, v3(0, 0, 0.4f * size), v3(0, 0, 0.7f * size), 0.1f * size, 0.3f * size);
-    if (dmg_chance(b, 0.4f)) dmg_rod(b, v3(0, 0.4f * high, 0), v3(0, high, 0), 0.03f * size);
+    if (dmg_chance(b, 0.4f)) dmg_rod(b, v3(0, 0, 0), v3(0, high, 0), 0.03f * size);
 }
 
 void dmg_build_satellite(dmg_builder* b) {

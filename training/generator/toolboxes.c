@@ -102,11 +102,13 @@ static void draw_crate_lid(dmg_builder* b, const crate* c) {
     dmg_restore(b);
 }
 
-static void draw_crate_wheels(dmg_builder* b, const crate* c) {
-    float radius = c->depth * dmg_range(b, 0.1f, 0.2f);
+/* On an axle behind the foot, which a taper makes shorter than the rim. */
+static void draw_crate_wheels(dmg_builder* b, const crate* c, float taper) {
+    float radius = c->depth * dmg_range(b, 0.1f, 0.2f), back = -0.5f * taper * c->depth;
+    dmg_rod(b, v3(-0.48f * c->width, radius, back), v3(0.48f * c->width, radius, back), 0.2f * radius);
     for (int s = -1; s <= 1; s += 2) {
         dmg_save(b);
-        dmg_move(b, (float)s * 0.48f * c->width, radius, -0.5f * c->depth);
+        dmg_move(b, (float)s * 0.48f * c->width, radius, back);
         dmg_turn(b, v3(0, 1, 0), 0.5f * DMG_PI);
         dmg_spin(b, 0, "wheel", v3(0, 0, 0), v3(0, 0, 1));
         dmg_wheel_draw(b, 0, radius, 0.4f * radius, 5);
@@ -127,13 +129,14 @@ void dmg_build_toolbox(dmg_builder* b) {
         hang_on_rod(b, &c);
     else
         hang_behind(b, &c);
-    draw_crate_body(b, &c, bin && dmg_chance(b, 0.7f) ? dmg_range(b, 0.7f, 0.95f) : 1.0f);
+    float taper = bin && dmg_chance(b, 0.7f) ? dmg_range(b, 0.7f, 0.95f) : 1.0f;
+    draw_crate_body(b, &c, taper);
     uint32_t lid = dmg_hinge(b, 0, "lid", v3(0, c.up, c.back), v3(-1, 0, 0), 0.0f, c.far);
     draw_crate_lid(b, &c);
     draw_lid_arms(b, &c, lid);
     if (dmg_chance(b, 0.45f)) dmg_rest(b, lid, fminf(dmg_range(b, 0.3f, 1.9f), c.far));
     dmg_use(b, 0);
-    if (bin && dmg_chance(b, 0.7f)) draw_crate_wheels(b, &c);
+    if (bin && dmg_chance(b, 0.7f)) draw_crate_wheels(b, &c, taper);
 }
 
 /* ---- a casement in a wall ---- */
