@@ -17,9 +17,9 @@ class KppTraining:
     network: str = "kpp"
     size: str = "game"
     seed: int = 1
-    steps: int = 100000
-    restart: float = 0.41682  # share of the run after which the rate rises once more (1: never) …
-    choice_from: float = 0.45  # … and after which the choice head is trained too
+    steps: int = 150000
+    restarts: tuple = (0.27788, 0.66667)  # shares of the run after which the rate rises once more …
+    choice_from: float = 0.335  # … and after which the choice head is trained too
     minutes: float = 0.0  # 0: no limit; else the schedule is compressed into this much training time
     batch: int = 32
     rate: float = 1.5e-3
@@ -45,7 +45,7 @@ class VaeTraining:
     minutes: float = 0.0
     batch: int = 64
     rate: float = 1.5e-3
-    restart: float = 1.0
+    restarts: tuple = ()
     decay: float = 0.0
     pool: int = 60000
     fresh: int = 32
@@ -73,6 +73,8 @@ def override(config, settings):
             if key not in old:
                 raise SystemExit(f"training: no {name} '{key}'; there are {', '.join(old)}")
             config = replace(config, **{name: {**old, key: float(text)}})
+        elif isinstance(old, tuple):
+            config = replace(config, **{name: tuple(float(share) for share in text.split(",") if share)})
         else:
             config = replace(config, **{name: type(old)(float(text)) if not isinstance(old, str) else text})
     return config

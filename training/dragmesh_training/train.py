@@ -48,8 +48,10 @@ def batch_losses(config, model, batch):
 
 
 def rate_at(config, step, done):
-    """Warm-up, then a cosine down to a hundredth, and once more from a little below; done: share of the run."""
-    begun, ends, peak = (0.0, config.restart, config.rate) if done < config.restart else (config.restart, 1.0, 0.8 * config.rate)
+    """A cosine down to a hundredth, and again from a little lower at each restart; every one warms up. done: share of the run."""
+    begins = [0.0, *(share for share in config.restarts if share <= done)]
+    begun, ends = begins[-1], min([1.0, *(share for share in config.restarts if share > done)])
+    peak = config.rate / (1 + 0.25 * (len(begins) - 1))
     warm = min(1.0, (step + 1) / WARM_UP, 0.01 + (done - begun) / 0.002 if begun else 1.0)
     return peak * warm * (0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * (done - begun) / (ends - begun))))
 
