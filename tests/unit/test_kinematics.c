@@ -111,8 +111,8 @@ static void a_drawer_slides_out(void** state) {
     dmi_hypotheses found = infer_ranked(&b, &hint);
     assert_int_equal(found.joints[0].type, DM_JOINT_PRISMATIC);
     assert_float_equal(found.joints[0].axis.z, 1, 1e-3f);
-    /* 0.45 deep in an object of size 0.6: it comes out by a good part of that, and not inwards. */
-    assert_true(found.joints[0].upper > 0.3f && found.joints[0].upper < 0.75f);
+    /* 0.45 deep in an object of size 0.6: it comes out by a third of that at least, and not inwards. */
+    assert_true(found.joints[0].upper > 0.25f && found.joints[0].upper < 0.75f);
     assert_true(found.joints[0].lower > -0.15f);
     close_bench(&b);
 }
