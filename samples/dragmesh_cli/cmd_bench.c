@@ -29,8 +29,8 @@ typedef struct counter {
 
 static void* count_allocate(void* user, size_t size, size_t alignment) {
     ((counter*)user)->calls++;
-    return aligned_alloc(alignment < sizeof(void*) ? sizeof(void*) : alignment,
-                         (size + alignment - 1) / alignment * alignment);
+    const size_t step = alignment < sizeof(void*) ? sizeof(void*) : alignment; /* aligned_alloc wants whole steps */
+    return aligned_alloc(step, (size + step - 1) / step * step);
 }
 
 static void count_release(void* user, void* memory, size_t size) {
