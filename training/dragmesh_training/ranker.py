@@ -356,9 +356,9 @@ def run_train(arguments):
 
 
 def earlier_network(folder):
-    """KPP-Net after a third of its run, as committed once, of fewer kinds. On the kinds that both were trained on the shipped one is right more
-    often than elsewhere, and a ranker that saw no other would trust it too far; the earlier one, whose choice head had only
-    begun, errs there about as often as the shipped one does on what it does not know."""
+    """KPP-Net after a third of its run, as committed once, of fewer kinds. On the kinds that both were trained on the shipped
+    one is right more often than elsewhere, and a ranker that saw no other would trust it too far; the earlier one, whose
+    choice head had only begun, errs there about as often as the shipped one does on what it does not know."""
     path = os.path.join(folder, "kpp_earlier.safetensors")
     if not os.path.exists(path):
         with open(path, "wb") as file:
