@@ -112,6 +112,7 @@ static float forward(const dmi_ranker* ranker, const float* evidence) {
         NETWORK_DIRECTION = DMI_EVIDENCE_DIRECTION + 10, /* bit of DMI_DIRECTION_NETWORK, */
         NETWORK_ORIGIN = DMI_EVIDENCE_ORIGIN + 15        /* of DMI_ORIGIN_NETWORK */
     };
+    _Static_assert(DMI_DIRECTION_NETWORK == 1 << 10 && DMI_ORIGIN_NETWORK == 1 << 15, "one column a bit");
     float without[HIDDEN], with[HIDDEN];
     memcpy(without, ranker->first_bias, sizeof without);
     add_columns(ranker, evidence, 0, DMI_EVIDENCE_NETWORK, without);
