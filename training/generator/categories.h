@@ -225,7 +225,11 @@
     /* winds.c */                                                                                                      \
     X(power_turbine)                                                                                                   \
     X(windmill)                                                                                                        \
-    X(wind_mast)
+    X(wind_mast)                                                                                                       \
+    /* pods.c */                                                                                                       \
+    X(finger_controller)                                                                                               \
+    X(trigger_tool)                                                                                                    \
+    X(squeeze_handle)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -2,9 +2,9 @@
  * triggers that are shells. Shared by controllers and headsets. */
 #include "thumbs.h"
 
-/* Rows of points joined by quads: outside is where `down the rows` x `along a row` points. */
-static void draw_rows(dmg_builder* b, const dmg_vec* at, int rows, int columns, bool round) {
+void dmg_rows_draw(dmg_builder* b, const dmg_vec* at, int rows, int columns, unsigned flags) {
     uint32_t first = b->vertex_count, width = (uint32_t)columns;
+    const bool round = (flags & DMG_ROWS_ROUND) != 0;
     dmg_piece_begin(b);
     for (int i = 0; i < rows * columns; ++i) dmg_vertex(b, at[i]);
     for (uint32_t r = 0; r + 1 < (uint32_t)rows; ++r) {
@@ -15,9 +15,9 @@ static void draw_rows(dmg_builder* b, const dmg_vec* at, int rows, int columns, 
         }
     }
     uint32_t last = first + (uint32_t)(rows - 1) * width;
-    for (uint32_t c = 1; round && c + 1 < width; ++c) {
-        dmg_triangle(b, first, first + c, first + c + 1);
-        dmg_triangle(b, last, last + c + 1, last + c);
+    for (uint32_t c = 1; c + 1 < width; ++c) {
+        if (flags & DMG_ROWS_CAP_FIRST) dmg_triangle(b, first, first + c, first + c + 1);
+        if (flags & DMG_ROWS_CAP_LAST) dmg_triangle(b, last, last + c + 1, last + c);
     }
 }
 
@@ -155,7 +155,7 @@ static void draw_trigger_shell(dmg_builder* b, const trigger_shape* t, bool clos
         at[count++] = v3(0.9f * right.x, right.y, right.z - 0.3f * t->depth);
         at[count++] = v3(0.9f * left.x, left.y, left.z - 0.3f * t->depth);
     }
-    draw_rows(b, at, TRIGGER_ROWS + 1, TRIGGER_COLUMNS + (closed ? 2 : 0), closed);
+    dmg_rows_draw(b, at, TRIGGER_ROWS + 1, TRIGGER_COLUMNS + (closed ? 2 : 0), closed ? DMG_ROWS_TUBE : 0);
 }
 
 /* Where the pin is: at the root as a rule, for the lever is to be long and the pin to have room in the housing; behind
@@ -218,6 +218,6 @@ void dmg_squeeze_draw(dmg_builder* b, const dmg_handle_section* h, float angle, 
         at[k] =
             v3((h->half_width + grow) * cosf(a), h->middle + (h->half_height + grow) * sinf(a), z + 0.5f * length * v);
     }
-    draw_rows(b, at, PAD_GRID, PAD_GRID, false);
+    dmg_rows_draw(b, at, PAD_GRID, PAD_GRID, 0);
     dmg_use(b, 0);
 }
