@@ -3,11 +3,11 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "dataset.h"
 #include "json.h"
 #include "nodes.h"
+#include "timing.h"
 
 enum { MOST_PARTS = 8, MOST_TRIANGLES = 100000, ROUNDS = 3 };
 
@@ -19,9 +19,7 @@ typedef struct costs {
 
 /* The thread's own processor time, so that other programs on the machine cost little of the truth. */
 static double thread_ms(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+    return 1e-6 * timing_now_ns(CLOCK_THREAD_CPUTIME_ID);
 }
 
 /* The nodes with triangles that are not the body, as parts. */
@@ -73,18 +71,13 @@ static void measure(session* session, costs* out) {
     free(ids);
 }
 
-static int by_value(const void* a, const void* b) {
-    const double left = *(const double*)a, right = *(const double*)b;
-    return left < right ? -1 : left > right;
-}
-
 static double share_at(const double* sorted, size_t count, double share) {
     return count ? sorted[(size_t)(share * (double)(count - 1))] : 0;
 }
 
 static void show(costs* c, int as_json) {
-    qsort(c->first, c->first_count, sizeof *c->first, by_value);
-    qsort(c->further, c->further_count, sizeof *c->further, by_value);
+    timing_sort(c->first, c->first_count);
+    timing_sort(c->further, c->further_count);
     const double first[2] = {share_at(c->first, c->first_count, 0.5), share_at(c->first, c->first_count, 0.9)};
     const double further[2] = {share_at(c->further, c->further_count, 0.5),
                                share_at(c->further, c->further_count, 0.9)};

@@ -4,13 +4,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "bench_objects.h"
 #include "box_object.h"
 #include "json.h"
 #include "options.h"
 #include "session.h"
+#include "timing.h"
 
 enum {
     GRID = 34,             /* 97104 triangles */
@@ -211,23 +211,12 @@ typedef struct timing {
     unsigned long long allocations; /* of one call */
 } timing;
 
-static int by_value(const void* a, const void* b) {
-    const double left = *(const double*)a, right = *(const double*)b;
-    return left < right ? -1 : left > right;
-}
-
-static double now_ns(clockid_t clock) {
-    struct timespec now;
-    clock_gettime(clock, &now);
-    return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
-}
-
 static double timed(bench* b, const row* row, dm_result* result) {
     b->round++;
     if (row->before) row->before(b);
-    const double start = now_ns(b->clock);
+    const double start = timing_now_ns(b->clock);
     const dm_result now = row->call(b);
-    const double ns = now_ns(b->clock) - start;
+    const double ns = timing_now_ns(b->clock) - start;
     if (now != DM_OK) *result = now;
     return fmax(ns - b->clock_ns, 0);
 }
@@ -236,10 +225,10 @@ static double timed(bench* b, const row* row, dm_result* result) {
 static double clock_cost(clockid_t clock) {
     double ns[COLD_ROUNDS * COLD_ROUNDS];
     for (int i = 0; i < COLD_ROUNDS * COLD_ROUNDS; i++) {
-        const double start = now_ns(clock);
-        ns[i] = now_ns(clock) - start;
+        const double start = timing_now_ns(clock);
+        ns[i] = timing_now_ns(clock) - start;
     }
-    qsort(ns, COLD_ROUNDS * COLD_ROUNDS, sizeof *ns, by_value);
+    timing_sort(ns, COLD_ROUNDS * COLD_ROUNDS);
     return ns[COLD_ROUNDS * COLD_ROUNDS / 2];
 }
 
@@ -266,7 +255,7 @@ static dm_result measure(bench* b, const row* row, unsigned char* cold, timing* 
         chill(cold);
         ns[i] = timed(b, row, &result);
     }
-    qsort(ns, COLD_ROUNDS, sizeof *ns, by_value);
+    timing_sort(ns, COLD_ROUNDS);
     out->cold_ns = ns[COLD_ROUNDS / 2];
     const unsigned long long before = b->counter.calls;
     timed(b, row, &result);
@@ -274,7 +263,7 @@ static dm_result measure(bench* b, const row* row, unsigned char* cold, timing* 
     size_t rounds = 0;
     const double end = cli_now_ms() + row_ms;
     while (rounds < COLD_ROUNDS || (rounds < MOST_ROUNDS && cli_now_ms() < end)) ns[rounds++] = timed(b, row, &result);
-    qsort(ns, rounds, sizeof *ns, by_value);
+    timing_sort(ns, rounds);
     out->median_ns = ns[rounds / 2];
     out->p99_ns = ns[rounds * 99 / 100];
     free(ns);

@@ -2,20 +2,14 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "dragbot.h"
+#include "timing.h"
 
 static const double frame = 1.0 / 60;
 /* A jump: the part goes farther in one frame than this, and than so many times the pointer. */
 static const double jump_share = 0.03, jump_gain = 4; /* share of the screen's height */
 static const double near_share = 0.02, reach_share = 0.9;
-
-static double now_ns(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec * 1e9 + (double)now.tv_nsec;
-}
 
 static void note_time(bot_times* times, double ns) {
     if (times->count == times->room) {
@@ -78,9 +72,9 @@ static dm_result follow_path(session* session, dm_drag drag, const bot_view* vie
         dm_ray ray;
         dm_result result = dm_camera_ray(session->context, &view->camera, (float)pointer[0], (float)pointer[1], &ray);
         if (result != DM_OK) return result;
-        const double start = now_ns();
+        const double start = timing_now_ns(CLOCK_MONOTONIC);
         result = dm_drag_update(session->context, drag, &ray, (float)frame, out_state);
-        note_time(times, now_ns() - start);
+        note_time(times, timing_now_ns(CLOCK_MONOTONIC) - start);
         if (result != DM_OK) return result;
         look(&w, out_state, pointer);
     }

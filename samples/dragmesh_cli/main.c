@@ -2,10 +2,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
+#include "timing.h"
 
 static const cli_command* const commands[] = {&cli_infer, &cli_animate, &cli_film, &cli_pick,   &cli_prepare,
                                               &cli_eval,  &cli_bench,   &cli_demo, &cli_dragbot};
@@ -27,9 +27,7 @@ void* cli_alloc_zeroed(size_t size) {
 }
 
 double cli_now_ms(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+    return 1e-6 * timing_now_ns(CLOCK_MONOTONIC);
 }
 
 static void print_help(FILE* out) {

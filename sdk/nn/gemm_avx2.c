@@ -6,6 +6,9 @@
 #include <math.h>
 
 #define TARGET __attribute__((target("avx2,fma")))
+#define TILE_ROWS 6
+#define TILE_PANELS 1
+#define ROW_PANELS 4
 #include "nn/gemm_tiles.h"
 
 /* Sums of rows x panels; low and high are columns 0-7 and 8-15 of a panel. `rows` and `panels` are constants where this

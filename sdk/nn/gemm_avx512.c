@@ -6,12 +6,10 @@
 #include <math.h>
 
 #define TARGET __attribute__((target("avx512f")))
-#define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
-#define TILE 16     /* most rows x panels of a tile */
-#define TILE_ROWS 8 /* most rows of a tile of two panels */
-
-/* The start of the sums when there is no bias. */
-static const float zeros[8 * DMI_PANEL];
+#define TILE_ROWS 8
+#define TILE_PANELS 2
+#define ROW_PANELS 8
+#include "nn/gemm_tiles.h"
 
 /* Which columns of the panel that starts at `first` exist. */
 TARGET_INLINE __mmask16 columns_mask(const dmi_gemm* gemm, size_t first) {
@@ -45,57 +43,8 @@ TARGET_INLINE void tile(const dmi_gemm* gemm, size_t row, size_t first, const si
     }
 }
 
-/* All rows for the panels from `first` on, in tiles as even as can be. */
-TARGET_INLINE void panel_rows(const dmi_gemm* gemm, size_t first, const size_t panels) {
-    uint32_t row = 0;
-    for (uint32_t tiles = (gemm->rows + TILE_ROWS - 1) / TILE_ROWS; tiles > 0; --tiles) {
-        const uint32_t rows = (gemm->rows - row + tiles - 1) / tiles;
-        switch (rows) {
-        case 8:
-            tile(gemm, row, first, 8, panels);
-            break;
-        case 7:
-            tile(gemm, row, first, 7, panels);
-            break;
-        case 6:
-            tile(gemm, row, first, 6, panels);
-            break;
-        case 5:
-            tile(gemm, row, first, 5, panels);
-            break;
-        case 4:
-            tile(gemm, row, first, 4, panels);
-            break;
-        case 3:
-            tile(gemm, row, first, 3, panels);
-            break;
-        case 2:
-            tile(gemm, row, first, 2, panels);
-            break;
-        default:
-            tile(gemm, row, first, 1, panels);
-            break;
-        }
-        row += rows;
-    }
-}
-
-/* One row: eight panels at a time, for enough independent sums to hide the latency of FMA. */
-TARGET static void one_row(const dmi_gemm* gemm) {
-    uint32_t first = 0;
-    for (; first + 7 * DMI_PANEL < gemm->columns; first += 8 * DMI_PANEL) tile(gemm, 0, first, 1, 8);
-    for (; first + DMI_PANEL < gemm->columns; first += 2 * DMI_PANEL) tile(gemm, 0, first, 1, 2);
-    for (; first < gemm->columns; first += DMI_PANEL) tile(gemm, 0, first, 1, 1);
-}
-
 TARGET void dmi_gemm_avx512(const dmi_gemm* gemm) {
-    uint32_t first = 0;
-    if (gemm->rows == 1) {
-        one_row(gemm);
-        return;
-    }
-    for (; first + DMI_PANEL < gemm->columns; first += 2 * DMI_PANEL) panel_rows(gemm, first, 2);
-    if (first < gemm->columns) panel_rows(gemm, first, 1);
+    all_tiles(gemm);
 }
 
 #endif

@@ -6,6 +6,9 @@
 #include <math.h>
 
 #define TARGET /* part of the architecture */
+#define TILE_ROWS 6
+#define TILE_PANELS 1
+#define ROW_PANELS 4
 #include "nn/gemm_tiles.h"
 
 #define LANES 4

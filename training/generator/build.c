@@ -116,6 +116,10 @@ void dmg_grow(dmg_builder* b, float factor) {
     for (int i = 0; i < 3; ++i) top(b)->column[i] = v3_scale(top(b)->column[i], factor);
 }
 
+void dmg_turn_to(dmg_builder* b, dmg_vec axis, int i, int count) {
+    dmg_turn(b, axis, 2.0f * DMG_PI * (float)i / (float)count);
+}
+
 /* ---- parts ---- */
 
 static bool name_taken(const dmg_builder* b, const char* name) {

@@ -71,6 +71,8 @@ void dmg_move(dmg_builder* b, float x, float y, float z);
 void dmg_turn(dmg_builder* b, dmg_vec axis, float angle); /* axis unit */
 void dmg_mirror(dmg_builder* b, dmg_vec normal);          /* normal unit, one of the axes */
 void dmg_grow(dmg_builder* b, float factor);
+/* Turns to the i-th of `count` places spread evenly round the axis. */
+void dmg_turn_to(dmg_builder* b, dmg_vec axis, int i, int count);
 
 /* ---- parts: their id; the new part is in use. Positions and directions are in the current frame ---- */
 

@@ -247,7 +247,7 @@ static void draw_star_base(dmg_builder* b, float reach, float wheel) {
     bool forks = dmg_chance(b, 0.7f);
     for (int i = 0; i < arms; ++i) {
         dmg_save(b);
-        dmg_turn(b, v3(0, 1, 0), 2.0f * DMG_PI * (float)i / (float)arms);
+        dmg_turn_to(b, v3(0, 1, 0), i, arms);
         dmg_use(b, 0);
         dmg_beam(b, v3(0, 2.6f * wheel, 0), v3(0, 2.3f * wheel, reach), 0.9f * wheel, 0.9f * wheel);
         uint32_t fork = 0;

@@ -92,7 +92,7 @@ static void draw_claw(dmg_builder* b, uint32_t palm, const claw* c) {
     }
     for (int i = 0; i < c->fingers; ++i) {
         dmg_save(b);
-        dmg_turn(b, v3(0, 0, 1), 2.0f * DMG_PI * (float)i / (float)c->fingers);
+        dmg_turn_to(b, v3(0, 0, 1), i, c->fingers);
         draw_claw_finger(b, palm, c, swing);
         dmg_restore(b);
     }

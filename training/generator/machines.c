@@ -78,7 +78,7 @@ void dmg_build_pivot_panel(dmg_builder* b) {
         dmg_rod(b, v3(0, -0.49f * height, 0), v3(0, 0.49f * height, 0), 2 * t);
         for (int i = 0; i < wings; ++i) {
             dmg_save(b);
-            dmg_turn(b, v3(0, 1, 0), 2.0f * DMG_PI * (float)i / (float)wings);
+            dmg_turn_to(b, v3(0, 1, 0), i, wings);
             dmg_move(b, 0.5f * width, 0, 0.5f * t);
             dmg_panel_draw(b, &panel, 0.98f * width, 0.96f * height, t);
             dmg_restore(b);

@@ -106,7 +106,7 @@ static void draw_gripper(dmg_builder* b, uint32_t palm, const grip_style* g) {
         dmg_rod(b, v3(0, 0, -0.5f * g->palm), v3(0, 0, 0), 0.55f * g->palm);
     for (int i = 0; i < g->fingers; ++i) {
         dmg_save(b);
-        dmg_turn(b, v3(0, 0, 1), 2.0f * DMG_PI * (float)i / (float)g->fingers);
+        dmg_turn_to(b, v3(0, 0, 1), i, g->fingers);
         draw_finger(b, palm, g, both_ways);
         dmg_restore(b);
     }

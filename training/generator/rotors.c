@@ -250,7 +250,7 @@ void dmg_build_clock(dmg_builder* b) {
     int marks = dmg_chance(b, 0.6f) ? 12 : 0;
     for (int i = 0; i < marks; ++i) {
         dmg_save(b);
-        dmg_turn(b, v3(0, 0, 1), 2.0f * DMG_PI * (float)i / (float)marks);
+        dmg_turn_to(b, v3(0, 0, 1), i, marks);
         dmg_box(b, v3(0, 0.88f * radius, 0), v3(0.03f * radius, (i % 3 ? 0.08f : 0.16f) * radius, 0.02f * radius));
         dmg_restore(b);
     }

@@ -94,7 +94,7 @@ static void draw_blade(dmg_builder* b, int kind, float radius, float hub, float 
 void dmg_blades_draw(dmg_builder* b, int kind, float radius, float hub, float chord, int count, float twist) {
     for (int i = 0; i < count; ++i) {
         dmg_save(b);
-        dmg_turn(b, v3(0, 0, 1), 2.0f * DMG_PI * (float)i / (float)count);
+        dmg_turn_to(b, v3(0, 0, 1), i, count);
         draw_blade(b, kind, radius, hub, chord, twist);
         dmg_restore(b);
     }

@@ -140,7 +140,7 @@ static void draw_cups(dmg_builder* b, float size) {
     dmg_rod(b, v3(0, 0, 0), v3(0, 0.3f * size, 0), 0.12f * size);
     for (int i = 0; i < count; ++i) {
         dmg_save(b);
-        dmg_turn(b, v3(0, 1, 0), 2.0f * DMG_PI * (float)i / (float)count);
+        dmg_turn_to(b, v3(0, 1, 0), i, count);
         dmg_rod(b, v3(0, 0.15f * size, 0), v3(size, 0.15f * size, 0), 0.03f * size);
         dmg_move(b, size, 0.15f * size, 0);
         dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI);

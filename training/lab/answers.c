@@ -36,6 +36,7 @@ static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const 
                                         .net = net,
                                         .ranker = ranker,
                                         .hint = with_drag ? &hint : NULL,
+                                        .welded = made->welded,
                                         .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
     dmi_hypotheses found;
     const dm_result result = dmi_kinematics_infer(env, &query, &found, NULL);

@@ -70,14 +70,14 @@ static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** ou
 }
 
 /* Masks as the library would mend them. */
-static dm_result mend(dmi_env* env, dmi_mesh* mesh) {
+static dm_result weld_and_mend(dmi_env* env, lab_case* out) {
+    dmi_mesh *mesh = out->mesh, mended;
+    out->welded = dmi_alloc(env, mesh->vertex_count * sizeof *out->welded, _Alignof(uint32_t));
+    if (out->welded == NULL) return DM_ERROR_OUT_OF_MEMORY;
     dmi_arena arena;
     dmi_arena_init(&arena, env, (size_t)1 << 16);
-    uint32_t* welded = dmi_arena_push(&arena, mesh->vertex_count * sizeof *welded);
-    dmi_mesh mended;
-    dm_result result =
-        welded != NULL ? dmi_weld_vertices(&arena, mesh, DMI_STUDY_WELD, welded) : DM_ERROR_OUT_OF_MEMORY;
-    if (result == DM_OK) result = dmi_mesh_mend(&arena, mesh, welded, &mended);
+    dm_result result = dmi_weld_vertices(&arena, mesh, DMI_STUDY_WELD, out->welded);
+    if (result == DM_OK) result = dmi_mesh_mend(&arena, mesh, out->welded, &mended);
     if (result == DM_OK && mended.face_part != mesh->face_part) {
         memcpy(mesh->face_part, mended.face_part, mesh->face_count * sizeof *mesh->face_part);
         memcpy(mesh->parts, mended.parts, mesh->part_count * sizeof *mesh->parts);
@@ -125,7 +125,7 @@ static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case*
     if (lab_chance(random, options->rotated)) lab_turn_object(random, &out->object);
     if (lab_chance(random, options->mask_noise)) lab_disturb_mask(random, &out->object, out->part);
     dm_result result = make_mesh(env, &out->object, &out->mesh);
-    if (result == DM_OK) result = mend(env, out->mesh);
+    if (result == DM_OK) result = weld_and_mend(env, out);
     if (result != DM_OK) return result;
     const int32_t index = dmi_mesh_find_part(out->mesh, out->part);
     if (index < 1) return DM_ERROR_NOT_FOUND;
@@ -169,9 +169,11 @@ dm_result lab_case_given(dmi_env* env, const dm_lab_given* given, lab_case* out_
 }
 
 void lab_case_release(dmi_env* env, lab_case* made) {
+    if (made->welded != NULL) dmi_free(env, made->welded, made->mesh->vertex_count * sizeof *made->welded);
     dmi_mesh_destroy(env, made->mesh);
     dmg_object_release(&made->object);
     made->mesh = NULL;
+    made->welded = NULL;
 }
 
 dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_joint) {

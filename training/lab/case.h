@@ -12,6 +12,7 @@ typedef struct lab_case {
     dmi_random random;
     dmg_object object;
     dmi_mesh* mesh;
+    uint32_t* welded; /* the mesh's vertices, for studies of the part; NULL in a case of the caller's */
     dmi_cloud cloud;
     dm_joint joint; /* object-normalised, positive opens, origin nearest the part's centre */
     uint32_t category;

@@ -27,7 +27,7 @@ static dm_result limits_case(bench* b, dmi_arena* arena, const dm_lab_options* o
     const dmi_drag_hint hint = lab_case_drag(&b->made, options->drag_noise_degrees, &truth);
     const int with_drag = lab_chance(&b->made.random, options->with_drag);
     const uint32_t part = (uint32_t)dmi_mesh_find_part(b->made.mesh, b->made.part);
-    const dm_result result = dmi_study_make(arena, b->made.mesh, &b->made.cloud, part, NULL, &b->study);
+    const dm_result result = dmi_study_make(arena, b->made.mesh, &b->made.cloud, part, b->made.welded, &b->study);
     if (result != DM_OK) return result;
     dmi_opinion_form(b->net, dmi_cpu_best_isa(), &b->made.cloud, with_drag ? &hint : NULL, b->scratch, &b->opinion);
     const int free = truth.type == DM_JOINT_CONTINUOUS;
