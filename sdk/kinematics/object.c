@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ids.h"
+
 dm_result dmi_object_create(dmi_env* env, uint32_t part_count, dmi_object** out_object) {
     dmi_object* object = dmi_alloc_zeroed(env, sizeof *object, _Alignof(dmi_object));
     if (!object) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "object: no memory");
@@ -32,16 +34,7 @@ void dmi_object_drop_triangles(dmi_env* env, dmi_object* object) {
 }
 
 int32_t dmi_object_find_part(const dmi_object* object, uint32_t id) {
-    uint32_t low = 0, high = object->part_count;
-    while (low < high) {
-        uint32_t middle = (low + high) / 2;
-        if (object->parts[middle].shape.id < id) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low < object->part_count && object->parts[low].shape.id == id ? (int32_t)low : -1;
+    return dmi_find_id(&object->parts->shape.id, sizeof *object->parts, object->part_count, id);
 }
 
 int dmi_object_moves_with(const dmi_object* object, uint32_t index, uint32_t ancestor) {

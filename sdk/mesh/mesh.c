@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ids.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
 
@@ -313,15 +314,7 @@ dm_result dmi_mesh_restore(dmi_env* env, const dmi_frame* frame, uint32_t vertex
 }
 
 int32_t dmi_mesh_find_part(const dmi_mesh* mesh, uint32_t id) {
-    uint32_t low = 0, high = mesh->part_count;
-    while (low < high) {
-        uint32_t middle = (low + high) / 2;
-        if (mesh->parts[middle].id < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < mesh->part_count && mesh->parts[low].id == id ? (int32_t)low : -1;
+    return dmi_find_id(&mesh->parts->id, sizeof *mesh->parts, mesh->part_count, id);
 }
 
 int dmi_mesh_moves_with(const dmi_mesh* mesh, uint32_t index, uint32_t ancestor) {

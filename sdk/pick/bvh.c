@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ids.h"
+
 #define ALIGNMENT 64
 #define POSITION_PADDING 16
 
@@ -17,15 +19,7 @@ void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t primitive, cons
 }
 
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id) {
-    uint32_t low = 0, high = bvh->part_count;
-    while (low < high) {
-        uint32_t middle = (low + high) / 2;
-        if (bvh->parts[middle].id < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < bvh->part_count && bvh->parts[low].id == id ? (int32_t)low : -1;
+    return dmi_find_id(&bvh->parts->id, sizeof *bvh->parts, bvh->part_count, id);
 }
 
 /* ---- building ---- */
