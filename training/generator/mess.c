@@ -146,17 +146,19 @@ static void subdivide_some(dmg_builder* b) {
     }
 }
 
+static void flip_face(dmg_builder* b, uint32_t f) {
+    uint32_t* face = b->indices + (size_t)f * 3;
+    uint32_t second = face[1];
+    face[1] = face[2];
+    face[2] = second;
+}
+
 static void flip_some(dmg_builder* b) {
     static const float shares[] = {0.0f, 0.2f, 1.0f}, weights[] = {7, 2, 0.7f};
     float share = shares[dmg_weighted(b, weights, 3)];
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (!dmg_chance(b, share)) continue;
-        for (uint32_t f = b->pieces[p].first_face; f < piece_face_end(b, p); ++f) {
-            uint32_t* face = b->indices + (size_t)f * 3;
-            uint32_t second = face[1];
-            face[1] = face[2];
-            face[2] = second;
-        }
+        for (uint32_t f = b->pieces[p].first_face; f < piece_face_end(b, p); ++f) flip_face(b, f);
     }
 }
 
@@ -397,12 +399,7 @@ static void move_everything(dmg_builder* b, const dmg_frame* frame) {
     float scale = v3_length(frame->column[0]);
     for (uint32_t v = 0; v < b->vertex_count; ++v) b->vertices[v] = dmg_frame_point(frame, b->vertices[v]);
     for (uint32_t i = 0; i < b->part_count; ++i) move_joint(&b->parts[i].joint, frame, scale, mirrored);
-    for (uint32_t f = 0; f < b->face_count && mirrored; ++f) {
-        uint32_t* face = b->indices + (size_t)f * 3;
-        uint32_t second = face[1];
-        face[1] = face[2];
-        face[2] = second;
-    }
+    for (uint32_t f = 0; f < b->face_count && mirrored; ++f) flip_face(b, f);
 }
 
 /* The sign of an axis is a matter of taste: turn it round, with everything that depends on it. */

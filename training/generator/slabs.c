@@ -22,9 +22,8 @@ static void draw_keys(dmg_builder* b, float width, float depth, float rise, bool
     }
 }
 
-/* The screen half, lying closed on y = 0 … thick, hinge line along X at z = -depth / 2. */
-static void draw_screen(dmg_builder* b, int style, float width, float depth, float thick) {
-    float bezel = 0.05f * width;
+/* A half of a laptop, lying on y = 0 … thick. */
+static void draw_half(dmg_builder* b, int style, float width, float depth, float thick) {
     dmg_save(b);
     dmg_move(b, 0, thick, 0);
     dmg_face_up(b);
@@ -35,6 +34,12 @@ static void draw_screen(dmg_builder* b, int style, float width, float depth, flo
     else
         dmg_box(b, v3(0, 0, -0.5f * thick), v3(width, depth, thick));
     dmg_restore(b);
+}
+
+/* The screen half, lying closed on y = 0 … thick, hinge line along X at z = -depth / 2. */
+static void draw_screen(dmg_builder* b, int style, float width, float depth, float thick) {
+    float bezel = 0.05f * width;
+    draw_half(b, style, width, depth, thick);
     if (dmg_chance(b, 0.4f))
         dmg_box(b, v3(0, -0.02f * thick, 0), v3(width - 2 * bezel, 0.1f * thick, depth - 2 * bezel));
     if (dmg_chance(b, 0.15f)) dmg_box(b, v3(0, 1.05f * thick, 0), v3(0.15f * depth, 0.1f * thick, 0.15f * depth));
@@ -45,16 +50,7 @@ void dmg_build_laptop(dmg_builder* b) {
           base = width * dmg_range(b, 0.03f, 0.12f);
     float thick = width * dmg_range(b, 0.015f, 0.06f), gap = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, 0.0005f, 0.003f);
     int style = dmg_int(b, 0, 3);
-    dmg_save(b);
-    dmg_move(b, 0, base, 0);
-    dmg_face_up(b);
-    if (style == 0)
-        dmg_rounded_plate(b, width, depth, base, 0.06f * depth);
-    else if (style == 1)
-        dmg_rounded_box(b, v3(0, 0, -0.5f * base), v3(width, depth, base), 0.4f * base);
-    else
-        dmg_box(b, v3(0, 0, -0.5f * base), v3(width, depth, base));
-    dmg_restore(b);
+    draw_half(b, style, width, depth, base);
     int keyboard = dmg_int(b, 0, 3); /* none, drawn, moving keys, a sunken field */
     dmg_save(b);
     dmg_move(b, 0, base, -0.15f * depth);
