@@ -229,7 +229,13 @@
     /* pods.c */                                                                                                       \
     X(finger_controller)                                                                                               \
     X(trigger_tool)                                                                                                    \
-    X(squeeze_handle)
+    X(squeeze_handle)                                                                                                  \
+    /* clams.c */                                                                                                      \
+    X(shell_case)                                                                                                      \
+    X(waffle_iron)                                                                                                     \
+    X(door_box)                                                                                                        \
+    X(swing_bin)                                                                                                       \
+    X(drop_pot)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
