@@ -235,7 +235,11 @@
     X(waffle_iron)                                                                                                     \
     X(door_box)                                                                                                        \
     X(swing_bin)                                                                                                       \
-    X(drop_pot)
+    X(drop_pot)                                                                                                        \
+    /* stands.c */                                                                                                     \
+    X(recliner)                                                                                                        \
+    X(flat_cart)                                                                                                       \
+    X(folding_table)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
