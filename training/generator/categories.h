@@ -239,7 +239,17 @@
     /* stands.c */                                                                                                     \
     X(recliner)                                                                                                        \
     X(flat_cart)                                                                                                       \
-    X(folding_table)
+    X(folding_table)                                                                                                   \
+    /* airframes.c */                                                                                                  \
+    X(airframe)                                                                                                        \
+    X(slotted_wing)                                                                                                    \
+    /* gear.c */                                                                                                       \
+    X(gear_leg)                                                                                                        \
+    X(hull_bay)                                                                                                        \
+    X(canopy)                                                                                                          \
+    /* holds.c */                                                                                                      \
+    X(rotor_head)                                                                                                      \
+    X(cargo_hold)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
