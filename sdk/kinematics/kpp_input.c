@@ -20,6 +20,19 @@ typedef struct points {
     float nearness[POINTS]; /* of the other side: of the body for points of the part, of the part for others */
 } points;
 
+/* The quarter of a cloud's points that is looked at, block by block. */
+typedef struct quarter {
+    const float (*part)[3], (*near)[3], (*body)[3];
+    const float (*part_normals)[3], (*near_normals)[3], (*body_normals)[3];
+} quarter;
+
+static quarter take_quarter(const dmi_cloud* cloud, uint32_t index) {
+    const float(*xyz)[3] = (const float(*)[3])cloud->xyz, (*normal)[3] = (const float(*)[3])cloud->normal;
+    const uint32_t part = index * PART_POINTS, near = DMI_CLOUD_PART + index * NEAR_POINTS;
+    const uint32_t body = DMI_CLOUD_PART + DMI_CLOUD_NEAR + index * BODY_POINTS;
+    return (quarter){xyz + part, xyz + near, xyz + body, normal + part, normal + near, normal + body};
+}
+
 static void mean_of(const float (*xyz)[3], uint32_t count, float out[3]) {
     double sum[3] = {0, 0, 0};
     for (uint32_t i = 0; i < count; i++)
@@ -61,12 +74,10 @@ static float best_directions(const dmi_normals* normals, const float a[3][3], co
     return other_fit;
 }
 
-static void find_directions(const dmi_cloud* cloud, view* v) {
-    const float(*part)[3] = (const float(*)[3])cloud->normal;
-    const float(*body)[3] = part + DMI_CLOUD_PART;
-    const dmi_normals of_part = {part, PART_POINTS, NULL, 0};
-    const dmi_normals of_body = {body, NEAR_POINTS, body + DMI_CLOUD_NEAR, BODY_POINTS};
-    const dmi_normals of_all = {part, PART_POINTS, body, NEAR_POINTS};
+static void find_directions(const quarter* q, view* v) {
+    const dmi_normals of_part = {q->part_normals, PART_POINTS, NULL, 0};
+    const dmi_normals of_body = {q->near_normals, NEAR_POINTS, q->body_normals, BODY_POINTS};
+    const dmi_normals of_all = {q->part_normals, PART_POINTS, q->near_normals, NEAR_POINTS};
     float start[3][3];
     dmi_normal_axes(&of_part, start);
     v->fit_part = best_directions(&of_part, (const float(*)[3])start, (const float(*)[3])v->principal, v->of_part);
@@ -75,14 +86,13 @@ static void find_directions(const dmi_cloud* cloud, view* v) {
     v->fit_all = best_directions(&of_all, (const float(*)[3])v->of_part, (const float(*)[3])v->of_body, v->of_all);
 }
 
-static void look_at(const dmi_cloud* cloud, view* out) {
-    const float(*part)[3] = (const float(*)[3])cloud->xyz;
+static void look_at(const quarter* q, view* out) {
     double variances[3];
-    dmi_principal3(part, PART_POINTS, out->centre, variances, out->principal);
-    mean_of(part + DMI_CLOUD_PART, NEAR_POINTS, out->near);
+    dmi_principal3(q->part, PART_POINTS, out->centre, variances, out->principal);
+    mean_of(q->near, NEAR_POINTS, out->near);
     dmi_sub3(out->near, out->centre, out->near);
-    out->radius = radius_of(part, PART_POINTS, out->centre);
-    find_directions(cloud, out);
+    out->radius = radius_of(q->part, PART_POINTS, out->centre);
+    find_directions(q, out);
 }
 
 /* Half the part's extent along a direction. */
@@ -110,7 +120,7 @@ static void order_directions(const dmi_cloud* cloud, const dmi_drag_hint* hint, 
 }
 
 /* Signs a direction towards the body, else away from the drag point, else by the part's own skewness. */
-static void sign_direction(const dmi_cloud* cloud, const view* v, const dmi_drag_hint* hint, float e[3]) {
+static void sign_direction(const quarter* q, const view* v, const dmi_drag_hint* hint, float e[3]) {
     float along = dmi_dot3(v->near, e);
     if (fabsf(along) <= 0.05f * v->radius && hint != NULL) {
         float arm[3];
@@ -121,7 +131,7 @@ static void sign_direction(const dmi_cloud* cloud, const view* v, const dmi_drag
         double third = 0;
         for (uint32_t i = 0; i < PART_POINTS; i++) {
             float d[3];
-            dmi_sub3(cloud->xyz[i], v->centre, d);
+            dmi_sub3(q->part[i], v->centre, d);
             const double t = dmi_dot3(d, e);
             third += t * t * t;
         }
@@ -130,17 +140,18 @@ static void sign_direction(const dmi_cloud* cloud, const view* v, const dmi_drag
     if (along < 0) flip(e);
 }
 
-static void make_frame(const dmi_cloud* cloud, const dmi_drag_hint* hint, const view* v, dmi_kpp_frame* out) {
+static void make_frame(const dmi_cloud* cloud, const quarter* q, const dmi_drag_hint* hint, const view* v,
+                       dmi_kpp_frame* out) {
     float *e1 = out->rotation, *e2 = out->rotation + 3, *e3 = out->rotation + 6;
     int order[2];
     order_directions(cloud, hint, v, order);
     dmi_copy3(v->of_all[order[0]], e1);
     dmi_copy3(v->of_all[order[1]], e2);
     if (hint == NULL)
-        sign_direction(cloud, v, hint, e1);
+        sign_direction(q, v, hint, e1);
     else if (dmi_dot3(e1, hint->vector) < 0)
         flip(e1);
-    sign_direction(cloud, v, hint, e2);
+    sign_direction(q, v, hint, e2);
     dmi_cross3(e1, e2, e3);
     dmi_copy3(v->centre, out->origin);
     out->scale = 1 / v->radius;
@@ -186,20 +197,22 @@ static float nearest_square(const columns* c, uint32_t first, uint32_t count, co
     return best[0];
 }
 
-static void choose_points(const dmi_cloud* cloud, const dmi_kpp_frame* frame, points* out) {
-    static const uint32_t first[3] = {0, DMI_CLOUD_PART, DMI_CLOUD_PART + DMI_CLOUD_NEAR};
+static void choose_points(const dmi_cloud* cloud, const quarter* q, const dmi_kpp_frame* frame, points* out) {
     static const uint32_t count[3] = {PART_POINTS, NEAR_POINTS, BODY_POINTS};
+    const float(*const blocks[3])[3] = {q->part, q->near, q->body};
+    const float(*const normals[3])[3] = {q->part_normals, q->near_normals, q->body_normals};
     columns all;
     split_columns(cloud, &all);
     uint32_t n = 0;
     for (int block = 0; block < 3; block++)
-        for (uint32_t i = first[block]; i < first[block] + count[block]; i++, n++) {
+        for (uint32_t i = 0; i < count[block]; i++, n++) {
+            const float* x = blocks[block][i];
             float y[3];
-            point_in(frame, cloud->xyz[i], y);
+            point_in(frame, x, y);
             for (int k = 0; k < 3; k++) out->y[k][n] = y[k];
-            dmi_kpp_turn_in(frame, cloud->normal[i], out->normal[n]);
+            dmi_kpp_turn_in(frame, normals[block][i], out->normal[n]);
             const uint32_t other = block == 0 ? DMI_CLOUD_PART : 0;
-            const float gap = nearest_square(&all, other, block == 0 ? DMI_CLOUD_NEAR : DMI_CLOUD_PART, cloud->xyz[i]);
+            const float gap = nearest_square(&all, other, block == 0 ? DMI_CLOUD_NEAR : DMI_CLOUD_PART, x);
             out->nearness[n] = 1 / (1 + sqrtf(gap) * frame->scale / HALF_NEAR);
         }
 }
@@ -335,10 +348,12 @@ static void write_shape(const dmi_cloud* cloud, const dmi_kpp_frame* frame, cons
     write_contact(p, out + 10);
 }
 
-void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_kpp_input* out_input) {
+void dmi_kpp_input_make(const dmi_cloud* cloud, uint32_t quarter_index, const dmi_drag_hint* hint,
+                        dmi_kpp_input* out_input) {
+    const quarter q = take_quarter(cloud, quarter_index);
     view v;
-    look_at(cloud, &v);
-    make_frame(cloud, hint, &v, &out_input->frame);
+    look_at(&q, &v);
+    make_frame(cloud, &q, hint, &v, &out_input->frame);
     drag_channels drag = {{0, 0, 0}, {0, 0, 0}};
     if (hint != NULL) {
         point_in(&out_input->frame, hint->point, drag.point);
@@ -346,7 +361,7 @@ void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_k
         dmi_normalize3(drag.vector);
     }
     points p;
-    choose_points(cloud, &out_input->frame, &p);
+    choose_points(cloud, &q, &out_input->frame, &p);
     write_shape(cloud, &out_input->frame, &v, &drag, &p, out_input->shape);
     make_groups(&p, &drag, POINTS, DMI_KPP_GLOBAL_GROUPS, out_input->global_points, out_input->global_centres);
     make_groups(&p, &drag, PART_POINTS, DMI_KPP_LOCAL_GROUPS, out_input->local_points, out_input->local_centres);

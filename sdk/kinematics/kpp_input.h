@@ -9,6 +9,7 @@
 #define DMI_KPP_GROUP 16 /* points a group */
 #define DMI_KPP_GLOBAL_GROUPS 48
 #define DMI_KPP_LOCAL_GROUPS 24
+#define DMI_KPP_QUARTERS 4 /* of a cloud: each fills the groups with points of its own */
 /* xyz 3, mask 1, drag point 3, drag vector 3 (the paper's 10), offset in group 3, normal 3, nearness of the other side
  * 1
  */
@@ -46,8 +47,9 @@ typedef struct dmi_kpp_input {
     float shape[DMI_KPP_SHAPE];
 } dmi_kpp_input;
 
-/* hint NULL: without a drag. Deterministic; allocates nothing. */
-void dmi_kpp_input_make(const dmi_cloud* cloud, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
+/* quarter: which of the cloud's points are looked at, below DMI_KPP_QUARTERS; the network is trained on the first. hint
+ * NULL: without a drag. Deterministic; allocates nothing. */
+void dmi_kpp_input_make(const dmi_cloud* cloud, uint32_t quarter, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
 /* The same in a frame whose second and third axis point the other way. */
 void dmi_kpp_input_turn(const dmi_kpp_input* input, dmi_kpp_input* out_input);
 

@@ -154,7 +154,7 @@ static void make_inputs(state* s) {
     for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++)
         for (uint32_t k = 0; k < 3; k++) s->cloud->xyz[i][k] = 0.01f * (float)((i * 7919 + k * 104729) % 97) - 0.5f;
     dmi_drag_hint hint = {{0.4f, 0, 0}, {0, 0, 1}};
-    dmi_kpp_input_make(s->cloud, &hint, &s->input);
+    dmi_kpp_input_make(s->cloud, 0, &hint, &s->input);
     s->query =
         (dmi_vae_query){.joint = {.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}, .origin = {-0.4f, 0, 0}, .upper = 1.5f},
                         .drag_point = {0.4f, 0, 0},

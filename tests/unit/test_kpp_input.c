@@ -56,6 +56,26 @@ static void assert_same(const float* a, const float* b, size_t count, float tole
     for (size_t i = 0; i < count; i++) assert_float_equal(a[i], b[i], tolerance);
 }
 
+/* Every quarter shows other points of the same thing: a frame about the same, and none of the first one's points. */
+static void quarters_differ(void** state) {
+    (void)state;
+    dmi_cloud* cloud = malloc(sizeof *cloud);
+    dmi_kpp_input* inputs = malloc(DMI_KPP_QUARTERS * sizeof *inputs);
+    const dmi_drag_hint hint = make_hint();
+    make_cloud(3, cloud);
+    for (uint32_t q = 0; q < DMI_KPP_QUARTERS; q++) dmi_kpp_input_make(cloud, q, &hint, &inputs[q]);
+    for (uint32_t q = 1; q < DMI_KPP_QUARTERS; q++) {
+        assert_float_equal(inputs[q].frame.scale / inputs[0].frame.scale, 1, 0.1);
+        for (int r = 0; r < 3; r++)
+            assert_true(dmi_dot3(inputs[q].frame.rotation + 3 * r, inputs[0].frame.rotation + 3 * r) > 0.98f);
+        for (int g = 0; g < DMI_KPP_LOCAL_GROUPS; g++)
+            for (int h = 0; h < DMI_KPP_LOCAL_GROUPS; h++)
+                assert_memory_not_equal(inputs[q].local_centres[g], inputs[0].local_centres[h], 3 * sizeof(float));
+    }
+    free(inputs);
+    free(cloud);
+}
+
 /* Where every channel is the same number before and after a rigid motion and a scale, the network can't see either. */
 static void check_invariance(const dmi_drag_hint* hint) {
     const float axis[3] = {0.6f, 0.0f, 0.8f}, shift[3] = {0.4f, -1.3f, 0.2f};
@@ -64,7 +84,7 @@ static void check_invariance(const dmi_drag_hint* hint) {
     dmi_kpp_input* before = malloc(sizeof *before);
     dmi_kpp_input* after = malloc(sizeof *after);
     make_cloud(3, cloud);
-    dmi_kpp_input_make(cloud, hint, before);
+    dmi_kpp_input_make(cloud, 0, hint, before);
 
     dmi_drag_hint moved;
     if (hint != NULL) {
@@ -73,7 +93,7 @@ static void check_invariance(const dmi_drag_hint* hint) {
         turn(axis, angle, hint->vector, moved.vector);
     }
     move_cloud(axis, angle, scale, shift, cloud);
-    dmi_kpp_input_make(cloud, hint != NULL ? &moved : NULL, after);
+    dmi_kpp_input_make(cloud, 0, hint != NULL ? &moved : NULL, after);
 
     assert_same(&before->global_points[0][0][0], &after->global_points[0][0][0],
                 sizeof before->global_points / sizeof(float), 1e-4f);
@@ -106,7 +126,7 @@ static void frame_is_a_rotation(void** state) {
     make_cloud(5, cloud);
     dmi_drag_hint hint = make_hint();
     for (int with = 0; with < 2; with++) {
-        dmi_kpp_input_make(cloud, with ? &hint : NULL, input);
+        dmi_kpp_input_make(cloud, 0, with ? &hint : NULL, input);
         const float* r = input->frame.rotation;
         float third[3];
         for (int i = 0; i < 3; i++)
@@ -129,7 +149,7 @@ static void groups_follow_the_specification(void** state) {
     dmi_kpp_input* input = malloc(sizeof *input);
     make_cloud(9, cloud);
     dmi_drag_hint hint = make_hint();
-    dmi_kpp_input_make(cloud, &hint, input);
+    dmi_kpp_input_make(cloud, 0, &hint, input);
     int masked = 0;
     for (uint32_t g = 0; g < DMI_KPP_GLOBAL_GROUPS; g++) {
         float last = 0;
@@ -160,7 +180,7 @@ static void frame_follows_the_faces(void** state) {
     dmi_kpp_input* input = malloc(sizeof *input);
     make_cloud(11, cloud);
     dmi_drag_hint hint = make_hint();
-    dmi_kpp_input_make(cloud, &hint, input);
+    dmi_kpp_input_make(cloud, 0, &hint, input);
     const float face[3] = {0, 0, 1};
     assert_true(dmi_dot3(input->frame.rotation, face) > 0.999f);
     const float* r = input->frame.rotation;
@@ -187,7 +207,7 @@ static void turned_round_is_the_same(void** state) {
     dmi_kpp_input* inputs = malloc(3 * sizeof *inputs);
     make_cloud(11, cloud);
     dmi_drag_hint hint = make_hint();
-    dmi_kpp_input_make(cloud, &hint, &inputs[0]);
+    dmi_kpp_input_make(cloud, 0, &hint, &inputs[0]);
     dmi_kpp_input_turn(&inputs[0], &inputs[1]);
     dmi_kpp_input_turn(&inputs[1], &inputs[2]);
     assert_memory_equal(&inputs[0].frame, &inputs[2].frame, sizeof inputs[0].frame);
@@ -222,7 +242,7 @@ static void degenerate_clouds_stay_finite(void** state) {
     for (int shape = 0; shape < 2; shape++) {
         for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++) cloud->xyz[i][1] = shape == 0 ? 0 : (float)(i % 512) - 255.5f;
         for (int with = 0; with < 2; with++) {
-            dmi_kpp_input_make(cloud, with ? &hint : NULL, input);
+            dmi_kpp_input_make(cloud, 0, with ? &hint : NULL, input);
             const float* all = (const float*)(const void*)input;
             for (size_t i = 0; i < sizeof *input / sizeof(float); i++) assert_true(isfinite(all[i]));
             for (int r = 0; r < 3; r++) assert_float_equal(dmi_length3(input->frame.rotation + 3 * r), 1, 1e-5f);
@@ -233,9 +253,13 @@ static void degenerate_clouds_stay_finite(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(invariant_with_drag),      cmocka_unit_test(invariant_without_drag),
-        cmocka_unit_test(frame_is_a_rotation),      cmocka_unit_test(groups_follow_the_specification),
-        cmocka_unit_test(frame_follows_the_faces),  cmocka_unit_test(degenerate_clouds_stay_finite),
+        cmocka_unit_test(quarters_differ),
+        cmocka_unit_test(invariant_with_drag),
+        cmocka_unit_test(invariant_without_drag),
+        cmocka_unit_test(frame_is_a_rotation),
+        cmocka_unit_test(groups_follow_the_specification),
+        cmocka_unit_test(frame_follows_the_faces),
+        cmocka_unit_test(degenerate_clouds_stay_finite),
         cmocka_unit_test(turned_round_is_the_same),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -32,7 +32,7 @@ static void write_labels(const dm_joint* joint, const dmi_kpp_frame* frame, cons
 /* hint: NULL without a drag. */
 static void write_case(const lab_case* made, const dmi_drag_hint* hint, const dm_joint* joint, dmi_kpp_input* input,
                        const dm_lab_kpp* out, uint32_t i) {
-    dmi_kpp_input_make(&made->cloud, hint, input);
+    dmi_kpp_input_make(&made->cloud, 0, hint, input);
     memcpy(out->global_points + i * sizeof input->global_points / 4, input->global_points, sizeof input->global_points);
     memcpy(out->global_centres + i * sizeof input->global_centres / 4, input->global_centres,
            sizeof input->global_centres);
