@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "kinematics/linear3.h"
+
 /* Shifts log-likelihoods so that they add up to a probability of one. */
 static void normalize(float* scores, uint32_t count) {
     float most = -INFINITY, sum = 0;
@@ -23,16 +25,45 @@ static void look(const dmi_cloud* cloud, uint32_t index, const dmi_drag_hint* hi
     dmi_kpp_input_turn(&straight, out);
 }
 
+/* How differently two looks turn the part: an angle, and a distance over the part's radius. */
+static float turn_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
+    const float angle = acosf(fminf(fabsf(dmi_dot3(a->turn_axis, b->turn_axis)), 1));
+    return angle + fminf(dmi_line_distance3(a->origin, b->turn_axis, b->origin) * per_radius, 2);
+}
+
+static float slide_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
+    (void)per_radius;
+    return acosf(fminf(fabsf(dmi_dot3(a->slide_axis, b->slide_axis)), 1));
+}
+
+/* The look that the others agree with most: a mean of two hinges would be none. */
+static const dmi_prediction* middle(const dmi_prediction looks[DMI_LOOKS], float per_radius,
+                                    float (*gap)(const dmi_prediction*, const dmi_prediction*, float)) {
+    const dmi_prediction* best = looks;
+    float least = INFINITY;
+    for (int i = 0; i < DMI_LOOKS; i++) {
+        float sum = 0;
+        for (int k = 0; k < DMI_LOOKS; k++) sum += gap(&looks[i], &looks[k], per_radius);
+        if (sum < least) least = sum, best = &looks[i];
+    }
+    return best;
+}
+
 void dmi_opinion_form(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
                       void* scratch, dmi_opinion* out_opinion) {
     dmi_opinion* o = out_opinion;
+    dmi_prediction looks[DMI_LOOKS];
     float type[DMI_KPP_TYPES] = {0};
-    for (uint32_t i = DMI_LOOKS; i-- > 0;) {
+    for (uint32_t i = 0; i < DMI_LOOKS; i++) {
         look(cloud, i, hint, &o->input[i]);
         dmi_kpp_net_forward(net, isa, &o->input[i], scratch, &o->output[i]);
-        dmi_prediction_read(&o->input[i].frame, &o->output[i], &o->prediction);
-        for (int k = 0; k < DMI_KPP_TYPES; k++) type[k] += o->prediction.type[k] / DMI_LOOKS;
+        dmi_prediction_read(&o->input[i].frame, &o->output[i], &looks[i]);
+        for (int k = 0; k < DMI_KPP_TYPES; k++) type[k] += looks[i].type[k] / DMI_LOOKS;
     }
+    const dmi_prediction* slide = middle(looks, o->input[0].frame.scale, slide_gap);
+    o->prediction = *middle(looks, o->input[0].frame.scale, turn_gap);
+    dmi_copy3(slide->slide_axis, o->prediction.slide_axis);
+    memcpy(o->prediction.slide_limits, slide->slide_limits, sizeof slide->slide_limits);
     memcpy(o->prediction.type, type, sizeof type);
 }
 

@@ -11,7 +11,7 @@
 typedef struct dmi_opinion {
     dmi_kpp_input input[DMI_LOOKS];
     dmi_kpp_output output[DMI_LOOKS];
-    dmi_prediction prediction; /* of the first look, but for the type: of all */
+    dmi_prediction prediction; /* of the look that the others agree with most; the type: the mean of all */
 } dmi_opinion;
 
 /* hint NULL: without a drag. scratch: as for dmi_kpp_net_forward. */
