@@ -5,8 +5,11 @@
 
 #include "mesh/connectivity.h"
 
-#define OWNS 0.6f      /* share of a piece's area that makes it its owner's */
-#define MOST_LOSS 0.4f /* of a part's area: who would lose more loses nothing */
+#define OWNS 0.6f /* share of a piece's area that makes it its owner's */
+/* Of a part's area and of its triangles: who would lose more of both loses nothing. A few leaked triangles of a coarse
+ * body can have ten times the area of a fine knob. */
+#define MOST_AREA 0.4f
+#define MOST_FACES 0.12f
 #define SMOOTH_COSINE 0.95f
 
 /* The pieces of the surface and who owns them. */
@@ -15,7 +18,8 @@ typedef struct election {
     const uint32_t* labels; /* of faces: their piece */
     uint32_t* owner;        /* of a piece: the part that holds more than half of it, if any does */
     float *area, *lead;     /* of a piece: whole, and what its owner holds */
-    float* loss;            /* of a part: what it would lose */
+    float* lost_area;       /* of a part: what it would lose */
+    uint32_t* lost_faces;
     uint32_t count;
 } election;
 
@@ -49,15 +53,20 @@ static int is_stray(const election* e, uint32_t face) {
     return e->owner[piece] != e->mesh->face_part[face] && e->lead[piece] >= OWNS * e->area[piece];
 }
 
+static int bears_loss(const election* e, uint32_t part) {
+    const dmi_part* p = &e->mesh->parts[part];
+    return e->lost_area[part] <= MOST_AREA * p->area || (float)e->lost_faces[part] <= MOST_FACES * (float)p->face_count;
+}
+
 static void return_strays(election* e) {
     dmi_mesh* mesh = e->mesh;
-    for (uint32_t f = 0; f < mesh->face_count; f++)
-        if (is_stray(e, f)) e->loss[mesh->face_part[f]] += mesh->face_area[f];
     for (uint32_t f = 0; f < mesh->face_count; f++) {
-        const uint32_t part = mesh->face_part[f];
-        if (is_stray(e, f) && e->loss[part] <= MOST_LOSS * mesh->parts[part].area)
-            mesh->face_part[f] = e->owner[e->labels[f]];
+        if (!is_stray(e, f)) continue;
+        e->lost_area[mesh->face_part[f]] += mesh->face_area[f];
+        e->lost_faces[mesh->face_part[f]]++;
     }
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        if (is_stray(e, f) && bears_loss(e, mesh->face_part[f])) mesh->face_part[f] = e->owner[e->labels[f]];
 }
 
 static dm_result vote(dmi_arena* arena, dmi_mesh* mesh, const uint32_t* labels, uint32_t count) {
@@ -65,12 +74,15 @@ static dm_result vote(dmi_arena* arena, dmi_mesh* mesh, const uint32_t* labels, 
     e.owner = dmi_arena_push(arena, count * sizeof *e.owner);
     e.area = dmi_arena_push(arena, count * sizeof *e.area);
     e.lead = dmi_arena_push(arena, count * sizeof *e.lead);
-    e.loss = dmi_arena_push(arena, mesh->part_count * sizeof *e.loss);
-    if (e.owner == NULL || e.area == NULL || e.lead == NULL || e.loss == NULL) return out_of_memory(arena, mesh);
+    e.lost_area = dmi_arena_push(arena, mesh->part_count * sizeof *e.lost_area);
+    e.lost_faces = dmi_arena_push(arena, mesh->part_count * sizeof *e.lost_faces);
+    if (e.owner == NULL || e.area == NULL || e.lead == NULL || e.lost_area == NULL || e.lost_faces == NULL)
+        return out_of_memory(arena, mesh);
     memset(e.owner, 0, count * sizeof *e.owner);
     memset(e.area, 0, count * sizeof *e.area);
     memset(e.lead, 0, count * sizeof *e.lead);
-    memset(e.loss, 0, mesh->part_count * sizeof *e.loss);
+    memset(e.lost_area, 0, mesh->part_count * sizeof *e.lost_area);
+    memset(e.lost_faces, 0, mesh->part_count * sizeof *e.lost_faces);
     find_owners(&e);
     return_strays(&e);
     return DM_OK;

@@ -93,6 +93,21 @@ static void patches_come_back(void** state) {
     end(&s);
 }
 
+/* Two triangles of a coarse wall, leaked to a fine knob, have most of its area and few of its triangles. */
+static void coarse_leaks_come_back(void** state) {
+    (void)state;
+    shape.vertex_count = shape.face_count = 0;
+    add_sheet(1.05f, 0, 1);
+    const uint32_t knob = shape.face_count;
+    test_shape_box(&shape, (const float[]){-5, -5, -5}, (const float[]){5, 5, -1}, 0);
+    test_shape_box(&shape, (const float[]){-5, -5, -9}, (const float[]){5, 5, -6}, 0);
+    shape.part[knob] = shape.part[knob + 3] = 1;
+    stage s;
+    assert_int_equal(run(&s, TEST_NEVER), DM_OK);
+    for (uint32_t f = 0; f < s.mesh->face_count; f++) assert_int_equal(s.mended.face_part[f], f < knob);
+    end(&s);
+}
+
 static void part_of_one_piece_stays(void** state) {
     (void)state;
     shape.vertex_count = shape.face_count = 0;
@@ -142,9 +157,9 @@ static void memory_may_fail(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(patches_come_back),    cmocka_unit_test(part_of_one_piece_stays),
-        cmocka_unit_test(lid_of_one_box_stays), cmocka_unit_test(wide_mixture_stays),
-        cmocka_unit_test(memory_may_fail),
+        cmocka_unit_test(patches_come_back),       cmocka_unit_test(coarse_leaks_come_back),
+        cmocka_unit_test(part_of_one_piece_stays), cmocka_unit_test(lid_of_one_box_stays),
+        cmocka_unit_test(wide_mixture_stays),      cmocka_unit_test(memory_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
