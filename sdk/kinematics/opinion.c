@@ -32,3 +32,8 @@ void dmi_opinion_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_opinion* o
     normalize(other, count);
     for (uint32_t i = 0; i < count; i++) out_scores[i] = 0.5f * (out_scores[i] + other[i]);
 }
+
+void dmi_opinion_glance(const dmi_kpp_net* net, dmi_isa isa, const dmi_opinion* opinion,
+                        const dmi_candidate* candidates, uint32_t count, float out_scores[DMI_CANDIDATES_MAX]) {
+    dmi_kpp_choice(net, isa, &opinion->input[0], &opinion->output[0], candidates, count, out_scores);
+}
