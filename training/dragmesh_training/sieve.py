@@ -28,12 +28,12 @@ def glance_columns(lab):
 
 
 def fit(data, columns, steps, batch, rate, seed):
-    """net((evidence[columns] - mean) * scale) is a candidate's score."""
+    """net((glance - mean) * scale) is a candidate's score."""
     import torch
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     random, cost, everything = np.random.default_rng(seed), costs(data) / SHARPER, np.arange(data["pose"].shape[1])
-    flat = data["evidence"][:800][:, :, columns][data["used"][:800, None] > everything].astype(np.float32)
+    flat = data["evidence"][:800][data["used"][:800, None] > everything].astype(np.float32)
     mean, scale = torch.from_numpy(flat.mean(0)), 1 / (torch.from_numpy(flat.std(0)) + 0.05)
     net = torch.nn.Sequential(torch.nn.Linear(len(columns), HIDDEN), torch.nn.ReLU(),
                               torch.nn.Linear(HIDDEN, 1, bias=False))
@@ -44,7 +44,7 @@ def fit(data, columns, steps, batch, rate, seed):
         for group in optimiser.param_groups:
             group["lr"] = rate * (1 - step / steps) + 2e-5
         index = random.integers(0, len(cost), batch)
-        evidence = data["evidence"][index][:, :, columns].astype(np.float32)
+        evidence = data["evidence"][index].astype(np.float32)
         evidence[np.ix_(random.random(batch) < WITHOUT_NETWORK, everything, of_network)] = 0
         extra = torch.from_numpy(log_weights(np.tile(everything, (batch, 1)), data["used"][index], data["total"][index]))
         wanted = torch.softmax(extra - torch.from_numpy(cost[index]), 1)
@@ -59,14 +59,14 @@ def fit(data, columns, steps, batch, rate, seed):
     return net, mean, scale
 
 
-def ranks(net, mean, scale, columns, data, good):
+def ranks(net, mean, scale, data, good):
     """How many candidates of each case come before the first that is good to `good`; NaN where none is. The rows that were
     drawn stand for all."""
     import torch
     used, total = data["used"][:, None], data["total"]
     real = np.arange(data["pose"].shape[1]) < used
     with torch.no_grad():
-        evidence = torch.from_numpy(data["evidence"][:, :, columns].astype(np.float32))
+        evidence = torch.from_numpy(data["evidence"].astype(np.float32))
         score = np.where(real, net((evidence - mean) * scale)[..., 0].numpy(), -np.inf)
     right = (data["pose"] < good) & real
     before = score > np.where(right, score, -np.inf).max(1, keepdims=True)
@@ -75,9 +75,9 @@ def ranks(net, mean, scale, columns, data, good):
     return np.where(right.any(1), rank, np.nan)
 
 
-def report(net, mean, scale, columns, data, what):
+def report(net, mean, scale, data, what):
     for good in (0.02, 0.01):
-        rank = ranks(net, mean, scale, columns, data, good)
+        rank = ranks(net, mean, scale, data, good)
         rank = rank[~np.isnan(rank)]
         print(f"{what}: of the joints with a candidate within {100 * good:.0f} % one is among the best " +
               ", ".join(f"{kept} in {(rank < kept).mean():.4f}" for kept in (KEPT // 2, KEPT, 3 * KEPT // 2)), flush=True)
@@ -96,13 +96,14 @@ def run(words=None):
     arguments = parser.parse_args(words)
     columns, start = glance_columns(open_lab(arguments.lab)), time.time()
     everything, names = load(arguments.data), np.load(arguments.data[0])["names"]
+    everything["evidence"] = everything["evidence"][:, :, columns]  # the first is the type, as before
     held = np.isin(names[everything["category"]], HELD_OUT)
     tenth = ~held & (np.arange(len(held)) % 10 == 0)
     part = {name: {key: array[mask] for key, array in everything.items()}
             for name, mask in (("trained", ~held & ~tenth), ("validation", tenth), ("held-out kinds", held))}
     net, mean, scale = fit(part["trained"], columns, arguments.steps, arguments.batch, arguments.rate, arguments.seed)
     for name in ("validation", "held-out kinds"):
-        report(net, mean, scale, columns, part[name], name)
+        report(net, mean, scale, part[name], name)
     state = net.state_dict()
     tensors = {"mean": mean, "scale": scale, "0.weight": state["0.weight"], "0.bias": state["0.bias"],
                "2.weight": state["2.weight"]}
