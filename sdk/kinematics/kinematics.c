@@ -207,10 +207,20 @@ static void ask_network(work* w) {
     w->probability[0] = 1 - w->probability[1];
 }
 
+/* Of a thousand candidates all but a few hundred can be told at a glance to be wrong. */
+static void sift(work* w) {
+    const dmi_kinematics_query* query = w->query;
+    const dmi_sieve* sieve = dmi_ranker_sieve(query->ranker);
+    if (sieve == NULL) return;
+    w->count = dmi_sieve_keep(sieve, &w->study, query->hint, query->net, query->isa,
+                              query->net != NULL ? &w->opinion : NULL, w->candidates, w->count, w->evidence);
+}
+
 static void rank_candidates(work* w, const dmi_prediction* prediction) {
     const dmi_kinematics_query* query = w->query;
     w->count = dmi_candidates_make(&w->study, query->hint, prediction, w->candidates);
     keep_type(w);
+    sift(w);
     if (prediction != NULL) dmi_opinion_score(query->net, query->isa, &w->opinion, w->candidates, w->count, w->score);
     dmi_evidence_make(&w->study, query->hint, prediction, prediction != NULL ? w->score : NULL, w->candidates, w->count,
                       w->evidence);

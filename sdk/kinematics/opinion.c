@@ -77,3 +77,8 @@ void dmi_opinion_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_opinion* o
         for (uint32_t c = 0; c < count; c++) out_scores[c] += one[c] / DMI_LOOKS;
     }
 }
+
+void dmi_opinion_glance(const dmi_kpp_net* net, dmi_isa isa, const dmi_opinion* opinion,
+                        const dmi_candidate* candidates, uint32_t count, float out_scores[DMI_CANDIDATES_MAX]) {
+    dmi_kpp_choice(net, isa, &opinion->input[0], &opinion->output[0], candidates, count, out_scores);
+}

@@ -20,5 +20,8 @@ void dmi_opinion_form(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* clou
 /* Log-likelihoods of candidates up to a constant: the mean of all looks. */
 void dmi_opinion_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_opinion* opinion, const dmi_candidate* candidates,
                        uint32_t count, float out_scores[DMI_CANDIDATES_MAX]);
+/* The same by the first look alone. */
+void dmi_opinion_glance(const dmi_kpp_net* net, dmi_isa isa, const dmi_opinion* opinion,
+                        const dmi_candidate* candidates, uint32_t count, float out_scores[DMI_CANDIDATES_MAX]);
 
 #endif

@@ -4,9 +4,11 @@
 
 #include "kinematics/evidence.h"
 #include "kinematics/limit_net.h"
+#include "kinematics/sieve.h"
 
 /* Architecture "dragmesh-ranker": standardised evidence -> 64 -> 64 -> 1, ReLU between. The softmax over a part's
- * candidates is a probability; what an answer gathers of it is calibrated by two numbers in the file. */
+ * candidates (those that the sieve kept) is a probability; what an answer gathers of it is calibrated by two numbers in
+ * the file. */
 typedef struct dmi_ranker dmi_ranker;
 
 dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranker** out_ranker);
@@ -20,5 +22,7 @@ float dmi_ranker_confidence(const dmi_ranker* ranker, float mass);
 
 /* The limits' network of the same file; NULL without a ranker. */
 const dmi_limit_net* dmi_ranker_limits(const dmi_ranker* ranker);
+/* The sieve of the same file; NULL without a ranker, and of files of version 1. */
+const dmi_sieve* dmi_ranker_sieve(const dmi_ranker* ranker);
 
 #endif

@@ -32,8 +32,8 @@ typedef struct stages {
     dmi_arena study_arena;
     dmi_opinion opinion;
     void* scratch;
-    dmi_candidate* candidates;
-    uint32_t candidate_count;
+    dmi_candidate *all, *candidates; /* before the sieve and after it */
+    uint32_t all_count, candidate_count;
     float (*evidence)[DMI_EVIDENCE_COUNT];
     float *score, *probability;
     const char* only; /* NULL: every stage is measured */
@@ -85,7 +85,17 @@ static void stage_opinion(void* user) {
 
 static void stage_candidates(void* user) {
     stages* s = user;
-    s->candidate_count = dmi_candidates_make(&s->study, &s->hint, &s->opinion.prediction, s->candidates);
+    s->all_count = dmi_candidates_make(&s->study, &s->hint, &s->opinion.prediction, s->all);
+}
+
+static void stage_sieve(void* user) {
+    stages* s = user;
+    const dmi_sieve* sieve = dmi_ranker_sieve(s->brain.ranker);
+    memcpy(s->candidates, s->all, s->all_count * sizeof *s->all);
+    s->candidate_count = s->all_count;
+    if (sieve != NULL)
+        s->candidate_count = dmi_sieve_keep(sieve, &s->study, &s->hint, s->brain.net, s->brain.isa, &s->opinion,
+                                            s->candidates, s->all_count, s->evidence);
 }
 
 static void stage_choice(void* user) {
@@ -159,6 +169,7 @@ int main(int argc, char** argv) {
     s.shape = bench_mesh_new(argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 100000, 1);
     s.only = argc > 3 ? argv[3] : NULL;
     s.cloud = bench_alloc(sizeof *s.cloud);
+    s.all = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.all);
     s.candidates = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.candidates);
     s.evidence = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.evidence);
     s.score = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.score);
@@ -174,10 +185,11 @@ int main(int argc, char** argv) {
     show("study", &s, stage_study);
     show("network", &s, stage_opinion);
     show("candidates", &s, stage_candidates);
+    show("sieve", &s, stage_sieve);
     show("choice", &s, stage_choice);
     show("evidence", &s, stage_evidence);
     show("ranker", &s, stage_ranker);
     show("infer", &s, stage_infer);
-    printf("%u candidates\n", s.candidate_count);
+    printf("%u candidates, %u kept\n", s.all_count, s.candidate_count);
     return 0;
 }

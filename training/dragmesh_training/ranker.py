@@ -1,7 +1,9 @@
 """The ranker of candidate joints: evidence of generated cases in, sdk/models/ranker.safetensors out.
 
     python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split train] [--only held|trained]
-    python -m dragmesh_training.ranker train A.npz B.npz --validate V.npz -o ranker.safetensors
+    python -m dragmesh_training.ranker train A.npz B.npz --validate V.npz --sieve SIEVE -o ranker.safetensors
+
+Cases are made with the sieve (sieve.py) that the library will have, so that the candidates are those which the ranker will see.
 
 A case's candidates share a probability of one by exp(-cost): their cost is what a player would see (the pose error),
 what a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way. Two
@@ -23,6 +25,7 @@ KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
 # What ships is trained on 6,000 cases of each seed: of an earlier KPP-Net (see earlier_network) and of the shipped one.
 EARLIER_COMMIT, EARLIER_SEEDS, SHIPPED_SEEDS = "613e580", (101, 103, 211), (102, 104)
+SIEVE_SEEDS, SIEVE_CASES = (301, 302), 6000  # of the one network and of the other
 SAMPLED = 96  # rows of a case in a training step
 SLIDES, NETWORK = 0, np.r_[86:98, 108, 124, 171:177]  # columns of sdk/kinematics/evidence.h
 # The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
@@ -64,7 +67,7 @@ def category_weights(lab, chosen):
                      for i, name in enumerate(category_names(lab))], np.uint8)
 
 
-def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, with_drag=0.7, mask_noise=0.3):
+def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, sieve=None, with_drag=0.7, mask_noise=0.3):
     """Evidence and labels of `count` cases drawn from the chosen categories."""
     columns = lab.dm_lab_ranker_columns()
     mask = category_weights(lab, chosen)
@@ -73,8 +76,8 @@ def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, wit
         data[name] = np.zeros((count, rows) if each_row else count, dtype)
     options = Options(seed, count, split, mask.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0)
     batch = Batch(rows, *[data[name].ctypes.data for name in ("evidence", *[a[0] for a in ARRAYS])])
-    size = ctypes.c_size_t(len(weights) if weights else 0)
-    result = lab.dm_lab_ranker_batch(ctypes.byref(options), weights, size, ctypes.byref(batch))
+    sizes = [ctypes.c_size_t(len(data) if data else 0) for data in (weights, sieve)]
+    result = lab.dm_lab_ranker_batch(ctypes.byref(options), weights, sizes[0], sieve, sizes[1], ctypes.byref(batch))
     if result != 0:
         raise RuntimeError(f"dm_lab_ranker_batch: {result}")
     return data
@@ -85,12 +88,12 @@ def run_make(arguments):
     names = category_names(lab)
     chosen = {"all": names, "held": [n for n in names if n in HELD_OUT],
               "trained": [n for n in names if n not in HELD_OUT]}[arguments.only]
-    weights = open(arguments.weights, "rb").read() if arguments.weights else None
+    weights, sieve = (open(path, "rb").read() if path else None for path in (arguments.weights, arguments.sieve))
     start, parts = time.time(), []
     for first in range(0, arguments.count, 100):
         count = min(100, arguments.count - first)
         part = make(lab, arguments.seed * 1000003 + first, count, arguments.rows, arguments.split, chosen,
-                    arguments.noise, weights)
+                    arguments.noise, weights, sieve)
         part["evidence"] = part["evidence"].astype(np.float16)
         parts.append(part)
     data = {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
@@ -332,6 +335,7 @@ def calibrated(lab, kinematics, path, tensors, metadata, count, names):
 
 
 def run_train(arguments):
+    from .export import load_safetensors
     lab = open_lab(arguments.lab)
     names = np.load(arguments.data[0])["names"]
     left_out = HELD_OUT if arguments.hold_out else ()
@@ -349,7 +353,8 @@ def run_train(arguments):
     for layer, name in enumerate(("0", "2", "4")):
         tensors[f"{name}.weight"], tensors[f"{name}.bias"] = state[2 * layer].numpy(), state[2 * layer + 1].numpy()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    metadata = {"architecture": "dragmesh-ranker", "version": "1", "commit": commit, "seed": str(arguments.seed),
+    tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(arguments.sieve)[0].items()})
+    metadata = {"architecture": "dragmesh-ranker", "version": "2", "commit": commit, "seed": str(arguments.seed),
                 "trained": f"{len(data['used'])} generated cases"}
     calibrated(lab, kinematics, arguments.out, {**tensors, **limits}, metadata, arguments.calibration_cases,
                category_names(lab))
@@ -367,21 +372,33 @@ def earlier_network(folder):
     return path
 
 
+def case_file(folder, name, kinematics, seed, *more):
+    """The file of that name, made unless it is there."""
+    path = os.path.join(folder, name + ".npz")
+    if not os.path.exists(path):
+        run(["make", path + ".part.npz", "--weights", kinematics, "--seed", str(seed), *more])
+        os.rename(path + ".part.npz", path)
+    return path
+
+
 def ship(folder, models):
-    """What sdk/models/ranker.safetensors is made by; goes on where it was stopped. About half an hour of one core. Its twin
-    in the folder has not seen the held-out kinds: it says how well kinds are answered that the ranker does not know."""
+    """What sdk/models/ranker.safetensors is made by; goes on where it was stopped. About half an hour of one core. First the
+    sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved. Its twin in the
+    folder has not seen the held-out kinds (nor has the sieve): it says how well kinds are answered that the ranker does
+    not know."""
+    from .sieve import run as fit_sieve
     os.makedirs(folder, exist_ok=True)
     shipped = os.path.join(models, "kpp_net.safetensors")
-    cases = [(seed, earlier_network(folder)) for seed in EARLIER_SEEDS] + [(seed, shipped) for seed in SHIPPED_SEEDS]
-    files = [os.path.join(folder, f"cases{seed}.npz") for seed, _ in cases]
-    validation = os.path.join(folder, "validation.npz")
-    for path, (seed, kinematics) in zip((*files, validation), (*cases, (105, shipped))):
-        if os.path.exists(path):
-            continue
-        arguments = ["make", path + ".part.npz", "--weights", kinematics, "--seed", str(seed)]
-        run(arguments + (["--count", "1500", "--split", "1"] if path == validation else ["--count", "6000"]))
-        os.rename(path + ".part.npz", path)
-    common = ["train", *files, "--validate", validation, "--weights", shipped]
+    earlier, sieve = earlier_network(folder), os.path.join(folder, "sieve.safetensors")
+    if not os.path.exists(sieve):
+        every = [case_file(folder, f"every{seed}", kinematics, seed, "--count", str(SIEVE_CASES))
+                 for seed, kinematics in zip(SIEVE_SEEDS, (earlier, shipped))]
+        fit_sieve([*every, "-o", sieve])
+    cases = [(seed, earlier) for seed in EARLIER_SEEDS] + [(seed, shipped) for seed in SHIPPED_SEEDS]
+    files = [case_file(folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
+             for seed, kinematics in cases]
+    validation = case_file(folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
+    common = ["train", *files, "--validate", validation, "--weights", shipped, "--sieve", sieve]
     run([*common, "-o", os.path.join(models, "ranker.safetensors")])
     run([*common, "--hold-out", "-o", os.path.join(folder, "twin.safetensors")])
 
@@ -400,12 +417,14 @@ def run(words):
     one.add_argument("--noise", type=float, default=12.0)
     one.add_argument("--only", choices=("all", "held", "trained"), default="all")
     one.add_argument("--weights")
+    one.add_argument("--sieve", help="weights of the sieve; without them all candidates are judged")
     one.set_defaults(run=run_make)
     two = commands.add_parser("train")
     two.add_argument("data", nargs="+")
     two.add_argument("--validate", required=True)
     two.add_argument("--lab", default=default_lab)
     two.add_argument("--weights", required=True, help="the KPP-Net that ships")
+    two.add_argument("--sieve", required=True, help="what the cases were made with")
     two.add_argument("--limit-cases", type=int, default=8000)
     two.add_argument("--calibration-cases", type=int, default=1500)
     two.add_argument("--steps", type=int, default=9000)

@@ -10,8 +10,10 @@
 #include "kinematics/kinematics.h"
 #include "kinematics/linear3.h"
 #include "kinematics/opinion.h"
+#include "kinematics/sieve.h"
 
 #define KEPT_BEST 8
+#define SIEVE_VERSION 1
 #define EXACT_DRAGS 0.5f
 
 typedef struct ranker_case {
@@ -27,8 +29,23 @@ typedef struct ranker_case {
     dmi_drag_hint hint;
 } ranker_case;
 
+/* What both entries need beside their cases. */
+typedef struct bench {
+    dmi_env env;
+    dmi_kpp_net* net;
+    dmi_sieve* sieve; /* NULL: all candidates are judged */
+    void* scratch;
+    size_t scratch_size;
+    ranker_case* work;
+} bench;
+
 uint32_t dm_lab_ranker_columns(void) {
     return DMI_EVIDENCE_COUNT;
+}
+
+uint32_t dm_lab_sieve_columns(uint8_t* out) {
+    if (out != NULL) memcpy(out, dmi_glance_columns, sizeof dmi_glance_columns);
+    return DMI_GLANCE_COLUMNS;
 }
 
 static void axis_of(const dm_joint* joint, float axis[3], float origin[3]) {
@@ -46,15 +63,18 @@ static void label(ranker_case* r) {
 }
 
 /* Candidates of a case with their evidence and labels. hint: NULL when the kinematics gets no drag; r->hint labels. */
-static dm_result judge_case(dmi_env* env, dmi_arena* arena, const dmi_drag_hint* hint, const dmi_kpp_net* net,
-                            void* scratch, ranker_case* r) {
+static dm_result judge_case(bench* b, dmi_arena* arena, const dmi_drag_hint* hint, ranker_case* r) {
+    const dmi_kpp_net* net = b->net;
     const uint32_t part = (uint32_t)dmi_mesh_find_part(r->made.mesh, r->made.part);
     dm_result result = dmi_study_make(arena, r->made.mesh, &r->made.cloud, part, NULL, &r->study);
-    if (result != DM_OK) return dmi_fail(env, result, "lab: a case can't be studied");
+    if (result != DM_OK) return dmi_fail(&b->env, result, "lab: a case can't be studied");
     const dmi_isa isa = dmi_cpu_best_isa();
-    if (net != NULL) dmi_opinion_form(net, isa, &r->made.cloud, hint, scratch, &r->opinion);
+    if (net != NULL) dmi_opinion_form(net, isa, &r->made.cloud, hint, b->scratch, &r->opinion);
     const dmi_prediction* prediction = net != NULL ? &r->opinion.prediction : NULL;
     r->count = dmi_candidates_make(&r->study, hint, prediction, r->candidates);
+    if (b->sieve != NULL)
+        r->count = dmi_sieve_keep(b->sieve, &r->study, hint, net, isa, net != NULL ? &r->opinion : NULL, r->candidates,
+                                  r->count, r->evidence);
     if (net != NULL) dmi_opinion_score(net, isa, &r->opinion, r->candidates, r->count, r->score);
     dmi_evidence_make(&r->study, hint, prediction, net != NULL ? r->score : NULL, r->candidates, r->count, r->evidence);
     label(r);
@@ -96,11 +116,11 @@ static void write_case(const ranker_case* r, int with_drag, const dm_lab_ranker*
     out->best[at] = r->pose[r->order[0]];
 }
 
-static dm_result write_judged(dmi_env* env, const dmi_kpp_net* net, void* scratch, int with_drag, ranker_case* r,
-                              const dm_lab_ranker* out, uint32_t at) {
+static dm_result write_judged(bench* b, int with_drag, const dm_lab_ranker* out, uint32_t at) {
+    ranker_case* r = b->work;
     dmi_arena arena;
-    dmi_arena_init(&arena, env, (size_t)1 << 20);
-    const dm_result result = judge_case(env, &arena, with_drag ? &r->hint : NULL, net, scratch, r);
+    dmi_arena_init(&arena, &b->env, (size_t)1 << 20);
+    const dm_result result = judge_case(b, &arena, with_drag ? &r->hint : NULL, r);
     if (result == DM_OK) {
         order_rows(r);
         write_case(r, with_drag, out, at);
@@ -109,34 +129,26 @@ static dm_result write_judged(dmi_env* env, const dmi_kpp_net* net, void* scratc
     return result;
 }
 
-static dm_result make_cases(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net, void* scratch,
-                            ranker_case* r, const dm_lab_ranker* out) {
+static dm_result make_cases(bench* b, const dm_lab_options* options, const dm_lab_ranker* out) {
+    ranker_case* r = b->work;
     dm_result result = DM_OK;
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
-        result = lab_case_make(env, options, i, &r->made);
+        result = lab_case_make(&b->env, options, i, &r->made);
         if (result != DM_OK) break;
         /* Some drags are exact: a host may hand over a tangent that it has computed. */
         const float noise = lab_chance(&r->made.random, EXACT_DRAGS) ? 0 : options->drag_noise_degrees;
         r->hint = lab_case_drag(&r->made, noise, &r->joint);
         const int with_drag = lab_chance(&r->made.random, options->with_drag);
-        result = write_judged(env, net, scratch, with_drag, r, out, i);
-        lab_case_release(env, &r->made);
+        result = write_judged(b, with_drag, out, i);
+        lab_case_release(&b->env, &r->made);
     }
     return result;
 }
 
-/* What both entries need beside their cases. */
-typedef struct bench {
-    dmi_env env;
-    dmi_kpp_net* net;
-    void* scratch;
-    size_t scratch_size;
-    ranker_case* work;
-} bench;
-
 static void bench_close(bench* b) {
     dmi_free(&b->env, b->work, sizeof *b->work);
     dmi_free(&b->env, b->scratch, b->scratch_size);
+    dmi_free(&b->env, b->sieve, sizeof *b->sieve);
     dmi_kpp_net_destroy(b->net);
 }
 
@@ -155,12 +167,23 @@ static dm_result bench_open(const void* kinematics, size_t size, bench* b) {
     return DM_ERROR_OUT_OF_MEMORY;
 }
 
+static dm_result open_sieve(bench* b, const void* data, size_t size) {
+    dmi_weights* weights;
+    const dm_result result = dmi_weights_open(&b->env, data, size, "dragmesh-sieve", SIEVE_VERSION, &weights);
+    if (result != DM_OK) return result;
+    b->sieve = dmi_alloc(&b->env, sizeof *b->sieve, 64);
+    const int read = b->sieve != NULL && dmi_sieve_read(weights, b->sieve);
+    dmi_weights_close(weights);
+    return read ? DM_OK : dmi_fail(&b->env, DM_ERROR_WRONG_MODEL, "lab: no sieve in the file, or no memory for it");
+}
+
 dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
-                              const dm_lab_ranker* out) {
+                              const void* sieve, size_t sieve_size, const dm_lab_ranker* out) {
     bench b;
     dm_result result = bench_open(kinematics, kinematics_size, &b);
     if (result != DM_OK) return result;
-    result = make_cases(&b.env, options, b.net, b.scratch, b.work, out);
+    if (sieve != NULL) result = open_sieve(&b, sieve, sieve_size);
+    if (result == DM_OK) result = make_cases(&b, options, out);
     bench_close(&b);
     return result;
 }
@@ -175,7 +198,7 @@ dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, cons
     result = lab_case_given(&b.env, given, &r->made);
     if (result == DM_OK) {
         r->hint = lab_given_drag(&r->made, given, 0, &r->joint);
-        result = write_judged(&b.env, b.net, b.scratch, with_drag, r, out, 0);
+        result = write_judged(&b, with_drag, out, 0);
         dmi_mesh_destroy(&b.env, r->made.mesh);
     }
     bench_close(&b);

@@ -23,10 +23,13 @@ typedef struct dm_lab_ranker {
 } dm_lab_ranker;
 
 DM_API uint32_t dm_lab_ranker_columns(void);
-/* options: as for KPP-Net. kinematics: bytes of a KPP-Net weights file whose answers go into the evidence; NULL: none.
+/* Those of them that the sieve sees (sdk/kinematics/glance.h), in order; answers how many. out NULL: only the number.
  */
+DM_API uint32_t dm_lab_sieve_columns(uint8_t* out);
+/* options: as for KPP-Net. kinematics: bytes of a KPP-Net weights file whose answers go into the evidence; NULL: none.
+ * sieve: bytes of a file of the sieve's weights, architecture dragmesh-sieve; NULL: all candidates are judged. */
 DM_API dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
-                                     const dm_lab_ranker* out);
+                                     const void* sieve, size_t sieve_size, const dm_lab_ranker* out);
 
 /* A case that a loader provides: glTF frame, everything in the object's own unit. */
 typedef struct dm_lab_given {
@@ -39,7 +42,8 @@ typedef struct dm_lab_given {
     float drag_point[3], drag_vector[3];
 } dm_lab_given;
 
-/* One case into the first place of `out`. with_drag 0: the kinematics does not see the drag, the labels do. */
+/* One case, not sieved, into the first place of `out`. with_drag 0: the kinematics does not see the drag, the labels
+ * do. */
 DM_API dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
                                      size_t kinematics_size, const dm_lab_ranker* out);
 
