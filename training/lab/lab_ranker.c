@@ -66,7 +66,7 @@ static void label(ranker_case* r) {
 static dm_result judge_case(bench* b, dmi_arena* arena, const dmi_drag_hint* hint, ranker_case* r) {
     const dmi_kpp_net* net = b->net;
     const uint32_t part = (uint32_t)dmi_mesh_find_part(r->made.mesh, r->made.part);
-    dm_result result = dmi_study_make(arena, r->made.mesh, &r->made.cloud, part, NULL, &r->study);
+    dm_result result = dmi_study_make(arena, r->made.mesh, &r->made.cloud, part, r->made.welded, &r->study);
     if (result != DM_OK) return dmi_fail(&b->env, result, "lab: a case can't be studied");
     const dmi_isa isa = dmi_cpu_best_isa();
     if (net != NULL) dmi_opinion_form(net, isa, &r->made.cloud, hint, b->scratch, &r->opinion);
