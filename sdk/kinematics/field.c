@@ -1,9 +1,15 @@
-/* Exact Euclidean distance transform of a grid (Felzenszwalb and Huttenlocher 2012), and samples by cell. */
+/* Exact Euclidean distance transform of a grid, one direction after the other, and samples by cell. */
 #include "kinematics/field.h"
 
+#include "base/cpu.h"
 #include "kinematics/linear3.h"
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #define FAR 1e12f
+#define LANES 8
 
 static int32_t cell_of(const dmi_field* field, const float point[3]) {
     int32_t index = 0;
@@ -32,30 +38,101 @@ static dm_result sort_samples(dmi_arena* arena, uint32_t count, size_t cells, dm
     return DM_OK;
 }
 
-/* Lower envelope of parabolas along one line of `n` cells `stride` apart, in squared cells; `source` follows. */
-static void transform_line(float* line, uint32_t* source, size_t stride, int32_t n,
-                           const float half_over[DMI_FIELD_CELLS + 2]) {
-    float value[DMI_FIELD_CELLS + 2], bound[DMI_FIELD_CELLS + 3];
-    uint32_t from[DMI_FIELD_CELLS + 2];
-    int32_t at[DMI_FIELD_CELLS + 2], k = -1;
+/* Lines of the grid that lie beside each other: squared distances in cells, which are small integers and so exact, and
+ * the cells they are from. */
+typedef struct lanes {
+    float square[DMI_FIELD_CELLS + 2][LANES];
+    uint32_t source[DMI_FIELD_CELLS + 2][LANES];
+    float least[LANES]; /* of each line */
+} lanes;
+
+static void copy_lanes(void* to, const void* from, size_t count) {
+    if (count == LANES)
+        memcpy(to, from, 4 * LANES);
+    else
+        memcpy(to, from, 4 * count);
+}
+
+/* Lines beyond `count` are empty. Answers whether any is not. */
+static int load_lanes(const float* line, const uint32_t* source, size_t stride, int32_t n, size_t count, lanes* out) {
+    for (int l = 0; l < LANES; l++) out->least[l] = FAR;
     for (int32_t q = 0; q < n; q++) {
-        float f = line[(size_t)q * stride];
-        if (f >= FAR) continue;
-        float cross = -FAR;
-        for (; k >= 0; k--) {
-            cross = ((f + (float)(q * q)) - (value[k] + (float)(at[k] * at[k]))) * half_over[q - at[k]];
-            if (cross > bound[k]) break;
-        }
-        k++;
-        at[k] = q, value[k] = f, from[k] = source[(size_t)q * stride];
-        bound[k] = k == 0 ? -FAR : cross, bound[k + 1] = FAR;
+        for (size_t l = count; l < LANES; l++) out->square[q][l] = FAR, out->source[q][l] = 0;
+        copy_lanes(out->square[q], line + (size_t)q * stride, count);
+        copy_lanes(out->source[q], source + (size_t)q * stride, count);
+        for (int l = 0; l < LANES; l++) out->least[l] = dmi_min(out->least[l], out->square[q][l]);
     }
-    if (k < 0) return;
-    int32_t p = 0;
+    int any = 0;
+    for (int l = 0; l < LANES; l++) any |= out->least[l] < FAR;
+    return any;
+}
+
+/* The distances of each cell by way of the other cells of its line, outwards until none farther off can be nearer.
+ * Empty lines stay so: the squares of steps are lost beside FAR. */
+static void spread_plain(const lanes* in, int32_t n, lanes* out) {
     for (int32_t q = 0; q < n; q++) {
-        while (p < k && bound[p + 1] < (float)q) p++;
-        line[(size_t)q * stride] = value[p] + (float)((q - at[p]) * (q - at[p]));
-        source[(size_t)q * stride] = from[p];
+        float* best = out->square[q];
+        memcpy(best, in->square[q], sizeof in->square[q]);
+        memcpy(out->source[q], in->source[q], sizeof in->source[q]);
+        for (int32_t r = 1; r < n; r++) {
+            const float step = (float)(r * r);
+            int farther = 0;
+            for (int l = 0; l < LANES; l++) farther |= best[l] > step && in->least[l] < FAR;
+            if (!farther) break;
+            for (int32_t from = q - r; from <= q + r; from += 2 * r)
+                for (int l = 0; l < LANES && from >= 0 && from < n; l++) {
+                    const float square = in->square[from][l] + step;
+                    if (square < best[l]) best[l] = square, out->source[q][l] = in->source[from][l];
+                }
+        }
+    }
+}
+
+#if defined(__x86_64__)
+
+#define AVX2 __attribute__((target("avx2")))
+
+/* What is nearer by way of a cell that is a squared step away. */
+AVX2 static inline void go_by(const lanes* in, int32_t from, __m256 step, __m256* near, __m256* source) {
+    const __m256 square = _mm256_add_ps(_mm256_loadu_ps(in->square[from]), step);
+    const __m256 nearer = _mm256_cmp_ps(square, *near, _CMP_LT_OQ);
+    *source = _mm256_blendv_ps(*source, _mm256_loadu_ps((const float*)in->source[from]), nearer);
+    *near = _mm256_min_ps(square, *near);
+}
+
+/* The same for eight lines at once: the same bits. */
+AVX2 static void spread_avx2(const lanes* in, int32_t n, lanes* out) {
+    const __m256 used = _mm256_cmp_ps(_mm256_loadu_ps(in->least), _mm256_set1_ps(FAR), _CMP_LT_OQ);
+    for (int32_t q = 0; q < n; q++) {
+        __m256 near = _mm256_loadu_ps(in->square[q]), source = _mm256_loadu_ps((const float*)in->source[q]);
+        for (int32_t r = 1; r < n; r++) {
+            const __m256 step = _mm256_set1_ps((float)(r * r));
+            if (_mm256_movemask_ps(_mm256_and_ps(used, _mm256_cmp_ps(near, step, _CMP_GT_OQ))) == 0) break;
+            if (q >= r) go_by(in, q - r, step, &near, &source);
+            if (q + r < n) go_by(in, q + r, step, &near, &source);
+        }
+        _mm256_storeu_ps(out->square[q], near);
+        _mm256_storeu_ps((float*)out->source[q], source);
+    }
+}
+
+#endif
+
+/* One direction of the grid: `count` lines of n cells, side by side. */
+static void transform_lines(float* line, uint32_t* source, size_t stride, int32_t n, size_t count) {
+    void (*spread)(const lanes*, int32_t, lanes*) = spread_plain;
+#if defined(__x86_64__)
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) spread = spread_avx2;
+#endif
+    lanes before, after;
+    for (size_t first = 0; first < count; first += LANES) {
+        const size_t some = count - first < LANES ? count - first : LANES;
+        if (!load_lanes(line + first, source + first, stride, n, some, &before)) continue;
+        spread(&before, n, &after);
+        for (int32_t q = 0; q < n; q++) {
+            copy_lanes(line + first + (size_t)q * stride, after.square[q], some);
+            copy_lanes(source + first + (size_t)q * stride, after.source[q], some);
+        }
     }
 }
 
@@ -76,16 +153,13 @@ static void transform_row(float* line, uint32_t* source, const uint32_t* start, 
 }
 
 static void transform(dmi_field* field) {
-    int32_t nx = field->size[0], ny = field->size[1], nz = field->size[2];
-    size_t row = (size_t)nx, slab = row * (size_t)ny, cells = slab * (size_t)nz;
+    const size_t nx = (size_t)field->size[0], ny = (size_t)field->size[1], nz = (size_t)field->size[2];
+    const size_t slab = nx * ny, cells = slab * nz;
     float* d = field->distance;
     uint32_t* s = field->source;
-    float half_over[DMI_FIELD_CELLS + 2];
-    for (int i = 1; i < DMI_FIELD_CELLS + 2; i++) half_over[i] = 0.5f / (float)i;
-    for (size_t r = 0; r < cells; r += row) transform_row(d + r, s + r, field->start + r, (uint32_t)r, nx);
-    for (size_t z = 0; z < cells; z += slab)
-        for (size_t x = 0; x < row; x++) transform_line(d + z + x, s + z + x, row, ny, half_over);
-    for (size_t c = 0; c < slab; c++) transform_line(d + c, s + c, slab, nz, half_over);
+    for (size_t r = 0; r < cells; r += nx) transform_row(d + r, s + r, field->start + r, (uint32_t)r, (int32_t)nx);
+    for (size_t z = 0; z < cells; z += slab) transform_lines(d + z, s + z, nx, (int32_t)ny, nx);
+    transform_lines(d, s, slab, (int32_t)nz, slab);
     for (size_t c = 0; c < cells; c++) d[c] = sqrtf(d[c]) * field->cell;
 }
 

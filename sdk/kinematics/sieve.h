@@ -8,8 +8,8 @@
 #include "nn/weights.h"
 
 #define DMI_SIEVE_HIDDEN 16
-#define DMI_SIEVE_KEPT 256 /* the right joint is among so many for 99 in 100 parts of which it is a candidate at all   \
-                            */
+/* The right joint is among so many for 99 in 100 parts of which it is a candidate at all. */
+#define DMI_SIEVE_KEPT 256
 
 /* Glance -> 16 -> 1, ReLU between; weights transposed, the standardisation folded in. */
 typedef struct dmi_sieve {
