@@ -226,12 +226,13 @@ void dmg_build_robot_hand(dmg_builder* b) {
     uint32_t wrist = 0;
     dmg_rod(b, v3(0, 0, 0), v3(0, cuff, 0), 0.35f * wide);
     dmg_move(b, 0, cuff, 0);
-    if (dmg_chance(b, 0.5f)) {
+    bool turns = dmg_chance(b, 0.5f);
+    if (turns) {
         bool nods = dmg_chance(b, 0.6f);
-        wrist = dmg_hinge(b, 0, "wrist", v3(0, 0.1f * palm, 0), nods ? v3(1, 0, 0) : v3(0, 1, 0), -0.8f, 0.8f);
-        dmg_ellipsoid(b, v3(0, 0.1f * palm, 0), v3(0.3f * wide, 0.2f * palm, 0.5f * deep));
+        wrist = dmg_hinge(b, 0, "wrist", v3(0, 0.2f * palm, 0), nods ? v3(1, 0, 0) : v3(0, 1, 0), -0.6f, 0.6f);
+        dmg_ellipsoid(b, v3(0, 0.2f * palm, 0), v3(0.3f * wide, 0.28f * palm, 0.5f * deep));
     }
-    dmg_move(b, 0, 0.15f * palm, 0);
+    dmg_move(b, 0, (turns ? 0.38f : 0.0f) * palm, 0);
     if (shape == 0) dmg_box(b, v3(0, 0.45f * palm, 0), v3(wide, 0.9f * palm, deep));
     if (shape == 1) dmg_rounded_box(b, v3(0, 0.45f * palm, 0), v3(wide, 0.9f * palm, deep), 0.3f * deep);
     if (shape == 2)
