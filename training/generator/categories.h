@@ -249,7 +249,16 @@
     X(canopy)                                                                                                          \
     /* holds.c */                                                                                                      \
     X(rotor_head)                                                                                                      \
-    X(cargo_hold)
+    X(cargo_hold)                                                                                                      \
+    /* manipulators.c */                                                                                               \
+    X(cobot_arm)                                                                                                       \
+    X(scara)                                                                                                           \
+    X(gantry)                                                                                                          \
+    X(jaw_gripper)                                                                                                     \
+    /* walkers.c */                                                                                                    \
+    X(plate_legs)                                                                                                      \
+    X(insect_robot)                                                                                                    \
+    X(robot_hand)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
