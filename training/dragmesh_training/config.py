@@ -17,9 +17,9 @@ class KppTraining:
     network: str = "kpp"
     size: str = "game"
     seed: int = 1
-    steps: int = 150000
-    restarts: tuple = (0.27788, 0.66667)  # shares of the run after which the rate rises once more …
-    choice_from: float = 0.335  # … and after which the choice head is trained too
+    steps: int = 195000
+    restarts: tuple = (0.21375, 0.51282, 0.76923)  # shares of the run after which the rate rises once more …
+    choice_from: float = 0.23077  # … and after which the choice head is trained too
     minutes: float = 0.0  # 0: no limit; else the schedule is compressed into this much training time
     batch: int = 32
     rate: float = 1.5e-3

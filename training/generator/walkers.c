@@ -202,7 +202,7 @@ static void draw_digit(dmg_builder* b, const finger_style* f, uint32_t palm, int
         dmg_move(b, 0, 0.3f * thick, 0);
     }
     for (int i = 0; i < bones; ++i) {
-        float each = length * (i == 0 ? 1.3f : 1.0f) / ((float)bones + 0.3f), most = 1.5f - f->bent;
+        float each = length * (i == 0 ? 1.3f : 1.0f) / ((float)bones + 0.3f), most = (i ? 1.5f : 1.1f) - f->bent;
         dmg_turn(b, v3(1, 0, 0), f->bent);
         carrier = way > 0 ? dmg_hinge(b, carrier, name, v3(0, 0, 0), v3(1, 0, 0), -f->bent, most)
                           : dmg_hinge(b, carrier, name, v3(0, 0, 0), v3(-1, 0, 0), -most, f->bent);
@@ -242,7 +242,7 @@ void dmg_build_robot_hand(dmg_builder* b) {
     for (int i = 0; i < fingers; ++i) {
         float place = (float)i / (float)(fingers - 1) - 0.5f;
         dmg_save(b);
-        dmg_move(b, place * (wide - f.thick), 0.95f * palm - 0.25f * palm * place * place, 0);
+        dmg_move(b, place * (wide - f.thick), 0.97f * palm - 0.2f * palm * place * place, 0);
         draw_digit(b, &f, wrist, bones, length * (1.0f - 0.4f * fabsf(place)), "finger");
         dmg_restore(b);
     }
