@@ -61,7 +61,7 @@ static void estimate_limits(dmi_drag* drag) {
 void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size, dmi_give give) {
     drag->give = give;
     estimate_limits(drag);
-    if (count > 0) dmi_rivals_init(&drag->rivals, joints, count, size, give);
+    if (count > 0) dmi_rivals_init(&drag->rivals, joints, count, drag->rest_point, size, give);
 }
 
 /* What the part may be asked for, given where the pointer is; limits that yield come along. */

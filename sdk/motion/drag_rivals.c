@@ -12,6 +12,8 @@
 #define OTHER_SIDE (-0.7f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
 #define LAST_RESORT (-5.0f) /* log odds of a slide along an axis that nothing speaks for */
+#define GOOD_ARM 0.15f      /* of the part's size: nobody turns a part by a point much nearer to its axis … */
+#define LEAST_ARM 0.05f     /* … of that; but a hand may land there */
 #define AT_ONCE 2           /* rivals weighed an update, beside the best */
 #define STALE 0.05f         /* how much likelier a rival may have become in each round that left it out, log */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
@@ -55,8 +57,18 @@ static float prior_of(const dm_joint* joint) {
     return logf(p / (1 - p));
 }
 
+/* What speaks against a turn by the place where the part was taken hold of: about an axis close by, any small pull is
+ * explained, by a large turn. */
+static float arm_cost(const dmi_rivals* rivals, const dm_joint* joint) {
+    if (!dmi_joint_turns(joint->type)) return 0;
+    const dm_joint grabbed = {.origin = {rivals->grab[0], rivals->grab[1], rivals->grab[2]}};
+    const float arm = distance_of_lines(joint, &grabbed) / (GOOD_ARM * rivals->size);
+    return logf(fminf(fmaxf(arm, LEAST_ARM), 1));
+}
+
 static void add(dmi_rivals* rivals, const dm_joint* joint, float prior, int open) {
     if (rivals->count == DMI_RIVALS || joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
+    prior += arm_cost(rivals, joint);
     rivals->hope[rivals->count] = prior;
     rivals->list[rivals->count++] =
         (dmi_rival){.joint = *joint, .side = side_of(joint), .open = open, .prior = prior, .score = prior};
@@ -68,8 +80,9 @@ void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint) {
     add(rivals, &unlimited, prior_of(joint) + 0.5f * OTHER_SIDE, 1); /* the side may be either */
 }
 
-void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size, dmi_give give) {
-    *rivals = (dmi_rivals){.size = size, .give = give};
+void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, const float grab_point[3], float size,
+                     dmi_give give) {
+    *rivals = (dmi_rivals){.grab = {grab_point[0], grab_point[1], grab_point[2]}, .size = size, .give = give};
     for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) add(rivals, &joints[i], prior_of(&joints[i]), 0);
     if (rivals->count == 0) return;
     for (int i = 0; i < 3; i++) {

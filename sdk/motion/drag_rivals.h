@@ -30,6 +30,7 @@ typedef struct dmi_rivals {
     uint32_t count, best;   /* best: in force */
     float hope[DMI_RIVALS]; /* by which they are weighed: the score, and what comes with waiting */
     uint32_t round;         /* of weighing */
+    float grab[3];          /* where the part was taken hold of, at rest */
     float size;             /* of the part */
     dmi_give give;
     float pull; /* how far the pointer went from the grabbed point, at its depth, at most */
@@ -37,7 +38,8 @@ typedef struct dmi_rivals {
 
 /* joints[0] is in force. Adds the other side of ranges that begin at rest: which way a part opens is easily mistaken.
  */
-void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, float size, dmi_give give);
+void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, const float grab_point[3], float size,
+                     dmi_give give);
 /* One more, of which no range is known; one too many is left out. */
 void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint);
 /* Weighs the best, which asks for `wish` on its side of rest, and the likeliest of the others by one more ray; not all,
