@@ -2,6 +2,7 @@
  * (paper §3.5; docs/networks.md is the specification). */
 #include "kinematics/kpp_input.h"
 
+#include "base/cpu.h"
 #include "kinematics/directions.h"
 #include "kinematics/linear3.h"
 
@@ -178,8 +179,8 @@ static void split_columns(const dmi_cloud* cloud, columns* out) {
 }
 
 /* best[k] becomes the least of itself and the square of the distance from the k-th point; a loop that vectorises. */
-static void least_squares(const float* restrict x, const float* restrict y, const float* restrict z,
-                          const float from[3], float* restrict best) {
+static inline void least_squares(const float* restrict x, const float* restrict y, const float* restrict z,
+                                 const float from[3], float* restrict best) {
     const float a = from[0], b = from[1], c = from[2];
     for (int k = 0; k < LANES; k++) {
         const float dx = x[k] - a, dy = y[k] - b, dz = z[k] - c;
@@ -189,12 +190,31 @@ static void least_squares(const float* restrict x, const float* restrict y, cons
 }
 
 /* Squared distance to the nearest of `count` (a multiple of LANES) points. */
-static float nearest_square(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
+static inline float nearest_of(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
     float best[LANES];
     for (int k = 0; k < LANES; k++) best[k] = INFINITY;
     for (uint32_t i = first; i < first + count; i += LANES) least_squares(c->x + i, c->y + i, c->z + i, from, best);
     for (int k = 1; k < LANES; k++) best[0] = best[k] < best[0] ? best[k] : best[0];
     return best[0];
+}
+
+static float nearest_plain(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
+    return nearest_of(c, first, count, from);
+}
+
+#if defined(__x86_64__)
+/* The same operations, eight at a time; without FMA, so the same bits. */
+__attribute__((target("avx2"))) static float nearest_avx2(const columns* c, uint32_t first, uint32_t count,
+                                                          const float from[3]) {
+    return nearest_of(c, first, count, from);
+}
+#endif
+
+static float nearest_square(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
+#if defined(__x86_64__)
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) return nearest_avx2(c, first, count, from);
+#endif
+    return nearest_plain(c, first, count, from);
 }
 
 static void choose_points(const dmi_cloud* cloud, const quarter* q, const dmi_kpp_frame* frame, points* out) {
