@@ -282,6 +282,14 @@ static void write_group(const points* p, const drag_channels* drag, uint32_t cen
     }
 }
 
+static uint32_t first_largest(const float* values, uint32_t count) {
+    uint32_t at = 0;
+    float most = values[0];
+    for (uint32_t i = 1; i < count; i++)
+        if (values[i] > most) most = values[i], at = i;
+    return at;
+}
+
 /* Farthest-point sampling from point 0 on over the first `count` points, a group round every centre. */
 static void make_groups(const points* p, const drag_channels* drag, uint32_t count, uint32_t groups,
                         float (*out_points)[DMI_KPP_GROUP][DMI_KPP_CHANNELS], float (*out_centres)[3]) {
@@ -294,12 +302,8 @@ static void make_groups(const points* p, const drag_channels* drag, uint32_t cou
         nearest(distance, count, centre, members);
         write_group(p, drag, centre, members, out_points[g]);
         for (int k = 0; k < 3; k++) out_centres[g][k] = p->y[k][centre];
-        uint32_t farthest = 0;
-        for (uint32_t i = 0; i < count; i++) {
-            cover[i] = cover[i] < distance[i] ? cover[i] : distance[i];
-            if (cover[i] > cover[farthest]) farthest = i;
-        }
-        centre = farthest;
+        for (uint32_t i = 0; i < count; i++) cover[i] = cover[i] < distance[i] ? cover[i] : distance[i];
+        centre = first_largest(cover, count);
     }
 }
 
