@@ -50,7 +50,7 @@ typedef struct dmi_kpp_input {
 /* quarter: which of the cloud's points are looked at, below DMI_KPP_QUARTERS; the network is trained on the first. hint
  * NULL: without a drag. Deterministic; allocates nothing. */
 void dmi_kpp_input_make(const dmi_cloud* cloud, uint32_t quarter, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
-/* The same in a frame whose second and third axis point the other way. */
+/* The same in a frame whose second and third axis point the other way; out_input may be input. */
 void dmi_kpp_input_turn(const dmi_kpp_input* input, dmi_kpp_input* out_input);
 
 #endif
