@@ -198,10 +198,6 @@ static inline float nearest_of(const columns* c, uint32_t first, uint32_t count,
     return best[0];
 }
 
-static float nearest_plain(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
-    return nearest_of(c, first, count, from);
-}
-
 #if defined(__x86_64__)
 /* The same operations, eight at a time; without FMA, so the same bits. */
 __attribute__((target("avx2"))) static float nearest_avx2(const columns* c, uint32_t first, uint32_t count,
@@ -214,7 +210,7 @@ static float nearest_square(const columns* c, uint32_t first, uint32_t count, co
 #if defined(__x86_64__)
     if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) return nearest_avx2(c, first, count, from);
 #endif
-    return nearest_plain(c, first, count, from);
+    return nearest_of(c, first, count, from);
 }
 
 static void choose_points(const dmi_cloud* cloud, const quarter* q, const dmi_kpp_frame* frame, points* out) {
