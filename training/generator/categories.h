@@ -258,7 +258,14 @@
     /* walkers.c */                                                                                                    \
     X(plate_legs)                                                                                                      \
     X(insect_robot)                                                                                                    \
-    X(robot_hand)
+    X(robot_hand)                                                                                                      \
+    /* models.c */                                                                                                     \
+    X(bare_model)                                                                                                      \
+    /* boards.c */                                                                                                     \
+    X(task_board)                                                                                                      \
+    /* lifts.c */                                                                                                      \
+    X(lift_column)                                                                                                     \
+    X(stacked_axes)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
