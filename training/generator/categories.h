@@ -265,7 +265,10 @@
     X(task_board)                                                                                                      \
     /* lifts.c */                                                                                                      \
     X(lift_column)                                                                                                     \
-    X(stacked_axes)
+    X(stacked_axes)                                                                                                    \
+    /* screens.c */                                                                                                    \
+    X(monitor)                                                                                                         \
+    X(convertible)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
