@@ -268,7 +268,12 @@
     X(stacked_axes)                                                                                                    \
     /* screens.c */                                                                                                    \
     X(monitor)                                                                                                         \
-    X(convertible)
+    X(convertible)                                                                                                     \
+    /* microscopes.c */                                                                                                \
+    X(microscope)                                                                                                      \
+    /* sights.c */                                                                                                     \
+    X(theodolite)                                                                                                      \
+    X(sextant)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
