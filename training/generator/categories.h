@@ -273,7 +273,18 @@
     X(microscope)                                                                                                      \
     /* sights.c */                                                                                                     \
     X(theodolite)                                                                                                      \
-    X(sextant)
+    X(sextant)                                                                                                         \
+    /* crawlers.c */                                                                                                   \
+    X(flipper_robot)                                                                                                   \
+    X(rover)                                                                                                           \
+    /* exoskeletons.c */                                                                                               \
+    X(exoskeleton)                                                                                                     \
+    /* parallels.c */                                                                                                  \
+    X(parallel_robot)                                                                                                  \
+    /* thrusters.c */                                                                                                  \
+    X(tilt_rotor)                                                                                                      \
+    /* heads.c */                                                                                                      \
+    X(sensor_head)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
