@@ -1,10 +1,8 @@
 /* Every category: one function that draws it, one row here that names it. */
 #ifndef DMG_CATEGORIES_H
 #define DMG_CATEGORIES_H
-
-#include "build.h"
-
-#define DMG_CATEGORIES(X)                                                                                              \
+    #include "build.h"                                                                                                 \
+    #define DMG_CATEGORIES(X)                                                                                          \
     /* storage.c */                                                                                                    \
     X(kitchen_cabinet)                                                                                                 \
     X(cabinet)                                                                                                         \
@@ -284,7 +282,14 @@
     /* thrusters.c */                                                                                                  \
     X(tilt_rotor)                                                                                                      \
     /* heads.c */                                                                                                      \
-    X(sensor_head)
+    X(sensor_head)                                                                                                     \
+    /* siege.c */                                                                                                      \
+    X(siege_engine)                                                                                                    \
+    /* arms.c */                                                                                                       \
+    X(firearm)                                                                                                         \
+    X(crossbow)                                                                                                        \
+    /* wands.c */                                                                                                      \
+    X(wand_controller)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
