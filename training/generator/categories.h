@@ -289,7 +289,11 @@
     X(firearm)                                                                                                         \
     X(crossbow)                                                                                                        \
     /* wands.c */                                                                                                      \
-    X(wand_controller)
+    X(wand_controller)                                                                                                 \
+    /* vaults.c */                                                                                                     \
+    X(sarcophagus)                                                                                                     \
+    X(well)                                                                                                            \
+    X(dungeon_gate)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

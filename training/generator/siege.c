@@ -276,9 +276,10 @@ static void draw_catapult(dmg_builder* b) {
     if (wheels) draw_running_gear(b, half + t, 0.35f * length, -0.35f * length, floor + 0.5f * t);
     /* Drawn upright against the bar; hauled down behind. */
     float most = acosf(fminf(0.99f, (pin - deck + 3.0f * t) / arm));
-    dmg_hinge(b, 0, "arm", v3(0, pin, z), v3(-1, 0, 0), 0.0f, fminf(1.3f, most));
-    if (dmg_chance(b, 0.7f))
-        dmg_rod(b, v3(-0.9f * half, pin, z), v3(0.9f * half, pin, z), dmg_range(b, 0.6f, 1.4f) * t);
+    uint32_t lever = dmg_hinge(b, 0, "arm", v3(0, pin, z), v3(-1, 0, 0), 0.0f, fminf(1.3f, most));
+    if (dmg_chance(b, 0.6f)) dmg_use(b, 0); /* a twisted rope from frame to frame, or an axle of its own */
+    dmg_rod(b, v3(-half, pin, z), v3(half, pin, z), dmg_range(b, 0.6f, 1.4f) * t);
+    dmg_use(b, lever);
     dmg_box_span(b, v3(-t, pin, z - t), v3(t, pin + arm, z + t));
     dmg_save(b);
     dmg_move(b, 0, pin + arm, z);
