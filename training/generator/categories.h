@@ -293,7 +293,11 @@
     /* vaults.c */                                                                                                     \
     X(sarcophagus)                                                                                                     \
     X(well)                                                                                                            \
-    X(dungeon_gate)
+    X(dungeon_gate)                                                                                                    \
+    /* hoods.c */                                                                                                      \
+    X(grill)                                                                                                           \
+    /* bread_bins.c */                                                                                                 \
+    X(bread_bin)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
