@@ -1,8 +1,10 @@
 /* Every category: one function that draws it, one row here that names it. */
 #ifndef DMG_CATEGORIES_H
 #define DMG_CATEGORIES_H
-    #include "build.h"                                                                                                 \
-    #define DMG_CATEGORIES(X)                                                                                          \
+
+#include "build.h"
+
+#define DMG_CATEGORIES(X)                                                                                              \
     /* storage.c */                                                                                                    \
     X(kitchen_cabinet)                                                                                                 \
     X(cabinet)                                                                                                         \
