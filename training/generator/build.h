@@ -119,6 +119,8 @@ void dmg_beam(dmg_builder* b, dmg_vec from, dmg_vec to, float width, float heigh
 /* A cylinder or cone along the segment, capped where its radius is not zero. */
 void dmg_cone(dmg_builder* b, dmg_vec from, dmg_vec to, float radius_from, float radius_to);
 void dmg_rod(dmg_builder* b, dmg_vec from, dmg_vec to, float radius);
+/* A cylinder with half a ball beyond both its ends, one shell. */
+void dmg_capsule(dmg_builder* b, dmg_vec from, dmg_vec to, float radius);
 /* Profile of (radius, height) pairs turned about the axis through `origin`; a solid has its profile going up outside.
  */
 void dmg_lathe(dmg_builder* b, dmg_vec origin, dmg_vec axis, const dmg_xy* profile, int count);

@@ -299,7 +299,11 @@
     /* hoods.c */                                                                                                      \
     X(grill)                                                                                                           \
     /* bread_bins.c */                                                                                                 \
-    X(bread_bin)
+    X(bread_bin)                                                                                                       \
+    /* primitives.c */                                                                                                 \
+    X(collision_model)                                                                                                 \
+    /* hands.c */                                                                                                      \
+    X(finger_hand)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

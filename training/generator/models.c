@@ -18,23 +18,10 @@ static bare pick_bare(dmg_builder* b, float thick) {
     return s;
 }
 
-/* A cylinder with round ends, one shell. */
-static void draw_capsule(dmg_builder* b, dmg_vec from, dmg_vec to, float radius) {
-    enum { CAP = 4 };
-    float length = v3_length(v3_sub(to, from));
-    dmg_xy profile[2 * CAP];
-    for (int i = 0; i < CAP; ++i) {
-        float angle = 0.5f * DMG_PI * (float)i / (CAP - 1), out = i == CAP - 1 ? radius : radius * sinf(angle);
-        profile[i] = (dmg_xy){out, -radius * cosf(angle)};
-        profile[2 * CAP - 1 - i] = (dmg_xy){out, length + radius * cosf(angle)};
-    }
-    dmg_lathe(b, from, v3_sub(to, from), profile, 2 * CAP);
-}
-
 static void draw_link(dmg_builder* b, const bare* s, dmg_vec from, dmg_vec to) {
     dmg_vec start = v3_lerp(from, to, s->gap), end = v3_lerp(to, from, s->gap);
     float t = s->thick;
-    if (s->link == 0) draw_capsule(b, start, end, 0.5f * t);
+    if (s->link == 0) dmg_capsule(b, start, end, 0.5f * t);
     if (s->link == 1) dmg_beam(b, start, end, t, t);
     if (s->link == 2) dmg_rod(b, start, end, 0.5f * t);
     if (s->link == 3) dmg_cone(b, start, end, 0.6f * t, 0.35f * t);

@@ -135,6 +135,18 @@ void dmg_rod(dmg_builder* b, dmg_vec from, dmg_vec to, float radius) {
     dmg_cone(b, from, to, radius, radius);
 }
 
+void dmg_capsule(dmg_builder* b, dmg_vec from, dmg_vec to, float radius) {
+    enum { CAP = 4 };
+    float length = v3_length(v3_sub(to, from));
+    dmg_xy profile[2 * CAP];
+    for (int i = 0; i < CAP; ++i) {
+        float angle = 0.5f * DMG_PI * (float)i / (CAP - 1), out = i == CAP - 1 ? radius : radius * sinf(angle);
+        profile[i] = (dmg_xy){out, -radius * cosf(angle)};
+        profile[2 * CAP - 1 - i] = (dmg_xy){out, length + radius * cosf(angle)};
+    }
+    dmg_lathe(b, from, v3_sub(to, from), profile, 2 * CAP);
+}
+
 /* Latitudes from `low` to `high` (rad). */
 static void ellipsoid(dmg_builder* b, dmg_vec centre, dmg_vec radii, float low, float high) {
     enum { ROWS = 6 };
