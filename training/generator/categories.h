@@ -303,7 +303,15 @@
     /* primitives.c */                                                                                                 \
     X(collision_model)                                                                                                 \
     /* hands.c */                                                                                                      \
-    X(finger_hand)
+    X(finger_hand)                                                                                                     \
+    /* diggers.c */                                                                                                    \
+    X(excavator)                                                                                                       \
+    /* lifters.c */                                                                                                    \
+    X(forklift)                                                                                                        \
+    /* tippers.c */                                                                                                    \
+    X(tipper)                                                                                                          \
+    /* aerials.c */                                                                                                    \
+    X(service_truck)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
