@@ -311,7 +311,15 @@
     /* tippers.c */                                                                                                    \
     X(tipper)                                                                                                          \
     /* aerials.c */                                                                                                    \
-    X(service_truck)
+    X(service_truck)                                                                                                   \
+    /* pulls.c */                                                                                                      \
+    X(push_pull_panel)                                                                                                 \
+    X(sunk_wheels)                                                                                                     \
+    /* gates.c */                                                                                                      \
+    X(gate_lever)                                                                                                      \
+    X(ship_control)                                                                                                    \
+    /* horizons.c */                                                                                                   \
+    X(horizon_gauge)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
