@@ -126,8 +126,9 @@ static void draw_shifter(dmg_builder* b, const gate* g, int grip) {
     dmg_hinge(b, cross, "shift", v3(0, 0, low), v3(-1, 0, 0), -0.4f, 0.4f);
     dmg_cone(b, v3(0, 0, low), v3(0, 0, g->out), 0.25f * r, 0.15f * r);
     for (int i = 0; i < 4 && boot == 1; ++i) /* rings of a gaiter */
-        dmg_torus(b, v3(0, 0, 0.1f * g->out * (float)i), v3(0, 0, 1), r * (1.2f - 0.22f * (float)i), 0.15f * r);
-    if (boot == 2) dmg_cone(b, v3(0, 0, 0), v3(0, 0, 0.4f * g->out), 1.2f * r, 0.3f * r);
+        dmg_torus(b, v3(0, 0, 0.45f * r + 0.1f * g->out * (float)i), v3(0, 0, 1), r * (1.1f - 0.22f * (float)i),
+                  0.15f * r);
+    if (boot == 2) dmg_cone(b, v3(0, 0, 0.4f * r), v3(0, 0, 0.4f * r + 0.3f * g->out), r, 0.3f * r);
     dmg_move(b, 0, 0, g->out);
     draw_grip(b, grip == 1 ? 0 : grip, r);
     dmg_use(b, 0);
