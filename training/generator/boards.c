@@ -49,7 +49,8 @@ static void draw_door_task(dmg_builder* b, float w, float h) {
         float at = 0.75f * y * (2.0f * (float)i / (float)(knuckles - 1) - 1.0f);
         dmg_rod(b, v3(line, at - 0.1f * y, 0), v3(line, at + 0.1f * y, 0), 0.35f * t);
     }
-    dmg_move(b, -side * x * dmg_range(b, 0.6f, 0.85f), y * dmg_range(b, -0.3f, 0.3f), 0);
+    float edge = dmg_range(b, 0.6f, 0.85f);
+    dmg_move(b, -side * x * edge, y * dmg_range(b, -0.3f, 0.3f), 0);
     if (dmg_chance(b, 0.65f))
         draw_lever_handle(b, leaf, x * dmg_range(b, 0.25f, 0.6f), -side);
     else {
@@ -250,11 +251,11 @@ static void draw_dial_task(dmg_builder* b, float w, float h) {
         dmg_use(b, 0);
         return;
     }
-    float swing = dmg_range(b, 0.6f, 2.8f);
+    float swing = dmg_range(b, 0.6f, 2.8f), back = dmg_chance(b, 0.5f) ? 0.0f : swing;
     if (dmg_chance(b, 0.4f))
         dmg_spin(b, 0, "dial", v3(0, 0, 0), v3(0, 0, 1));
     else
-        dmg_hinge(b, 0, "dial", v3(0, 0, 0), v3(0, 0, dmg_sign(b)), dmg_chance(b, 0.5f) ? 0.0f : -swing, swing);
+        dmg_hinge(b, 0, "dial", v3(0, 0, 0), v3(0, 0, dmg_sign(b)), -back, swing);
     if (kind <= 1) dmg_knob_draw(b, dmg_int(b, 0, DMG_KNOB_KINDS - 1), 0.85f * r, high);
     if (kind == 2) { /* a key */
         dmg_box(b, v3(0, 0, 0.3f * high), v3(t, 4 * t, 0.8f * high));
@@ -267,7 +268,8 @@ static void draw_dial_task(dmg_builder* b, float w, float h) {
     if (kind == 4) {
         dmg_rod(b, v3(0, 0, 0), v3(0, 0, high), 0.15f * r);
         dmg_move(b, 0, 0, high);
-        dmg_wheel_draw(b, 2 * dmg_int(b, 0, 3), r, 1.5f * t, dmg_int(b, 3, 6));
+        int wheel = 2 * dmg_int(b, 0, 3);
+        dmg_wheel_draw(b, wheel, r, 1.5f * t, dmg_int(b, 3, 6));
         if (dmg_chance(b, 0.5f)) dmg_rod(b, v3(0, 0.8f * r, 0), v3(0, 0.8f * r, 0.6f * r), 1.2f * t);
     }
     dmg_use(b, 0);

@@ -32,7 +32,7 @@ static void draw_axle_wheel(dmg_builder* b, int kind, dmg_vec at, float radius, 
 /* A track about the wheels at `from` and `to`, (z, y), its middle at x = 0, `wide` across; onto `carrier`. */
 static void draw_track(dmg_builder* b, const track* t, uint32_t carrier, dmg_xy from, float r0, dmg_xy to, float r1,
                        float wide) {
-    enum { HALF = 7 };
+    enum { HALF = 5 };
     dmg_xy outer[2 * HALF], inner[2 * HALF];
     float belt = 0.15f * fminf(r0, r1);
     stadium_outline(from, r0, to, r1, HALF, outer);
@@ -55,7 +55,8 @@ static void draw_track(dmg_builder* b, const track* t, uint32_t carrier, dmg_xy 
         if (dmg_chance(b, 0.5f)) dmg_rod(b, v3(-0.55f * wide, to.y, to.x), v3(0.55f * wide, to.y, to.x), 0.5f * r1);
         return;
     }
-    int road = (int)(v3_length(v3(to.x - from.x, to.y - from.y, 0)) / (2.4f * fmaxf(r0, r1)));
+    int room = (int)(v3_length(v3(to.x - from.x, to.y - from.y, 0)) / (2.4f * fmaxf(r0, r1))),
+        road = room < 3 ? room : 3;
     for (int i = 0; i <= road + 1; ++i) {
         float share = (float)i / (float)(road + 1), r = r0 + (r1 - r0) * share - 1.1f * belt;
         dmg_vec at = {0, from.y + (to.y - from.y) * share, from.x + (to.x - from.x) * share};
@@ -74,7 +75,8 @@ static void draw_deck_arm(dmg_builder* b, float size) {
     dmg_vec at = {0, 1.5f * t, 0};
     for (int i = dmg_int(b, 2, 3); i > 0; --i) {
         dmg_vec to = v3_mad(at, v3(0, sinf(lean), -cosf(lean)), size * dmg_range(b, 0.35f, 0.7f));
-        carrier = dmg_hinge(b, carrier, "arm", at, v3(dmg_sign(b), 0, 0), -0.5f, dmg_range(b, 0.3f, 0.9f));
+        float open = dmg_range(b, 0.3f, 0.9f);
+        carrier = dmg_hinge(b, carrier, "arm", at, v3(dmg_sign(b), 0, 0), -0.5f, open);
         dmg_rod(b, v3_add(at, v3(-t, 0, 0)), v3_add(at, v3(t, 0, 0)), 0.7f * t);
         dmg_beam(b, at, to, t, t);
         at = to;
@@ -167,7 +169,8 @@ void dmg_build_flipper_robot(dmg_builder* b) {
     float length = dmg_scale_range(b, 0.2f, 2.5f), half = 0.5f * length, r = length * dmg_range(b, 0.09f, 0.22f),
           wide = length * dmg_range(b, 0.08f, 0.22f), hull = length * dmg_range(b, 0.25f, 0.6f),
           high = r * dmg_range(b, 0.8f, 1.7f), lift = dmg_chance(b, 0.3f) ? r * dmg_range(b, 0.3f, 1.0f) : 0.0f;
-    track main = {dmg_int(b, 0, 3), dmg_int(b, 0, 3), false}, small = main;
+    track main = {dmg_int(b, 0, 3), 0, false}, small = main;
+    main.wheel = small.wheel = dmg_int(b, 0, 2);
     main.turn = dmg_chance(b, 0.7f);
     if (dmg_chance(b, 0.5f)) small.kind = dmg_int(b, 0, 2);
     small.turn = main.turn && dmg_chance(b, 0.5f);
@@ -288,9 +291,8 @@ static void draw_wheg(dmg_builder* b, const rover* r) {
 void dmg_build_rover(dmg_builder* b) {
     float length = dmg_scale_range(b, 0.2f, 2.5f), hull = length * dmg_range(b, 0.3f, 0.6f),
           high = length * dmg_range(b, 0.08f, 0.3f);
-    rover r = {.half = 0.5f * length,
-               .radius = length * dmg_range(b, 0.09f, 0.18f),
-               .wheel = dmg_int(b, 0, DMG_WHEEL_KINDS - 2)};
+    rover r = {.half = 0.5f * length, .radius = length * dmg_range(b, 0.09f, 0.18f)};
+    r.wheel = dmg_int(b, 0, DMG_WHEEL_KINDS - 2);
     r.width = r.radius * dmg_range(b, 0.3f, 1.0f);
     r.bar = length * dmg_range(b, 0.025f, 0.06f);
     r.link = dmg_int(b, 0, 3);
@@ -299,7 +301,7 @@ void dmg_build_rover(dmg_builder* b) {
     bool knee = kind == 2;
     float pivot = r.radius * (knee ? dmg_range(b, 2.5f, 5.0f) : dmg_range(b, 1.7f, 3.2f)),
           lean = dmg_range(b, -0.7f, 0.7f), swing = dmg_range(b, 0.3f, 0.9f);
-    if (kind == 1) lean = dmg_sign(b) * dmg_range(b, 0.3f, 0.9f);
+    if (kind == 1) lean = lean < 0 ? -dmg_range(b, 0.3f, 0.9f) : dmg_range(b, 0.3f, 0.9f);
     if (kind == 3) pivot = r.radius *= 1.4f;
     dmg_save(b);
     dmg_move(b, 0, pivot + 0.3f * high, 0);

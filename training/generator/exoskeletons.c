@@ -124,7 +124,9 @@ static void draw_exo_arm(dmg_builder* b, const exo* e, uint32_t back, dmg_vec ro
 void dmg_build_exoskeleton(dmg_builder* b) {
     float size = dmg_scale_range(b, 0.15f, 1.2f), hips = size * dmg_range(b, 0.3f, 0.5f),
           back = size * dmg_range(b, 0.2f, 0.9f);
-    exo e = {.thigh = size * dmg_range(b, 0.6f, 0.9f), .t = size * dmg_range(b, 0.03f, 0.08f), .bar = dmg_int(b, 0, 4)};
+    exo e = {.thigh = size * dmg_range(b, 0.6f, 0.9f)};
+    e.t = size * dmg_range(b, 0.03f, 0.08f);
+    e.bar = dmg_int(b, 0, 4);
     e.shank = e.thigh * dmg_range(b, 0.85f, 1.1f);
     e.drum = size * dmg_range(b, 0.06f, 0.12f);
     e.thin = e.drum * dmg_range(b, 0.3f, 0.9f);

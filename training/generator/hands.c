@@ -12,7 +12,9 @@ typedef struct digit {
 } digit;
 
 static digit pick_digit(dmg_builder* b, float palm) {
-    digit d = {.links = dmg_int(b, 1, 3), .shape = dmg_int(b, 0, 4), .length = palm * dmg_range(b, 0.7f, 1.8f)};
+    digit d = {.links = dmg_int(b, 1, 3)};
+    d.shape = dmg_int(b, 0, 4);
+    d.length = palm * dmg_range(b, 0.7f, 1.8f);
     d.wide = palm * dmg_range(b, 0.14f, 0.3f);
     d.deep = palm * dmg_range(b, 0.12f, 0.28f);
     d.bend = dmg_range(b, 0.1f, 0.7f);

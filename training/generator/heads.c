@@ -44,7 +44,8 @@ static void draw_dome_camera(dmg_builder* b) {
             dmg_box(b, v3((float)i * (r + 0.1f * s), -high - 0.6f * r, 0), v3(0.15f * s, 1.6f * r, 0.7f * s));
     }
     float y = -high - (shell == 2 ? 0.9f * r : 0.0f);
-    uint32_t eye = dmg_hinge(b, pan, "tilt", v3(0, y, 0), v3(dmg_sign(b), 0, 0), -0.8f, dmg_range(b, 0.5f, 1.4f));
+    float down = dmg_range(b, 0.5f, 1.4f);
+    uint32_t eye = dmg_hinge(b, pan, "tilt", v3(0, y, 0), v3(dmg_sign(b), 0, 0), -0.8f, down);
     dmg_save(b);
     dmg_move(b, 0, y, 0);
     dmg_turn(b, v3(1, 0, 0), dmg_range(b, 0.2f, 1.0f));
@@ -185,6 +186,29 @@ static void draw_eye(dmg_builder* b, uint32_t head, float r, bool lids) {
     dmg_use(b, head);
 }
 
+/* Eyes on a bar, perhaps a skull behind them and a jaw below. */
+static void draw_face(dmg_builder* b, uint32_t head, float s) {
+    float r = s * dmg_range(b, 0.16f, 0.26f);
+    bool lids = dmg_chance(b, 0.6f), skull = dmg_chance(b, 0.6f);
+    if (skull) dmg_ellipsoid(b, v3(0, 0.75f * s, -0.55f * s), v3(0.7f * s, 0.8f * s, 0.5f * s));
+    dmg_box(b, v3(0, 0.75f * s, -1.3f * r), v3(1.3f * s, 0.15f * s, 0.15f * s));
+    dmg_box(b, v3(0, 0.35f * s, -1.3f * r), v3(0.3f * s, 0.9f * s, 0.15f * s));
+    for (int i = -1; i <= 1; i += 2) {
+        dmg_save(b);
+        dmg_move(b, (float)i * 0.38f * s, 0.85f * s, 0);
+        dmg_box(b, v3(0, -0.1f * s, -1.2f * r), v3(0.5f * r, 0.5f * r, 0.6f * r));
+        draw_eye(b, head, r, lids);
+        dmg_restore(b);
+    }
+    if (dmg_chance(b, 0.7f)) { /* the jaw hangs behind and below */
+        dmg_hinge(b, head, "jaw", v3(0, 0.45f * s, -0.4f * s), v3(1, 0, 0), 0.0f, dmg_range(b, 0.3f, 0.7f));
+        for (int i = -1; i <= 1; i += 2)
+            dmg_beam(b, v3((float)i * 0.5f * s, 0.45f * s, -0.4f * s), v3((float)i * 0.35f * s, 0.2f * s, 0.1f * s),
+                     0.08f * s, 0.15f * s);
+        dmg_box(b, v3(0, 0.2f * s, 0.12f * s), v3(0.8f * s, 0.15f * s, 0.12f * s));
+    }
+}
+
 /* A head on a neck: a bar with two cameras, a screen, or a face with eyes, brows and a jaw. */
 static void draw_head(dmg_builder* b) {
     float s = dmg_scale_range(b, 0.05f, 0.5f), neck = s * dmg_range(b, 0.3f, 1.5f), t = 0.15f * s,
@@ -225,27 +249,7 @@ static void draw_head(dmg_builder* b) {
             dmg_use(b, head);
         }
     }
-    if (kind == 2) {
-        float r = s * dmg_range(b, 0.16f, 0.26f);
-        bool lids = dmg_chance(b, 0.6f), skull = dmg_chance(b, 0.6f);
-        if (skull) dmg_ellipsoid(b, v3(0, 0.75f * s, -0.55f * s), v3(0.7f * s, 0.8f * s, 0.5f * s));
-        dmg_box(b, v3(0, 0.75f * s, -1.3f * r), v3(1.3f * s, 0.15f * s, 0.15f * s));
-        dmg_box(b, v3(0, 0.35f * s, -1.3f * r), v3(0.3f * s, 0.9f * s, 0.15f * s));
-        for (int i = -1; i <= 1; i += 2) {
-            dmg_save(b);
-            dmg_move(b, (float)i * 0.38f * s, 0.85f * s, 0);
-            dmg_box(b, v3(0, -0.1f * s, -1.2f * r), v3(0.5f * r, 0.5f * r, 0.6f * r));
-            draw_eye(b, head, r, lids);
-            dmg_restore(b);
-        }
-        if (dmg_chance(b, 0.7f)) { /* the jaw hangs behind and below */
-            dmg_hinge(b, head, "jaw", v3(0, 0.45f * s, -0.4f * s), v3(1, 0, 0), 0.0f, dmg_range(b, 0.3f, 0.7f));
-            for (int i = -1; i <= 1; i += 2)
-                dmg_beam(b, v3((float)i * 0.5f * s, 0.45f * s, -0.4f * s), v3((float)i * 0.35f * s, 0.2f * s, 0.1f * s),
-                         0.08f * s, 0.15f * s);
-            dmg_box(b, v3(0, 0.2f * s, 0.12f * s), v3(0.8f * s, 0.15f * s, 0.12f * s));
-        }
-    }
+    if (kind == 2) draw_face(b, head, s);
     dmg_use(b, 0);
 }
 

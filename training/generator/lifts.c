@@ -247,7 +247,8 @@ static uint32_t draw_axis(dmg_builder* b, const axis_style* s, uint32_t carrier,
 static void draw_stack(dmg_builder* b) {
     float w = dmg_scale_range(b, 0.02f, 0.4f), length = w * dmg_range(b, 2.5f, 9.0f);
     int axes = dmg_int(b, 1, 3), order = dmg_int(b, 0, 2);
-    axis_style s = {dmg_int(b, 0, 3), dmg_int(b, 0, 2), false};
+    axis_style s = {.body = dmg_int(b, 0, 3)};
+    s.table = dmg_int(b, 0, 2);
     s.motor = dmg_chance(b, 0.5f);
     if (dmg_chance(b, 0.4f)) {
         dmg_box(b, v3(0, 0.2f * w, 0), v3(1.2f * length, 0.4f * w, 0.8f * length));

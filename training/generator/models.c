@@ -12,7 +12,9 @@ typedef struct bare {
 } bare;
 
 static bare pick_bare(dmg_builder* b, float thick) {
-    bare s = {.link = dmg_int(b, 0, 5), .pin = dmg_int(b, 0, 2), .thick = thick, .taper = dmg_range(b, 0.75f, 1.0f)};
+    bare s = {.link = dmg_int(b, 0, 5), .thick = thick};
+    s.pin = dmg_int(b, 0, 2);
+    s.taper = dmg_range(b, 0.75f, 1.0f);
     s.gap = dmg_chance(b, 0.4f) ? dmg_range(b, 0.03f, 0.2f) : 0.0f;
     if (dmg_chance(b, 0.2f)) s.gap = -dmg_range(b, 0.02f, 0.1f);
     return s;
@@ -100,8 +102,8 @@ static void draw_cart_pole(dmg_builder* b) {
         int poles = i == 0 || dmg_chance(b, 0.5f) ? dmg_int(b, 1, 3) : 0;
         float lean = dmg_range(b, -0.3f, 0.3f), up = hangs ? -1.0f : 1.0f;
         dmg_vec root = {0, at == 1 ? 0.5f * sy : 0, at == 2 ? 0.5f * sz + 0.6f * style.thick : 0};
-        draw_chain(b, style, cart, "pole", root, v3(sinf(lean), up * cosf(lean), 0), v3(0, 0, 1), pole, poles,
-                   hangs && dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, 0.8f, 1.4f));
+        float swing = hangs && dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, 0.8f, 1.4f);
+        draw_chain(b, style, cart, "pole", root, v3(sinf(lean), up * cosf(lean), 0), v3(0, 0, 1), pole, poles, swing);
         dmg_use(b, 0);
         dmg_restore(b);
     }
@@ -143,7 +145,8 @@ static void draw_pendulum(dmg_builder* b) {
         dmg_spin(b, last, "reaction_wheel", hub, v3(0, 0, 1));
         dmg_save(b);
         dmg_move(b, hub.x, hub.y, hub.z + 0.4f * thick);
-        dmg_wheel_draw(b, dmg_int(b, 0, 3), length * dmg_range(b, 0.15f, 0.4f), 0.8f * thick, 4);
+        int wheel = dmg_int(b, 0, 3);
+        dmg_wheel_draw(b, wheel, length * dmg_range(b, 0.15f, 0.4f), 0.8f * thick, 4);
         dmg_restore(b);
     }
     dmg_use(b, 0);
@@ -263,6 +266,28 @@ static void draw_creature(dmg_builder* b) {
 
 /* ---- one shape beside another ---- */
 
+/* A flap beside a board: turns about the edge, or slides away from it. */
+static void draw_flap(dmg_builder* b, float size, float wide, float t, float gap) {
+    float edge = 0.25f * wide + 0.5f * gap;
+    if (dmg_chance(b, 0.7f))
+        dmg_hinge(b, 0, "flap", v3(edge, 0, dmg_chance(b, 0.5f) ? -gap : -gap - 0.5f * t), v3(0, -1, 0), 0.0f, 1.6f);
+    else
+        dmg_slide(b, 0, "flap", v3(1, 0, 0), 0.0f, 0.6f * size);
+    dmg_box(b, v3(edge + 0.5f * gap + 0.5f * size, 0, -gap - 0.5f * t), v3(size, wide * dmg_range(b, 0.5f, 1.0f), t));
+}
+
+/* A plunger out of a block, or a shaft with a fin that turns. */
+static void draw_plunger(dmg_builder* b, float size, float across) {
+    if (dmg_chance(b, 0.5f))
+        dmg_slide(b, 0, "plunger", v3(0, 0, 1), 0.0f, dmg_range(b, 0.2f, 0.8f) * size);
+    else {
+        dmg_spin(b, 0, "shaft", v3(0, 0, 0), v3(0, 0, 1));
+        dmg_box(b, v3(0.4f * across, 0, 0.3f * size), v3(0.8f * across, 0.2f * across, 0.3f * size));
+    }
+    bare rod = pick_bare(b, 0.5f * across);
+    draw_link(b, &rod, v3(0, 0, 0), v3(0, 0, 0.6f * size));
+}
+
 /* Two or three shapes that show a joint and nothing else, a gap between them or none. */
 static void draw_pair(dmg_builder* b) {
     float size = dmg_scale_range(b, 0.05f, 1.5f), t = size * dmg_range(b, 0.04f, 0.2f),
@@ -278,20 +303,12 @@ static void draw_pair(dmg_builder* b) {
     else
         dmg_box(b, v3(0, 0, -0.5f * t), v3(kind == 0 ? 0.5f * wide : size, wide, t));
     dmg_move(b, 0, 0, gap);
-    if (kind == 0) { /* a flap beside a board: turns about the edge, or slides away from it */
-        float edge = 0.25f * wide + 0.5f * gap;
-        if (dmg_chance(b, 0.7f))
-            dmg_hinge(b, 0, "flap", v3(edge, 0, dmg_chance(b, 0.5f) ? -gap : -gap - 0.5f * t), v3(0, -1, 0), 0.0f,
-                      1.6f);
-        else
-            dmg_slide(b, 0, "flap", v3(1, 0, 0), 0.0f, 0.6f * size);
-        dmg_box(b, v3(edge + 0.5f * gap + 0.5f * size, 0, -gap - 0.5f * t),
-                v3(size, wide * dmg_range(b, 0.5f, 1.0f), t));
-    }
+    if (kind == 0) draw_flap(b, size, wide, t, gap);
     if (kind == 1) { /* a bar on a board, about a point of its own */
         float at = dmg_range(b, 0.0f, 0.5f) * size;
+        float back = dmg_range(b, 0.5f, 1.5f);
         if (dmg_chance(b, 0.5f))
-            dmg_hinge(b, 0, "bar", v3(0, 0, 0), v3(0, 0, dmg_sign(b)), -dmg_range(b, 0.5f, 1.5f), 1.5f);
+            dmg_hinge(b, 0, "bar", v3(0, 0, 0), v3(0, 0, dmg_sign(b)), -back, 1.5f);
         else
             dmg_spin(b, 0, "bar", v3(0, 0, 0), v3(0, 0, 1));
         dmg_box(b, v3(at, 0, 0.5f * t), v3(size, 0.5f * across, t));
@@ -306,16 +323,7 @@ static void draw_pair(dmg_builder* b) {
             dmg_box(b, v3(0, 0, 1.5f * t + gap), v3(0.7f * across, 0.3f * wide, t));
         }
     }
-    if (kind == 3) { /* a plunger out of a block, or a shaft with a fin that turns */
-        if (dmg_chance(b, 0.5f))
-            dmg_slide(b, 0, "plunger", v3(0, 0, 1), 0.0f, dmg_range(b, 0.2f, 0.8f) * size);
-        else {
-            dmg_spin(b, 0, "shaft", v3(0, 0, 0), v3(0, 0, 1));
-            dmg_box(b, v3(0.4f * across, 0, 0.3f * size), v3(0.8f * across, 0.2f * across, 0.3f * size));
-        }
-        bare rod = pick_bare(b, 0.5f * across);
-        draw_link(b, &rod, v3(0, 0, 0), v3(0, 0, 0.6f * size));
-    }
+    if (kind == 3) draw_plunger(b, size, across);
     if (kind == 4) { /* a disc with a peg */
         float r = 0.45f * wide;
         dmg_spin(b, 0, "disc", v3(0, 0, 0), v3(0, 0, 1));

@@ -146,8 +146,9 @@ static void draw_five_bar(dmg_builder* b, const parallel* p) {
 }
 
 void dmg_build_parallel_robot(dmg_builder* b) {
-    parallel p = {
-        .base = dmg_scale_range(b, 0.05f, 1.0f), .legs = dmg_chance(b, 0.7f) ? 3 : 4, .rod = dmg_int(b, 0, 2)};
+    parallel p = {.base = dmg_scale_range(b, 0.05f, 1.0f)};
+    p.legs = dmg_chance(b, 0.7f) ? 3 : 4;
+    p.rod = dmg_int(b, 0, 2);
     p.plate = p.base * dmg_range(b, 0.25f, 0.7f);
     p.high = p.base * dmg_range(b, 0.9f, 2.5f);
     p.t = p.base * dmg_range(b, 0.06f, 0.16f);

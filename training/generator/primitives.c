@@ -9,7 +9,8 @@ typedef struct prim {
 } prim;
 
 static prim pick_prim(dmg_builder* b) {
-    prim p = {.shape = dmg_int(b, 0, 3), .gap = 0.0f, .ball = dmg_chance(b, 0.25f)};
+    prim p = {.shape = dmg_int(b, 0, 3)};
+    p.ball = dmg_chance(b, 0.25f);
     int fit = dmg_int(b, 0, 2);
     if (fit == 1) p.gap = dmg_range(b, 0.04f, 0.22f);
     if (fit == 2) p.gap = -dmg_range(b, 0.03f, 0.12f);
@@ -234,6 +235,7 @@ static void draw_board_box(dmg_builder* b, float s) {
           t = s * dmg_range(b, 0.02f, 0.07f), side = dmg_sign(b);
     prim p = pick_prim(b);
     int kind = dmg_int(b, 0, 4);
+    float line = dmg_chance(b, 0.5f) ? 0.0f : t, open = dmg_range(b, 1.1f, 2.1f);
     dmg_move(b, 0, h, 0);
     if (kind < 4) draw_open_box(b, w, h, deep, t);
     if (kind == 0 || kind == 4) {
@@ -241,8 +243,7 @@ static void draw_board_box(dmg_builder* b, float s) {
         for (int i = -1; i <= 1 && kind; i += 2)
             dmg_box(b, v3((float)i * (w - 0.5f * t), 0, 0.5f * t), v3(t, 2 * h, 2 * t));
         if (kind) dmg_box(b, v3(0, h - 0.5f * t, 0.5f * t), v3(2 * w, t, 2 * t));
-        uint32_t door = dmg_hinge(b, 0, "door", v3(side * x, 0, dmg_chance(b, 0.5f) ? 0.0f : t), v3(0, side, 0), 0.0f,
-                                  dmg_range(b, 1.2f, 2.2f));
+        uint32_t door = dmg_hinge(b, 0, "door", v3(side * x, 0, line), v3(0, side, 0), 0.0f, open);
         dmg_box(b, v3(0, 0, 0.5f * t), v3(1.98f * x, 1.98f * high, t));
         dmg_move(b, 0, 0, t);
         if (kind && dmg_chance(b, 0.6f)) { /* a lever */
@@ -265,7 +266,7 @@ static void draw_board_box(dmg_builder* b, float s) {
         draw_bare_handle(b, &p, 0, 0.4f * w, 3 * t, 0.8f * t);
     }
     if (kind == 2) { /* turned up: a lid hung at its far edge */
-        dmg_hinge(b, 0, "lid", v3(0, h, dmg_chance(b, 0.5f) ? 0.0f : t), v3(-1, 0, 0), 0.0f, dmg_range(b, 1.0f, 2.0f));
+        dmg_hinge(b, 0, "lid", v3(0, h, line), v3(-1, 0, 0), 0.0f, open);
         dmg_box(b, v3(0, 0, 0.5f * t), v3(2 * w, 2 * h, t));
         if (dmg_chance(b, 0.5f)) dmg_box(b, v3(0, -0.85f * h, 1.5f * t), v3(0.4f * w, 2 * t, t));
     }

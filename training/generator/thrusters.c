@@ -10,7 +10,8 @@ typedef struct thruster {
 } thruster;
 
 static thruster pick_thruster(dmg_builder* b, float radius) {
-    thruster t = {dmg_int(b, 0, 3), dmg_int(b, 0, DMG_BLADE_KINDS - 1), 2, radius, 0, 0};
+    thruster t = {.shell = dmg_int(b, 0, 3), .radius = radius};
+    t.blade = dmg_int(b, 0, DMG_BLADE_KINDS - 1);
     t.blades = dmg_int(b, 2, 5);
     t.pod = radius * dmg_range(b, 0.12f, 0.3f);
     t.length = radius * dmg_range(b, 0.3f, 1.6f);
