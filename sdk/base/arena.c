@@ -1,4 +1,4 @@
-/* Scratch memory: blocks from the host, cut from front to back, given back together. */
+/* Scratch memory: blocks from the host, cut from front to back, given back together or down to a mark. */
 #include "base/arena.h"
 
 #define ALIGNMENT 64
@@ -6,6 +6,7 @@
 struct dmi_arena_block {
     dmi_arena_block* next;
     size_t capacity, used; /* of the bytes behind the header */
+    uint64_t number;       /* of the arena's blocks, the oldest is 1 */
 };
 
 #define HEADER_SIZE ((sizeof(dmi_arena_block) + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT)
@@ -14,11 +15,29 @@ void dmi_arena_init(dmi_arena* arena, dmi_env* env, size_t block_size) {
     *arena = (dmi_arena){.env = env, .block_size = block_size};
 }
 
-static dmi_arena_block* add_block(dmi_arena* arena, size_t capacity) {
+/* Takes the smallest spare block that is large enough; NULL when none is. */
+static dmi_arena_block* take_spare(dmi_arena* arena, size_t capacity) {
+    dmi_arena_block** best = NULL;
+    for (dmi_arena_block** at = &arena->spare; *at != NULL; at = &(*at)->next)
+        if ((*at)->capacity >= capacity && (best == NULL || (*at)->capacity < (*best)->capacity)) best = at;
+    if (best == NULL) return NULL;
+    dmi_arena_block* block = *best;
+    *best = block->next;
+    return block;
+}
+
+static dmi_arena_block* new_block(dmi_arena* arena, size_t capacity) {
     dmi_arena_block* block = dmi_alloc(arena->env, HEADER_SIZE + capacity, ALIGNMENT);
+    if (block != NULL) block->capacity = capacity;
+    return block;
+}
+
+static dmi_arena_block* add_block(dmi_arena* arena, size_t capacity) {
+    dmi_arena_block* block = take_spare(arena, capacity);
+    if (block == NULL) block = new_block(arena, capacity);
     if (block == NULL) return NULL;
-    block->capacity = capacity;
     block->used = 0;
+    block->number = ++arena->added;
     if (arena->blocks != NULL && capacity > arena->block_size) {
         /* A block for one big request goes behind the current one, whose rest stays in use. */
         block->next = arena->blocks->next;
@@ -43,10 +62,34 @@ void* dmi_arena_push(dmi_arena* arena, size_t size) {
     return memory;
 }
 
-void dmi_arena_release(dmi_arena* arena) {
-    while (arena->blocks != NULL) {
-        dmi_arena_block* block = arena->blocks;
-        arena->blocks = block->next;
-        dmi_free(arena->env, block, HEADER_SIZE + block->capacity);
+dmi_arena_mark dmi_arena_get_mark(const dmi_arena* arena) {
+    return (dmi_arena_mark){.used = arena->blocks != NULL ? arena->blocks->used : 0, .added = arena->added};
+}
+
+void dmi_arena_rewind(dmi_arena* arena, dmi_arena_mark mark) {
+    for (dmi_arena_block** at = &arena->blocks; *at != NULL;) {
+        dmi_arena_block* block = *at;
+        if (block->number <= mark.added) {
+            at = &block->next;
+            continue;
+        }
+        *at = block->next;
+        block->next = arena->spare;
+        arena->spare = block;
     }
+    if (arena->blocks != NULL) arena->blocks->used = mark.used;
+}
+
+static void release_list(dmi_env* env, dmi_arena_block* list) {
+    while (list != NULL) {
+        dmi_arena_block* block = list;
+        list = block->next;
+        dmi_free(env, block, HEADER_SIZE + block->capacity);
+    }
+}
+
+void dmi_arena_release(dmi_arena* arena) {
+    release_list(arena->env, arena->blocks);
+    release_list(arena->env, arena->spare);
+    arena->blocks = arena->spare = NULL;
 }

@@ -265,9 +265,11 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_kinematics_quer
 
 dm_result dmi_kinematics_infer(dmi_env* env, const dmi_kinematics_query* query, dmi_hypotheses* out_hypotheses,
                                dmi_alternatives* out_alternatives) {
-    dmi_arena arena;
-    dmi_arena_init(&arena, env, SCRATCH_BLOCK);
-    dm_result result = infer(env, &arena, query, out_hypotheses, out_alternatives);
-    dmi_arena_release(&arena);
+    dmi_arena own, *arena = query->scratch != NULL ? query->scratch : &own;
+    dmi_arena_init(&own, env, SCRATCH_BLOCK);
+    const dmi_arena_mark mark = dmi_arena_get_mark(arena);
+    dm_result result = infer(env, arena, query, out_hypotheses, out_alternatives);
+    dmi_arena_rewind(arena, mark);
+    dmi_arena_release(&own);
     return result;
 }

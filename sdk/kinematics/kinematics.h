@@ -20,6 +20,7 @@ typedef struct dmi_kinematics_query {
     const dmi_ranker* ranker;  /* NULL: candidates are ranked by rules */
     const dmi_drag_hint* hint; /* NULL: none */
     const uint32_t* welded;    /* dmi_weld_vertices of the mesh, for many parts to share; NULL: welded anew */
+    dmi_arena* scratch;        /* left as it was found; NULL: memory of its own */
     uint32_t part;             /* index in mesh->parts */
     int32_t given_type;        /* DM_JOINT_*; UNKNOWN = find out */
     int network_alone;         /* the net's own answers are the only candidates, by its own probabilities */

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "base/shelf.h"
 #include "kinematics/study.h"
 #include "mesh/connectivity.h"
 #include "mesh/mend.h"
@@ -10,6 +11,7 @@
 /* Parts between two calls of the progress callback when the host's workers run them. */
 #define BATCH 32
 #define GROUND_BLOCK ((size_t)1 << 16)
+#define SCRATCH_BLOCK ((size_t)1 << 20)
 
 /* What one part starts from, gathered before the workers begin. */
 typedef struct plan {
@@ -30,7 +32,8 @@ typedef struct preparation {
     dmi_object* object;
     plan* plans; /* one a part, the body's unused */
     ground ground;
-    uint32_t first; /* part of task 0 */
+    dmi_shelf scratch; /* of the parts */
+    uint32_t first;    /* part of task 0 */
 } preparation;
 
 static dm_result report(dmi_env* env, const dmi_prepare_desc* desc, float done) {
@@ -59,9 +62,10 @@ static dm_result lay_ground(dmi_arena* arena, const dmi_mesh* mesh, ground* out)
     return result == DM_OK ? dmi_mesh_mend(arena, mesh, welded, &out->mesh) : result;
 }
 
-/* Cloud -> hypotheses; the best one comes into force. `cloud` is scratch. */
-static dm_result infer_part(dmi_env* env, dmi_object* object, uint32_t index, const dmi_brain* brain,
+/* Cloud -> hypotheses; the best one comes into force. `cloud` is scratch, as the arena is. */
+static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index, const dmi_brain* brain,
                             const dmi_drag_hint* hint, const ground* ground, dmi_cloud* cloud) {
+    dmi_env* env = arena->env;
     dmi_object_part* part = &object->parts[index];
     dm_result result = dmi_cloud_sample(env, &ground->mesh, index, object->seed, cloud);
     if (result != DM_OK) return result;
@@ -71,6 +75,7 @@ static dm_result infer_part(dmi_env* env, dmi_object* object, uint32_t index, co
                                         .ranker = brain->ranker,
                                         .hint = hint,
                                         .welded = ground->welded,
+                                        .scratch = arena,
                                         .part = index,
                                         .given_type = part->given_type,
                                         .network_alone = object->network_alone,
@@ -87,19 +92,23 @@ static dm_result infer_part(dmi_env* env, dmi_object* object, uint32_t index, co
     return DM_OK;
 }
 
+static dm_result prepare_in(dmi_arena* arena, preparation* work, uint32_t index) {
+    dmi_object* object = work->object;
+    const plan* own = &work->plans[index];
+    dmi_cloud* cloud = dmi_arena_push(arena, sizeof *cloud);
+    if (!cloud) return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for a cloud");
+    const dmi_drag_hint* hint = own->has_hint ? &own->hint : NULL;
+    dm_result result = infer_part(arena, object, index, &work->desc->brain, hint, &work->ground, cloud);
+    if (result == DM_OK) dmi_cloud_thin(cloud, object->parts[index].points);
+    return result;
+}
+
 static void DM_CALL prepare_part(void* data, uint32_t task) {
     preparation* work = data;
     uint32_t index = work->first + task;
-    plan* own = &work->plans[index];
-    dmi_cloud* cloud = dmi_alloc(work->env, sizeof *cloud, 64);
-    if (!cloud) {
-        own->result = dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for a cloud");
-        return;
-    }
-    own->result = infer_part(work->env, work->object, index, &work->desc->brain, own->has_hint ? &own->hint : NULL,
-                             &work->ground, cloud);
-    if (own->result == DM_OK) dmi_cloud_thin(cloud, work->object->parts[index].points);
-    dmi_free(work->env, cloud, sizeof *cloud);
+    dmi_arena own, *arena = dmi_shelf_take(&work->scratch, &own);
+    work->plans[index].result = prepare_in(arena, work, index);
+    dmi_shelf_put(&work->scratch, arena);
 }
 
 /* In batches, so that the host hears of progress on its own thread; the part with the lowest index names the error. */
@@ -156,8 +165,10 @@ static dm_result make_plans(preparation* work) {
 static dm_result lay_and_run(preparation* work) {
     dmi_arena arena;
     dmi_arena_init(&arena, work->env, GROUND_BLOCK);
+    dmi_shelf_init(&work->scratch, work->env, SCRATCH_BLOCK);
     dm_result result = lay_ground(&arena, work->object->mesh, &work->ground);
     if (result == DM_OK) result = prepare_parts(work);
+    dmi_shelf_release(&work->scratch);
     dmi_arena_release(&arena);
     return result;
 }
@@ -222,12 +233,12 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
 dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, const dmi_brain* brain,
                             const dmi_drag_hint* hint) {
     dmi_arena arena;
-    dmi_arena_init(&arena, env, GROUND_BLOCK);
+    dmi_arena_init(&arena, env, SCRATCH_BLOCK);
     dmi_cloud* cloud = dmi_arena_push(&arena, sizeof *cloud);
     ground ground;
     dm_result result = cloud != NULL ? lay_ground(&arena, object->mesh, &ground)
                                      : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
-    if (result == DM_OK) result = infer_part(env, object, part, brain, hint, &ground, cloud);
+    if (result == DM_OK) result = infer_part(&arena, object, part, brain, hint, &ground, cloud);
     dmi_arena_release(&arena);
     return result;
 }

@@ -6,7 +6,6 @@
 #include "mesh/connectivity.h"
 
 #define MAX_FACES 24576 /* of each side; the largest are kept */
-#define SCRATCH_BLOCK ((size_t)1 << 20)
 #define RADIX ((uint32_t)1 << 16)
 #define LARGEST 10 /* regions kept by area, then as many by nearness */
 
@@ -231,27 +230,25 @@ static dm_result add_level(dmi_arena* arena, int shell, float min_cosine, side* 
 }
 
 /* Shells first, then regions bounded by creases of 53 and of 26 degrees; each level in the memory of the last. */
-static dm_result add_levels(dmi_env* env, side* s) {
+static dm_result add_levels(dmi_arena* arena, side* s) {
     static const float cosines[3] = {-2.0f, 0.6f, 0.9f};
+    const dmi_arena_mark mark = dmi_arena_get_mark(arena);
     dm_result result = DM_OK;
     for (int level = 0; level < 3 && result == DM_OK; level++) {
-        dmi_arena arena;
-        dmi_arena_init(&arena, env, SCRATCH_BLOCK);
-        result = add_level(&arena, level == 0, cosines[level], s);
-        dmi_arena_release(&arena);
+        result = add_level(arena, level == 0, cosines[level], s);
+        dmi_arena_rewind(arena, mark);
     }
     return result;
 }
 
-/* The faces' patches, from scratch memory of its own. `faces` is overwritten. */
-static dm_result side_patches(dmi_env* env, const dmi_mesh* mesh, const uint32_t* welded, uint32_t* faces,
+/* The faces' patches; the arena is left as it was found, `faces` is overwritten. */
+static dm_result side_patches(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, uint32_t* faces,
                               uint32_t count, const dmi_field* other, side* s) {
-    dmi_arena arena;
-    dmi_arena_init(&arena, env, SCRATCH_BLOCK);
-    dm_result result = thin_faces(&arena, mesh, faces, &count);
-    if (result == DM_OK) result = cut_out(&arena, mesh, welded, faces, count, other, s);
-    if (result == DM_OK) result = add_levels(env, s);
-    dmi_arena_release(&arena);
+    const dmi_arena_mark mark = dmi_arena_get_mark(arena);
+    dm_result result = thin_faces(arena, mesh, faces, &count);
+    if (result == DM_OK) result = cut_out(arena, mesh, welded, faces, count, other, s);
+    if (result == DM_OK) result = add_levels(arena, s);
+    dmi_arena_rewind(arena, mark);
     return result;
 }
 
@@ -289,9 +286,9 @@ dm_result dmi_study_patches(dmi_arena* arena, const uint8_t* moving, const float
     }
     side own = {.patches = study->part_patches, .patch_count = &study->part_patch_count};
     uint32_t count = list_faces(mesh, moving, NULL, NULL, faces);
-    dm_result result = side_patches(arena->env, mesh, welded, faces, count, &study->body_field, &own);
+    dm_result result = side_patches(arena, mesh, welded, faces, count, &study->body_field, &own);
     if (result != DM_OK) return result;
     side near = {.patches = study->near_patches, .patch_count = &study->near_patch_count};
     count = list_faces(mesh, moving, low, high, faces);
-    return side_patches(arena->env, mesh, welded, faces, count, &study->part_field, &near);
+    return side_patches(arena, mesh, welded, faces, count, &study->part_field, &near);
 }

@@ -1,7 +1,7 @@
-/* Arena: alignment, no overlap, reuse of blocks, no leak whichever allocation fails. */
+/* Arena and shelf: alignment, no overlap, reuse of blocks, no leak whichever allocation fails. */
 #include "test_env.h"
 
-#include "base/arena.h"
+#include "base/shelf.h"
 
 static void pieces_are_aligned_and_apart(void** state) {
     (void)state;
@@ -45,6 +45,59 @@ static void small_pieces_share_a_block(void** state) {
     test_env_close(&t);
 }
 
+/* Older pieces stay untouched; what is pushed again finds its memory in the arena. */
+static void rewinding_gives_back_what_came_later(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_arena arena;
+    dmi_arena_init(&arena, &t.env, 4096);
+    const dmi_arena_mark empty = dmi_arena_get_mark(&arena);
+    unsigned char* kept = dmi_arena_push(&arena, 1000);
+    memset(kept, 7, 1000);
+    const dmi_arena_mark mark = dmi_arena_get_mark(&arena);
+    unsigned char* first = NULL;
+    for (int round = 0; round < 5; round++) {
+        unsigned char* small = dmi_arena_push(&arena, 1000);
+        memset(small, 1, 1000);
+        memset(dmi_arena_push(&arena, 20000), 2, 20000);
+        memset(dmi_arena_push(&arena, 4000), 3, 4000); /* the next block */
+        memset(dmi_arena_push(&arena, 9000), 4, 9000);
+        if (round == 0) first = small;
+        assert_ptr_equal(small, first);
+        assert_int_equal(t.memory.calls, 4);
+        dmi_arena_rewind(&arena, mark);
+    }
+    for (int i = 0; i < 1000; i++) assert_int_equal(kept[i], 7);
+    dmi_arena_rewind(&arena, empty);
+    assert_non_null(dmi_arena_push(&arena, 20000));
+    assert_int_equal(t.memory.calls, 4);
+    dmi_arena_release(&arena);
+    test_env_close(&t);
+}
+
+static void a_shelf_lends_each_arena_once(void** state) {
+    (void)state;
+    enum { TAKEN = DMI_SHELF_ARENAS + 2 };
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_shelf shelf;
+    dmi_shelf_init(&shelf, &t.env, 1024);
+    dmi_arena own[TAKEN], *taken[TAKEN];
+    for (int round = 0; round < 2; round++) {
+        for (int i = 0; i < TAKEN; i++) {
+            taken[i] = dmi_shelf_take(&shelf, &own[i]);
+            for (int k = 0; k < i; k++) assert_ptr_not_equal(taken[i], taken[k]);
+            assert_int_equal(taken[i] == &own[i], i >= DMI_SHELF_ARENAS);
+            assert_non_null(dmi_arena_push(taken[i], 500));
+        }
+        for (int i = 0; i < TAKEN; i++) dmi_shelf_put(&shelf, taken[i]);
+    }
+    assert_int_equal(t.memory.calls, TAKEN + 2); /* the shelf's arenas kept theirs */
+    dmi_shelf_release(&shelf);
+    test_env_close(&t);
+}
+
 static void any_allocation_may_fail(void** state) {
     (void)state;
     int failures = 0;
@@ -80,6 +133,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_are_aligned_and_apart),
         cmocka_unit_test(small_pieces_share_a_block),
+        cmocka_unit_test(rewinding_gives_back_what_came_later),
+        cmocka_unit_test(a_shelf_lends_each_arena_once),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(absurd_sizes_are_refused),
     };
