@@ -319,7 +319,10 @@
     X(gate_lever)                                                                                                      \
     X(ship_control)                                                                                                    \
     /* horizons.c */                                                                                                   \
-    X(horizon_gauge)
+    X(horizon_gauge)                                                                                                   \
+    /* benches.c */                                                                                                    \
+    X(bench_set)                                                                                                       \
+    X(centrifuge)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
