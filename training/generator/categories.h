@@ -322,7 +322,11 @@
     X(horizon_gauge)                                                                                                   \
     /* benches.c */                                                                                                    \
     X(bench_set)                                                                                                       \
-    X(centrifuge)
+    X(centrifuge)                                                                                                      \
+    /* fold_fronts.c */                                                                                                \
+    X(tilt_cabinet)                                                                                                    \
+    X(wall_bed)                                                                                                        \
+    X(fold_desk)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

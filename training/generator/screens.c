@@ -400,8 +400,8 @@ static void draw_portable(dmg_builder* b, const screen* s) {
     for (int i = 0; i < 2; ++i)
         dmg_box(b, v3(0.28f * w, h * (0.25f * (float)i - 0.05f), -0.02f * h), v3(0.3f * w, 0.16f * h, 0.05f * h));
     dmg_hinge_style style = dmg_hinge_pick(b, 0.12f * t);
-    uint32_t keys = dmg_hinge(b, 0, "keyboard", v3(0, -0.5f * h, in), v3(1, 0, 0), 0.0f,
-                              dmg_chance(b, 0.6f) ? 0.5f * DMG_PI : dmg_range(b, 1.2f, 2.2f));
+    float far = dmg_chance(b, 0.6f) ? 0.5f * DMG_PI : dmg_range(b, 1.2f, 2.2f);
+    uint32_t keys = dmg_hinge(b, 0, "keyboard", v3(0, -0.5f * h, in), v3(1, 0, 0), 0.0f, far);
     dmg_box(b, v3(0, 0, 0.01f * t + 0.5f * t), v3(w, h, t));
     dmg_save(b);
     dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI); /* its keys look at the screen while it is shut */
@@ -412,7 +412,7 @@ static void draw_portable(dmg_builder* b, const screen* s) {
     dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI);
     if (dmg_chance(b, 0.6f) && style.kind != DMG_HINGE_STRAP) dmg_hinge_draw(b, &style, 0.9f * w, h, keys, 0);
     dmg_restore(b);
-    if (dmg_chance(b, 0.7f)) dmg_rest(b, keys, 0.5f * DMG_PI * dmg_range(b, 0.7f, 0.95f));
+    if (dmg_chance(b, 0.7f)) dmg_rest(b, keys, fminf(far, 0.5f * DMG_PI) * dmg_range(b, 0.7f, 0.95f));
     dmg_use(b, 0);
     float span = w * dmg_range(b, 0.15f, 0.35f), wire = 0.03f * h, reach = h * dmg_range(b, 0.12f, 0.25f);
     if (dmg_chance(b, 0.7f)) dmg_hinge(b, 0, "handle", v3(0, 0.5f * h, -0.5f * deep), v3(1, 0, 0), -1.3f, 1.3f);
