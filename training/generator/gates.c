@@ -249,10 +249,10 @@ static void draw_thruster(dmg_builder* b, float r) {
 /* A compass in two rings on a column: each ring tips about its own line, the card floats in the bowl. */
 static void draw_binnacle(dmg_builder* b, float r) {
     float high = r * dmg_range(b, 2.0f, 4.5f), t = 0.06f * r;
-    bool hood = dmg_chance(b, 0.5f), gimbal = dmg_chance(b, 0.7f);
+    bool hood = dmg_chance(b, 0.5f), gimbal = dmg_chance(b, 0.7f), balls = dmg_chance(b, 0.6f);
     draw_column(b, high, 0.8f * r);
     dmg_move(b, 0, high + r, 0);
-    const dmg_xy cup[] = {{1.25f * r, 0}, {1.3f * r, 0}, {0.6f * r, -r}, {0.5f * r, -r}, {1.25f * r, 0}};
+    const dmg_xy cup[] = {{0.5f * r, -r}, {0.6f * r, -r}, {1.3f * r, 0}, {1.25f * r, 0}, {0.5f * r, -r}};
     dmg_lathe(b, v3(0, 0, 0), v3(0, 1, 0), cup, 5);
     uint32_t carrier = 0;
     if (gimbal) {
@@ -276,7 +276,7 @@ static void draw_binnacle(dmg_builder* b, float r) {
         dmg_dome(b, v3(0, 0.1f * r, 0), v3(1.35f * r, 1.1f * r, 1.35f * r));
         dmg_use(b, 0);
     }
-    for (int i = -1; i <= 1 && dmg_chance(b, 0.7f); i += 2) { /* the iron balls on their brackets */
+    for (int i = -1; i <= 1 && balls; i += 2) { /* the iron balls on their brackets */
         float x = (float)i * 2.1f * r;
         dmg_box(b, v3(0.8f * x, -0.75f * r, 0), v3(1.3f * r, 0.1f * r, 0.4f * r));
         dmg_slide(b, 0, "sphere", v3(-(float)i, 0, 0), -0.1f * r, 0.25f * r);

@@ -49,7 +49,7 @@ static void draw_nosepiece(dmg_builder* b, uint32_t parent, float y, float r, fl
 static void draw_focus(dmg_builder* b, const scope* s, uint32_t parent, float y) {
     float coarse = s->arm * dmg_range(b, 0.9f, 1.8f), fine = coarse * dmg_range(b, 0.4f, 0.8f),
           thick = coarse * dmg_range(b, 0.2f, 0.6f), root = 0.5f * s->arm;
-    bool carried = dmg_chance(b, 0.2f), apart = dmg_chance(b, 0.25f);
+    bool carried = dmg_chance(b, 0.2f), apart = dmg_chance(b, 0.25f) && s->nose > 0.0f;
     int kind = dmg_int(b, 0, 1), first = dmg_chance(b, 0.85f) ? -1 : 1;
     for (int side = first; side <= 1; side += 2) {
         float x = (float)side * s->arm, out = (float)side * thick;
@@ -61,7 +61,7 @@ static void draw_focus(dmg_builder* b, const scope* s, uint32_t parent, float y)
             dmg_rod(b, v3(-(float)side * root, 0, 0), v3(0.5f * out, 0, 0), 0.4f * coarse);
             dmg_rod(b, v3(0.3f * out, 0, 0), v3(1.3f * out, 0, 0), coarse);
         }
-        if (apart) dmg_move(b, -1.2f * out, -1.1f * (coarse + fine), 0);
+        if (apart) dmg_move(b, -1.2f * out, (y > s->stage ? -1.1f : 1.1f) * (coarse + fine), 0);
         dmg_spin(b, carried && !apart ? knob : parent, "fine_focus", v3(0, 0, 0), v3(1, 0, 0));
         dmg_rod(b, v3(0, 0, 0), v3(2.2f * out, 0, 0), fine);
         dmg_restore(b);

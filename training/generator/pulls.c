@@ -253,9 +253,10 @@ static void draw_top(dmg_builder* b, const place* p, float slot_wide, float slot
 }
 
 static void draw_sunk_wheel(dmg_builder* b, const place* p, float radius, float width) {
-    float sink = radius * dmg_range(b, 0.2f, 0.85f), border = 0.25f * width;
+    float sink = radius * dmg_range(b, 0.2f, 0.55f), border = 0.25f * width;
     if (p->thick > 0.0f) sink = fminf(sink, 0.95f * p->high - radius);
     int kind = dmg_int(b, 0, 3);
+    if (kind == 2) sink = fminf(sink, 0.5f * radius); /* there is nothing else to see of it */
     float shows = 2.0f * sqrtf(radius * radius - sink * sink), turn = 0.2f * acosf(sink / radius);
     if (p->thick > 0.0f) draw_top(b, p, 1.15f * width, fminf(shows + 0.3f * border, 0.97f * p->deep));
     if (dmg_chance(b, p->thick > 0.0f ? 0.2f : 0.6f)) {
