@@ -326,7 +326,9 @@
     /* fold_fronts.c */                                                                                                \
     X(tilt_cabinet)                                                                                                    \
     X(wall_bed)                                                                                                        \
-    X(fold_desk)
+    X(fold_desk)                                                                                                       \
+    /* contour_cases.c */                                                                                              \
+    X(contour_case)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
