@@ -328,7 +328,16 @@
     X(wall_bed)                                                                                                        \
     X(fold_desk)                                                                                                       \
     /* contour_cases.c */                                                                                              \
-    X(contour_case)
+    X(contour_case)                                                                                                    \
+    /* clinic.c */                                                                                                     \
+    X(treatment_chair)                                                                                                 \
+    X(hospital_bed)                                                                                                    \
+    /* amusements.c */                                                                                                 \
+    X(arcade_cabinet)                                                                                                  \
+    X(pinball_table)                                                                                                   \
+    X(music_box)                                                                                                       \
+    /* carts.c */                                                                                                      \
+    X(market_cart)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
