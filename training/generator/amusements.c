@@ -34,8 +34,8 @@ static void draw_coin_door(dmg_builder* b, float width, float high) {
     dmg_move(b, 0, 0, 0.6f * t);
     if (dmg_chance(b, 0.5f)) dmg_frame_draw(b, 1.12f * width, 1.08f * high, 0.6f * t, 0.05f * width);
     dmg_restore(b);
-    uint32_t door = dmg_hinge(b, 0, "coin_door", v3(x, 0, dmg_range(b, 0.0f, 1.0f) * t), v3(0, side, 0), 0.0f,
-                              dmg_range(b, 1.3f, 2.2f));
+    float line = t * dmg_unit(b), swing = dmg_range(b, 1.3f, 2.2f);
+    uint32_t door = dmg_hinge(b, 0, "coin_door", v3(x, 0, line), v3(0, side, 0), 0.0f, swing);
     dmg_box_span(b, v3(-0.5f * width, -0.5f * high, 0.02f * t), v3(0.5f * width, 0.5f * high, t));
     int slots = dmg_int(b, 1, 2);
     for (int i = 0; i < slots; ++i) {
@@ -152,7 +152,8 @@ void dmg_build_arcade_cabinet(dmg_builder* b) {
     if (upright && dmg_chance(b, 0.8f)) {
         dmg_save(b);
         dmg_move(b, 0, 0.35f * panel, nose - (cheeks ? 0.12f : 0.1f) * deep);
-        draw_coin_door(b, width * dmg_range(b, 0.4f, 0.65f), panel * dmg_range(b, 0.4f, 0.6f));
+        float wide = width * dmg_range(b, 0.4f, 0.65f), tall = panel * dmg_range(b, 0.4f, 0.6f);
+        draw_coin_door(b, wide, tall);
         dmg_restore(b);
     }
     if (!dmg_chance(b, 0.4f)) return;
@@ -313,9 +314,9 @@ static void draw_dancer(dmg_builder* b, float x, float y, float z, float r, floa
 }
 
 /* Out of the box on its spring: it slides up, or leans on it. */
-static void draw_jack(dmg_builder* b, float y, float r, float rise) {
+static void draw_jack(dmg_builder* b, float y, float r, float rise, float way) {
     if (dmg_chance(b, 0.7f))
-        dmg_slide(b, 0, "jack", v3(0, -1, 0), 0.0f, 0.6f * rise);
+        dmg_slide(b, 0, "jack", v3(0, 1, 0), 0.0f, way);
     else
         dmg_hinge(b, 0, "jack", v3(0, y, 0), dmg_chance(b, 0.5f) ? v3(1, 0, 0) : v3(0, 0, 1), -0.5f, 0.5f);
     for (int i = 0; i < 5; ++i) dmg_torus(b, v3(0, y + 0.12f * rise * (float)i, 0), v3(0, 1, 0), 0.6f * r, 0.08f * r);
@@ -331,7 +332,7 @@ static void draw_music_lid(dmg_builder* b, bool round, dmg_vec at, float tall, f
     float swing = dmg_range(b, 1.2f, 1.9f), over = dmg_range(b, 0.0f, 0.5f) * wall, side = dmg_sign(b);
     if (way == 0)
         dmg_hinge(b, 0, "lid", v3(0, at.y, -at.z - dmg_range(b, 0.0f, 0.5f) * wall), v3(-1, 0, 0), 0.0f, swing);
-    if (way == 1) dmg_hinge(b, 0, "lid", v3(side * at.x, at.y, 0), v3(0, 0, -side), 0.0f, swing);
+    if (way == 1) dmg_hinge(b, 0, "lid", v3(side * (at.x + over), at.y, 0), v3(0, 0, -side), 0.0f, swing);
     if (way == 2) dmg_slide(b, 0, "lid", v3(side, 0, 0), 0.0f, 1.5f * at.x);
     const dmg_xy cap[] = {{at.x, 0}, {at.x, 0.8f * tall}, {0.8f * at.x, tall}, {0, tall}};
     dmg_vec low = {-at.x - over, at.y, -at.z}, high = {at.x + over, at.y + tall, at.z + over};
@@ -386,7 +387,8 @@ void dmg_build_music_box(dmg_builder* b) {
     float r = 0.35f * fminf(x, z), at = inside == 0 ? dmg_range(b, -0.4f, 0.4f) * x : 0.0f;
     if (inside == 0)
         draw_dancer(b, at, floor, 0, r, lid ? 0.85f * (high - floor + hollow) : width * dmg_range(b, 0.4f, 1.0f));
-    if (inside == 1) draw_jack(b, wall, 0.8f * fminf(x, z), lid ? 0.9f * high : 1.6f * high);
+    if (inside == 1)
+        draw_jack(b, wall, 0.8f * fminf(x, z), lid ? 0.7f * high : 1.4f * high, lid ? 0.9f * high : 0.4f * high);
     if (inside == 2) { /* a drum with pins before a comb */
         float d = 0.12f * width, y = floor + 1.2f * d;
         for (int s = -1; s <= 1; s += 2)

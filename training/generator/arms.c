@@ -25,8 +25,9 @@ static void draw_trigger(dmg_builder* b, uint32_t parent, dmg_vec pin, float len
                                 {0, y, z + 1.4f * length}};
         dmg_sweep(b, loop, 5, 0.07f * length, 0.8f * half, false);
     }
-    dmg_vec at = v3(0, pin.y + length * dmg_range(b, -0.1f, 0.5f), pin.z + length * dmg_range(b, -0.3f, 0.3f));
-    float pull = dmg_range(b, 0.15f, 0.5f);
+    float up = length * dmg_range(b, -0.1f, 0.5f), ahead = length * dmg_range(b, -0.3f, 0.3f),
+          pull = dmg_range(b, 0.15f, 0.5f);
+    dmg_vec at = v3(0, pin.y + up, pin.z + ahead);
     if (dmg_chance(b, 0.15f))
         dmg_slide(b, parent, "trigger", v3(0, 0, -1), 0.0f, 0.3f * length);
     else

@@ -34,7 +34,7 @@ static void draw_wheels(dmg_builder* b, const cart* c) {
     if (count == 2) return;
     for (int s = -1; s <= 1; s += 2) { /* a leg that folds, or a fixed one */
         float lx = (float)s * 0.4f * c->width, lz = -0.42f * c->deep, thick = 0.5f * c->wall;
-        if (dmg_chance(b, 0.4f)) dmg_hinge(b, 0, "leg", v3(lx, c->floor, lz), v3(1, 0, 0), -1.4f, 0.0f);
+        if (dmg_chance(b, 0.4f)) dmg_hinge(b, 0, "leg", v3(lx, c->floor, lz), v3(1, 0, 0), -1.2f, 0.0f);
         dmg_box_span(b, v3(lx - thick, 0, lz - thick), v3(lx + thick, c->floor, lz + thick));
         dmg_use(b, 0);
     }

@@ -143,10 +143,10 @@ static void draw_swing_arm(dmg_builder* b, const chair* c, float side, float hig
 }
 
 void dmg_build_treatment_chair(dmg_builder* b) {
-    chair c = {.width = dmg_range(b, 0.45f, 0.65f),
-               .deep = dmg_range(b, 0.42f, 0.6f),
-               .seat = dmg_range(b, 0.35f, 0.55f),
-               .soft = dmg_chance(b, 0.6f)};
+    chair c = {.width = dmg_range(b, 0.45f, 0.65f)};
+    c.deep = dmg_range(b, 0.42f, 0.6f);
+    c.seat = dmg_range(b, 0.35f, 0.55f);
+    c.soft = dmg_chance(b, 0.6f);
     c.t = dmg_range(b, 0.05f, 0.14f);
     c.tall = dmg_range(b, 0.5f, 0.8f);
     draw_column(b, &c);
@@ -334,10 +334,10 @@ static void draw_bed_ends(dmg_builder* b, const bed* d) {
 }
 
 void dmg_build_hospital_bed(dmg_builder* b) {
-    bed d = {.width = dmg_range(b, 0.7f, 1.1f),
-             .length = dmg_range(b, 1.8f, 2.2f),
-             .high = dmg_range(b, 0.4f, 0.8f),
-             .t = dmg_range(b, 0.02f, 0.045f)};
+    bed d = {.width = dmg_range(b, 0.7f, 1.1f)};
+    d.length = dmg_range(b, 1.8f, 2.2f);
+    d.high = dmg_range(b, 0.4f, 0.8f);
+    d.t = dmg_range(b, 0.02f, 0.045f);
     d.mattress = dmg_chance(b, 0.75f) ? dmg_range(b, 0.06f, 0.18f) : 0.0f;
     d.soft = dmg_chance(b, 0.5f);
     draw_bed_base(b, &d);

@@ -385,8 +385,8 @@ static void draw_cell(dmg_builder* b) {
         if (side < 0) dmg_box_span(b, v3(-reach, 1.01f * high, t), v3(-0.52f * width, 1.06f * high, 1.8f * t));
         door = dmg_slide(b, 0, "door", v3(side, 0, 0), 0.0f, fminf(0.9f * width, wing));
     } else {
-        door = dmg_hinge(b, 0, "door", v3(side * 0.51f * width, 0, dmg_range(b, 0.0f, 0.8f) * t), v3(0, side, 0), 0.0f,
-                         dmg_range(b, 1.2f, 2.2f));
+        float line = t * dmg_range(b, 0.0f, 0.8f), swing = dmg_range(b, 1.2f, 2.2f);
+        door = dmg_hinge(b, 0, "door", v3(side * 0.51f * width, 0, line), v3(0, side, 0), 0.0f, swing);
     }
     dmg_save(b);
     dmg_move(b, 0, 0.01f * high, z);

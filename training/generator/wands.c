@@ -16,7 +16,8 @@ typedef struct slab {
 } slab;
 
 static slab pick_slab(dmg_builder* b, float length) {
-    slab s = {.half_length = 0.5f * length, .power = dmg_range(b, 2.0f, 6.0f), .edge = dmg_range(b, 0.05f, 0.5f)};
+    slab s = {.half_length = 0.5f * length, .power = dmg_range(b, 2.0f, 6.0f)};
+    s.edge = dmg_range(b, 0.05f, 0.5f);
     s.half_width = s.half_length * dmg_range(b, 0.25f, 0.8f);
     s.thick = fminf(s.half_width, s.half_length * dmg_range(b, 0.2f, 0.5f));
     s.egg = dmg_range(b, -0.3f, 0.3f);
@@ -95,8 +96,8 @@ static void draw_under_trigger(dmg_builder* b, uint32_t parent, const char* name
                                  {0, -length, -1.2f * length},
                                  {0, -1.2f * length, 0}};
         if (kind == 2) dmg_sweep(b, guard, 5, 0.5f * t, 0.4f * width, false);
-        dmg_hinge(b, parent, name, v3(0, length * dmg_range(b, -0.2f, 0.2f), length * dmg_range(b, 0.0f, 0.4f)),
-                  v3(-1, 0, 0), 0.0f, pull);
+        float ahead = length * dmg_range(b, -0.2f, 0.2f), up = length * dmg_range(b, 0.0f, 0.4f);
+        dmg_hinge(b, parent, name, v3(0, ahead, up), v3(-1, 0, 0), 0.0f, pull);
         dmg_sweep(b, blade, 4, t, 0.5f * width, false);
     }
     if (kind == 3) { /* a plunger that runs to the rear on a rail */
@@ -224,9 +225,8 @@ static void draw_pebble(dmg_builder* b, float size) {
     int front = dmg_int(b, 0, 2);
     dmg_save(b);
     dmg_move(b, 0, s.half_length * dmg_range(b, 0.2f, 0.6f), -s.thick);
-    if (front < 2)
-        draw_under_trigger(b, 0, "trigger", s.half_width * dmg_range(b, 0.5f, 1.0f),
-                           s.half_length * dmg_range(b, 0.25f, 0.45f));
+    float wide = s.half_width * dmg_range(b, 0.5f, 1.0f), reach = s.half_length * dmg_range(b, 0.25f, 0.45f);
+    if (front < 2) draw_under_trigger(b, 0, "trigger", wide, reach);
     dmg_restore(b);
     if (front > 0) draw_bumpers(b, &s);
     float y = -s.half_length * dmg_range(b, 0.0f, 0.5f), side = dmg_sign(b);
@@ -278,10 +278,9 @@ static void draw_hoop(dmg_builder* b, float size) {
     float r = 0.4f * size, tube = r * dmg_range(b, 0.08f, 0.18f), lean = dmg_range(b, -0.4f, 0.8f);
     dmg_vec axis = {0, cosf(lean), sinf(lean)};
     dmg_torus(b, v3(0, 0, 0), axis, r, tube);
-    slab s = {.half_width = r * dmg_range(b, 0.22f, 0.32f),
-              .half_length = r * dmg_range(b, 0.7f, 0.95f),
-              .power = dmg_range(b, 2.0f, 5.0f),
-              .edge = 0.3f};
+    slab s = {.half_width = r * dmg_range(b, 0.22f, 0.32f), .edge = 0.3f};
+    s.half_length = r * dmg_range(b, 0.7f, 0.95f);
+    s.power = dmg_range(b, 2.0f, 5.0f);
     s.thick = 1.6f * s.half_width;
     dmg_save(b);
     bool across = dmg_chance(b, 0.5f);
