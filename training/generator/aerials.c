@@ -146,7 +146,7 @@ static void draw_knee(dmg_builder* b, uint32_t carrier, float length, float half
     dmg_move(b, 0, 0, length);
     float fold = DMG_PI - dmg_range(b, 0.05f, 0.9f);
     dmg_rod(b, v3(-2.2f * w, 0, 0), v3(2.2f * w, 0, 0), 1.4f * w);
-    uint32_t upper = dmg_hinge_across(b, carrier, "upper_boom", v3(0, 0, 0), fold - 3.0f, fold - 0.2f);
+    uint32_t upper = dmg_hinge_across(b, carrier, "upper_boom", v3(0, 0, 0), fold - 3.15f, fold - 0.2f);
     dmg_turn(b, v3(1, 0, 0), fold);
     dmg_box_span(b, v3(1.1f * w, -0.8f * w, -w), v3(2.4f * w, 0.8f * w, length * dmg_range(b, 0.8f, 1.3f)));
     dmg_move(b, 1.8f * w, 0, length);

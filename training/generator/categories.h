@@ -337,7 +337,12 @@
     X(pinball_table)                                                                                                   \
     X(music_box)                                                                                                       \
     /* carts.c */                                                                                                      \
-    X(market_cart)
+    X(market_cart)                                                                                                     \
+    /* ramps.c */                                                                                                      \
+    X(belt_loader)                                                                                                     \
+    X(airstairs)                                                                                                       \
+    /* sails.c */                                                                                                      \
+    X(sailing_boat)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -142,8 +142,9 @@ static void draw_tool(dmg_builder* b, const arm* a, uint32_t stick, float r) {
 static void draw_digger_arm(dmg_builder* b, uint32_t carrier, float size, dmg_vec foot) {
     float reach = size * dmg_range(b, 1.5f, 2.6f), dip = reach * dmg_range(b, 0.45f, 0.75f),
           up = dmg_range(b, 0.25f, 1.1f), fold = dmg_range(b, 1.0f, 2.5f);
-    arm a = {
-        .link = dmg_weighted(b, (const float[]){4, 2, 2, 1, 1}, 5), .pin = dmg_int(b, 0, 2), .ram = dmg_ram_pick(b)};
+    arm a = {.link = dmg_weighted(b, (const float[]){4, 2, 2, 1, 1}, 5)};
+    a.pin = dmg_int(b, 0, 2);
+    a.ram = dmg_ram_pick(b);
     a.thick = size * dmg_range(b, 0.07f, 0.15f);
     a.wide = size * dmg_range(b, 0.14f, 0.3f);
     float rise = a.link == 0 || a.link == 2 ? reach * dmg_range(b, 0.1f, 0.25f) : 0.0f,

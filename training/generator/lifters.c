@@ -87,10 +87,10 @@ static void draw_mast(dmg_builder* b, const mast* m, uint32_t carrier) {
 }
 
 static mast pick_mast(dmg_builder* b, float size) {
-    mast m = {.half = size * dmg_range(b, 0.28f, 0.42f),
-              .high = size * dmg_range(b, 1.3f, 2.2f),
-              .stages = dmg_int(b, 0, 2),
-              .grid = dmg_int(b, 0, 2)};
+    mast m = {.half = size * dmg_range(b, 0.28f, 0.42f)};
+    m.high = size * dmg_range(b, 1.3f, 2.2f);
+    m.stages = dmg_int(b, 0, 2);
+    m.grid = dmg_int(b, 0, 2);
     m.rail = size * dmg_range(b, 0.04f, 0.07f);
     m.fork = size * dmg_range(b, 0.6f, 1.2f);
     return m;

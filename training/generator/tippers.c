@@ -7,7 +7,8 @@
 /* ---- what every lorry has ---- */
 
 dmg_truck dmg_truck_pick(dmg_builder* b, float size) {
-    dmg_truck t = {.half = size * dmg_range(b, 0.42f, 0.55f), .length = size * dmg_range(b, 1.4f, 3.2f)};
+    dmg_truck t = {.half = size * dmg_range(b, 0.42f, 0.55f)};
+    t.length = size * dmg_range(b, 1.4f, 3.2f);
     t.wheel = size * dmg_range(b, 0.18f, 0.28f);
     t.deck = 2.0f * t.wheel * dmg_range(b, 1.0f, 1.3f);
     t.cab = size * dmg_range(b, 0.55f, 0.95f);

@@ -27,7 +27,8 @@ uint32_t dmg_hinge_across(dmg_builder* b, uint32_t parent, const char* name, dmg
 /* ---- road wheels ---- */
 
 dmg_tyre dmg_tyre_pick(dmg_builder* b, float radius) {
-    dmg_tyre t = {.radius = radius, .spokes = dmg_int(b, 4, 8), .knuckle = dmg_int(b, 0, 2)};
+    dmg_tyre t = {.radius = radius, .spokes = dmg_int(b, 4, 8)};
+    t.knuckle = dmg_int(b, 0, 2);
     t.kind = dmg_weighted(b, (const float[]){2, 4, 2, 0, 0, 1, 3}, DMG_WHEEL_KINDS);
     t.width = radius * dmg_range(b, 0.3f, 0.95f);
     t.turns = dmg_chance(b, 0.85f);
@@ -74,7 +75,8 @@ void dmg_axle_draw(dmg_builder* b, const dmg_tyre* t, uint32_t parent, float hal
 /* ---- cab ---- */
 
 dmg_cab dmg_cab_pick(dmg_builder* b, dmg_vec low, dmg_vec high) {
-    dmg_cab c = {.low = low, .high = high, .shell = dmg_int(b, 0, 3), .slope = dmg_range(b, 0.0f, 0.3f)};
+    dmg_cab c = {.low = low, .high = high, .shell = dmg_int(b, 0, 3)};
+    c.slope = dmg_range(b, 0.0f, 0.3f);
     c.left = dmg_chance(b, 0.85f);
     c.right = c.left && dmg_chance(b, 0.7f);
     c.back_hung = dmg_chance(b, 0.2f);
