@@ -130,8 +130,8 @@ static void suggest_clusters(const dmi_study* study, suggestions* s) {
                 if (group[i] != g) continue;
                 size++;
                 for (int k = 0; k < 3; k++) {
-                    low[k] = fminf(low[k], study->points[taken[i]][k]);
-                    high[k] = fmaxf(high[k], study->points[taken[i]][k]);
+                    low[k] = dmi_min(low[k], study->points[taken[i]][k]);
+                    high[k] = dmi_max(high[k], study->points[taken[i]][k]);
                 }
             }
             if (size < 3 || size == n) continue;
@@ -224,7 +224,7 @@ static void add_turn(collector* c, uint32_t first, const float d[3], uint32_t di
             c->out[i].origin_families |= origin_families;
             return;
         }
-    if (c->count == DMI_CANDIDATES_MAX || dmi_length3(offset) > fmaxf(3 * c->study->diagonal, 1.5f)) return;
+    if (c->count == DMI_CANDIDATES_MAX || dmi_length3(offset) > dmi_max(3 * c->study->diagonal, 1.5f)) return;
     if (!follow_drag(c, axis, origin)) return;
     dmi_candidate* out = &c->out[c->count++];
     *out = (dmi_candidate){
@@ -266,7 +266,7 @@ static void add_contact_boxes(collector* c, uint32_t first, const direction* d, 
         for (uint32_t i = 0; i < contact->count; i++)
             for (int a = 0; a < 2; a++) {
                 float t = dmi_dot3(c->study->points[contact->points[i]], r->axes[a]);
-                low[a] = fminf(low[a], t), high[a] = fmaxf(high[a], t);
+                low[a] = dmi_min(low[a], t), high[a] = dmi_max(high[a], t);
             }
         add_rectangle(c, first, d, r->axes, low, high, 1);
     }

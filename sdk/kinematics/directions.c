@@ -96,7 +96,7 @@ float dmi_fit_directions(const dmi_normals* normals, float axes[3][3]) {
         nearest_rotation((const double(*)[3])means, axes);
         straighten(axes, (const float(*)[3])before);
         float least = 1; /* cosine between old and new */
-        for (int k = 0; k < 3; k++) least = fminf(least, dmi_dot3(axes[k], before[k]));
+        for (int k = 0; k < 3; k++) least = dmi_min(least, dmi_dot3(axes[k], before[k]));
         if (least > SETTLED) break;
     }
     uint32_t along = 0;

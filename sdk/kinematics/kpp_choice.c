@@ -20,10 +20,10 @@ static void write_drag(const dmi_candidate* c, const float shape[DMI_KPP_SHAPE],
     float velocity[3];
     dmi_candidate_velocity(c, point, velocity);
     const float speed = dmi_length3(velocity), along = dmi_dot3(velocity, drag);
-    const float unit = (along < 0 ? -1.0f : 1.0f) / fmaxf(speed, 1e-3f);
+    const float unit = (along < 0 ? -1.0f : 1.0f) / dmi_max(speed, 1e-3f);
     out[0] = along * unit;
     for (int k = 0; k < 3; k++) out[1 + k] = velocity[k] * unit;
-    out[4] = c->type == DM_JOINT_PRISMATIC ? 0 : fminf(speed, FAR);
+    out[4] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_min(speed, FAR);
 }
 
 /* c: in the network's frame. The same for an axis and its opposite. */
@@ -37,7 +37,7 @@ static void write_numbers(const dmi_candidate* c, const float shape[DMI_KPP_SHAP
     }
     out[0] = (float)slides;
     for (int k = 0; k < 3; k++) {
-        const float in_box = fmaxf(-FAR, fminf(FAR, foot[k] / (half[k] + LEAST_SIDE)));
+        const float in_box = dmi_max(-FAR, dmi_min(FAR, foot[k] / (half[k] + LEAST_SIDE)));
         out[1 + k] = a[k] * a[k];
         out[4 + k] = a[k] * a[(k + 1) % 3];
         out[7 + k] = foot[k];

@@ -233,30 +233,6 @@ static void choose_points(const dmi_cloud* cloud, const quarter* q, const dmi_kp
         }
 }
 
-static void squared_distances(const points* p, uint32_t count, uint32_t from, float* restrict out) {
-    const float* restrict x = p->y[0], * restrict y = p->y[1], * restrict z = p->y[2];
-    float cx = x[from], cy = y[from], cz = z[from];
-    for (uint32_t i = 0; i < count; i++) {
-        float dx = x[i] - cx, dy = y[i] - cy, dz = z[i] - cz;
-        out[i] = dx * dx + dy * dy + dz * dz;
-    }
-}
-
-/* The DMI_KPP_GROUP nearest points: `self` first, then by distance, ties by index. */
-static void nearest(const float* distance, uint32_t count, uint32_t self, uint32_t out[DMI_KPP_GROUP]) {
-    float best[DMI_KPP_GROUP];
-    uint32_t filled = 1;
-    out[0] = self, best[0] = -1;
-    for (uint32_t i = 0; i < count; i++) {
-        float d = distance[i];
-        if (filled == DMI_KPP_GROUP && d >= best[DMI_KPP_GROUP - 1]) continue;
-        if (i == self) continue;
-        uint32_t at = filled < DMI_KPP_GROUP ? filled++ : DMI_KPP_GROUP - 1;
-        for (; best[at - 1] > d; at--) best[at] = best[at - 1], out[at] = out[at - 1];
-        best[at] = d, out[at] = i;
-    }
-}
-
 typedef struct drag_channels {
     float point[3], vector[3];
 } drag_channels;
@@ -278,28 +254,17 @@ static void write_group(const points* p, const drag_channels* drag, uint32_t cen
     }
 }
 
-static uint32_t first_largest(const float* values, uint32_t count) {
-    uint32_t at = 0;
-    float most = values[0];
-    for (uint32_t i = 1; i < count; i++)
-        if (values[i] > most) most = values[i], at = i;
-    return at;
-}
-
 /* Farthest-point sampling from point 0 on over the first `count` points, a group round every centre. */
 static void make_groups(const points* p, const drag_channels* drag, uint32_t count, uint32_t groups,
                         float (*out_points)[DMI_KPP_GROUP][DMI_KPP_CHANNELS], float (*out_centres)[3]) {
-    float distance[POINTS], cover[POINTS];
-    for (uint32_t i = 0; i < count; i++) cover[i] = INFINITY;
-    uint32_t centre = 0;
-    for (uint32_t g = 0; g < groups; g++) {
-        squared_distances(p, count, centre, distance);
+    dmi_grouping grouping;
+    dmi_grouping_begin(p->y[0], p->y[1], p->y[2], count, &grouping);
+    for (uint32_t g = 0, centre = 0; g < groups; g++) {
         uint32_t members[DMI_KPP_GROUP];
-        nearest(distance, count, centre, members);
+        const uint32_t next = dmi_grouping_next(&grouping, centre, members);
         write_group(p, drag, centre, members, out_points[g]);
         for (int k = 0; k < 3; k++) out_centres[g][k] = p->y[k][centre];
-        for (uint32_t i = 0; i < count; i++) cover[i] = cover[i] < distance[i] ? cover[i] : distance[i];
-        centre = first_largest(cover, count);
+        centre = next;
     }
 }
 

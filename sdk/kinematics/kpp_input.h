@@ -3,10 +3,11 @@
 #ifndef DMI_KINEMATICS_KPP_INPUT_H
 #define DMI_KINEMATICS_KPP_INPUT_H
 
+#include "kinematics/groups.h"
 #include "kinematics/linear3.h"
 #include "mesh/cloud.h"
 
-#define DMI_KPP_GROUP 16 /* points a group */
+#define DMI_KPP_GROUP DMI_GROUP /* points a group */
 #define DMI_KPP_GLOBAL_GROUPS 48
 #define DMI_KPP_LOCAL_GROUPS 24
 #define DMI_KPP_QUARTERS 4 /* of a cloud: each fills the groups with points of its own */

@@ -1,7 +1,6 @@
 /* What tells how far a joint goes: where its sweep meets the body, how far the part comes off it, how both lie along or
  * about the axis, and the part's shape. */
-#include <stdlib.h>
-
+#include "base/sort.h"
 #include "kinematics/limits.h"
 #include "kinematics/linear3.h"
 #include "kinematics/sweep.h"
@@ -52,17 +51,12 @@ static void write_off(const measure* m, float* out) {
         }
 }
 
-static int by_value(const void* a, const void* b) {
-    const float x = *(const float*)a, y = *(const float*)b;
-    return x < y ? -1 : x > y;
-}
-
 /* A slide: where the body around the part begins and ends along the axis, seen from the part's ends: how far a button
  * stands proud, how long a drawer is held. In extents of the part. */
 static void write_surroundings(const measure* m, float* out) {
     const dmi_study* study = m->study;
     const float* axis = m->sweep.moved.axis;
-    float heights[1024], low = INFINITY, high = -INFINITY, radius = 0;
+    float heights[1024], spare[1024], low = INFINITY, high = -INFINITY, radius = 0;
     uint32_t count = 0;
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
         const float height = dmi_dot3(study->points[i], axis);
@@ -75,7 +69,7 @@ static void write_surroundings(const measure* m, float* out) {
             heights[count++] = dmi_dot3(study->near_points[i], axis);
     out[0] = (float)count / 1024;
     if (count < 8) return;
-    qsort(heights, count, sizeof *heights, by_value);
+    dmi_sort_floats(heights, count, spare);
     static const float shares[4] = {0.05f, 0.3f, 0.7f, 0.95f};
     for (int k = 0; k < 4; k++) {
         const float height = heights[(uint32_t)(shares[k] * (float)(count - 1))];

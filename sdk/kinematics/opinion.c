@@ -1,15 +1,12 @@
 /* A few forward passes and their means. */
 #include "kinematics/opinion.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "kinematics/linear3.h"
 
 /* Shifts log-likelihoods so that they add up to a probability of one. */
 static void normalize(float* scores, uint32_t count) {
     float most = -INFINITY, sum = 0;
-    for (uint32_t i = 0; i < count; i++) most = fmaxf(most, scores[i]);
+    for (uint32_t i = 0; i < count; i++) most = dmi_max(most, scores[i]);
     for (uint32_t i = 0; i < count; i++) sum += expf(scores[i] - most);
     for (uint32_t i = 0; i < count; i++) scores[i] -= most + logf(sum);
 }
@@ -22,13 +19,13 @@ static void look(const dmi_cloud* cloud, uint32_t index, const dmi_drag_hint* hi
 
 /* How differently two looks turn the part: an angle, and a distance over the part's radius. */
 static float turn_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
-    const float angle = acosf(fminf(fabsf(dmi_dot3(a->turn_axis, b->turn_axis)), 1));
-    return angle + fminf(dmi_line_distance3(a->origin, b->turn_axis, b->origin) * per_radius, 2);
+    const float angle = acosf(dmi_min(fabsf(dmi_dot3(a->turn_axis, b->turn_axis)), 1));
+    return angle + dmi_min(dmi_line_distance3(a->origin, b->turn_axis, b->origin) * per_radius, 2);
 }
 
 static float slide_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
     (void)per_radius;
-    return acosf(fminf(fabsf(dmi_dot3(a->slide_axis, b->slide_axis)), 1));
+    return acosf(dmi_min(fabsf(dmi_dot3(a->slide_axis, b->slide_axis)), 1));
 }
 
 /* The look that the others agree with most: a mean of two hinges would be none. */

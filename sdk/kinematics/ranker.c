@@ -1,9 +1,8 @@
 /* The learned ranker's forward pass, and the rules that stand in for it. */
 #include "kinematics/ranker.h"
 
-#include <math.h>
-#include <string.h>
-
+#include "base/cpu.h"
+#include "kinematics/linear3.h"
 #include "nn/weights.h"
 
 #define HIDDEN 64
@@ -132,6 +131,19 @@ static float forward(const dmi_ranker* ranker, const float* evidence) {
     return (1 - DOUBT) * upper_layers(ranker, with) + DOUBT * alone;
 }
 
+static void score_plain(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
+                        float* out_score) {
+    for (uint32_t i = 0; i < count; i++) out_score[i] = forward(ranker, evidence[i]);
+}
+
+#if defined(__x86_64__)
+/* The same operations, eight at a time; without FMA, so the same bits. */
+__attribute__((target("avx2"), flatten)) static void
+score_avx2(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count, float* out_score) {
+    for (uint32_t i = 0; i < count; i++) out_score[i] = forward(ranker, evidence[i]);
+}
+#endif
+
 /* Rules: surfaces slide on themselves where parts touch; a motion does not run into the body; a drag is followed; axes
  * run along sides and through middles; the network's answer draws what is near it. Weights are round numbers set by
  * hand. */
@@ -139,34 +151,47 @@ static float rule_score(const float* e) {
     const float *contact = e + DMI_EVIDENCE_CONTACT + 14, *sweep = e + DMI_EVIDENCE_SWEEP,
                 *drag = e + DMI_EVIDENCE_DRAG;
     const float *net = e + DMI_EVIDENCE_NETWORK, *place = e + DMI_EVIDENCE_PLACE;
-    float score = -3 * e[DMI_EVIDENCE_SLIP] - 3 * contact[0] - 2 * contact[1] - 4 * fminf(sweep[0], sweep[1]);
+    float score = -3 * e[DMI_EVIDENCE_SLIP] - 3 * contact[0] - 2 * contact[1] - 4 * dmi_min(sweep[0], sweep[1]);
     score -= drag[0] > 0 ? 4 * sweep[2] + drag[2] * drag[2] / 0.02f : 0;
     if (e[DMI_EVIDENCE_SLIDES] == 0) {
         score += 1.5f * contact[4] + e[DMI_EVIDENCE_SIDE + 2] + e[DMI_EVIDENCE_SYMMETRY + 2] + place[1] + place[3];
-        score -= 3 * fmaxf(e[DMI_EVIDENCE_ALONG + 2] - 0.05f, 0) + 1;
+        score -= 3 * dmi_max(e[DMI_EVIDENCE_ALONG + 2] - 0.05f, 0) + 1;
     }
     if (net[0] > 0) {
-        score += logf(net[1] + 0.02f) - 4 * fminf(net[2], 1) + 2 * net[3];
-        if (e[DMI_EVIDENCE_SLIDES] == 0) score -= 4 * fminf(net[5], 1) - net[6];
+        score += logf(net[1] + 0.02f) - 4 * dmi_min(net[2], 1) + 2 * net[3];
+        if (e[DMI_EVIDENCE_SLIDES] == 0) score -= 4 * dmi_min(net[5], 1) - net[6];
     }
     for (int k = 0; k < 3; k++) score += 0.7f * e[DMI_EVIDENCE_ALIGNMENT + k];
     return score;
 }
 
+static void score(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
+                  float* out_score) {
+    if (ranker == NULL) {
+        for (uint32_t i = 0; i < count; i++) out_score[i] = rule_score(evidence[i]);
+        return;
+    }
+#if defined(__x86_64__)
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) {
+        score_avx2(ranker, evidence, count, out_score);
+        return;
+    }
+#endif
+    score_plain(ranker, evidence, count, out_score);
+}
+
 void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
                               float* out_probability) {
     float most = -INFINITY, sum = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        out_probability[i] = ranker != NULL ? forward(ranker, evidence[i]) : rule_score(evidence[i]);
-        most = fmaxf(most, out_probability[i]);
-    }
+    score(ranker, evidence, count, out_probability);
+    for (uint32_t i = 0; i < count; i++) most = dmi_max(most, out_probability[i]);
     for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = expf(out_probability[i] - most);
     for (uint32_t i = 0; i < count; i++) out_probability[i] /= sum;
 }
 
 float dmi_ranker_confidence(const dmi_ranker* ranker, float mass) {
-    if (ranker == NULL) return fminf(mass, 1);
-    float p = fminf(fmaxf(mass, 1e-4f), 1 - 1e-4f);
+    if (ranker == NULL) return dmi_min(mass, 1);
+    float p = dmi_min(dmi_max(mass, 1e-4f), 1 - 1e-4f);
     return 1 / (1 + expf(-ranker->calibration[0] * logf(p / (1 - p)) - ranker->calibration[1]));
 }
 

@@ -1,6 +1,10 @@
 /* The sieve's forward pass and the choice of the best. */
 #include "kinematics/sieve.h"
 
+#include "base/cpu.h"
+
+#define SIDE 4 /* rows at a time */
+
 int dmi_sieve_read(const dmi_weights* weights, dmi_sieve* out_sieve) {
     enum { IN = DMI_GLANCE_COLUMNS, HIDDEN = DMI_SIEVE_HIDDEN };
     float mean[IN], scale[IN], first[HIDDEN][IN];
@@ -18,16 +22,49 @@ int dmi_sieve_read(const dmi_weights* weights, dmi_sieve* out_sieve) {
     return 1;
 }
 
-static float forward(const dmi_sieve* sieve, const float row[DMI_EVIDENCE_COUNT]) {
-    float hidden[DMI_SIEVE_HIDDEN], score = 0;
-    memcpy(hidden, sieve->first_bias, sizeof hidden);
-    for (int i = 0; i < DMI_GLANCE_COLUMNS; i++) {
-        const float x = row[dmi_glance_columns[i]];
-        if (x == 0) continue; /* most families */
-        for (int o = 0; o < DMI_SIEVE_HIDDEN; o++) hidden[o] += x * sieve->first[i][o];
+/* Some rows side by side: their sums wait less for each other. */
+static inline void forward(const dmi_sieve* sieve, const float (*rows)[DMI_EVIDENCE_COUNT], float out_scores[SIDE]) {
+    float hidden[SIDE][DMI_SIEVE_HIDDEN];
+    for (int r = 0; r < SIDE; r++) memcpy(hidden[r], sieve->first_bias, sizeof hidden[r]);
+    for (int i = 0; i < DMI_GLANCE_COLUMNS; i++)
+        for (int r = 0; r < SIDE; r++) {
+            const float x = rows[r][dmi_glance_columns[i]];
+            for (int o = 0; o < DMI_SIEVE_HIDDEN; o++) hidden[r][o] += x * sieve->first[i][o];
+        }
+    for (int r = 0; r < SIDE; r++) {
+        out_scores[r] = 0;
+        for (int o = 0; o < DMI_SIEVE_HIDDEN; o++) out_scores[r] += dmi_max(hidden[r][o], 0) * sieve->last[o];
     }
-    for (int o = 0; o < DMI_SIEVE_HIDDEN; o++) score += dmi_max(hidden[o], 0) * sieve->last[o];
-    return score;
+}
+
+/* The last rows that are fewer go once more with some before them. */
+static inline void score_rows(const dmi_sieve* sieve, const float (*rows)[DMI_EVIDENCE_COUNT], uint32_t count,
+                              float* out_scores) {
+    for (uint32_t i = 0; i + SIDE <= count; i += SIDE) forward(sieve, rows + i, out_scores + i);
+    forward(sieve, rows + count - SIDE, out_scores + count - SIDE);
+}
+
+static void score_plain(const dmi_sieve* sieve, const float (*rows)[DMI_EVIDENCE_COUNT], uint32_t count,
+                        float* out_scores) {
+    score_rows(sieve, rows, count, out_scores);
+}
+
+#if defined(__x86_64__)
+/* The same operations, eight at a time; without FMA, so the same bits. */
+__attribute__((target("avx2"), flatten)) static void
+score_avx2(const dmi_sieve* sieve, const float (*rows)[DMI_EVIDENCE_COUNT], uint32_t count, float* out_scores) {
+    score_rows(sieve, rows, count, out_scores);
+}
+#endif
+
+static void score(const dmi_sieve* sieve, const float (*rows)[DMI_EVIDENCE_COUNT], uint32_t count, float* out_scores) {
+#if defined(__x86_64__)
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) {
+        score_avx2(sieve, rows, count, out_scores);
+        return;
+    }
+#endif
+    score_plain(sieve, rows, count, out_scores);
 }
 
 /* The value that comes n-th when the largest is the 0th; `values` lose their order (Hoare's quickselect). */
@@ -82,6 +119,6 @@ uint32_t dmi_sieve_keep(const dmi_sieve* sieve, const dmi_study* study, const dm
     for (uint32_t i = 0; i < count; i++) dmi_glance_row(&glance, &candidates[i], rows[i]);
     if (opinion != NULL) dmi_opinion_glance(net, isa, opinion, candidates, count, scores);
     dmi_glance_choice(opinion != NULL ? scores : NULL, count, rows);
-    for (uint32_t i = 0; i < count; i++) scores[i] = forward(sieve, rows[i]);
+    score(sieve, (const float(*)[DMI_EVIDENCE_COUNT])rows, count, scores);
     return keep_best(scores, candidates, count);
 }

@@ -1,9 +1,8 @@
 /* Measures one part: samples the body near it, finds contacts, boxes, directions and slippage. */
 #include "kinematics/study.h"
 
-#include <stdlib.h>
-
 #include "base/random.h"
+#include "base/sort.h"
 #include "kinematics/linear3.h"
 
 #define NEAR_TRIES 32768
@@ -165,9 +164,9 @@ static dm_result measure_gaps(dmi_arena* arena, dmi_study* study) {
     return DM_OK;
 }
 
-static int by_value(const void* a, const void* b) {
-    const float *p = a, *q = b;
-    return *p < *q ? -1 : *p > *q;
+static void sort_points(float values[DMI_STUDY_PART]) {
+    float spare[DMI_STUDY_PART];
+    dmi_sort_floats(values, DMI_STUDY_PART, spare);
 }
 
 static dm_result make_contact(dmi_arena* arena, float limit, const dmi_study* study, dmi_contact* out) {
@@ -193,7 +192,7 @@ static dm_result make_contact(dmi_arena* arena, float limit, const dmi_study* st
 static dm_result find_contacts(dmi_arena* arena, dmi_study* study) {
     float sorted[DMI_STUDY_PART];
     memcpy(sorted, study->gap, sizeof sorted);
-    qsort(sorted, DMI_STUDY_PART, sizeof *sorted, by_value);
+    sort_points(sorted);
     const float limits[DMI_STUDY_CONTACTS] = {0.01f, 0.03f * study->diagonal, sorted[DMI_STUDY_PART / NEAREST_SHARE]};
     for (int c = 0; c < DMI_STUDY_CONTACTS; c++) {
         float limit = isfinite(limits[c]) ? limits[c] : -1;
@@ -238,7 +237,7 @@ static float spread(const float (*points)[3], uint32_t count, float mean[3], flo
 static void find_handle(dmi_study* study) {
     float sorted[DMI_STUDY_PART], xyz[DMI_STUDY_PART][3];
     memcpy(sorted, study->gap, sizeof sorted);
-    qsort(sorted, DMI_STUDY_PART, sizeof *sorted, by_value);
+    sort_points(sorted);
     float least = sorted[DMI_STUDY_PART - DMI_STUDY_PART / HANDLE_SHARE];
     if (!isfinite(sorted[DMI_STUDY_PART - 1])) return;
     uint32_t count = 0;
@@ -292,7 +291,7 @@ static void find_grip(dmi_study* study) {
     float out[3], sorted[DMI_STUDY_PART], xyz[DMI_STUDY_PART][3];
     for (int k = 0; k < 3; k++) out[k] = study->lean[2] < 0 ? -study->box.axes[2][k] : study->box.axes[2][k];
     for (uint32_t i = 0; i < DMI_STUDY_PART; i++) sorted[i] = dmi_dot3(study->points[i], out);
-    qsort(sorted, DMI_STUDY_PART, sizeof *sorted, by_value);
+    sort_points(sorted);
     const float proud = face_height(sorted, 0.01f * study->diagonal) + GRIP_HEIGHT * study->diagonal;
     uint32_t count = 0;
     for (uint32_t i = 0; i < DMI_STUDY_PART; i++)

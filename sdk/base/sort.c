@@ -1,0 +1,39 @@
+/* A radix sort of floats by their bits: three passes of eleven. */
+#include "base/sort.h"
+
+#include <string.h>
+
+#define DIGIT 11
+#define BUCKETS (1u << DIGIT)
+#define PASSES 3
+
+/* Unsigned numbers in the order of the floats: of negative ones all bits are turned, of others the sign. */
+static uint32_t key_of(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits ^ ((uint32_t)((int32_t)bits >> 31) | 0x80000000u);
+}
+
+static uint32_t digit_of(float value, int pass) {
+    return key_of(value) >> (DIGIT * pass) & (BUCKETS - 1);
+}
+
+static void sort_by_digit(const float* from, uint32_t count, int pass, uint32_t place[BUCKETS], float* to) {
+    uint32_t before = 0;
+    for (uint32_t b = 0; b < BUCKETS; b++) {
+        const uint32_t size = place[b];
+        place[b] = before;
+        before += size;
+    }
+    for (uint32_t i = 0; i < count; i++) to[place[digit_of(from[i], pass)]++] = from[i];
+}
+
+void dmi_sort_floats(float* values, uint32_t count, float* spare) {
+    uint32_t sizes[PASSES][BUCKETS] = {{0}};
+    for (uint32_t i = 0; i < count; i++)
+        for (int pass = 0; pass < PASSES; pass++) sizes[pass][digit_of(values[i], pass)]++;
+    sort_by_digit(values, count, 0, sizes[0], spare);
+    sort_by_digit(spare, count, 1, sizes[1], values);
+    sort_by_digit(values, count, 2, sizes[2], spare);
+    memcpy(values, spare, count * sizeof *values);
+}
