@@ -9,7 +9,12 @@
 #endif
 
 #define FAR 1e12f
-#define LANES 8
+#define EMPTY 0x4000 /* more than any square in the grid; with a step's added it is still an int16_t */
+#define LANES 16
+
+static int32_t smaller(int32_t a, int32_t b) {
+    return b < a ? b : a;
+}
 
 static int32_t cell_of(const dmi_field* field, const float point[3]) {
     int32_t index = 0;
@@ -38,53 +43,41 @@ static dm_result sort_samples(dmi_arena* arena, uint32_t count, size_t cells, dm
     return DM_OK;
 }
 
-/* Lines of the grid that lie beside each other: squared distances in cells, which are small integers and so exact, and
- * the cells they are from. */
-typedef struct lanes {
-    float square[DMI_FIELD_CELLS + 2][LANES];
-    uint32_t source[DMI_FIELD_CELLS + 2][LANES];
-    float least[LANES]; /* of each line */
-} lanes;
+/* Lines of the grid that lie beside each other. */
+typedef struct lines {
+    const int16_t* squares; /* of distances in cells, EMPTY in a line without samples */
+    size_t stride;
+    int32_t n; /* cells of a line */
+} lines;
 
-static void copy_lanes(void* to, const void* from, size_t count) {
-    if (count == LANES)
-        memcpy(to, from, 4 * LANES);
-    else
-        memcpy(to, from, 4 * count);
+/* Where it is nearer by way of cells that are a squared step away. */
+static inline void go_by(const int16_t* restrict from, int32_t step, int16_t* restrict near) {
+    for (int k = 0; k < LANES; k++) {
+        const int16_t square = (int16_t)(from[k] + step);
+        near[k] = square < near[k] ? square : near[k];
+    }
 }
 
-/* Lines beyond `count` are empty. Answers whether any is not. */
-static int load_lanes(const float* line, const uint32_t* source, size_t stride, int32_t n, size_t count, lanes* out) {
-    for (int l = 0; l < LANES; l++) out->least[l] = FAR;
-    for (int32_t q = 0; q < n; q++) {
-        for (size_t l = count; l < LANES; l++) out->square[q][l] = FAR, out->source[q][l] = 0;
-        copy_lanes(out->square[q], line + (size_t)q * stride, count);
-        copy_lanes(out->source[q], source + (size_t)q * stride, count);
-        for (int l = 0; l < LANES; l++) out->least[l] = dmi_min(out->least[l], out->square[q][l]);
-    }
-    int any = 0;
-    for (int l = 0; l < LANES; l++) any |= out->least[l] < FAR;
+static inline int any_beyond(const int16_t near[LANES], const int16_t used[LANES], int32_t step) {
+    int16_t any = 0;
+    for (int k = 0; k < LANES; k++) any |= (int16_t)((near[k] > (int16_t)step) & used[k]);
     return any;
 }
 
-/* The distances of each cell by way of the other cells of its line, outwards until none farther off can be nearer.
- * Empty lines stay so: the squares of steps are lost beside FAR. */
-static void spread_plain(const lanes* in, int32_t n, lanes* out) {
-    for (int32_t q = 0; q < n; q++) {
-        float* best = out->square[q];
-        memcpy(best, in->square[q], sizeof in->square[q]);
-        memcpy(out->source[q], in->source[q], sizeof in->source[q]);
-        for (int32_t r = 1; r < n; r++) {
-            const float step = (float)(r * r);
-            int farther = 0;
-            for (int l = 0; l < LANES; l++) farther |= best[l] > step && in->least[l] < FAR;
-            if (!farther) break;
-            for (int32_t from = q - r; from <= q + r; from += 2 * r)
-                for (int l = 0; l < LANES && from >= 0 && from < n; l++) {
-                    const float square = in->square[from][l] + step;
-                    if (square < best[l]) best[l] = square, out->source[q][l] = in->source[from][l];
-                }
+/* The distances of each cell by way of the other cells of its line, outwards until none farther off can be nearer. */
+static void spread_plain(const lines* in, size_t out_stride, int16_t* out) {
+    int16_t used[LANES];
+    for (int k = 0; k < LANES; k++) used[k] = EMPTY;
+    for (int32_t q = 0; q < in->n; q++) go_by(in->squares + (size_t)q * in->stride, 0, used);
+    for (int k = 0; k < LANES; k++) used[k] = used[k] < EMPTY;
+    for (int32_t q = 0; q < in->n; q++) {
+        int16_t near[LANES];
+        memcpy(near, in->squares + (size_t)q * in->stride, sizeof near);
+        for (int32_t r = 1; r < in->n && any_beyond(near, used, r * r); r++) {
+            if (q >= r) go_by(in->squares + (size_t)(q - r) * in->stride, r * r, near);
+            if (q + r < in->n) go_by(in->squares + (size_t)(q + r) * in->stride, r * r, near);
         }
+        memcpy(out + (size_t)q * out_stride, near, sizeof near);
     }
 }
 
@@ -92,75 +85,85 @@ static void spread_plain(const lanes* in, int32_t n, lanes* out) {
 
 #define AVX2 __attribute__((target("avx2")))
 
-/* What is nearer by way of a cell that is a squared step away. */
-AVX2 static inline void go_by(const lanes* in, int32_t from, __m256 step, __m256* near, __m256* source) {
-    const __m256 square = _mm256_add_ps(_mm256_loadu_ps(in->square[from]), step);
-    const __m256 nearer = _mm256_cmp_ps(square, *near, _CMP_LT_OQ);
-    *source = _mm256_blendv_ps(*source, _mm256_loadu_ps((const float*)in->source[from]), nearer);
-    *near = _mm256_min_ps(square, *near);
+AVX2 static inline __m256i load_lanes(const lines* in, int32_t q) {
+    return _mm256_loadu_si256((const __m256i*)(in->squares + (size_t)q * in->stride));
 }
 
-/* The same for eight lines at once: the same bits. */
-AVX2 static void spread_avx2(const lanes* in, int32_t n, lanes* out) {
-    const __m256 used = _mm256_cmp_ps(_mm256_loadu_ps(in->least), _mm256_set1_ps(FAR), _CMP_LT_OQ);
-    for (int32_t q = 0; q < n; q++) {
-        __m256 near = _mm256_loadu_ps(in->square[q]), source = _mm256_loadu_ps((const float*)in->source[q]);
-        for (int32_t r = 1; r < n; r++) {
-            const __m256 step = _mm256_set1_ps((float)(r * r));
-            if (_mm256_movemask_ps(_mm256_and_ps(used, _mm256_cmp_ps(near, step, _CMP_GT_OQ))) == 0) break;
-            if (q >= r) go_by(in, q - r, step, &near, &source);
-            if (q + r < n) go_by(in, q + r, step, &near, &source);
+/* All lines at once, the same numbers. */
+AVX2 static void spread_avx2(const lines* in, size_t out_stride, int16_t* out) {
+    __m256i least = _mm256_set1_epi16(EMPTY);
+    for (int32_t q = 0; q < in->n; q++) least = _mm256_min_epi16(least, load_lanes(in, q));
+    const __m256i used = _mm256_cmpgt_epi16(_mm256_set1_epi16(EMPTY), least);
+    for (int32_t q = 0; q < in->n; q++) {
+        __m256i near = load_lanes(in, q);
+        for (int32_t r = 1; r < in->n; r++) {
+            const __m256i step = _mm256_set1_epi16((int16_t)(r * r));
+            if (_mm256_testz_si256(used, _mm256_cmpgt_epi16(near, step))) break;
+            if (q >= r) near = _mm256_min_epi16(near, _mm256_add_epi16(load_lanes(in, q - r), step));
+            if (q + r < in->n) near = _mm256_min_epi16(near, _mm256_add_epi16(load_lanes(in, q + r), step));
         }
-        _mm256_storeu_ps(out->square[q], near);
-        _mm256_storeu_ps((float*)out->source[q], source);
+        _mm256_storeu_si256((__m256i*)(out + (size_t)q * out_stride), near);
     }
 }
 
 #endif
 
-/* One direction of the grid: `count` lines of n cells, side by side. */
-static void transform_lines(float* line, uint32_t* source, size_t stride, int32_t n, size_t count) {
-    void (*spread)(const lanes*, int32_t, lanes*) = spread_plain;
+static void spread(const lines* in, size_t out_stride, int16_t* out) {
 #if defined(__x86_64__)
-    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) spread = spread_avx2;
-#endif
-    lanes before, after;
-    for (size_t first = 0; first < count; first += LANES) {
-        const size_t some = count - first < LANES ? count - first : LANES;
-        if (!load_lanes(line + first, source + first, stride, n, some, &before)) continue;
-        spread(&before, n, &after);
-        for (int32_t q = 0; q < n; q++) {
-            copy_lanes(line + first + (size_t)q * stride, after.square[q], some);
-            copy_lanes(source + first + (size_t)q * stride, after.source[q], some);
-        }
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) {
+        spread_avx2(in, out_stride, out);
+        return;
     }
+#endif
+    spread_plain(in, out_stride, out);
 }
 
-/* The first direction needs no parabolas: the nearest occupied cell of a row is the last one seen from either side. */
-static void transform_row(float* line, uint32_t* source, const uint32_t* start, uint32_t first, int32_t n) {
+/* Where the lanes begin that are to follow `first` of `count` lines: the last lanes end with the last line and do some
+ * lines again. Of fewer lines than lanes the rest runs over into the cells behind, which are done later or are spare.
+ */
+static size_t next_lanes(size_t first, size_t count) {
+    const size_t next = first + LANES;
+    return next < count && next + LANES > count ? count - LANES : next;
+}
+
+/* The first direction needs no steps: the nearest occupied cell of a row is the last one seen from either side. */
+static void transform_row(const uint32_t* start, int32_t n, int16_t* out) {
+    if (start[n] == start[0]) {
+        for (int32_t q = 0; q < n; q++) out[q] = EMPTY;
+        return;
+    }
     int32_t last = -1;
     for (int32_t q = 0; q < n; q++) {
         if (start[q + 1] > start[q]) last = q;
-        line[q] = last < 0 ? FAR : (float)((q - last) * (q - last));
-        source[q] = first + (uint32_t)(last < 0 ? q : last);
+        out[q] = last < 0 ? EMPTY : (int16_t)((q - last) * (q - last));
     }
     last = -1;
     for (int32_t q = n - 1; q >= 0; q--) {
         if (start[q + 1] > start[q]) last = q;
-        const float square = last < 0 ? FAR : (float)((last - q) * (last - q));
-        if (square < line[q]) line[q] = square, source[q] = first + (uint32_t)last;
+        if (last >= 0) out[q] = (int16_t)smaller(out[q], (last - q) * (last - q));
     }
+}
+
+static void measure(const int16_t* squares, float cell, float* out) {
+    for (int k = 0; k < LANES; k++) out[k] = sqrtf(squares[k] == EMPTY ? FAR : (float)squares[k]) * cell;
 }
 
 static void transform(dmi_field* field) {
     const size_t nx = (size_t)field->size[0], ny = (size_t)field->size[1], nz = (size_t)field->size[2];
     const size_t slab = nx * ny, cells = slab * nz;
-    float* d = field->distance;
-    uint32_t* s = field->source;
-    for (size_t r = 0; r < cells; r += nx) transform_row(d + r, s + r, field->start + r, (uint32_t)r, (int32_t)nx);
-    for (size_t z = 0; z < cells; z += slab) transform_lines(d + z, s + z, nx, (int32_t)ny, nx);
-    transform_lines(d, s, slab, (int32_t)nz, slab);
-    for (size_t c = 0; c < cells; c++) d[c] = sqrtf(d[c]) * field->cell;
+    for (size_t r = 0; r < cells; r += nx) transform_row(field->start + r, field->size[0], field->in_row + r);
+    for (size_t c = cells; c < cells + LANES; c++) field->in_row[c] = field->in_slab[c] = EMPTY;
+    for (size_t z = 0; z < cells; z += slab)
+        for (size_t x = 0; x < nx; x = next_lanes(x, nx)) {
+            const lines in = {field->in_row + z + x, nx, field->size[1]};
+            spread(&in, nx, field->in_slab + z + x);
+        }
+    for (size_t c = 0; c < slab; c = next_lanes(c, slab)) {
+        const lines in = {field->in_slab + c, slab, field->size[2]};
+        int16_t squares[DMI_FIELD_CELLS + 2][LANES];
+        spread(&in, LANES, squares[0]);
+        for (size_t z = 0; z < nz; z++) measure(squares[z], field->cell, field->distance + z * slab + c);
+    }
 }
 
 dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t count, const float low[3],
@@ -176,9 +179,11 @@ dm_result dmi_field_make(dmi_arena* arena, const float (*samples)[3], uint32_t c
         out->size[k] = (int32_t)ceilf(dmi_max(high[k] - low[k], 0) / out->cell) + 1;
         cells *= (size_t)out->size[k];
     }
-    out->distance = dmi_arena_push(arena, sizeof *out->distance * cells);
-    out->source = dmi_arena_push(arena, sizeof *out->source * cells);
-    if (out->distance == NULL || out->source == NULL || sort_samples(arena, count, cells, out) != DM_OK)
+    out->distance = dmi_arena_push(arena, sizeof *out->distance * (cells + LANES));
+    out->in_row = dmi_arena_push(arena, sizeof *out->in_row * (cells + LANES));
+    out->in_slab = dmi_arena_push(arena, sizeof *out->in_slab * (cells + LANES));
+    if (out->distance == NULL || out->in_row == NULL || out->in_slab == NULL ||
+        sort_samples(arena, count, cells, out) != DM_OK)
         return DM_ERROR_OUT_OF_MEMORY;
     transform(out);
     return DM_OK;
@@ -230,14 +235,34 @@ static uint32_t nearest_within(const dmi_field* field, const float point[3], flo
     return best;
 }
 
-/* The cell a point is in, or the nearest one to it. */
-static size_t clamped_cell(const dmi_field* field, const float point[3]) {
-    size_t index = 0;
-    for (int k = 2; k >= 0; k--) {
-        float at = (point[k] - field->low[k]) * field->per_cell, last = (float)(field->size[k] - 1);
-        index = index * (size_t)field->size[k] + (size_t)dmi_min(dmi_max(at, 0), last);
+/* The cell of a line by way of which the q-th is nearest; of equals the one fewest steps away, and then the lower. */
+static int32_t way_along(const int16_t* line, size_t stride, int32_t n, int32_t q) {
+    int32_t best = line[(size_t)q * stride], at = q;
+    for (int32_t r = 1; r < n && best > r * r; r++)
+        for (int32_t from = q - r; from <= q + r; from += 2 * r) {
+            if (from < 0 || from >= n || line[(size_t)from * stride] + r * r >= best) continue;
+            best = line[(size_t)from * stride] + r * r, at = from;
+        }
+    return at;
+}
+
+/* The nearest occupied cell to the one a point is in or nearest to: the way that the transform came, backwards. */
+static size_t source_of(const dmi_field* field, const float point[3]) {
+    const int32_t* size = field->size;
+    int32_t at[3];
+    for (int k = 0; k < 3; k++) {
+        const float x = (point[k] - field->low[k]) * field->per_cell, last = (float)(size[k] - 1);
+        at[k] = (int32_t)dmi_min(dmi_max(x, 0), last);
     }
-    return index;
+    const size_t nx = (size_t)size[0], slab = nx * (size_t)size[1];
+    const size_t x = (size_t)at[0];
+    const size_t z = (size_t)way_along(field->in_slab + (size_t)at[1] * nx + x, slab, size[2], at[2]);
+    const size_t y = (size_t)way_along(field->in_row + z * slab + x, nx, size[1], at[1]);
+    const size_t row = z * slab + y * nx;
+    int32_t steps = 0;
+    while (steps * steps < field->in_row[row + x]) steps++;
+    const size_t below = row + x - (size_t)steps;
+    return steps <= at[0] && field->start[below + 1] > field->start[below] ? below : row + x + (size_t)steps;
 }
 
 uint32_t dmi_field_nearest(const dmi_field* field, const float point[3], float* out_distance) {
@@ -246,7 +271,8 @@ uint32_t dmi_field_nearest(const dmi_field* field, const float point[3], float* 
     /* The nearest occupied cell is `rough` away from this cell's centre: a sample lies within its diagonal of that. */
     float rough = dmi_field_distance(field, point);
     if (rough <= 1.5f * field->cell) return nearest_within(field, point, rough + 1.733f * field->cell, out_distance);
-    uint32_t cell = field->source[clamped_cell(field, point)], best = UINT32_MAX;
+    const size_t cell = source_of(field, point);
+    uint32_t best = UINT32_MAX;
     for (uint32_t i = field->start[cell]; i < field->start[cell + 1]; i++) {
         float d = dmi_distance3(point, field->samples[field->order[i]]);
         if (d < *out_distance) *out_distance = d, best = field->order[i];

@@ -10,7 +10,8 @@ typedef struct dmi_field {
     float low[3], cell, per_cell; /* per_cell = 1 / cell */
     int32_t size[3];
     float* distance;  /* from a cell's centre to the nearest cell that holds a sample; inner units */
-    uint32_t* source; /* that nearest cell */
+    int16_t* in_row;  /* squared distances in cells to the nearest such cell of the same row (x), */
+    int16_t* in_slab; /* and of the same slab (z) */
     uint32_t* start;  /* cell c holds order[start[c]] .. order[start[c + 1] - 1] */
     uint32_t* order;  /* sample indices by cell */
     uint32_t count;   /* samples inside the grid */
