@@ -170,7 +170,7 @@ static void hold(dmi_drag* drag, const dm_ray* ray, float dt) {
     dm_ray unit;
     if (ray && usable_ray(ray, &unit)) {
         const float wish = follow(drag, &unit, dt);
-        if (dmi_rivals_weigh(&drag->rivals, drag->rest_point, wish, &unit, drag->projection)) {
+        if (dmi_rivals_weigh(&drag->rivals, wish, &unit, drag->projection)) {
             change_joint(drag);
             before = drag->target;
         }

@@ -4,17 +4,25 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vec3.h"
+
 #define ONE_TURN 6.28318531f
 #define FIRST_PULL 0.006f  /* of the part's size: less tells nothing */
-#define SPREAD 0.02f       /* of the pull: how far off the right path a hand goes */
+#define SPREAD 0.01f       /* of the pull: how far off the right path a good hand goes */
 #define TREMOR 0.003f      /* of the part's size: and how far it is off at the start */
-#define TAIL 8.0f          /* hands err much now and then: a normal law near the path, a power law far from it */
+#define TAIL 2.0f          /* how good the hand is, nobody knows: far misses count by their ratio, not by their size */
 #define OTHER_SIDE (-0.7f) /* log of how probable it is that a range lies on the other side of rest */
 #define LEAST_PRIOR 1e-3f
 #define LAST_RESORT (-5.0f) /* log odds of a slide along an axis that nothing speaks for */
 #define GOOD_ARM 0.15f      /* of the part's size: nobody turns a part by a point much nearer to its axis … */
 #define LEAST_ARM 0.05f     /* … of that; but a hand may land there */
 #define AT_ONCE 2           /* rivals weighed an update, beside the best */
+#define RAYS_AT_ONCE 1      /* followed by lines that are fitted, an update */
+#define FIT_BEST_EVERY 3    /* lines fitted: that of the best is shown, and it is what others are measured by */
+#define SHIFT 0.1f          /* of the part's size: rivals that move the part less unlike each other are one */
+#define UNSHIFTED 1.0f      /* log odds that a line is exactly where the geometry has it, and more for sure joints */
+#define LEAST_RAYS 4        /* that tell a line's place */
+#define NOBODY UINT32_MAX
 #define STALE 0.05f         /* how much likelier a rival may have become in each round that left it out, log */
 #define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
 #define MARGIN 0.4f         /* how much more probable another joint must be, log */
@@ -61,7 +69,7 @@ static float prior_of(const dm_joint* joint) {
  * explained, by a large turn. */
 static float arm_cost(const dmi_rivals* rivals, const dm_joint* joint) {
     if (!dmi_joint_turns(joint->type)) return 0;
-    const dm_joint grabbed = {.origin = {rivals->grab[0], rivals->grab[1], rivals->grab[2]}};
+    const dm_joint grabbed = {.origin = {rivals->pull.grab[0], rivals->pull.grab[1], rivals->pull.grab[2]}};
     const float arm = distance_of_lines(joint, &grabbed) / (GOOD_ARM * rivals->size);
     return logf(fminf(fmaxf(arm, LEAST_ARM), 1));
 }
@@ -70,8 +78,13 @@ static void add(dmi_rivals* rivals, const dm_joint* joint, float prior, int open
     if (rivals->count == DMI_RIVALS || joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
     prior += arm_cost(rivals, joint);
     rivals->hope[rivals->count] = prior;
-    rivals->list[rivals->count++] =
-        (dmi_rival){.joint = *joint, .side = side_of(joint), .open = open, .prior = prior, .score = prior};
+    rivals->promise[rivals->count] = dmi_joint_turns(joint->type) ? prior : -INFINITY;
+    rivals->list[rivals->count++] = (dmi_rival){.joint = *joint,
+                                                .home = {joint->origin.x, joint->origin.y, joint->origin.z},
+                                                .side = side_of(joint),
+                                                .open = open,
+                                                .prior = prior,
+                                                .score = prior};
 }
 
 void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint) {
@@ -82,7 +95,8 @@ void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint) {
 
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, const float grab_point[3], float size,
                      dmi_give give) {
-    *rivals = (dmi_rivals){.grab = {grab_point[0], grab_point[1], grab_point[2]}, .size = size, .give = give};
+    *rivals = (dmi_rivals){.size = size, .give = give, .fitting = {.rival = NOBODY}};
+    dmi_pull_begin(&rivals->pull, grab_point, FIRST_PULL * size);
     for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++) add(rivals, &joints[i], prior_of(&joints[i]), 0);
     if (rivals->count == 0) return;
     for (int i = 0; i < 3; i++) {
@@ -121,9 +135,10 @@ static float miss(const dm_ray* ray, const float point[3], const float grab[3], 
 }
 
 /* Log likelihood of a pull that is so far off. It counts how far that was at most, as a share of the pull by now: a
- * slide crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. */
+ * slide crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail
+ * is that of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. */
 static float explains(const dmi_rivals* rivals, float off) {
-    const float share = off / (SPREAD * rivals->pull + TREMOR * rivals->size);
+    const float share = off / (SPREAD * rivals->pull.length + TREMOR * rivals->size);
     return -TAIL * logf(1 + share * share / (2 * TAIL));
 }
 
@@ -139,19 +154,32 @@ static void score(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3
     float point[3];
     dmi_pose_apply(&pose, grab, point);
     rival->worst = fmaxf(rival->worst, miss(ray, point, grab, projection));
-    rival->score = rival->prior + side_cost(rival, rival->reach) + explains(rivals, rival->worst);
+    rival->score = rival->prior - rival->lean + side_cost(rival, rival->reach) + explains(rivals, rival->worst);
     rival->stop_score = rival->score;
     if (now * rival->reach >= 0) return;
-    rival->stop_score = rival->prior + side_cost(rival, now) + explains(rivals, miss(ray, grab, grab, projection));
+    rival->stop_score =
+        rival->prior - rival->lean + side_cost(rival, now) + explains(rivals, miss(ray, grab, grab, projection));
+}
+
+/* Where it may be, on either side of rest as long as it has not gone out on one. */
+static void range_of(const dmi_rivals* rivals, const dmi_rival* rival, float* out_lower, float* out_upper) {
+    dmi_rivals_limits(&rival->joint, rivals->give, out_lower, out_upper);
+    if (side_of(&rival->joint) == 0 || rival->settled) return;
+    *out_upper = fmaxf(-*out_lower, *out_upper), *out_lower = -*out_upper;
 }
 
 static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
                   dmi_projection projection) {
     float lower, upper;
-    dmi_rivals_limits(&rival->joint, rivals->give, &lower, &upper);
-    if (side_of(&rival->joint) != 0 && !rival->settled) upper = fmaxf(-lower, upper), lower = -upper;
+    range_of(rivals, rival, &lower, &upper);
     rival->reach = dmi_follow_ray_roughly(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
     score(rivals, rival, grab, ray, projection);
+}
+
+/* What a stop holds back tells nothing of the joint. */
+static int is_held(const dmi_rival* rival, float wish) {
+    const float side = side_of(&rival->joint);
+    return side != 0 && rival->settled && side * wish <= 0;
 }
 
 /* The best is followed already, unless a stop at rest holds it, which it may not have; a drawer that was pulled out and
@@ -165,7 +193,7 @@ static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, co
         return;
     }
     best->reach = wish;
-    if (side * wish <= 0 && best->settled) return; /* what a stop holds back tells nothing of the joint */
+    if (is_held(best, wish)) return;
     score(rivals, best, grab, ray, projection);
 }
 
@@ -226,19 +254,136 @@ static uint32_t weigh_some(dmi_rivals* rivals, const float grab[3], const dm_ray
     return winner;
 }
 
-int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, const dm_ray* ray,
-                     dmi_projection projection) {
-    const float pull = miss(ray, grab_point, grab_point, projection);
-    if (isfinite(pull)) rivals->pull = fmaxf(rivals->pull, pull);
-    if (rivals->count == 0 || rivals->pull < FIRST_PULL * rivals->size) return 0;
+/* ---- lines ---- */
+
+static void origin_at(const dmi_rival* rival, const dmi_fit* fit, const float shift[2], dm_vec3* out) {
+    float at[3];
+    for (int i = 0; i < 3; i++)
+        at[i] = rival->home[i] + fit->size * (shift[0] * fit->outward[i] + shift[1] * fit->forward[i]);
+    *out = dmi_vec3(at);
+}
+
+/* What a shift of the line costs: one that nothing in the geometry speaks for is rare, a far one rarer. */
+static float lean_of(const dmi_rivals* rivals, const dmi_rival* rival, const dmi_fit* fit, const float shift[2]) {
+    dm_joint home = rival->joint, there = rival->joint;
+    home.origin = dmi_vec3(rival->home);
+    origin_at(rival, fit, shift, &there.origin);
+    const float far = (shift[0] * shift[0] + shift[1] * shift[1]) / (2 * SHIFT * SHIFT);
+    return UNSHIFTED + fmaxf(prior_of(&rival->joint), 0) + far + arm_cost(rivals, &home) - arm_cost(rivals, &there);
+}
+
+/* The shift that would make the misses and itself least together, were they linear in it. */
+static void best_shift(const dmi_rivals* rivals, const dmi_rival* rival, const dmi_fit* fit, float out[2]) {
+    const float off = SPREAD * rivals->pull.length + TREMOR * rivals->size;
+    const float worth = off * off / (SHIFT * SHIFT);
+    const float a = fit->curvature[0] + worth, b = fit->curvature[1], c = fit->curvature[2] + worth;
+    const float p = fit->slope[0] + worth * rival->shift[0], q = fit->slope[1] + worth * rival->shift[1];
+    const float det = a * c - b * b;
+    out[0] = rival->shift[0] + (b * q - c * p) / det;
+    out[1] = rival->shift[1] + (b * p - a * q) / det;
+}
+
+/* Back to the start of the pull. */
+static void start_run(const dmi_rivals* rivals, dmi_fitting* fitting) {
+    const dmi_rival* rival = &rivals->list[fitting->rival];
+    dmi_fit* fit = &fitting->fit;
+    dm_joint home = rival->joint;
+    home.origin = dmi_vec3(rival->home);
+    *fit = (dmi_fit){.joint = rival->joint, .size = rivals->size};
+    dmi_fit_ways(&home, rivals->pull.grab, fit->outward, fit->forward);
+    if (fitting->shifted) origin_at(rival, fit, fitting->shift, &fit->joint.origin);
+    range_of(rivals, rival, &fit->lower, &fit->upper);
+    fitting->thinned = rivals->pull.thinned;
+}
+
+/* The turn that promises most of those not in force; nobody when there is none. */
+static uint32_t most_promising(const dmi_rivals* rivals) {
+    uint32_t found = NOBODY;
+    float most = -INFINITY;
+    for (uint32_t i = 0; i < rivals->count; i++)
+        if (rivals->promise[i] > most && i != rivals->best) most = rivals->promise[i], found = i;
+    return found;
+}
+
+static void begin_fitting(dmi_rivals* rivals) {
+    dmi_fitting* fitting = &rivals->fitting;
+    const int the_best = rivals->fits++ % FIT_BEST_EVERY == 0 && dmi_joint_turns(rivals->list[rivals->best].joint.type);
+    *fitting = (dmi_fitting){.rival = the_best ? rivals->best : most_promising(rivals)};
+    if (fitting->rival != NOBODY) start_run(rivals, fitting);
+}
+
+/* The line as it is has gone through the pull. Where it would be better, misses may not be linear any more: so that
+ * line goes through it too. 0: even if it missed nothing, it would not be better. */
+static int try_shift(const dmi_rivals* rivals, dmi_fitting* fitting) {
+    const dmi_rival* rival = &rivals->list[fitting->rival];
+    if (fitting->shifted || fitting->fit.count < LEAST_RAYS) return 0;
+    best_shift(rivals, rival, &fitting->fit, fitting->shift);
+    if (!isfinite(fitting->shift[0]) || !isfinite(fitting->shift[1])) return 0;
+    fitting->lean = lean_of(rivals, rival, &fitting->fit, fitting->shift);
+    fitting->before = explains(rivals, fitting->fit.worst) - rival->lean;
+    if (!(-fitting->lean > fitting->before + MARGIN)) return 0;
+    fitting->shifted = 1;
+    start_run(rivals, fitting);
+    return 1;
+}
+
+/* Takes the line that was tried, if it is clearly better. */
+static int take_shift(dmi_rivals* rivals, const dmi_fitting* fitting) {
+    dmi_rival* rival = &rivals->list[fitting->rival];
+    const float after = explains(rivals, fitting->fit.worst) - fitting->lean;
+    if (!fitting->shifted || !(after > fitting->before + MARGIN)) return 0;
+    rival->joint.origin = fitting->fit.joint.origin;
+    rival->shift[0] = fitting->shift[0], rival->shift[1] = fitting->shift[1];
+    rival->lean = fitting->lean;
+    rival->worst = fitting->fit.worst;
+    rival->reach = fitting->fit.reach;
+    rival->score = rival->stop_score = rival->prior + after + side_cost(rival, rival->reach);
+    remember(rivals, fitting->rival);
+    return 1;
+}
+
+/* Some steps of a line through the pull. 1: that of the best has become another. */
+static int fit_lines(dmi_rivals* rivals) {
+    dmi_fitting* fitting = &rivals->fitting;
+    for (uint32_t left = RAYS_AT_ONCE; left > 0; left--) {
+        if (fitting->rival == NOBODY) begin_fitting(rivals);
+        if (fitting->rival == NOBODY) return 0;
+        if (fitting->thinned != rivals->pull.thinned) start_run(rivals, fitting);
+        if (fitting->fit.count < rivals->pull.count) dmi_fit_follow(&fitting->fit, &rivals->pull);
+        if (fitting->fit.count < rivals->pull.count || try_shift(rivals, fitting)) continue;
+        const uint32_t fitted = fitting->rival;
+        const int moved = take_shift(rivals, fitting);
+        rivals->promise[fitted] = rivals->list[fitted].score - STALE * (float)rivals->fits;
+        fitting->rival = NOBODY;
+        if (moved && fitted == rivals->best) return 1;
+    }
+    return 0;
+}
+
+/* 1: another, or the other side, is the best now. */
+static int weigh_all(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_projection projection) {
+    const float* grab = rivals->pull.grab;
     dmi_rival* best = &rivals->list[rivals->best];
-    weigh_best(rivals, best, wish, grab_point, ray, projection);
+    weigh_best(rivals, best, wish, grab, ray, projection);
     const float needed = best->stop_score + MARGIN;
-    const uint32_t winner = weigh_some(rivals, grab_point, ray, projection);
+    const uint32_t winner = weigh_some(rivals, grab, ray, projection);
     if (rivals->list[winner].score <= needed) return 0;
     const int changed = winner != rivals->best;
     rivals->best = winner;
     return take_side(&rivals->list[winner], rivals->size) || changed;
+}
+
+int dmi_rivals_weigh(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_projection projection) {
+    if (rivals->count == 0) return 0;
+    if (!is_held(&rivals->list[rivals->best], wish)) dmi_pull_add(&rivals->pull, ray, projection);
+    if (rivals->pull.length < FIRST_PULL * rivals->size) return 0;
+    if (weigh_all(rivals, wish, ray, projection)) return 1;
+    dmi_rival* best = &rivals->list[rivals->best];
+    if (is_held(best, wish) || !fit_lines(rivals)) return 0;
+    float lower, upper;
+    range_of(rivals, best, &lower, &upper);
+    best->reach = dmi_follow_ray(&best->joint, rivals->pull.grab, ray, projection, wish, lower, upper);
+    return 1;
 }
 
 float dmi_rivals_confidence(const dmi_rivals* rivals) {

@@ -3,12 +3,15 @@
 #ifndef DMI_MOTION_DRAG_RIVALS_H
 #define DMI_MOTION_DRAG_RIVALS_H
 
-#include "motion/follow.h"
+#include "motion/drag_fit.h"
 
 #define DMI_RIVALS 64
 
 typedef struct dmi_rival {
     dm_joint joint;   /* host object frame */
+    float home[3];    /* the origin that it came with; the pull may have shifted it … */
+    float shift[2];   /* … by so much (drag_fit.h), … */
+    float lean;       /* … which costs so much, log */
     float side;       /* of rest that its range was found on, +1 or -1; 0: both */
     int open;         /* nothing is known of its range */
     int settled;      /* the part has gone out on that side: rest is its stop */
@@ -25,15 +28,26 @@ typedef struct dmi_give {
     float length; /* … up to this along a slide, and up to a turn */
 } dmi_give;
 
+/* A rival on its way through the pull: as it is, and then, if that promises more, with its line shifted. */
+typedef struct dmi_fitting {
+    dmi_fit fit;
+    uint32_t rival, thinned;
+    int shifted;
+    float shift[2], lean; /* tried now */
+    float before;         /* how well the line as it was explains the pull, log */
+} dmi_fitting;
+
 typedef struct dmi_rivals {
     dmi_rival list[DMI_RIVALS];
-    uint32_t count, best;   /* best: in force */
-    float hope[DMI_RIVALS]; /* by which they are weighed: the score, and what comes with waiting */
-    uint32_t round;         /* of weighing */
-    float grab[3];          /* where the part was taken hold of, at rest */
-    float size;             /* of the part */
+    uint32_t count, best;      /* best: in force */
+    float hope[DMI_RIVALS];    /* by which they are weighed: the score, and what comes with waiting */
+    uint32_t round;            /* of weighing */
+    float promise[DMI_RIVALS]; /* by which lines are fitted: the score after it, and what comes with waiting */
+    uint32_t fits;
+    float size; /* of the part */
     dmi_give give;
-    float pull; /* how far the pointer went from the grabbed point, at its depth, at most */
+    dmi_pull pull;
+    dmi_fitting fitting;
 } dmi_rivals;
 
 /* joints[0] is in force. Adds the other side of ranges that begin at rest: which way a part opens is easily mistaken.
@@ -43,9 +57,8 @@ void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count,
 /* One more, of which no range is known; one too many is left out. */
 void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint);
 /* Weighs the best, which asks for `wish` on its side of rest, and the likeliest of the others by one more ray; not all,
- * so that an update stays within a microsecond. 1 when another, or the other side, has become the best. */
-int dmi_rivals_weigh(dmi_rivals* rivals, const float grab_point[3], float wish, const dm_ray* ray,
-                     dmi_projection projection);
+ * so that an update stays within a microsecond. 1 when another, the other side, or another line has become the best. */
+int dmi_rivals_weigh(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_projection projection);
 /* Where the pull may take a joint that the library found: a stop at rest is a stop, but how far a part opens was only
  * estimated. Infinite without limits. */
 void dmi_rivals_limits(const dm_joint* joint, dmi_give give, float* out_lower, float* out_upper);
