@@ -86,10 +86,11 @@ def mirrored(batch):
 
 def mixed_batch(lab, network, seed, categories, loaded, share):
     """A chunk for training: generated cases, a share of them replaced by cases of loaded objects."""
-    arrays = make_batch(lab, network, seed, CHUNK, categories, "train")
+    mix = config.TRAINING_MIX[network]
+    arrays = make_batch(lab, network, seed, CHUNK, categories, "train", mix)
     count = round(share * CHUNK) if loaded else 0
     if count:
-        theirs = packed(network, loaded.batch(lab, network, seed, count, config.MIX))
+        theirs = packed(network, loaded.batch(lab, network, seed, count, mix))
         for name, array in arrays.items():
             array[:count] = theirs[name]
     return arrays

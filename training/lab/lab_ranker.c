@@ -14,7 +14,7 @@
 
 #define KEPT_BEST 8
 #define SIEVE_VERSION 1
-#define EXACT_DRAGS 0.5f
+#define EXACT_DRAGS 0.4f
 
 typedef struct ranker_case {
     lab_case made;
