@@ -1,47 +1,107 @@
-/* Forward pass of the limits' network: three dense layers, then sizes on a logarithmic scale. */
+/* Forward pass of the limits' network: how probable each range is, and the range that overlaps the likely ones most. A
+ * door that goes a quarter turn or a half overlaps neither well with the mean of both. */
 #include "kinematics/limit_net.h"
 
 #include <math.h>
+#include <string.h>
 
-#define LEAST 0.01f /* sizes are learnt as log(size + LEAST) */
-#define MOST 7.0f
-#define AT_AN_END 0.05f /* less room than this share of the other side: it rests at the end */
+#define LEAST 0.01f       /* between the limits */
+#define UNLIKELY 1e-3f    /* ranges less probable than this don't count; all alike have more */
+#define LOW_LOGIT (-30.0f)
+
+static int sizes_rise(const float sizes[DMI_LIMIT_SIZES]) {
+    int rise = sizes[0] == 0;
+    for (int i = 1; i < DMI_LIMIT_SIZES; i++) rise &= sizes[i] > sizes[i - 1];
+    return rise;
+}
 
 int dmi_limit_net_read(const dmi_weights* weights, dmi_limit_net* out_net) {
     const uint32_t in = DMI_LIMIT_FEATURES, hidden = DMI_LIMIT_HIDDEN;
     return dmi_weights_read(weights, "limits.mean", in, 0, out_net->mean) &&
            dmi_weights_read(weights, "limits.scale", in, 0, out_net->scale) &&
-           dmi_weights_read(weights, "limits.0.weight", hidden, in, out_net->first) &&
-           dmi_weights_read(weights, "limits.0.bias", hidden, 0, out_net->first_bias) &&
-           dmi_weights_read(weights, "limits.2.weight", hidden, hidden, out_net->second) &&
-           dmi_weights_read(weights, "limits.2.bias", hidden, 0, out_net->second_bias) &&
-           dmi_weights_read(weights, "limits.4.weight", 3, hidden, out_net->last) &&
-           dmi_weights_read(weights, "limits.4.bias", 3, 0, out_net->last_bias);
+           dmi_weights_read(weights, "limits.sizes", DMI_LIMIT_SIZES, 0, out_net->sizes) &&
+           dmi_weights_read(weights, "limits.first", in, hidden, out_net->first) &&
+           dmi_weights_read(weights, "limits.first_bias", hidden, 0, out_net->first_bias) &&
+           dmi_weights_read(weights, "limits.second", hidden, hidden, out_net->second) &&
+           dmi_weights_read(weights, "limits.second_bias", hidden, 0, out_net->second_bias) &&
+           dmi_weights_read(weights, "limits.last", hidden, DMI_LIMIT_OUTPUTS, out_net->last) &&
+           dmi_weights_read(weights, "limits.last_bias", DMI_LIMIT_OUTPUTS, 0, out_net->last_bias) &&
+           sizes_rise(out_net->sizes);
 }
 
-static void dense(const float* weight, const float* bias, const float* in, int inputs, int outputs, int rectify,
-                  float* out) {
-    for (int o = 0; o < outputs; o++) {
-        float sum = bias[o];
-        for (int i = 0; i < inputs; i++) sum += weight[o * inputs + i] * in[i];
-        out[o] = rectify && sum < 0 ? 0 : sum;
+static void dense(const float* weight, const float* bias, const float* in, int inputs, int outputs,
+                  float* restrict out) {
+    memcpy(out, bias, (size_t)outputs * sizeof *out);
+    for (int i = 0; i < inputs; i++)
+        for (int o = 0; o < outputs; o++) out[o] += in[i] * weight[i * outputs + o];
+}
+
+static void rectify(float* x, int count) {
+    for (int i = 0; i < count; i++) x[i] = x[i] > 0 ? x[i] : 0;
+}
+
+/* Logits to probabilities; the least logit is held so that no share is denormal. */
+static void share(const float* logits, int count, float* out) {
+    float most = -INFINITY, sum = 0;
+    for (int i = 0; i < count; i++) most = fmaxf(most, logits[i]);
+    for (int i = 0; i < count; i++) sum += out[i] = expf(fmaxf(logits[i] - most, LOW_LOGIT));
+    for (int i = 0; i < count; i++) out[i] /= sum;
+}
+
+typedef struct range {
+    float down, up, probability;
+} range;
+
+/* The ranges that count: of every kind of range each side has its own shares. */
+static int likely_ranges(const dmi_limit_net* net, const float outputs[DMI_LIMIT_OUTPUTS - 1],
+                         range out[DMI_LIMIT_SIZES * DMI_LIMIT_SIZES]) {
+    enum { N = DMI_LIMIT_SIZES, KINDS = DMI_LIMIT_KINDS };
+    float kind[KINDS], down[KINDS][N], up[KINDS][N];
+    share(outputs, KINDS, kind);
+    for (int k = 0; k < KINDS; k++) {
+        share(outputs + KINDS + k * N, N, down[k]);
+        share(outputs + KINDS + (KINDS + k) * N, N, up[k]);
     }
+    int count = 0;
+    for (int d = 0; d < N; d++)
+        for (int u = 0; u < N; u++) {
+            float p = 0;
+            for (int k = 0; k < KINDS; k++) p += kind[k] * down[k][d] * up[k][u];
+            if (p > UNLIKELY) out[count++] = (range){net->sizes[d], net->sizes[u], p};
+        }
+    return count;
 }
 
-static float size_of(float logarithm) {
-    return fminf(fmaxf(expf(fminf(logarithm, 3)) - LEAST, 0), MOST);
+/* Of two ranges that hold the rest: what they share over what they cover. */
+static float overlap(const range* a, const range* b) {
+    const float both = fminf(a->down, b->down) + fminf(a->up, b->up);
+    return both / (fmaxf(a->down, b->down) + fmaxf(a->up, b->up) + 1e-4f);
+}
+
+static range best_range(const range* ranges, int count) {
+    range best = {0, 0, 0};
+    float most = -1;
+    for (int i = 0; i < count; i++) {
+        float expected = 0;
+        for (int k = 0; k < count; k++) expected += ranges[k].probability * overlap(&ranges[i], &ranges[k]);
+        if (expected > most) most = expected, best = ranges[i];
+    }
+    return best;
 }
 
 void dmi_limit_net_forward(const dmi_limit_net* net, const float features[DMI_LIMIT_FEATURES], float* out_lower,
                            float* out_upper, float* out_free) {
-    float x[DMI_LIMIT_FEATURES], a[DMI_LIMIT_HIDDEN], b[DMI_LIMIT_HIDDEN], out[3];
+    float x[DMI_LIMIT_FEATURES], a[DMI_LIMIT_HIDDEN], b[DMI_LIMIT_HIDDEN], out[DMI_LIMIT_OUTPUTS];
+    range ranges[DMI_LIMIT_SIZES * DMI_LIMIT_SIZES];
     for (int i = 0; i < DMI_LIMIT_FEATURES; i++) x[i] = (features[i] - net->mean[i]) * net->scale[i];
-    dense(net->first, net->first_bias, x, DMI_LIMIT_FEATURES, DMI_LIMIT_HIDDEN, 1, a);
-    dense(net->second, net->second_bias, a, DMI_LIMIT_HIDDEN, DMI_LIMIT_HIDDEN, 1, b);
-    dense(net->last, net->last_bias, b, DMI_LIMIT_HIDDEN, 3, 0, out);
-    const float down = size_of(out[0]), up = size_of(out[1]);
-    *out_lower = down > AT_AN_END * up ? -down : 0;
-    *out_upper = up > AT_AN_END * down ? up : 0;
+    dense(net->first, net->first_bias, x, DMI_LIMIT_FEATURES, DMI_LIMIT_HIDDEN, a);
+    rectify(a, DMI_LIMIT_HIDDEN);
+    dense(net->second, net->second_bias, a, DMI_LIMIT_HIDDEN, DMI_LIMIT_HIDDEN, b);
+    rectify(b, DMI_LIMIT_HIDDEN);
+    dense(net->last, net->last_bias, b, DMI_LIMIT_HIDDEN, DMI_LIMIT_OUTPUTS, out);
+    const range best = best_range(ranges, likely_ranges(net, out + 1, ranges));
+    *out_lower = -best.down;
+    *out_upper = best.up;
     if (*out_upper - *out_lower < LEAST) *out_upper = *out_lower + LEAST;
-    *out_free = out[2];
+    *out_free = out[0];
 }

@@ -6,7 +6,7 @@
 #include "nn/weights.h"
 
 #define HIDDEN 64
-#define VERSION 2 /* 1 has no sieve */
+#define VERSION 3 /* before it limits were regressed */
 /* Share of the opinion that does without KPP-Net: on kinds of objects that neither it nor the ranker was trained on, .3
  * to .5 answers a point more of them right than 0. */
 #define DOUBT 0.4f
@@ -20,7 +20,6 @@ struct dmi_ranker {
     float calibration[2]; /* slope and offset between log odds */
     dmi_limit_net limits;
     dmi_sieve sieve;
-    int has_sieve;
 };
 
 static int copy_transposed(const dmi_weights* weights, const char* name, uint32_t outputs, uint32_t inputs, float* to) {
@@ -58,8 +57,7 @@ static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
         return 0;
     if (!(ranker->calibration[0] > 0 && ranker->calibration[0] < 1e3f)) return 0;
     fold_standardisation(mean, scale, ranker);
-    ranker->has_sieve = strcmp(dmi_weights_metadata(weights, "version"), "1") != 0;
-    return !ranker->has_sieve || dmi_sieve_read(weights, &ranker->sieve);
+    return dmi_sieve_read(weights, &ranker->sieve);
 }
 
 dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranker** out_ranker) {
@@ -200,5 +198,5 @@ const dmi_limit_net* dmi_ranker_limits(const dmi_ranker* ranker) {
 }
 
 const dmi_sieve* dmi_ranker_sieve(const dmi_ranker* ranker) {
-    return ranker != NULL && ranker->has_sieve ? &ranker->sieve : NULL;
+    return ranker != NULL ? &ranker->sieve : NULL;
 }

@@ -1,7 +1,7 @@
 """The ranker of candidate joints: evidence of generated cases in, sdk/models/ranker.safetensors out.
 
     python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split train] [--only held|trained]
-    python -m dragmesh_training.ranker train A.npz B.npz --validate V.npz --sieve SIEVE -o ranker.safetensors
+    python -m dragmesh_training.ranker train A.npz B.npz --validate V.npz --sieve SIEVE --limits LIMITS -o ranker.safetensors
 
 Cases are made with the sieve (sieve.py) that the library will have, so that the candidates are those which the ranker will see.
 
@@ -241,7 +241,6 @@ def export(path, tensors, metadata):
             file.write(array.astype("<f4").tobytes())
 
 
-LIMIT_ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32))
 ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type", np.int32), ("axis_error", np.float32),
                  ("line_error", np.float32), ("has_drag", np.int32), ("category", np.int32))
 
@@ -250,62 +249,6 @@ def options_of(lab, seed, count, split, chosen, noise_degrees=8.0, with_drag=0.7
     """Cases as `make` draws them; the weights of the categories must live as long as the options."""
     weights = category_weights(lab, chosen)
     return Options(seed, count, split, weights.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0), weights
-
-
-def limits_data(lab, kinematics, seed, count, split, chosen):
-    columns = lab.dm_lab_limits_columns()
-    data = {"features": np.zeros((count, columns), np.float32)}
-    data.update({name: np.zeros(count, dtype) for name, dtype in LIMIT_ARRAYS})
-    options, keep = options_of(lab, seed, count, split, chosen)
-    pointers = (ctypes.c_void_p * 5)(*[array.ctypes.data for array in data.values()])
-    if lab.dm_lab_limits_batch(ctypes.byref(options), kinematics, ctypes.c_size_t(len(kinematics)), pointers) != 0:
-        raise RuntimeError("dm_lab_limits_batch failed")
-    del keep
-    return data
-
-
-def range_overlap(low, high, lower, upper):
-    """Intersection over union of two ranges."""
-    import torch
-    both = torch.relu(torch.minimum(high, upper) - torch.maximum(low, lower))
-    return both / (torch.maximum(high, upper) - torch.minimum(low, lower)).clamp(min=1e-4)
-
-
-def fit_limits(data, validation, steps, seed):
-    """The limits' network (sdk/kinematics/limit_net.c): sizes on a logarithmic scale, by their overlap with the truth."""
-    import torch
-    torch.manual_seed(seed)
-    hidden, x = 96, torch.from_numpy(data["features"])
-    mean, scale = x.mean(0), 1 / (x.std(0) + 0.02)
-    net = torch.nn.Sequential(torch.nn.Linear(x.shape[1], hidden), torch.nn.ReLU(), torch.nn.Linear(hidden, hidden),
-                              torch.nn.ReLU(), torch.nn.Linear(hidden, 3))
-    optimiser = torch.optim.AdamW(net.parameters(), 2e-3, weight_decay=3e-2)
-
-    def measure(batch, noise=0.0):
-        features, lower, upper, free = (torch.from_numpy(batch[k]) for k in ("features", "lower", "upper", "free"))
-        out = net((features - mean) * scale + noise * torch.randn(features.shape))
-        low, high = -(out[:, 0].exp() - 0.01).clamp(0, 7), (out[:, 1].exp() - 0.01).clamp(0, 7)
-        logs = (out[:, 0] - (0.01 - lower.clamp(max=0)).log()).abs() + (out[:, 1] - (0.01 + upper.clamp(min=0)).log()).abs()
-        limited = free == 0
-        overlap = range_overlap(low, high, lower, upper)[limited]
-        stops = torch.nn.functional.binary_cross_entropy_with_logits(out[:, 2], free.float())
-        return overlap.mean(), 1 - overlap.mean() + 0.1 * logs[limited].mean() + stops
-
-    random = np.random.default_rng(seed)
-    for step in range(steps):
-        for group in optimiser.param_groups:
-            group["lr"] = 2e-3 * (1 - step / steps) + 1e-5
-        index = random.integers(0, len(x), 256)
-        _, loss = measure({name: array[index] for name, array in data.items()}, 0.3)
-        optimiser.zero_grad()
-        loss.backward()
-        optimiser.step()
-    with torch.no_grad():
-        print(f"limits: overlap with the truth {measure(data)[0]:.3f} trained, {measure(validation)[0]:.3f} validation",
-              flush=True)
-    tensors = {"limits.mean": mean.numpy(), "limits.scale": scale.numpy()}
-    tensors.update({f"limits.{name}": value.numpy() for name, value in net.state_dict().items()})
-    return tensors
 
 
 def answers(lab, kinematics, ranker, seed, count, split, chosen):
@@ -342,10 +285,6 @@ def run_train(arguments):
     data, validation = load(arguments.data, left_out), load([arguments.validate])
     with open(arguments.weights, "rb") as file:
         kinematics = file.read()
-    trained = [name for name in category_names(lab) if name not in left_out]
-    limits = fit_limits(limits_data(lab, kinematics, 5, arguments.limit_cases, 0, trained),
-                        limits_data(lab, kinematics, 6, arguments.limit_cases // 8, 1, category_names(lab)), 4000,
-                        arguments.seed)
     net, mean, scale = fit(data, validation, names, arguments)
     good, _ = evaluate(net, validation, mean, scale, arguments.without_network >= 1)
     print(f"validation: {summary(good, validation, names)}")
@@ -353,10 +292,11 @@ def run_train(arguments):
     for layer, name in enumerate(("0", "2", "4")):
         tensors[f"{name}.weight"], tensors[f"{name}.bias"] = state[2 * layer].numpy(), state[2 * layer + 1].numpy()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(arguments.sieve)[0].items()})
-    metadata = {"architecture": "dragmesh-ranker", "version": "2", "commit": commit, "seed": str(arguments.seed),
+    for path in (arguments.sieve, arguments.limits):
+        tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
+    metadata = {"architecture": "dragmesh-ranker", "version": "3", "commit": commit, "seed": str(arguments.seed),
                 "trained": f"{len(data['used'])} generated cases"}
-    calibrated(lab, kinematics, arguments.out, {**tensors, **limits}, metadata, arguments.calibration_cases,
+    calibrated(lab, kinematics, arguments.out, tensors, metadata, arguments.calibration_cases,
                category_names(lab))
 
 
@@ -386,10 +326,12 @@ def ship(folder, models):
     sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved. Its twin in the
     folder has not seen the held-out kinds (nor has the sieve): it says how well kinds are answered that the ranker does
     not know."""
+    from .limits import ship as fit_limits
     from .sieve import run as fit_sieve
     os.makedirs(folder, exist_ok=True)
     shipped = os.path.join(models, "kpp_net.safetensors")
-    earlier, sieve = earlier_network(folder), os.path.join(folder, "sieve.safetensors")
+    earlier = earlier_network(folder)
+    sieve, limits = (os.path.join(folder, name + ".safetensors") for name in ("sieve", "limits"))
     if not os.path.exists(sieve):
         every = [case_file(folder, f"every{seed}", kinematics, seed, "--count", str(SIEVE_CASES))
                  for seed, kinematics in zip(SIEVE_SEEDS, (earlier, shipped))]
@@ -397,8 +339,9 @@ def ship(folder, models):
     cases = [(seed, earlier) for seed in EARLIER_SEEDS] + [(seed, shipped) for seed in SHIPPED_SEEDS]
     files = [case_file(folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
              for seed, kinematics in cases]
+    fit_limits(folder, shipped, limits)
     validation = case_file(folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
-    common = ["train", *files, "--validate", validation, "--weights", shipped, "--sieve", sieve]
+    common = ["train", *files, "--validate", validation, "--weights", shipped, "--sieve", sieve, "--limits", limits]
     run([*common, "-o", os.path.join(models, "ranker.safetensors")])
     run([*common, "--hold-out", "-o", os.path.join(folder, "twin.safetensors")])
 
@@ -414,7 +357,7 @@ def run(words):
     one.add_argument("--count", type=int, default=2000)
     one.add_argument("--rows", type=int, default=112)
     one.add_argument("--split", type=int, default=0)
-    one.add_argument("--noise", type=float, default=12.0)
+    one.add_argument("--noise", type=float, default=14.0)
     one.add_argument("--only", choices=("all", "held", "trained"), default="all")
     one.add_argument("--weights")
     one.add_argument("--sieve", help="weights of the sieve; without them all candidates are judged")
@@ -425,7 +368,7 @@ def run(words):
     two.add_argument("--lab", default=default_lab)
     two.add_argument("--weights", required=True, help="the KPP-Net that ships")
     two.add_argument("--sieve", required=True, help="what the cases were made with")
-    two.add_argument("--limit-cases", type=int, default=8000)
+    two.add_argument("--limits", required=True, help="weights of the limits' network (limits.py)")
     two.add_argument("--calibration-cases", type=int, default=1500)
     two.add_argument("--steps", type=int, default=9000)
     two.add_argument("--batch", type=int, default=48)
