@@ -15,7 +15,7 @@
 #include "generator.h"
 #include "sheet.h"
 
-enum { CATEGORY_LIMIT = 256 };
+enum { CATEGORY_LIMIT = 512 };
 
 typedef struct options {
     const char* folder; /* or file */
