@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#define LEAST 0.01f       /* between the limits */
-#define UNLIKELY 1e-3f    /* ranges less probable than this don't count; all alike have more */
+#define LEAST 0.01f    /* between the limits */
+#define UNLIKELY 1e-3f /* ranges less probable than this don't count; all alike have more */
 #define LOW_LOGIT (-30.0f)
 
 static int sizes_rise(const float sizes[DMI_LIMIT_SIZES]) {
