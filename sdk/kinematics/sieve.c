@@ -44,11 +44,6 @@ static inline void score_rows(const dmi_sieve* sieve, const float (*rows)[DMI_EV
     forward(sieve, rows + count - SIDE, out_scores + count - SIDE);
 }
 
-static void score_plain(const dmi_sieve* sieve, const float (*rows)[DMI_EVIDENCE_COUNT], uint32_t count,
-                        float* out_scores) {
-    score_rows(sieve, rows, count, out_scores);
-}
-
 #if defined(__x86_64__)
 /* The same operations, eight at a time; without FMA, so the same bits. */
 __attribute__((target("avx2"), flatten)) static void
@@ -64,7 +59,7 @@ static void score(const dmi_sieve* sieve, const float (*rows)[DMI_EVIDENCE_COUNT
         return;
     }
 #endif
-    score_plain(sieve, rows, count, out_scores);
+    score_rows(sieve, rows, count, out_scores);
 }
 
 /* The value that comes n-th when the largest is the 0th; `values` lose their order (Hoare's quickselect). */

@@ -57,7 +57,7 @@ void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count,
 /* One more, of which no range is known; one too many is left out. */
 void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint);
 /* Weighs the best, which asks for `wish` on its side of rest, and the likeliest of the others by one more ray; not all,
- * so that an update stays within a microsecond. 1 when another, the other side, or another line has become the best. */
+ * so that an update stays near a microsecond. 1 when another, the other side, or another line has become the best. */
 int dmi_rivals_weigh(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_projection projection);
 /* Where the pull may take a joint that the library found: a stop at rest is a stop, but how far a part opens was only
  * estimated. Infinite without limits. */

@@ -54,10 +54,31 @@ static void room_on_one_side_opens_that_side(void** state) {
     test_env_close(&t);
 }
 
+/* Rests at an end and goes 1.5 or 3 rad: the likelier is answered, never what lies between. */
+static void one_of_two_ranges_is_answered(void** state) {
+    (void)state;
+    static dmi_limit_net net;
+    enum { N = DMI_LIMIT_SIZES, SIDES = 1 + DMI_LIMIT_KINDS, QUARTER = 10, HALF = 20 };
+    for (int i = 0; i < N; i++) net.sizes[i] = 0.15f * (float)i;
+    for (int k = 0; k < DMI_LIMIT_KINDS; k++) {
+        net.last_bias[1 + k] = k > 1 ? -20.0f : k == 0 ? 0.4f : 0;
+        net.last_bias[SIDES + k * N] = 20; /* no way down */
+        net.last_bias[SIDES + (DMI_LIMIT_KINDS + k) * N + (k == 0 ? QUARTER : HALF)] = 20;
+    }
+    const float features[DMI_LIMIT_FEATURES] = {0};
+    float lower, upper, free_turn;
+    dmi_limit_net_forward(&net, features, &lower, &upper, &free_turn);
+    assert_true(lower == 0 && upper == net.sizes[QUARTER]);
+    net.last_bias[1] = -1;
+    dmi_limit_net_forward(&net, features, &lower, &upper, &free_turn);
+    assert_true(lower == 0 && upper == net.sizes[HALF]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_features_give_a_range_around_rest),
         cmocka_unit_test(room_on_one_side_opens_that_side),
+        cmocka_unit_test(one_of_two_ranges_is_answered),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,7 +12,7 @@ import os
 import numpy as np
 import torch
 
-from .ranker import category_names, export, load, open_lab, options_of
+from .ranker import case_file, category_names, export, load, open_lab, options_of
 
 ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32))
 # Of what ships. Half of the cases are of the kinds up to here: the later ones are machines and robots for the most part, whose
@@ -118,15 +118,13 @@ def run_fit(arguments):
 
 def ship(folder, kinematics, out):
     """The limits' network that ships; goes on where it was stopped."""
-    files = []
-    for name, seed, split, kinds in (("validation", VALIDATION_SEED, 1, None), *(("first", seed, 0, FIRST_KINDS) for seed in SEEDS),
-                                     *(("all", seed, 0, None) for seed in SEEDS)):
-        files.append(os.path.join(folder, f"limits_{name}{seed}.npz"))
-        if not os.path.exists(files[-1]):
-            run(["make", files[-1] + ".part.npz", "--weights", kinematics, "--seed", str(seed), "--split", str(split),
-                 "--count", str(CASES // 4 if split else CASES), *(["--kinds", str(kinds)] if kinds else [])])
-            os.rename(files[-1] + ".part.npz", files[-1])
-    run(["fit", *files[1:], "--validate", files[0], "-o", out])
+    def made(name, seed, count, *more):
+        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--count", str(count), *more)
+
+    validation = made("validation", VALIDATION_SEED, CASES // 4, "--split", "1")
+    files = [made("first", seed, CASES, "--kinds", str(FIRST_KINDS)) for seed in SEEDS]
+    files += [made("all", seed, CASES) for seed in SEEDS]
+    run(["fit", *files, "--validate", validation, "-o", out])
 
 
 def run(words=None):

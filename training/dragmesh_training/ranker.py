@@ -312,11 +312,11 @@ def earlier_network(folder):
     return path
 
 
-def case_file(folder, name, kinematics, seed, *more):
-    """The file of that name, made unless it is there."""
+def case_file(command, folder, name, kinematics, seed, *more):
+    """The file of that name, made unless it is there by the `make` of a module's `run`."""
     path = os.path.join(folder, name + ".npz")
     if not os.path.exists(path):
-        run(["make", path + ".part.npz", "--weights", kinematics, "--seed", str(seed), *more])
+        command(["make", path + ".part.npz", "--weights", kinematics, "--seed", str(seed), *more])
         os.rename(path + ".part.npz", path)
     return path
 
@@ -333,14 +333,14 @@ def ship(folder, models):
     earlier = earlier_network(folder)
     sieve, limits = (os.path.join(folder, name + ".safetensors") for name in ("sieve", "limits"))
     if not os.path.exists(sieve):
-        every = [case_file(folder, f"every{seed}", kinematics, seed, "--count", str(SIEVE_CASES))
+        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", str(SIEVE_CASES))
                  for seed, kinematics in zip(SIEVE_SEEDS, (earlier, shipped))]
         fit_sieve([*every, "-o", sieve])
     cases = [(seed, earlier) for seed in EARLIER_SEEDS] + [(seed, shipped) for seed in SHIPPED_SEEDS]
-    files = [case_file(folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
+    files = [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
              for seed, kinematics in cases]
     fit_limits(folder, shipped, limits)
-    validation = case_file(folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
+    validation = case_file(run, folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
     common = ["train", *files, "--validate", validation, "--weights", shipped, "--sieve", sieve, "--limits", limits]
     run([*common, "-o", os.path.join(models, "ranker.safetensors")])
     run([*common, "--hold-out", "-o", os.path.join(folder, "twin.safetensors")])
