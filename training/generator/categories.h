@@ -342,7 +342,11 @@
     X(belt_loader)                                                                                                     \
     X(airstairs)                                                                                                       \
     /* sails.c */                                                                                                      \
-    X(sailing_boat)
+    X(sailing_boat)                                                                                                    \
+    /* mice.c */                                                                                                       \
+    X(computer_mouse)                                                                                                  \
+    /* tripods.c */                                                                                                    \
+    X(tripod)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
