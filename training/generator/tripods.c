@@ -20,7 +20,9 @@ typedef struct tripod {
 static tripod pick_tripod(dmg_builder* b) {
     static const float tubes[] = {5, 2, 1.5f, 1.5f}, locks[] = {4, 3, 2, 1};
     float size = dmg_scale_range(b, 0.15f, 1.4f);
-    tripod t = {.legs = dmg_chance(b, 0.9f) ? 3 : dmg_int(b, 4, 5), .sections = dmg_int(b, 1, 4)};
+    tripod t = {.legs = 3};
+    if (dmg_chance(b, 0.1f)) t.legs = dmg_int(b, 4, 5);
+    t.sections = dmg_int(b, 1, 4);
     t.tube = dmg_weighted(b, tubes, 4);
     t.lock = dmg_weighted(b, locks, 4);
     t.leg = size * dmg_range(b, 0.3f, 0.7f);
