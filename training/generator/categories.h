@@ -346,7 +346,10 @@
     /* mice.c */                                                                                                       \
     X(computer_mouse)                                                                                                  \
     /* tripods.c */                                                                                                    \
-    X(tripod)
+    X(tripod)                                                                                                          \
+    /* nacelles.c */                                                                                                   \
+    X(thrust_reverser)                                                                                                 \
+    X(jet_nozzle)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
