@@ -349,7 +349,11 @@
     X(tripod)                                                                                                          \
     /* nacelles.c */                                                                                                   \
     X(thrust_reverser)                                                                                                 \
-    X(jet_nozzle)
+    X(jet_nozzle)                                                                                                      \
+    /* skips.c */                                                                                                      \
+    X(dumpster)                                                                                                        \
+    /* sluices.c */                                                                                                    \
+    X(sluice_gate)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
