@@ -353,7 +353,13 @@
     /* skips.c */                                                                                                      \
     X(dumpster)                                                                                                        \
     /* sluices.c */                                                                                                    \
-    X(sluice_gate)
+    X(sluice_gate)                                                                                                     \
+    /* flush.c */                                                                                                      \
+    X(flush_cabinet)                                                                                                   \
+    /* corners.c */                                                                                                    \
+    X(corner_cabinet)                                                                                                  \
+    /* vanities.c */                                                                                                   \
+    X(vanity)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
