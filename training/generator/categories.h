@@ -359,7 +359,13 @@
     /* corners.c */                                                                                                    \
     X(corner_cabinet)                                                                                                  \
     /* vanities.c */                                                                                                   \
-    X(vanity)
+    X(vanity)                                                                                                          \
+    /* portals.c */                                                                                                    \
+    X(scifi_door)                                                                                                      \
+    /* hatches.c */                                                                                                    \
+    X(pressure_hatch)                                                                                                  \
+    /* armour.c */                                                                                                     \
+    X(gun_vehicle)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
