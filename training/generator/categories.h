@@ -365,7 +365,11 @@
     /* hatches.c */                                                                                                    \
     X(pressure_hatch)                                                                                                  \
     /* armour.c */                                                                                                     \
-    X(gun_vehicle)
+    X(gun_vehicle)                                                                                                     \
+    /* stage.c */                                                                                                      \
+    X(stage_light)                                                                                                     \
+    /* players.c */                                                                                                    \
+    X(record_player)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
