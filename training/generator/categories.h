@@ -369,7 +369,9 @@
     /* stage.c */                                                                                                      \
     X(stage_light)                                                                                                     \
     /* players.c */                                                                                                    \
-    X(record_player)
+    X(record_player)                                                                                                   \
+    /* engines.c */                                                                                                    \
+    X(piston_engine)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
