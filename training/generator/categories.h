@@ -371,7 +371,10 @@
     /* players.c */                                                                                                    \
     X(record_player)                                                                                                   \
     /* engines.c */                                                                                                    \
-    X(piston_engine)
+    X(piston_engine)                                                                                                   \
+    /* cabins.c */                                                                                                     \
+    X(cabin_door)                                                                                                      \
+    X(cabin_seat)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
