@@ -145,6 +145,9 @@ static int run(int argc, char** argv) {
     const option_spec table[] = {{.name = "--models", .kind = OPTION_TEXT, .value = &models},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
                                  {.name = "--worst", .kind = OPTION_INTEGER, .value = &options.worst},
+                                 {.name = "--straight", .kind = OPTION_FLAG, .value = &options.hand.straight},
+                                 {.name = "--wander", .kind = OPTION_NUMBER, .value = &options.hand.wander},
+                                 {.name = "--tremor", .kind = OPTION_NUMBER, .value = &options.hand.tremor},
                                  {.name = "--cameras", .kind = OPTION_INTEGER, .value = &options.cameras},
                                  {.name = "--given-joint", .kind = OPTION_FLAG, .value = &options.given_only}};
     session session;
@@ -159,5 +162,6 @@ static int run(int argc, char** argv) {
 }
 
 const cli_command cli_dragbot = {
-    "dragbot", run, "DIR [--cameras N] [--given-joint] [--worst N] [--json]",
+    "dragbot", run,
+    "DIR [--cameras N] [--straight] [--wander SHARE] [--tremor PIXELS] [--given-joint] [--worst N] [--json]",
     "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel."};

@@ -46,16 +46,27 @@ typedef struct bot_pull {
     double asked; /* the true joint's value at the end */
     double path[BOT_MOST_FRAMES][2];
     int frames;
-    double length; /* of the path, pixels */
+    double length; /* of the true way, pixels */
 } bot_pull;
 
 /* Where the true joint at `value` takes a point. */
 vec bot_true_move(const known_joint* truth, vec point, double value);
 /* The true value the bot pulls to. */
 double bot_travel(const known_joint* truth, double size);
+/* How far along a movement is, 0 to 1, at a share of its time: it sets off and arrives softly. */
+double bot_pace(double share);
 /* 1 with a pull a mouse can do; 0: the part is not seen; -1: seen, but no place on it has a way a mouse can draw. */
 int bot_choose_pull(const bot_view* view, uint32_t part, const known_joint* truth, double size, random_state* random,
                     bot_pull* out_pull);
+
+/* How unlike the true way the mouse goes. All 0: along it. */
+typedef struct bot_hand {
+    int straight;  /* from the grabbed pixel straight to where the way ends */
+    double wander; /* off the way at most, a normal law's spread each for x and y, share of its length */
+    double tremor; /* the same, in every frame for itself, pixels */
+} bot_hand;
+
+void bot_hand_draw(const bot_hand* hand, random_state* random, bot_pull* pull);
 
 typedef struct bot_times {
     float* ns;
@@ -73,14 +84,16 @@ typedef struct bot_result {
     dm_joint joint; /* at the end */
 } bot_result;
 
-/* Picks and drags. centre: of the part's vertices. */
-dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const bot_pull* pull, uint32_t part,
-                   const known_joint* truth, vec centre, bot_times* times, bot_result* out_result);
+/* Picks and drags. centre: of the part's vertices. A hand that pulls straight is not asked to have the grabbed point
+ * near it on its way. */
+dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const bot_pull* pull, const bot_hand* hand,
+                   uint32_t part, const known_joint* truth, vec centre, bot_times* times, bot_result* out_result);
 
 /* ---- all cases ---- */
 
 typedef struct bot_options {
     int cameras, given_only, worst;
+    bot_hand hand;
 } bot_options;
 
 typedef struct bot_row {

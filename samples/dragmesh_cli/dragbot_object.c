@@ -221,6 +221,8 @@ static void play_joint(stage* s, int joint, const bot_options* options, int give
         const int seen = look_at(s, joint, i, &random, &pull);
         if (given) score->unseen += seen == 0, score->undrawable += seen < 0;
         if (seen <= 0) continue;
+        random_state unsteady = {random.state ^ 0x68616E64u}; /* its own: other hands grab at the same places */
+        bot_hand_draw(&options->hand, &unsteady, &pull);
         bot_row* row = NULL;
         char id[sizeof row->id];
         snprintf(id, sizeof id, "%s/%d/%d", s->object.name, joint, i);
@@ -230,8 +232,8 @@ static void play_joint(stage* s, int joint, const bot_options* options, int give
         memcpy(row->id, id, sizeof id);
         row->slides = truth->slides, row->pull = pull, row->camera = i;
         bot_result* result = given ? &row->given : &row->found;
-        if (bot_play(s->session, s->scene, &s->view, &pull, s->part_of_joint[joint], truth, part_centre, &score->times,
-                     result) != DM_OK) {
+        if (bot_play(s->session, s->scene, &s->view, &pull, &options->hand, s->part_of_joint[joint], truth, part_centre,
+                     &score->times, result) != DM_OK) {
             fprintf(stderr, "dragmesh dragbot: %s: %s\n", row->id, s->session->error);
             score->failed++;
         }

@@ -34,7 +34,7 @@ double bot_travel(const known_joint* truth, double size) {
 
 /* ---- the mouse's way ---- */
 
-static double pace(double s) {
+double bot_pace(double s) {
     return s * s * s * (10 - 15 * s + 6 * s * s);
 }
 
@@ -44,7 +44,7 @@ static double draw_path(const bot_view* view, const known_joint* truth, int fram
     pull->length = 0;
     pull->frames = frames;
     for (int i = 0; i < frames; i++) {
-        const double value = pull->asked * pace((i + 1.0) / frames);
+        const double value = pull->asked * bot_pace((i + 1.0) / frames);
         double* at = pull->path[i];
         if (!bot_view_project(view, bot_true_move(truth, pull->point, value), &at[0], &at[1])) return INFINITY;
         if (!bot_view_on_screen(at[0], at[1])) return INFINITY;
@@ -62,7 +62,8 @@ static int is_folded(const known_joint* truth, const bot_pull* pull) {
     const double alike = fmin(alike_share * BOT_HEIGHT, alike_way * pull->length), far = fabs(far_share * pull->asked);
     for (int i = 0; i < pull->frames; i++) {
         for (int k = 0; k < i; k++) {
-            const double apart = fabs(pull->asked) * (pace((i + 1.0) / pull->frames) - pace((k + 1.0) / pull->frames));
+            const double apart =
+                fabs(pull->asked) * (bot_pace((i + 1.0) / pull->frames) - bot_pace((k + 1.0) / pull->frames));
             if (apart < far || (!truth->slides && apart > CLI_PI)) continue;
             const double *a = pull->path[i], *b = pull->path[k];
             if (hypot(a[0] - b[0], a[1] - b[1]) < alike) return 1;

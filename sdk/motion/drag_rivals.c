@@ -17,7 +17,7 @@
 #define GOOD_ARM 0.15f      /* of the part's size: nobody turns a part by a point much nearer to its axis … */
 #define LEAST_ARM 0.05f     /* … of that; but a hand may land there */
 #define AT_ONCE 2           /* rivals weighed an update, beside the best */
-#define RAYS_AT_ONCE 1      /* followed by lines that are fitted, an update */
+#define FIT_EVERY 2         /* updates: lines are fitted by one more of the remembered rays */
 #define FIT_BEST_EVERY 3    /* lines fitted: that of the best is shown, and it is what others are measured by */
 #define SHIFT 0.1f          /* of the part's size: rivals that move the part less unlike each other are one */
 #define UNSHIFTED 1.0f      /* log odds that a line is exactly where the geometry has it, and more for sure joints */
@@ -244,7 +244,6 @@ static void remember(dmi_rivals* rivals, uint32_t weighed) {
 static uint32_t weigh_some(dmi_rivals* rivals, const float grab[3], const dm_ray* ray, dmi_projection projection) {
     uint32_t some[AT_ONCE] = {0}, winner = rivals->best;
     const uint32_t count = likeliest(rivals, some);
-    rivals->round++;
     remember(rivals, rivals->best);
     for (uint32_t i = 0; i < count; i++) {
         weigh(rivals, &rivals->list[some[i]], grab, ray, projection);
@@ -342,22 +341,23 @@ static int take_shift(dmi_rivals* rivals, const dmi_fitting* fitting) {
     return 1;
 }
 
-/* Some steps of a line through the pull. 1: that of the best has become another. */
-static int fit_lines(dmi_rivals* rivals) {
+/* One step of a line through the pull. 1: that of the best has become another. */
+static int fit_line(dmi_rivals* rivals) {
     dmi_fitting* fitting = &rivals->fitting;
-    for (uint32_t left = RAYS_AT_ONCE; left > 0; left--) {
-        if (fitting->rival == NOBODY) begin_fitting(rivals);
-        if (fitting->rival == NOBODY) return 0;
-        if (fitting->thinned != rivals->pull.thinned) start_run(rivals, fitting);
-        if (fitting->fit.count < rivals->pull.count) dmi_fit_follow(&fitting->fit, &rivals->pull);
-        if (fitting->fit.count < rivals->pull.count || try_shift(rivals, fitting)) continue;
-        const uint32_t fitted = fitting->rival;
-        const int moved = take_shift(rivals, fitting);
-        rivals->promise[fitted] = rivals->list[fitted].score - STALE * (float)rivals->fits;
-        fitting->rival = NOBODY;
-        if (moved && fitted == rivals->best) return 1;
-    }
-    return 0;
+    if (fitting->rival == NOBODY) begin_fitting(rivals);
+    if (fitting->rival == NOBODY) return 0;
+    if (fitting->thinned != rivals->pull.thinned) start_run(rivals, fitting);
+    if (fitting->fit.count < rivals->pull.count) dmi_fit_follow(&fitting->fit, &rivals->pull);
+    if (fitting->fit.count < rivals->pull.count || try_shift(rivals, fitting)) return 0;
+    const uint32_t fitted = fitting->rival;
+    const int moved = take_shift(rivals, fitting);
+    rivals->promise[fitted] = rivals->list[fitted].score - STALE * (float)rivals->fits;
+    fitting->rival = NOBODY;
+    return moved && fitted == rivals->best;
+}
+
+static int fits_now(const dmi_rivals* rivals) {
+    return rivals->round % FIT_EVERY == 0;
 }
 
 /* 1: another, or the other side, is the best now. */
@@ -377,9 +377,10 @@ int dmi_rivals_weigh(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_proj
     if (rivals->count == 0) return 0;
     if (!is_held(&rivals->list[rivals->best], wish)) dmi_pull_add(&rivals->pull, ray, projection);
     if (rivals->pull.length < FIRST_PULL * rivals->size) return 0;
+    rivals->round++;
     if (weigh_all(rivals, wish, ray, projection)) return 1;
     dmi_rival* best = &rivals->list[rivals->best];
-    if (is_held(best, wish) || !fit_lines(rivals)) return 0;
+    if (is_held(best, wish) || !fits_now(rivals) || !fit_line(rivals)) return 0;
     float lower, upper;
     range_of(rivals, best, &lower, &upper);
     best->reach = dmi_follow_ray(&best->joint, rivals->pull.grab, ray, projection, wish, lower, upper);
