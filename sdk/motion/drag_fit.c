@@ -4,6 +4,10 @@
 #include "kinematics/linear3.h"
 #include "math/vec3.h"
 
+#define LEAST_SINE2 1e-2f /* of the angle between a circle's two ways, as they are seen, squared */
+#define MOST_SLANT 1.73f  /* tangent of half of the farthest turn */
+#define BEYOND 1.1f       /* of the straight way: at its end */
+
 /* ---- the pull ---- */
 
 void dmi_pull_begin(dmi_pull* pull, const float grab_point[3], float spacing) {
@@ -31,12 +35,27 @@ static void thin(dmi_pull* pull) {
     pull->thinned++;
 }
 
+static float bend_of(const dmi_pull* pull) {
+    float chord[3], most = 0;
+    dmi_sub3(pull->places[pull->count - 1], pull->grab, chord);
+    if (!(dmi_normalize3(chord) > 1e-20f)) return INFINITY;
+    for (uint32_t i = 0; i + 1 < pull->count; i++) {
+        float off[3];
+        dmi_sub3(pull->places[i], pull->grab, off);
+        dmi_reject3(off, chord);
+        most = fmaxf(most, dmi_length3(off));
+    }
+    return most;
+}
+
 void dmi_pull_add(dmi_pull* pull, const dm_ray* ray, dmi_projection projection) {
     float place[3];
     passing_place(ray, pull->grab, place);
     const float way = dmi_distance3(place, pull->grab);
     pull->projection = projection;
     if (!isfinite(way)) return;
+    dmi_copy3(place, pull->now);
+    pull->sight = ray->direction;
     pull->length = fmaxf(pull->length, way);
     if (way < pull->spacing) return;
     for (uint32_t i = 0; i < pull->count; i++)
@@ -44,6 +63,7 @@ void dmi_pull_add(dmi_pull* pull, const dm_ray* ray, dmi_projection projection) 
     if (pull->count == DMI_PULL_RAYS) thin(pull);
     pull->rays[pull->count] = *ray;
     dmi_copy3(place, pull->places[pull->count++]);
+    pull->bend = bend_of(pull);
 }
 
 /* ---- a joint ---- */
@@ -55,6 +75,24 @@ int dmi_fit_ways(const dm_joint* joint, const float grab_point[3], float out_out
     const int has = dmi_joint_turns(joint->type) && dmi_normalize3(out_outward) > 1e-20f;
     dmi_cross3(axis.v, out_outward, out_forward);
     return has;
+}
+
+/* A place on the circle is the grabbed point + sin v forward + (1 - cos v) inward, both as long as the arm. The
+ * pointer, a share s of the straight way there, is at s times both parts: their ratio is tan (v / 2), and the sum of
+ * their squares is 2 s times that of inward. */
+int dmi_pull_cuts_corner(const dmi_pull* pull, const dm_joint* joint) {
+    const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin), sight = dmi_xyz(pull->sight);
+    float inward[3], forward[3], way[3];
+    dmi_sub3(origin.v, pull->grab, inward);
+    dmi_reject3(inward, axis.v);
+    dmi_cross3(inward, axis.v, forward);
+    dmi_sub3(pull->now, pull->grab, way);
+    dmi_reject3(inward, sight.v), dmi_reject3(forward, sight.v);
+    const float ff = dmi_dot3(forward, forward), fi = dmi_dot3(forward, inward), ii = dmi_dot3(inward, inward);
+    const float fw = dmi_dot3(forward, way), iw = dmi_dot3(inward, way), det = ff * ii - fi * fi;
+    if (!(det > LEAST_SINE2 * ff * ii)) return 0;
+    const float along = fabsf(fw * ii - iw * fi) / det, in = (iw * ff - fw * fi) / det;
+    return in >= 0 && in <= MOST_SLANT * along && along * along + in * in <= 2 * BEYOND * in;
 }
 
 /* Where the grabbed point is, how fast it goes there, and what it does when the line is shifted. */

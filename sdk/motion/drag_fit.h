@@ -16,12 +16,19 @@ typedef struct dmi_pull {
     float spacing;
     float grab[3]; /* where the part was taken hold of, at rest */
     float length;  /* how far the pointer went from there, at its depth, at most */
+    dm_vec3 sight; /* the direction of the last ray */
+    float now[3];  /* where the pointer is, at that depth */
+    float bend;    /* how far the way is from straight, at most: of its places, from the line to the last */
     dmi_projection projection;
 } dmi_pull;
 
 void dmi_pull_begin(dmi_pull* pull, const float grab_point[3], float spacing);
 /* A ray that counts for the length, and is remembered where no other is near. ray->direction must be unit. */
 void dmi_pull_add(dmi_pull* pull, const dm_ray* ray, dmi_projection projection);
+
+/* Whether the pointer is on the straight way from the grabbed point to some place on its circle, at most a third of a
+ * turn from rest, and not beyond it. */
+int dmi_pull_cuts_corner(const dmi_pull* pull, const dm_joint* joint);
 
 /* What a joint makes of a pull, ray after ray from rest on. A turn's line may be shifted across its axis: away from the
  * grabbed point's foot on it to the point, and a quarter turn from that; both in lengths of the part. */

@@ -11,7 +11,9 @@
 #define SPREAD 0.01f       /* of the pull: how far off the right path a good hand goes */
 #define TREMOR 0.003f      /* of the part's size: and how far it is off at the start */
 #define TAIL 2.0f          /* how good the hand is, nobody knows: far misses count by their ratio, not by their size */
+#define STRAIGHT (-4.5f)   /* log of how probable it is that a hand goes straight to where a turn should end */
 #define OTHER_SIDE (-0.7f) /* log of how probable it is that a range lies on the other side of rest */
+#define CLEARLY 3.0f       /* more probable, log: the other does not count */
 #define LEAST_PRIOR 1e-3f
 #define LAST_RESORT (-5.0f) /* log odds of a slide along an axis that nothing speaks for */
 #define GOOD_ARM 0.15f      /* of the part's size: nobody turns a part by a point much nearer to its axis … */
@@ -134,12 +136,22 @@ static float miss(const dm_ray* ray, const float point[3], const float grab[3], 
     return along > 0 ? sqrtf(square) / along * fabsf(depth) : INFINITY;
 }
 
-/* Log likelihood of a pull that is so far off. It counts how far that was at most, as a share of the pull by now: a
- * slide crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail
- * is that of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. */
-static float explains(const dmi_rivals* rivals, float off) {
+/* Log likelihood of being so far off. It counts how far that was at most, as a share of the pull by now: a slide
+ * crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail is that
+ * of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. */
+static float met(const dmi_rivals* rivals, float off) {
     const float share = off / (SPREAD * rivals->pull.length + TREMOR * rivals->size);
     return -TAIL * logf(1 + share * share / (2 * TAIL));
+}
+
+/* Log likelihood of a pull that a joint misses by so much. Some hands don't follow a part round, they go straight to
+ * where it should be: no turn misses a straight pull that its circle goes round. */
+static float explains(const dmi_rivals* rivals, const dmi_rival* rival, float off) {
+    const float followed = met(rivals, off), straight = STRAIGHT + met(rivals, rivals->pull.bend);
+    if (followed > straight + CLEARLY || !dmi_joint_turns(rival->joint.type)) return followed;
+    if (!dmi_pull_cuts_corner(&rivals->pull, &rival->joint)) return followed;
+    const float more = fmaxf(followed, straight);
+    return more + logf(expf(followed - more) + expf(straight - more));
 }
 
 /* What speaks against a side. */
@@ -154,11 +166,11 @@ static void score(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3
     float point[3];
     dmi_pose_apply(&pose, grab, point);
     rival->worst = fmaxf(rival->worst, miss(ray, point, grab, projection));
-    rival->score = rival->prior - rival->lean + side_cost(rival, rival->reach) + explains(rivals, rival->worst);
+    rival->score = rival->prior - rival->lean + side_cost(rival, rival->reach) + explains(rivals, rival, rival->worst);
     rival->stop_score = rival->score;
     if (now * rival->reach >= 0) return;
     rival->stop_score =
-        rival->prior - rival->lean + side_cost(rival, now) + explains(rivals, miss(ray, grab, grab, projection));
+        rival->prior - rival->lean + side_cost(rival, now) + explains(rivals, rival, miss(ray, grab, grab, projection));
 }
 
 /* Where it may be, on either side of rest as long as it has not gone out on one. */
@@ -319,7 +331,7 @@ static int try_shift(const dmi_rivals* rivals, dmi_fitting* fitting) {
     best_shift(rivals, rival, &fitting->fit, fitting->shift);
     if (!isfinite(fitting->shift[0]) || !isfinite(fitting->shift[1])) return 0;
     fitting->lean = lean_of(rivals, rival, &fitting->fit, fitting->shift);
-    fitting->before = explains(rivals, fitting->fit.worst) - rival->lean;
+    fitting->before = explains(rivals, rival, fitting->fit.worst) - rival->lean;
     if (!(-fitting->lean > fitting->before + MARGIN)) return 0;
     fitting->shifted = 1;
     start_run(rivals, fitting);
@@ -329,7 +341,7 @@ static int try_shift(const dmi_rivals* rivals, dmi_fitting* fitting) {
 /* Takes the line that was tried, if it is clearly better. */
 static int take_shift(dmi_rivals* rivals, const dmi_fitting* fitting) {
     dmi_rival* rival = &rivals->list[fitting->rival];
-    const float after = explains(rivals, fitting->fit.worst) - fitting->lean;
+    const float after = explains(rivals, rival, fitting->fit.worst) - fitting->lean;
     if (!fitting->shifted || !(after > fitting->before + MARGIN)) return 0;
     rival->joint.origin = fitting->fit.joint.origin;
     rival->shift[0] = fitting->shift[0], rival->shift[1] = fitting->shift[1];

@@ -109,6 +109,32 @@ static void a_pull_is_remembered_evenly(void** state) {
     }
 }
 
+static int cuts_corner(const float place[3]) {
+    dmi_pull memory;
+    dmi_pull_begin(&memory, handle, 0.006f);
+    const dm_ray ray = {{place[0] - 0.3f, place[1] + 5, place[2]}, {0.06f / 1.0017984f, -1 / 1.0017984f, 0}};
+    dmi_pull_add(&memory, &ray, DMI_PARALLEL);
+    return dmi_pull_cuts_corner(&memory, &door);
+}
+
+/* Some share of the straight way to a place on the circle, to either side; not of a longer way, not outwards. */
+static void a_corner_is_cut_within_the_circle(void** state) {
+    (void)state;
+    for (float value = -1.9f; value < 2; value += 0.4f) {
+        float there[3];
+        point_on(&door, value, there);
+        for (float share = 0.2f; share < 1.5f; share += 0.32f) {
+            float place[3], outside[3];
+            for (int i = 0; i < 3; i++) place[i] = handle[i] + share * (there[i] - handle[i]);
+            for (int i = 0; i < 3; i++) outside[i] = 2 * handle[i] - place[i];
+            assert_int_equal(cuts_corner(place), share < 1.1f);
+            assert_false(cuts_corner(outside));
+        }
+        point_on(&door, copysignf(2.4f, value), there); /* nobody goes so far round in a straight line */
+        assert_false(cuts_corner(there));
+    }
+}
+
 /* Half the squared misses, by the line's place. */
 static double misses(const dmi_pull* memory, dm_joint joint, const float outward[3], const float forward[3], double a,
                      double b, dmi_fit* out) {
@@ -165,6 +191,7 @@ int main(void) {
         cmocka_unit_test(a_right_line_stays),
         cmocka_unit_test(a_slide_has_no_line),
         cmocka_unit_test(a_pull_is_remembered_evenly),
+        cmocka_unit_test(a_corner_is_cut_within_the_circle),
         cmocka_unit_test(slopes_are_those_of_the_misses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -74,6 +74,30 @@ static void the_pull_tells_the_joint(void** state) {
     }
 }
 
+/* Straight to where the door should be, or straight out: then it is the drawer that it was thought to be. */
+static void a_hand_may_cut_the_corner(void** state) {
+    (void)state;
+    for (int slides = 0; slides < 2; slides++) {
+        dm_joint two[2] = {joints[LEFT], joints[SLIDES]};
+        two[0].confidence = slides ? 0.2f : 0.6f;
+        const dm_drag_feel feel = {0};
+        dmi_drag drag;
+        dm_drag_state now;
+        float there[3], point[3];
+        point_on(&two[slides], slides ? 0.4f : 1.2f, there);
+        dmi_drag_begin(&drag, &two[0], handle, 0, &feel);
+        dmi_drag_doubt(&drag, two, 2, 1, (dmi_give){.length = 4});
+        for (int k = 1; k <= 180; k++) {
+            const float share = fminf((float)k / 120, 1);
+            for (int i = 0; i < 3; i++) point[i] = handle[i] + share * (there[i] - handle[i]);
+            const dm_ray ray = ray_to(eye, point);
+            dmi_drag_update(&drag, &ray, FRAME, &now);
+        }
+        assert_int_equal(drag.joint.type, two[slides].type);
+        assert_near3(dmi_xyz(now.grab_point).v, there, 0.02);
+    }
+}
+
 static void a_hand_that_trembles_decides_the_same(void** state) {
     (void)state;
     for (int i = 0; i < JOINTS; i++) {
@@ -267,6 +291,7 @@ static void no_turn_about_the_grabbed_point(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_pull_tells_the_joint),
+        cmocka_unit_test(a_hand_may_cut_the_corner),
         cmocka_unit_test(a_hand_that_trembles_decides_the_same),
         cmocka_unit_test(the_pull_tells_the_side),
         cmocka_unit_test(what_was_opened_shuts_at_rest),
