@@ -374,7 +374,9 @@
     X(piston_engine)                                                                                                   \
     /* cabins.c */                                                                                                     \
     X(cabin_door)                                                                                                      \
-    X(cabin_seat)
+    X(cabin_seat)                                                                                                      \
+    /* sofas.c */                                                                                                      \
+    X(sofa_bed)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
