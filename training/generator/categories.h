@@ -376,7 +376,9 @@
     X(cabin_door)                                                                                                      \
     X(cabin_seat)                                                                                                      \
     /* sofas.c */                                                                                                      \
-    X(sofa_bed)
+    X(sofa_bed)                                                                                                        \
+    /* machine_tools.c */                                                                                              \
+    X(lathe)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
