@@ -378,7 +378,11 @@
     /* sofas.c */                                                                                                      \
     X(sofa_bed)                                                                                                        \
     /* machine_tools.c */                                                                                              \
-    X(lathe)
+    X(lathe)                                                                                                           \
+    /* playground.c */                                                                                                 \
+    X(playground_piece)                                                                                                \
+    /* play_panels.c */                                                                                                \
+    X(play_panel)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
