@@ -382,7 +382,11 @@
     /* playground.c */                                                                                                 \
     X(playground_piece)                                                                                                \
     /* play_panels.c */                                                                                                \
-    X(play_panel)
+    X(play_panel)                                                                                                      \
+    /* secrets.c */                                                                                                    \
+    X(secret_wall)                                                                                                     \
+    /* starships.c */                                                                                                  \
+    X(starship)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
