@@ -386,7 +386,9 @@
     /* secrets.c */                                                                                                    \
     X(secret_wall)                                                                                                     \
     /* starships.c */                                                                                                  \
-    X(starship)
+    X(starship)                                                                                                        \
+    /* pianos.c */                                                                                                     \
+    X(piano)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
