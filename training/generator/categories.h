@@ -388,7 +388,14 @@
     /* starships.c */                                                                                                  \
     X(starship)                                                                                                        \
     /* pianos.c */                                                                                                     \
-    X(piano)
+    X(piano)                                                                                                           \
+    /* sewing.c */                                                                                                     \
+    X(sewing_machine)                                                                                                  \
+    /* trimmers.c */                                                                                                   \
+    X(paper_cutter)                                                                                                    \
+    X(hole_punch)                                                                                                      \
+    /* airers.c */                                                                                                     \
+    X(clothes_airer)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
