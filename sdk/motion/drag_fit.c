@@ -48,11 +48,10 @@ static float bend_of(const dmi_pull* pull) {
     return most;
 }
 
-void dmi_pull_add(dmi_pull* pull, const dm_ray* ray, dmi_projection projection) {
+void dmi_pull_add(dmi_pull* pull, const dm_ray* ray) {
     float place[3];
     passing_place(ray, pull->grab, place);
     const float way = dmi_distance3(place, pull->grab);
-    pull->projection = projection;
     if (!isfinite(way)) return;
     dmi_copy3(place, pull->now);
     pull->sight = ray->direction;
@@ -64,6 +63,30 @@ void dmi_pull_add(dmi_pull* pull, const dm_ray* ray, dmi_projection projection) 
     pull->rays[pull->count] = *ray;
     dmi_copy3(place, pull->places[pull->count++]);
     pull->bend = bend_of(pull);
+}
+
+/* How far apart a ray and a point look, as a length where the grabbed point was at the start; the way from the one to
+ * the other, and what a length there is worth. */
+typedef struct look {
+    float apart, along, scale, off[3];
+} look;
+
+static look look_at(const dmi_pull* pull, const dm_ray* ray, const float point[3]) {
+    const dmi_float3 eye = dmi_xyz(ray->origin), d = dmi_xyz(ray->direction);
+    float gap[3], rest[3];
+    look l;
+    dmi_sub3(point, eye.v, gap);
+    dmi_sub3(pull->grab, eye.v, rest);
+    const float depth = fabsf(dmi_dot3(rest, d.v));
+    l.along = dmi_dot3(gap, d.v);
+    l.scale = pull->projection == DMI_PARALLEL ? 1 : l.along > 0 ? depth / l.along : 0;
+    dmi_madd3(gap, -l.along, d.v, l.off);
+    l.apart = l.scale > 0 ? l.scale * dmi_length3(l.off) : depth; /* behind the eye it is nowhere near */
+    return l;
+}
+
+float dmi_pull_miss(const dmi_pull* pull, const dm_ray* ray, const float point[3]) {
+    return look_at(pull, ray, point).apart;
 }
 
 /* ---- a joint ---- */
@@ -121,26 +144,6 @@ static void slide_to(const dmi_fit* fit, const float grab[3], place* out) {
     const dmi_float3 axis = dmi_xyz(fit->joint.axis);
     *out = (place){.velocity = {axis.v[0], axis.v[1], axis.v[2]}};
     dmi_madd3(grab, fit->reach, axis.v, out->point);
-}
-
-/* How far apart a ray and a point look, as a length where the grabbed point was at the start; the way from the one to
- * the other, and what a length there is worth. */
-typedef struct look {
-    float apart, along, scale, off[3];
-} look;
-
-static look look_at(const dmi_pull* pull, const dm_ray* ray, const float point[3]) {
-    const dmi_float3 eye = dmi_xyz(ray->origin), d = dmi_xyz(ray->direction);
-    float gap[3], rest[3];
-    look l;
-    dmi_sub3(point, eye.v, gap);
-    dmi_sub3(pull->grab, eye.v, rest);
-    const float depth = fabsf(dmi_dot3(rest, d.v));
-    l.along = dmi_dot3(gap, d.v);
-    l.scale = pull->projection == DMI_PARALLEL ? 1 : l.along > 0 ? depth / l.along : 0;
-    dmi_madd3(gap, -l.along, d.v, l.off);
-    l.apart = l.scale > 0 ? l.scale * dmi_length3(l.off) : depth; /* behind the eye it is nowhere near */
-    return l;
 }
 
 /* The nearest place on the way looks off across the way. So the miss's slope by a shift is that shift's part across the

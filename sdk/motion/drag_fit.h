@@ -22,9 +22,12 @@ typedef struct dmi_pull {
     dmi_projection projection;
 } dmi_pull;
 
+/* Nothing yet. The projection of the rays is the caller's to set. */
 void dmi_pull_begin(dmi_pull* pull, const float grab_point[3], float spacing);
 /* A ray that counts for the length, and is remembered where no other is near. ray->direction must be unit. */
-void dmi_pull_add(dmi_pull* pull, const dm_ray* ray, dmi_projection projection);
+void dmi_pull_add(dmi_pull* pull, const dm_ray* ray);
+/* How far apart a ray and a point look, as a length where the grabbed point was at the start. */
+float dmi_pull_miss(const dmi_pull* pull, const dm_ray* ray, const float point[3]);
 
 /* Whether the pointer is on the straight way from the grabbed point to some place on its circle, at most a third of a
  * turn from rest, and not beyond it. */

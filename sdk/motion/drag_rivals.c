@@ -122,20 +122,6 @@ void dmi_rivals_limits(const dm_joint* joint, dmi_give give, float* out_lower, f
     *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
 }
 
-/* How far apart the ray and a point look, as a length where the grabbed point was at the start. */
-static float miss(const dm_ray* ray, const float point[3], const float grab[3], dmi_projection projection) {
-    const float d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    const float eye[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
-    float along = 0, square = 0, depth = 0;
-    for (int i = 0; i < 3; i++) along += (point[i] - eye[i]) * d[i], depth += (grab[i] - eye[i]) * d[i];
-    for (int i = 0; i < 3; i++) {
-        const float across = point[i] - eye[i] - along * d[i];
-        square += across * across;
-    }
-    if (projection == DMI_PARALLEL) return sqrtf(square);
-    return along > 0 ? sqrtf(square) / along * fabsf(depth) : INFINITY;
-}
-
 /* Log likelihood of being so far off. It counts how far that was at most, as a share of the pull by now: a slide
  * crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail is that
  * of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. */
@@ -159,18 +145,17 @@ static float side_cost(const dmi_rival* rival, float side) {
     return rival->side * side < 0 ? OTHER_SIDE : 0;
 }
 
-static void score(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
-                  dmi_projection projection) {
+static void score(const dmi_rivals* rivals, dmi_rival* rival, const dm_ray* ray) {
     const dm_pose pose = dmi_joint_pose(&rival->joint, rival->reach);
     const float now = side_of(&rival->joint);
     float point[3];
-    dmi_pose_apply(&pose, grab, point);
-    rival->worst = fmaxf(rival->worst, miss(ray, point, grab, projection));
+    dmi_pose_apply(&pose, rivals->pull.grab, point);
+    rival->worst = fmaxf(rival->worst, dmi_pull_miss(&rivals->pull, ray, point));
     rival->score = rival->prior - rival->lean + side_cost(rival, rival->reach) + explains(rivals, rival, rival->worst);
     rival->stop_score = rival->score;
     if (now * rival->reach >= 0) return;
-    rival->stop_score =
-        rival->prior - rival->lean + side_cost(rival, now) + explains(rivals, rival, miss(ray, grab, grab, projection));
+    rival->stop_score = rival->prior - rival->lean + side_cost(rival, now) +
+                        explains(rivals, rival, dmi_pull_miss(&rivals->pull, ray, rivals->pull.grab));
 }
 
 /* Where it may be, on either side of rest as long as it has not gone out on one. */
@@ -180,12 +165,12 @@ static void range_of(const dmi_rivals* rivals, const dmi_rival* rival, float* ou
     *out_upper = fmaxf(-*out_lower, *out_upper), *out_lower = -*out_upper;
 }
 
-static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const float grab[3], const dm_ray* ray,
-                  dmi_projection projection) {
+static void weigh(const dmi_rivals* rivals, dmi_rival* rival, const dm_ray* ray) {
+    const dmi_pull* pull = &rivals->pull;
     float lower, upper;
     range_of(rivals, rival, &lower, &upper);
-    rival->reach = dmi_follow_ray_roughly(&rival->joint, grab, ray, projection, rival->reach, lower, upper);
-    score(rivals, rival, grab, ray, projection);
+    rival->reach = dmi_follow_ray_roughly(&rival->joint, pull->grab, ray, pull->projection, rival->reach, lower, upper);
+    score(rivals, rival, ray);
 }
 
 /* What a stop holds back tells nothing of the joint. */
@@ -196,17 +181,16 @@ static int is_held(const dmi_rival* rival, float wish) {
 
 /* The best is followed already, unless a stop at rest holds it, which it may not have; a drawer that was pulled out and
  * is pushed back has it. */
-static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, const float grab[3], const dm_ray* ray,
-                       dmi_projection projection) {
+static void weigh_best(const dmi_rivals* rivals, dmi_rival* best, float wish, const dm_ray* ray) {
     const float range = best->joint.upper - best->joint.lower, side = side_of(&best->joint);
     best->settled |= side * wish > REST_SHARE * range;
     if (side != 0 && !best->settled) {
-        weigh(rivals, best, grab, ray, projection);
+        weigh(rivals, best, ray);
         return;
     }
     best->reach = wish;
     if (is_held(best, wish)) return;
-    score(rivals, best, grab, ray, projection);
+    score(rivals, best, ray);
 }
 
 /* Most slides rest at an end of their range, most turns that are hard to find do not: those stay free. */
@@ -253,12 +237,12 @@ static void remember(dmi_rivals* rivals, uint32_t weighed) {
 }
 
 /* The best of the one in force and of the likeliest others. */
-static uint32_t weigh_some(dmi_rivals* rivals, const float grab[3], const dm_ray* ray, dmi_projection projection) {
+static uint32_t weigh_some(dmi_rivals* rivals, const dm_ray* ray) {
     uint32_t some[AT_ONCE] = {0}, winner = rivals->best;
     const uint32_t count = likeliest(rivals, some);
     remember(rivals, rivals->best);
     for (uint32_t i = 0; i < count; i++) {
-        weigh(rivals, &rivals->list[some[i]], grab, ray, projection);
+        weigh(rivals, &rivals->list[some[i]], ray);
         remember(rivals, some[i]);
         if (rivals->list[some[i]].score > rivals->list[winner].score) winner = some[i];
     }
@@ -373,12 +357,11 @@ static int fits_now(const dmi_rivals* rivals) {
 }
 
 /* 1: another, or the other side, is the best now. */
-static int weigh_all(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_projection projection) {
-    const float* grab = rivals->pull.grab;
+static int weigh_all(dmi_rivals* rivals, float wish, const dm_ray* ray) {
     dmi_rival* best = &rivals->list[rivals->best];
-    weigh_best(rivals, best, wish, grab, ray, projection);
+    weigh_best(rivals, best, wish, ray);
     const float needed = best->stop_score + MARGIN;
-    const uint32_t winner = weigh_some(rivals, grab, ray, projection);
+    const uint32_t winner = weigh_some(rivals, ray);
     if (rivals->list[winner].score <= needed) return 0;
     const int changed = winner != rivals->best;
     rivals->best = winner;
@@ -387,10 +370,11 @@ static int weigh_all(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_proj
 
 int dmi_rivals_weigh(dmi_rivals* rivals, float wish, const dm_ray* ray, dmi_projection projection) {
     if (rivals->count == 0) return 0;
-    if (!is_held(&rivals->list[rivals->best], wish)) dmi_pull_add(&rivals->pull, ray, projection);
+    rivals->pull.projection = projection;
+    if (!is_held(&rivals->list[rivals->best], wish)) dmi_pull_add(&rivals->pull, ray);
     if (rivals->pull.length < FIRST_PULL * rivals->size) return 0;
     rivals->round++;
-    if (weigh_all(rivals, wish, ray, projection)) return 1;
+    if (weigh_all(rivals, wish, ray)) return 1;
     dmi_rival* best = &rivals->list[rivals->best];
     if (is_held(best, wish) || !fits_now(rivals) || !fit_line(rivals)) return 0;
     float lower, upper;

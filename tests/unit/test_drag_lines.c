@@ -92,12 +92,13 @@ static void a_pull_is_remembered_evenly(void** state) {
     for (int i = 0; i < 3; i++) {
         dmi_pull memory;
         dmi_pull_begin(&memory, handle, 0.006f);
+        memory.projection = DMI_PARALLEL;
         uint32_t after_one = 0, thinned = 0;
         for (int k = 1; k <= 2000; k++) {
             const float angle = 6.28318531f * (float)k / 500, r = radii[i];
             const float point[3] = {handle[0] + r * (1 - cosf(angle)), handle[1] + r * sinf(angle), handle[2]};
             const dm_ray ray = {{point[0], point[1], 5}, {0, 0, -1}};
-            dmi_pull_add(&memory, &ray, DMI_PARALLEL);
+            dmi_pull_add(&memory, &ray);
             if (k == 500) after_one = memory.count, thinned = memory.thinned;
         }
         assert_true(memory.count == after_one && memory.thinned == thinned);
@@ -112,8 +113,9 @@ static void a_pull_is_remembered_evenly(void** state) {
 static int cuts_corner(const float place[3]) {
     dmi_pull memory;
     dmi_pull_begin(&memory, handle, 0.006f);
+    memory.projection = DMI_PARALLEL;
     const dm_ray ray = {{place[0] - 0.3f, place[1] + 5, place[2]}, {0.06f / 1.0017984f, -1 / 1.0017984f, 0}};
-    dmi_pull_add(&memory, &ray, DMI_PARALLEL);
+    dmi_pull_add(&memory, &ray);
     return dmi_pull_cuts_corner(&memory, &door);
 }
 
@@ -161,6 +163,7 @@ static void slopes_are_those_of_the_misses(void** state) {
         const dm_joint thought = moved(&door, 0.1f, -0.1f);
         dmi_pull memory;
         dmi_pull_begin(&memory, handle, 0.006f);
+        memory.projection = parallel ? DMI_PARALLEL : DMI_PERSPECTIVE;
         for (int k = 1; k <= 100; k++) {
             float point[3];
             point_on(&door, 0.012f * (float)k, point);
@@ -168,7 +171,7 @@ static void slopes_are_those_of_the_misses(void** state) {
             const float length = (float)test_distance(point, eye);
             ray.direction = (dm_vec3){ray.direction.x / length, ray.direction.y / length, ray.direction.z / length};
             if (parallel) ray = (dm_ray){{point[0] + 1.8f, point[1] + 2.4f, point[2] + 4}, {-0.36f, -0.48f, -0.8f}};
-            dmi_pull_add(&memory, &ray, parallel ? DMI_PARALLEL : DMI_PERSPECTIVE);
+            dmi_pull_add(&memory, &ray);
         }
         float outward[3], forward[3];
         dmi_fit fit, other;
