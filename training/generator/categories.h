@@ -377,7 +377,7 @@
     X(cabin_seat)                                                                                                      \
     /* sofas.c */                                                                                                      \
     X(sofa_bed)                                                                                                        \
-    /* machine_tools.c */                                                                                              \
+    /* lathes.c */                                                                                                     \
     X(lathe)                                                                                                           \
     /* playground.c */                                                                                                 \
     X(playground_piece)                                                                                                \
@@ -395,7 +395,9 @@
     X(paper_cutter)                                                                                                    \
     X(hole_punch)                                                                                                      \
     /* airers.c */                                                                                                     \
-    X(clothes_airer)
+    X(clothes_airer)                                                                                                   \
+    /* mills.c */                                                                                                      \
+    X(milling_machine)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -1,139 +1,8 @@
-/* Machine tools: lathes for metal and wood, mills with a knee, drill presses, machining centres behind doors. Slides
- * ride on slides; spindles, hand wheels and levers turn on what they move. */
+/* Lathes for metal and wood, turning centres behind doors: what slides on the bed carries what slides across it;
+ * spindles, hand wheels and levers turn on what they move. */
 #include "categories.h"
 #include "hardware.h"
-
-/* ---- what they share ---- */
-
-/* A hand wheel or crank on a shaft that comes out of z = 0 along +Z. */
-static void draw_handwheel(dmg_builder* b, uint32_t parent, const char* name, float r) {
-    int kind = dmg_int(b, 0, 4);
-    float t = 0.18f * r, out = r * dmg_range(b, 0.3f, 0.7f);
-    dmg_spin(b, parent, name, v3(0, 0, 0), v3(0, 0, dmg_sign(b)));
-    dmg_turn(b, v3(0, 0, 1), dmg_range(b, 0.0f, 6.28f));
-    dmg_rod(b, v3(0, 0, 0), v3(0, 0, out), 0.5f * t);
-    dmg_move(b, 0, 0, out);
-    if (kind < 3) dmg_wheel_draw(b, kind == 0 ? 0 : (kind == 1 ? 3 : 6), r, 1.2f * t, 4);
-    if (kind == 3) dmg_beam(b, v3(-0.3f * r, 0, 0), v3(r, 0, 0), 1.4f * t, 0.8f * t);
-    for (int i = 0; i < 3 && kind == 4; ++i) { /* three arms with balls */
-        dmg_save(b);
-        dmg_turn_to(b, v3(0, 0, 1), i, 3);
-        dmg_rod(b, v3(0, 0, 0), v3(r, 0, 0.2f * r), 0.35f * t);
-        dmg_ellipsoid(b, v3(r, 0, 0.2f * r), v3(t, t, t));
-        dmg_restore(b);
-    }
-    if (kind < 4 && dmg_chance(b, 0.7f)) dmg_rod(b, v3(0.8f * r, 0, 0), v3(0.8f * r, 0, 0.6f * r), 0.6f * t);
-    dmg_use(b, parent);
-}
-
-/* A lever on a boss on z = 0 that turns about Z. */
-static void draw_lever(dmg_builder* b, uint32_t parent, const char* name, float length) {
-    float t = 0.07f * length, swing = dmg_range(b, 0.3f, 1.2f), lean = dmg_range(b, -0.4f, 0.4f);
-    dmg_rod(b, v3(0, 0, -t), v3(0, 0, 0.8f * t), 2.2f * t);
-    dmg_hinge(b, parent, name, v3(0, 0, 0), v3(0, 0, dmg_sign(b)), -swing, swing);
-    dmg_save(b);
-    dmg_turn(b, v3(0, 0, 1), (dmg_chance(b, 0.7f) ? 0.0f : 1.57f) + lean);
-    dmg_rod(b, v3(0, 0, 0.8f * t), v3(0, 0, 3 * t), 1.6f * t);
-    dmg_rod(b, v3(0, 0, 2.4f * t), v3(0, length, 4 * t), 0.6f * t);
-    dmg_ellipsoid(b, v3(0, length, 4 * t), v3(1.6f * t, 1.6f * t, 1.6f * t));
-    dmg_restore(b);
-    dmg_use(b, parent);
-}
-
-/* Hand wheel, lever or knobs at a place: `turn` about Y brings +Z to where it faces. */
-static void place_handwheel(dmg_builder* b, uint32_t parent, const char* name, dmg_vec at, float turn, float r) {
-    dmg_save(b);
-    dmg_move(b, at.x, at.y, at.z);
-    dmg_turn(b, v3(0, 1, 0), turn);
-    draw_handwheel(b, parent, name, r);
-    dmg_restore(b);
-}
-
-static void place_lever(dmg_builder* b, uint32_t parent, const char* name, dmg_vec at, float turn, float length) {
-    dmg_save(b);
-    dmg_move(b, at.x, at.y, at.z);
-    dmg_turn(b, v3(0, 1, 0), turn);
-    draw_lever(b, parent, name, length);
-    dmg_restore(b);
-}
-
-/* The operator's panel: on an arm that turns about a post, on a door, or fixed. Its hinge is at the origin. */
-static void draw_pendant(dmg_builder* b, float size) {
-    float arm = size * dmg_range(b, 0.2f, 1.2f), t = 0.12f * size;
-    uint32_t carrier = 0;
-    dmg_rod(b, v3(0, -0.4f * size, 0), v3(0, 0.1f * size, 0), 0.6f * t);
-    if (dmg_chance(b, 0.8f)) carrier = dmg_hinge(b, 0, "arm", v3(0, 0, 0), v3(0, dmg_sign(b), 0), -1.2f, 1.2f);
-    dmg_rod(b, v3(0, 0.1f * size, 0), v3(0, 0.1f * size + t, 0), 0.8f * t);
-    dmg_beam(b, v3(0, 0.1f * size + 0.5f * t, 0), v3(arm, 0.1f * size + 0.5f * t, 0), t, t);
-    dmg_move(b, arm, 0.1f * size, 0);
-    if (carrier && dmg_chance(b, 0.5f))
-        carrier = dmg_hinge(b, carrier, "panel", v3(0, 0, 0), v3(0, dmg_sign(b), 0), -0.8f, 0.8f);
-    dmg_box(b, v3(0, -0.5f * size, 0), v3(0.8f * size, size, 0.15f * size));
-    dmg_box(b, v3(0, -0.25f * size, 0.08f * size), v3(0.6f * size, 0.4f * size, 0.02f * size));
-    dmg_move(b, 0, -0.75f * size, 0.075f * size);
-    dmg_controls_draw(b, carrier, 0.7f * size, 0.35f * size);
-    dmg_use(b, 0);
-}
-
-/* Walls round a workroom, x and z centred, floor at y = 0, the front open or behind doors that slide along it. */
-static void draw_enclosure(dmg_builder* b, dmg_vec room, float t) {
-    float x = 0.5f * room.x, z = 0.5f * room.z, side = room.x * dmg_range(b, 0.05f, 0.3f), sill = room.y * 0.2f;
-    bool top = dmg_chance(b, 0.5f), two = dmg_chance(b, 0.5f);
-    float way = x - 0.5f * side;
-    dmg_box_span(b, v3(-x - t, 0, -z - t), v3(x + t, room.y, -z));
-    for (int s = -1; s <= 1; s += 2) dmg_box(b, v3((float)s * (x + 0.5f * t), 0.5f * room.y, 0), v3(t, room.y, 2 * z));
-    if (top) dmg_box_span(b, v3(-x - t, room.y, -z - t), v3(x + t, room.y + t, z + 1.5f * t));
-    dmg_box_span(b, v3(-x - t, 0, z), v3(x + t, sill, z + t));
-    dmg_box_span(b, v3(-x - t, sill, z), v3(-x + side, room.y, z + t));
-    dmg_box_span(b, v3(x - side, sill, z), v3(x + t, room.y, z + t));
-    if (two) way = 0.5f * way;
-    dmg_panel panel = dmg_chance(b, 0.7f) ? dmg_panel_pick_window(b) : dmg_panel_pick(b);
-    float wide = x - side, hand = 0.2f * room.y, high = room.y - 0.9f * sill;
-    dmg_handle handle = dmg_handle_pick_bar(b, hand);
-    if (dmg_chance(b, 0.15f)) return; /* open */
-    for (int s = two ? -1 : 1; s <= 1; s += 2) {
-        float own = two ? wide : 2 * wide, at = two ? 0.5f * (float)s * wide : 0.0f;
-        dmg_save(b);
-        dmg_move(b, at, 0.9f * sill + 0.5f * high, z + 2.1f * t);
-        uint32_t door = dmg_slide(b, 0, "door", v3((float)s, 0, 0), 0.0f, fminf(0.95f * own, 2 * way));
-        if (dmg_chance(b, 0.5f)) dmg_rest(b, door, 0.9f * fminf(own, 2 * way) * dmg_unit(b));
-        dmg_panel_draw(b, &panel, 1.02f * own, high, 0.9f * t);
-        dmg_move(b, -0.43f * own * (float)s, 0, 0);
-        dmg_handle_draw(b, &handle, 0.5f * high);
-        dmg_restore(b);
-        dmg_use(b, 0);
-    }
-}
-
-/* Below a machine: a cabinet, two pedestals with doors or drawers, legs, nothing. Top at y = 0; answers its height. */
-static float draw_stand(dmg_builder* b, float low_x, float high_x, float deep, float unit) {
-    int kind = dmg_int(b, 0, 3);
-    float high = unit * dmg_range(b, 1.5f, 3.5f),
-          wide = fminf(0.4f * (high_x - low_x), unit * dmg_range(b, 1.0f, 2.0f)), tray = 0.1f * unit;
-    if (kind == 3) return 0.0f;
-    if (dmg_chance(b, 0.6f)) dmg_box_span(b, v3(low_x, -tray, -0.8f * deep), v3(high_x, 0, 0.8f * deep));
-    if (kind == 0) dmg_box_span(b, v3(low_x, -high, -0.5f * deep), v3(high_x, -tray, 0.5f * deep));
-    for (int s = -1; s <= 1 && kind > 0; s += 2) {
-        float x = s < 0 ? low_x + 0.5f * wide : high_x - 0.5f * wide;
-        for (int k = -1; k <= 1 && kind == 2; k += 2)
-            dmg_beam(b, v3(x, 0, (float)k * 0.3f * deep), v3(x, -high, (float)k * 0.6f * deep), 0.3f * unit,
-                     0.2f * unit);
-        if (kind == 2) continue;
-        dmg_box_span(b, v3(x - 0.5f * wide, -high, -0.5f * deep), v3(x + 0.5f * wide, 0, 0.5f * deep));
-        if (!dmg_chance(b, 0.6f)) continue;
-        dmg_save(b);
-        dmg_move(b, x, -0.5f * high, 0.5f * deep + 0.06f * unit);
-        dmg_leaf leaf = dmg_leaf_pick(b, 0.15f * high);
-        leaf.width = 0.8f * wide;
-        leaf.height = 0.8f * high;
-        leaf.thickness = 0.05f * unit;
-        leaf.side = s < 0 ? DMG_SIDE_LEFT : DMG_SIDE_RIGHT;
-        dmg_leaf_draw(b, 0, "door", &leaf);
-        dmg_use(b, 0);
-        dmg_restore(b);
-    }
-    return high;
-}
+#include "shop.h"
 
 /* ---- lathes: the bed's top is y = 0, the spindle along +X at height `swing`; the headstock ends at x = 0 ---- */
 
@@ -223,7 +92,8 @@ static void draw_headstock(dmg_builder* b, const lathe* l) {
     dmg_use(b, 0);
     if (kind == 2) return;
     for (int i = 0, count = dmg_int(b, 0, 3); i < count; ++i)
-        place_lever(b, 0, "speed", v3(l->head * (-0.2f - 0.3f * (float)i), 0.45f * high, deep), 0.0f, 0.35f * s);
+        dmg_machine_lever_place(b, 0, "speed", v3(l->head * (-0.2f - 0.3f * (float)i), 0.45f * high, deep), 0.0f,
+                                0.35f * s);
     if (dmg_chance(b, 0.5f)) { /* the gears' cover at the end, a lid on top, or neither */
         float t = 0.25f * s;
         dmg_hinge(b, 0, "cover", v3(-l->head, 0, -deep), v3(0, -1, 0), 0.0f, dmg_range(b, 1.2f, 2.2f));
@@ -266,13 +136,14 @@ static void draw_carriage(dmg_builder* b, const lathe* l, float from, float to) 
     dmg_box(b, v3(0, 0.5f * t, 0), v3(wide, t, 2 * deep));
     float apron = 0.6f * s;
     dmg_box_span(b, v3(-0.5f * wide, -apron, 1.03f * l->half), v3(0.5f * wide, 0, deep));
-    place_handwheel(b, carriage, "handwheel", v3(-0.2f * wide, -0.5f * apron, deep), 0, 0.3f * s);
-    if (dmg_chance(b, 0.5f)) place_lever(b, carriage, "feed", v3(0.3f * wide, -0.6f * apron, deep), 0, 0.3f * s);
+    dmg_handwheel_place(b, carriage, "handwheel", v3(-0.2f * wide, -0.5f * apron, deep), 0, 0.3f * s);
+    if (dmg_chance(b, 0.5f))
+        dmg_machine_lever_place(b, carriage, "feed", v3(0.3f * wide, -0.6f * apron, deep), 0, 0.3f * s);
     float slide = 0.6f * deep, way = deep - 0.4f * slide;
     uint32_t cross = dmg_slide(b, carriage, "cross_slide", v3(0, 0, dmg_sign(b)), -0.4f * way, 0.4f * way);
     dmg_move(b, 0, t, 0.2f * deep);
     dmg_box(b, v3(0, 0.5f * t, 0.2f * deep), v3(0.5f * wide, t, 2 * slide));
-    place_handwheel(b, cross, "handle", v3(0, 0.5f * t, 0.2f * deep + slide), 0, 0.2f * s);
+    dmg_handwheel_place(b, cross, "handle", v3(0, 0.5f * t, 0.2f * deep + slide), 0, 0.2f * s);
     dmg_move(b, 0, t, 0);
     uint32_t top = cross;
     if (dmg_chance(b, 0.6f)) {
@@ -284,7 +155,7 @@ static void draw_carriage(dmg_builder* b, const lathe* l, float from, float to) 
         dmg_move(b, 0, 0.6f * t, 0);
         top = dmg_slide(b, top, "top_slide", v3(0, 0, 1), -0.2f * wide, 0.2f * wide);
         dmg_box(b, v3(0, 0.3f * t, 0.1f * wide), v3(0.33f * wide, 0.6f * t, 0.7f * wide));
-        place_handwheel(b, top, "handle", v3(0, 0.3f * t, 0.45f * wide), 0, 0.12f * s);
+        dmg_handwheel_place(b, top, "handle", v3(0, 0.3f * t, 0.45f * wide), 0, 0.12f * s);
         dmg_move(b, 0, 0.6f * t, 0);
     }
     draw_tool_post(b, top, 0.4f * s, 0.6f * wide);
@@ -300,13 +171,14 @@ static void draw_rest(dmg_builder* b, const lathe* l, float at, float way) {
     dmg_move(b, at, 0.01f * s, 0);
     dmg_box_span(b, v3(-0.15f * s, 0, -0.8f * l->half), v3(0.15f * s, 0.2f * s, z));
     dmg_rod(b, v3(0, 0, z), v3(0, 0.45f * s, z), 0.17f * s);
-    uint32_t post = dmg_hinge(b, foot, "rest", v3(0, 0, z), v3(0, dmg_sign(b), 0), -1.2f, 1.2f);
-    if (dmg_chance(b, 0.5f)) post = dmg_slide(b, foot, "rest", v3(0, 1, 0), -0.1f * s, 0.25f * s);
-    (void)post;
+    if (dmg_chance(b, 0.5f))
+        dmg_hinge(b, foot, "rest", v3(0, 0, z), v3(0, dmg_sign(b), 0), -1.2f, 1.2f);
+    else
+        dmg_slide(b, foot, "rest", v3(0, 1, 0), -0.1f * s, 0.25f * s);
     dmg_rod(b, v3(0, 0.3f * s, z), v3(0, 0.85f * s, z), 0.09f * s);
     dmg_box(b, v3(0, 0.9f * s, z), v3(long_side, 0.2f * s, 0.1f * s));
     dmg_use(b, foot);
-    place_lever(b, foot, "lock", v3(0, 0.3f * s, z + 0.17f * s), 0, 0.25f * s);
+    dmg_machine_lever_place(b, foot, "lock", v3(0, 0.3f * s, z + 0.17f * s), 0, 0.25f * s);
     dmg_restore(b);
     dmg_use(b, 0);
 }
@@ -323,8 +195,8 @@ static void draw_tailstock(dmg_builder* b, const lathe* l, float at, float way) 
     if (kind != 0) dmg_box_span(b, v3(-0.5f * wide, 0, -0.9f * l->half), v3(0.5f * wide, 0.2f * s, 0.9f * l->half));
     if (kind == 2) dmg_box_span(b, v3(0, 0, -0.4f * l->half), v3(0.5f * wide, s, 0.4f * l->half));
     dmg_rod(b, v3(-0.55f * wide, s, 0), v3(0.55f * wide, s, 0), r);
-    place_handwheel(b, stock, "handwheel", v3(0.55f * wide, s, 0), 0.5f * DMG_PI, 0.4f * s);
-    if (dmg_chance(b, 0.5f)) place_lever(b, stock, "lock", v3(0, 0.7f * s, 0.8f * l->half), 0, 0.3f * s);
+    dmg_handwheel_place(b, stock, "handwheel", v3(0.55f * wide, s, 0), 0.5f * DMG_PI, 0.4f * s);
+    if (dmg_chance(b, 0.5f)) dmg_machine_lever_place(b, stock, "lock", v3(0, 0.7f * s, 0.8f * l->half), 0, 0.3f * s);
     dmg_slide(b, stock, "quill", v3(-1, 0, 0), -0.8f * out, 0.6f * wide);
     dmg_rod(b, v3(-0.55f * wide - out, s, 0), v3(0, s, 0), 0.6f * r);
     dmg_cone(b, v3(-0.55f * wide - out, s, 0), v3(-0.55f * wide - out - 0.8f * r, s, 0), 0.4f * r, 0.0f);
@@ -375,10 +247,10 @@ void dmg_build_lathe(dmg_builder* b) {
         float wide = l.length + 1.3f * l.head;
         dmg_save(b);
         dmg_move(b, 1.05f * l.length - 0.5f * wide, 0, 0);
-        draw_enclosure(b, v3(wide, 4.5f * l.swing, 5.5f * l.half), 0.12f * l.swing);
+        dmg_enclosure_draw(b, v3(wide, 4.5f * l.swing, 5.5f * l.half), 0.12f * l.swing);
         dmg_move(b, 0.5f * wide + 0.5f * l.swing, 3.5f * l.swing, 2 * l.half);
-        draw_pendant(b, 1.5f * l.swing);
+        dmg_pendant_draw(b, 1.5f * l.swing);
         dmg_restore(b);
     } else
-        draw_stand(b, -l.head, l.length, 2.2f * l.half, l.swing);
+        dmg_machine_stand_draw(b, -l.head, l.length, 2.2f * l.half, l.swing);
 }
