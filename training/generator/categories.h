@@ -397,7 +397,9 @@
     /* airers.c */                                                                                                     \
     X(clothes_airer)                                                                                                   \
     /* mills.c */                                                                                                      \
-    X(milling_machine)
+    X(milling_machine)                                                                                                 \
+    /* cots.c */                                                                                                       \
+    X(cot)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -1,4 +1,4 @@
-/* Sofas that become beds, each seat, back and arm with a way of its own; cots and cradles with a side to let down. */
+/* Sofas that become beds, each seat, back and arm with a way of its own. */
 #include "categories.h"
 #include "hardware.h"
 
