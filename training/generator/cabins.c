@@ -218,7 +218,7 @@ static void draw_tray_table(dmg_builder* b, const seat* s, uint32_t back, float 
     dmg_box_span(b, v3(-0.5f * wide + 1.2f * t, low + 0.05f * high, z - 0.5f * t),
                  v3(0.5f * wide - 1.2f * t, low + high, z + 0.5f * t));
     if (double_ && !slides) {
-        dmg_hinge(b, table, "leaf", v3(0, low + high, z - 0.6f * t), v3(-1, 0, 0), 0.0f, 3.1f);
+        dmg_hinge(b, table, "leaf", v3(0, low + high, z - 1.0f * t), v3(1, 0, 0), 0.0f, 3.1f);
         dmg_box_span(b, v3(-0.45f * wide, low + 0.1f * high, z - 1.4f * t), v3(0.45f * wide, low + high, z - 0.6f * t));
     }
     dmg_use(b, back);

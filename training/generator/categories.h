@@ -399,7 +399,9 @@
     /* mills.c */                                                                                                      \
     X(milling_machine)                                                                                                 \
     /* cots.c */                                                                                                       \
-    X(cot)
+    X(cot)                                                                                                             \
+    /* cowlings.c */                                                                                                   \
+    X(cowling)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
