@@ -401,7 +401,9 @@
     /* cots.c */                                                                                                       \
     X(cot)                                                                                                             \
     /* cowlings.c */                                                                                                   \
-    X(cowling)
+    X(cowling)                                                                                                         \
+    /* tables.c */                                                                                                     \
+    X(extending_table)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

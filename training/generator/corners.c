@@ -81,7 +81,8 @@ static void draw_carousel(dmg_builder* b, const corner* k, float at, float radiu
         dmg_box(b, v3(0.5f * radius, y, 0.5f * t), v3(radius, h, t));
         dmg_box(b, v3(0.5f * t, y, 0.5f * (radius + t)), v3(t, h, radius - t));
         if (dmg_chance(b, 0.7f)) {
-            dmg_move(b, dmg_range(b, 0.3f, 0.85f) * radius, y + dmg_range(b, -0.2f, 0.35f) * h, t);
+            float out = dmg_range(b, 0.3f, 0.85f) * radius, up = dmg_range(b, -0.2f, 0.35f) * h;
+            dmg_move(b, out, y + up, t);
             dmg_handle_draw(b, &k->leaf.handle, 0.4f * h);
         }
     }

@@ -388,8 +388,8 @@ static void draw_cheval(dmg_builder* b) {
         for (int i = 1; i < shelves; ++i)
             dmg_box(b, v3(0, h * ((float)i / (float)shelves - 0.5f), -0.5f * deep), v3(w - t, 0.4f * t, 0.85f * deep));
         if (right) dmg_mirror(b, v3(1, 0, 0));
-        uint32_t door = dmg_hinge(b, carrier, "mirror_door", v3(-0.5f * w, 0, dmg_chance(b, 0.5f) ? 1.02f * t : 0.0f),
-                                  v3(0, -1, 0), 0.0f, dmg_range(b, 1.4f, 2.4f));
+        float line = dmg_chance(b, 0.5f) ? 1.02f * t : 0.0f, wide = dmg_range(b, 1.4f, 2.4f);
+        uint32_t door = dmg_hinge(b, carrier, "mirror_door", v3(-0.5f * w, 0, line), v3(0, -1, 0), 0.0f, wide);
         dmg_move(b, 0, 0, 1.03f * t);
         draw_glass(b, &g);
         if (dmg_chance(b, 0.4f)) dmg_rest(b, door, dmg_range(b, 0.2f, 1.4f));
