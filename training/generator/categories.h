@@ -403,7 +403,10 @@
     /* cowlings.c */                                                                                                   \
     X(cowling)                                                                                                         \
     /* tables.c */                                                                                                     \
-    X(extending_table)
+    X(extending_table)                                                                                                 \
+    /* consoles.c */                                                                                                   \
+    X(synthesizer)                                                                                                     \
+    X(sound_desk)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

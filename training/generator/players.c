@@ -200,7 +200,8 @@ static void draw_deck_controls(dmg_builder* b, const deck* d) {
     dmg_save(b);
     dmg_move(b, x, 0, z);
     dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI); /* up is the frame's +Z */
-    dmg_buttons keys = {.name = "start", .columns = dmg_int(b, 1, 3), .rows = 1, .kind = dmg_int(b, 0, 3)};
+    dmg_buttons keys = {.name = "start", .columns = dmg_int(b, 1, 3), .rows = 1};
+    keys.kind = dmg_int(b, 0, 3);
     keys.pitch_x = 2.2f * s;
     keys.width = 1.8f * s;
     keys.height = 1.6f * s;
@@ -354,14 +355,15 @@ static void draw_cabinet(dmg_builder* b, const deck* d) {
 /* A flower of tin on an elbow behind: it turns in its bracket. */
 static void draw_horn(dmg_builder* b, const deck* d) {
     float r = d->r, tall = r * dmg_range(b, 0.5f, 1.2f), mouth = r * dmg_range(b, 0.6f, 1.3f),
-          long_ = r * dmg_range(b, 1.2f, 2.4f), lift = dmg_range(b, 0.2f, 0.9f), neck = 0.1f * r, z = -d->deep - neck;
+          long_ = r * dmg_range(b, 1.2f, 2.4f), lift = dmg_range(b, 0.2f, 0.9f), neck = 0.1f * r, z = -d->deep - neck,
+          turn = dmg_range(b, 0.4f, 1.6f);
     dmg_vec elbow = {d->x + d->pivot, d->over + tall, z};
     dmg_box_span(b, v3(elbow.x - neck, -0.4f * r, z - neck), v3(elbow.x + neck, -0.1f * r, -d->deep));
     dmg_rod(b, v3(elbow.x, -0.4f * r, z), v3(elbow.x, d->over, z), 1.15f * neck);
     if (dmg_chance(b, 0.5f))
         dmg_spin(b, 0, "horn", elbow, v3(0, 1, 0));
     else
-        dmg_hinge(b, 0, "horn", elbow, v3(0, 1, 0), -dmg_range(b, 0.4f, 1.6f), dmg_range(b, 0.4f, 1.6f));
+        dmg_hinge(b, 0, "horn", elbow, v3(0, 1, 0), -turn, turn);
     dmg_rod(b, v3(elbow.x, d->over - 0.1f * r, z), elbow, 0.9f * neck);
     dmg_ellipsoid(b, elbow, v3(neck, neck, neck));
     dmg_vec way = v3_normalize(v3(-0.3f, sinf(lift), cosf(lift)));
