@@ -406,7 +406,10 @@
     X(extending_table)                                                                                                 \
     /* consoles.c */                                                                                                   \
     X(synthesizer)                                                                                                     \
-    X(sound_desk)
+    X(sound_desk)                                                                                                      \
+    /* forecourt.c */                                                                                                  \
+    X(fuel_pump)                                                                                                       \
+    X(ticket_machine)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
