@@ -201,7 +201,8 @@ static void draw_turret_things(dmg_builder* b, const turret* t, uint32_t id) {
 
 /* `drop`: how far below its line the gun may point. */
 static void draw_turret(dmg_builder* b, float r, float reach, float drop) {
-    turret t = {.r = r, .high = r * dmg_range(b, 0.4f, 0.8f), .shape = dmg_int(b, 0, 4)};
+    turret t = {.r = r, .high = r * dmg_range(b, 0.4f, 0.8f)};
+    t.shape = dmg_int(b, 0, 4);
     float arc = dmg_range(b, 1.0f, 3.1f), rise = dmg_range(b, 0.3f, 0.9f), line = 0.5f * t.high;
     dmg_rod(b, v3(0, -0.1f * r, 0), v3(0, 0.04f * r, 0), 0.85f * r);
     dmg_vec axis = {0, dmg_sign(b), 0};
@@ -269,12 +270,12 @@ static void draw_track(dmg_builder* b, const hull* h, float side) {
 static void draw_wheels(dmg_builder* b, const hull* h) {
     int axles = dmg_int(b, 2, 4);
     dmg_tyre tyre = dmg_tyre_pick(b, fminf(0.55f * h->high, 0.45f * h->length / (float)axles));
-    tyre.width = h->track;
+    tyre.width = 0.75f * h->track;
     for (int i = 0; i < axles; ++i) {
         float z = h->length * 0.86f * (((float)i + 0.5f) / (float)axles - 0.5f);
         tyre.steers = i == axles - 1 && dmg_chance(b, 0.4f);
         tyre.knuckle = 0;
-        dmg_axle_draw(b, &tyre, 0, h->half - 0.5f * h->track, z);
+        dmg_axle_draw(b, &tyre, 0, h->half - 0.4f * h->track, z);
     }
 }
 
@@ -340,7 +341,7 @@ static void draw_stern(dmg_builder* b, const hull* h) {
     for (int s = -1; s <= 1 && kind == 1; s += 2) {
         float side = (float)s;
         uint32_t door =
-            dmg_hinge(b, 0, "door", v3(side * in, 0, z - 0.7f * t), v3(0, side, 0), 0.0f, dmg_range(b, 1.4f, 2.6f));
+            dmg_hinge(b, 0, "door", v3(side * in, 0, z - 0.7f * t), v3(0, side, 0), 0.0f, dmg_range(b, 1.2f, 1.75f));
         dmg_box_span(b, v3(s > 0 ? 0.02f * in : -in, y0, z - t), v3(s > 0 ? in : -0.02f * in, y1, z));
         dmg_vec pin = {side * 0.2f * in, 0.5f * (y0 + y1), z - t};
         dmg_hinge(b, door, "handle", pin, v3(0, 0, side), 0.0f, dmg_range(b, 0.7f, 1.6f));

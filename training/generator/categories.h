@@ -409,7 +409,10 @@
     X(sound_desk)                                                                                                      \
     /* forecourt.c */                                                                                                  \
     X(fuel_pump)                                                                                                       \
-    X(ticket_machine)
+    X(ticket_machine)                                                                                                  \
+    /* cages.c */                                                                                                      \
+    X(mine_cart)                                                                                                       \
+    X(lift_cage)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)

@@ -14,7 +14,8 @@ typedef struct hatch {
 } hatch;
 
 static hatch pick_hatch(dmg_builder* b) {
-    hatch h = {.x = dmg_scale_range(b, 0.08f, 1.0f), .side = dmg_sign(b)};
+    hatch h = {.x = dmg_scale_range(b, 0.08f, 1.0f)};
+    h.side = dmg_sign(b);
     bool round = dmg_chance(b, 0.4f);
     h.y = round ? h.x : h.x * dmg_range(b, 1.0f, 2.3f);
     h.power = dmg_chance(b, 0.5f) ? 2.0f : dmg_range(b, 3.0f, 9.0f);
@@ -195,7 +196,8 @@ static void draw_dogs(dmg_builder* b, const hatch* h, uint32_t leaf) {
     bool on_leaf = dmg_chance(b, 0.4f);
     uint32_t carrier = on_leaf ? leaf : 0;
     float r = fmaxf(0.13f * h->rim, h->size * dmg_range(b, 0.02f, 0.045f)), reach = h->size * dmg_range(b, 0.2f, 0.5f),
-          swing = dmg_range(b, 0.9f, 2.2f) * dmg_sign(b), top = h->t * 1.1f + r;
+          swing = dmg_range(b, 0.9f, 2.2f), top = h->t * 1.1f + r;
+    if (dmg_chance(b, 0.5f)) swing = -swing;
     for (int i = 0; i < count; ++i) {
         /* along the free side, so that the hinge's is left alone */
         float y = h->y * 0.75f * (2.0f * ((float)i + 0.5f) / (float)count - 1.0f), n = fabsf(y / h->y);
@@ -264,7 +266,8 @@ static void draw_leaf_lever(dmg_builder* b, const hatch* h, uint32_t leaf, float
     dmg_use(b, leaf);
     dmg_vec pin = {x, y, h->t};
     dmg_rod(b, pin, v3_add(pin, v3(0, 0, 2.5f * r)), 2 * r);
-    dmg_hinge(b, leaf, "lever", pin, v3(0, 0, dmg_sign(b)), 0.0f, dmg_range(b, 0.7f, 1.8f));
+    float swing = dmg_range(b, 0.7f, 1.8f);
+    dmg_hinge(b, leaf, "lever", pin, v3(0, 0, dmg_sign(b)), 0.0f, swing);
     dmg_vec start = v3_add(pin, v3(0, 0, 3 * r)), end = v3_add(start, v3(h->side * length, 0, 0.5f * r));
     dmg_rod(b, v3_add(pin, v3(0, 0, 2.5f * r)), v3_add(pin, v3(0, 0, 4 * r)), 2 * r);
     dmg_beam(b, start, end, 1.5f * r, r);
@@ -279,10 +282,11 @@ static void draw_deadlight(dmg_builder* b, const hatch* h, uint32_t leaf, float 
     const dmg_xy rim[] = {{0.8f * r, h->t}, {1.1f * r, h->t}, {1.1f * r, z}, {0.8f * r, z}, {0.8f * r, h->t}};
     dmg_lathe(b, v3(0, y, 0), v3(0, 0, 1), rim, 5);
     bool aside = dmg_chance(b, 0.5f);
+    float swing = dmg_range(b, 1.0f, 2.6f);
     if (aside)
-        dmg_hinge(b, leaf, "deadlight", v3(0, y + 1.2f * r, 0), v3(0, 0, dmg_sign(b)), 0.0f, dmg_range(b, 1.0f, 2.6f));
+        dmg_hinge(b, leaf, "deadlight", v3(0, y + 1.2f * r, 0), v3(0, 0, dmg_sign(b)), 0.0f, swing);
     else
-        dmg_hinge(b, leaf, "deadlight", v3(0, y + 1.2f * r, z), v3(-1, 0, 0), 0.0f, dmg_range(b, 1.2f, 2.9f));
+        dmg_hinge(b, leaf, "deadlight", v3(0, y + 1.2f * r, z), v3(-1, 0, 0), 0.0f, 1.1f * swing);
     dmg_rod(b, v3(0, y, z + 0.02f * r), v3(0, y, z + 0.2f * r), r);
     dmg_box(b, v3(0, y + 1.1f * r, z + 0.1f * r), v3(0.3f * r, 0.5f * r, 0.16f * r));
     dmg_use(b, leaf);

@@ -124,7 +124,8 @@ static void draw_sconce(dmg_builder* b, float size) {
         dmg_rod(b, v3(-2 * r, 0, 1.6f * r), v3(2 * r, 0, 1.6f * r), 0.8f * r);
         dmg_hinge(b, 0, "sconce", v3(0, 0, 1.6f * r), v3(1, 0, 0), 0.0f, dmg_range(b, 0.4f, 1.1f));
     } else { /* turned aside */
-        dmg_hinge(b, 0, "sconce", v3(0, 0, 0.8f * r), v3(0, 0, dmg_sign(b)), 0.0f, dmg_range(b, 0.7f, 1.6f));
+        float swing = dmg_range(b, 0.7f, 1.6f);
+        dmg_hinge(b, 0, "sconce", v3(0, 0, 0.8f * r), v3(0, 0, dmg_sign(b)), 0.0f, swing);
     }
     dmg_rod(b, v3(0, 0, r), v3(0, 0.1f * size, out), r);
     dmg_cone(b, v3(0, 0.06f * size, out), v3(0, 0.2f * size, out), r, 2.5f * r);
@@ -262,13 +263,14 @@ static void build_turning_wall(dmg_builder* b, const site* s) {
     float half = 0.96f * s->x, z = -0.5f * s->deep, t = 0.45f * s->deep, low = 0.01f * s->y,
           off = dmg_chance(b, 0.3f) ? dmg_range(b, -0.4f, 0.4f) * half : 0.0f;
     int kind = dmg_weighted(b, (const float[]){4, 3, 1.5f}, 3); /* a half turn, endless, about a level line */
+    float way = dmg_sign(b), swing = dmg_range(b, 1.4f, 3.14f);
     uint32_t part;
     if (kind == 2)
-        part = dmg_hinge(b, 0, "wall", v3(0, 0.5f * s->y, z), v3(dmg_sign(b), 0, 0), 0.0f, dmg_range(b, 1.0f, 1.6f));
+        part = dmg_hinge(b, 0, "wall", v3(0, 0.5f * s->y, z), v3(way, 0, 0), 0.0f, 0.5f * swing);
     else if (kind == 1)
-        part = dmg_spin(b, 0, "wall", v3(0, 0, z), v3(0, dmg_sign(b), 0));
+        part = dmg_spin(b, 0, "wall", v3(0, 0, z), v3(0, way, 0));
     else
-        part = dmg_hinge(b, 0, "wall", v3(off, 0, z), v3(0, dmg_sign(b), 0), 0.0f, dmg_range(b, 1.2f, 3.14f));
+        part = dmg_hinge(b, 0, "wall", v3(off, 0, z), v3(0, way, 0), 0.0f, swing);
     t = fminf(t, 0.25f * half);
     dmg_box_span(b, v3(-half, low, z - t), v3(half, s->y - low, z + t));
     bool disc = kind == 1 && dmg_chance(b, 0.5f);

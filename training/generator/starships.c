@@ -314,8 +314,8 @@ static void build_shuttle(dmg_builder* b) {
     else
         draw_turret(b, 0.4f * half);
     dmg_restore(b);
-    draw_wings(b, half, high * dmg_range(b, 0.3f, 0.9f), -0.05f * length, half * dmg_range(b, 1.5f, 4.0f),
-               0.35f * length, 3);
+    float shoulder = high * dmg_range(b, 0.3f, 0.9f), span = half * dmg_range(b, 1.5f, 4.0f);
+    draw_wings(b, half, shoulder, -0.05f * length, span, 0.35f * length, 3);
     if (dmg_chance(b, 0.5f)) draw_engines(b, 0.5f * half, 0.5f * high, tail - 0.3f * half, 0.35f * half);
 }
 
