@@ -316,8 +316,9 @@ static void draw_across_storey(dmg_builder* b, const corner* k) {
         draw_across_drawers(b, k);
         return;
     }
-    if (dmg_chance(b, 0.85f)) draw_across_doors(b, k);
-    if (dmg_chance(b, 0.65f)) {
+    bool carousel = dmg_chance(b, 0.65f);
+    if (!carousel || dmg_chance(b, 0.85f)) draw_across_doors(b, k);
+    if (carousel) {
         draw_carousel(b, k, at, fminf(at - k->wall, front) * dmg_range(b, 0.8f, 0.97f), 0, false);
         return;
     }

@@ -443,6 +443,7 @@ void dmg_build_flush_cabinet(dmg_builder* b) {
     dmg_move(b, 0, foot + 0.5f * h, 0.5f * d);
     dmg_case_draw(b, k.boards ? DMG_CASE_BOARDS : dmg_case_pick(b), w, h, d, k.wall);
     divide(b, &k, w, h, dmg_int(b, 1, 3));
+    if (b->part_count == 0) draw_flush_drawer(b, &k, w, h); /* all cells were open ones */
     dmg_restore(b);
     dmg_move(b, 0, foot + h, 0);
     if (dmg_chance(b, 0.15f))

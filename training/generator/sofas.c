@@ -291,6 +291,7 @@ static void draw_seats_and_backs(dmg_builder* b, const sofa* s, bool trundle) {
         if (!alike) seat = dmg_int(b, 0, 4);
         if (!alike || back == 3) back = dmg_int(b, 0, 3);
         if (trundle && seat == 1) seat = 0;
+        if (i + 1 == s->seats && b->part_count == 0 && seat % 4 == 0) back = 0;
         uint32_t carrier = 0;
         if (seat == 0 || seat == 4) draw_cushion(b, s, v3(x0, s->seat - s->cushion, -z), v3(x1, s->seat, z));
         if (seat == 1) draw_chest_seat(b, s, x0, x1, z * (i + 1 == s->seats && dmg_chance(b, 0.5f) ? 2.2f : 1.0f));

@@ -308,7 +308,7 @@ static void draw_column_top(dmg_builder* b, const table* k) {
         dmg_rod(b, v3(-3 * leg, top - 0.02f, z), v3(3 * leg, top - 0.02f, z), 0.008f);
     } else { /* rises on a screw, or on a stem that slides */
         float pitch = dmg_range(b, 0.004f, 0.012f);
-        far = kind == 1 ? 0.4f * top / pitch : 0.4f * top;
+        far = kind == 1 ? fminf(0.4f * top / pitch, 38.0f) : 0.4f * top;
         if (kind == 1)
             part = dmg_screw(b, 0, "top", v3(0, top, 0), v3(0, 1, 0), pitch, 0.0f, far);
         else
