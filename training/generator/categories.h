@@ -412,7 +412,9 @@
     X(ticket_machine)                                                                                                  \
     /* cages.c */                                                                                                      \
     X(mine_cart)                                                                                                       \
-    X(lift_cage)
+    X(lift_cage)                                                                                                       \
+    /* extruders.c */                                                                                                  \
+    X(solid_printer)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
