@@ -414,7 +414,13 @@
     X(mine_cart)                                                                                                       \
     X(lift_cage)                                                                                                       \
     /* extruders.c */                                                                                                  \
-    X(solid_printer)
+    X(solid_printer)                                                                                                   \
+    /* coaches.c */                                                                                                    \
+    X(bus)                                                                                                             \
+    /* interiors.c */                                                                                                  \
+    X(car_interior)                                                                                                    \
+    /* vehicle_seats.c */                                                                                              \
+    X(car_seat)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
