@@ -87,7 +87,7 @@ static void draw_wing(dmg_builder* b, const plan* w, wing_kind kind, float swing
 static void draw_wings(dmg_builder* b, float x, float y, float z, float span, float root, int kinds) {
     plan w = pick_plan(b, span, root);
     wing_kind kind = (wing_kind)dmg_int(b, 0, kinds);
-    float swing = dmg_range(b, 0.9f, 1.7f), lean = dmg_range(b, -0.2f, 0.3f);
+    float swing = dmg_range(b, 0.7f, 1.5f), lean = dmg_range(b, -0.2f, 0.3f);
     int tip = dmg_int(b, 0, 3);
     if (kind == WING_PARTS) lean = 0;
     for (int s = -1; s <= 1; s += 2) {
@@ -180,7 +180,7 @@ static void draw_canopy(dmg_builder* b, float half, float length, float high) {
     if (kind == 0) dmg_hinge(b, 0, "canopy", v3(0, t, -z), v3(-1, 0, 0), 0.0f, swing);
     if (kind == 1) dmg_hinge(b, 0, "canopy", v3(side * half, t, 0), v3(0, 0, -side), 0.0f, swing);
     if (kind == 2) dmg_hinge(b, 0, "canopy", v3(0, t, z), v3(1, 0, 0), 0.0f, swing);
-    if (kind == 3) dmg_slide(b, 0, "canopy", v3(0, 0, -1), 0.0f, 0.8f * length);
+    if (kind == 3) dmg_slide(b, 0, "canopy", v3(0, 0, -1), 0.0f, 0.5f * length);
     const dmg_xy line[] = {{-z, t}, {z, t}, {0.4f * z, 0.8f * high}, {-0.3f * z, high}, {-0.9f * z, 0.6f * high}};
     if (shape == 0)
         dmg_side_prism(b, line, 5, -half, half);
@@ -269,10 +269,10 @@ static void build_fighter(dmg_builder* b) {
           root = ball ? r * dmg_range(b, 1.5f, 3.0f) : length * dmg_range(b, 0.2f, 0.45f);
     draw_wings(b, ball ? 2 * r : 0.95f * r, 0, ball ? 0.5f * root : -0.05f * length, span, root, 4);
     dmg_save(b);
-    dmg_move(b, 0, ball ? 1.1f * r : flat * r * (0.4f + 0.5f * waist), ball ? 0 : 0.08f * length);
+    dmg_move(b, 0, ball ? 1.1f * r : flat * r * (0.5f + 0.45f * waist), ball ? 0 : 0.08f * length);
     draw_canopy(b, 0.5f * r, ball ? r : 0.2f * length, 0.6f * r);
     dmg_restore(b);
-    if (!ball && dmg_chance(b, 0.6f)) draw_engines(b, 1.1f * r, 0.35f * r, tail + 0.05f * length, 0.4f * r);
+    if (!ball && dmg_chance(b, 0.6f)) draw_engines(b, 0.5f * r, 0.35f * r, tail - 0.3f * r, 0.4f * r);
     if (!ball && dmg_chance(b, 0.3f)) {
         dmg_move(b, 0, 0.9f * flat * r, -0.3f * length);
         draw_dish(b, 0.35f * r);
@@ -316,7 +316,7 @@ static void build_shuttle(dmg_builder* b) {
     dmg_restore(b);
     float shoulder = high * dmg_range(b, 0.3f, 0.9f), span = half * dmg_range(b, 1.5f, 4.0f);
     draw_wings(b, half, shoulder, -0.05f * length, span, 0.35f * length, 3);
-    if (dmg_chance(b, 0.5f)) draw_engines(b, 0.5f * half, 0.5f * high, tail - 0.3f * half, 0.35f * half);
+    if (entry != 1 && dmg_chance(b, 0.5f)) draw_engines(b, 0.5f * half, 0.5f * high, tail - 0.3f * half, 0.35f * half);
 }
 
 /* A disc with a rim, two arms ahead, a cockpit at its side. */
