@@ -60,7 +60,7 @@ static void add(const dmi_candidate* candidate, float confidence, dmi_alternativ
     dmi_copy3(candidate->origin, added->origin);
 }
 
-dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_study* study, const dmi_ranker* ranker,
+dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_study* study, const dmi_ranker* ranker, int dragged,
                                 const dm_joint* hypotheses, uint32_t hypothesis_count, const dmi_candidate* candidates,
                                 const float* probability, uint32_t count, dmi_alternatives* out) {
     motion* motions = dmi_arena_push(arena, count * sizeof *motions);
@@ -80,7 +80,7 @@ dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_study* study, const 
         if (count == 0 || left[best] == GONE) break;
         const motion like = motions[best];
         const float mass = take_alike(&like, motions, count, left);
-        add(&candidates[best], dmi_ranker_confidence(ranker, mass), out);
+        add(&candidates[best], dmi_ranker_confidence(ranker, dragged, mass), out);
     }
     return DM_OK;
 }

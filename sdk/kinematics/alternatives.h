@@ -20,8 +20,9 @@ typedef struct dmi_alternatives {
     uint32_t count;
 } dmi_alternatives;
 
-/* Those candidates, most probable first, that move the part neither as a hypothesis does nor as one before them. */
-dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_study* study, const dmi_ranker* ranker,
+/* Those candidates, most probable first, that move the part neither as a hypothesis does nor as one before them.
+ * dragged: the probabilities are those with a drag. */
+dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_study* study, const dmi_ranker* ranker, int dragged,
                                 const dm_joint* hypotheses, uint32_t hypothesis_count, const dmi_candidate* candidates,
                                 const float* probability, uint32_t count, dmi_alternatives* out);
 

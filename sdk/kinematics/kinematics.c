@@ -87,7 +87,7 @@ static uint32_t top_of_type(const work* w, int sliding, ranked out[TOP_OF_TYPE])
 }
 
 static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, float type_mass) {
-    float confidence = dmi_ranker_confidence(w->query->ranker, mass);
+    float confidence = dmi_ranker_confidence(w->query->ranker, w->query->hint != NULL, mass);
     dm_joint joint = {.type = c->type,
                       .confidence = confidence,
                       .type_confidence = fminf(fmaxf(type_mass, confidence), 1),
@@ -233,8 +233,9 @@ static dm_result find_alternatives(dmi_arena* arena, const work* w, const dmi_hy
     const int32_t given = w->query->given_type;
     out->count = 0;
     if (given == DM_JOINT_SCREW || w->query->network_alone) return DM_OK;
-    const dm_result result = dmi_alternatives_find(arena, &w->study, w->query->ranker, hypotheses->joints,
-                                                   hypotheses->count, w->candidates, w->probability, w->count, out);
+    const dm_result result =
+        dmi_alternatives_find(arena, &w->study, w->query->ranker, w->query->hint != NULL, hypotheses->joints,
+                              hypotheses->count, w->candidates, w->probability, w->count, out);
     for (uint32_t i = 0; i < out->count; i++)
         if (given == DM_JOINT_CONTINUOUS) out->list[i].type = given;
     return result;

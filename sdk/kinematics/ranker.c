@@ -6,7 +6,7 @@
 #include "nn/weights.h"
 
 #define HIDDEN 64
-#define VERSION 3 /* before it limits were regressed */
+#define VERSION 4 /* before it answers with and without a drag were calibrated alike */
 /* Share of the opinion that does without KPP-Net: on kinds of objects that neither it nor the ranker was trained on, .3
  * to .5 answers a point more of them right than 0. */
 #define DOUBT 0.4f
@@ -17,7 +17,7 @@ struct dmi_ranker {
     float first[DMI_EVIDENCE_COUNT][HIDDEN], first_bias[HIDDEN];
     float second[HIDDEN][HIDDEN], second_bias[HIDDEN];
     float last[HIDDEN], last_bias;
-    float calibration[2]; /* slope and offset between log odds */
+    float calibration[2][2]; /* without a drag and with one: slope and offset between log odds */
     dmi_limit_net limits;
     dmi_sieve sieve;
 };
@@ -53,9 +53,11 @@ static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
         !copy_vector(weights, "2.bias", HIDDEN, ranker->second_bias) ||
         !copy_transposed(weights, "4.weight", 1, HIDDEN, ranker->last) ||
         !copy_vector(weights, "4.bias", 1, &ranker->last_bias) ||
-        !copy_vector(weights, "calibration", 2, ranker->calibration) || !dmi_limit_net_read(weights, &ranker->limits))
+        !dmi_weights_read(weights, "calibration", 2, 2, &ranker->calibration[0][0]) ||
+        !dmi_limit_net_read(weights, &ranker->limits))
         return 0;
-    if (!(ranker->calibration[0] > 0 && ranker->calibration[0] < 1e3f)) return 0;
+    for (int i = 0; i < 2; i++)
+        if (!(ranker->calibration[i][0] > 0 && ranker->calibration[i][0] < 1e3f)) return 0;
     fold_standardisation(mean, scale, ranker);
     return dmi_sieve_read(weights, &ranker->sieve);
 }
@@ -187,10 +189,11 @@ void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[
     for (uint32_t i = 0; i < count; i++) out_probability[i] /= sum;
 }
 
-float dmi_ranker_confidence(const dmi_ranker* ranker, float mass) {
+float dmi_ranker_confidence(const dmi_ranker* ranker, int dragged, float mass) {
     if (ranker == NULL) return dmi_min(mass, 1);
     float p = dmi_min(dmi_max(mass, 1e-4f), 1 - 1e-4f);
-    return 1 / (1 + expf(-ranker->calibration[0] * logf(p / (1 - p)) - ranker->calibration[1]));
+    const float* line = ranker->calibration[dragged ? 1 : 0];
+    return 1 / (1 + expf(-line[0] * logf(p / (1 - p)) - line[1]));
 }
 
 const dmi_limit_net* dmi_ranker_limits(const dmi_ranker* ranker) {

@@ -8,7 +8,7 @@
 
 /* Architecture "dragmesh-ranker": standardised evidence -> 64 -> 64 -> 1, ReLU between. The softmax over a part's
  * candidates (those that the sieve kept) is a probability; what an answer gathers of it is calibrated by two numbers in
- * the file. */
+ * the file, others without a drag than with one. */
 typedef struct dmi_ranker dmi_ranker;
 
 dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranker** out_ranker);
@@ -18,7 +18,7 @@ void dmi_ranker_destroy(dmi_ranker* ranker);
 void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
                               float* out_probability);
 /* The chance that an answer is right whose candidates gather this probability. */
-float dmi_ranker_confidence(const dmi_ranker* ranker, float mass);
+float dmi_ranker_confidence(const dmi_ranker* ranker, int dragged, float mass);
 
 /* The limits' network of the same file; NULL without a ranker. */
 const dmi_limit_net* dmi_ranker_limits(const dmi_ranker* ranker);

@@ -7,7 +7,7 @@ Cases are made with the sieve (sieve.py) that the library will have, so that the
 
 A case's candidates share a probability of one by exp(-cost): their cost is what a player would see (the pose error),
 what a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way. Two
-numbers fitted on validation cases turn the probability an answer gathers into the chance that it is right.
+numbers, and two more where there is no drag, turn the probability an answer gathers into the chance that it is right.
 """
 import argparse
 import ctypes
@@ -264,17 +264,16 @@ def answers(lab, kinematics, ranker, seed, count, split, chosen):
     return data
 
 
-def calibrated(lab, kinematics, path, tensors, metadata, count, names):
-    """Writes the file with an identity, asks the library itself, and writes it again with the calibration found."""
-    export(path, {**tensors, "calibration": np.array([1, 0], np.float32)}, metadata)
+def own_calibration(lab, kinematics, tensors, metadata, path, count):
+    """Of a ranker that knows no held-out kind, on those kinds: real objects are none that any network has seen either. A line
+    between log odds without a drag, and one with a drag."""
+    export(path, {**tensors, "calibration": np.array([[1, 0], [1, 0]], np.float32)}, metadata)
     with open(path, "rb") as file:
         ranker = file.read()
-    found = answers(lab, kinematics, ranker, 77, count, 1, names)
+    found = answers(lab, kinematics, ranker, 77, count, 1, HELD_OUT)
     good = found["pose"] < GOOD
-    calibration = calibrate(good, found["confidence"])
-    export(path, {**tensors, "calibration": calibration.astype(np.float32)}, metadata)
-    print(f"whole library, validation: type {found['right_type'].mean():.3f} {summary(good, found, np.array(names))}; "
-          f"confidence = sigmoid({calibration[0]:.3f} logit(mass) + {calibration[1]:.3f})", flush=True)
+    return np.array([calibrate(good[with_drag], found["confidence"][with_drag])
+                     for with_drag in (found["has_drag"] == 0, found["has_drag"] != 0)], np.float32)
 
 
 def run_train(arguments):
@@ -294,10 +293,18 @@ def run_train(arguments):
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     for path in (arguments.sieve, arguments.limits):
         tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
-    metadata = {"architecture": "dragmesh-ranker", "version": "3", "commit": commit, "seed": str(arguments.seed),
+    metadata = {"architecture": "dragmesh-ranker", "version": "4", "commit": commit, "seed": str(arguments.seed),
                 "trained": f"{len(data['used'])} generated cases"}
-    calibrated(lab, kinematics, arguments.out, tensors, metadata, arguments.calibration_cases,
-               category_names(lab))
+    if arguments.calibration_of:
+        calibration = load_safetensors(arguments.calibration_of)[0]["calibration"].numpy()
+    else:
+        calibration = own_calibration(lab, kinematics, tensors, metadata, arguments.out, arguments.calibration_cases)
+    export(arguments.out, {**tensors, "calibration": calibration}, metadata)
+    with open(arguments.out, "rb") as file:
+        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, category_names(lab))
+    print(f"whole library, validation: type {found['right_type'].mean():.3f} "
+          f"{summary(found['pose'] < GOOD, found, np.array(category_names(lab)))}; "
+          f"confidence = sigmoid(a logit(mass) + b), none, drag: {calibration.round(3).tolist()}", flush=True)
 
 
 def earlier_network(folder):
@@ -325,7 +332,7 @@ def ship(folder, models):
     """What sdk/models/ranker.safetensors is made by; goes on where it was stopped. About half an hour of one core. First the
     sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved. Its twin in the
     folder has not seen the held-out kinds (nor has the sieve): it says how well kinds are answered that the ranker does
-    not know."""
+    not know, and what the probabilities of such answers are worth."""
     from .limits import ship as fit_limits
     from .sieve import run as fit_sieve
     os.makedirs(folder, exist_ok=True)
@@ -342,8 +349,9 @@ def ship(folder, models):
     fit_limits(folder, shipped, limits)
     validation = case_file(run, folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
     common = ["train", *files, "--validate", validation, "--weights", shipped, "--sieve", sieve, "--limits", limits]
-    run([*common, "-o", os.path.join(models, "ranker.safetensors")])
-    run([*common, "--hold-out", "-o", os.path.join(folder, "twin.safetensors")])
+    twin = os.path.join(folder, "twin.safetensors")
+    run([*common, "--hold-out", "-o", twin])
+    run([*common, "--calibration-of", twin, "-o", os.path.join(models, "ranker.safetensors")])
 
 
 def run(words):
@@ -369,7 +377,8 @@ def run(words):
     two.add_argument("--weights", required=True, help="the KPP-Net that ships")
     two.add_argument("--sieve", required=True, help="what the cases were made with")
     two.add_argument("--limits", required=True, help="weights of the limits' network (limits.py)")
-    two.add_argument("--calibration-cases", type=int, default=1500)
+    two.add_argument("--calibration-cases", type=int, default=3000)
+    two.add_argument("--calibration-of", help="a ranker of its twin's calibration; without it, its own on the held-out kinds")
     two.add_argument("--steps", type=int, default=9000)
     two.add_argument("--batch", type=int, default=48)
     two.add_argument("--hidden", type=int, default=64)
