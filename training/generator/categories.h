@@ -420,7 +420,9 @@
     /* interiors.c */                                                                                                  \
     X(car_interior)                                                                                                    \
     /* vehicle_seats.c */                                                                                              \
-    X(car_seat)
+    X(car_seat)                                                                                                        \
+    /* brass.c */                                                                                                      \
+    X(wind_instrument)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
