@@ -422,7 +422,9 @@
     /* vehicle_seats.c */                                                                                              \
     X(car_seat)                                                                                                        \
     /* brass.c */                                                                                                      \
-    X(wind_instrument)
+    X(wind_instrument)                                                                                                 \
+    /* mechanisms.c */                                                                                                 \
+    X(crank_bench)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
