@@ -424,7 +424,9 @@
     /* brass.c */                                                                                                      \
     X(wind_instrument)                                                                                                 \
     /* mechanisms.c */                                                                                                 \
-    X(crank_bench)
+    X(crank_bench)                                                                                                     \
+    /* cycles.c */                                                                                                     \
+    X(cycle)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
