@@ -361,6 +361,11 @@ static void draw_jump_seat(dmg_builder* b, const seat* s) {
     for (int i = 0; i < count; ++i) {
         float x = pitch * ((float)i - 0.5f * (float)(count - 1));
         draw_cushion(b, s, v3(x, s->pan + 0.58f * s->back, z + 0.4f * s->t), v3(s->width, 0.8f * s->back, 0.8f * s->t));
+        for (int k = -1; k <= 1; k += 2) { /* ears that carry its pin */
+            float ear = x + (float)k * 0.53f * s->width;
+            dmg_box_span(b, v3(ear - 0.02f * s->width, s->pan - s->t, z),
+                         v3(ear + 0.02f * s->width, s->pan, z + 1.5f * s->t));
+        }
         uint32_t pan =
             dmg_hinge(b, 0, "jump_seat", v3(x, s->pan - 0.5f * s->t, z + 1.1f * s->t), v3(-1, 0, 0), 0.0f, up);
         if (dmg_chance(b, 0.7f)) dmg_rest(b, pan, up);

@@ -426,7 +426,9 @@
     /* mechanisms.c */                                                                                                 \
     X(crank_bench)                                                                                                     \
     /* cycles.c */                                                                                                     \
-    X(cycle)
+    X(cycle)                                                                                                           \
+    /* airships.c */                                                                                                   \
+    X(airship)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
