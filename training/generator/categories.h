@@ -428,7 +428,9 @@
     /* cycles.c */                                                                                                     \
     X(cycle)                                                                                                           \
     /* airships.c */                                                                                                   \
-    X(airship)
+    X(airship)                                                                                                         \
+    /* rigs.c */                                                                                                       \
+    X(link_rig)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
