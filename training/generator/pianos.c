@@ -175,7 +175,7 @@ static void draw_stool(dmg_builder* b, float pitch, float seat) {
             dmg_cone(b, v3(0, 0, 0.5f * d), v3(0, 0.35f * seat, 0), 0.3f * pitch, 0.4f * pitch);
             dmg_restore(b);
         }
-        dmg_screw(b, 0, "seat", v3(0, seat, 0), v3(0, 1, 0), thread, 0.0f, way / thread);
+        dmg_screw(b, 0, "seat", v3(0, seat, 0), v3(0, 1, 0), thread, 0.0f, fminf(35.0f, way / thread));
         dmg_rod(b, v3(0, 0.3f * seat, 0), v3(0, seat - t, 0), 0.5f * pitch);
         dmg_rod(b, v3(0, seat - t, 0), v3(0, seat, 0), 0.55f * d);
     }
