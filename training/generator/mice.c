@@ -275,8 +275,10 @@ void dmg_build_computer_mouse(dmg_builder* b) {
     float share = 1.25f * half / m.wide;
     m.gap = wheel ? 2.0f / DMG_PI * asinf(powf(share, 0.5f * m.power)) : 0.02f;
     if (dmg_chance(b, 0.5f)) dmg_mirror(b, v3(1, 0, 0));
-    if (upright) stand_up(b, &m);
-    dmg_move(b, 0, foot, 0);
+    if (upright)
+        stand_up(b, &m);
+    else
+        dmg_move(b, 0, foot, 0);
     draw_shell(b, &m);
     draw_keys(b, &m, wheel || dmg_chance(b, 0.5f) ? 2 : 1);
     if (wheel) draw_mouse_wheel(b, &m, half);

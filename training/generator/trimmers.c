@@ -155,18 +155,47 @@ typedef struct punch {
     int pins;
 } punch;
 
+/* Each pin in a block, with a heel in front of which the paper stops; blocks of some are set along the base. */
 static void draw_pins(dmg_builder* b, const punch* p, bool slide, float z) {
-    float top = p->base + p->gap + p->block, r = 0.03f * p->wide;
+    float under = p->base + p->gap, r = 0.03f * p->wide, play = p->wide * dmg_range(b, 0.02f, 0.048f);
+    bool set = dmg_chance(b, 0.25f);
+    if (set)
+        dmg_box_span(b, v3(-0.44f * p->wide, p->base, z - 4.5f * r),
+                     v3(0.44f * p->wide, under + 0.5f * p->block, z - 2.6f * r));
     for (int i = 0; i < p->pins; ++i) {
         float x = p->wide * 0.6f * ((float)i / (float)(p->pins - 1) - 0.5f);
+        uint32_t block = 0;
         dmg_use(b, 0);
-        dmg_rounded_box(b, v3(x, p->base + p->gap + 0.5f * p->block, z), v3(5 * r, p->block, 5 * r), 0.5f * r);
-        dmg_box_span(b, v3(x - 2 * r, p->base, z - 2.5f * r), v3(x + 2 * r, p->base + 1.5f * p->gap, z - 1.2f * r));
+        if (set) block = dmg_slide(b, 0, "block", v3(1, 0, 0), -play, play);
+        dmg_rounded_box(b, v3(x, under + 0.5f * p->block, z), v3(5 * r, p->block, 5 * r), 0.5f * r);
+        dmg_box_span(b, v3(x - 2 * r, p->base, z - 2.5f * r), v3(x + 2 * r, under + 0.5f * p->gap, z - 1.2f * r));
         if (!slide) continue;
-        dmg_slide(b, 0, "pin", v3(0, -1, 0), 0.0f, 0.3f * p->block);
-        dmg_rod(b, v3(x, p->base + p->gap, z), v3(x, top + 0.5f * p->block, z), r);
+        dmg_slide(b, block, "pin", v3(0, -1, 0), 0.0f, 0.3f * p->block);
+        dmg_rod(b, v3(x, under, z), v3(x, under + 1.5f * p->block, z), r);
     }
     dmg_use(b, 0);
+}
+
+/* What the lever's pin runs in: posts at both sides, lugs near the middle, or cheeks that reach forward. */
+static void draw_bearings(dmg_builder* b, const punch* p, float half, float t) {
+    int kind = dmg_int(b, 0, 2);
+    float rear = p->line - 2 * t, near = p->line + 2 * t, ahead = p->deep * dmg_range(b, 0.2f, 0.6f);
+    const dmg_xy cheek[] = {{rear, 0.5f * p->base},
+                            {near + ahead, 0.5f * p->base},
+                            {near + ahead, p->base + 2 * t},
+                            {near, p->pin + 1.5f * t},
+                            {rear, p->pin + 1.5f * t}};
+    for (int s = -1; s <= 1; s += 2) {
+        float x = (float)s * half;
+        dmg_save(b);
+        if (kind == 0) dmg_box_span(b, v3(x - t, 0.5f * p->base, rear), v3(x + t, p->pin + 1.5f * t, near));
+        if (kind == 1)
+            dmg_box_span(b, v3(0.4f * x - 2 * t, 0.5f * p->base, rear), v3(0.4f * x + 2 * t, p->pin + 0.3f * t, near));
+        dmg_move(b, x, 0, 0);
+        dmg_turn(b, v3(0, 1, 0), -0.5f * DMG_PI); /* x of the outline runs along Z */
+        if (kind == 2) dmg_extrude(b, cheek, 5, -t, t);
+        dmg_restore(b);
+    }
 }
 
 /* Half a shell over the pins, a flat handle, or a long lever with a grip: all on a pin at the rear. */
@@ -174,9 +203,7 @@ static void draw_press_lever(dmg_builder* b, const punch* p) {
     float press = dmg_range(b, 0.15f, 0.4f), t = 0.03f * p->wide, half = 0.46f * p->wide, near = 0.5f * p->deep;
     float reach = near - p->line, rise = reach * tanf(press);
     int kind = dmg_int(b, 0, 2);
-    for (int s = -1; s <= 1; s += 2)
-        dmg_box_span(b, v3((float)s * half - t, 0.5f * p->base, p->line - 2 * t),
-                     v3((float)s * half + t, p->pin + 1.5f * t, p->line + 2 * t));
+    draw_bearings(b, p, half, t);
     dmg_hinge(b, 0, "lever", v3(0, p->pin, p->line), v3(1, 0, 0), 0.0f, 0.9f * press);
     dmg_rod(b, v3(-half + t, p->pin, p->line), v3(half - t, p->pin, p->line), 1.2f * t);
     float inner = half - 1.3f * t;
