@@ -302,6 +302,7 @@ static void draw_row(dmg_builder* b, const seat* s) {
     float pitch = 1.14f * s->width, half = 0.5f * pitch * (float)count;
     bool reclines = dmg_chance(b, 0.75f), table = dmg_chance(b, 0.6f), foot = dmg_chance(b, 0.3f),
          ends = dmg_chance(b, 0.6f), lifts = dmg_chance(b, 0.85f);
+    lifts = lifts || !reclines; /* something moves */
     draw_legs(b, s, half, 0);
     uint64_t same = b->random_state;
     for (int i = 0; i < count; ++i) {
