@@ -151,7 +151,7 @@ static void draw_draw_leaves(dmg_builder* b, const table* k) {
 
 static void draw_parting_top(dmg_builder* b, const table* k) {
     float half = 0.5f * k->length, far = dmg_range(b, 0.15f, 0.4f) * k->length, t = k->t;
-    bool both = dmg_chance(b, 0.6f), column = dmg_chance(b, 0.3f), leaf = !column && dmg_chance(b, 0.6f);
+    bool both = dmg_chance(b, 0.6f), column = dmg_chance(b, 0.3f), leaf = both && !column && dmg_chance(b, 0.6f);
     table low = *k;
     low.high -= 0.6f * t;
     draw_frame(b, &low, (column ? 0.8f : 0.5f) * half, 0.4f * k->width, column);
