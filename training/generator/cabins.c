@@ -348,8 +348,10 @@ static void draw_pilot_seat(dmg_builder* b, const seat* s) {
     if (turns) top = dmg_hinge(b, base, "seat", v3(0, 0, 0), v3(0, 1, 0), -1.6f, 1.6f);
     draw_cushion(b, s, v3(0, s->pan - 0.5f * s->t, 0.03f * s->deep), v3(s->width, s->t, s->deep));
     uint32_t back = draw_back(b, s, top, dmg_chance(b, 0.6f), false);
-    for (int k = -1; k <= 1; k += 2)
-        draw_armrest(b, s, dmg_chance(b, 0.7f) ? back : top, (float)k * 0.57f * s->width, dmg_chance(b, 0.85f));
+    for (int k = -1; k <= 1; k += 2) {
+        bool leans = dmg_chance(b, 0.7f), lifts_up = dmg_chance(b, 0.85f);
+        draw_armrest(b, s, leans ? back : top, (float)k * 0.57f * s->width, lifts_up);
+    }
 }
 
 /* An attendant's seat on a bulkhead: the pan folds down, held up by a spring. */

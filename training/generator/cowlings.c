@@ -143,9 +143,9 @@ static void draw_outlet(dmg_builder* b, const cowl* c) {
 }
 
 static void draw_round_cowling(dmg_builder* b, float r) {
-    cowl c = {.r = r,
-              .length = r * dmg_range(b, 0.7f, 1.8f),
-              .t = dmg_chance(b, 0.4f) ? 0.0f : r * dmg_range(b, 0.015f, 0.05f)};
+    cowl c = {.r = r};
+    c.length = r * dmg_range(b, 0.7f, 1.8f);
+    c.t = dmg_chance(b, 0.4f) ? 0.0f : r * dmg_range(b, 0.015f, 0.05f);
     bool peels = dmg_chance(b, 0.4f), ring = dmg_chance(b, 0.2f);
     float lip = r * dmg_range(b, 0.6f, 0.85f), body = r * dmg_range(b, 0.78f, 0.86f),
           tail = r * dmg_range(b, 0.5f, 3.0f);
@@ -257,8 +257,9 @@ static void draw_drop_radiator(dmg_builder* b, const bonnet* n) {
 }
 
 static void draw_long_cowling(dmg_builder* b, float r) {
-    bonnet n = {
-        .half = 0.6f * r, .high = r * dmg_range(b, 1.2f, 2.0f), .length = r * dmg_range(b, 2.0f, 4.5f), .t = 0.03f * r};
+    bonnet n = {.half = 0.6f * r, .t = 0.03f * r};
+    n.high = r * dmg_range(b, 1.2f, 2.0f);
+    n.length = r * dmg_range(b, 2.0f, 4.5f);
     n.pan = n.high * dmg_range(b, 0.25f, 0.5f);
     bool low = dmg_chance(b, 0.35f), latch = dmg_chance(b, 0.4f), nose = dmg_chance(b, 0.4f);
     float swing = low ? dmg_range(b, 0.8f, 1.9f) : dmg_range(b, 0.6f, 1.3f), wall = 0.05f * n.length;
