@@ -17,9 +17,11 @@ static cylinder pick_cylinder(dmg_builder* b, const dmg_crank* c) {
     cylinder y = {.bore = c->throw *dmg_range(b, 0.75f, 1.25f)};
     y.wall = y.bore * dmg_range(b, 0.08f, 0.3f);
     y.head = c->throw *dmg_range(b, 0.5f, 1.2f);
-    y.shell = dmg_int(b, 0, 4);
+    y.shell = dmg_weighted(b, (const float[]){0.15f, 0.35f, 0.12f, 0.13f, 0.25f}, 5);
     y.piston = dmg_int(b, 0, 3);
     y.top = dmg_int(b, 0, 4);
+    bool whole = y.shell != 1 && y.shell != 4;
+    if (whole && dmg_chance(b, 0.65f)) y.top = 0; /* so that the piston shows */
     return y;
 }
 
@@ -179,7 +181,7 @@ static void draw_engine_feet(dmg_builder* b, const engine* e, float low, float z
     if (kind == 0) dmg_box_span(b, v3(low, -wide, z_low), v3(-r, wide, z_high));
     for (int s = -1; s <= 1 && kind == 1; s += 2)
         dmg_beam(b, v3(low, (float)s * wide, 0.5f * (z_low + z_high)),
-                 v3(-r, (float)s * 0.7f * r, 0.5f * (z_low + z_high)), 0.25f * r, z_high - z_low);
+                 v3(-r, (float)s * 0.7f * r, 0.5f * (z_low + z_high)), z_high - z_low, 0.25f * r);
     for (int s = -1; s <= 1 && kind == 2; s += 2)
         dmg_box_span(b, v3(low, -wide, s < 0 ? z_low : z_high - 0.2f * r),
                      v3(-r, wide, s < 0 ? z_low + 0.2f * r : z_high));
