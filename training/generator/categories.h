@@ -430,7 +430,9 @@
     /* airships.c */                                                                                                   \
     X(airship)                                                                                                         \
     /* rigs.c */                                                                                                       \
-    X(link_rig)
+    X(link_rig)                                                                                                        \
+    /* farm.c */                                                                                                       \
+    X(farm_machine)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
