@@ -117,7 +117,9 @@ static void draw_wheel_hoist(dmg_builder* b, const frame* f, uint32_t leaf, floa
     int kind = dmg_int(b, 0, 3), way = dmg_weighted(b, (const float[]){2, 1, 1}, 3);
     bool thread = dmg_chance(b, 0.5f);
     dmg_use(b, 0);
-    dmg_cone(b, v3(x, y - 0.1f * f->post, 0), v3(x, y + rise, 0), 3 * stem + 1.7f * f->t, 2.2f * stem);
+    const float foot = 3 * stem + 1.7f * f->t, bore = 1.5f * stem, low = -0.1f * f->post; /* the stem goes through it */
+    const dmg_xy pedestal[] = {{bore, low}, {foot, low}, {2.2f * stem, rise}, {bore, rise}, {bore, low}};
+    dmg_lathe(b, v3(x, y, 0), v3(0, 1, 0), pedestal, 5);
     dmg_use(b, leaf);
     dmg_save(b);
     dmg_move(b, x, 0, 0);
@@ -130,7 +132,7 @@ static void draw_wheel_hoist(dmg_builder* b, const frame* f, uint32_t leaf, floa
     dmg_use(b, 0);
     if (way == 1) { /* wheel and spindle are one: the screw rises out of its nut */
         float pitch = stem * dmg_range(b, 0.15f, 0.6f);
-        dmg_screw(b, 0, "screw_wheel", v3(0, 0, 0), v3(0, 1, 0), pitch, 0.0f, fminf(f->lift / pitch, 60.0f));
+        dmg_screw(b, 0, "screw_wheel", v3(0, 0, 0), v3(0, 1, 0), pitch, 0.0f, fminf(f->lift / pitch, 38.0f));
         draw_stem(b, -rise - 0.3f * f->post, 0, 1.5f * stem, thread);
     } else {
         dmg_spin(b, 0, "hand_wheel", v3(0, 0, 0), v3(0, 1, 0));
