@@ -195,7 +195,8 @@ static void draw_row_engine(dmg_builder* b) {
     int kind = dmg_int(b, 0, 3);
     dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI); /* +X is up */
     e.shaft = dmg_spin(b, 0, "crankshaft", v3(0, 0, 0), v3(0, 0, dmg_sign(b)));
-    float wheel = draw_shaft_ends(b, &e, -half, half), low = -fmaxf(1.1f * wheel, 1.5f * e.room), apart = e.count > 2;
+    float wheel = draw_shaft_ends(b, &e, -half, half), low = -fmaxf(1.1f * wheel, 1.5f * e.room);
+    bool apart = e.count > 2;
     for (int i = 0; i < e.count; ++i) {
         dmg_crank c = e.crank;
         c.angle += 2.0f * DMG_PI * (apart ? 0.5f * (float)((i + 1) / 2) : (float)i / (float)e.count);

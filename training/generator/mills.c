@@ -190,9 +190,9 @@ static void draw_drill_head(dmg_builder* b, float u, float reach) {
 }
 
 static void draw_drill_press(dmg_builder* b) {
-    float u = dmg_scale_range(b, 0.06f, 0.35f),
-          high = u * (dmg_chance(b, 0.5f) ? 4.0f : 7.0f) * dmg_range(b, 0.8f, 1.2f),
-          reach = u * dmg_range(b, 1.1f, 1.7f), table = 0.5f * high, way = 0.2f * high;
+    float u = dmg_scale_range(b, 0.06f, 0.35f), tall = dmg_chance(b, 0.5f) ? 4.0f : 7.0f,
+          high = u * tall * dmg_range(b, 0.8f, 1.2f), reach = u * dmg_range(b, 1.1f, 1.7f), table = 0.5f * high,
+          way = 0.2f * high;
     dmg_box_span(b, v3(-0.9f * u, 0, -0.6f * u), v3(0.9f * u, 0.2f * u, reach + 0.7f * u));
     dmg_rod(b, v3(0, 0, 0), v3(0, high + 0.3f * u, 0), 0.2f * u);
     if (dmg_chance(b, 0.8f)) draw_drill_table(b, u, reach, table, way);
