@@ -352,10 +352,11 @@ static void draw_port(dmg_builder* b, float r) {
     bool outward = dmg_chance(b, 0.35f);
     float swing = dmg_range(b, 0.6f, 1.4f),
           deep = r * (outward ? dmg_range(b, 0.15f, 0.5f) : dmg_range(b, 0.95f, 1.3f));
-    const dmg_xy ring[] = {{0.85f * r, -0.5f * r}, {1.15f * r, -0.5f * r}, {r, deep}, {0.85f * r, deep}};
+    const dmg_xy ring[] = {
+        {0.85f * r, -0.5f * r}, {1.15f * r, -0.5f * r}, {r, deep}, {0.85f * r, deep}, {0.85f * r, -0.5f * r}};
     float z = outward ? deep + 0.07f * r : deep - 0.1f * r, top = outward ? 1.05f * r : 0.75f * r;
     if (!outward) swing = fminf(swing, asinf(z / (1.55f * r))); /* it has no more room than its ring is deep */
-    dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), ring, 4);
+    dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), ring, 5);
     dmg_hinge(b, 0, "flap", v3(0, top, z), v3(outward ? -1.0f : 1.0f, 0, 0), 0.0f, swing);
     dmg_rod(b, v3(0, 0, z - 0.04f * r), v3(0, 0, z + 0.04f * r), outward ? 1.05f * r : 0.8f * r);
     if (dmg_chance(b, 0.4f)) dmg_rod(b, v3(-0.4f * r, top, z), v3(0.4f * r, top, z), 0.07f * r);
