@@ -19,9 +19,9 @@ class KppTraining:
     network: str = "kpp"
     size: str = "game"
     seed: int = 1
-    steps: int = 238000
-    restarts: tuple = (0.17513, 0.42017, 0.63025, 0.81933)  # shares of the run after which the rate rises once more …
-    choice_from: float = 0.18908  # … and after which the choice head is trained too
+    steps: int = 278000
+    restarts: tuple = (0.14994, 0.35971, 0.53957, 0.70144, 0.85612)  # shares of the run after which the rate rises once more …
+    choice_from: float = 0.16187  # … and after which the choice head is trained too
     minutes: float = 0.0  # 0: no limit; else the schedule is compressed into this much training time
     batch: int = 32
     rate: float = 1.5e-3
