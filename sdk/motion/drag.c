@@ -32,7 +32,7 @@ static void come_from(dmi_drag* drag, const dm_pose* before) {
     dmi_pose_apply(before, drag->rest_point, there);
     dmi_pose_apply(&now, drag->rest_point, here);
     for (int i = 0; i < 3; i++) way += (here[i] - there[i]) * (here[i] - there[i]);
-    const float turn = 2 * acosf(fminf(fabsf(drag->offset.real[3]), 1)), size = drag->rivals.size;
+    const float turn = 2 * acosf(fminf(fabsf(drag->offset.real[3]), 1)), size = drag->rivals.hold.size;
     drag->offset_time = fminf(BLEND_TIME + BLEND_SLOWER * (turn + (size > 0 ? sqrtf(way) / size : 0)), LONGEST_BLEND);
 }
 
