@@ -129,9 +129,10 @@ static float met(const dmi_hold* hold, float off) {
 /* Log likelihood of a pull that a joint misses by so much. Some hands don't follow a part round, they go straight to
  * where it should be: no turn misses a straight pull that its circle goes round. */
 float dmi_rival_explains(const dmi_hold* hold, const dmi_rival* rival, float off) {
-    const float followed = met(hold, off), straight = STRAIGHT + met(hold, hold->pull.bend);
-    if (followed > straight + CLEARLY || !dmi_joint_turns(rival->joint.type)) return followed;
-    if (!dmi_pull_cuts_corner(&hold->pull, &rival->joint)) return followed;
+    const float followed = met(hold, off);
+    if (followed > STRAIGHT + CLEARLY || !dmi_joint_turns(rival->joint.type)) return followed;
+    const float straight = STRAIGHT + met(hold, hold->pull.bend);
+    if (followed > straight + CLEARLY || !dmi_pull_cuts_corner(&hold->pull, &rival->joint)) return followed;
     const float more = fmaxf(followed, straight);
     return more + logf(expf(followed - more) + expf(straight - more));
 }

@@ -31,7 +31,7 @@ static struct {
     int32_t used[CASES], category[CASES];
 } choice, choice_again;
 
-static uint8_t weights[256];
+static uint8_t weights[512];
 
 static dm_lab_options options_of(uint64_t seed) {
     memset(weights, 1, sizeof weights);
