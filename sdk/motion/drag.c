@@ -94,21 +94,12 @@ static int has_last_ray(const dmi_drag* drag) {
     return d.x != 0 || d.y != 0 || d.z != 0;
 }
 
-/* Where a ray passes a point most closely. */
-static void passing_point(const dm_ray* ray, const float point[3], float out[3]) {
-    const float d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    const float o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
-    float along = 0;
-    for (int i = 0; i < 3; i++) along += d[i] * (point[i] - o[i]);
-    for (int i = 0; i < 3; i++) out[i] = o[i] + along * d[i];
-}
-
 /* How far the pointer went since the last update, where the grabbed point is. Before the first it lay on the point. */
 static float pointer_motion(const dmi_drag* drag, const dm_ray* ray) {
     float before[3], now[3], sum = 0;
-    passing_point(ray, drag->point, now);
+    dmi_ray_passing(ray, drag->point, now);
     if (has_last_ray(drag)) {
-        passing_point(&drag->last_ray, drag->point, before);
+        dmi_ray_passing(&drag->last_ray, drag->point, before);
     } else {
         memcpy(before, drag->point, sizeof before);
     }

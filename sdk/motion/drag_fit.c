@@ -15,11 +15,10 @@ void dmi_pull_begin(dmi_pull* pull, const float grab_point[3], float spacing) {
     dmi_copy3(grab_point, pull->grab);
 }
 
-/* Where a ray passes the grabbed point most closely. */
-static void passing_place(const dm_ray* ray, const float grab[3], float out[3]) {
+void dmi_ray_passing(const dm_ray* ray, const float point[3], float out[3]) {
     const dmi_float3 eye = dmi_xyz(ray->origin), d = dmi_xyz(ray->direction);
     float gap[3];
-    dmi_sub3(grab, eye.v, gap);
+    dmi_sub3(point, eye.v, gap);
     dmi_madd3(eye.v, dmi_dot3(gap, d.v), d.v, out);
 }
 
@@ -50,7 +49,7 @@ static float bend_of(const dmi_pull* pull) {
 
 void dmi_pull_add(dmi_pull* pull, const dm_ray* ray) {
     float place[3];
-    passing_place(ray, pull->grab, place);
+    dmi_ray_passing(ray, pull->grab, place);
     const float way = dmi_distance3(place, pull->grab);
     if (!isfinite(way)) return;
     dmi_copy3(place, pull->now);

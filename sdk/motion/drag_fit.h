@@ -22,6 +22,9 @@ typedef struct dmi_pull {
     dmi_projection projection;
 } dmi_pull;
 
+/* Where a ray passes a point most closely. ray->direction must be unit. */
+void dmi_ray_passing(const dm_ray* ray, const float point[3], float out[3]);
+
 /* Nothing yet. The projection of the rays is the caller's to set. */
 void dmi_pull_begin(dmi_pull* pull, const float grab_point[3], float spacing);
 /* A ray that counts for the length, and is remembered where no other is near. ray->direction must be unit. */

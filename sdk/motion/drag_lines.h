@@ -12,10 +12,9 @@ typedef struct dmi_lines {
     dmi_fit fit;
     uint32_t rival, thinned;
     int shifted;
-    float shift[2], lean; /* tried now */
-    float before;         /* how well the line as it was explains the pull, log */
-    float
-        promise[DMI_RIVALS]; /* by which rivals are chosen: the score after the last fit, and what comes with waiting */
+    float shift[2], lean;      /* tried now */
+    float before;              /* how well the line as it was explains the pull, log */
+    float promise[DMI_RIVALS]; /* by which rivals are chosen: the last score, and what comes with waiting */
     uint32_t fits;
 } dmi_lines;
 

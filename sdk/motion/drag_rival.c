@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "kinematics/linear3.h"
 #include "math/vec3.h"
 
 #define ONE_TURN 6.28318531f
@@ -27,19 +28,14 @@ static float side_of(const dm_joint* joint) {
     return fabsf(joint->lower) <= near ? 1.0f : fabsf(joint->upper) <= near ? -1.0f : 0;
 }
 
-static float distance_of_lines(const dm_joint* a, const dm_joint* b) {
-    const float gap[3] = {b->origin.x - a->origin.x, b->origin.y - a->origin.y, b->origin.z - a->origin.z};
-    const float axis[3] = {a->axis.x, a->axis.y, a->axis.z};
-    float along = 0, square = 0;
-    for (int i = 0; i < 3; i++) along += gap[i] * axis[i];
-    for (int i = 0; i < 3; i++) square += (gap[i] - along * axis[i]) * (gap[i] - along * axis[i]);
-    return sqrtf(square);
+static float distance_to_line(const float point[3], const dm_joint* joint) {
+    return dmi_line_distance3(point, dmi_xyz(joint->axis).v, dmi_xyz(joint->origin).v);
 }
 
 int dmi_rivals_alike(const dm_joint* a, const dm_joint* b, float size) {
     const float cosine = fabsf(a->axis.x * b->axis.x + a->axis.y * b->axis.y + a->axis.z * b->axis.z);
     if (a->type != b->type || cosine < SAME_COSINE) return 0;
-    return a->type == DM_JOINT_PRISMATIC || distance_of_lines(a, b) < SAME_DISTANCE * size;
+    return a->type == DM_JOINT_PRISMATIC || distance_to_line(dmi_xyz(b->origin).v, a) < SAME_DISTANCE * size;
 }
 
 /* Odds: confidences are each hypothesis's own, they do not share one whole. */
@@ -52,8 +48,7 @@ float dmi_rival_odds(const dm_joint* joint) {
  * explained, by a large turn. */
 float dmi_rival_arm_cost(const dmi_hold* hold, const dm_joint* joint) {
     if (!dmi_joint_turns(joint->type)) return 0;
-    const dm_joint grabbed = {.origin = {hold->pull.grab[0], hold->pull.grab[1], hold->pull.grab[2]}};
-    const float arm = distance_of_lines(joint, &grabbed) / (GOOD_ARM * hold->size);
+    const float arm = distance_to_line(hold->pull.grab, joint) / (GOOD_ARM * hold->size);
     return logf(fminf(fmaxf(arm, LEAST_ARM), 1));
 }
 
