@@ -73,8 +73,9 @@ dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranke
         ranker->env = env;
         if (!read_tensors(weights, ranker)) {
             result = dmi_fail(env, DM_ERROR_WRONG_MODEL,
-                              "ranker: a tensor is missing or of another shape, or the "
-                              "calibration does not rise");
+                              "ranker: a tensor is missing or of another shape (as in files before version %d), or the "
+                              "calibration does not rise",
+                              VERSION);
             dmi_free(env, ranker, sizeof *ranker);
         }
     }
