@@ -48,13 +48,15 @@ static void share(const float* logits, int count, float* out) {
     for (int i = 0; i < count; i++) out[i] /= sum;
 }
 
-typedef struct range {
-    float down, up, probability;
-} range;
+enum { MOST_RANGES = DMI_LIMIT_SIZES * DMI_LIMIT_SIZES };
+
+typedef struct ranges {
+    int count;
+    float down[MOST_RANGES], up[MOST_RANGES], probability[MOST_RANGES];
+} ranges;
 
 /* The ranges that count: of every kind of range each side has its own shares. */
-static int likely_ranges(const dmi_limit_net* net, const float outputs[DMI_LIMIT_OUTPUTS - 1],
-                         range out[DMI_LIMIT_SIZES * DMI_LIMIT_SIZES]) {
+static void likely_ranges(const dmi_limit_net* net, const float outputs[DMI_LIMIT_OUTPUTS - 1], ranges* out) {
     enum { N = DMI_LIMIT_SIZES, KINDS = DMI_LIMIT_KINDS };
     float kind[KINDS], down[KINDS][N], up[KINDS][N];
     share(outputs, KINDS, kind);
@@ -62,46 +64,53 @@ static int likely_ranges(const dmi_limit_net* net, const float outputs[DMI_LIMIT
         share(outputs + KINDS + k * N, N, down[k]);
         share(outputs + KINDS + (KINDS + k) * N, N, up[k]);
     }
-    int count = 0;
+    out->count = 0;
     for (int d = 0; d < N; d++)
         for (int u = 0; u < N; u++) {
             float p = 0;
             for (int k = 0; k < KINDS; k++) p += kind[k] * down[k][d] * up[k][u];
-            if (p > UNLIKELY) out[count++] = (range){net->sizes[d], net->sizes[u], p};
+            if (p <= UNLIKELY) continue;
+            out->down[out->count] = net->sizes[d];
+            out->up[out->count] = net->sizes[u];
+            out->probability[out->count++] = p;
         }
-    return count;
 }
 
-/* Of two ranges that hold the rest: what they share over what they cover. */
-static float overlap(const range* a, const range* b) {
-    const float both = fminf(a->down, b->down) + fminf(a->up, b->up);
-    return both / (fmaxf(a->down, b->down) + fmaxf(a->up, b->up) + 1e-4f);
-}
-
-static range best_range(const range* ranges, int count) {
-    range best = {0, 0, 0};
-    float most = -1;
-    for (int i = 0; i < count; i++) {
-        float expected = 0;
-        for (int k = 0; k < count; k++) expected += ranges[k].probability * overlap(&ranges[i], &ranges[k]);
-        if (expected > most) most = expected, best = ranges[i];
+/* Of two ranges that hold the rest, their overlap is what they share over what they cover; adds that of range k with
+ * each, as probable as it is. All ranges side by side in the inner loop: four or eight overlaps at a time. */
+static void add_overlaps(const ranges* all, int k, float* restrict expected) {
+    const float down = all->down[k], up = all->up[k], probability = all->probability[k];
+    for (int i = 0; i < all->count; i++) {
+        const float d = all->down[i], u = all->up[i];
+        const float both = (d < down ? d : down) + (u < up ? u : up);
+        expected[i] += probability * (both / ((d < down ? down : d) + (u < up ? up : u) + 1e-4f));
     }
+}
+
+/* The range whose expected overlap with the true one is largest. */
+static int best_range(const ranges* all) {
+    float expected[MOST_RANGES] = {0};
+    int best = 0;
+    for (int k = 0; k < all->count; k++) add_overlaps(all, k, expected);
+    for (int i = 1; i < all->count; i++)
+        if (expected[i] > expected[best]) best = i;
     return best;
 }
 
 void dmi_limit_net_forward(const dmi_limit_net* net, const float features[DMI_LIMIT_FEATURES], float* out_lower,
                            float* out_upper, float* out_free) {
     float x[DMI_LIMIT_FEATURES], a[DMI_LIMIT_HIDDEN], b[DMI_LIMIT_HIDDEN], out[DMI_LIMIT_OUTPUTS];
-    range ranges[DMI_LIMIT_SIZES * DMI_LIMIT_SIZES];
+    ranges likely;
     for (int i = 0; i < DMI_LIMIT_FEATURES; i++) x[i] = (features[i] - net->mean[i]) * net->scale[i];
     dense(net->first, net->first_bias, x, DMI_LIMIT_FEATURES, DMI_LIMIT_HIDDEN, a);
     rectify(a, DMI_LIMIT_HIDDEN);
     dense(net->second, net->second_bias, a, DMI_LIMIT_HIDDEN, DMI_LIMIT_HIDDEN, b);
     rectify(b, DMI_LIMIT_HIDDEN);
     dense(net->last, net->last_bias, b, DMI_LIMIT_HIDDEN, DMI_LIMIT_OUTPUTS, out);
-    const range best = best_range(ranges, likely_ranges(net, out + 1, ranges));
-    *out_lower = -best.down;
-    *out_upper = best.up;
+    likely_ranges(net, out + 1, &likely);
+    const int best = best_range(&likely);
+    *out_lower = -likely.down[best];
+    *out_upper = likely.up[best];
     if (*out_upper - *out_lower < LEAST) *out_upper = *out_lower + LEAST;
     *out_free = out[0];
 }
