@@ -7,8 +7,8 @@
 
 #define HIDDEN 64
 #define VERSION 4 /* before it answers with and without a drag were calibrated alike */
-/* Share of the opinion that does without KPP-Net. On kinds of objects that neither it nor the ranker was trained on it
- * costs nothing with a drag up to here, and beyond it answers without one are right less often. */
+/* Share of the opinion that does without KPP-Net. Where neither it nor the ranker knows the kind of object, 0 to .2 do
+ * about as well and .4 worse, most of all without a drag (docs/decisions.md, 31). */
 #define DOUBT 0.2f
 
 /* Weights transposed, so that the inner loops run over outputs and vectorise. */
