@@ -5,11 +5,11 @@
 #include "kinematics/linear3.h"
 #include "kinematics/opinion.h"
 #include "kinematics/ranker.h"
+#include "kinematics/twist.h"
 
 #define SCRATCH_BLOCK ((size_t)1 << 20)
 #define TOP_OF_TYPE 32 /* candidates of turning, and of sliding, that may become hypotheses */
 #define TOP (2 * TOP_OF_TYPE)
-#define ALIKE_POINTS 12
 /* Shares by which the motions of two joints differ: about the first is as near as an answer has to be, within the
  * second they support one hypothesis, and beyond the third they are worth two. */
 #define NEAR 0.03f
@@ -48,20 +48,6 @@ static void keep_type(work* w) {
     for (uint32_t i = 0; i < w->count; i++)
         if ((w->candidates[i].type == DM_JOINT_PRISMATIC) == slides) w->candidates[kept++] = w->candidates[i];
     if (kept > 0) w->count = kept;
-}
-
-/* By how much two candidates move the part differently, up to speed and sign: the sine of the angle between their
- * velocities, taken over the part; 1 for candidates of different types. */
-static float difference(const dmi_study* study, const dmi_candidate* a, const dmi_candidate* b) {
-    if (a->type != b->type) return 1;
-    float aa = 0, ab = 0, bb = 0;
-    for (int i = 0; i < ALIKE_POINTS; i++) {
-        float u[3], v[3];
-        dmi_candidate_velocity(a, study->points[i], u);
-        dmi_candidate_velocity(b, study->points[i], v);
-        aa += dmi_dot3(u, u), ab += dmi_dot3(u, v), bb += dmi_dot3(v, v);
-    }
-    return sqrtf(fmaxf(1 - ab * ab / (aa * bb + 1e-20f), 0));
 }
 
 typedef struct ranked {
@@ -124,11 +110,13 @@ static void start_choice(const work* w, choice* c) {
     for (uint32_t i = 0; i < w->count; i++) c->type_mass[slides(w, i)] += w->probability[i];
     c->count = top_of_type(w, 0, c->top);
     c->count += top_of_type(w, 1, c->top + c->count);
+    dmi_twist twist[TOP];
+    for (uint32_t i = 0; i < c->count; i++)
+        dmi_twist_of_candidate(&w->study, &w->candidates[c->top[i].index], &twist[i]);
     for (uint32_t i = 0; i < c->count; i++) {
         c->top[i].weight = 0;
         for (uint32_t j = 0; j < c->count; j++) {
-            const dmi_candidate *own = &w->candidates[c->top[i].index], *other = &w->candidates[c->top[j].index];
-            const float off = c->difference[i][j] = i == j ? 0 : difference(&w->study, own, other);
+            const float off = c->difference[i][j] = i == j ? 0 : dmi_twist_difference(&twist[i], &twist[j]);
             c->top[i].weight += w->probability[c->top[j].index] * expf(-off * off / (NEAR * NEAR));
         }
     }
