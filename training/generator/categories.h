@@ -432,7 +432,163 @@
     /* rigs.c */                                                                                                       \
     X(link_rig)                                                                                                        \
     /* farm.c */                                                                                                       \
-    X(farm_machine)
+    X(farm_machine)                                                                                                    \
+    /* pocket.c */                                                                                                     \
+    X(clamshell)                                                                                                       \
+    /* portables.c */                                                                                                  \
+    X(radio)                                                                                                           \
+    /* recorders.c */                                                                                                  \
+    X(recorder)                                                                                                        \
+    X(game_console)                                                                                                    \
+    /* watches.c */                                                                                                    \
+    X(wrist_watch)                                                                                                     \
+    X(metronome)                                                                                                       \
+    /* carried.c */                                                                                                    \
+    X(binoculars)                                                                                                      \
+    X(lantern)                                                                                                         \
+    /* sports.c */                                                                                                     \
+    X(gym_machine)                                                                                                     \
+    /* parlour.c */                                                                                                    \
+    X(ball_game)                                                                                                       \
+    /* antiques.c */                                                                                                   \
+    X(period_cabinet)                                                                                                  \
+    /* moderns.c */                                                                                                    \
+    X(modern_unit)                                                                                                     \
+    X(glass_case)                                                                                                      \
+    /* retro.c */                                                                                                      \
+    X(curved_appliance)                                                                                                \
+    X(slot_toaster)                                                                                                    \
+    /* coffers.c */                                                                                                    \
+    X(vault_safe)                                                                                                      \
+    X(soft_luggage)                                                                                                    \
+    /* fixtures.c */                                                                                                   \
+    X(toilet_suite)                                                                                                    \
+    X(gas_hob)                                                                                                         \
+    /* stools.c */                                                                                                     \
+    X(lamp_stand)                                                                                                      \
+    X(stool_chair)                                                                                                     \
+    /* wastebins.c */                                                                                                  \
+    X(hinged_bin)                                                                                                      \
+    /* fryers.c */                                                                                                     \
+    X(air_fryer)                                                                                                       \
+    X(rice_cooker)                                                                                                     \
+    X(salad_spinner)                                                                                                   \
+    /* grinders.c */                                                                                                   \
+    X(hand_mill)                                                                                                       \
+    /* squeezers.c */                                                                                                  \
+    X(hand_squeezer)                                                                                                   \
+    /* openers.c */                                                                                                    \
+    X(corkscrew)                                                                                                       \
+    X(can_opener)                                                                                                      \
+    /* prams.c */                                                                                                      \
+    X(pushchair)                                                                                                       \
+    X(high_chair)                                                                                                      \
+    /* parasols.c */                                                                                                   \
+    X(ironing_board)                                                                                                   \
+    X(parasol)                                                                                                         \
+    /* brackets.c */                                                                                                   \
+    X(wall_arm)                                                                                                        \
+    X(pet_crate)                                                                                                       \
+    /* trains.c */                                                                                                     \
+    X(locomotive)                                                                                                      \
+    /* wagons.c */                                                                                                     \
+    X(rail_wagon)                                                                                                      \
+    /* signals.c */                                                                                                    \
+    X(rail_signal)                                                                                                     \
+    /* dozers.c */                                                                                                     \
+    X(bulldozer)                                                                                                       \
+    /* gliders.c */                                                                                                    \
+    X(glider)                                                                                                          \
+    /* haulers.c */                                                                                                    \
+    X(mixer_truck)                                                                                                     \
+    X(fire_engine)                                                                                                     \
+    /* gondolas.c */                                                                                                   \
+    X(cable_car)                                                                                                       \
+    /* landers.c */                                                                                                    \
+    X(lander)                                                                                                          \
+    /* cannons.c */                                                                                                    \
+    X(water_cannon)                                                                                                    \
+    /* drilling.c */                                                                                                   \
+    X(drill_press)                                                                                                     \
+    X(hand_drill)                                                                                                      \
+    /* sawing.c */                                                                                                     \
+    X(mitre_saw)                                                                                                       \
+    X(table_saw)                                                                                                       \
+    X(band_saw)                                                                                                        \
+    /* clamping.c */                                                                                                   \
+    X(clamp)                                                                                                           \
+    X(measuring_tool)                                                                                                  \
+    /* jacks.c */                                                                                                      \
+    X(scissor_jack)                                                                                                    \
+    X(winch)                                                                                                           \
+    /* records.c */                                                                                                    \
+    X(filing_cabinet)                                                                                                  \
+    X(computer_tower)                                                                                                  \
+    /* copiers.c */                                                                                                    \
+    X(photocopier)                                                                                                     \
+    X(cash_register)                                                                                                   \
+    /* desks.c */                                                                                                      \
+    X(projector)                                                                                                       \
+    X(drafting_table)                                                                                                  \
+    X(desk_phone)                                                                                                      \
+    /* lobbies.c */                                                                                                    \
+    X(revolving_door)                                                                                                  \
+    X(lift_doors)                                                                                                      \
+    /* plants.c */                                                                                                     \
+    X(roll_conveyor)                                                                                                   \
+    X(boiler)                                                                                                          \
+    /* streets.c */                                                                                                    \
+    X(hydrant)                                                                                                         \
+    X(meter_box)                                                                                                       \
+    /* freight.c */                                                                                                    \
+    X(shipping_container)                                                                                              \
+    /* vents.c */                                                                                                      \
+    X(roof_vent)                                                                                                       \
+    /* theatres.c */                                                                                                   \
+    X(c_arm)                                                                                                           \
+    X(operating_lamp)                                                                                                  \
+    /* wards.c */                                                                                                      \
+    X(incubator)                                                                                                       \
+    /* balances.c */                                                                                                   \
+    X(cart_pole)                                                                                                       \
+    /* grips.c */                                                                                                      \
+    X(ring_controller)                                                                                                 \
+    X(puck_controller)                                                                                                 \
+    X(flight_stick)                                                                                                    \
+    X(pistol_controller)                                                                                               \
+    /* quadrants.c */                                                                                                  \
+    X(throttle_quadrant)                                                                                               \
+    X(racing_wheel)                                                                                                    \
+    X(drum_pedal)                                                                                                      \
+    /* bars.c */                                                                                                       \
+    X(bike_controls)                                                                                                   \
+    /* keyworks.c */                                                                                                   \
+    X(key_stack)                                                                                                       \
+    X(switch_panel)                                                                                                    \
+    /* escutcheons.c */                                                                                                \
+    X(door_furniture)                                                                                                  \
+    /* cameras.c */                                                                                                    \
+    X(camera_body)                                                                                                     \
+    /* gimbals.c */                                                                                                    \
+    X(stick_box)                                                                                                       \
+    /* hand_levers.c */                                                                                                \
+    X(hand_exerciser)                                                                                                  \
+    /* watchers.c */                                                                                                   \
+    X(security_camera)                                                                                                 \
+    /* pallets.c */                                                                                                    \
+    X(pallet_truck)                                                                                                    \
+    /* tabletops.c */                                                                                                  \
+    X(drawer_table)                                                                                                    \
+    /* extractors.c */                                                                                                 \
+    X(range_hood)                                                                                                      \
+    /* showers.c */                                                                                                    \
+    X(shower)                                                                                                          \
+    /* toys.c */                                                                                                       \
+    X(toy_vehicle)                                                                                                     \
+    /* campware.c */                                                                                                   \
+    X(folding_stool)                                                                                                   \
+    /* decks.c */                                                                                                      \
+    X(ship_deck)
 
 #define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
