@@ -12,6 +12,7 @@ import os
 import numpy as np
 import torch
 
+from .config import KNOWN
 from .ranker import case_file, category_names, export, load, open_lab, options_of
 
 ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32))
@@ -138,7 +139,7 @@ def run(words=None):
     one.add_argument("--seed", type=int, default=5)
     one.add_argument("--count", type=int, default=CASES)
     one.add_argument("--split", type=int, default=0)
-    one.add_argument("--kinds", type=int, help="only the first so many kinds of objects")
+    one.add_argument("--kinds", type=int, default=KNOWN, help="only the first so many kinds of objects")
     one.set_defaults(run=run_make)
     two = commands.add_parser("fit")
     two.add_argument("data", nargs="+")

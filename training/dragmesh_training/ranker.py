@@ -20,7 +20,7 @@ import time
 
 import numpy as np
 
-from .config import HELD_OUT
+from .config import HELD_OUT, KNOWN
 KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
 # What ships is trained on 6,000 cases of each seed: of an earlier KPP-Net (see earlier_network) and of the shipped one.
@@ -61,6 +61,13 @@ def category_names(lab):
     return [lab.dm_lab_category_name(i).decode() for i in range(lab.dm_lab_category_count())]
 
 
+def kinds_of(names, which):
+    """Of the known kinds all, those that are held out or those that are trained on; or the later ones."""
+    known = names[:KNOWN]
+    return {"all": known, "held": [n for n in known if n in HELD_OUT], "trained": [n for n in known if n not in HELD_OUT],
+            "later": names[KNOWN:]}[which]
+
+
 def category_weights(lab, chosen):
     """Every kind of joint gets its share: a category is drawn the more often the more kinds it has."""
     return np.array([2 + min(lab.dm_lab_category_kinds(i), 12) if name in chosen else 0
@@ -86,8 +93,7 @@ def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, sie
 def run_make(arguments):
     lab = open_lab(arguments.lab)
     names = category_names(lab)
-    chosen = {"all": names, "held": [n for n in names if n in HELD_OUT],
-              "trained": [n for n in names if n not in HELD_OUT]}[arguments.only]
+    chosen = kinds_of(names, arguments.only)
     weights, sieve = (open(path, "rb").read() if path else None for path in (arguments.weights, arguments.sieve))
     start, parts = time.time(), []
     for first in range(0, arguments.count, 100):
@@ -301,10 +307,20 @@ def run_train(arguments):
         calibration = own_calibration(lab, kinematics, tensors, metadata, arguments.out, arguments.calibration_cases)
     export(arguments.out, {**tensors, "calibration": calibration}, metadata)
     with open(arguments.out, "rb") as file:
-        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, category_names(lab))
+        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, kinds_of(category_names(lab), "all"))
     print(f"whole library, validation: type {found['right_type'].mean():.3f} "
           f"{summary(found['pose'] < GOOD, found, np.array(category_names(lab)))}; "
           f"confidence = sigmoid(a logit(mass) + b), none, drag: {calibration.round(3).tolist()}", flush=True)
+
+
+def run_answer(arguments):
+    lab = open_lab(arguments.lab)
+    kinematics, ranker = (open(path, "rb").read() for path in (arguments.weights, arguments.ranker))
+    found = answers(lab, kinematics, ranker, arguments.seed, arguments.count, 1,
+                    kinds_of(category_names(lab), arguments.only))
+    for name, mask in (("with a drag", found["has_drag"] != 0), ("without", found["has_drag"] == 0)):
+        print(f"{arguments.only} kinds, {name}: {mask.sum()} cases, pose<2% {(found['pose'][mask] < GOOD).mean():.3f} "
+              f"type {found['right_type'][mask].mean():.3f} stated {found['confidence'][mask].mean():.3f}")
 
 
 def earlier_network(folder):
@@ -366,7 +382,7 @@ def run(words):
     one.add_argument("--rows", type=int, default=112)
     one.add_argument("--split", type=int, default=0)
     one.add_argument("--noise", type=float, default=14.0)
-    one.add_argument("--only", choices=("all", "held", "trained"), default="all")
+    one.add_argument("--only", choices=("all", "held", "trained", "later"), default="all")
     one.add_argument("--weights")
     one.add_argument("--sieve", help="weights of the sieve; without them all candidates are judged")
     one.set_defaults(run=run_make)
@@ -390,6 +406,15 @@ def run(words):
     two.add_argument("--hold-out", action="store_true", help="leave out the kinds that are held out of the networks' training")
     two.add_argument("-o", "--out", required=True)
     two.set_defaults(run=run_train)
+    models = os.path.join(os.path.dirname(__file__), "..", "..", "sdk", "models")
+    three = commands.add_parser("answer", help="what the whole library answers on fresh cases of the validation split")
+    three.add_argument("--lab", default=default_lab)
+    three.add_argument("--weights", default=os.path.join(models, "kpp_net.safetensors"))
+    three.add_argument("--ranker", default=os.path.join(models, "ranker.safetensors"))
+    three.add_argument("--only", choices=("all", "held", "trained", "later"), default="later")
+    three.add_argument("--count", type=int, default=4000)
+    three.add_argument("--seed", type=int, default=91)
+    three.set_defaults(run=run_answer)
     arguments = parser.parse_args(words)
     arguments.run(arguments)
 
