@@ -8,6 +8,14 @@ HELD_OUT = ("sliding_window", "mailbox", "stapler", "drawbridge", "crane", "vise
 # of kinds that nobody knows; training on them too was tried and brought nothing (docs/decisions.md, 33).
 KNOWN = 293
 
+
+def kinds_of(names, which):
+    """Of the generator's kinds, in its order: of the known ones all, those held out or those trained on; or the later ones."""
+    known = names[:KNOWN]
+    return {"all": known, "held": [n for n in known if n in HELD_OUT], "trained": [n for n in known if n not in HELD_OUT],
+            "later": names[KNOWN:]}[which]
+
+
 # Shares of dm_lab_options (training/lab/dragmesh_lab.h).
 MIX = dict(messy=0.7, mask_noise=0.2, rotated=0.25, with_drag=0.75, drag_noise_degrees=7.5, joint_noise=0.3,
            hand_noise=0.6)

@@ -22,15 +22,7 @@ CHUNK = 256
 
 
 def trained_categories(lab):
-    return [name for name in lab.categories[:config.KNOWN] if name not in config.HELD_OUT]
-
-
-def held_out_categories(lab):
-    return [name for name in lab.categories if name in config.HELD_OUT]
-
-
-def later_categories(lab):
-    return lab.categories[config.KNOWN:]
+    return config.kinds_of(lab.categories, "trained")
 
 
 def make_batch(lab, network, seed, count, categories, split, mix=None):

@@ -215,8 +215,8 @@ def full_scores(network, model, split, count, seed=11):
     """Trained and held-out categories apart, as in training and clean: for KPP-Net objects, masks and drags without mistakes, for
     the VAE a steady hand and the exact joint. For the VAE screws apart too."""
     lab = data.Lab()
-    groups = {"trained": data.trained_categories(lab), "held_out": data.held_out_categories(lab),
-              "later": data.later_categories(lab)}
+    groups = {name: config.kinds_of(lab.categories, which)
+              for name, which in (("trained", "trained"), ("held_out", "held"), ("later", "later"))}
     clean = {**config.MIX, "mask_noise": 0.0, "drag_noise_degrees": 0.0}
     clean.update({"messy": 0.0} if network == "kpp" else {"joint_noise": 0.0, "hand_noise": 0.0})
     mixes = {"": config.MIX, "_clean": clean}

@@ -17,7 +17,7 @@ import numpy as np
 import torch
 
 from . import ranker
-from .config import HELD_OUT, KNOWN
+from .config import HELD_OUT, kinds_of
 
 BATCH = 50  # cases
 CAPACITY = 200000  # pieces of a batch
@@ -83,7 +83,7 @@ def make_proposals(lab, model, seed, first, count, mask, messy):
 
 def gather(lab, folder, name, count, make, messy=0.6):
     """Arrays of `count` cases, in batches that are kept in the folder when there is one."""
-    mask = ranker.category_weights(lab, ranker.category_names(lab)[:KNOWN])
+    mask = ranker.category_weights(lab, kinds_of(ranker.category_names(lab), "all"))
     parts, start = [], time.time()
     for first in range(0, count, BATCH):
         path = folder and os.path.join(folder, f"{name}_{first}.npz")

@@ -20,7 +20,7 @@ import time
 
 import numpy as np
 
-from .config import HELD_OUT, KNOWN
+from .config import HELD_OUT, kinds_of
 KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
 # What ships is trained on 6,000 cases of each seed: of an earlier KPP-Net (see earlier_network) and of the shipped one.
@@ -59,13 +59,6 @@ def open_lab(path):
 
 def category_names(lab):
     return [lab.dm_lab_category_name(i).decode() for i in range(lab.dm_lab_category_count())]
-
-
-def kinds_of(names, which):
-    """Of the known kinds all, those that are held out or those that are trained on; or the later ones."""
-    known = names[:KNOWN]
-    return {"all": known, "held": [n for n in known if n in HELD_OUT], "trained": [n for n in known if n not in HELD_OUT],
-            "later": names[KNOWN:]}[which]
 
 
 def category_weights(lab, chosen):

@@ -13,30 +13,6 @@ typedef struct sailplane {
 
 /* ---- wings ---- */
 
-/* A piece of wing whose fore and aft edges lie at different shares of the chord at its two ends. */
-static void draw_wing_part(dmg_builder* b, const dmg_wing* w, dmg_xy s, dmg_xy fore, dmg_xy aft) {
-    enum { HALF = 3 };
-    uint32_t v[2][2 * HALF];
-    dmg_piece_begin(b);
-    for (int end = 0; end < 2; ++end) {
-        for (int i = 0; i < 2 * HALF; ++i) {
-            float share = (float)(i < HALF ? i : 2 * HALF - 1 - i) / (HALF - 1), c0 = end ? fore.y : fore.x,
-                  c1 = end ? aft.y : aft.x;
-            v[end][i] =
-                dmg_vertex(b, dmg_wing_point(w, end ? s.y : s.x, c0 + (c1 - c0) * share, i < HALF ? 1.0f : -1.0f));
-        }
-    }
-    for (int i = 0; i < 2 * HALF; ++i) {
-        int next = (i + 1) % (2 * HALF);
-        dmg_quad(b, v[0][i], v[0][next], v[1][next], v[1][i]);
-    }
-    for (int i = 0; i + 1 < HALF; ++i) {
-        int under = 2 * HALF - 1 - i;
-        dmg_quad(b, v[0][i], v[0][under], v[0][under - 1], v[0][i + 1]);
-        dmg_quad(b, v[1][i], v[1][i + 1], v[1][under - 1], v[1][under]);
-    }
-}
-
 typedef struct trailing {
     const char* name;
     float s0, s1, depth; /* along the span; share of the local chord, or of the inner end's where square */
@@ -54,15 +30,16 @@ static float hinge_share(const dmg_wing* w, const trailing* t, float s) {
 
 static void draw_trailing(dmg_builder* b, const dmg_wing* w, uint32_t parent, const trailing* t, bool tab) {
     float c0 = hinge_share(w, t, t->s0), c1 = hinge_share(w, t, t->s1), gap = 0.006f, in = 0.003f;
-    draw_wing_part(b, w, (dmg_xy){t->s0, t->s1}, (dmg_xy){0, 0}, (dmg_xy){c0, c1});
+    dmg_wing_patch_draw(b, w, (dmg_xy){t->s0, t->s1}, (dmg_xy){0, 0}, (dmg_xy){c0, c1});
     dmg_vec from = dmg_wing_point(w, t->s0, c0 + gap, 0), to = dmg_wing_point(w, t->s1, c1 + gap, 0);
     uint32_t flap = dmg_hinge(b, parent, t->name, from, v3_normalize(v3_sub(from, to)), -t->up, t->down);
-    draw_wing_part(b, w, (dmg_xy){t->s0 + in, t->s1 - in}, (dmg_xy){c0 + gap, c1 + gap}, (dmg_xy){1, tab ? 0.94f : 1});
+    dmg_wing_patch_draw(b, w, (dmg_xy){t->s0 + in, t->s1 - in}, (dmg_xy){c0 + gap, c1 + gap},
+                        (dmg_xy){1, tab ? 0.94f : 1});
     if (tab) { /* a trim tab behind it */
         float mid = 0.5f * (t->s0 + t->s1), wide = 0.2f * (t->s1 - t->s0);
         dmg_vec a = dmg_wing_point(w, mid - wide, 0.985f, 0), e = dmg_wing_point(w, mid + wide, 0.965f, 0);
         dmg_hinge(b, flap, "trim_tab", a, v3_normalize(v3_sub(a, e)), -0.4f, 0.4f);
-        draw_wing_part(b, w, (dmg_xy){mid - wide, mid + wide}, (dmg_xy){0.985f, 0.965f}, (dmg_xy){1.1f, 1.08f});
+        dmg_wing_patch_draw(b, w, (dmg_xy){mid - wide, mid + wide}, (dmg_xy){0.985f, 0.965f}, (dmg_xy){1.1f, 1.08f});
     }
     dmg_use(b, parent);
 }
@@ -71,11 +48,11 @@ static void draw_cut_wing(dmg_builder* b, const dmg_wing* w, uint32_t parent, co
     float done = 0;
     dmg_use(b, parent);
     for (int i = 0; i < count; ++i) {
-        if (t[i].s0 > done) draw_wing_part(b, w, (dmg_xy){done, t[i].s0}, (dmg_xy){0, 0}, (dmg_xy){1, 1});
+        if (t[i].s0 > done) dmg_wing_piece_draw(b, w, done, t[i].s0, 0, 1);
         draw_trailing(b, w, parent, &t[i], tab && i == 0);
         done = t[i].s1;
     }
-    if (done < 1) draw_wing_part(b, w, (dmg_xy){done, 1}, (dmg_xy){0, 0}, (dmg_xy){1, 1});
+    if (done < 1) dmg_wing_piece_draw(b, w, done, 1, 0, 1);
 }
 
 /* Plates that rise out of the wing, above or below, or swing up about their front or inner edge. */
@@ -166,7 +143,7 @@ static void draw_tailplane(dmg_builder* b, const dmg_wing* w, dmg_vec at, float 
         dmg_turn(b, v3(0, 0, 1), lean);
         if (whole) { /* the half turns as one on a rod through its quarter */
             dmg_hinge(b, 0, "stabilator", v3(0, 0, 0.2f * w->root), v3(-1, 0, 0), -0.3f, 0.3f);
-            draw_wing_part(b, w, (dmg_xy){0.03f, 1}, (dmg_xy){0, 0}, (dmg_xy){1, 1});
+            dmg_wing_piece_draw(b, w, 0.03f, 1, 0, 1);
             dmg_use(b, 0);
         } else {
             draw_cut_wing(b, w, 0, &t, 1, tab);

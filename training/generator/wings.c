@@ -12,16 +12,16 @@ dmg_vec dmg_wing_point(const dmg_wing* w, float s, float c, float side) {
               0.5f * w->root - s * w->sweep - c * chord);
 }
 
-/* The wing between two places along the span and the chord. */
-void dmg_wing_piece_draw(dmg_builder* b, const dmg_wing* w, float s0, float s1, float c0, float c1) {
+void dmg_wing_patch_draw(dmg_builder* b, const dmg_wing* w, dmg_xy s, dmg_xy fore, dmg_xy aft) {
     enum { HALF = 3 };
     uint32_t v[2][2 * HALF];
     dmg_piece_begin(b);
     for (int end = 0; end < 2; ++end) {
         for (int i = 0; i < 2 * HALF; ++i) {
-            float share = (float)(i < HALF ? i : 2 * HALF - 1 - i) / (HALF - 1);
+            float share = (float)(i < HALF ? i : 2 * HALF - 1 - i) / (HALF - 1), c0 = end ? fore.y : fore.x,
+                  c1 = end ? aft.y : aft.x;
             v[end][i] =
-                dmg_vertex(b, dmg_wing_point(w, end ? s1 : s0, c0 + (c1 - c0) * share, i < HALF ? 1.0f : -1.0f));
+                dmg_vertex(b, dmg_wing_point(w, end ? s.y : s.x, c0 + (c1 - c0) * share, i < HALF ? 1.0f : -1.0f));
         }
     }
     for (int i = 0; i < 2 * HALF; ++i) {
@@ -33,6 +33,10 @@ void dmg_wing_piece_draw(dmg_builder* b, const dmg_wing* w, float s0, float s1, 
         dmg_quad(b, v[0][i], v[0][under], v[0][under - 1], v[0][i + 1]);
         dmg_quad(b, v[1][i], v[1][i + 1], v[1][under - 1], v[1][under]);
     }
+}
+
+void dmg_wing_piece_draw(dmg_builder* b, const dmg_wing* w, float s0, float s1, float c0, float c1) {
+    dmg_wing_patch_draw(b, w, (dmg_xy){s0, s1}, (dmg_xy){c0, c0}, (dmg_xy){c1, c1});
 }
 
 static void draw_surface(dmg_builder* b, const dmg_wing* w, uint32_t parent, const dmg_surface* f, float gap) {
