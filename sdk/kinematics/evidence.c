@@ -3,6 +3,7 @@
 
 #include "kinematics/glance.h"
 #include "kinematics/linear3.h"
+#include "kinematics/mirror.h"
 #include "kinematics/moved.h"
 
 #define SURFACE_POINTS 96 /* of the part, for slippage and place */
@@ -273,6 +274,24 @@ static void relative_evidence(const dmi_candidate* candidates, uint32_t count, f
     }
 }
 
+/* Part and body in mirrors, and how far both are above the least of all candidates in the mirror across the axis. */
+static void mirror_evidence(const dmi_study* study, const dmi_candidate* candidates, uint32_t count,
+                            float (*rows)[DMI_EVIDENCE_COUNT]) {
+    enum { RELATIVE_MIRRORS = 2 };
+    dmi_mirror mirror;
+    float least[RELATIVE_MIRRORS] = {1, 1};
+    dmi_mirror_begin(study, &mirror);
+    for (uint32_t i = 0; i < count; i++) {
+        float* out = rows[i] + DMI_EVIDENCE_MIRROR;
+        dmi_mirror_evidence(&mirror, &candidates[i], out);
+        for (int k = 0; k < RELATIVE_MIRRORS; k++) least[k] = dmi_min(least[k], out[k]);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        float* out = rows[i] + DMI_EVIDENCE_MIRROR;
+        for (int k = 0; k < RELATIVE_MIRRORS; k++) out[DMI_MIRROR_COUNT + k] = out[k] - least[k];
+    }
+}
+
 void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction,
                        const float* scores, const dmi_candidate* candidates, uint32_t count,
                        float (*out)[DMI_EVIDENCE_COUNT]) {
@@ -291,5 +310,6 @@ void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const 
         outline_evidence(&j, c, row + DMI_EVIDENCE_OUTLINE);
     }
     relative_evidence(candidates, count, out);
+    mirror_evidence(study, candidates, count, out);
     dmi_glance_choice(scores, count, out);
 }

@@ -211,7 +211,7 @@ void dmi_glance_row(const dmi_glance* glance, const dmi_candidate* c, float row[
 void dmi_glance_choice(const float* scores, uint32_t count, float (*rows)[DMI_EVIDENCE_COUNT]) {
     if (scores == NULL) {
         for (uint32_t i = 0; i < count; i++)
-            memset(rows[i] + DMI_EVIDENCE_CHOICE, 0, (DMI_EVIDENCE_COUNT - DMI_EVIDENCE_CHOICE) * sizeof(float));
+            memset(rows[i] + DMI_EVIDENCE_CHOICE, 0, (DMI_EVIDENCE_MIRROR - DMI_EVIDENCE_CHOICE) * sizeof(float));
         return;
     }
     float best[2] = {-INFINITY, -INFINITY}, sum = 0;

@@ -6,7 +6,7 @@
 #include "nn/weights.h"
 
 #define HIDDEN 64
-#define VERSION 4 /* before it answers with and without a drag were calibrated alike */
+#define VERSION 5 /* before it evidence knew no mirror images */
 /* Share of the opinion that does without KPP-Net. Where neither it nor the ranker knows the kind of object, 0 to .2 do
  * about as well and .4 worse, most of all without a drag (docs/decisions.md, 31). */
 #define DOUBT 0.2f
@@ -122,13 +122,14 @@ static float forward(const dmi_ranker* ranker, const float* evidence) {
     add_columns(ranker, evidence, DMI_EVIDENCE_DIRECTION, NETWORK_DIRECTION, without);
     add_columns(ranker, evidence, NETWORK_DIRECTION + 1, NETWORK_ORIGIN, without);
     add_columns(ranker, evidence, NETWORK_ORIGIN + 1, DMI_EVIDENCE_CHOICE, without);
+    add_columns(ranker, evidence, DMI_EVIDENCE_MIRROR, DMI_EVIDENCE_COUNT, without);
     const float alone = upper_layers(ranker, without);
     if (evidence[DMI_EVIDENCE_NETWORK] == 0) return alone;
     memcpy(with, without, sizeof with);
     add_columns(ranker, evidence, DMI_EVIDENCE_NETWORK, DMI_EVIDENCE_DIRECTION, with);
     add_columns(ranker, evidence, NETWORK_DIRECTION, NETWORK_DIRECTION + 1, with);
     add_columns(ranker, evidence, NETWORK_ORIGIN, NETWORK_ORIGIN + 1, with);
-    add_columns(ranker, evidence, DMI_EVIDENCE_CHOICE, DMI_EVIDENCE_COUNT, with);
+    add_columns(ranker, evidence, DMI_EVIDENCE_CHOICE, DMI_EVIDENCE_MIRROR, with);
     return (1 - DOUBT) * upper_layers(ranker, with) + DOUBT * alone;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "build.h"
 #include "check.h"
 #include "generator.h"
 
@@ -384,6 +385,38 @@ static void labels_survive_mess(void** state) {
     assert_true(loose == 0);
 }
 
+/* A door made snug may be larger, lie elsewhere and have more body round it: its hinge goes with it, its faces stay,
+ * and what is added is no part's. */
+static void snug_parts_keep_their_hinges(void** state) {
+    (void)state;
+    uint32_t moved = 0, more = 0;
+    for (uint64_t seed = 0; seed < 60; ++seed) {
+        dmg_builder b;
+        dmg_builder_init(&b, seed, true);
+        dmg_box(&b, v3(0, 0.5f, -0.3f), v3(1, 1, 0.58f));
+        uint32_t door = dmg_hinge(&b, 0, "door", v3(-0.5f, 0.5f, 0), v3(0, 1, 0), 0, 1.5f), body = b.face_count;
+        dmg_box(&b, v3(0, 0.5f, 0), v3(1, 1, 0.02f));
+        dmg_snug(&b);
+        assert_false(b.failed);
+        assert_int_equal(door, 1);
+        dmg_bounds of_door = dmg_bounds_none();
+        uint32_t faces = 0;
+        for (uint32_t p = 0; p < b.piece_count; ++p)
+            for (uint32_t v = b.pieces[p].first_vertex; b.pieces[p].part == door && v < dmg_piece_end(&b, p); ++v)
+                dmg_bounds_grow(&of_door, b.vertices[v]);
+        for (uint32_t f = 0; f < b.face_count; ++f) faces += b.face_part[f] == door;
+        const float* origin = b.parts[0].joint.origin;
+        const dmg_vec middle = v3_lerp(of_door.low, of_door.high, 0.5f);
+        assert_true(fabsf(middle.x - origin[0] - 0.5f) < 1e-5f && fabsf(middle.z - origin[2]) < 1e-5f);
+        assert_true(of_door.high.x - of_door.low.x < 1.1f);
+        assert_int_equal(faces, 12);
+        moved += fabsf(origin[2]) > 1e-4f;
+        more += b.face_count > body + faces;
+        dmg_builder_free(&b);
+    }
+    assert_true(moved > 5 && more > 10);
+}
+
 /* The demo leans on these names. */
 static void kitchen_cabinet_is_stable(void** state) {
     (void)state;
@@ -413,6 +446,7 @@ int main(void) {
         cmocka_unit_test(wrong_joints_are_found),
         cmocka_unit_test(motions_are_free),
         cmocka_unit_test(labels_survive_mess),
+        cmocka_unit_test(snug_parts_keep_their_hinges),
         cmocka_unit_test(kitchen_cabinet_is_stable),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -230,6 +230,19 @@ static bool reserve(dmg_builder* b, void** array, uint32_t count, uint32_t* capa
     return true;
 }
 
+dmg_bounds dmg_bounds_none(void) {
+    return (dmg_bounds){{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}};
+}
+
+void dmg_bounds_grow(dmg_bounds* bounds, dmg_vec p) {
+    bounds->low = v3(fminf(bounds->low.x, p.x), fminf(bounds->low.y, p.y), fminf(bounds->low.z, p.z));
+    bounds->high = v3(fmaxf(bounds->high.x, p.x), fmaxf(bounds->high.y, p.y), fmaxf(bounds->high.z, p.z));
+}
+
+uint32_t dmg_piece_end(const dmg_builder* b, uint32_t piece) {
+    return piece + 1 < b->piece_count ? b->pieces[piece + 1].first_vertex : b->vertex_count;
+}
+
 void dmg_piece_begin(dmg_builder* b) {
     if (!reserve(b, (void**)&b->pieces, b->piece_count, &b->piece_capacity, sizeof *b->pieces)) return;
     b->pieces[b->piece_count++] = (dmg_piece){b->vertex_count, b->face_count, b->part};

@@ -90,6 +90,17 @@ void dmg_keep_rest(dmg_builder* b, uint32_t part);
 /* Motion of a part alone (its parents at rest) from value 0 to `value`. */
 dmg_frame dmg_joint_frame(const dmg_joint* joint, float value);
 
+/* ---- bounds ---- */
+
+typedef struct dmg_bounds {
+    dmg_vec low, high;
+} dmg_bounds;
+
+dmg_bounds dmg_bounds_none(void);
+void dmg_bounds_grow(dmg_bounds* bounds, dmg_vec p);
+/* The first vertex that is no longer the piece's. */
+uint32_t dmg_piece_end(const dmg_builder* b, uint32_t piece);
+
 /* ---- geometry, lowest level ---- */
 
 void dmg_piece_begin(dmg_builder* b);
@@ -147,6 +158,9 @@ void dmg_rounded_plate(dmg_builder* b, float width, float height, float thicknes
 void dmg_bent_plate(dmg_builder* b, const dmg_xy* line, int count, float thickness, float depth);
 
 /* ---- finishing (mess.c) ---- */
+
+/* Some parts touch or cut what is round them (snug.c). */
+void dmg_snug(dmg_builder* b);
 
 /* Poses the parts at rest, makes a mess when asked to and turns limits and labels to the rest state. */
 void dmg_finish(dmg_builder* b);

@@ -7,10 +7,6 @@
 
 enum { MESSY_FACE_LIMIT = 20000 };
 
-typedef struct box {
-    dmg_vec low, high;
-} box;
-
 static dmg_vec load(const float v[3]) {
     return v3(v[0], v[1], v[2]);
 }
@@ -23,35 +19,22 @@ static void store(float out[3], dmg_vec v) {
 
 /* ---- boxes ---- */
 
-static box empty_box(void) {
-    return (box){{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}};
-}
-
-static void grow_box(box* around, dmg_vec p) {
-    around->low = v3(fminf(around->low.x, p.x), fminf(around->low.y, p.y), fminf(around->low.z, p.z));
-    around->high = v3(fmaxf(around->high.x, p.x), fmaxf(around->high.y, p.y), fmaxf(around->high.z, p.z));
-}
-
-static bool boxes_meet(const box* a, const box* b) {
+static bool boxes_meet(const dmg_bounds* a, const dmg_bounds* b) {
     return a->low.x < b->high.x && b->low.x < a->high.x && a->low.y < b->high.y && b->low.y < a->high.y &&
            a->low.z < b->high.z && b->low.z < a->high.z;
-}
-
-static uint32_t piece_end(const dmg_builder* b, uint32_t piece) {
-    return piece + 1 < b->piece_count ? b->pieces[piece + 1].first_vertex : b->vertex_count;
 }
 
 static uint32_t piece_face_end(const dmg_builder* b, uint32_t piece) {
     return piece + 1 < b->piece_count ? b->pieces[piece + 1].first_face : b->face_count;
 }
 
-static box whole_box(const dmg_builder* b) {
-    box around = empty_box();
-    for (uint32_t i = 0; i < b->vertex_count; ++i) grow_box(&around, b->vertices[i]);
+static dmg_bounds whole_box(const dmg_builder* b) {
+    dmg_bounds around = dmg_bounds_none();
+    for (uint32_t i = 0; i < b->vertex_count; ++i) dmg_bounds_grow(&around, b->vertices[i]);
     return around;
 }
 
-static float largest_side(const box* around) {
+static float largest_side(const dmg_bounds* around) {
     dmg_vec size = v3_sub(around->high, around->low);
     return fmaxf(size.x, fmaxf(size.y, size.z));
 }
@@ -71,7 +54,7 @@ static void pose_parts(dmg_builder* b) {
         store(part->joint.axis, v3_normalize(dmg_frame_vector(carrier, load(part->joint.axis))));
     }
     for (uint32_t p = 0; p < b->piece_count; ++p) {
-        uint32_t part = b->pieces[p].part, end = piece_end(b, p);
+        uint32_t part = b->pieces[p].part, end = dmg_piece_end(b, p);
         if (part == 0) continue;
         for (uint32_t v = b->pieces[p].first_vertex; v < end; ++v)
             b->vertices[v] = dmg_frame_point(&pose[part], b->vertices[v]);
@@ -170,7 +153,7 @@ static void double_faces(dmg_builder* b) {
     for (uint32_t p = 0; p < pieces; ++p) {
         if (!dmg_chance(b, share)) continue;
         b->part = b->pieces[p].part;
-        uint32_t end = piece_face_end(b, p), vertex_end = piece_end(b, p);
+        uint32_t end = piece_face_end(b, p), vertex_end = dmg_piece_end(b, p);
         uint32_t from = b->pieces[p].first_vertex, to = b->vertex_count;
         dmg_piece_begin(b);
         for (uint32_t v = from; v < vertex_end; ++v) dmg_vertex(b, b->vertices[v]);
@@ -190,7 +173,7 @@ static void shift_some(dmg_builder* b, float size) {
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (!dmg_chance(b, 0.5f)) continue;
         float x = by * dmg_normal(b), y = by * dmg_normal(b), z = by * dmg_normal(b);
-        for (uint32_t v = b->pieces[p].first_vertex; v < piece_end(b, p); ++v) {
+        for (uint32_t v = b->pieces[p].first_vertex; v < dmg_piece_end(b, p); ++v) {
             b->vertices[v] = v3_add(b->vertices[v], v3(x, y, z));
         }
     }
@@ -220,9 +203,9 @@ static void drop_some(dmg_builder* b) {
 /* ---- surroundings ---- */
 
 /* Where the parts are at rest and on their way: what stands round the object must leave room. */
-static uint32_t swept_boxes(const dmg_builder* b, box out[DMG_PART_LIMIT * 4]) {
+static uint32_t swept_boxes(const dmg_builder* b, dmg_bounds out[DMG_PART_LIMIT * 4]) {
     enum { STOPS = 4 };
-    for (uint32_t i = 0; i < b->part_count * STOPS; ++i) out[i] = empty_box();
+    for (uint32_t i = 0; i < b->part_count * STOPS; ++i) out[i] = dmg_bounds_none();
     dmg_frame pose[DMG_PART_LIMIT][STOPS];
     for (uint32_t i = 0; i < b->part_count; ++i) {
         const dmg_joint* joint = &b->parts[i].joint;
@@ -236,15 +219,16 @@ static uint32_t swept_boxes(const dmg_builder* b, box out[DMG_PART_LIMIT * 4]) {
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         uint32_t part = b->pieces[p].part;
         if (part == 0) continue;
-        for (uint32_t v = b->pieces[p].first_vertex; v < piece_end(b, p); ++v) {
+        for (uint32_t v = b->pieces[p].first_vertex; v < dmg_piece_end(b, p); ++v) {
             for (int s = 0; s < STOPS; ++s)
-                grow_box(&out[(part - 1) * STOPS + (uint32_t)s], dmg_frame_point(&pose[part - 1][s], b->vertices[v]));
+                dmg_bounds_grow(&out[(part - 1) * STOPS + (uint32_t)s],
+                                dmg_frame_point(&pose[part - 1][s], b->vertices[v]));
         }
     }
     return b->part_count * STOPS;
 }
 
-static void draw_thing(dmg_builder* b, const box* room) {
+static void draw_thing(dmg_builder* b, const dmg_bounds* room) {
     dmg_vec centre = v3_lerp(room->low, room->high, 0.5f), size = v3_sub(room->high, room->low);
     float radius = 0.5f * fminf(size.x, size.z);
     dmg_vec bottom = v3(centre.x, room->low.y, centre.z), up = v3(centre.x, room->high.y, centre.z);
@@ -271,7 +255,7 @@ static void draw_thing(dmg_builder* b, const box* room) {
 }
 
 /* One thing somewhere round the object that is not in the way of the parts. */
-static void add_thing(dmg_builder* b, const box* object, const box* swept, uint32_t swept_count) {
+static void add_thing(dmg_builder* b, const dmg_bounds* object, const dmg_bounds* swept, uint32_t swept_count) {
     dmg_vec size = v3_sub(object->high, object->low);
     float scale = largest_side(object);
     for (int attempt = 0; attempt < 4; ++attempt) {
@@ -279,8 +263,8 @@ static void add_thing(dmg_builder* b, const box* object, const box* swept, uint3
         float sz = scale * dmg_scale_range(b, 0.02f, 0.5f), x = dmg_range(b, -0.3f, 1.3f),
               y = dmg_range(b, -0.1f, 1.2f);
         dmg_vec centre = v3_add(object->low, v3(x * size.x, y * size.y, dmg_range(b, -0.3f, 1.3f) * size.z));
-        box room = {v3_sub(centre, v3(0.5f * sx, 0.5f * sy, 0.5f * sz)),
-                    v3_add(centre, v3(0.5f * sx, 0.5f * sy, 0.5f * sz))};
+        dmg_bounds room = {v3_sub(centre, v3(0.5f * sx, 0.5f * sy, 0.5f * sz)),
+                           v3_add(centre, v3(0.5f * sx, 0.5f * sy, 0.5f * sz))};
         bool free = true;
         for (uint32_t i = 0; i < swept_count && free; ++i) free = !boxes_meet(&room, &swept[i]);
         if (!free) continue;
@@ -290,7 +274,7 @@ static void add_thing(dmg_builder* b, const box* object, const box* swept, uint3
 }
 
 /* A floor, a wall, a room or a big block that the object stands on, hangs on or is let into. */
-static void add_setting(dmg_builder* b, const box* object) {
+static void add_setting(dmg_builder* b, const dmg_bounds* object) {
     dmg_vec size = v3_sub(object->high, object->low), centre = v3_lerp(object->low, object->high, 0.5f);
     float scale = largest_side(object), wide = scale * dmg_scale_range(b, 1.2f, 5.0f),
           thick = scale * dmg_scale_range(b, 0.01f, 0.1f);
@@ -311,7 +295,7 @@ static void add_setting(dmg_builder* b, const box* object) {
 }
 
 /* The same object again beside it, as part of the body: a row of lockers, a keyboard's other half. */
-static void add_twin(dmg_builder* b, const box* object) {
+static void add_twin(dmg_builder* b, const dmg_bounds* object) {
     if (b->face_count > MESSY_FACE_LIMIT / 4) return;
     uint32_t vertices = b->vertex_count, faces = b->face_count;
     float away = (object->high.x - object->low.x) * dmg_sign(b);
@@ -344,7 +328,7 @@ static void add_decoration(dmg_builder* b, float size) {
 }
 
 static void add_surroundings(dmg_builder* b) {
-    box object = whole_box(b), swept[DMG_PART_LIMIT * 4];
+    dmg_bounds object = whole_box(b), swept[DMG_PART_LIMIT * 4];
     dmg_use(b, 0);
     if (dmg_chance(b, 0.25f)) add_decoration(b, largest_side(&object));
     if (dmg_chance(b, 0.08f)) add_twin(b, &object);
@@ -431,10 +415,11 @@ void dmg_finish(dmg_builder* b) {
     pose_parts(b);
     settle_limits(b);
     if (!b->messy) return;
-    box object = whole_box(b);
+    dmg_bounds object = whole_box(b);
     float size = largest_side(&object);
     drop_some(b);
     shift_some(b, size);
+    dmg_snug(b);
     add_surroundings(b);
     double_faces(b);
     subdivide_some(b);

@@ -1,0 +1,113 @@
+/* Compares the part and the body near it with their mirror images, by distance grids. */
+#include "kinematics/mirror.h"
+
+#include "kinematics/linear3.h"
+
+#define PART_POINTS 64
+#define BODY_POINTS 128
+#define UNLIKE 0.25f /* of the part's diagonal: farther than this is no likeness at all */
+
+typedef struct sample {
+    const float (*points)[3];
+    uint32_t count, step;
+} sample;
+
+void dmi_mirror_begin(const dmi_study* study, dmi_mirror* out) {
+    *out = (dmi_mirror){.study = study};
+    for (int k = 0; k < 3; k++)
+        dmi_madd3(out->centre, (study->box.high[k] + study->box.low[k]) / 2, study->box.axes[k], out->centre);
+}
+
+static sample part_sample(const dmi_study* s) {
+    return (sample){s->points, PART_POINTS, 1};
+}
+
+static sample near_sample(const dmi_study* s) {
+    const uint32_t count = s->near_count < BODY_POINTS ? s->near_count : BODY_POINTS;
+    return (sample){(const float(*)[3])s->near_points, count, count > 0 ? s->near_count / count : 1};
+}
+
+/* Mean distance from the field's samples of the points' images in the mirror of that normal, at a place along it. Only
+ * of images that lie in the field's grid: what is beyond it nobody knows. */
+static float difference(const float normal[3], float at, sample from, const dmi_field* field, float size) {
+    float image[3][DMI_FIELD_BATCH], distance[DMI_FIELD_BATCH], inside[DMI_FIELD_BATCH], sum = 0, known = 0;
+    for (uint32_t i = 0; i < from.count; i++) {
+        const float* p = from.points[(size_t)i * from.step];
+        const float off = 2 * (at - dmi_dot3(p, normal));
+        for (int k = 0; k < 3; k++) image[k][i] = p[k] + off * normal[k];
+        inside[i] = 1;
+    }
+    dmi_field_distances(field, (const float(*)[DMI_FIELD_BATCH])image, from.count, distance);
+    for (int k = 0; k < 3; k++) {
+        const float low = field->low[k], high = low + (float)field->size[k] * field->cell;
+        for (uint32_t i = 0; i < from.count; i++) inside[i] = image[k][i] >= low && image[k][i] <= high ? inside[i] : 0;
+    }
+    for (uint32_t i = 0; i < from.count; i++) {
+        sum += inside[i] * dmi_min(distance[i] / size, UNLIKE);
+        known += inside[i];
+    }
+    return known == 0 || 4 * known < (float)from.count ? UNLIKE : sum / known;
+}
+
+static void look_at_middle(const dmi_mirror* m, const float normal[3], float out[3]) {
+    const dmi_study* s = m->study;
+    const float at = dmi_dot3(m->centre, normal);
+    float low, high;
+    out[0] = difference(normal, at, part_sample(s), &s->part_field, s->diagonal);
+    out[1] = difference(normal, at, near_sample(s), &s->body_field, s->diagonal);
+    dmi_shape_limits((const float(*)[3])s->outline, s->outline_count, (const float(*)[3])normal, 1, &low, &high);
+    out[2] = dmi_min(fabsf(at - (low + high) / 2) / (high - low + 1e-9f), 1);
+}
+
+/* Beyond the part's low and its high side. */
+static void look_for_twins(const dmi_mirror* m, const float normal[3], float out[2]) {
+    const dmi_study* s = m->study;
+    float low, high;
+    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3])normal, 1, &low, &high);
+    out[0] = difference(normal, low, part_sample(s), &s->body_field, s->diagonal);
+    out[1] = difference(normal, high, part_sample(s), &s->body_field, s->diagonal);
+}
+
+/* Across the axis, along a side of the part's box: the side that leads to it from the part's middle, or, where it runs
+ * through that or is a slide's, the side that lies most across. */
+static void towards(const dmi_mirror* m, const dmi_candidate* c, float out[3]) {
+    const dmi_study* s = m->study;
+    float way[3];
+    dmi_sub3(c->origin, m->centre, way);
+    dmi_reject3(way, c->axis);
+    const int leads = c->type != DM_JOINT_PRISMATIC && dmi_normalize3(way) > 0.02f * s->diagonal;
+    float most = -INFINITY, sign = 1;
+    for (int k = 0; k < 3; k++) {
+        const float along = dmi_dot3(s->box.axes[k], way);
+        const float fit = leads ? fabsf(along) : -fabsf(dmi_dot3(s->box.axes[k], c->axis));
+        if (fit <= most) continue;
+        most = fit, sign = leads && along < 0 ? -1.0f : 1.0f;
+        dmi_copy3(s->box.axes[k], out);
+    }
+    for (int k = 0; k < 3; k++) out[k] *= sign;
+    dmi_reject3(out, c->axis);
+    dmi_normalize3(out);
+}
+
+static void swap(float* a, float* b, int count) {
+    for (int k = 0; k < count; k++) {
+        const float first = a[k];
+        a[k] = b[k], b[k] = first;
+    }
+}
+
+void dmi_mirror_evidence(const dmi_mirror* mirror, const dmi_candidate* candidate, float out[DMI_MIRROR_COUNT]) {
+    float first[3], second[3], sides[2], *middles = out + DMI_MIRROR_MIDDLES, *twins = out + DMI_MIRROR_TWINS;
+    towards(mirror, candidate, first);
+    dmi_cross3(candidate->axis, first, second);
+    look_at_middle(mirror, candidate->axis, middles);
+    look_at_middle(mirror, first, middles + 3);
+    look_at_middle(mirror, second, middles + 6);
+    look_for_twins(mirror, first, twins);
+    if (candidate->type != DM_JOINT_PRISMATIC) return;
+    look_for_twins(mirror, second, sides);
+    twins[0] = dmi_min(twins[0], twins[1]), twins[1] = dmi_min(sides[0], sides[1]);
+    if (middles[3] <= middles[6]) return;
+    swap(middles + 3, middles + 6, 3);
+    swap(twins, twins + 1, 1);
+}
