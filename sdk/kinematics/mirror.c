@@ -5,7 +5,8 @@
 
 #define PART_POINTS 64
 #define BODY_POINTS 128
-#define UNLIKE 0.25f /* of the part's diagonal: farther than this is no likeness at all */
+#define SAME 0.9999998f /* cosine, 0.6 mrad */
+#define UNLIKE 0.25f    /* of the part's diagonal: farther than this is no likeness at all */
 
 typedef struct sample {
     const float (*points)[3];
@@ -13,7 +14,9 @@ typedef struct sample {
 } sample;
 
 void dmi_mirror_begin(const dmi_study* study, dmi_mirror* out) {
-    *out = (dmi_mirror){.study = study};
+    out->study = study;
+    out->count = 0;
+    memset(out->centre, 0, sizeof out->centre);
     for (int k = 0; k < 3; k++)
         dmi_madd3(out->centre, (study->box.high[k] + study->box.low[k]) / 2, study->box.axes[k], out->centre);
 }
@@ -68,6 +71,18 @@ static void look_for_twins(const dmi_mirror* m, const float normal[3], float out
     out[1] = difference(normal, high, part_sample(s), &s->body_field, s->diagonal);
 }
 
+/* Into the mirrors of that normal, of either sign. The last place serves all that come when the others are taken. */
+static const dmi_mirror_look* look(dmi_mirror* m, const float normal[3]) {
+    for (uint32_t i = 0; i < m->count; i++)
+        if (fabsf(dmi_dot3(m->looks[i].normal, normal)) > SAME) return &m->looks[i];
+    if (m->count < DMI_MIRROR_LOOKS) m->count++;
+    dmi_mirror_look* out = &m->looks[m->count - 1];
+    dmi_copy3(normal, out->normal);
+    look_at_middle(m, normal, out->middle);
+    look_for_twins(m, normal, out->twins);
+    return out;
+}
+
 /* Across the axis, along a side of the part's box: the side that leads to it from the part's middle, or, where it runs
  * through that or is a slide's, the side that lies most across. */
 static void towards(const dmi_mirror* m, const dmi_candidate* c, float out[3]) {
@@ -89,25 +104,29 @@ static void towards(const dmi_mirror* m, const dmi_candidate* c, float out[3]) {
     dmi_normalize3(out);
 }
 
-static void swap(float* a, float* b, int count) {
-    for (int k = 0; k < count; k++) {
-        const float first = a[k];
-        a[k] = b[k], b[k] = first;
+static void slide_evidence(const dmi_mirror_look* first, const dmi_mirror_look* second, float* middles, float* twins) {
+    if (first->middle[0] > second->middle[0]) {
+        const dmi_mirror_look* other = first;
+        first = second, second = other;
     }
+    memcpy(middles, first->middle, sizeof first->middle);
+    memcpy(middles + 3, second->middle, sizeof second->middle);
+    twins[0] = dmi_min(first->twins[0], first->twins[1]);
+    twins[1] = dmi_min(second->twins[0], second->twins[1]);
 }
 
-void dmi_mirror_evidence(const dmi_mirror* mirror, const dmi_candidate* candidate, float out[DMI_MIRROR_COUNT]) {
-    float first[3], second[3], sides[2], *middles = out + DMI_MIRROR_MIDDLES, *twins = out + DMI_MIRROR_TWINS;
-    towards(mirror, candidate, first);
-    dmi_cross3(candidate->axis, first, second);
-    look_at_middle(mirror, candidate->axis, middles);
-    look_at_middle(mirror, first, middles + 3);
-    look_at_middle(mirror, second, middles + 6);
-    look_for_twins(mirror, first, twins);
-    if (candidate->type != DM_JOINT_PRISMATIC) return;
-    look_for_twins(mirror, second, sides);
-    twins[0] = dmi_min(twins[0], twins[1]), twins[1] = dmi_min(sides[0], sides[1]);
-    if (middles[3] <= middles[6]) return;
-    swap(middles + 3, middles + 6, 3);
-    swap(twins, twins + 1, 1);
+void dmi_mirror_evidence(dmi_mirror* mirror, const dmi_candidate* candidate, float out[DMI_MIRROR_COUNT]) {
+    float way[3], across[3], *middles = out + DMI_MIRROR_MIDDLES, *twins = out + DMI_MIRROR_TWINS;
+    towards(mirror, candidate, way);
+    dmi_cross3(candidate->axis, way, across);
+    memcpy(middles, look(mirror, candidate->axis)->middle, sizeof(float[3]));
+    const dmi_mirror_look first = *look(mirror, way), second = *look(mirror, across);
+    if (candidate->type == DM_JOINT_PRISMATIC) {
+        slide_evidence(&first, &second, middles + 3, twins);
+        return;
+    }
+    const int turned = dmi_dot3(first.normal, way) < 0;
+    memcpy(middles + 3, first.middle, sizeof first.middle);
+    memcpy(middles + 6, second.middle, sizeof second.middle);
+    twins[0] = first.twins[turned], twins[1] = first.twins[!turned];
 }

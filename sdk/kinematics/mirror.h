@@ -16,14 +16,22 @@ enum {
     DMI_MIRROR_COUNT = 11
 };
 
-/* What the candidates of a part are seen with. */
+/* One mirror through the part's middle, and those at its low and its high side along the normal. */
+typedef struct dmi_mirror_look {
+    float normal[3], middle[3], twins[2];
+} dmi_mirror_look;
+
+/* What the candidates of a part are seen with. They share most of their mirrors: each is looked into once. */
+#define DMI_MIRROR_LOOKS 128
 typedef struct dmi_mirror {
     const dmi_study* study;
     float centre[3]; /* of the part's box */
+    dmi_mirror_look looks[DMI_MIRROR_LOOKS];
+    uint32_t count;
 } dmi_mirror;
 
 void dmi_mirror_begin(const dmi_study* study, dmi_mirror* out);
 /* Distances are means in diagonals of the part, at most a quarter. */
-void dmi_mirror_evidence(const dmi_mirror* mirror, const dmi_candidate* candidate, float out[DMI_MIRROR_COUNT]);
+void dmi_mirror_evidence(dmi_mirror* mirror, const dmi_candidate* candidate, float out[DMI_MIRROR_COUNT]);
 
 #endif

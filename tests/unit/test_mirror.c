@@ -19,7 +19,7 @@ static void make_cupboard(void) {
     test_shape_box(&shape, (const float[]){0.33f, 0.3f, 0.022f}, (const float[]){0.37f, 0.55f, 0.08f}, 1);
 }
 
-static void with_cupboard(void (*check)(const dmi_mesh* mesh, const dmi_mirror* mirror)) {
+static void with_cupboard(void (*check)(const dmi_mesh* mesh, dmi_mirror* mirror)) {
     test_env t;
     dmi_arena arena;
     dmi_axes axes;
@@ -48,7 +48,7 @@ static dmi_candidate joint(const dmi_mesh* mesh, int32_t type, const float axis[
 }
 
 /* Hinged on the outside, the door has its twin beyond its free side; in the middle, beyond the hinge. */
-static void check_twins(const dmi_mesh* mesh, const dmi_mirror* mirror) {
+static void check_twins(const dmi_mesh* mesh, dmi_mirror* mirror) {
     const float up[3] = {0, 1, 0};
     const dmi_candidate outside = joint(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0, 0.3, 0.002});
     const dmi_candidate inside = joint(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0.4, 0.3, 0.002});
@@ -65,7 +65,7 @@ static void a_doors_twin_is_seen(void** state) {
 }
 
 /* The handle spoils the likeness across a flap's hinge more than across none: a plain part would be its own image. */
-static void check_middles(const dmi_mesh* mesh, const dmi_mirror* mirror) {
+static void check_middles(const dmi_mesh* mesh, dmi_mirror* mirror) {
     const float right[3] = {1, 0, 0}, leaning[3] = {0.8f, 0.6f, 0};
     const dmi_candidate flap = joint(mesh, DM_JOINT_REVOLUTE, right, (const double[]){0.2, 0, 0.002});
     const dmi_candidate askew = joint(mesh, DM_JOINT_REVOLUTE, leaning, (const double[]){0.2, 0, 0.002});
@@ -86,7 +86,7 @@ static void a_door_is_its_own_image_across_its_sides(void** state) {
 }
 
 /* Of the mirrors along a slide, the one in which the part is more its own image comes first. */
-static void check_slide(const dmi_mesh* mesh, const dmi_mirror* mirror) {
+static void check_slide(const dmi_mesh* mesh, dmi_mirror* mirror) {
     const float front[3] = {0, 0, 1};
     const dmi_candidate slide = joint(mesh, DM_JOINT_PRISMATIC, front, (const double[]){0.2, 0.3, 0});
     float out[DMI_MIRROR_COUNT];
