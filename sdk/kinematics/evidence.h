@@ -27,7 +27,7 @@ enum {
     DMI_EVIDENCE_OUTLINE = DMI_EVIDENCE_HANDLE + 4,                    /* 4: the axis in the whole object */
     DMI_EVIDENCE_SPOT = DMI_EVIDENCE_OUTLINE + 4,  /* 8: where the axis runs through the box's cross-section */
     DMI_EVIDENCE_GRIP = DMI_EVIDENCE_SPOT + 8,     /* 6: what a hand takes hold of, seen from the axis */
-    DMI_EVIDENCE_CHOICE = DMI_EVIDENCE_GRIP + 6,   /* 6: see choice_evidence */
+    DMI_EVIDENCE_CHOICE = DMI_EVIDENCE_GRIP + 6,   /* 6: see dmi_glance_choice */
     DMI_EVIDENCE_MIRROR = DMI_EVIDENCE_CHOICE + 6, /* 13: see mirror.h and mirror_evidence */
     DMI_EVIDENCE_COUNT = DMI_EVIDENCE_MIRROR + 13
 };

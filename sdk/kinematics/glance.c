@@ -179,8 +179,8 @@ void dmi_glance_begin(const dmi_study* study, const dmi_drag_hint* hint, const d
     for (int k = 0; k < 3; k++) {
         out->side[k] = study->box.high[k] - study->box.low[k];
         out->middle[k] = (study->box.high[k] + study->box.low[k]) / 2;
-        dmi_madd3(out->box_centre, out->middle[k], study->box.axes[k], out->box_centre);
     }
+    dmi_box_centre(&study->box, out->box_centre);
     shape_evidence(out, out->shape);
     if (hint == NULL) return;
     dmi_copy3(hint->vector, out->drag);

@@ -16,9 +16,7 @@ typedef struct sample {
 void dmi_mirror_begin(const dmi_study* study, dmi_mirror* out) {
     out->study = study;
     out->count = 0;
-    memset(out->centre, 0, sizeof out->centre);
-    for (int k = 0; k < 3; k++)
-        dmi_madd3(out->centre, (study->box.high[k] + study->box.low[k]) / 2, study->box.axes[k], out->centre);
+    dmi_box_centre(&study->box, out->centre);
 }
 
 static sample part_sample(const dmi_study* s) {

@@ -108,6 +108,11 @@ static void order_box(dmi_box* box) {
     box->low[2] = -box->high[2], box->high[2] = -low;
 }
 
+void dmi_box_centre(const dmi_box* box, float out[3]) {
+    for (int k = 0; k < 3; k++) out[k] = 0;
+    for (int k = 0; k < 3; k++) dmi_madd3(out, (box->high[k] + box->low[k]) / 2, box->axes[k], out);
+}
+
 void dmi_shape_box(const float (*points)[3], uint32_t count, const float (*directions)[3], uint32_t direction_count,
                    dmi_box* out) {
     float best = INFINITY;

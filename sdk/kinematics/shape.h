@@ -10,6 +10,8 @@ typedef struct dmi_box {
     float low[3], high[3]; /* along the axes */
 } dmi_box;
 
+void dmi_box_centre(const dmi_box* box, float out[3]);
+
 /* Smallest rectangle (by area) round points seen along `direction`: two unit vectors across it and the limits along
  * them. Works on the points' convex hull; count at most DMI_SHAPE_MAX_HULL. */
 #define DMI_SHAPE_MAX_HULL 512

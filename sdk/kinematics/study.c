@@ -268,9 +268,8 @@ static float lean_along(const dmi_study* study, const float centre[3], int axis)
 }
 
 static void find_lean(dmi_study* study) {
-    float centre[3] = {0, 0, 0};
-    for (int k = 0; k < 3; k++)
-        dmi_madd3(centre, 0.5f * (study->box.high[k] + study->box.low[k]), study->box.axes[k], centre);
+    float centre[3];
+    dmi_box_centre(&study->box, centre);
     for (int k = 0; k < 3; k++) study->lean[k] = lean_along(study, centre, k);
 }
 

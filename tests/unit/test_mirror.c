@@ -64,7 +64,7 @@ static void a_doors_twin_is_seen(void** state) {
     with_cupboard(check_twins);
 }
 
-/* The handle spoils the likeness across a flap's hinge more than across none: a plain part would be its own image. */
+/* Across a flap's hinge door and cupboard are more their own images than in a mirror that stands askew. */
 static void check_middles(const dmi_mesh* mesh, dmi_mirror* mirror) {
     const float right[3] = {1, 0, 0}, leaning[3] = {0.8f, 0.6f, 0};
     const dmi_candidate flap = joint(mesh, DM_JOINT_REVOLUTE, right, (const double[]){0.2, 0, 0.002});

@@ -215,6 +215,11 @@ dmg_frame dmg_joint_frame(const dmg_joint* joint, float value) {
     return dmg_frame_screw(origin, axis, value, joint->type == DM_JOINT_SCREW ? value * joint->pitch : 0.0f);
 }
 
+float dmg_joint_stop(const dmg_joint* joint, int stop, int stops) {
+    if (joint->type == DM_JOINT_CONTINUOUS) return 2.0f * DMG_PI * (float)stop / (float)stops;
+    return joint->lower + (joint->upper - joint->lower) * (float)stop / (float)(stops - 1);
+}
+
 /* ---- geometry ---- */
 
 static bool reserve(dmg_builder* b, void** array, uint32_t count, uint32_t* capacity, size_t size) {

@@ -89,6 +89,8 @@ void dmg_rest(dmg_builder* b, uint32_t part, float value);
 void dmg_keep_rest(dmg_builder* b, uint32_t part);
 /* Motion of a part alone (its parents at rest) from value 0 to `value`. */
 dmg_frame dmg_joint_frame(const dmg_joint* joint, float value);
+/* The value at one of `stops` places spread over its range, ends included; over a full turn where it has none. */
+float dmg_joint_stop(const dmg_joint* joint, int stop, int stops);
 
 /* ---- bounds ---- */
 

@@ -210,9 +210,7 @@ static uint32_t swept_boxes(const dmg_builder* b, dmg_bounds out[DMG_PART_LIMIT 
     for (uint32_t i = 0; i < b->part_count; ++i) {
         const dmg_joint* joint = &b->parts[i].joint;
         for (int s = 0; s < STOPS; ++s) {
-            float value = joint->lower + (joint->upper - joint->lower) * (float)s / (STOPS - 1);
-            if (joint->type == DM_JOINT_CONTINUOUS) value = 2.0f * DMG_PI * (float)s / STOPS;
-            dmg_frame own = dmg_joint_frame(joint, value);
+            dmg_frame own = dmg_joint_frame(joint, dmg_joint_stop(joint, s, STOPS));
             pose[i][s] = joint->parent ? dmg_frame_multiply(&pose[joint->parent - 1][s], &own) : own;
         }
     }

@@ -83,9 +83,7 @@ static bool leaves_free(const dmg_builder* b, uint32_t part, const dmg_bounds* r
     dmg_vec low = v3_add(room->low, v3(slack, slack, slack)), high = v3_sub(room->high, v3(slack, slack, slack));
     uint32_t inside = 0, all = 0;
     for (int s = 0; s < STOPS; ++s) {
-        float value = joint->lower + (joint->upper - joint->lower) * (float)s / (STOPS - 1);
-        if (joint->type == DM_JOINT_CONTINUOUS) value = 2.0f * DMG_PI * (float)s / STOPS;
-        dmg_frame pose = dmg_joint_frame(joint, value);
+        dmg_frame pose = dmg_joint_frame(joint, dmg_joint_stop(joint, s, STOPS));
         for (uint32_t p = 0; p < b->piece_count; ++p) {
             if (!carried_by(b, b->pieces[p].part, part)) continue;
             for (uint32_t v = b->pieces[p].first_vertex; v < dmg_piece_end(b, p); ++v, ++all) {
@@ -154,14 +152,13 @@ typedef struct habits {
     bool swells, sinks, backs, frames;
 } habits;
 
-static void fit_part(dmg_builder* b, uint32_t part, const dmg_bounds* body, const habits* how) {
-    dmg_bounds box = part_bounds(b, part);
-    float size = diagonal(&box);
+static void fit_part(dmg_builder* b, uint32_t part, const dmg_bounds* box, const dmg_bounds* body, const habits* how) {
+    float size = diagonal(box);
     if (how->swells) swell(b, part, size * dmg_scale_range(b, 0.001f, 0.03f));
-    int axis = across(b, &box);
+    int axis = across(b, box);
     if (how->sinks) {
         float by = size * dmg_scale_range(b, 0.002f, 0.04f);
-        by *= body_side(b, &box, body, axis);
+        by *= body_side(b, box, body, axis);
         shift_part(b, part, with(v3(0, 0, 0), axis, by));
     }
     dmg_use(b, 0);
@@ -181,7 +178,7 @@ void dmg_snug(dmg_builder* b) {
     if (body.low.x > body.high.x) return;
     for (uint32_t part = 1; part <= b->part_count; ++part) {
         dmg_bounds box = part_bounds(b, part);
-        if (box.low.x <= box.high.x && dmg_chance(b, share)) fit_part(b, part, &body, &how);
+        if (box.low.x <= box.high.x && dmg_chance(b, share)) fit_part(b, part, &box, &body, &how);
     }
     dmg_use(b, 0);
 }
