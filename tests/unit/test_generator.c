@@ -417,6 +417,48 @@ static void snug_parts_keep_their_hinges(void** state) {
     assert_true(moved > 5 && more > 10);
 }
 
+/* The farthest that a part's corners end from where another joint takes them, at the end of the way. */
+static float ends_apart(const dmg_builder* b, uint32_t part, const dmg_joint* was) {
+    const dmg_joint* is = &b->parts[part - 1].joint;
+    const dmg_frame there = dmg_joint_frame(was, was->upper), here = dmg_joint_frame(is, is->upper);
+    float most = 0;
+    for (uint32_t p = 0; p < b->piece_count; ++p)
+        for (uint32_t v = b->pieces[p].first_vertex; b->pieces[p].part == part && v < dmg_piece_end(b, p); ++v) {
+            const dmg_vec off = v3_sub(dmg_frame_point(&here, b->vertices[v]), dmg_frame_point(&there, b->vertices[v]));
+            most = fmaxf(most, v3_length(off));
+        }
+    return most;
+}
+
+static float leaning(const dmg_joint* a, const dmg_joint* b) {
+    const dmg_vec u = v3(a->axis[0], a->axis[1], a->axis[2]), w = v3(b->axis[0], b->axis[1], b->axis[2]);
+    return v3_length(v3_cross(u, w));
+}
+
+/* People place joints by eye: a button may lean by degrees, a door may not, and both end where they should, nearly. */
+static void joints_are_as_exact_as_people_see(void** state) {
+    (void)state;
+    uint32_t loosened = 0, leaning_buttons = 0;
+    for (uint64_t seed = 0; seed < 60; ++seed) {
+        dmg_builder b;
+        dmg_builder_init(&b, seed, true);
+        dmg_box(&b, v3(0, 0.5f, -0.3f), v3(1, 1, 0.58f));
+        dmg_hinge(&b, 0, "door", v3(-0.5f, 0.5f, 0), v3(0, 1, 0), 0, 1.5f);
+        dmg_box(&b, v3(0, 0.5f, 0), v3(1, 1, 0.02f));
+        dmg_slide(&b, 0, "button", v3(0, 0, -1), 0, 0.01f);
+        dmg_box(&b, v3(0, 1.1f, 0), v3(0.05f, 0.05f, 0.02f));
+        const dmg_joint door = b.parts[0].joint, button = b.parts[1].joint;
+        dmg_loosen(&b, 1);
+        const float door_leans = leaning(&door, &b.parts[0].joint), leans = leaning(&button, &b.parts[1].joint);
+        assert_true(door_leans < 0.02f && leans < 0.5f);
+        assert_true(ends_apart(&b, 1, &door) < 0.03f && ends_apart(&b, 2, &button) < 0.005f);
+        loosened += leans > 0;
+        leaning_buttons += leans > 0.03f;
+        dmg_builder_free(&b);
+    }
+    assert_true(loosened > 10 && loosened < 40 && leaning_buttons > 5);
+}
+
 /* The demo leans on these names. */
 static void kitchen_cabinet_is_stable(void** state) {
     (void)state;
@@ -447,6 +489,7 @@ int main(void) {
         cmocka_unit_test(motions_are_free),
         cmocka_unit_test(labels_survive_mess),
         cmocka_unit_test(snug_parts_keep_their_hinges),
+        cmocka_unit_test(joints_are_as_exact_as_people_see),
         cmocka_unit_test(kitchen_cabinet_is_stable),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -422,6 +422,7 @@ void dmg_finish(dmg_builder* b) {
     double_faces(b);
     subdivide_some(b);
     flip_some(b);
+    dmg_loosen(b, size);
     slide_origins(b, size);
     dmg_frame frame = random_frame(b, size);
     move_everything(b, &frame);
