@@ -1,6 +1,7 @@
 /* What a glance does not see of candidate joints: slippage, contacts, sweep, symmetry, spread. */
 #include "kinematics/evidence.h"
 
+#include "kinematics/bearing.h"
 #include "kinematics/glance.h"
 #include "kinematics/linear3.h"
 #include "kinematics/mirror.h"
@@ -292,6 +293,23 @@ static void mirror_evidence(const dmi_study* study, const dmi_candidate* candida
     }
 }
 
+/* What lies on the axes, and how far the counts of part and body are below the most of any turn. */
+static void bearing_evidence(const dmi_study* study, const dmi_candidate* candidates, uint32_t count,
+                             float (*rows)[DMI_EVIDENCE_COUNT]) {
+    float most[2] = {0, 0};
+    for (uint32_t i = 0; i < count; i++) {
+        float* out = rows[i] + DMI_EVIDENCE_BEARING;
+        dmi_bearing_evidence(study, &candidates[i], out);
+        for (int k = 0; k < 2 && !slides(&candidates[i]); k++)
+            most[k] = dmi_max(most[k], out[DMI_BEARING_ROUND + 2 * k] + out[DMI_BEARING_CENTRED + k]);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        float* out = rows[i] + DMI_EVIDENCE_BEARING;
+        for (int k = 0; k < 2; k++)
+            out[DMI_BEARING_COUNT + k] = most[k] - out[DMI_BEARING_ROUND + 2 * k] - out[DMI_BEARING_CENTRED + k];
+    }
+}
+
 void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const dmi_prediction* prediction,
                        const float* scores, const dmi_candidate* candidates, uint32_t count,
                        float (*out)[DMI_EVIDENCE_COUNT]) {
@@ -311,5 +329,6 @@ void dmi_evidence_make(const dmi_study* study, const dmi_drag_hint* hint, const 
     }
     relative_evidence(candidates, count, out);
     mirror_evidence(study, candidates, count, out);
+    bearing_evidence(study, candidates, count, out);
     dmi_glance_choice(scores, count, out);
 }

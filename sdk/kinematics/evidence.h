@@ -25,11 +25,12 @@ enum {
     DMI_EVIDENCE_RELATIVE = DMI_EVIDENCE_ORIGIN + DMI_ORIGIN_FAMILIES, /* 24: see relative_evidence */
     DMI_EVIDENCE_HANDLE = DMI_EVIDENCE_RELATIVE + 24,                  /* 4: what stands out, seen from the axis */
     DMI_EVIDENCE_OUTLINE = DMI_EVIDENCE_HANDLE + 4,                    /* 4: the axis in the whole object */
-    DMI_EVIDENCE_SPOT = DMI_EVIDENCE_OUTLINE + 4,  /* 8: where the axis runs through the box's cross-section */
-    DMI_EVIDENCE_GRIP = DMI_EVIDENCE_SPOT + 8,     /* 6: what a hand takes hold of, seen from the axis */
-    DMI_EVIDENCE_CHOICE = DMI_EVIDENCE_GRIP + 6,   /* 6: see dmi_glance_choice */
-    DMI_EVIDENCE_MIRROR = DMI_EVIDENCE_CHOICE + 6, /* 13: see mirror.h and mirror_evidence */
-    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_MIRROR + 13
+    DMI_EVIDENCE_SPOT = DMI_EVIDENCE_OUTLINE + 4,    /* 8: where the axis runs through the box's cross-section */
+    DMI_EVIDENCE_GRIP = DMI_EVIDENCE_SPOT + 8,       /* 6: what a hand takes hold of, seen from the axis */
+    DMI_EVIDENCE_CHOICE = DMI_EVIDENCE_GRIP + 6,     /* 6: see dmi_glance_choice */
+    DMI_EVIDENCE_MIRROR = DMI_EVIDENCE_CHOICE + 6,   /* 13: see mirror.h and mirror_evidence */
+    DMI_EVIDENCE_BEARING = DMI_EVIDENCE_MIRROR + 13, /* 12: see bearing.h and bearing_evidence */
+    DMI_EVIDENCE_COUNT = DMI_EVIDENCE_BEARING + 12
 };
 
 /* hint, prediction and scores (of dmi_kpp_choice, one a candidate) may be NULL: their numbers are then 0. */

@@ -1,77 +1,44 @@
 /* Likeness of a part and its body to their mirror images. */
-#include "test_env.h"
-
-#include <math.h>
-
 #include "kinematics/mirror.h"
-#include "test_shapes.h"
-
-static test_shape shape;
-static dmi_cloud cloud;
-static dmi_study study;
+#include "test_study.h"
 
 /* Two doors of a cupboard, the left of which moves; it has a handle near the middle, high up. */
-static void make_cupboard(void) {
-    shape.vertex_count = shape.face_count = 0;
-    test_shape_box(&shape, (const float[]){0, 0, -0.4f}, (const float[]){0.8f, 0.6f, 0}, 0);
-    test_shape_box(&shape, (const float[]){0.402f, 0, 0.002f}, (const float[]){0.8f, 0.6f, 0.022f}, 0);
-    test_shape_box(&shape, (const float[]){0, 0, 0.002f}, (const float[]){0.398f, 0.6f, 0.022f}, 1);
-    test_shape_box(&shape, (const float[]){0.33f, 0.3f, 0.022f}, (const float[]){0.37f, 0.55f, 0.08f}, 1);
-}
-
-static void with_cupboard(void (*check)(const dmi_mesh* mesh, dmi_mirror* mirror)) {
-    test_env t;
-    dmi_arena arena;
-    dmi_axes axes;
-    dmi_mesh* mesh = NULL;
-    dmi_mirror mirror;
-    test_env_open(&t, TEST_NEVER);
-    make_cupboard();
-    dm_mesh_desc desc = test_shape_desc(&shape);
-    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
-    assert_int_equal(dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, &mesh), DM_OK);
-    assert_int_equal(dmi_cloud_sample(&t.env, mesh, 1, 3, &cloud), DM_OK);
-    dmi_arena_init(&arena, &t.env, (size_t)1 << 20);
-    assert_int_equal(dmi_study_make(&arena, mesh, &cloud, 1, NULL, &study), DM_OK);
-    dmi_mirror_begin(&study, &mirror);
-    check(mesh, &mirror);
-    dmi_arena_release(&arena);
-    dmi_mesh_destroy(&t.env, mesh);
-    test_env_close(&t);
-}
-
-static dmi_candidate joint(const dmi_mesh* mesh, int32_t type, const float axis[3], const double origin[3]) {
-    dmi_candidate c = {.type = type};
-    for (int k = 0; k < 3; k++) c.axis[k] = axis[k];
-    dmi_frame_point_in(&mesh->frame, origin, c.origin);
-    return c;
+static void make_cupboard(test_shape* shape) {
+    test_shape_box(shape, (const float[]){0, 0, -0.4f}, (const float[]){0.8f, 0.6f, 0}, 0);
+    test_shape_box(shape, (const float[]){0.402f, 0, 0.002f}, (const float[]){0.8f, 0.6f, 0.022f}, 0);
+    test_shape_box(shape, (const float[]){0, 0, 0.002f}, (const float[]){0.398f, 0.6f, 0.022f}, 1);
+    test_shape_box(shape, (const float[]){0.33f, 0.3f, 0.022f}, (const float[]){0.37f, 0.55f, 0.08f}, 1);
 }
 
 /* Hinged on the outside, the door has its twin beyond its free side; in the middle, beyond the hinge. */
-static void check_twins(const dmi_mesh* mesh, dmi_mirror* mirror) {
+static void check_twins(const dmi_mesh* mesh, const dmi_study* study) {
+    dmi_mirror mirror;
+    dmi_mirror_begin(study, &mirror);
     const float up[3] = {0, 1, 0};
-    const dmi_candidate outside = joint(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0, 0.3, 0.002});
-    const dmi_candidate inside = joint(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0.4, 0.3, 0.002});
+    const dmi_candidate outside = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0, 0.3, 0.002});
+    const dmi_candidate inside = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0.4, 0.3, 0.002});
     float of_outside[DMI_MIRROR_COUNT], of_inside[DMI_MIRROR_COUNT];
-    dmi_mirror_evidence(mirror, &outside, of_outside);
-    dmi_mirror_evidence(mirror, &inside, of_inside);
+    dmi_mirror_evidence(&mirror, &outside, of_outside);
+    dmi_mirror_evidence(&mirror, &inside, of_inside);
     assert_true(of_outside[DMI_MIRROR_TWINS] < 0.06f && of_outside[DMI_MIRROR_TWINS + 1] > 0.1f);
     assert_true(of_inside[DMI_MIRROR_TWINS] > 0.1f && of_inside[DMI_MIRROR_TWINS + 1] < 0.06f);
 }
 
 static void a_doors_twin_is_seen(void** state) {
     (void)state;
-    with_cupboard(check_twins);
+    test_with_study(make_cupboard, check_twins);
 }
 
 /* Across a flap's hinge door and cupboard are more their own images than in a mirror that stands askew. */
-static void check_middles(const dmi_mesh* mesh, dmi_mirror* mirror) {
+static void check_middles(const dmi_mesh* mesh, const dmi_study* study) {
+    dmi_mirror mirror;
+    dmi_mirror_begin(study, &mirror);
     const float right[3] = {1, 0, 0}, leaning[3] = {0.8f, 0.6f, 0};
-    const dmi_candidate flap = joint(mesh, DM_JOINT_REVOLUTE, right, (const double[]){0.2, 0, 0.002});
-    const dmi_candidate askew = joint(mesh, DM_JOINT_REVOLUTE, leaning, (const double[]){0.2, 0, 0.002});
+    const dmi_candidate flap = test_candidate(mesh, DM_JOINT_REVOLUTE, right, (const double[]){0.2, 0, 0.002});
+    const dmi_candidate askew = test_candidate(mesh, DM_JOINT_REVOLUTE, leaning, (const double[]){0.2, 0, 0.002});
     float straight[DMI_MIRROR_COUNT], tilted[DMI_MIRROR_COUNT];
-    dmi_mirror_evidence(mirror, &flap, straight);
-    dmi_mirror_evidence(mirror, &askew, tilted);
+    dmi_mirror_evidence(&mirror, &flap, straight);
+    dmi_mirror_evidence(&mirror, &askew, tilted);
     for (int k = 0; k < 2; k++) {
         assert_true(straight[DMI_MIRROR_MIDDLES + k] < tilted[DMI_MIRROR_MIDDLES + k]);
         assert_true(straight[DMI_MIRROR_MIDDLES + k] >= 0 && tilted[DMI_MIRROR_MIDDLES + k] <= 0.25f);
@@ -82,21 +49,23 @@ static void check_middles(const dmi_mesh* mesh, dmi_mirror* mirror) {
 
 static void a_door_is_its_own_image_across_its_sides(void** state) {
     (void)state;
-    with_cupboard(check_middles);
+    test_with_study(make_cupboard, check_middles);
 }
 
 /* Of the mirrors along a slide, the one in which the part is more its own image comes first. */
-static void check_slide(const dmi_mesh* mesh, dmi_mirror* mirror) {
+static void check_slide(const dmi_mesh* mesh, const dmi_study* study) {
+    dmi_mirror mirror;
+    dmi_mirror_begin(study, &mirror);
     const float front[3] = {0, 0, 1};
-    const dmi_candidate slide = joint(mesh, DM_JOINT_PRISMATIC, front, (const double[]){0.2, 0.3, 0});
+    const dmi_candidate slide = test_candidate(mesh, DM_JOINT_PRISMATIC, front, (const double[]){0.2, 0.3, 0});
     float out[DMI_MIRROR_COUNT];
-    dmi_mirror_evidence(mirror, &slide, out);
+    dmi_mirror_evidence(&mirror, &slide, out);
     assert_true(out[DMI_MIRROR_MIDDLES + 3] <= out[DMI_MIRROR_MIDDLES + 6]);
 }
 
 static void a_slide_has_its_best_mirror_first(void** state) {
     (void)state;
-    with_cupboard(check_slide);
+    test_with_study(make_cupboard, check_slide);
 }
 
 int main(void) {

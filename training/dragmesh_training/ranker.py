@@ -31,7 +31,7 @@ SLIDES, NETWORK = 0, np.r_[86:98, 108, 124, 171:177]  # columns of sdk/kinematic
 # The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
 GROUPS = [slice(first, last) for first, last in (
     (1, 2), (2, 9), (9, 16), (16, 23), (23, 37), (37, 42), (42, 54), (54, 65), (65, 68), (68, 72), (72, 75), (98, 109),
-    (109, 125), (125, 149), (149, 153), (153, 157), (157, 165), (165, 171), (171, 177), (177, 190))]
+    (109, 125), (125, 149), (149, 153), (153, 157), (157, 165), (165, 171), (171, 177), (177, 190), (190, 202))]
 
 
 class Options(ctypes.Structure):
@@ -292,7 +292,7 @@ def run_train(arguments):
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     for path in (arguments.sieve, arguments.limits):
         tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
-    metadata = {"architecture": "dragmesh-ranker", "version": "5", "commit": commit, "seed": str(arguments.seed),
+    metadata = {"architecture": "dragmesh-ranker", "version": "6", "commit": commit, "seed": str(arguments.seed),
                 "trained": f"{len(data['used'])} generated cases"}
     if arguments.calibration_of:
         calibration = load_safetensors(arguments.calibration_of)[0]["calibration"].numpy()
