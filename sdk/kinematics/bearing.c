@@ -3,11 +3,11 @@
 
 #include "kinematics/linear3.h"
 
-#define ROUND 0.12f   /* most residual of a patch that turns about a line, as for candidates */
-#define SLANT 0.05f   /* sine at which a patch's line counts for 1 / e */
-#define OFFSET 0.012f /* of the part's diagonal: distance from the axis at which something counts for 1 / e */
-#define CONTACT_STEP 32
-#define ON_AXIS 0.3f
+#define ROUND 0.12f       /* most residual of a patch that turns about a line, as for candidates */
+#define SLANT 0.05f       /* sine at which a patch's line counts for 1 / e */
+#define OFFSET 0.012f     /* of the part's diagonal: distance from the axis at which something counts for 1 / e */
+#define ON_AXIS 0.3f      /* surely enough to count for how far things reach */
+#define CONTACT_POINTS 32 /* of those that touch, at most */
 
 typedef struct reach {
     float low, high;
@@ -85,7 +85,7 @@ static void contact_on_axis(const dmi_study* s, const dmi_candidate* c, float ou
     if (contact->count < 5) return;
     reach along = {INFINITY, -INFINITY};
     float close = 0, n = 0;
-    const uint32_t step = contact->count / CONTACT_STEP + 1;
+    const uint32_t step = contact->count / CONTACT_POINTS + 1;
     for (uint32_t i = 0; i < contact->count; i += step, n++) {
         const float* x = s->points[contact->points[i]];
         const float on = fades(dmi_line_distance3(x, c->axis, c->origin), 2 * OFFSET * s->diagonal);
