@@ -431,7 +431,7 @@ static float ends_apart(const dmg_builder* b, uint32_t part, const dmg_joint* wa
 }
 
 static float leaning(const dmg_joint* a, const dmg_joint* b) {
-    const dmg_vec u = v3(a->axis[0], a->axis[1], a->axis[2]), w = v3(b->axis[0], b->axis[1], b->axis[2]);
+    const dmg_vec u = v3_from(a->axis), w = v3_from(b->axis);
     return v3_length(v3_cross(u, w));
 }
 

@@ -209,8 +209,8 @@ void dmg_keep_rest(dmg_builder* b, uint32_t part) {
 }
 
 dmg_frame dmg_joint_frame(const dmg_joint* joint, float value) {
-    dmg_vec axis = v3(joint->axis[0], joint->axis[1], joint->axis[2]);
-    dmg_vec origin = v3(joint->origin[0], joint->origin[1], joint->origin[2]);
+    dmg_vec axis = v3_from(joint->axis);
+    dmg_vec origin = v3_from(joint->origin);
     if (joint->type == DM_JOINT_PRISMATIC) return dmg_frame_screw(origin, axis, 0.0f, value);
     return dmg_frame_screw(origin, axis, value, joint->type == DM_JOINT_SCREW ? value * joint->pitch : 0.0f);
 }

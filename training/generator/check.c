@@ -17,7 +17,7 @@ typedef struct sample {
 
 static dmg_vec vertex(const dmg_object* o, uint32_t face, uint32_t corner) {
     const float* p = o->positions + (size_t)o->indices[3 * face + corner] * 3;
-    return v3(p[0], p[1], p[2]);
+    return v3_from(p);
 }
 
 static bool moves_with(const dmg_object* o, uint32_t part, uint32_t carrier) {

@@ -115,7 +115,7 @@ void dmg_object_release(dmg_object* object) {
 
 static dmg_vec corner(const dmg_object* object, uint32_t face, int k) {
     const float* p = object->positions + (size_t)object->indices[(size_t)face * 3 + (size_t)k] * 3;
-    return v3(p[0], p[1], p[2]);
+    return v3_from(p);
 }
 
 static float face_area(const dmg_object* object, uint32_t face) {
@@ -143,8 +143,8 @@ static float object_size(const dmg_object* object) {
 }
 
 static float distance_to_axis(const dmg_joint* joint, dmg_vec p) {
-    dmg_vec axis = v3(joint->axis[0], joint->axis[1], joint->axis[2]);
-    dmg_vec from = v3_sub(p, v3(joint->origin[0], joint->origin[1], joint->origin[2]));
+    dmg_vec axis = v3_from(joint->axis);
+    dmg_vec from = v3_sub(p, v3_from(joint->origin));
     return v3_length(v3_cross(axis, from));
 }
 
@@ -193,8 +193,8 @@ void dmg_drag(const dmg_object* object, uint32_t part, float noise_degrees, uint
     dmg_random(&b);
     dmg_random(&b);
     const dmg_joint* joint = &object->joints[part - 1];
-    dmg_vec axis = v3(joint->axis[0], joint->axis[1], joint->axis[2]);
-    dmg_vec origin = v3(joint->origin[0], joint->origin[1], joint->origin[2]);
+    dmg_vec axis = v3_from(joint->axis);
+    dmg_vec origin = v3_from(joint->origin);
     dmg_vec p = grab_point(object, part, &b), direction = axis;
     if (joint->type != DM_JOINT_PRISMATIC) {
         direction = v3_cross(axis, v3_sub(p, origin));

@@ -2,18 +2,8 @@
  * the axis of a button that moves by a hair may lean by degrees, and nobody notices. */
 #include "build.h"
 
-static dmg_vec vec_of(const float v[3]) {
-    return v3(v[0], v[1], v[2]);
-}
-
-static void store(float out[3], dmg_vec v) {
-    out[0] = v.x;
-    out[1] = v.y;
-    out[2] = v.z;
-}
-
 static float farthest_from_axis(const dmg_builder* b, uint32_t part, const dmg_joint* joint) {
-    const dmg_vec axis = vec_of(joint->axis), origin = vec_of(joint->origin);
+    const dmg_vec axis = v3_from(joint->axis), origin = v3_from(joint->origin);
     float most = 0.0f;
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (b->pieces[p].part != part) continue;
@@ -36,11 +26,11 @@ static void loosen(dmg_builder* b, uint32_t part, float seen) {
     const bool slides = joint->type == DM_JOINT_PRISMATIC;
     const float way = slides ? range : range * reach;
     const float lean = fminf(seen / fmaxf(way, 1e-6f), 0.12f) * dmg_normal(b);
-    const dmg_vec axis = vec_of(joint->axis);
-    store(joint->axis, v3_normalize(v3_mad(axis, across(b, axis), lean)));
+    const dmg_vec axis = v3_from(joint->axis);
+    v3_to(v3_normalize(v3_mad(axis, across(b, axis), lean)), joint->axis);
     if (slides) return;
     const float off = fminf(seen / range, 0.1f * reach) * dmg_normal(b);
-    store(joint->origin, v3_mad(vec_of(joint->origin), across(b, axis), off));
+    v3_to(v3_mad(v3_from(joint->origin), across(b, axis), off), joint->origin);
 }
 
 void dmg_loosen(dmg_builder* b, float size) {

@@ -7,16 +7,6 @@
 
 enum { MESSY_FACE_LIMIT = 20000 };
 
-static dmg_vec load(const float v[3]) {
-    return v3(v[0], v[1], v[2]);
-}
-
-static void store(float out[3], dmg_vec v) {
-    out[0] = v.x;
-    out[1] = v.y;
-    out[2] = v.z;
-}
-
 /* ---- boxes ---- */
 
 static bool boxes_meet(const dmg_bounds* a, const dmg_bounds* b) {
@@ -50,8 +40,8 @@ static void pose_parts(dmg_builder* b) {
         const dmg_frame* carrier = &pose[part->joint.parent];
         dmg_frame moved = dmg_joint_frame(&part->joint, part->rest);
         pose[i + 1] = dmg_frame_multiply(carrier, &moved);
-        store(part->joint.origin, dmg_frame_point(carrier, load(part->joint.origin)));
-        store(part->joint.axis, v3_normalize(dmg_frame_vector(carrier, load(part->joint.axis))));
+        v3_to(dmg_frame_point(carrier, v3_from(part->joint.origin)), part->joint.origin);
+        v3_to(v3_normalize(dmg_frame_vector(carrier, v3_from(part->joint.axis))), part->joint.axis);
     }
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         uint32_t part = b->pieces[p].part, end = dmg_piece_end(b, p);
@@ -366,10 +356,10 @@ static dmg_frame random_frame(dmg_builder* b, float size) {
 }
 
 static void move_joint(dmg_joint* joint, const dmg_frame* frame, float scale, bool mirrored) {
-    dmg_vec axis = v3_scale(dmg_frame_vector(frame, load(joint->axis)), 1.0f / scale);
+    dmg_vec axis = v3_scale(dmg_frame_vector(frame, v3_from(joint->axis)), 1.0f / scale);
     float sign = mirrored && joint->type != DM_JOINT_PRISMATIC ? -1.0f : 1.0f; /* turning axes are pseudovectors */
-    store(joint->axis, v3_normalize(v3_scale(axis, sign)));
-    store(joint->origin, dmg_frame_point(frame, load(joint->origin)));
+    v3_to(v3_normalize(v3_scale(axis, sign)), joint->axis);
+    v3_to(dmg_frame_point(frame, v3_from(joint->origin)), joint->origin);
     joint->pitch *= sign * scale;
     if (joint->type != DM_JOINT_PRISMATIC) return;
     joint->lower *= scale;
@@ -390,7 +380,7 @@ static void turn_signs(dmg_builder* b) {
         dmg_joint* joint = &b->parts[i].joint;
         if (!dmg_chance(b, 0.5f)) continue;
         float lower = joint->lower;
-        store(joint->axis, v3_scale(load(joint->axis), -1.0f));
+        v3_to(v3_scale(v3_from(joint->axis), -1.0f), joint->axis);
         joint->lower = -joint->upper;
         joint->upper = -lower;
         joint->opens = -joint->opens;
@@ -401,7 +391,7 @@ static void turn_signs(dmg_builder* b) {
 static void slide_origins(dmg_builder* b, float size) {
     for (uint32_t i = 0; i < b->part_count; ++i) {
         dmg_joint* joint = &b->parts[i].joint;
-        store(joint->origin, v3_mad(load(joint->origin), load(joint->axis), 0.2f * size * dmg_normal(b)));
+        v3_to(v3_mad(v3_from(joint->origin), v3_from(joint->axis), 0.2f * size * dmg_normal(b)), joint->origin);
     }
 }
 

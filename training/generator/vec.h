@@ -18,6 +18,15 @@ typedef struct dmg_xy {
 static inline dmg_vec v3(float x, float y, float z) {
     return (dmg_vec){x, y, z};
 }
+/* From and to three numbers in a row, as joints and meshes have them. */
+static inline dmg_vec v3_from(const float v[3]) {
+    return v3(v[0], v[1], v[2]);
+}
+static inline void v3_to(dmg_vec v, float out[3]) {
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
 static inline dmg_vec v3_add(dmg_vec a, dmg_vec b) {
     return v3(a.x + b.x, a.y + b.y, a.z + b.z);
 }
