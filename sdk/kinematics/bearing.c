@@ -7,6 +7,9 @@
 #define SLANT 0.05f       /* sine at which a patch's line counts for 1 / e */
 #define OFFSET 0.012f     /* of the part's diagonal: distance from the axis at which something counts for 1 / e */
 #define ON_AXIS 0.3f      /* surely enough to count for how far things reach */
+#define SMALL 0.7f        /* of the part's diagonal: most of a shell that may be hardware */
+#define MOST 6            /* counts beyond it say no more */
+#define WIDEST 2          /* diagonals of the part */
 #define CONTACT_POINTS 32 /* of those that touch, at most */
 
 typedef struct reach {
@@ -18,7 +21,7 @@ static void stretch(reach* r, float at) {
 }
 
 static float length_of(const reach* r, float size) {
-    return r->high > r->low ? dmi_min((r->high - r->low) / size, 2) : 0;
+    return r->high > r->low ? dmi_min((r->high - r->low) / size, WIDEST) : 0;
 }
 
 /* A bell; most of what is asked about lies far off and costs no exponential. */
@@ -46,8 +49,8 @@ static void round_patches(const dmi_study* s, const dmi_candidate* c, const dmi_
     for (uint32_t i = 0; i < count; i++) {
         const dmi_patch* p = &patches[i];
         sure[i] = round_about(s, c, p);
-        out_round[0] = dmi_min(out_round[0] + sure[i], 6);
-        out_round[1] = dmi_max(out_round[1], sure[i] * dmi_min(p->diagonal / s->diagonal, 2));
+        out_round[0] = dmi_min(out_round[0] + sure[i], MOST);
+        out_round[1] = dmi_max(out_round[1], sure[i] * dmi_min(p->diagonal / s->diagonal, WIDEST));
         if (sure[i] > ON_AXIS) stretch(all, dmi_dot3(p->box_centre, c->axis));
     }
 }
@@ -72,9 +75,9 @@ static float centred_shells(const dmi_study* s, const dmi_candidate* c, const dm
     float sum = 0;
     for (uint32_t i = 0; i < count; i++) {
         const dmi_patch* p = &patches[i];
-        if (!p->shell || p->diagonal > 0.7f * s->diagonal) continue;
+        if (!p->shell || p->diagonal > SMALL * s->diagonal) continue;
         const float on = fades(dmi_line_distance3(p->box_centre, c->axis, c->origin), OFFSET * s->diagonal);
-        sum = dmi_min(sum + on, 6);
+        sum = dmi_min(sum + on, MOST);
         if (on > ON_AXIS) stretch(all, dmi_dot3(p->box_centre, c->axis));
     }
     return sum;

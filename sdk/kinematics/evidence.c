@@ -1,4 +1,4 @@
-/* What a glance does not see of candidate joints: slippage, contacts, sweep, symmetry, spread. */
+/* What a glance does not see of candidate joints: slippage, contacts, sweep, symmetry, spread, mirrors, bearings. */
 #include "kinematics/evidence.h"
 
 #include "kinematics/bearing.h"
@@ -279,6 +279,7 @@ static void relative_evidence(const dmi_candidate* candidates, uint32_t count, f
 static void mirror_evidence(const dmi_study* study, const dmi_candidate* candidates, uint32_t count,
                             float (*rows)[DMI_EVIDENCE_COUNT]) {
     enum { RELATIVE_MIRRORS = 2 };
+    _Static_assert(DMI_MIRROR_COUNT + RELATIVE_MIRRORS == DMI_EVIDENCE_BEARING - DMI_EVIDENCE_MIRROR, "columns");
     dmi_mirror mirror;
     float least[RELATIVE_MIRRORS] = {1, 1};
     dmi_mirror_begin(study, &mirror);
@@ -293,20 +294,25 @@ static void mirror_evidence(const dmi_study* study, const dmi_candidate* candida
     }
 }
 
+/* What lies on the axis, on the part's side (0) or the body's (1). */
+static float borne(const float bearing[DMI_BEARING_COUNT], int side) {
+    return bearing[DMI_BEARING_ROUND + 2 * side] + bearing[DMI_BEARING_CENTRED + side];
+}
+
 /* What lies on the axes, and how far the counts of part and body are below the most of any turn. */
 static void bearing_evidence(const dmi_study* study, const dmi_candidate* candidates, uint32_t count,
                              float (*rows)[DMI_EVIDENCE_COUNT]) {
-    float most[2] = {0, 0};
+    enum { SIDES = 2 };
+    _Static_assert(DMI_BEARING_COUNT + SIDES == DMI_EVIDENCE_COUNT - DMI_EVIDENCE_BEARING, "columns");
+    float most[SIDES] = {0, 0};
     for (uint32_t i = 0; i < count; i++) {
         float* out = rows[i] + DMI_EVIDENCE_BEARING;
         dmi_bearing_evidence(study, &candidates[i], out);
-        for (int k = 0; k < 2 && !slides(&candidates[i]); k++)
-            most[k] = dmi_max(most[k], out[DMI_BEARING_ROUND + 2 * k] + out[DMI_BEARING_CENTRED + k]);
+        for (int k = 0; k < SIDES && !slides(&candidates[i]); k++) most[k] = dmi_max(most[k], borne(out, k));
     }
     for (uint32_t i = 0; i < count; i++) {
         float* out = rows[i] + DMI_EVIDENCE_BEARING;
-        for (int k = 0; k < 2; k++)
-            out[DMI_BEARING_COUNT + k] = most[k] - out[DMI_BEARING_ROUND + 2 * k] - out[DMI_BEARING_CENTRED + k];
+        for (int k = 0; k < SIDES; k++) out[DMI_BEARING_COUNT + k] = most[k] - borne(out, k);
     }
 }
 

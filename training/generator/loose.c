@@ -21,11 +21,11 @@ static dmg_vec across(dmg_builder* b, dmg_vec axis) {
 /* Leans the axis, and moves the line of a turn, so far that the part ends about `seen` beside where it would have. */
 static void loosen(dmg_builder* b, uint32_t part, float seen) {
     dmg_joint* joint = &b->parts[part - 1].joint;
-    const float range = joint->upper - joint->lower, reach = farthest_from_axis(b, part, joint);
+    const float range = joint->upper - joint->lower;
     if (joint->type == DM_JOINT_CONTINUOUS || joint->type == DM_JOINT_SCREW || range <= 0.0f) return;
     const bool slides = joint->type == DM_JOINT_PRISMATIC;
-    const float way = slides ? range : range * reach;
-    const float lean = fminf(seen / fmaxf(way, 1e-6f), 0.12f) * dmg_normal(b);
+    const float reach = slides ? 1.0f : farthest_from_axis(b, part, joint);
+    const float lean = fminf(seen / fmaxf(range * reach, 1e-6f), 0.12f) * dmg_normal(b);
     const dmg_vec axis = v3_from(joint->axis);
     v3_to(v3_normalize(v3_mad(axis, across(b, axis), lean)), joint->axis);
     if (slides) return;
