@@ -459,6 +459,36 @@ static void joints_are_as_exact_as_people_see(void** state) {
     assert_true(loosened > 10 && loosened < 40 && leaning_buttons > 5);
 }
 
+/* Stems go down, tops stay, ways change, and nothing but a button is touched. */
+static void buttons_go_deep(void** state) {
+    (void)state;
+    uint32_t deeper = 0, other_ways = 0;
+    for (uint64_t seed = 0; seed < 60; ++seed) {
+        dmg_builder b;
+        dmg_builder_init(&b, seed, true);
+        dmg_box(&b, v3(0, 0.5f, -0.3f), v3(1, 1, 0.6f));
+        dmg_slide(&b, 0, "button", v3(0, 0, -1), 0, 0.01f);
+        dmg_box(&b, v3(0, 0.2f, 0), v3(0.05f, 0.05f, 0.02f));
+        const dmg_bounds drawn = {v3(-0.025f, 0.175f, -0.01f), v3(0.025f, 0.225f, 0.01f)};
+        dmg_slide(&b, 0, "drawer", v3(0, 0, 1), 0, 0.4f);
+        dmg_box(&b, v3(0, 0.7f, -0.2f), v3(0.2f, 0.2f, 0.4f));
+        const dmg_joint drawer = b.parts[1].joint;
+        dmg_sink_buttons(&b, 1);
+        dmg_bounds box = dmg_bounds_none();
+        for (uint32_t v = b.pieces[1].first_vertex; v < dmg_piece_end(&b, 1); ++v) dmg_bounds_grow(&box, b.vertices[v]);
+        assert_float_equal(box.high.z, drawn.high.z, 1e-6f);
+        assert_float_equal(box.high.x, drawn.high.x, 1e-6f);
+        assert_true(box.low.z < drawn.low.z + 1e-6f && box.low.z > -0.6f);
+        const dmg_joint* button = &b.parts[0].joint;
+        assert_true(button->lower == 0 && button->upper > 0.001f && button->upper <= 0.031f);
+        assert_memory_equal(&drawer, &b.parts[1].joint, sizeof drawer);
+        deeper += box.low.z < drawn.low.z - 1e-3f;
+        other_ways += fabsf(button->upper - 0.01f) > 1e-4f;
+        dmg_builder_free(&b);
+    }
+    assert_true(deeper > 12 && deeper < 40 && other_ways > 12 && other_ways < 40);
+}
+
 /* The demo leans on these names. */
 static void kitchen_cabinet_is_stable(void** state) {
     (void)state;
@@ -490,6 +520,7 @@ int main(void) {
         cmocka_unit_test(labels_survive_mess),
         cmocka_unit_test(snug_parts_keep_their_hinges),
         cmocka_unit_test(joints_are_as_exact_as_people_see),
+        cmocka_unit_test(buttons_go_deep),
         cmocka_unit_test(kitchen_cabinet_is_stable),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -165,6 +165,8 @@ void dmg_bent_plate(dmg_builder* b, const dmg_xy* line, int count, float thickne
 void dmg_snug(dmg_builder* b);
 /* Joints are as exact as people see (loose.c). size: of the object. */
 void dmg_loosen(dmg_builder* b, float size);
+/* Push buttons on stems that go deep (plungers.c), and ways that have little to do with how far they stand out. */
+void dmg_sink_buttons(dmg_builder* b, float size);
 
 /* Poses the parts at rest, makes a mess when asked to and turns limits and labels to the rest state. */
 void dmg_finish(dmg_builder* b);

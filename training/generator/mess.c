@@ -407,6 +407,7 @@ void dmg_finish(dmg_builder* b) {
     float size = largest_side(&object);
     drop_some(b);
     shift_some(b, size);
+    dmg_sink_buttons(b, size);
     dmg_snug(b);
     add_surroundings(b);
     double_faces(b);
