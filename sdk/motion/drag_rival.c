@@ -8,7 +8,7 @@
 
 #define ONE_TURN 6.28318531f
 #define SPREAD 0.01f     /* of the pull: how far off the right path a good hand goes */
-#define TREMOR 0.003f    /* of the part's size: and how far it is off at the start */
+#define TREMOR 0.0015f   /* of the part's size: and how far it is off at the start */
 #define TAIL 2.0f        /* how good the hand is, nobody knows: far misses count by their ratio, not by their size */
 #define STRAIGHT (-4.5f) /* log of how probable it is that a hand goes straight to where a turn should end */
 #define CLEARLY 3.0f     /* more probable, log: the other does not count */

@@ -98,13 +98,14 @@ static void a_hand_may_cut_the_corner(void** state) {
     }
 }
 
+/* By twice as much as the drag takes for granted: it may waver, and comes to the same. */
 static void a_hand_that_trembles_decides_the_same(void** state) {
     (void)state;
     for (int i = 0; i < JOINTS; i++) {
         const pulled p = pull(&joints[i], i == SLIDES ? 0.4f : 1.4f, 120, 0.003f);
         assert_int_equal(p.drag.joint.type, joints[i].type);
         assert_near3(dmi_xyz(p.drag.joint.axis).v, dmi_xyz(joints[i].axis).v, 0);
-        assert_true(p.now.changes <= 2);
+        assert_true(p.now.changes <= 3);
         assert_true(p.longest_step < 0.08f);
     }
 }
