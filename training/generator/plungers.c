@@ -2,14 +2,18 @@
  * some with the stem that reaches the switch; and they sink by millimetres, whether they stand out much or little. */
 #include "build.h"
 
-/* The extent of a part along a unit direction. */
-static dmg_xy extent(const dmg_builder* b, uint32_t part, dmg_vec along) {
-    dmg_xy out = {INFINITY, -INFINITY};
+typedef struct interval {
+    float low, high;
+} interval;
+
+/* From where to where a part lies along a unit direction. */
+static interval extent(const dmg_builder* b, uint32_t part, dmg_vec along) {
+    interval out = {INFINITY, -INFINITY};
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (b->pieces[p].part != part) continue;
         for (uint32_t v = b->pieces[p].first_vertex; v < dmg_piece_end(b, p); ++v) {
             const float at = v3_dot(b->vertices[v], along);
-            out.x = fminf(out.x, at), out.y = fmaxf(out.y, at);
+            out.low = fminf(out.low, at), out.high = fmaxf(out.high, at);
         }
     }
     return out;
@@ -29,30 +33,31 @@ static bool is_pressed(const dmg_builder* b, uint32_t part, float size, dmg_vec*
     if (fabsf(way) < 0.9f * range) return false;
     static const dmg_vec sides[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int i = 0; i < 3; ++i) {
-        const dmg_xy wide = extent(b, part, sides[i]);
-        if (!(wide.y - wide.x < 0.25f * size)) return false;
+        const interval wide = extent(b, part, sides[i]);
+        if (!(wide.high - wide.low < 0.25f * size)) return false;
     }
     *out_in = v3_scale(v3_from(joint->axis), way < 0 ? -1.0f : 1.0f);
-    const dmg_xy own = extent(b, part, *out_in), body = extent(b, 0, *out_in);
-    return own.y - own.x > 1e-3f * size && body.y > own.y && body.y - own.y > own.x - body.x;
+    const interval own = extent(b, part, *out_in), body = extent(b, 0, *out_in);
+    return own.high - own.low > 1e-3f * size && body.high > own.high && body.high - own.high > own.low - body.low;
 }
 
 /* Its lower quarter goes down by a few times its height, as far as there is body. */
 static void deepen(dmg_builder* b, uint32_t part, dmg_vec in, float times) {
-    const dmg_xy own = extent(b, part, in), body = extent(b, 0, in);
-    const float height = own.y - own.x, more = fminf(times * height, 0.8f * (body.y - own.y));
+    const interval own = extent(b, part, in), body = extent(b, 0, in);
+    const float height = own.high - own.low, more = fminf(times * height, 0.8f * (body.high - own.high));
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (b->pieces[p].part != part) continue;
         for (uint32_t v = b->pieces[p].first_vertex; v < dmg_piece_end(b, p); ++v)
-            if (v3_dot(b->vertices[v], in) > own.y - 0.25f * height) b->vertices[v] = v3_mad(b->vertices[v], in, more);
+            if (v3_dot(b->vertices[v], in) > own.high - 0.25f * height)
+                b->vertices[v] = v3_mad(b->vertices[v], in, more);
     }
 }
 
 /* Its way anew, no farther than one and a half times its height. */
 static void set_travel(dmg_builder* b, uint32_t part, dmg_vec in, float travel) {
-    const dmg_xy own = extent(b, part, in);
+    const interval own = extent(b, part, in);
     dmg_joint* joint = &b->parts[part - 1].joint;
-    travel = fminf(travel, 1.5f * (own.y - own.x));
+    travel = fminf(travel, 1.5f * (own.high - own.low));
     if (joint->upper + joint->lower < 0)
         joint->lower = -travel, joint->upper = 0;
     else
