@@ -20,7 +20,7 @@ static double time_at(const bot_times* times, double share) {
 
 /* Shares of the cases; a figure that was not measured is NAN. */
 typedef struct totals {
-    double picked, success, success_given, reached, near, reached_given, near_given;
+    double picked, success, success_or_beyond, success_given, reached, near, reached_given, near_given;
     int jumps, changes;
 } totals;
 
@@ -37,20 +37,23 @@ static totals sum_up(const bot_score* score, const bot_options* options, int sli
         n++;
         t.picked += row->given.picked;
         t.success += row->found.success, t.success_given += row->given.success;
+        t.success_or_beyond += row->found.success_or_beyond;
         t.reached += reached_it(&row->found), t.reached_given += reached_it(&row->given);
         t.near += row->found.off <= 0.02, t.near_given += row->given.off <= 0.02;
         t.jumps += row->found.jumps + row->given.jumps;
         t.changes += row->found.changes;
     }
-    double* shares[] = {&t.picked, &t.success, &t.success_given, &t.reached, &t.near, &t.reached_given, &t.near_given};
+    double* shares[] = {&t.picked,  &t.success, &t.success_or_beyond, &t.success_given,
+                        &t.reached, &t.near,    &t.reached_given,     &t.near_given};
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) *shares[i] /= n;
-    if (options->given_only) t.success = t.reached = t.near = NAN;
+    if (options->given_only) t.success = t.success_or_beyond = t.reached = t.near = NAN;
     return t;
 }
 
 static void add_totals(cJSON* out, const totals* t) {
     json_add_number(out, "picked", t->picked, 5);
     json_add_number(out, "success", t->success, 5);
+    json_add_number(out, "success_or_beyond", t->success_or_beyond, 5);
     json_add_number(out, "success_given_joint", t->success_given, 5);
     json_add_number(out, "reached", t->reached, 5);
     json_add_number(out, "near", t->near, 5);
@@ -79,10 +82,11 @@ static void print_json(const bot_score* score, const bot_options* options) {
 }
 
 static void print_line(const char* name, const totals* t) {
-    printf("%-8s picked %.4f  success %.4f (reached %.4f, near %.4f)  true joint %.4f (reached %.4f, near %.4f)  "
-           "jumps %d\n",
-           name, t->picked, t->success, t->reached, t->near, t->success_given, t->reached_given, t->near_given,
-           t->jumps);
+    printf(
+        "%-8s picked %.4f  success %.4f (or beyond %.4f, reached %.4f, near %.4f)  true joint %.4f (reached %.4f, near "
+        "%.4f)  jumps %d\n",
+        name, t->picked, t->success, t->success_or_beyond, t->reached, t->near, t->success_given, t->reached_given,
+        t->near_given, t->jumps);
 }
 
 static void print_text(const bot_score* score, const bot_options* options) {

@@ -81,7 +81,8 @@ typedef struct bot_result {
     double worst_jump; /* px */
     int changes;       /* of the joint, told by the pull */
     int success;
-    dm_joint joint; /* at the end */
+    int success_or_beyond; /* the same, were it no fault to go too far */
+    dm_joint joint;        /* at the end */
 } bot_result;
 
 /* Picks and drags. centre: of the part's vertices. A hand that pulls straight is not asked to have the grabbed point
