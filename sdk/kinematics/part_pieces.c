@@ -9,6 +9,7 @@
 #define SAMPLES 12288    /* of the whole mesh, by area */
 #define LEAST_SAMPLES 16 /* of a piece, however small */
 #define REACH 1.25f      /* in mean distances between samples */
+#define MOST_MET 256     /* of a bucket, by one sample: thousands of screws beside a floor crowd in a few */
 #define NONE UINT32_MAX
 
 typedef struct grid {
@@ -123,16 +124,22 @@ static void compare(const dmi_pieces* pieces, uint32_t s, uint32_t o) {
     note_touch(pieces, other, s, distance);
 }
 
+/* With one bucket's samples from that one on. */
+static void compare_with(const dmi_pieces* pieces, const grid* grid, uint32_t s, uint32_t first) {
+    uint32_t met = 0;
+    for (uint32_t o = first; o != NONE && met < MOST_MET; o = grid->next[o], met++) compare(pieces, s, o);
+}
+
 /* Each pair once: with those before it in its own cell, and all of half the cells around. */
 static void search_around(const dmi_pieces* pieces, const grid* grid, uint32_t s) {
     int32_t own[3], cell[3];
     cell_of(grid, pieces->samples[s].point, own);
-    for (uint32_t o = grid->next[s]; o != NONE; o = grid->next[o]) compare(pieces, s, o);
+    compare_with(pieces, grid, s, grid->next[s]);
     for (int i = 14; i < 27; i++) {
         cell[0] = own[0] + i % 3 - 1;
         cell[1] = own[1] + i / 3 % 3 - 1;
         cell[2] = own[2] + i / 9 - 1;
-        for (uint32_t o = grid->heads[bucket_of(grid, cell)]; o != NONE; o = grid->next[o]) compare(pieces, s, o);
+        compare_with(pieces, grid, s, grid->heads[bucket_of(grid, cell)]);
     }
 }
 
