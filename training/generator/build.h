@@ -102,6 +102,8 @@ dmg_bounds dmg_bounds_none(void);
 void dmg_bounds_grow(dmg_bounds* bounds, dmg_vec p);
 /* The first vertex that is no longer the piece's. */
 uint32_t dmg_piece_end(const dmg_builder* b, uint32_t piece);
+/* Of a part's own pieces, without what it carries. */
+dmg_bounds dmg_part_bounds(const dmg_builder* b, uint32_t part);
 
 /* ---- geometry, lowest level ---- */
 

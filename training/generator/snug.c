@@ -4,18 +4,6 @@
 
 enum { STOPS = 6 };
 
-/* Of the pieces of this part alone. */
-static dmg_bounds part_bounds(const dmg_builder* b, uint32_t part) {
-    dmg_bounds out = dmg_bounds_none();
-    for (uint32_t p = 0; p < b->piece_count; ++p) {
-        if (b->pieces[p].part != part) continue;
-        for (uint32_t v = b->pieces[p].first_vertex; v < dmg_piece_end(b, p); ++v) {
-            dmg_bounds_grow(&out, b->vertices[v]);
-        }
-    }
-    return out;
-}
-
 static dmg_vec middle(const dmg_bounds* box) {
     return v3_lerp(box->low, box->high, 0.5f);
 }
@@ -30,7 +18,7 @@ static float grown(float x, float centre, float half, float by) {
 
 /* Its box by as much on every side. */
 static void swell(dmg_builder* b, uint32_t part, float by) {
-    dmg_bounds box = part_bounds(b, part);
+    dmg_bounds box = dmg_part_bounds(b, part);
     dmg_vec c = middle(&box), half = v3_scale(v3_sub(box.high, box.low), 0.5f);
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (b->pieces[p].part != part) continue;
@@ -102,7 +90,7 @@ static void draw_if_free(dmg_builder* b, uint32_t part, dmg_bounds room, float s
 
 /* The body goes on behind the part as if there were no opening. */
 static void back(dmg_builder* b, uint32_t part, const dmg_bounds* body, int axis) {
-    dmg_bounds box = part_bounds(b, part), room = box;
+    dmg_bounds box = dmg_part_bounds(b, part), room = box;
     float size = diagonal(&box), side = body_side(b, &box, body, axis);
     float gap = size * dmg_range(b, -0.02f, 0.015f), thick = size * dmg_scale_range(b, 0.01f, 0.3f);
     for (int i = 0; i < 3; ++i) {
@@ -118,7 +106,7 @@ static void back(dmg_builder* b, uint32_t part, const dmg_bounds* body, int axis
 
 /* Bars round the part, across the axis. */
 static void frame(dmg_builder* b, uint32_t part, const dmg_bounds* body, int axis) {
-    dmg_bounds box = part_bounds(b, part);
+    dmg_bounds box = dmg_part_bounds(b, part);
     float size = diagonal(&box), gap = size * dmg_range(b, -0.01f, 0.015f),
           width = size * dmg_scale_range(b, 0.02f, 0.5f);
     float side = body_side(b, &box, body, axis),
@@ -174,10 +162,10 @@ void dmg_snug(dmg_builder* b) {
     how.backs = dmg_chance(b, 0.5f);
     how.frames = dmg_chance(b, 0.4f);
     float share = dmg_chance(b, 0.5f) ? 1.0f : 0.5f;
-    dmg_bounds body = part_bounds(b, 0);
+    dmg_bounds body = dmg_part_bounds(b, 0);
     if (body.low.x > body.high.x) return;
     for (uint32_t part = 1; part <= b->part_count; ++part) {
-        dmg_bounds box = part_bounds(b, part);
+        dmg_bounds box = dmg_part_bounds(b, part);
         if (box.low.x <= box.high.x && dmg_chance(b, share)) fit_part(b, part, &box, &body, &how);
     }
     dmg_use(b, 0);
