@@ -1,0 +1,244 @@
+/* Gradient boosting of regression trees (Friedman 2001), with second derivatives (Chen and Guestrin 2016), histograms
+ * and the best leaf first (Ke et al. 2017), on the cross entropy of each case's softmax. */
+#include "boost.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/random.h"
+
+#define FLAT 1e-4f /* added to second derivatives: rows that are surely out still count a little */
+#define LEAST_GAIN 1e-6
+#define REPORT 50
+
+/* First and second derivative of the loss by a row's score. */
+typedef struct slope {
+    float first, second;
+} slope;
+
+/* Of many rows. Doubles: a leaf's histogram is what is left of its parent's, millions of rows before. */
+typedef struct slope_sum {
+    double first, second;
+} slope_sum;
+
+typedef struct leaf {
+    uint32_t begin, end; /* of the order of rows */
+    uint32_t node, depth;
+    slope_sum* histogram; /* columns x DM_LAB_BINS */
+    double first, second;
+    double gain; /* of its best fork; 0: none */
+    uint32_t column, bin;
+    double left_first, left_second; /* of the fork's left side */
+} leaf;
+
+typedef struct grower {
+    const dm_lab_rows* rows;
+    const dm_lab_growth_rule* rule;
+    dmi_random random;
+    uint32_t row_count;
+    slope* slopes;
+    float* scores;
+    uint32_t *order, *spare, *columns;
+    uint32_t order_count, column_count, leaf_count, node_count;
+    leaf* leaves;          /* one more than a tree has: its histogram is spare */
+    slope_sum* histograms; /* of all leaves */
+} grower;
+
+static size_t histogram_size(const grower* g) {
+    return (size_t)g->rows->columns * DM_LAB_BINS;
+}
+
+static int open_grower(const dm_lab_rows* rows, const dm_lab_growth_rule* rule, grower* g) {
+    *g = (grower){.rows = rows, .rule = rule, .random = dmi_random_make(rule->seed, 17)};
+    g->row_count = rows->first[rows->cases];
+    g->slopes = malloc(sizeof *g->slopes * g->row_count);
+    g->scores = calloc(g->row_count, sizeof *g->scores);
+    g->order = malloc(sizeof *g->order * g->row_count);
+    g->spare = malloc(sizeof *g->spare * g->row_count);
+    g->columns = malloc(sizeof *g->columns * rows->columns);
+    g->leaves = calloc(rule->leaves + 1, sizeof *g->leaves);
+    g->histograms = malloc(sizeof(slope_sum) * histogram_size(g) * (rule->leaves + 1));
+    return g->slopes && g->scores && g->order && g->spare && g->columns && g->leaves && g->histograms;
+}
+
+static void close_grower(grower* g) {
+    free(g->slopes), free(g->scores), free(g->order), free(g->spare);
+    free(g->columns), free(g->leaves), free(g->histograms);
+}
+
+/* The slopes of a case's rows; answers its cross entropy. */
+static double slope_case(grower* g, uint32_t begin, uint32_t end) {
+    const dm_lab_rows* rows = g->rows;
+    float most = -INFINITY, sum = 0;
+    double loss = 0;
+    for (uint32_t i = begin; i < end; i++) most = fmaxf(most, g->scores[i] + rows->weights[i]);
+    for (uint32_t i = begin; i < end; i++) sum += expf(g->scores[i] + rows->weights[i] - most);
+    for (uint32_t i = begin; i < end; i++) {
+        const float log_share = g->scores[i] + rows->weights[i] - most - logf(sum), share = expf(log_share);
+        g->slopes[i] = (slope){share - rows->wanted[i], share * (1 - share) + FLAT};
+        loss -= (double)rows->wanted[i] * log_share;
+    }
+    return loss;
+}
+
+static double slope_all(grower* g) {
+    double loss = 0;
+    for (uint32_t c = 0; c < g->rows->cases; c++) loss += slope_case(g, g->rows->first[c], g->rows->first[c + 1]);
+    return loss / g->rows->cases;
+}
+
+/* Which cases and columns the next tree sees. */
+static void draw(grower* g) {
+    g->order_count = g->column_count = 0;
+    for (uint32_t c = 0; c < g->rows->columns; c++)
+        if (dmi_random_unit(&g->random) < g->rule->column_share) g->columns[g->column_count++] = c;
+    for (uint32_t c = 0; c < g->rows->cases; c++) {
+        if (dmi_random_unit(&g->random) >= g->rule->case_share) continue;
+        for (uint32_t i = g->rows->first[c]; i < g->rows->first[c + 1]; i++) g->order[g->order_count++] = i;
+    }
+}
+
+static void fill_histogram(const grower* g, leaf* l) {
+    memset(l->histogram, 0, sizeof(slope_sum) * histogram_size(g));
+    for (uint32_t i = l->begin; i < l->end; i++) {
+        const uint8_t* bins = g->rows->bins + (size_t)g->order[i] * g->rows->columns;
+        const slope s = g->slopes[g->order[i]];
+        for (uint32_t k = 0; k < g->column_count; k++) {
+            slope_sum* to = &l->histogram[g->columns[k] * DM_LAB_BINS + bins[g->columns[k]]];
+            to->first += s.first, to->second += s.second;
+        }
+    }
+}
+
+/* How much of the loss a leaf of these slopes takes away, twice. */
+static double worth(const grower* g, double first, double second) {
+    return first * first / (second + g->rule->damping);
+}
+
+static void try_column(const grower* g, uint32_t column, leaf* l) {
+    const slope_sum* h = l->histogram + (size_t)column * DM_LAB_BINS;
+    const double whole = worth(g, l->first, l->second);
+    double first = 0, second = 0;
+    for (uint32_t b = 0; b + 1 < DM_LAB_BINS; b++) {
+        first += h[b].first, second += h[b].second;
+        if (second < g->rule->least) continue;
+        if (l->second - second < g->rule->least) return;
+        const double gain = worth(g, first, second) + worth(g, l->first - first, l->second - second) - whole;
+        if (gain <= l->gain) continue;
+        l->gain = gain, l->column = column, l->bin = b, l->left_first = first, l->left_second = second;
+    }
+}
+
+static void find_fork(const grower* g, leaf* l) {
+    l->gain = LEAST_GAIN;
+    if (l->depth < g->rule->depth)
+        for (uint32_t k = 0; k < g->column_count; k++) try_column(g, g->columns[k], l);
+    if (l->gain <= LEAST_GAIN) l->gain = 0;
+}
+
+/* Rows of the left side first, each side in the order it had; answers where the right one begins. */
+static uint32_t part_rows(grower* g, const leaf* l) {
+    uint32_t middle = l->begin, right = 0;
+    for (uint32_t i = l->begin; i < l->end; i++) {
+        const uint32_t row = g->order[i];
+        if (g->rows->bins[(size_t)row * g->rows->columns + l->column] <= l->bin)
+            g->order[middle++] = row;
+        else
+            g->spare[right++] = row;
+    }
+    memcpy(g->order + middle, g->spare, sizeof *g->spare * right);
+    return middle;
+}
+
+/* The histograms of both sides: the smaller one's is filled, the other's is what is left of the parent's. */
+static void share_histogram(const grower* g, leaf* left, leaf* right) {
+    leaf* spare = &g->leaves[g->rule->leaves];
+    slope_sum* parent = left->histogram;
+    leaf* small = right->end - right->begin < left->end - left->begin ? right : left;
+    if (small == left) {
+        left->histogram = spare->histogram, spare->histogram = right->histogram, right->histogram = parent;
+    }
+    fill_histogram(g, small);
+    for (size_t i = 0; i < histogram_size(g); i++) {
+        parent[i].first -= small->histogram[i].first;
+        parent[i].second -= small->histogram[i].second;
+    }
+}
+
+/* The leaf becomes a fork; its left side takes its place. */
+static void fork_leaf(grower* g, leaf* l, const dm_lab_forest* out) {
+    leaf* right = &g->leaves[g->leaf_count++];
+    const uint32_t middle = part_rows(g, l), node = l->node;
+    out->column[node] = (int32_t)l->column, out->bin[node] = (int32_t)l->bin;
+    out->left[node] = (int32_t)g->node_count;
+    right->begin = middle, right->end = l->end, right->depth = l->depth + 1, right->node = g->node_count + 1;
+    right->first = l->first - l->left_first, right->second = l->second - l->left_second;
+    l->end = middle, l->depth++, l->node = g->node_count;
+    l->first = l->left_first, l->second = l->left_second;
+    g->node_count += 2;
+    share_histogram(g, l, right);
+    find_fork(g, l);
+    find_fork(g, right);
+}
+
+static leaf* best_leaf(const grower* g) {
+    leaf* best = NULL;
+    for (uint32_t i = 0; i < g->leaf_count; i++)
+        if (g->leaves[i].gain > (best != NULL ? best->gain : 0)) best = &g->leaves[i];
+    return best;
+}
+
+static void begin_tree(grower* g, const dm_lab_forest* out) {
+    for (uint32_t n = 0; n < 2 * g->rule->leaves - 1; n++)
+        out->column[n] = -1, out->bin[n] = out->left[n] = 0, out->score[n] = 0;
+    for (uint32_t i = 0; i <= g->rule->leaves; i++) g->leaves[i].histogram = g->histograms + i * histogram_size(g);
+    leaf* root = &g->leaves[0];
+    *root = (leaf){.end = g->order_count, .histogram = root->histogram};
+    for (uint32_t i = 0; i < g->order_count; i++)
+        root->first += g->slopes[g->order[i]].first, root->second += g->slopes[g->order[i]].second;
+    g->leaf_count = g->node_count = 1;
+    fill_histogram(g, root);
+    find_fork(g, root);
+}
+
+/* Adds the tree to every row's score. */
+static void climb(grower* g, const dm_lab_forest* tree) {
+    for (uint32_t i = 0; i < g->row_count; i++) {
+        const uint8_t* bins = g->rows->bins + (size_t)i * g->rows->columns;
+        int32_t n = 0;
+        while (tree->column[n] >= 0) n = tree->left[n] + (bins[tree->column[n]] > tree->bin[n]);
+        g->scores[i] += tree->score[n];
+    }
+}
+
+static void grow_tree(grower* g, const dm_lab_forest* out) {
+    draw(g);
+    begin_tree(g, out);
+    while (g->leaf_count < g->rule->leaves) {
+        leaf* l = best_leaf(g);
+        if (l == NULL) break;
+        fork_leaf(g, l, out);
+    }
+    for (uint32_t i = 0; i < g->leaf_count; i++) {
+        const leaf* l = &g->leaves[i];
+        out->score[l->node] = (float)(-g->rule->rate * l->first / (l->second + g->rule->damping));
+    }
+    climb(g, out);
+}
+
+dm_result dm_lab_boost(const dm_lab_rows* rows, const dm_lab_growth_rule* rule, void (*report)(uint32_t, double),
+                       const dm_lab_forest* out) {
+    if (rows->cases == 0 || rule->leaves < 2) return DM_ERROR_INVALID_ARGUMENT;
+    grower g;
+    const int open = open_grower(rows, rule, &g);
+    for (uint32_t t = 0; open && t < rule->trees; t++) {
+        const size_t first = (size_t)t * (2 * rule->leaves - 1);
+        const dm_lab_forest tree = {out->column + first, out->bin + first, out->left + first, out->score + first};
+        const double loss = slope_all(&g);
+        if (report != NULL && t % REPORT == 0) report(t, loss);
+        grow_tree(&g, &tree);
+    }
+    close_grower(&g);
+    return open ? DM_OK : DM_ERROR_OUT_OF_MEMORY;
+}

@@ -1,0 +1,39 @@
+/* Grows the forest of sdk/kinematics/forest.c. */
+#ifndef DM_LAB_BOOST_H
+#define DM_LAB_BOOST_H
+
+#include "dragmesh_lab.h"
+
+/* Candidates of many cases. A case's share one probability: the softmax of score + weight. */
+typedef struct dm_lab_rows {
+    uint32_t columns, cases;
+    const uint32_t* first; /* cases + 1: a case's rows are first[i]..first[i + 1] - 1 */
+    const uint8_t* bins;   /* x columns: into which of its column's DM_LAB_BINS a number falls */
+    const float* weights;  /* logarithms: for how many candidates a row stands */
+    const float* wanted;   /* probabilities, one a case */
+} dm_lab_rows;
+
+#define DM_LAB_BINS 64
+
+typedef struct dm_lab_growth_rule {
+    uint32_t trees, leaves, depth;  /* leaves of a tree and forks down to them: at most */
+    float rate;                     /* of what a leaf would say, so much is said */
+    float damping;                  /* added to a leaf's second derivative */
+    float least;                    /* second derivative in a leaf */
+    float case_share, column_share; /* drawn anew for every tree */
+    uint64_t seed;
+} dm_lab_growth_rule;
+
+/* One a node, 2 leaves - 1 a tree; nodes that a tree does not need are leaves of score 0. */
+typedef struct dm_lab_forest {
+    int32_t* column; /* -1: a leaf */
+    int32_t* bin;    /* goes left where the column's is at most this */
+    int32_t* left;   /* right: the one after */
+    float* score;    /* of leaves */
+} dm_lab_forest;
+
+/* report: called after every 50 trees with the mean cross entropy; may be NULL. */
+DM_API dm_result dm_lab_boost(const dm_lab_rows* rows, const dm_lab_growth_rule* rule, void (*report)(uint32_t, double),
+                              const dm_lab_forest* out);
+
+#endif
