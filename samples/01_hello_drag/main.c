@@ -41,7 +41,7 @@ static void DM_CALL print(void* user, int32_t level, dm_result code, const char*
 }
 
 int main(int argc, char** argv) {
-    static char kpp[4 << 20], vae[4 << 20], ranker[1 << 20];
+    static char kpp[4 << 20], vae[4 << 20], ranker[4 << 20];
     const char* folder = argc > 1 ? argv[1] : "sdk/models";
     dm_context* context;
     dm_model model;

@@ -43,7 +43,7 @@ static void DM_CALL print(void* user, int32_t level, dm_result code, const char*
 }
 
 int main(int argc, char** argv) {
-    static char kpp[4 << 20], vae[4 << 20], ranker[1 << 20];
+    static char kpp[4 << 20], vae[4 << 20], ranker[4 << 20];
     const char* file = argc > 1 ? argv[1] : "libdragmesh.so";
     const char* folder = argc > 2 ? argv[2] : "sdk/models";
     dm_library library;

@@ -2,11 +2,12 @@
 #include "kinematics/ranker.h"
 
 #include "base/cpu.h"
+#include "kinematics/forest.h"
 #include "kinematics/linear3.h"
 #include "nn/weights.h"
 
 #define HIDDEN 64
-#define VERSION 6 /* before it evidence knew nothing of bearings */
+#define VERSION 7 /* before it there was no forest */
 /* Share of the opinion that does without KPP-Net. Where neither it nor the ranker knows the kind of object, 0 to .2 do
  * about as well and .4 worse, most of all without a drag (docs/decisions.md, 31). */
 #define DOUBT 0.2f
@@ -18,6 +19,7 @@ struct dmi_ranker {
     float second[HIDDEN][HIDDEN], second_bias[HIDDEN];
     float last[HIDDEN], last_bias;
     float calibration[2][2]; /* without a drag and with one: slope and offset between log odds */
+    dmi_forest forest;
     dmi_limit_net limits;
     dmi_sieve sieve;
 };
@@ -76,8 +78,10 @@ dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranke
                               "ranker: a tensor is missing or of another shape (as in files before version %d), or the "
                               "calibration does not rise",
                               VERSION);
-            dmi_free(env, ranker, sizeof *ranker);
+        } else {
+            result = dmi_forest_read(env, weights, &ranker->forest);
         }
+        if (result != DM_OK) dmi_free(env, ranker, sizeof *ranker);
     }
     dmi_weights_close(weights);
     if (result == DM_OK) *out_ranker = ranker;
@@ -167,12 +171,8 @@ static float rule_score(const float* e) {
     return score;
 }
 
-static void score(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
-                  float* out_score) {
-    if (ranker == NULL) {
-        for (uint32_t i = 0; i < count; i++) out_score[i] = rule_score(evidence[i]);
-        return;
-    }
+static void network_score(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
+                          float* out_score) {
 #if defined(__x86_64__)
     if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) {
         score_avx2(ranker, evidence, count, out_score);
@@ -180,6 +180,19 @@ static void score(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE
     }
 #endif
     score_plain(ranker, evidence, count, out_score);
+}
+
+/* A network and a forest err on different candidates: their mean errs less than either. */
+static void score(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
+                  float* out_score) {
+    if (ranker == NULL) {
+        for (uint32_t i = 0; i < count; i++) out_score[i] = rule_score(evidence[i]);
+        return;
+    }
+    float by_forest[DMI_CANDIDATES_MAX];
+    dmi_forest_score(&ranker->forest, evidence, count, by_forest);
+    network_score(ranker, evidence, count, out_score);
+    for (uint32_t i = 0; i < count; i++) out_score[i] = (out_score[i] + by_forest[i]) / 2;
 }
 
 void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,

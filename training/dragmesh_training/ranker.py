@@ -1,13 +1,15 @@
 """The ranker of candidate joints: evidence of generated cases in, sdk/models/ranker.safetensors out.
 
     python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split train] [--only held|trained]
-    python -m dragmesh_training.ranker train A.npz B.npz --validate V.npz --sieve SIEVE --limits LIMITS -o ranker.safetensors
+    python -m dragmesh_training.ranker train A.npz B.npz --forest A.npz C.npz --validate V.npz --sieve SIEVE --limits LIMITS
+        -o ranker.safetensors
 
 Cases are made with the sieve (sieve.py) that the library will have, so that the candidates are those which the ranker will see.
 
 A case's candidates share a probability of one by exp(-cost): their cost is what a player would see (the pose error),
-what a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way. Two
-numbers, and two more where there is no drag, turn the probability an answer gathers into the chance that it is right.
+what a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way, in a
+network and in a forest (forest.py), whose mean is the score. Two numbers, and two more where there is no drag, turn the
+probability an answer gathers into the chance that it is right.
 """
 import argparse
 import ctypes
@@ -20,13 +22,17 @@ import time
 
 import numpy as np
 
+from . import forest
 from .config import HELD_OUT, kinds_of
 KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
-# What ships is trained on 6,000 cases of each seed: of an earlier KPP-Net (see earlier_network) and of the shipped one.
-EARLIER_COMMIT, EARLIER_SEEDS, SHIPPED_SEEDS = "613e580", (101, 103, 211), (102, 104)
+# What ships is trained on 6,000 cases of each seed: with the evidence of an earlier KPP-Net (see earlier_network), and with
+# the shipped one's.
+EARLIER_COMMIT = "613e580"
+NETWORK_SEEDS = (101, 103, 211), (102, 104)
+FOREST_SEEDS = (101, 103, 301, 302, 305, 306, 307, 308), (102, 104, 303, 304, 315, 316, 317, 318)
 SIEVE_SEEDS, SIEVE_CASES = (301, 302), 6000  # of the one network and of the other
-SAMPLED = 96  # rows of a case in a training step
+SAMPLED, FOREST_SAMPLED = 96, 56  # rows of a case in a training step, and for the forest
 SLIDES, NETWORK = 0, np.r_[86:98, 108, 124, 171:177]  # columns of sdk/kinematics/evidence.h
 # The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
 GROUPS = [slice(first, last) for first, last in (
@@ -104,9 +110,9 @@ def run_make(arguments):
 def load(paths, without=()):
     """Cases of all files, those of the categories `without` left out."""
     parts = [np.load(path) for path in paths]
-    data = {name: np.concatenate([p[name] for p in parts]) for name in parts[0].files if name != "names"}
-    keep = ~np.isin(parts[0]["names"][data["category"]], without)
-    return {name: array[keep] for name, array in data.items()}
+    kept = [~np.isin(part["names"][part["category"]], without) for part in parts]
+    return {name: np.concatenate([part[name][keep] for part, keep in zip(parts, kept)])
+            for name in parts[0].files if name != "names"}
 
 
 def costs(data):
@@ -140,7 +146,7 @@ def answer(probability, slides, pose):
 
 
 def evaluate(net, data, mean, scale, blind):
-    """Whether each answer is good, and how far it is trusted."""
+    """Of the network alone: whether each answer is good, and how far it is trusted."""
     import torch
     good, confidence, everything = [], [], np.arange(data["pose"].shape[1])[None]
     net.eval()
@@ -214,6 +220,20 @@ def fit(data, validation, names, arguments):
     return net, mean, scale
 
 
+def forest_cases(data, without_network, random):
+    """Of each case its best rows and some others: their evidence, log weights and wanted probabilities."""
+    cost = costs(data)
+    for case, used in enumerate(data["used"]):
+        others = KEPT_BEST + random.permutation(max(used - KEPT_BEST, 0))[:FOREST_SAMPLED - KEPT_BEST]
+        rows = np.concatenate([np.arange(min(KEPT_BEST, used)), others])
+        evidence = data["evidence"][case, rows]
+        if random.random() < without_network:
+            evidence[:, NETWORK] = 0
+        weights = log_weights(rows[None], data["used"][case:case + 1], data["total"][case:case + 1])[0]
+        wanted = np.exp(weights - cost[case, rows] - (weights - cost[case, rows]).max())
+        yield evidence, weights, wanted / wanted.sum()
+
+
 def calibrate(good, trust):
     """(a, b) of confidence = sigmoid(a logit(trust) + b): the logistic regression of being right, by Newton's method."""
     trust = np.clip(trust, 1e-4, 1 - 1e-4)
@@ -228,16 +248,17 @@ def calibrate(good, trust):
 
 def export(path, tensors, metadata):
     header, offset = {"__metadata__": metadata}, 0
+    tensors = {name: array.astype("<f2" if array.dtype == np.float16 else "<f4") for name, array in tensors.items()}
     for name, array in tensors.items():
-        size = array.astype("<f4").nbytes
-        header[name] = {"dtype": "F32", "shape": list(array.shape), "data_offsets": [offset, offset + size]}
-        offset += size
+        header[name] = {"dtype": "F16" if array.dtype == np.float16 else "F32", "shape": list(array.shape),
+                        "data_offsets": [offset, offset + array.nbytes]}
+        offset += array.nbytes
     text = json.dumps(header).encode()
     text += b" " * (-len(text) % 8)
     with open(path, "wb") as file:
         file.write(struct.pack("<Q", len(text)) + text)
         for array in tensors.values():
-            file.write(array.astype("<f4").tobytes())
+            file.write(array.tobytes())
 
 
 ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type", np.int32), ("axis_error", np.float32),
@@ -287,13 +308,16 @@ def run_train(arguments):
     good, _ = evaluate(net, validation, mean, scale, arguments.without_network >= 1)
     print(f"validation: {summary(good, validation, names)}")
     tensors, state = {"mean": mean.numpy(), "scale": scale.numpy()}, list(net.state_dict().values())
+    more = load(arguments.forest, left_out)
+    tensors.update(forest.grow(lab, forest_cases(more, arguments.without_network, np.random.default_rng(arguments.seed)),
+                               arguments.seed))
     for layer, name in enumerate(("0", "2", "4")):
         tensors[f"{name}.weight"], tensors[f"{name}.bias"] = state[2 * layer].numpy(), state[2 * layer + 1].numpy()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     for path in (arguments.sieve, arguments.limits):
         tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
-    metadata = {"architecture": "dragmesh-ranker", "version": "6", "commit": commit, "seed": str(arguments.seed),
-                "trained": f"{len(data['used'])} generated cases"}
+    metadata = {"architecture": "dragmesh-ranker", "version": "7", "commit": commit, "seed": str(arguments.seed),
+                "trained": f"{len(data['used'])} generated cases, the forest {len(more['used'])}"}
     if arguments.calibration_of:
         calibration = load_safetensors(arguments.calibration_of)[0]["calibration"].numpy()
     else:
@@ -338,7 +362,7 @@ def case_file(command, folder, name, kinematics, seed, *more):
 
 
 def ship(folder, models):
-    """What sdk/models/ranker.safetensors is made by; goes on where it was stopped. About half an hour of one core. First the
+    """What sdk/models/ranker.safetensors is made by; goes on where it was stopped. About an hour of one core. First the
     sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved. Its twin in the
     folder has not seen the held-out kinds (nor has the sieve): it says how well kinds are answered that the ranker does
     not know, and what the probabilities of such answers are worth."""
@@ -352,12 +376,13 @@ def ship(folder, models):
         every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", str(SIEVE_CASES))
                  for seed, kinematics in zip(SIEVE_SEEDS, (earlier, shipped))]
         fit_sieve([*every, "-o", sieve])
-    cases = [(seed, earlier) for seed in EARLIER_SEEDS] + [(seed, shipped) for seed in SHIPPED_SEEDS]
-    files = [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
-             for seed, kinematics in cases]
+    of_network, of_forest = (
+        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
+         for kinematics, some in zip((earlier, shipped), seeds) for seed in some]
+        for seeds in (NETWORK_SEEDS, FOREST_SEEDS))
     fit_limits(folder, shipped, limits)
     validation = case_file(run, folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
-    common = ["train", *files, "--validate", validation, "--weights", shipped, "--sieve", sieve, "--limits", limits]
+    common = ["train", *of_network, "--forest", *of_forest, "--validate", validation, "--weights", shipped, "--sieve", sieve, "--limits", limits]
     twin = os.path.join(folder, "twin.safetensors")
     run([*common, "--hold-out", "-o", twin])
     run([*common, "--calibration-of", twin, "-o", os.path.join(models, "ranker.safetensors")])
@@ -381,6 +406,7 @@ def run(words):
     one.set_defaults(run=run_make)
     two = commands.add_parser("train")
     two.add_argument("data", nargs="+")
+    two.add_argument("--forest", nargs="+", required=True, help="cases that the forest is grown on")
     two.add_argument("--validate", required=True)
     two.add_argument("--lab", default=default_lab)
     two.add_argument("--weights", required=True, help="the KPP-Net that ships")

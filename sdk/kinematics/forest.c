@@ -1,0 +1,81 @@
+/* Reads a forest, and walks rows of evidence down its trees side by side. */
+#include "kinematics/forest.h"
+
+#include <math.h>
+
+#define SIDE 16 /* rows at a time: each waits for its own memory */
+
+/* A tree's nodes as the file has them: column -1 for leaves, then the value is a score. */
+typedef struct raw_tree {
+    const float *column, *left, *value;
+} raw_tree;
+
+/* Children come after their parents, so that every way down ends. */
+static int is_fork(const raw_tree* raw, uint32_t node) {
+    const float column = raw->column[node], left = raw->left[node];
+    return column >= 0 && column < DMI_EVIDENCE_COUNT && column == floorf(column) && left > (float)node &&
+           left < DMI_FOREST_NODES - 1 && left == floorf(left) && isfinite(raw->value[node]);
+}
+
+static int read_tree(const raw_tree* raw, dmi_forest_node* nodes, float* scores, uint32_t* out_depth) {
+    uint32_t depth[DMI_FOREST_NODES] = {0};
+    *out_depth = 0;
+    for (uint32_t n = 0; n < DMI_FOREST_NODES; n++) {
+        if (raw->column[n] == -1) {
+            if (!isfinite(raw->value[n])) return 0;
+            nodes[n] = (dmi_forest_node){.value = INFINITY, .left = (uint8_t)n};
+            scores[n] = raw->value[n];
+            continue;
+        }
+        if (!is_fork(raw, n)) return 0;
+        const uint32_t left = (uint32_t)raw->left[n];
+        nodes[n] = (dmi_forest_node){.value = raw->value[n], .column = (uint8_t)raw->column[n], .left = (uint8_t)left};
+        scores[n] = 0;
+        for (uint32_t child = left; child < left + 2; child++)
+            if (depth[child] < depth[n] + 1) depth[child] = depth[n] + 1;
+        if (*out_depth < depth[left]) *out_depth = depth[left];
+    }
+    return 1;
+}
+
+dm_result dmi_forest_read(dmi_env* env, const dmi_weights* weights, dmi_forest* out_forest) {
+    enum { NODES = DMI_FOREST_TREES * DMI_FOREST_NODES };
+    const size_t bytes = 3 * sizeof(float) * NODES;
+    float* raw = dmi_alloc(env, bytes, _Alignof(float));
+    if (raw == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "forest: no memory for %zu bytes", bytes);
+    int whole = dmi_weights_read(weights, "forest.column", DMI_FOREST_TREES, DMI_FOREST_NODES, raw) &&
+                dmi_weights_read(weights, "forest.left", DMI_FOREST_TREES, DMI_FOREST_NODES, raw + NODES) &&
+                dmi_weights_read(weights, "forest.value", DMI_FOREST_TREES, DMI_FOREST_NODES, raw + 2 * NODES);
+    for (uint32_t t = 0; whole && t < DMI_FOREST_TREES; t++) {
+        const float* first = raw + (size_t)t * DMI_FOREST_NODES;
+        const raw_tree tree = {.column = first, .left = first + NODES, .value = first + 2 * NODES};
+        whole = read_tree(&tree, out_forest->nodes[t], out_forest->scores[t], &out_forest->depth[t]);
+    }
+    dmi_free(env, raw, bytes);
+    return whole ? DM_OK
+                 : dmi_fail(env, DM_ERROR_WRONG_MODEL, "forest: a tensor is missing, or is no forest of %d trees",
+                            DMI_FOREST_TREES);
+}
+
+/* Not less-or-equal: what is no number goes left, and so stays in a leaf. */
+static inline uint32_t step(const dmi_forest_node* nodes, uint32_t node, const float* row) {
+    return nodes[node].left + (uint32_t)(row[nodes[node].column] > nodes[node].value);
+}
+
+static void score_rows(const dmi_forest* forest, const float (*rows)[DMI_EVIDENCE_COUNT], uint32_t count,
+                       float* out_scores) {
+    for (uint32_t r = 0; r < count; r++) out_scores[r] = 0;
+    for (uint32_t t = 0; t < DMI_FOREST_TREES; t++) {
+        uint32_t at[SIDE] = {0};
+        for (uint32_t d = 0; d < forest->depth[t]; d++)
+            for (uint32_t r = 0; r < count; r++) at[r] = step(forest->nodes[t], at[r], rows[r]);
+        for (uint32_t r = 0; r < count; r++) out_scores[r] += forest->scores[t][at[r]];
+    }
+}
+
+void dmi_forest_score(const dmi_forest* forest, const float (*evidence)[DMI_EVIDENCE_COUNT], uint32_t count,
+                      float* out_scores) {
+    uint32_t first = 0;
+    for (; first + SIDE <= count; first += SIDE) score_rows(forest, evidence + first, SIDE, out_scores + first);
+    if (first < count) score_rows(forest, evidence + first, count - first, out_scores + first);
+}

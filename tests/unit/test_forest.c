@@ -1,0 +1,173 @@
+/* A forest scores what its trees say, whatever the rows; a file that holds no trees is refused. */
+#include "test_env.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "kinematics/forest.h"
+#include "test_world.h"
+
+enum { NODES = DMI_FOREST_TREES * DMI_FOREST_NODES, TENSORS = 3, ROWS = 37 };
+
+static dmi_forest forest;
+static float rows[ROWS][DMI_EVIDENCE_COUNT], scores[ROWS];
+
+/* Trees as a weights file has them. */
+typedef struct trees {
+    float column[NODES], left[NODES], value[NODES];
+} trees;
+static trees made;
+
+/* The first tree forks at column 5 and, to the right of it, at column 201; the others are one leaf that says nothing.
+ */
+static void two_forks(void) {
+    memset(&made, 0, sizeof made);
+    for (int n = 0; n < NODES; n++) made.column[n] = -1;
+    made.column[0] = 5, made.left[0] = 1, made.value[0] = 0.5f;
+    made.value[1] = 10;
+    made.column[2] = 201, made.left[2] = 3, made.value[2] = -1;
+    made.value[3] = 20, made.value[4] = 30;
+}
+
+/* The bytes of a weights file around `made`. */
+static unsigned char* file_of_trees(size_t* out_size) {
+    static const char* names[TENSORS] = {"column", "left", "value"};
+    char header[1024];
+    size_t bytes = sizeof(float) * NODES, at = 0;
+    int length =
+        snprintf(header, sizeof header, "{\"__metadata__\":{\"architecture\":\"dragmesh-ranker\",\"version\":\"1\"}");
+    for (int i = 0; i < TENSORS; i++, at += bytes)
+        length += snprintf(header + length, sizeof header - (size_t)length,
+                           ",\"forest.%s\":{\"dtype\":\"F32\",\"shape\":[%d,%d],\"data_offsets\":[%zu,%zu]}", names[i],
+                           DMI_FOREST_TREES, DMI_FOREST_NODES, at, at + bytes);
+    header[length++] = '}';
+    unsigned char* file = calloc(1, 8 + (size_t)length + sizeof made);
+    assert_non_null(file);
+    file[0] = (unsigned char)(length & 255), file[1] = (unsigned char)(length >> 8);
+    memcpy(file + 8, header, (size_t)length);
+    memcpy(file + 8 + length, &made, sizeof made);
+    *out_size = 8 + (size_t)length + sizeof made;
+    return file;
+}
+
+static dm_result read_made(test_env* t) {
+    size_t size;
+    unsigned char* file = file_of_trees(&size);
+    dmi_weights* weights;
+    assert_int_equal(dmi_weights_open(&t->env, file, size, "dragmesh-ranker", 1, &weights), DM_OK);
+    const dm_result result = dmi_forest_read(&t->env, weights, &forest);
+    dmi_weights_close(weights);
+    free(file);
+    return result;
+}
+
+static void rows_go_down_to_their_leaves(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    two_forks();
+    assert_int_equal(read_made(&t), DM_OK);
+    for (int r = 0; r < ROWS; r++) rows[r][5] = r % 3 == 0 ? 0.5f : 0.6f, rows[r][201] = r % 3 == 1 ? -1 : 0;
+    dmi_forest_score(&forest, (const float(*)[DMI_EVIDENCE_COUNT])rows, ROWS, scores);
+    for (int r = 0; r < ROWS; r++) assert_true(scores[r] == (r % 3 == 0 ? 10 : r % 3 == 1 ? 20 : 30));
+    test_env_close(&t);
+}
+
+static void what_is_no_number_still_ends_in_a_leaf(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    two_forks();
+    assert_int_equal(read_made(&t), DM_OK);
+    for (int k = 0; k < DMI_EVIDENCE_COUNT; k++) rows[0][k] = NAN, rows[1][k] = INFINITY, rows[2][k] = -INFINITY;
+    dmi_forest_score(&forest, (const float(*)[DMI_EVIDENCE_COUNT])rows, 3, scores);
+    assert_true(scores[0] == 10 && scores[1] == 30 && scores[2] == 10);
+    test_env_close(&t);
+}
+
+/* Each makes one number of the two forks what no tree has. */
+static void what_is_no_tree_is_refused(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    float* const numbers[] = {&made.left[0],   &made.left[2],   &made.left[2],   &made.left[0],  &made.column[0],
+                              &made.column[0], &made.column[2], &made.column[0], &made.value[0], &made.value[1]};
+    const float wrong[] = {0, 2, 1, 1.5f, DMI_EVIDENCE_COUNT, 0.5f, -2, NAN, INFINITY, NAN};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        two_forks();
+        *numbers[i] = wrong[i];
+        assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
+    }
+    two_forks();
+    made.column[DMI_FOREST_NODES - 3] = 0, made.left[DMI_FOREST_NODES - 3] = DMI_FOREST_NODES - 2;
+    assert_int_equal(read_made(&t), DM_OK);
+    made.left[DMI_FOREST_NODES - 3] = DMI_FOREST_NODES - 1; /* no room for the one after */
+    assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
+    test_env_close(&t);
+}
+
+static float walk(const trees* from, int tree, const float* row) {
+    const int first = tree * DMI_FOREST_NODES;
+    int n = 0;
+    while (from->column[first + n] >= 0)
+        n = (int)from->left[first + n] + (row[(int)from->column[first + n]] > from->value[first + n]);
+    return from->value[first + n];
+}
+
+/* Side by side and one by one: the same bits. */
+static void the_shipped_trees_say_what_a_plain_walk_says(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    size_t size;
+    void* bytes = test_read_file("sdk/models/ranker.safetensors", &size);
+    dmi_weights* weights;
+    assert_int_equal(dmi_weights_open(&t.env, bytes, size, "dragmesh-ranker", 99, &weights), DM_OK);
+    assert_int_equal(dmi_forest_read(&t.env, weights, &forest), DM_OK);
+    assert_true(dmi_weights_read(weights, "forest.column", DMI_FOREST_TREES, DMI_FOREST_NODES, made.column));
+    assert_true(dmi_weights_read(weights, "forest.left", DMI_FOREST_TREES, DMI_FOREST_NODES, made.left));
+    assert_true(dmi_weights_read(weights, "forest.value", DMI_FOREST_TREES, DMI_FOREST_NODES, made.value));
+    dmi_weights_close(weights);
+    free(bytes);
+    dmi_random random = dmi_random_make(7, 1);
+    for (int r = 0; r < ROWS; r++)
+        for (int k = 0; k < DMI_EVIDENCE_COUNT; k++) rows[r][k] = dmi_random_normal(&random);
+    dmi_forest_score(&forest, (const float(*)[DMI_EVIDENCE_COUNT])rows, ROWS, scores);
+    for (int r = 0; r < ROWS; r++) {
+        float sum = 0;
+        for (int tree = 0; tree < DMI_FOREST_TREES; tree++) sum += walk(&made, tree, rows[r]);
+        assert_true(sum == scores[r]);
+        assert_true(r == 0 || scores[r] != scores[0]);
+    }
+    test_env_close(&t);
+}
+
+static void no_memory_is_no_wrong_model(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    two_forks();
+    size_t size;
+    unsigned char* file = file_of_trees(&size);
+    dmi_weights* weights;
+    assert_int_equal(dmi_weights_open(&t.env, file, size, "dragmesh-ranker", 1, &weights), DM_OK);
+    test_env starved;
+    test_env_open(&starved, 0);
+    assert_int_equal(dmi_forest_read(&starved.env, weights, &forest), DM_ERROR_OUT_OF_MEMORY);
+    test_env_close(&starved);
+    dmi_weights_close(weights);
+    free(file);
+    test_env_close(&t);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_go_down_to_their_leaves), cmocka_unit_test(what_is_no_number_still_ends_in_a_leaf),
+        cmocka_unit_test(what_is_no_tree_is_refused),   cmocka_unit_test(the_shipped_trees_say_what_a_plain_walk_says),
+        cmocka_unit_test(no_memory_is_no_wrong_model),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
