@@ -197,8 +197,10 @@ void dmg_build_airframe(dmg_builder* b) {
     dmg_move(b, 0, 3.0f * a.radius, 0);
     draw_skin(b, &a);
     dmg_save(b);
-    dmg_move(b, 0, a.high * a.radius * dmg_range(b, -0.8f, 0.9f), a.radius * dmg_range(b, 0.0f, 1.0f));
-    dmg_wing wing = dmg_wing_pick(b, a.radius * dmg_range(b, 3.5f, 10.0f), a.radius * dmg_range(b, 1.5f, 3.0f));
+    const float z = a.radius * dmg_range(b, 0.0f, 1.0f), y = a.high * a.radius * dmg_range(b, -0.8f, 0.9f);
+    dmg_move(b, 0, y, z);
+    const float root = a.radius * dmg_range(b, 1.5f, 3.0f), span = a.radius * dmg_range(b, 3.5f, 10.0f);
+    dmg_wing wing = dmg_wing_pick(b, span, root);
     wing.dihedral = dmg_range(b, -0.08f, 0.2f);
     dmg_surface surfaces[2];
     int layout = dmg_int(b, 0, 2),

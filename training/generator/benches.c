@@ -94,7 +94,9 @@ static void draw_plug_ins(dmg_builder* b, float width, float height, float depth
             dmg_save(b);
             dmg_move(b, 0, 0.9f * height * ((float)k + 0.6f) / (float)knobs, 0);
             dmg_spin(b, module, "knob", v3(0, 0, 0), v3(0, 0, -1));
-            dmg_knob_draw(b, dmg_int(b, 0, DMG_KNOB_KINDS - 1), r, r * dmg_range(b, 0.5f, 1.4f));
+            const float height = r * dmg_range(b, 0.5f, 1.4f);
+            const int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
+            dmg_knob_draw(b, kind, r, height);
             dmg_restore(b);
         }
         dmg_restore(b);
@@ -130,7 +132,9 @@ static void draw_rack(dmg_builder* b, const set* s) {
             dmg_save(b);
             dmg_move(b, s->width * (0.05f + 0.13f * (float)k), 0, 0.75f * t);
             dmg_spin(b, chassis, "knob", v3(0, 0, 0), v3(0, 0, -1));
-            dmg_knob_draw(b, dmg_int(b, 0, DMG_KNOB_KINDS - 1), r, r * dmg_range(b, 0.5f, 1.4f));
+            const float height = r * dmg_range(b, 0.5f, 1.4f);
+            const int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
+            dmg_knob_draw(b, kind, r, height);
             dmg_restore(b);
         }
         dmg_restore(b);
@@ -241,8 +245,9 @@ void dmg_build_centrifuge(dmg_builder* b) {
         dmg_save(b); /* controls on its slope */
         dmg_move(b, 0, 0.6f * high, 0.5f * (wide + front + 0.4f * r));
         dmg_turn(b, v3(1, 0, 0), -atan2f(front + 0.4f * r - wide, 0.6f * high));
-        dmg_control_row_draw(b, dmg_chance(b, 0.5f) ? DMG_CONTROL_DIAL : DMG_CONTROL_KEY, dmg_int(b, 1, 4), 0.5f * wide,
-                             0.18f * r);
+        const int count = dmg_int(b, 1, 4);
+        const dmg_control_kind kind = dmg_chance(b, 0.5f) ? DMG_CONTROL_DIAL : DMG_CONTROL_KEY;
+        dmg_control_row_draw(b, kind, count, 0.5f * wide, 0.18f * r);
         dmg_restore(b);
     } else if (dmg_chance(b, 0.6f)) {
         dmg_save(b);

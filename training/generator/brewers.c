@@ -26,7 +26,9 @@ static void draw_flank_controls(dmg_builder* b, float size) {
             dmg_rod(b, v3(0, 0, -0.2f * size), v3(0, 0, thin), size);
             dmg_box(b, v3(0, 0, 1.5f * thin), v3(0.3f * size, 1.9f * size, 2 * thin));
         } else {
-            dmg_knob_draw(b, dmg_int(b, 0, DMG_KNOB_KINDS - 1), size, size * dmg_range(b, 0.3f, 1.2f));
+            const float height = size * dmg_range(b, 0.3f, 1.2f);
+            const int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
+            dmg_knob_draw(b, kind, size, height);
         }
         dmg_use(b, 0);
     }
@@ -106,8 +108,11 @@ void dmg_build_blender(dmg_builder* b) {
     uint32_t jar;
     if (dmg_chance(b, 0.75f))
         jar = dmg_slide(b, 0, "jar", v3(0, 1, 0), 0.0f, height * dmg_range(b, 0.08f, 1.0f));
-    else
-        jar = dmg_hinge(b, 0, "jar", v3(0, 0, 0), v3(0, dmg_sign(b), 0), 0.0f, dmg_range(b, 0.3f, 0.9f));
+    else {
+        const float upper = dmg_range(b, 0.3f, 0.9f);
+        const dmg_vec axis = v3(0, dmg_sign(b), 0);
+        jar = dmg_hinge(b, 0, "jar", v3(0, 0, 0), axis, 0.0f, upper);
+    }
     draw_jar(b, radius, height, dmg_chance(b, 0.75f));
     draw_jar_lid(b, jar, radius, height);
     dmg_restore(b);
@@ -180,8 +185,10 @@ static void draw_brew_head(dmg_builder* b, const maker* m) {
         dmg_vec end = v3_add(pin, v3(0, up * arm, arm + r));
         dmg_rod(b, v3_add(end, v3(-0.55f * wide, 0, 0)), v3_add(end, v3(0.55f * wide, 0, 0)), 1.2f * thin);
     }
-    if (kind == 1) { /* the holder turns under the head */
-        dmg_hinge(b, 0, "holder", v3(0, y, m->reach), v3(0, dmg_sign(b), 0), 0.0f, dmg_range(b, 0.5f, 1.2f));
+    if (kind == 1) {
+        const float upper = dmg_range(b, 0.5f, 1.2f);
+        const dmg_vec axis = v3(0, dmg_sign(b), 0); /* the holder turns under the head */
+        dmg_hinge(b, 0, "holder", v3(0, y, m->reach), axis, 0.0f, upper);
         dmg_rod(b, v3(0, y - 0.9f * r, m->reach), v3(0, y - 0.5f * r, m->reach), 0.9f * r);
         dmg_beam(b, v3(0, y - 0.7f * r, m->reach + 0.8f * r), v3(0, y - 0.7f * r, m->reach + 0.8f * r + arm), 0.3f * r,
                  0.25f * r);

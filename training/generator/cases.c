@@ -316,8 +316,8 @@ void dmg_build_flag_box(dmg_builder* b) {
     dmg_box(b, v3(0, post + 0.5f * height, 0), v3(width, height, depth));
     if (dmg_chance(b, 0.5f))
         dmg_box(b, v3(0, post + height, 0.04f * depth), v3(1.1f * width, 0.06f * height, 1.1f * depth));
-    dmg_move(b, 0.5f * width + gap + 0.5f * t, post + dmg_range(b, 0.3f, 0.9f) * height,
-             dmg_range(b, -0.4f, 0.1f) * depth);
+    const float z = dmg_range(b, -0.4f, 0.1f) * depth, y = post + dmg_range(b, 0.3f, 0.9f) * height;
+    dmg_move(b, 0.5f * width + gap + 0.5f * t, y, z);
     if (gap > 0.5f * t) dmg_rod(b, v3(-gap - 0.5f * t, 0, 0), v3(-0.5f * t, 0, 0), 0.3f * wide);
     uint32_t flag = dmg_hinge(b, 0, "flag", v3(0, 0, 0), v3(-1, 0, 0), 0.0f, dmg_range(b, 1.0f, 1.7f));
     draw_flag(b, length, wide, t);

@@ -163,7 +163,8 @@ static void draw_layered_door(dmg_builder* b, float width, float height, float t
 static void draw_door_grip(dmg_builder* b, uint32_t door, float width, float height) {
     int kind = dmg_int(b, 0, 4);
     dmg_save(b);
-    dmg_move(b, 0.5f * width * dmg_range(b, 0.6f, 0.92f), height * dmg_range(b, -0.25f, 0.25f), 0);
+    const float y = height * dmg_range(b, -0.25f, 0.25f), x = 0.5f * width * dmg_range(b, 0.6f, 0.92f);
+    dmg_move(b, x, y, 0);
     if (kind < 2) {
         dmg_handle bar = dmg_handle_pick_bar(b, 0.5f * height);
         bar.thickness = fminf(bar.thickness, 0.05f * width);
@@ -322,7 +323,8 @@ static void draw_drop_loop(dmg_builder* b, float span, float reach, float tube) 
         path[i] = v3(reach * powf(fabsf(sinf(angle)), 0.6f), 0, -0.5f * span * cosf(angle));
     }
     for (int s = -1; s <= 1; s += 2) dmg_box(b, v3(-tube, 0, (float)s * 0.5f * span), v3(2 * tube, 3 * tube, 3 * tube));
-    dmg_hinge(b, 0, "handle", v3(0, 0, 0), v3(0, 0, 1), -dmg_range(b, 0.9f, 1.5f), dmg_range(b, 0.3f, 1.4f));
+    const float upper = dmg_range(b, 0.3f, 1.4f), lower = -dmg_range(b, 0.9f, 1.5f);
+    dmg_hinge(b, 0, "handle", v3(0, 0, 0), v3(0, 0, 1), lower, upper);
     dmg_sweep(b, path, POINTS, tube, tube, false);
     dmg_use(b, 0);
 }

@@ -121,8 +121,10 @@ static void draw_finger_side(dmg_builder* b, const hand_set* h) {
     float wide = h->head * dmg_range(b, 0.8f, 1.7f), reach = h->head * dmg_range(b, 0.6f, 1.25f);
     bool bumper = dmg_chance(b, 0.25f);
     dmg_save(b);
-    dmg_turn(b, v3(1, 0, 0), -h->tilt); /* down from the face, at its far edge */
-    dmg_move(b, 0, -h->thick * dmg_range(b, 0.25f, 0.9f), h->head * dmg_range(b, 0.75f, 1.0f));
+    dmg_turn(b, v3(1, 0, 0), -h->tilt);
+    const float z = h->head * dmg_range(b, 0.75f, 1.0f),
+                y = -h->thick * dmg_range(b, 0.25f, 0.9f); /* down from the face, at its far edge */
+    dmg_move(b, 0, y, z);
     dmg_turn(b, v3(0, 1, 0), dmg_range(b, -0.2f, 0.2f));
     dmg_turn(b, v3(0, 0, 1), dmg_range(b, -0.2f, 0.2f));
     dmg_save(b);
@@ -138,8 +140,9 @@ static void draw_finger_side(dmg_builder* b, const hand_set* h) {
             crescent[i] = (dmg_xy){0.45f * wide * cosf(angle), flat * wide * sinf(angle)};
         }
         dmg_move(b, 0, 0.2f * high, 0);
-        dmg_slide(b, 0, "bumper", v3_normalize(v3(0, dmg_range(b, -0.4f, 0.4f), -1)), 0.0f,
-                  wide * dmg_scale_range(b, 0.03f, 0.2f));
+        const float upper = wide * dmg_scale_range(b, 0.03f, 0.2f);
+        const dmg_vec direction = v3_normalize(v3(0, dmg_range(b, -0.4f, 0.4f), -1));
+        dmg_slide(b, 0, "bumper", direction, 0.0f, upper);
         dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI); /* the outline's y becomes z */
         dmg_extrude(b, crescent, ARC + 1, -high, 0);
         dmg_use(b, 0);

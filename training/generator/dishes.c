@@ -92,7 +92,11 @@ static void draw_platform(dmg_builder* b, float y, float half, float thick) {
 static void draw_stand(dmg_builder* b, float high, float radius) {
     float t = radius * dmg_range(b, 0.04f, 0.12f);
     int kind = dmg_int(b, 0, 4);
-    if (kind == 0) draw_legs(b, high, radius * dmg_range(b, 0.4f, 1.2f), 0.5f * t, dmg_int(b, 3, 4));
+    if (kind == 0) {
+        const int legs = dmg_int(b, 3, 4);
+        const float spread = radius * dmg_range(b, 0.4f, 1.2f);
+        draw_legs(b, high, spread, 0.5f * t, legs);
+    }
     if (kind == 1) dmg_cone(b, v3(0, 0, 0), v3(0, high, 0), 2.5f * t, t);
     if (kind == 2) dmg_box(b, v3(0, 0.5f * high, 0), v3(radius, high, radius));
     if (kind == 3) { /* a pole from a wall */
@@ -115,7 +119,9 @@ static void draw_cranks(dmg_builder* b, float radius) {
         bool flat = dmg_chance(b, 0.4f);
         if (flat) dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI);
         dmg_spin(b, 0, "hand_wheel", v3(0, 0, 0), v3(0, 0, 1));
-        dmg_wheel_draw(b, dmg_int(b, 0, 3), r, 0.3f * r, dmg_int(b, 3, 5));
+        const int spokes = dmg_int(b, 3, 5);
+        const int kind = dmg_int(b, 0, 3);
+        dmg_wheel_draw(b, kind, r, 0.3f * r, spokes);
         dmg_rod(b, v3(0, 0, -0.12f * radius), v3(0, 0, 0), 0.15f * r);
         dmg_use(b, 0);
         dmg_restore(b);
@@ -136,8 +142,10 @@ void dmg_build_dish(dmg_builder* b) {
     int mount = dmg_int(b, 0, 3), turns = dmg_int(b, 0, 3); /* fork, arm, clamp, bare */
     uint32_t yaw = 0;
     if (turns == 1) yaw = dmg_spin(b, 0, "azimuth", v3(0, 0, 0), v3(0, 1, 0));
-    if (turns >= 2)
-        yaw = dmg_hinge(b, 0, "azimuth", v3(0, 0, 0), v3(0, 1, 0), -dmg_range(b, 0.5f, 3.1f), dmg_range(b, 0.5f, 3.1f));
+    if (turns >= 2) {
+        const float upper = dmg_range(b, 0.5f, 3.1f), lower = -dmg_range(b, 0.5f, 3.1f);
+        yaw = dmg_hinge(b, 0, "azimuth", v3(0, 0, 0), v3(0, 1, 0), lower, upper);
+    }
     dmg_rod(b, v3(0, -0.5f * t, 0), v3(0, t, 0), 1.6f * t);
     for (int s = -1; s <= 1 && mount < 2; s += 2 - mount) /* two cheeks or one */
         dmg_beam(b, v3((float)s * 0.5f * half, t, 0), v3((float)s * half, arm, 0), t, t);
@@ -231,8 +239,9 @@ void dmg_build_radar_tower(dmg_builder* b) {
                                          : dmg_hinge(b, 0, "antenna", v3(0, 0, 0), v3(0, 1, 0), -1.8f, 1.8f);
     dmg_rod(b, v3(0, 0.4f * neck, 0), v3(0, neck + t, 0), 0.8f * t);
     dmg_move(b, 0, neck, 0);
-    if (kind != 2 && dmg_chance(b, 0.2f)) { /* it nods on its neck */
-        dmg_hinge(b, head, "nod", v3(0, 0, 0), v3(1, 0, 0), -dmg_range(b, 0.1f, 0.4f), dmg_range(b, 0.1f, 0.4f));
+    if (kind != 2 && dmg_chance(b, 0.2f)) {
+        const float upper = dmg_range(b, 0.1f, 0.4f), lower = -dmg_range(b, 0.1f, 0.4f); /* it nods on its neck */
+        dmg_hinge(b, head, "nod", v3(0, 0, 0), v3(1, 0, 0), lower, upper);
     }
     draw_antenna(b, kind, width, t);
     dmg_use(b, 0);

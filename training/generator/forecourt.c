@@ -414,8 +414,9 @@ static void draw_ticket_machine(dmg_builder* b) {
         dmg_move(b, 0, 0.5f * high, z - t);
         dmg_case_draw(b, dmg_case_pick(b), width, high, deep - t, 0.6f * t);
         dmg_restore(b);
-        door = dmg_hinge(b, 0, "front", v3(side * 0.5f * width, 0, z - t * dmg_range(b, 0.0f, 1.0f)), v3(0, side, 0),
-                         0.0f, dmg_range(b, 1.2f, 2.2f));
+        const float upper = dmg_range(b, 1.2f, 2.2f);
+        const dmg_vec origin = v3(side * 0.5f * width, 0, z - t * dmg_range(b, 0.0f, 1.0f));
+        door = dmg_hinge(b, 0, "front", origin, v3(0, side, 0), 0.0f, upper);
         dmg_box_span(b, v3(-0.5f * width, 0, z - 0.98f * t), v3(0.5f * width, high, z));
     } else if (post) {
         dmg_rod(b, v3(0, 0, 0), v3(0, 0.5f * high, 0), 0.3f * width);

@@ -40,10 +40,10 @@ static void draw_leg(dmg_builder* b, uint32_t carrier, const leg* l) {
     bool spins = dmg_chance(b, 0.8f), steers = dmg_chance(b, 0.3f), links = dmg_chance(b, 0.5f);
     dmg_rod(b, v3(0, 0.5f * l->radius, 0), v3(0, -0.55f * l->length, 0), l->radius);
     if (links && !l->strut && !steers) draw_torque_links(b, l);
-    if (steers)
-        carrier = dmg_hinge(b, carrier, "steering", v3(0, 0, 0), v3(0, 1, 0), -dmg_range(b, 0.4f, 1.2f),
-                            dmg_range(b, 0.4f, 1.2f));
-    else if (l->strut)
+    if (steers) {
+        const float upper = dmg_range(b, 0.4f, 1.2f), lower = -dmg_range(b, 0.4f, 1.2f);
+        carrier = dmg_hinge(b, carrier, "steering", v3(0, 0, 0), v3(0, 1, 0), lower, upper);
+    } else if (l->strut)
         carrier = dmg_slide(b, carrier, "strut", v3(0, 1, 0), 0.0f, l->length * dmg_range(b, 0.08f, 0.2f));
     dmg_rod(b, v3(0, -0.5f * l->length, 0), v3(0, -l->length, 0), 0.7f * l->radius);
     dmg_vec foot = {l->wheels == 1 ? 0.6f * l->width + l->radius : 0, -l->length, 0};
@@ -220,8 +220,11 @@ static void add_canopy_joint(dmg_builder* b, int kind, float wide, float z0, flo
     if (kind == 1) dmg_hinge(b, 0, "canopy", v3(0, low, z1), v3(1, 0, 0), 0.0f, swing);
     if (kind == 2) dmg_hinge(b, 0, "canopy", v3(wide, low, 0), v3(0, 0, -1), 0.0f, 1.4f * swing);
     if (kind == 3) dmg_hinge(b, 0, "canopy", v3(-wide, low, 0), v3(0, 0, 1), 0.0f, 1.4f * swing);
-    if (kind == 4)
-        dmg_slide(b, 0, "canopy", v3(0, dmg_range(b, 0.0f, 0.15f), -1), 0.0f, dmg_range(b, 0.5f, 1.0f) * (z1 - z0));
+    if (kind == 4) {
+        const float upper = dmg_range(b, 0.5f, 1.0f) * (z1 - z0);
+        const dmg_vec direction = v3(0, dmg_range(b, 0.0f, 0.15f), -1);
+        dmg_slide(b, 0, "canopy", direction, 0.0f, upper);
+    }
 }
 
 void dmg_build_canopy(dmg_builder* b) {

@@ -230,8 +230,10 @@ void dmg_build_desk_hutch(dmg_builder* b) {
     dmg_save(b);
     dmg_move(b, 0, height - top, 0.5f * depth - 1.5f * leg);
     slabs below = pick_slabs(b, height * dmg_range(b, 0.12f, 0.25f), depth - 3 * leg);
-    if (dmg_chance(b, 0.75f))
-        draw_hung_drawers(b, &below, (width - 4 * leg) * dmg_range(b, 0.4f, 1.0f), height * dmg_range(b, 0.1f, 0.22f));
+    if (dmg_chance(b, 0.75f)) {
+        const float tall = height * dmg_range(b, 0.1f, 0.22f), wide = (width - 4 * leg) * dmg_range(b, 0.4f, 1.0f);
+        draw_hung_drawers(b, &below, wide, tall);
+    }
     dmg_restore(b);
     slabs s = pick_slabs(b, above, back);
     s.wall = fminf(s.wall, 0.06f * above);

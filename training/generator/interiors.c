@@ -167,7 +167,9 @@ static void draw_column(dmg_builder* b, const cabin* c, float x) {
         dmg_box(b, v3_add(lock, v3(0.035f, 0, 0)), v3(0.03f, 0.03f, 0.005f));
         dmg_use(b, column);
     }
-    dmg_hinge(b, column, "steering_wheel", v3(0, 0, 0), v3(0, 0, dmg_sign(b)), -dmg_range(b, 2.0f, 8.0f), 4.0f);
+    const float lower = -dmg_range(b, 2.0f, 8.0f);
+    const dmg_vec axis = v3(0, 0, dmg_sign(b));
+    dmg_hinge(b, column, "steering_wheel", v3(0, 0, 0), axis, lower, 4.0f);
     dmg_move(b, 0, 0, reach + 0.015f);
     dmg_wheel_draw(b, 3, radius, 0.035f, dmg_int(b, 2, 4));
     if (dmg_chance(b, 0.6f)) dmg_rounded_box(b, v3(0, 0, 0.01f), v3(0.5f * radius, 0.4f * radius, 0.04f), 0.015f);
@@ -321,7 +323,8 @@ static void draw_visor(dmg_builder* b, float x, float y, float z, float wide) {
     dmg_box(b, v3_add(root, v3(0, 0.02f, 0)), v3(0.03f, 0.04f, 0.04f));
     if (dmg_chance(b, 0.5f)) rod = dmg_hinge(b, 0, "visor_arm", root, v3(0, s, 0), 0.0f, dmg_range(b, 0.9f, 1.5f));
     dmg_rod(b, root, v3_add(root, v3(-s * wide, 0, 0)), 0.006f);
-    uint32_t visor = dmg_hinge(b, rod, "visor", root, v3(1, 0, 0), -dmg_range(b, 0.3f, 0.6f), dmg_range(b, 1.2f, 1.5f));
+    const float upper = dmg_range(b, 1.2f, 1.5f), lower = -dmg_range(b, 0.3f, 0.6f);
+    uint32_t visor = dmg_hinge(b, rod, "visor", root, v3(1, 0, 0), lower, upper);
     dmg_rounded_box(b, v3(x - s * 0.02f, y - 0.02f, z + 0.5f * high), v3(0.92f * wide, t, high), 0.3f * t);
     if (dmg_chance(b, 0.4f)) { /* the flap over its mirror */
         float low = y - 0.02f - 0.5f * t;

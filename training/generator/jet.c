@@ -243,7 +243,8 @@ static void draw_jet_tail(dmg_builder* b, float radius, float tail, float lift) 
     if (kind == 1) draw_fins(b, radius, 2, dmg_range(b, -0.1f, 0.45f), root, swing);
     if (kind >= 2) draw_fins(b, radius, 1, 0, root, swing);
     if (kind > 0 && dmg_chance(b, 0.85f)) {
-        dmg_wing plane = dmg_wing_pick(b, radius * dmg_range(b, 1.2f, 3.0f), root * dmg_range(b, 0.6f, 1.2f));
+        const float chord = root * dmg_range(b, 0.6f, 1.2f), span = radius * dmg_range(b, 1.2f, 3.0f);
+        dmg_wing plane = dmg_wing_pick(b, span, chord);
         plane.dihedral = dmg_range(b, -0.2f, 0.15f);
         dmg_move(b, 0, radius * dmg_range(b, -0.1f, 0.2f), 0);
         draw_elevators(b, &plane, swing);
@@ -316,7 +317,8 @@ void dmg_build_jet(dmg_builder* b) {
     draw_hatches(b, &h);
     draw_hull(b, &h);
     dmg_save(b);
-    dmg_move(b, 0, radius * dmg_range(b, -0.6f, 0.6f), radius * dmg_range(b, -0.5f, 0.8f));
+    const float z = radius * dmg_range(b, -0.5f, 0.8f), y = radius * dmg_range(b, -0.6f, 0.6f);
+    dmg_move(b, 0, y, z);
     draw_main_wings(b, radius);
     dmg_restore(b);
     draw_jet_tail(b, radius, tail, h.lift[0]);

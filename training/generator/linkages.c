@@ -144,7 +144,8 @@ static void draw_bar_leg(dmg_builder* b, int bar, float disc, float thigh, float
                                  : dmg_hinge(b, 0, "motor", hip, v3(sign, 0, 0), -dmg_range(b, 0.5f, 1.6f), 1.2f);
         if (disc > 0) dmg_rod(b, v3(x - 0.8f * t, 0, 0), v3(x + 0.8f * t, 0, 0), disc);
         draw_bar(b, bar, hip, knee, 0.8f * t, t, 0.3f * t);
-        dmg_hinge(b, upper, "knee", knee, v3(-sign, 0, 0), -dmg_range(b, 0.4f, 1.2f), dmg_range(b, 0.4f, 1.2f));
+        const float back = dmg_range(b, 0.4f, 1.2f), forth = -dmg_range(b, 0.4f, 1.2f);
+        dmg_hinge(b, upper, "knee", knee, v3(-sign, 0, 0), forth, back);
         draw_bar(b, bar, knee, foot, 0.7f * t, 0.8f * t, 0.2f * t);
         if (dmg_chance(b, 0.3f)) dmg_ellipsoid(b, foot, v3(0.6f * t, 0.6f * t, 0.6f * t));
         dmg_use(b, 0);
@@ -185,8 +186,8 @@ void dmg_build_bar_legs(dmg_builder* b) {
 static void draw_limb(dmg_builder* b, int bar, uint32_t carrier, const char* const names[2], dmg_vec root, float upper,
                       float lower, float t, float bend) {
     dmg_vec joint = v3_add(root, v3(0, -upper, 0)), end = v3_add(joint, v3(0, -lower * cosf(bend), lower * sinf(bend)));
-    uint32_t first =
-        dmg_hinge(b, carrier, names[0], root, v3(-1, 0, 0), -dmg_range(b, 0.3f, 1.2f), dmg_range(b, 0.6f, 2.0f));
+    const float forth = dmg_range(b, 0.6f, 2.0f), back = -dmg_range(b, 0.3f, 1.2f);
+    uint32_t first = dmg_hinge(b, carrier, names[0], root, v3(-1, 0, 0), back, forth);
     draw_bar(b, bar, root, joint, t, t, 0.4f * t);
     dmg_hinge(b, first, names[1], joint, v3(bend < 0 ? 1.0f : -1.0f, 0, 0), 0.0f, dmg_range(b, 1.0f, 2.2f));
     draw_bar(b, bar, joint, end, 0.85f * t, 0.85f * t, 0.3f * t);
@@ -267,6 +268,12 @@ static void draw_cradle(dmg_builder* b, float size, float wide) {
 }
 
 /* A foot, a neck that turns, arms that bend, a cradle that nods: each may be missing, most joints hidden. */
+static uint32_t draw_swivel(dmg_builder* b) {
+    if (dmg_chance(b, 0.3f)) return dmg_spin(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0));
+    const float upper = dmg_range(b, 0.3f, 3.1f), lower = -dmg_range(b, 0.3f, 3.1f);
+    return dmg_hinge(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0), lower, upper);
+}
+
 void dmg_build_bracket(dmg_builder* b) {
     float size = dmg_scale_range(b, 0.02f, 0.5f), foot = size * dmg_range(b, 0.3f, 0.9f),
           t = size * dmg_range(b, 0.06f, 0.2f), wide = size * dmg_range(b, 0.5f, 1.8f);
@@ -275,10 +282,7 @@ void dmg_build_bracket(dmg_builder* b) {
     draw_bracket_foot(b, foot);
     float neck = foot * dmg_range(b, 0.2f, 0.6f);
     uint32_t carrier = 0;
-    if (arms == 0 || dmg_chance(b, 0.6f))
-        carrier = dmg_chance(b, 0.3f) ? dmg_spin(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0))
-                                      : dmg_hinge(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0), -dmg_range(b, 0.3f, 3.1f),
-                                                  dmg_range(b, 0.3f, 3.1f));
+    if (arms == 0 || dmg_chance(b, 0.6f)) carrier = draw_swivel(b);
     if (carrier) { /* the neck: it turns, or a cradle turns on it */
         if (arms == 0 && !dmg_chance(b, 0.4f)) dmg_use(b, 0);
         dmg_rod(b, v3(0, 0.1f * neck, 0), v3(0, neck + 0.5f * t, 0), 0.8f * t);
@@ -288,8 +292,9 @@ void dmg_build_bracket(dmg_builder* b) {
     float lean = dmg_range(b, -0.6f, 0.6f);
     for (int i = 0; i < arms; ++i) {
         dmg_vec along = {0, cosf(lean), sinf(lean)}, to = v3_mad(at, along, size * dmg_range(b, 0.6f, 1.5f));
-        carrier = dmg_hinge(b, carrier, "arm", at, v3(dmg_sign(b), 0, 0), -dmg_range(b, 0.2f, 0.9f),
-                            dmg_range(b, 0.2f, 0.9f));
+        const float upper = dmg_range(b, 0.2f, 0.9f), lower = -dmg_range(b, 0.2f, 0.9f);
+        const dmg_vec axis = v3(dmg_sign(b), 0, 0);
+        carrier = dmg_hinge(b, carrier, "arm", at, axis, lower, upper);
         draw_bar(b, bar, at, to, t, 1.4f * t, 0.4f * t);
         at = to;
         lean += dmg_range(b, -1.5f, 1.5f);
@@ -297,8 +302,8 @@ void dmg_build_bracket(dmg_builder* b) {
     dmg_move(b, 0, at.y, at.z);
     if (arms > 0 && dmg_chance(b, 0.8f)) {
         bool turns = dmg_chance(b, 0.3f);
-        carrier = dmg_hinge(b, carrier, "cradle", v3(0, 0, 0), turns ? v3(0, 1, 0) : v3(1, 0, 0),
-                            -dmg_range(b, 0.2f, 0.8f), dmg_range(b, 0.2f, 0.8f));
+        const float upper = dmg_range(b, 0.2f, 0.8f), lower = -dmg_range(b, 0.2f, 0.8f);
+        carrier = dmg_hinge(b, carrier, "cradle", v3(0, 0, 0), turns ? v3(0, 1, 0) : v3(1, 0, 0), lower, upper);
     }
     dmg_use(b, carrier);
     dmg_move(b, 0, 0.2f * t, dmg_chance(b, 0.5f) ? -size * dmg_range(b, 0.1f, 0.5f) : 0.0f);

@@ -244,7 +244,8 @@ void dmg_build_finger_controller(dmg_builder* b) {
     float r = dmg_range(b, 0.018f, 0.032f), cut = dmg_range(b, 0.3f, 0.9f);
     pod head = {.low = {r, r * dmg_range(b, 0.6f, 1.4f), r * dmg_range(b, 0.8f, 1.8f)},
                 .power = dmg_range(b, 2.0f, 3.5f)};
-    head.high = v3(r, r * dmg_range(b, 0.5f, 1.1f), r * dmg_range(b, 0.8f, 1.7f));
+    const float z = r * dmg_range(b, 0.8f, 1.7f), y = r * dmg_range(b, 0.5f, 1.1f);
+    head.high = v3(r, y, z);
     head.top = cut * head.high.y;
     float tilt = dmg_range(b, -0.2f, 0.8f), droop = dmg_range(b, 0.0f, 1.3f), length = r * dmg_range(b, 2.8f, 4.5f);
     float wide = dmg_range(b, 0.3f, 0.8f), tall = dmg_range(b, 0.3f, 0.75f), yaw = dmg_range(b, -0.3f, 0.3f);
@@ -268,9 +269,13 @@ void dmg_build_finger_controller(dmg_builder* b) {
     mouth m = pick_mouth(b, &head, up, out, wide, tall);
     bool turns = dmg_chance(b, 0.8f);
     draw_lever_pod(b, &head, &m, turns ? "trigger" : "bumper", turns);
-    if (dmg_chance(b, 0.35f))
-        dmg_torus(b, v3(0, r * dmg_range(b, -1.5f, 1.5f), r * dmg_range(b, -0.5f, 1.5f)), v3(0, dmg_unit(b), 1),
-                  r * dmg_range(b, 1.3f, 2.5f), r * dmg_range(b, 0.08f, 0.3f));
+    if (dmg_chance(b, 0.35f)) {
+        const float tube = r * dmg_range(b, 0.08f, 0.3f), radius = r * dmg_range(b, 1.3f, 2.5f);
+        const dmg_vec axis = v3(0, dmg_unit(b), 1);
+        const float z = r * dmg_range(b, -0.5f, 1.5f), y = r * dmg_range(b, -1.5f, 1.5f);
+        const dmg_vec centre = v3(0, y, z);
+        dmg_torus(b, centre, axis, radius, tube);
+    }
     float flat = sqrtf(fmaxf(0.15f, 1.0f - cut * cut)) * fminf(r, fminf(head.low.z, head.high.z));
     dmg_move(b, 0, head.top, 0);
     dmg_turn(b, v3(1, 0, 0), -0.5f * DMG_PI);
@@ -284,14 +289,17 @@ void dmg_build_trigger_tool(dmg_builder* b) {
     float length = dmg_scale_range(b, 0.08f, 0.3f), lean = dmg_range(b, 0.0f, 0.5f);
     float r = length * dmg_range(b, 0.16f, 0.3f), back = dmg_range(b, -0.35f, 0.1f);
     pod body = {.low = {r, r, length * dmg_range(b, 0.3f, 0.6f)}, .power = dmg_range(b, 2.0f, 5.0f), .top = 1.0f};
-    body.high = v3(r, r * dmg_range(b, 0.7f, 1.2f), length * dmg_range(b, 0.4f, 0.8f));
+    const float z = length * dmg_range(b, 0.4f, 0.8f), y = r * dmg_range(b, 0.7f, 1.2f);
+    body.high = v3(r, y, z);
     pod handle = pick_handle(b, length * dmg_range(b, 0.7f, 1.2f));
     handle.high.y *= dmg_range(b, 1.0f, 1.5f);
     handle.low.y *= dmg_range(b, 1.0f, 1.5f);
     draw_plain_pod(b, &body);
-    if (dmg_chance(b, 0.6f)) /* its muzzle */
-        dmg_cone(b, v3(0, 0, 0.8f * body.high.z), v3(0, 0, body.high.z * dmg_range(b, 1.1f, 1.6f)),
-                 r * dmg_range(b, 0.3f, 0.8f), r * dmg_range(b, 0.1f, 0.8f));
+    if (dmg_chance(b, 0.6f)) {
+        const float radius_to = r * dmg_range(b, 0.1f, 0.8f), radius_from = r * dmg_range(b, 0.3f, 0.8f);
+        const dmg_vec to = v3(0, 0, body.high.z * dmg_range(b, 1.1f, 1.6f)); /* its muzzle */
+        dmg_cone(b, v3(0, 0, 0.8f * body.high.z), to, radius_from, radius_to);
+    }
     dmg_save(b);
     float wide = dmg_range(b, 0.3f, 0.8f), tall = dmg_range(b, 0.2f, 0.55f);
     handle.high.z *= dmg_range(b, 0.5f, 1.0f);
@@ -316,9 +324,12 @@ void dmg_build_squeeze_handle(dmg_builder* b) {
     pod handle = pick_handle(b, length);
     dmg_turn(b, v3(0, 0, 1), dmg_range(b, -DMG_PI, DMG_PI));
     draw_grip(b, &handle, 1.0f, "lever");
-    if (dmg_chance(b, 0.5f))
-        dmg_cone(b, v3(0, 0, 0.7f * handle.high.z), v3(0, 0, handle.high.z * dmg_range(b, 1.3f, 3.0f)),
-                 handle.high.x * dmg_range(b, 0.3f, 1.2f), handle.high.x * dmg_range(b, 0.2f, 1.6f));
+    if (dmg_chance(b, 0.5f)) {
+        const float radius_to = handle.high.x * dmg_range(b, 0.2f, 1.6f),
+                    radius_from = handle.high.x * dmg_range(b, 0.3f, 1.2f);
+        const dmg_vec to = v3(0, 0, handle.high.z * dmg_range(b, 1.3f, 3.0f));
+        dmg_cone(b, v3(0, 0, 0.7f * handle.high.z), to, radius_from, radius_to);
+    }
     if (dmg_chance(b, 0.4f)) {
         dmg_save(b);
         dmg_vec spot = pod_point(&handle, v3_normalize(v3(0, 1, dmg_range(b, -0.2f, 0.4f))));

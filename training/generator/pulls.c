@@ -143,8 +143,8 @@ static void draw_ignition(dmg_builder* b, float r) {
     for (int i = 0; i < 4; ++i)
         dmg_box(b, v3(1.15f * r * cosf(0.6f * (float)i + 0.6f), 1.15f * r * sinf(0.6f * (float)i + 0.6f), 0),
                 v3(0.15f * r, 0.15f * r, 0.05f * r));
-    uint32_t key =
-        dmg_hinge(b, 0, "ignition_key", v3(0, 0, 0), v3(0, 0, -1), -dmg_range(b, 0.0f, 0.8f), dmg_range(b, 0.6f, 2.0f));
+    const float upper = dmg_range(b, 0.6f, 2.0f), lower = -dmg_range(b, 0.0f, 0.8f);
+    uint32_t key = dmg_hinge(b, 0, "ignition_key", v3(0, 0, 0), v3(0, 0, -1), lower, upper);
     dmg_rod(b, v3(0, 0, 0), v3(0, 0, rise), core);
     dmg_box(b, v3(0, 0, rise + 0.3f * bow), v3(thin, 0.5f * core, 0.8f * bow));
     float eye = rise + 1.3f * bow, ring = r * dmg_range(b, 0.4f, 0.9f);

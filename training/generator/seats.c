@@ -158,9 +158,11 @@ void dmg_build_office_chair(dmg_builder* b) {
     if (kind == 2) top = dmg_slide(b, 0, "column", v3(0, 1, 0), 0.0f, travel);
     dmg_rod(b, v3(0, 0.5f * base, 0), v3(0, seat - 0.8f * t, 0), stem);
     if (kind == 2) top = dmg_spin(b, top, "seat", v3(0, 0, 0), v3(0, 1, 0));
-    if (kind == 3)
-        top = dmg_hinge(b, 0, "seat", v3(0, seat - 1.2f * t, dmg_range(b, -0.1f, 0.3f) * deep), v3(-1, 0, 0), -0.05f,
-                        dmg_range(b, 0.15f, 0.4f));
+    if (kind == 3) {
+        const float upper = dmg_range(b, 0.15f, 0.4f);
+        const dmg_vec origin = v3(0, seat - 1.2f * t, dmg_range(b, -0.1f, 0.3f) * deep);
+        top = dmg_hinge(b, 0, "seat", origin, v3(-1, 0, 0), -0.05f, upper);
+    }
     dmg_box(b, v3(0, seat - 1.1f * t, 0), v3(0.4f * width, 0.7f * t, 0.5f * deep));
     if (dmg_chance(b, 0.5f)) { /* what lets it down */
         float side = dmg_sign(b);

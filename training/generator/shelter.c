@@ -63,8 +63,11 @@ static void draw_whole_door(dmg_builder* b, const outline* o, float share, float
     dmg_xy polygon[FULL_POINTS + 2];
     int count = full_outline(o, share, polygon), side = dmg_int(b, 0, 3);
     float top = share * o->ridge, x = share * o->half[0].x;
-    if (side <= 1)
-        dmg_hinge(b, 0, "door", v3(0, 0, dmg_chance(b, 0.5f) ? t : 0.0f), v3(1, 0, 0), 0.0f, dmg_range(b, 0.8f, 1.57f));
+    if (side <= 1) {
+        const float upper = dmg_range(b, 0.8f, 1.57f);
+        const dmg_vec origin = v3(0, 0, dmg_chance(b, 0.5f) ? t : 0.0f);
+        dmg_hinge(b, 0, "door", origin, v3(1, 0, 0), 0.0f, upper);
+    }
     if (side == 2) dmg_hinge(b, 0, "door", v3(0, top, t), v3(-1, 0, 0), 0.0f, dmg_range(b, 1.0f, 1.6f));
     if (side == 3) dmg_hinge(b, 0, "door", v3(x, 0, t), v3(0, 1, 0), 0.0f, dmg_range(b, 1.0f, 2.0f));
     dmg_extrude(b, polygon, count, 0.0f, t);
@@ -168,6 +171,9 @@ void dmg_build_shelter(dmg_builder* b) {
     float share = dmg_range(b, 0.85f, 1.02f);
     if (kind == 0) draw_whole_door(b, &o, share, t);
     if (kind == 1) draw_halves(b, &o, share, t);
-    if (kind == 2) draw_row(b, width * dmg_range(b, 0.5f, 1.0f), high * dmg_range(b, 0.3f, 0.8f), t);
+    if (kind == 2) {
+        const float tall = high * dmg_range(b, 0.3f, 0.8f), wide = width * dmg_range(b, 0.5f, 1.0f);
+        draw_row(b, wide, tall, t);
+    }
     if (kind == 3) draw_front(b, &o, t);
 }

@@ -237,12 +237,15 @@ void dmg_build_solar_tracker(dmg_builder* b) {
         dmg_rod(b, v3(0, -0.5f * post, 0), v3(0, 2 * post, 0), 1.3f * post);
     }
     int columns = dmg_int(b, 1, 4), rows = dmg_int(b, 1, 2);
-    leaf_style s = pick_leaf(b, size * dmg_range(b, 0.5f, 1.0f), size * dmg_range(b, 0.5f, 1.0f), 0.04f * size);
+    const float height = size * dmg_range(b, 0.5f, 1.0f), width = size * dmg_range(b, 0.5f, 1.0f);
+    leaf_style s = pick_leaf(b, width, height, 0.04f * size);
     float back = post * dmg_range(b, 0.8f, 3.0f), tilt = dmg_range(b, 0.2f, 1.3f);
     dmg_move(b, 0, 2 * post, 0);
-    if (head == 0 || dmg_chance(b, 0.85f))
-        head = dmg_hinge(b, head, "tilt", v3(0, 0, 0), v3(-1, 0, 0), -fminf(tilt, dmg_range(b, 0.2f, 1.2f)),
-                         fminf(1.5f - tilt, dmg_range(b, 0.2f, 1.2f)) + 0.1f);
+    if (head == 0 || dmg_chance(b, 0.85f)) {
+        const float upper = fminf(1.5f - tilt, dmg_range(b, 0.2f, 1.2f)) + 0.1f,
+                    lower = -fminf(tilt, dmg_range(b, 0.2f, 1.2f));
+        head = dmg_hinge(b, head, "tilt", v3(0, 0, 0), v3(-1, 0, 0), lower, upper);
+    }
     dmg_turn(b, v3(1, 0, 0), -tilt);
     dmg_beam(b, v3(-0.4f * s.width * (float)columns, 0, 0.5f * back),
              v3(0.4f * s.width * (float)columns, 0, 0.5f * back), back, 0.6f * back);

@@ -91,8 +91,9 @@ void dmg_build_folding_table(dmg_builder* b) {
     dmg_box_span(b, v3(-0.5f * length, 0, -0.5f * width), v3(edge, t, 0.5f * width));
     uint32_t leaf = 0;
     if (halves) {
-        leaf = dmg_hinge(b, 0, "leaf", v3(0, dmg_chance(b, 0.5f) ? t : t + 0.3f * tube, 0), v3(0, 0, 1), 0.0f,
-                         dmg_range(b, 1.5f, DMG_PI));
+        const float upper = dmg_range(b, 1.5f, DMG_PI);
+        const dmg_vec origin = v3(0, dmg_chance(b, 0.5f) ? t : t + 0.3f * tube, 0);
+        leaf = dmg_hinge(b, 0, "leaf", origin, v3(0, 0, 1), 0.0f, upper);
         dmg_box_span(b, v3(0, 0, -0.5f * width), v3(0.5f * length, t, 0.5f * width));
     }
     for (int s = -1; s <= 1; s += 2) {

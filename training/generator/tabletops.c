@@ -198,7 +198,11 @@ static void draw_lift_table(dmg_builder* b, stand* s) {
         if (kind == 0) dmg_hinge(b, 0, "top", v3(0, y, -0.45f * s->d), v3(-1, 0, 0), 0.0f, swing);
         if (kind == 1)
             dmg_hinge(b, 0, "top", v3(i ? 0.46f * s->w : -0.46f * s->w, y, 0), v3(0, 0, i ? -1.0f : 1.0f), 0.0f, swing);
-        if (kind == 2) dmg_slide(b, 0, "top", v3(dmg_sign(b), 0, 0), 0.0f, 0.5f * s->w * dmg_range(b, 0.5f, 0.9f));
+        if (kind == 2) {
+            const float upper = 0.5f * s->w * dmg_range(b, 0.5f, 0.9f);
+            const dmg_vec direction = v3(dmg_sign(b), 0, 0);
+            dmg_slide(b, 0, "top", direction, 0.0f, upper);
+        }
         dmg_box_span(b, v3(x0, y + 0.001f, -z), v3(x1, s->h, z));
         dmg_use(b, 0);
     }

@@ -193,8 +193,8 @@ void dmg_seat_draw(dmg_builder* b, const dmg_seat* s, float x, float z) {
         for (int k = -1; k <= 1; k += 2)
             dmg_box_span(b, v3((float)k * 0.505f * s->wide - 0.005f, s->seat - s->thick, -0.03f),
                          v3((float)k * 0.505f * s->wide + 0.005f, s->seat + 0.05f, 0.05f));
-        back = dmg_hinge(b, base, "back", v3(0, s->seat, 0.5f * s->thick), v3(1, 0, 0), -dmg_range(b, 0.1f, 1.2f),
-                         dmg_range(b, 0.2f, 0.9f));
+        const float upper = dmg_range(b, 0.2f, 0.9f), lower = -dmg_range(b, 0.1f, 1.2f);
+        back = dmg_hinge(b, base, "back", v3(0, s->seat, 0.5f * s->thick), v3(1, 0, 0), lower, upper);
     }
     draw_back(b, s);
     if (s->head) draw_head_rest(b, s, back);

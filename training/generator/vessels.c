@@ -39,7 +39,9 @@ static void draw_thruster(dmg_builder* b, const thruster* t, uint32_t carrier) {
     dmg_turn(b, v3(0, 0, 1), dmg_range(b, 0, 6.2f));
     if (t->kind <= 1) {
         dmg_cone(b, v3(0, 0, -0.3f * half), v3(0, 0, 0.6f * half), hub, 0.5f * hub);
-        dmg_blades_draw(b, dmg_int(b, 0, 2), t->screw, hub, 0.45f * t->screw, t->blades, dmg_range(b, 0.3f, 0.8f));
+        const float twist = dmg_range(b, 0.3f, 0.8f);
+        const int kind = dmg_int(b, 0, 2);
+        dmg_blades_draw(b, kind, t->screw, hub, 0.45f * t->screw, t->blades, twist);
     }
     if (t->kind == 2) dmg_box(b, v3(0, 0, 0), v3(1.2f * t->screw, 0.8f * t->screw, 0.7f * half));
     if (t->kind == 3) dmg_cone(b, v3(0, 0, -0.4f * half), v3(0, 0, half), 0.6f * t->screw, 0.25f * t->screw);
@@ -110,8 +112,8 @@ void dmg_build_rov(dmg_builder* b) {
     }
     if (dmg_chance(b, 0.4f)) { /* a camera that nods behind its dome */
         float r = 0.1f * length;
-        dmg_hinge(b, 0, "camera", v3(0, 0, 0.5f * length), v3(1, 0, 0), -dmg_range(b, 0.3f, 0.9f),
-                  dmg_range(b, 0.3f, 0.9f));
+        const float upper = dmg_range(b, 0.3f, 0.9f), lower = -dmg_range(b, 0.3f, 0.9f);
+        dmg_hinge(b, 0, "camera", v3(0, 0, 0.5f * length), v3(1, 0, 0), lower, upper);
         dmg_box(b, v3(0, 0, 0.5f * length), v3(r, 0.8f * r, r));
         dmg_rod(b, v3(0, 0, 0.5f * length), v3(0, 0, 0.5f * length + 0.8f * r), 0.3f * r);
         dmg_use(b, 0);
@@ -130,7 +132,8 @@ void dmg_build_rov(dmg_builder* b) {
 /* ---- torpedo ---- */
 
 static void draw_stern_fins(dmg_builder* b, float radius, float z, int count, float first) {
-    dmg_wing fin = dmg_wing_pick(b, radius * dmg_range(b, 0.8f, 2.0f), radius * dmg_range(b, 0.5f, 1.2f));
+    const float root = radius * dmg_range(b, 0.5f, 1.2f), span = radius * dmg_range(b, 0.8f, 2.0f);
+    dmg_wing fin = dmg_wing_pick(b, span, root);
     int kind = dmg_int(b, 0, 2); /* whole fins, trailing edges, fins on a stock clear of the hull */
     float pivot = dmg_range(b, 0.2f, 0.6f), swing = dmg_range(b, 0.2f, 0.6f), clear = kind == 2 ? 0.25f * radius : 0.0f;
     for (int i = 0; i < count; ++i) {
@@ -165,8 +168,9 @@ void dmg_build_torpedo(dmg_builder* b) {
                               {0.7f * radius, 0.5f * length - 0.4f * radius},
                               {0, 0.5f * length}};
     dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), profile, 6);
-    draw_stern_fins(b, radius, -0.5f * length + 1.5f * radius, dmg_int(b, 3, 4),
-                    dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, 0, 1.5f));
+    const float first = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, 0, 1.5f);
+    const int count = dmg_int(b, 3, 4);
+    draw_stern_fins(b, radius, -0.5f * length + 1.5f * radius, count, first);
     dmg_save(b);
     dmg_move(b, 0, 0, -0.5f * length - 0.15f * radius);
     dmg_turn(b, v3(0, 1, 0), DMG_PI);
@@ -204,9 +208,10 @@ static void draw_outboard(dmg_builder* b, float size) {
     if (tips)
         motor = dmg_hinge(b, 0, "tilt", v3(0, 0.1f * size, 0.05f * size), v3(1, 0, 0), 0.0f, dmg_range(b, 0.6f, 1.3f));
     if (tips && steers) dmg_box(b, v3(0, 0, -0.02f * size), v3(0.14f * size, 0.3f * size, 0.1f * size));
-    if (steers)
-        motor = dmg_hinge(b, motor, "motor", v3(0, 0, -0.15f * size), v3(0, 1, 0), -dmg_range(b, 0.3f, 0.8f),
-                          dmg_range(b, 0.3f, 0.8f));
+    if (steers) {
+        const float upper = dmg_range(b, 0.3f, 0.8f), lower = -dmg_range(b, 0.3f, 0.8f);
+        motor = dmg_hinge(b, motor, "motor", v3(0, 0, -0.15f * size), v3(0, 1, 0), lower, upper);
+    }
     dmg_rounded_box(b, v3(0, 0.45f * size, -0.2f * size), v3(0.35f * size, 0.45f * size, 0.5f * size), 0.08f * size);
     dmg_box(b, v3(0, -0.3f * size, -0.18f * size), v3(0.1f * size, 1.1f * size, 0.2f * size));
     if (dmg_chance(b, 0.5f))
@@ -246,9 +251,9 @@ void dmg_build_boat(dmg_builder* b) {
         dmg_move(b, 0, 0, -0.5f * length - 0.02f * length);
         draw_outboard(b, length * dmg_range(b, 0.12f, 0.2f));
         dmg_restore(b);
-    } else { /* a rudder with its tiller */
-        dmg_hinge(b, 0, "rudder", v3(0, 0, -0.51f * length), v3(0, 1, 0), -dmg_range(b, 0.3f, 0.8f),
-                  dmg_range(b, 0.3f, 0.8f));
+    } else {
+        const float upper = dmg_range(b, 0.3f, 0.8f), lower = -dmg_range(b, 0.3f, 0.8f); /* a rudder with its tiller */
+        dmg_hinge(b, 0, "rudder", v3(0, 0, -0.51f * length), v3(0, 1, 0), lower, upper);
         dmg_box(b, v3(0, -0.7f * high, -0.56f * length), v3(0.015f * length, 2.0f * high, 0.1f * length));
         if (dmg_chance(b, 0.7f))
             dmg_rod(b, v3(0, 0.2f * high, -0.55f * length), v3(0, 0.4f * high, -0.3f * length), 0.008f * length);
@@ -258,7 +263,8 @@ void dmg_build_boat(dmg_builder* b) {
         for (int s = -1; s <= 1; s += 2) {
             dmg_vec lock = {(float)s * 0.48f * width, 0.1f * high, -0.05f * length};
             dmg_rod(b, v3_add(lock, v3(0, -0.2f * high, 0)), lock, 0.006f * length);
-            dmg_hinge(b, 0, "oar", lock, v3(0, (float)s, 0), -dmg_range(b, 0.3f, 0.9f), dmg_range(b, 0.3f, 0.9f));
+            const float upper = dmg_range(b, 0.3f, 0.9f), lower = -dmg_range(b, 0.3f, 0.9f);
+            dmg_hinge(b, 0, "oar", lock, v3(0, (float)s, 0), lower, upper);
             dmg_rod(b, v3_add(lock, v3((float)-s * 0.4f * width, 0.1f * high, 0)),
                     v3_add(lock, v3((float)s * 0.9f * width, -0.4f * high, 0)), 0.008f * length);
             dmg_use(b, 0);
