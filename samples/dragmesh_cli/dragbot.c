@@ -24,10 +24,6 @@ typedef struct totals {
     int jumps, changes;
 } totals;
 
-static int reached_it(const bot_result* result) {
-    return result->reached >= 0.9 && result->reached <= 1.1;
-}
-
 static totals sum_up(const bot_score* score, const bot_options* options, int slides) {
     totals t = {0};
     double n = 0;
@@ -38,8 +34,8 @@ static totals sum_up(const bot_score* score, const bot_options* options, int sli
         t.picked += row->given.picked;
         t.success += row->found.success, t.success_given += row->given.success;
         t.success_or_beyond += row->found.success_or_beyond;
-        t.reached += reached_it(&row->found), t.reached_given += reached_it(&row->given);
-        t.near += row->found.off <= 0.02, t.near_given += row->given.off <= 0.02;
+        t.reached += row->found.arrived, t.reached_given += row->given.arrived;
+        t.near += row->found.near, t.near_given += row->given.near;
         t.jumps += row->found.jumps + row->given.jumps;
         t.changes += row->found.changes;
     }

@@ -80,6 +80,8 @@ typedef struct bot_result {
     int jumps;         /* frames */
     double worst_jump; /* px */
     int changes;       /* of the joint, told by the pull */
+    int arrived;       /* 90 to 110 % of what was asked */
+    int near;          /* within 2 % of the screen's height of the pointer all the way */
     int success;
     int success_or_beyond; /* the same, were it no fault to go too far */
     dm_joint joint;        /* at the end */

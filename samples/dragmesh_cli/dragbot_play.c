@@ -102,8 +102,10 @@ dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const
     dm_drag_end(session->context, drag, &state);
     out_result->changes = (int)state.changes;
     out_result->reached = true_value(truth, &state.pose, centre, pull->asked) / pull->asked;
-    out_result->success_or_beyond = out_result->reached >= reach_share &&
-                                    (hand->straight || out_result->off <= near_share) && out_result->jumps == 0;
-    out_result->success = out_result->success_or_beyond && out_result->reached <= 2 - reach_share;
+    const int far_enough = out_result->reached >= reach_share, not_beyond = out_result->reached <= 2 - reach_share;
+    out_result->arrived = far_enough && not_beyond;
+    out_result->near = out_result->off <= near_share;
+    out_result->success_or_beyond = far_enough && (hand->straight || out_result->near) && out_result->jumps == 0;
+    out_result->success = out_result->success_or_beyond && not_beyond;
     return result;
 }
