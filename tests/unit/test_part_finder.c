@@ -69,6 +69,21 @@ static void test_a_large_neighbour_has_a_joint_of_its_own(void** state) {
     expect_parts(0, 1, 0);
 }
 
+/* More shells than a cell's samples are compared with each other, all in one corner of the door: the door is found all
+ * the same. */
+static void test_a_crowd_of_tiny_shells_hides_nothing(void** state) {
+    (void)state;
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){2, 1, 1}, 0);
+    test_shape_box(&shape, (const float[]){0, 0, 1.01f}, (const float[]){1, 1, 1.05f}, 1);
+    for (int i = 0; i < 320; i++) {
+        const float x = 0.95f + 0.001f * (float)(i % 18), y = 0.95f + 0.001f * (float)(i / 18);
+        test_shape_box(&shape, (const float[]){x, y, 1.0501f}, (const float[]){x + 0.0005f, y + 0.0005f, 1.0506f}, 2);
+    }
+    find_well(0, on_door, outwards);
+    for (uint32_t f = 0; f < 24; f++) assert_int_equal(found[f], shape.part[f]);
+}
+
 static void test_sheets_of_one_mesh_stay_apart(void** state) {
     (void)state;
     test_shape_cabinet(&shape);
@@ -205,6 +220,7 @@ int main(void) {
         cmocka_unit_test(test_a_node_does_not_take_what_holds_it),
         cmocka_unit_test(test_a_large_neighbour_has_a_joint_of_its_own),
         cmocka_unit_test(test_sheets_of_one_mesh_stay_apart),
+        cmocka_unit_test(test_a_crowd_of_tiny_shells_hides_nothing),
         cmocka_unit_test(test_a_bulge_is_cut_where_the_surface_bends_inwards),
         cmocka_unit_test(test_a_bulge_is_cut_in_a_mesh_wound_inside_out),
         cmocka_unit_test(test_what_has_no_inward_bend_is_cut_at_creases),
