@@ -15,7 +15,7 @@
 
 enum { CASES = 300, EACH = 6, COLUMNS = 4, ROWS = CASES * EACH, TREES = 60, LEAVES = 8, NODES = 2 * LEAVES - 1 };
 
-static dm_result (*boost)(const dm_lab_rows*, const dm_lab_growth_rule*, void (*)(uint32_t, double),
+static dm_result (*boost)(const dm_lab_rows*, const dm_lab_boost_rule*, void (*)(uint32_t, double),
                           const dm_lab_forest*);
 
 static uint32_t first[CASES + 1];
@@ -29,7 +29,7 @@ typedef struct grown {
 static grown once, again;
 
 static const dm_lab_rows data = {COLUMNS, CASES, first, &bins[0][0], weights, wanted};
-static const dm_lab_growth_rule rule = {TREES, LEAVES, 4, 0.2f, 1, 0.5f, 0.7f, 1, 3};
+static const dm_lab_boost_rule rule = {TREES, LEAVES, 4, 0.2f, 1, 0.5f, 0.7f, 1, 3};
 
 static int load_lab(void** state) {
     (void)state;
@@ -95,7 +95,7 @@ static void the_same_seed_gives_the_same_trees(void** state) {
     const dm_lab_forest outs[2] = {arrays_of(&once), arrays_of(&again)};
     for (int i = 0; i < 2; i++) assert_int_equal(boost(&data, &rule, NULL, &outs[i]), DM_OK);
     assert_memory_equal(&once, &again, sizeof once);
-    dm_lab_growth_rule other = rule;
+    dm_lab_boost_rule other = rule;
     other.seed++;
     assert_int_equal(boost(&data, &other, NULL, &outs[1]), DM_OK);
     assert_memory_not_equal(&once, &again, sizeof once);

@@ -20,7 +20,7 @@ class Rows(ctypes.Structure):
 
 
 class Rule(ctypes.Structure):
-    """dm_lab_growth_rule."""
+    """dm_lab_boost_rule."""
     _fields_ = [(name, ctypes.c_uint32) for name in ("trees", "leaves", "depth")] + [
         (name, ctypes.c_float) for name in ("rate", "damping", "least", "case_share", "column_share")] + [
         ("seed", ctypes.c_uint64)]

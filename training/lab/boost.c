@@ -34,7 +34,7 @@ typedef struct leaf {
 
 typedef struct grower {
     const dm_lab_rows* rows;
-    const dm_lab_growth_rule* rule;
+    const dm_lab_boost_rule* rule;
     dmi_random random;
     uint32_t row_count;
     slope* slopes;
@@ -49,7 +49,7 @@ static size_t histogram_size(const grower* g) {
     return (size_t)g->rows->columns * DM_LAB_BINS;
 }
 
-static int open_grower(const dm_lab_rows* rows, const dm_lab_growth_rule* rule, grower* g) {
+static int open_grower(const dm_lab_rows* rows, const dm_lab_boost_rule* rule, grower* g) {
     *g = (grower){.rows = rows, .rule = rule, .random = dmi_random_make(rule->seed, 17)};
     g->row_count = rows->first[rows->cases];
     g->slopes = malloc(sizeof *g->slopes * g->row_count);
@@ -227,7 +227,7 @@ static void grow_tree(grower* g, const dm_lab_forest* out) {
     climb(g, out);
 }
 
-dm_result dm_lab_boost(const dm_lab_rows* rows, const dm_lab_growth_rule* rule, void (*report)(uint32_t, double),
+dm_result dm_lab_boost(const dm_lab_rows* rows, const dm_lab_boost_rule* rule, void (*report)(uint32_t, double),
                        const dm_lab_forest* out) {
     if (rows->cases == 0 || rule->leaves < 2) return DM_ERROR_INVALID_ARGUMENT;
     grower g;

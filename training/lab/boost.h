@@ -15,14 +15,14 @@ typedef struct dm_lab_rows {
 
 #define DM_LAB_BINS 64
 
-typedef struct dm_lab_growth_rule {
+typedef struct dm_lab_boost_rule {
     uint32_t trees, leaves, depth;  /* leaves of a tree and forks down to them: at most */
     float rate;                     /* of what a leaf would say, so much is said */
     float damping;                  /* added to a leaf's second derivative */
     float least;                    /* second derivative in a leaf */
     float case_share, column_share; /* drawn anew for every tree */
     uint64_t seed;
-} dm_lab_growth_rule;
+} dm_lab_boost_rule;
 
 /* One a node, 2 leaves - 1 a tree; nodes that a tree does not need are leaves of score 0. */
 typedef struct dm_lab_forest {
@@ -32,8 +32,8 @@ typedef struct dm_lab_forest {
     float* score;    /* of leaves */
 } dm_lab_forest;
 
-/* report: called after every 50 trees with the mean cross entropy; may be NULL. */
-DM_API dm_result dm_lab_boost(const dm_lab_rows* rows, const dm_lab_growth_rule* rule, void (*report)(uint32_t, double),
+/* report: called before every 50th tree with the mean cross entropy so far; may be NULL. */
+DM_API dm_result dm_lab_boost(const dm_lab_rows* rows, const dm_lab_boost_rule* rule, void (*report)(uint32_t, double),
                               const dm_lab_forest* out);
 
 #endif
