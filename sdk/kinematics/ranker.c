@@ -64,27 +64,31 @@ static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
     return dmi_sieve_read(weights, &ranker->sieve);
 }
 
+static dm_result make_ranker(dmi_env* env, const dmi_weights* weights, dmi_ranker** out_ranker) {
+    dmi_ranker* ranker = dmi_alloc(env, sizeof *ranker, 64);
+    if (ranker == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "ranker: no memory for its %zu bytes", sizeof *ranker);
+    ranker->env = env;
+    dm_result result = DM_OK;
+    if (!read_tensors(weights, ranker))
+        result = dmi_fail(env, DM_ERROR_WRONG_MODEL,
+                          "ranker: a tensor is missing or of another shape (as in files before version %d), or the "
+                          "calibration does not rise",
+                          VERSION);
+    if (result == DM_OK) result = dmi_forest_read(env, weights, &ranker->forest);
+    if (result == DM_OK)
+        *out_ranker = ranker;
+    else
+        dmi_free(env, ranker, sizeof *ranker);
+    return result;
+}
+
 dm_result dmi_ranker_load(dmi_env* env, const void* data, size_t size, dmi_ranker** out_ranker) {
     dmi_weights* weights;
     dm_result result = dmi_weights_open(env, data, size, "dragmesh-ranker", VERSION, &weights);
     if (result != DM_OK) return result;
-    dmi_ranker* ranker = dmi_alloc(env, sizeof *ranker, 64);
-    if (ranker == NULL) {
-        result = dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "ranker: no memory for its %zu bytes", sizeof *ranker);
-    } else {
-        ranker->env = env;
-        if (!read_tensors(weights, ranker)) {
-            result = dmi_fail(env, DM_ERROR_WRONG_MODEL,
-                              "ranker: a tensor is missing or of another shape (as in files before version %d), or the "
-                              "calibration does not rise",
-                              VERSION);
-        } else {
-            result = dmi_forest_read(env, weights, &ranker->forest);
-        }
-        if (result != DM_OK) dmi_free(env, ranker, sizeof *ranker);
-    }
+    result = make_ranker(env, weights, out_ranker);
     dmi_weights_close(weights);
-    if (result == DM_OK) *out_ranker = ranker;
     return result;
 }
 

@@ -53,15 +53,20 @@ static unsigned char* file_of_trees(size_t* out_size) {
     return file;
 }
 
-static dm_result read_made(test_env* t) {
+/* `reader` is the environment that the forest is read in. */
+static dm_result read_made_in(test_env* t, test_env* reader) {
     size_t size;
     unsigned char* file = file_of_trees(&size);
     dmi_weights* weights;
     assert_int_equal(dmi_weights_open(&t->env, file, size, "dragmesh-ranker", 1, &weights), DM_OK);
-    const dm_result result = dmi_forest_read(&t->env, weights, &forest);
+    const dm_result result = dmi_forest_read(&reader->env, weights, &forest);
     dmi_weights_close(weights);
     free(file);
     return result;
+}
+
+static dm_result read_made(test_env* t) {
+    return read_made_in(t, t);
 }
 
 static void rows_go_down_to_their_leaves(void** state) {
@@ -147,19 +152,12 @@ static void the_shipped_trees_say_what_a_plain_walk_says(void** state) {
 
 static void no_memory_is_no_wrong_model(void** state) {
     (void)state;
-    test_env t;
+    test_env t, starved;
     test_env_open(&t, TEST_NEVER);
-    two_forks();
-    size_t size;
-    unsigned char* file = file_of_trees(&size);
-    dmi_weights* weights;
-    assert_int_equal(dmi_weights_open(&t.env, file, size, "dragmesh-ranker", 1, &weights), DM_OK);
-    test_env starved;
     test_env_open(&starved, 0);
-    assert_int_equal(dmi_forest_read(&starved.env, weights, &forest), DM_ERROR_OUT_OF_MEMORY);
+    two_forks();
+    assert_int_equal(read_made_in(&t, &starved), DM_ERROR_OUT_OF_MEMORY);
     test_env_close(&starved);
-    dmi_weights_close(weights);
-    free(file);
     test_env_close(&t);
 }
 

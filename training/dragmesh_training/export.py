@@ -10,20 +10,24 @@ import torch
 ARCHITECTURES = {"kpp": "dragmesh-kpp-net", "vae": "dragmesh-dq-vae"}
 
 
-def save_safetensors(path, tensors, metadata):
-    """float16 tensors in order of name: half the bytes, and outputs that differ by about 1e-3 of what training had. The
-    header is padded so that data starts 8-byte aligned."""
-    header, offset, blobs = {"__metadata__": metadata}, 0, []
-    for name in sorted(tensors):
-        blob = tensors[name].detach().cpu().half().contiguous().numpy().tobytes()
-        header[name] = {"dtype": "F16", "shape": list(tensors[name].shape), "data_offsets": [offset, offset + len(blob)]}
-        offset += len(blob)
-        blobs.append(blob)
+def write_safetensors(path, arrays, metadata):
+    """Arrays in the order given, float16 or float32. The header is padded so that data starts 8-byte aligned."""
+    header, offset = {"__metadata__": metadata}, 0
+    for name, array in arrays.items():
+        header[name] = {"dtype": {"float16": "F16", "float32": "F32"}[array.dtype.name], "shape": list(array.shape),
+                        "data_offsets": [offset, offset + array.nbytes]}
+        offset += array.nbytes
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 8)
     with open(path + ".new", "wb") as file:
-        file.write(struct.pack("<Q", len(text)) + text + b"".join(blobs))
+        file.write(struct.pack("<Q", len(text)) + text + b"".join(array.tobytes() for array in arrays.values()))
     os.replace(path + ".new", path)
+
+
+def save_safetensors(path, tensors, metadata):
+    """float16 tensors in order of name: half the bytes, and outputs that differ by about 1e-3 of what training had."""
+    write_safetensors(path, {name: tensors[name].detach().cpu().half().contiguous().numpy() for name in sorted(tensors)},
+                      metadata)
 
 
 def load_safetensors(path):

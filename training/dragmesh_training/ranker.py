@@ -13,9 +13,7 @@ probability an answer gathers into the chance that it is right.
 """
 import argparse
 import ctypes
-import json
 import os
-import struct
 import subprocess
 import sys
 import time
@@ -247,18 +245,10 @@ def calibrate(good, trust):
 
 
 def export(path, tensors, metadata):
-    header, offset = {"__metadata__": metadata}, 0
-    tensors = {name: array.astype("<f2" if array.dtype == np.float16 else "<f4") for name, array in tensors.items()}
-    for name, array in tensors.items():
-        header[name] = {"dtype": "F16" if array.dtype == np.float16 else "F32", "shape": list(array.shape),
-                        "data_offsets": [offset, offset + array.nbytes]}
-        offset += array.nbytes
-    text = json.dumps(header).encode()
-    text += b" " * (-len(text) % 8)
-    with open(path, "wb") as file:
-        file.write(struct.pack("<Q", len(text)) + text)
-        for array in tensors.values():
-            file.write(array.tobytes())
+    """Everything that is no float16 as float32."""
+    from .export import write_safetensors
+    write_safetensors(path, {name: array if array.dtype == np.float16 else array.astype(np.float32)
+                             for name, array in tensors.items()}, metadata)
 
 
 ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type", np.int32), ("axis_error", np.float32),
@@ -382,7 +372,8 @@ def ship(folder, models):
         for seeds in (NETWORK_SEEDS, FOREST_SEEDS))
     fit_limits(folder, shipped, limits)
     validation = case_file(run, folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
-    common = ["train", *of_network, "--forest", *of_forest, "--validate", validation, "--weights", shipped, "--sieve", sieve, "--limits", limits]
+    common = ["train", *of_network, "--forest", *of_forest, "--validate", validation, "--weights", shipped,
+              "--sieve", sieve, "--limits", limits]
     twin = os.path.join(folder, "twin.safetensors")
     run([*common, "--hold-out", "-o", twin])
     run([*common, "--calibration-of", twin, "-o", os.path.join(models, "ranker.safetensors")])

@@ -94,9 +94,7 @@ static void draw_plug_ins(dmg_builder* b, float width, float height, float depth
             dmg_save(b);
             dmg_move(b, 0, 0.9f * height * ((float)k + 0.6f) / (float)knobs, 0);
             dmg_spin(b, module, "knob", v3(0, 0, 0), v3(0, 0, -1));
-            const float height = r * dmg_range(b, 0.5f, 1.4f);
-            const int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
-            dmg_knob_draw(b, kind, r, height);
+            dmg_any_knob_draw(b, r, 0.5f, 1.4f);
             dmg_restore(b);
         }
         dmg_restore(b);
@@ -132,9 +130,7 @@ static void draw_rack(dmg_builder* b, const set* s) {
             dmg_save(b);
             dmg_move(b, s->width * (0.05f + 0.13f * (float)k), 0, 0.75f * t);
             dmg_spin(b, chassis, "knob", v3(0, 0, 0), v3(0, 0, -1));
-            const float height = r * dmg_range(b, 0.5f, 1.4f);
-            const int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
-            dmg_knob_draw(b, kind, r, height);
+            dmg_any_knob_draw(b, r, 0.5f, 1.4f);
             dmg_restore(b);
         }
         dmg_restore(b);

@@ -26,9 +26,7 @@ static void draw_flank_controls(dmg_builder* b, float size) {
             dmg_rod(b, v3(0, 0, -0.2f * size), v3(0, 0, thin), size);
             dmg_box(b, v3(0, 0, 1.5f * thin), v3(0.3f * size, 1.9f * size, 2 * thin));
         } else {
-            const float height = size * dmg_range(b, 0.3f, 1.2f);
-            const int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
-            dmg_knob_draw(b, kind, size, height);
+            dmg_any_knob_draw(b, size, 0.3f, 1.2f);
         }
         dmg_use(b, 0);
     }

@@ -139,8 +139,7 @@ void dmg_build_passenger_bridge(dmg_builder* b) {
     dmg_move(b, 0, mid, 0);
     if (drum_turns && dmg_chance(b, 0.7f)) { /* the tunnels tip about a line in the drum or at its edge */
         float y = s.high * dmg_range(b, -0.5f, 0.5f), z = dmg_chance(b, 0.5f) ? 0.0f : r * dmg_range(b, 0.5f, 1.0f);
-        const float upper = dmg_range(b, 0.03f, 0.2f), lower = -dmg_range(b, 0.03f, 0.2f);
-        s.carrier = dmg_hinge(b, s.carrier, "slope", v3(0, y, z), v3(-1, 0, 0), lower, upper);
+        s.carrier = dmg_hinge_either_way(b, s.carrier, "slope", v3(0, y, z), v3(-1, 0, 0), 0.03f, 0.2f);
     }
     float width = s.width, high = s.high;
     dmg_move(b, 0, 0, 0.8f * r);

@@ -175,6 +175,12 @@ uint32_t dmg_hinge(dmg_builder* b, uint32_t parent, const char* name, dmg_vec or
     return part;
 }
 
+uint32_t dmg_hinge_either_way(dmg_builder* b, uint32_t parent, const char* name, dmg_vec origin, dmg_vec axis,
+                              float least, float most) {
+    const float upper = dmg_range(b, least, most), lower = -dmg_range(b, least, most);
+    return dmg_hinge(b, parent, name, origin, axis, lower, upper);
+}
+
 uint32_t dmg_slide(dmg_builder* b, uint32_t parent, const char* name, dmg_vec direction, float lower, float upper) {
     uint32_t part = add_part(b, parent, name, DM_JOINT_PRISMATIC, v3(0, 0, 0), direction);
     float scale = v3_length(dmg_frame_vector(top(b), v3_normalize(direction)));

@@ -78,6 +78,9 @@ void dmg_turn_to(dmg_builder* b, dmg_vec axis, int i, int count);
 
 uint32_t dmg_hinge(dmg_builder* b, uint32_t parent, const char* name, dmg_vec origin, dmg_vec axis, float lower,
                    float upper);
+/* From rest between `least` and `most` radians either way, each way drawn for itself. */
+uint32_t dmg_hinge_either_way(dmg_builder* b, uint32_t parent, const char* name, dmg_vec origin, dmg_vec axis,
+                              float least, float most);
 uint32_t dmg_slide(dmg_builder* b, uint32_t parent, const char* name, dmg_vec direction, float lower, float upper);
 uint32_t dmg_spin(dmg_builder* b, uint32_t parent, const char* name, dmg_vec origin, dmg_vec axis);
 /* Limits are angles; a turn by one radian advances `pitch` along the axis. */

@@ -142,10 +142,7 @@ void dmg_build_dish(dmg_builder* b) {
     int mount = dmg_int(b, 0, 3), turns = dmg_int(b, 0, 3); /* fork, arm, clamp, bare */
     uint32_t yaw = 0;
     if (turns == 1) yaw = dmg_spin(b, 0, "azimuth", v3(0, 0, 0), v3(0, 1, 0));
-    if (turns >= 2) {
-        const float upper = dmg_range(b, 0.5f, 3.1f), lower = -dmg_range(b, 0.5f, 3.1f);
-        yaw = dmg_hinge(b, 0, "azimuth", v3(0, 0, 0), v3(0, 1, 0), lower, upper);
-    }
+    if (turns >= 2) yaw = dmg_hinge_either_way(b, 0, "azimuth", v3(0, 0, 0), v3(0, 1, 0), 0.5f, 3.1f);
     dmg_rod(b, v3(0, -0.5f * t, 0), v3(0, t, 0), 1.6f * t);
     for (int s = -1; s <= 1 && mount < 2; s += 2 - mount) /* two cheeks or one */
         dmg_beam(b, v3((float)s * 0.5f * half, t, 0), v3((float)s * half, arm, 0), t, t);
@@ -239,10 +236,8 @@ void dmg_build_radar_tower(dmg_builder* b) {
                                          : dmg_hinge(b, 0, "antenna", v3(0, 0, 0), v3(0, 1, 0), -1.8f, 1.8f);
     dmg_rod(b, v3(0, 0.4f * neck, 0), v3(0, neck + t, 0), 0.8f * t);
     dmg_move(b, 0, neck, 0);
-    if (kind != 2 && dmg_chance(b, 0.2f)) {
-        const float upper = dmg_range(b, 0.1f, 0.4f), lower = -dmg_range(b, 0.1f, 0.4f); /* it nods on its neck */
-        dmg_hinge(b, head, "nod", v3(0, 0, 0), v3(1, 0, 0), lower, upper);
-    }
+    if (kind != 2 && dmg_chance(b, 0.2f))
+        dmg_hinge_either_way(b, head, "nod", v3(0, 0, 0), v3(1, 0, 0), 0.1f, 0.4f); /* it nods on its neck */
     draw_antenna(b, kind, width, t);
     dmg_use(b, 0);
 }

@@ -40,10 +40,9 @@ static void draw_leg(dmg_builder* b, uint32_t carrier, const leg* l) {
     bool spins = dmg_chance(b, 0.8f), steers = dmg_chance(b, 0.3f), links = dmg_chance(b, 0.5f);
     dmg_rod(b, v3(0, 0.5f * l->radius, 0), v3(0, -0.55f * l->length, 0), l->radius);
     if (links && !l->strut && !steers) draw_torque_links(b, l);
-    if (steers) {
-        const float upper = dmg_range(b, 0.4f, 1.2f), lower = -dmg_range(b, 0.4f, 1.2f);
-        carrier = dmg_hinge(b, carrier, "steering", v3(0, 0, 0), v3(0, 1, 0), lower, upper);
-    } else if (l->strut)
+    if (steers)
+        carrier = dmg_hinge_either_way(b, carrier, "steering", v3(0, 0, 0), v3(0, 1, 0), 0.4f, 1.2f);
+    else if (l->strut)
         carrier = dmg_slide(b, carrier, "strut", v3(0, 1, 0), 0.0f, l->length * dmg_range(b, 0.08f, 0.2f));
     dmg_rod(b, v3(0, -0.5f * l->length, 0), v3(0, -l->length, 0), 0.7f * l->radius);
     dmg_vec foot = {l->wheels == 1 ? 0.6f * l->width + l->radius : 0, -l->length, 0};

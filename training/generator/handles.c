@@ -166,3 +166,8 @@ void dmg_knob_draw(dmg_builder* b, int kind, float radius, float height) {
         break;
     }
 }
+
+void dmg_any_knob_draw(dmg_builder* b, float radius, float flattest, float tallest) {
+    const float height = radius * dmg_range(b, flattest, tallest);
+    dmg_knob_draw(b, dmg_int(b, 0, DMG_KNOB_KINDS - 1), radius, height);
+}

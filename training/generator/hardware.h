@@ -39,6 +39,8 @@ void dmg_handle_draw(dmg_builder* b, const dmg_handle* handle, float room);
 /* A knob on z = 0, axis +Z: what turns on panels, taps and doors. Its pointer, if any, points to +Y. */
 void dmg_knob_draw(dmg_builder* b, int kind, float radius, float height);
 enum { DMG_KNOB_KINDS = 7 };
+/* Of any kind, between `flattest` and `tallest` radii high. */
+void dmg_any_knob_draw(dmg_builder* b, float radius, float flattest, float tallest);
 
 /* ---- hinges (hinges.c): axis along Y through the origin, the leaf towards +X, its front towards +Z ---- */
 

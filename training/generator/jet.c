@@ -317,8 +317,8 @@ void dmg_build_jet(dmg_builder* b) {
     draw_hatches(b, &h);
     draw_hull(b, &h);
     dmg_save(b);
-    const float z = radius * dmg_range(b, -0.5f, 0.8f), y = radius * dmg_range(b, -0.6f, 0.6f);
-    dmg_move(b, 0, y, z);
+    const float ahead = radius * dmg_range(b, -0.5f, 0.8f), up = radius * dmg_range(b, -0.6f, 0.6f);
+    dmg_move(b, 0, up, ahead);
     draw_main_wings(b, radius);
     dmg_restore(b);
     draw_jet_tail(b, radius, tail, h.lift[0]);

@@ -144,8 +144,7 @@ static void draw_bar_leg(dmg_builder* b, int bar, float disc, float thigh, float
                                  : dmg_hinge(b, 0, "motor", hip, v3(sign, 0, 0), -dmg_range(b, 0.5f, 1.6f), 1.2f);
         if (disc > 0) dmg_rod(b, v3(x - 0.8f * t, 0, 0), v3(x + 0.8f * t, 0, 0), disc);
         draw_bar(b, bar, hip, knee, 0.8f * t, t, 0.3f * t);
-        const float back = dmg_range(b, 0.4f, 1.2f), forth = -dmg_range(b, 0.4f, 1.2f);
-        dmg_hinge(b, upper, "knee", knee, v3(-sign, 0, 0), forth, back);
+        dmg_hinge_either_way(b, upper, "knee", knee, v3(-sign, 0, 0), 0.4f, 1.2f);
         draw_bar(b, bar, knee, foot, 0.7f * t, 0.8f * t, 0.2f * t);
         if (dmg_chance(b, 0.3f)) dmg_ellipsoid(b, foot, v3(0.6f * t, 0.6f * t, 0.6f * t));
         dmg_use(b, 0);
@@ -268,12 +267,6 @@ static void draw_cradle(dmg_builder* b, float size, float wide) {
 }
 
 /* A foot, a neck that turns, arms that bend, a cradle that nods: each may be missing, most joints hidden. */
-static uint32_t draw_swivel(dmg_builder* b) {
-    if (dmg_chance(b, 0.3f)) return dmg_spin(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0));
-    const float upper = dmg_range(b, 0.3f, 3.1f), lower = -dmg_range(b, 0.3f, 3.1f);
-    return dmg_hinge(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0), lower, upper);
-}
-
 void dmg_build_bracket(dmg_builder* b) {
     float size = dmg_scale_range(b, 0.02f, 0.5f), foot = size * dmg_range(b, 0.3f, 0.9f),
           t = size * dmg_range(b, 0.06f, 0.2f), wide = size * dmg_range(b, 0.5f, 1.8f);
@@ -282,7 +275,9 @@ void dmg_build_bracket(dmg_builder* b) {
     draw_bracket_foot(b, foot);
     float neck = foot * dmg_range(b, 0.2f, 0.6f);
     uint32_t carrier = 0;
-    if (arms == 0 || dmg_chance(b, 0.6f)) carrier = draw_swivel(b);
+    if (arms == 0 || dmg_chance(b, 0.6f))
+        carrier = dmg_chance(b, 0.3f) ? dmg_spin(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0))
+                                      : dmg_hinge_either_way(b, 0, "swivel", v3(0, 0, 0), v3(0, 1, 0), 0.3f, 3.1f);
     if (carrier) { /* the neck: it turns, or a cradle turns on it */
         if (arms == 0 && !dmg_chance(b, 0.4f)) dmg_use(b, 0);
         dmg_rod(b, v3(0, 0.1f * neck, 0), v3(0, neck + 0.5f * t, 0), 0.8f * t);
@@ -302,8 +297,8 @@ void dmg_build_bracket(dmg_builder* b) {
     dmg_move(b, 0, at.y, at.z);
     if (arms > 0 && dmg_chance(b, 0.8f)) {
         bool turns = dmg_chance(b, 0.3f);
-        const float upper = dmg_range(b, 0.2f, 0.8f), lower = -dmg_range(b, 0.2f, 0.8f);
-        carrier = dmg_hinge(b, carrier, "cradle", v3(0, 0, 0), turns ? v3(0, 1, 0) : v3(1, 0, 0), lower, upper);
+        carrier =
+            dmg_hinge_either_way(b, carrier, "cradle", v3(0, 0, 0), turns ? v3(0, 1, 0) : v3(1, 0, 0), 0.2f, 0.8f);
     }
     dmg_use(b, carrier);
     dmg_move(b, 0, 0.2f * t, dmg_chance(b, 0.5f) ? -size * dmg_range(b, 0.1f, 0.5f) : 0.0f);

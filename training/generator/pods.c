@@ -244,8 +244,8 @@ void dmg_build_finger_controller(dmg_builder* b) {
     float r = dmg_range(b, 0.018f, 0.032f), cut = dmg_range(b, 0.3f, 0.9f);
     pod head = {.low = {r, r * dmg_range(b, 0.6f, 1.4f), r * dmg_range(b, 0.8f, 1.8f)},
                 .power = dmg_range(b, 2.0f, 3.5f)};
-    const float z = r * dmg_range(b, 0.8f, 1.7f), y = r * dmg_range(b, 0.5f, 1.1f);
-    head.high = v3(r, y, z);
+    const float front = r * dmg_range(b, 0.8f, 1.7f), crown = r * dmg_range(b, 0.5f, 1.1f);
+    head.high = v3(r, crown, front);
     head.top = cut * head.high.y;
     float tilt = dmg_range(b, -0.2f, 0.8f), droop = dmg_range(b, 0.0f, 1.3f), length = r * dmg_range(b, 2.8f, 4.5f);
     float wide = dmg_range(b, 0.3f, 0.8f), tall = dmg_range(b, 0.3f, 0.75f), yaw = dmg_range(b, -0.3f, 0.3f);
@@ -273,8 +273,7 @@ void dmg_build_finger_controller(dmg_builder* b) {
         const float tube = r * dmg_range(b, 0.08f, 0.3f), radius = r * dmg_range(b, 1.3f, 2.5f);
         const dmg_vec axis = v3(0, dmg_unit(b), 1);
         const float z = r * dmg_range(b, -0.5f, 1.5f), y = r * dmg_range(b, -1.5f, 1.5f);
-        const dmg_vec centre = v3(0, y, z);
-        dmg_torus(b, centre, axis, radius, tube);
+        dmg_torus(b, v3(0, y, z), axis, radius, tube);
     }
     float flat = sqrtf(fmaxf(0.15f, 1.0f - cut * cut)) * fminf(r, fminf(head.low.z, head.high.z));
     dmg_move(b, 0, head.top, 0);

@@ -224,9 +224,7 @@ static void draw_pusher_side(dmg_builder* b, float width, float height, int leve
         dmg_move(b, 2.6f * small * ((float)i - 0.5f * (float)(extra - 1)), 0, 0);
         if (i == 0) {
             dmg_hinge(b, 0, "dial", v3(0, 0, 0), v3(0, 0, -1), 0.0f, dmg_range(b, 1.5f, 5.0f));
-            const float height = small * dmg_range(b, 0.3f, 1.2f);
-            const int kind = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
-            dmg_knob_draw(b, kind, small, height);
+            dmg_any_knob_draw(b, small, 0.3f, 1.2f);
             dmg_use(b, 0);
         } else {
             dmg_thumb_key_draw(b, 0, "button", 0.8f * small);

@@ -112,8 +112,7 @@ void dmg_build_rov(dmg_builder* b) {
     }
     if (dmg_chance(b, 0.4f)) { /* a camera that nods behind its dome */
         float r = 0.1f * length;
-        const float upper = dmg_range(b, 0.3f, 0.9f), lower = -dmg_range(b, 0.3f, 0.9f);
-        dmg_hinge(b, 0, "camera", v3(0, 0, 0.5f * length), v3(1, 0, 0), lower, upper);
+        dmg_hinge_either_way(b, 0, "camera", v3(0, 0, 0.5f * length), v3(1, 0, 0), 0.3f, 0.9f);
         dmg_box(b, v3(0, 0, 0.5f * length), v3(r, 0.8f * r, r));
         dmg_rod(b, v3(0, 0, 0.5f * length), v3(0, 0, 0.5f * length + 0.8f * r), 0.3f * r);
         dmg_use(b, 0);
@@ -208,10 +207,7 @@ static void draw_outboard(dmg_builder* b, float size) {
     if (tips)
         motor = dmg_hinge(b, 0, "tilt", v3(0, 0.1f * size, 0.05f * size), v3(1, 0, 0), 0.0f, dmg_range(b, 0.6f, 1.3f));
     if (tips && steers) dmg_box(b, v3(0, 0, -0.02f * size), v3(0.14f * size, 0.3f * size, 0.1f * size));
-    if (steers) {
-        const float upper = dmg_range(b, 0.3f, 0.8f), lower = -dmg_range(b, 0.3f, 0.8f);
-        motor = dmg_hinge(b, motor, "motor", v3(0, 0, -0.15f * size), v3(0, 1, 0), lower, upper);
-    }
+    if (steers) motor = dmg_hinge_either_way(b, motor, "motor", v3(0, 0, -0.15f * size), v3(0, 1, 0), 0.3f, 0.8f);
     dmg_rounded_box(b, v3(0, 0.45f * size, -0.2f * size), v3(0.35f * size, 0.45f * size, 0.5f * size), 0.08f * size);
     dmg_box(b, v3(0, -0.3f * size, -0.18f * size), v3(0.1f * size, 1.1f * size, 0.2f * size));
     if (dmg_chance(b, 0.5f))
@@ -252,8 +248,8 @@ void dmg_build_boat(dmg_builder* b) {
         draw_outboard(b, length * dmg_range(b, 0.12f, 0.2f));
         dmg_restore(b);
     } else {
-        const float upper = dmg_range(b, 0.3f, 0.8f), lower = -dmg_range(b, 0.3f, 0.8f); /* a rudder with its tiller */
-        dmg_hinge(b, 0, "rudder", v3(0, 0, -0.51f * length), v3(0, 1, 0), lower, upper);
+        dmg_hinge_either_way(b, 0, "rudder", v3(0, 0, -0.51f * length), v3(0, 1, 0), 0.3f,
+                             0.8f); /* a rudder with its tiller */
         dmg_box(b, v3(0, -0.7f * high, -0.56f * length), v3(0.015f * length, 2.0f * high, 0.1f * length));
         if (dmg_chance(b, 0.7f))
             dmg_rod(b, v3(0, 0.2f * high, -0.55f * length), v3(0, 0.4f * high, -0.3f * length), 0.008f * length);
@@ -263,8 +259,7 @@ void dmg_build_boat(dmg_builder* b) {
         for (int s = -1; s <= 1; s += 2) {
             dmg_vec lock = {(float)s * 0.48f * width, 0.1f * high, -0.05f * length};
             dmg_rod(b, v3_add(lock, v3(0, -0.2f * high, 0)), lock, 0.006f * length);
-            const float upper = dmg_range(b, 0.3f, 0.9f), lower = -dmg_range(b, 0.3f, 0.9f);
-            dmg_hinge(b, 0, "oar", lock, v3(0, (float)s, 0), lower, upper);
+            dmg_hinge_either_way(b, 0, "oar", lock, v3(0, (float)s, 0), 0.3f, 0.9f);
             dmg_rod(b, v3_add(lock, v3((float)-s * 0.4f * width, 0.1f * high, 0)),
                     v3_add(lock, v3((float)s * 0.9f * width, -0.4f * high, 0)), 0.008f * length);
             dmg_use(b, 0);

@@ -23,12 +23,6 @@ static void draw_slender_blade(dmg_builder* b, float hub, float radius, float ch
 }
 
 /* Blades turn about their own length, the rotor about a shaft that looks up a little, the house about the tower. */
-static uint32_t draw_yaw(dmg_builder* b) {
-    if (dmg_chance(b, 0.5f)) return dmg_spin(b, 0, "nacelle", v3(0, 0, 0), v3(0, 1, 0));
-    const float upper = dmg_range(b, 0.5f, 3.1f), lower = -dmg_range(b, 0.5f, 3.1f);
-    return dmg_hinge(b, 0, "nacelle", v3(0, 0, 0), v3(0, 1, 0), lower, upper);
-}
-
 void dmg_build_power_turbine(dmg_builder* b) {
     float radius = dmg_scale_range(b, 0.5f, 60), tower = radius * dmg_range(b, 1.05f, 2.6f),
           foot = radius * dmg_range(b, 0.02f, 0.07f), deep = radius * dmg_range(b, 0.06f, 0.35f),
@@ -38,7 +32,9 @@ void dmg_build_power_turbine(dmg_builder* b) {
     if (dmg_chance(b, 0.3f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0.02f * tower, 0), 3 * foot);
     dmg_move(b, 0, tower, 0);
     uint32_t head = 0;
-    if (dmg_chance(b, 0.75f)) head = draw_yaw(b);
+    if (dmg_chance(b, 0.75f))
+        head = dmg_chance(b, 0.5f) ? dmg_spin(b, 0, "nacelle", v3(0, 0, 0), v3(0, 1, 0))
+                                   : dmg_hinge_either_way(b, 0, "nacelle", v3(0, 0, 0), v3(0, 1, 0), 0.5f, 3.1f);
     dmg_move(b, 0, 0.5f * thick, deep * dmg_range(b, -0.3f, 0.1f));
     if (house == 0) dmg_box(b, v3(0, 0, 0), v3(thick, thick, deep));
     if (house == 1) dmg_rounded_box(b, v3(0, 0, 0), v3(thick, thick, deep), 0.35f * thick);
