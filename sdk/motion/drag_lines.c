@@ -8,7 +8,7 @@
 
 #define FIT_BEST_EVERY 3 /* lines fitted: that of the best is shown, and it is what others are measured by */
 #define SHIFT 0.1f       /* of the part's size: rivals that move the part less unlike each other are one */
-#define UNSHIFTED 1.0f   /* log odds that a line is exactly where the geometry has it, and more for sure joints */
+#define UNSHIFTED 1.6f   /* log odds that a line is exactly where the geometry has it, and more for sure joints */
 #define LEAST_RAYS 4     /* that tell a line's place */
 #define MARGIN 0.4f      /* how much more probable another line must be, log */
 #define STALE 0.05f      /* how much likelier a rival may have become in each fit that left it out, log */

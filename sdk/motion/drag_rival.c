@@ -9,7 +9,7 @@
 #define ONE_TURN 6.28318531f
 #define SPREAD 0.01f     /* of the pull: how far off the right path a good hand goes */
 #define TREMOR 0.0015f   /* of the part's size: and how far it is off at the start */
-#define TAIL 2.0f        /* how good the hand is, nobody knows: far misses count by their ratio, not by their size */
+#define FALL 3.5f        /* how good the hand is, nobody knows: misses count by their ratio, to this power */
 #define STRAIGHT (-4.5f) /* log of how probable it is that a hand goes straight to where a turn should end */
 #define CLEARLY 3.0f     /* more probable, log: the other does not count */
 #define LEAST_PRIOR 1e-3f
@@ -49,7 +49,7 @@ float dmi_rival_odds(const dm_joint* joint) {
 float dmi_rival_arm_cost(const dmi_hold* hold, const dm_joint* joint) {
     if (!dmi_joint_turns(joint->type)) return 0;
     const float arm = distance_to_line(hold->pull.grab, joint) / (GOOD_ARM * hold->size);
-    return logf(fminf(fmaxf(arm, LEAST_ARM), 1));
+    return 0.5f * logf(fminf(fmaxf(arm, LEAST_ARM), 1));
 }
 
 dmi_rival dmi_rival_make(const dmi_hold* hold, const dm_joint* joint, float odds, int open) {
@@ -117,8 +117,7 @@ float dmi_hand_off(const dmi_hold* hold) {
  * crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail is that
  * of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. */
 static float met(const dmi_hold* hold, float off) {
-    const float share = off / dmi_hand_off(hold);
-    return -TAIL * logf(1 + share * share / (2 * TAIL));
+    return -FALL * logf(1 + off / dmi_hand_off(hold));
 }
 
 /* Log likelihood of a pull that a joint misses by so much. Some hands don't follow a part round, they go straight to

@@ -5,7 +5,7 @@
 
 #include "motion/drag_fit.h"
 
-#define DMI_OTHER_SIDE (-0.7f) /* log of how probable it is that a range lies on the other side of rest */
+#define DMI_OTHER_SIDE (-0.2f) /* log of how probable it is that a range lies on the other side of rest */
 
 /* How far a pull takes a part beyond limits that were only estimated. */
 typedef struct dmi_give {

@@ -4,8 +4,9 @@
 #include <math.h>
 
 #define FIRST_PULL 0.006f   /* of the part's size: less tells nothing */
-#define LAST_RESORT (-5.0f) /* log odds of a slide along an axis that nothing speaks for */
-#define AT_ONCE 2           /* rivals weighed an update, beside the best */
+#define LAST_RESORT (-6.5f) /* log odds of a slide along an axis that nothing speaks for */
+#define UNRANGED (-0.35f)   /* log odds of a joint whose range nobody has looked for */
+#define AT_ONCE 3           /* rivals weighed an update, beside the best */
 #define FIT_EVERY 2         /* updates: lines are fitted by one more of the remembered rays */
 #define STALE 0.05f         /* how much likelier a rival may have become in each round that left it out, log */
 #define MARGIN 0.4f         /* how much more probable another joint must be, log */
@@ -28,7 +29,7 @@ static void add(dmi_rivals* rivals, const dm_joint* joint, float odds, int open)
 void dmi_rivals_add_alternative(dmi_rivals* rivals, const dm_joint* joint) {
     dm_joint unlimited = *joint;
     unlimited.lower = unlimited.upper = 0;
-    add(rivals, &unlimited, dmi_rival_odds(joint) + 0.5f * DMI_OTHER_SIDE, 1); /* the side may be either */
+    add(rivals, &unlimited, dmi_rival_odds(joint) + UNRANGED, 1);
 }
 
 void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count, const float grab_point[3], float size,
@@ -52,15 +53,13 @@ void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count,
 
 /* The likeliest rivals but the best, likeliest first; one that has waited long may have become likelier. */
 static uint32_t likeliest(const dmi_rivals* rivals, uint32_t out[AT_ONCE]) {
-    float first = -INFINITY, second = -INFINITY;
     uint32_t found = 0;
     for (uint32_t i = 0; i < rivals->count; i++) {
         const float hope = rivals->hope[i];
-        if (!(hope > second) || i == rivals->best) continue;
-        const int leads = hope > first;
-        second = leads ? first : hope, out[1] = leads ? out[0] : i;
-        first = leads ? hope : first, out[0] = leads ? i : out[0];
-        found += found < AT_ONCE;
+        if (i == rivals->best || (found == AT_ONCE && hope <= rivals->hope[out[found - 1]])) continue;
+        uint32_t at = found < AT_ONCE ? found++ : found - 1;
+        for (; at > 0 && rivals->hope[out[at - 1]] < hope; at--) out[at] = out[at - 1];
+        out[at] = i;
     }
     return found;
 }

@@ -63,16 +63,18 @@ static void a_line_comes_to_where_the_pull_has_it(void** state) {
     }
 }
 
-/* Neither for a hand that goes the right way nor for one that is off by as little as hands are. */
+/* Neither for a hand that goes the right way nor for one that is off by half a per cent; one that bends its way by a
+ * whole one may shift the line a little. */
 static void a_right_line_stays(void** state) {
     (void)state;
-    static const float wander[] = {0, 0.003f, -0.003f, 0.01f, -0.01f};
+    static const float wander[] = {0, 0.003f, -0.003f, 0.005f, -0.005f, 0.01f, -0.01f};
     for (size_t i = 0; i < sizeof wander / sizeof *wander; i++) {
         dmi_drag drag;
         dm_drag_state now = {0};
         pull(&drag, &door, &door, 1.4f, wander[i], &now);
-        assert_int_equal(now.changes, 0);
-        assert_near3(dmi_xyz(drag.joint.origin).v, dmi_xyz(door.origin).v, 0);
+        const float most = fabsf(wander[i]) > 0.007f ? 0.05f : 0;
+        assert_true(most > 0 || now.changes == 0);
+        assert_near3(dmi_xyz(drag.joint.origin).v, dmi_xyz(door.origin).v, (double)most);
     }
 }
 
