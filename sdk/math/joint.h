@@ -9,6 +9,8 @@ dm_pose dmi_joint_pose(const dm_joint* joint, float value);
 /* The value whose joint pose is nearest to `pose` (the twist about the axis; the slide along it): the exact projection
  * of a network's pose onto the joint (design §1). `near` picks the turn (adds multiples of 2 pi) closest to it. */
 float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near);
+/* Where the joint takes one point given at rest: what its pose does, sooner. */
+void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]);
 /* d point / d value at `value`, for a point given at rest. */
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]);
 /* Turns about a line: revolute, continuous, screw. */

@@ -136,10 +136,9 @@ float dmi_rival_side_cost(const dmi_rival* rival, float side) {
 }
 
 static void score(const dmi_hold* hold, dmi_rival* rival, const dm_ray* ray) {
-    const dm_pose pose = dmi_joint_pose(&rival->joint, rival->reach);
     const float now = side_of(&rival->joint);
     float point[3];
-    dmi_pose_apply(&pose, hold->pull.grab, point);
+    dmi_joint_move(&rival->joint, rival->reach, hold->pull.grab, point);
     rival->worst = fmaxf(rival->worst, dmi_pull_miss(&hold->pull, ray, point));
     rival->score = rival->prior - rival->lean + dmi_rival_side_cost(rival, rival->reach) +
                    dmi_rival_explains(hold, rival, rival->worst);

@@ -27,6 +27,23 @@ static void poses_keep_to_the_joint(void** state) {
     }
 }
 
+static void one_point_goes_where_the_pose_takes_it(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(4, 2);
+    const int32_t types[] = {DM_JOINT_REVOLUTE, DM_JOINT_PRISMATIC, DM_JOINT_SCREW, DM_JOINT_CONTINUOUS,
+                             DM_JOINT_FIXED};
+    for (int i = 0; i < CASES; i++) {
+        const dm_joint joint = test_joint(&random, types[i % 5], 1);
+        const float value = test_range(&random, -7, 7);
+        const float point[3] = {test_range(&random, -1, 1), test_range(&random, -1, 1), test_range(&random, -1, 1)};
+        const dm_pose pose = dmi_joint_pose(&joint, value);
+        float expected[3], moved[3];
+        dmi_pose_apply(&pose, point, expected);
+        dmi_joint_move(&joint, value, point, moved);
+        assert_near3(moved, expected, 4e-6);
+    }
+}
+
 static void positive_turns_are_right_handed(void** state) {
     (void)state;
     dm_joint joint = {.type = DM_JOINT_REVOLUTE, .axis = {0, 0, 1}};
@@ -150,6 +167,7 @@ static void origin_slides_along_the_axis_alone(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(poses_keep_to_the_joint),
+        cmocka_unit_test(one_point_goes_where_the_pose_takes_it),
         cmocka_unit_test(positive_turns_are_right_handed),
         cmocka_unit_test(still_joints_stay),
         cmocka_unit_test(projection_recovers_the_value),
