@@ -1,8 +1,8 @@
 /* Alternatives: the likeliest candidates that move the part unlike each other and unlike its hypotheses. */
 #include "kinematics/alternatives.h"
 
-#include "kinematics/linear3.h"
 #include "kinematics/twist.h"
+#include "math/linear3.h"
 
 #define ALIKE 0.1f /* by what share motions of one alternative may differ */
 #define GONE (-1.0f)

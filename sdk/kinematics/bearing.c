@@ -1,7 +1,7 @@
 /* Looks for what lies on a candidate's axis among the patches of part and body, and among the points that touch. */
 #include "kinematics/bearing.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define ROUND 0.12f       /* most residual of a patch that turns about a line, as for candidates */
 #define SLANT 0.05f       /* sine at which a patch's line counts for 1 / e */

@@ -1,7 +1,7 @@
 /* Gathers directions and points and crosses them; a drag leaves out what moves its point elsewhere. */
 #include "kinematics/candidates.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define MAX_DIRECTIONS 64
 #define MAX_POINTS 128

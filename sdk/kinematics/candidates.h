@@ -4,8 +4,8 @@
 #define DMI_KINEMATICS_CANDIDATES_H
 
 #include "kinematics/kpp_net.h"
-#include "kinematics/linear3.h"
 #include "kinematics/study.h"
+#include "math/linear3.h"
 
 #define DMI_CANDIDATES_MAX 1536
 

@@ -2,7 +2,7 @@
  * to the assigned normals' means, again. */
 #include "kinematics/directions.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define ROUNDS 12
 #define NEAR_COSINE 0.8f /* farther normals belong to no direction */

@@ -3,9 +3,9 @@
 
 #include "kinematics/bearing.h"
 #include "kinematics/glance.h"
-#include "kinematics/linear3.h"
 #include "kinematics/mirror.h"
 #include "kinematics/moved.h"
+#include "math/linear3.h"
 
 #define SURFACE_POINTS 96 /* of the part, for slippage and place */
 #define SWEEP_POINTS 64

@@ -2,7 +2,7 @@
 #include "kinematics/field.h"
 
 #include "base/cpu.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -1,7 +1,7 @@
 /* Shape, place in the box, drag, families and the network's word: a few operations a candidate. */
 #include "kinematics/glance.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 /* Slide, shape, alignment, offsets, place in the box, drag, network, families, handle, cross-section, grip, choice. */
 const uint8_t dmi_glance_columns[DMI_GLANCE_COLUMNS] = {

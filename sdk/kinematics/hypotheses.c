@@ -1,6 +1,6 @@
 /* Signs and re-ranks hypotheses by a drag: closed form, microseconds. */
 #include "kinematics/kinematics.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define DRAG_SPREAD 0.22f /* rad: a hand is off by 5 to 10 degrees, and the part may have moved already */
 #define FLOOR 0.02f       /* no drag rules a hypothesis out */

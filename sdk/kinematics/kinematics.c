@@ -2,10 +2,10 @@
 #include "kinematics/kinematics.h"
 
 #include "kinematics/limits.h"
-#include "kinematics/linear3.h"
 #include "kinematics/opinion.h"
 #include "kinematics/ranker.h"
 #include "kinematics/twist.h"
+#include "math/linear3.h"
 
 #define SCRATCH_BLOCK ((size_t)1 << 20)
 #define TOP_OF_TYPE 32 /* candidates of turning, and of sliding, that may become hypotheses */

@@ -2,7 +2,7 @@
  * them, some at a time. */
 #include "kinematics/kpp_choice.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define FAR 3.0f /* numbers beyond it say no more */
 #define LEAST_SIDE 0.02f

@@ -4,7 +4,7 @@
 
 #include "base/cpu.h"
 #include "kinematics/directions.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define PART_POINTS 512
 #define NEAR_POINTS 256

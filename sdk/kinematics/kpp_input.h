@@ -4,7 +4,7 @@
 #define DMI_KINEMATICS_KPP_INPUT_H
 
 #include "kinematics/groups.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 #include "mesh/cloud.h"
 
 #define DMI_KPP_GROUP DMI_GROUP /* points a group */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 #include "nn/transformer.h"
 
 #define WIDTH 96

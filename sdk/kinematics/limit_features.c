@@ -2,8 +2,8 @@
  * about the axis, and the part's shape. */
 #include "base/sort.h"
 #include "kinematics/limits.h"
-#include "kinematics/linear3.h"
 #include "kinematics/sweep.h"
+#include "math/linear3.h"
 
 enum { KIND, REACH = 2, SHAPE = 6, OFF = 14, BOX = 20, NETWORK = 23, AROUND = 28 };
 

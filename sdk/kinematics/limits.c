@@ -2,8 +2,8 @@
  * known of its kind by a small network, or by rules without one. */
 #include "kinematics/limits.h"
 
-#include "kinematics/linear3.h"
 #include "kinematics/sweep.h"
+#include "math/linear3.h"
 
 #define HALF_TURN 3.14159265f
 #define ROUND 0.02f /* most distance from itself, over its diagonal, of a turned part that counts as round */

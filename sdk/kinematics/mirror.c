@@ -1,7 +1,7 @@
 /* Compares the part and the body near it with their mirror images, by distance grids. */
 #include "kinematics/mirror.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define PART_POINTS 64
 #define BODY_POINTS 128

@@ -1,7 +1,7 @@
 /* A few forward passes and their means. */
 #include "kinematics/opinion.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 /* Shifts log-likelihoods so that they add up to a probability of one. */
 static void normalize(float* scores, uint32_t count) {

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 enum { GROWTH, CONTACT = 8, MOTION = 20, SHAPE = 25, REST = 34, GRAB = 39, SYMMETRY = 42, NEXT = 45 };
 #define CELLS 8 /* along each side of the box, to see whether a part is its own mirror image */

@@ -7,9 +7,9 @@
 
 #include <string.h>
 
-#include "kinematics/linear3.h"
 #include "kinematics/part_choice.h"
 #include "kinematics/part_weights.h"
+#include "math/linear3.h"
 
 #define BLOCK ((size_t)1 << 20)
 

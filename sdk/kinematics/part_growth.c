@@ -2,8 +2,8 @@
  * drag. */
 #include <string.h>
 
-#include "kinematics/linear3.h"
 #include "kinematics/part_growth.h"
+#include "math/linear3.h"
 
 enum { CONTACT, SIZE = 7, SHELL = 13, DRAG = 14, ALONE = 25, BEND = 26, SHEET = 28, TWIN = 29, FINE = 30 };
 static const float flush_cosine = 0.9f, flush_offset = 0.35f, stack_offset = 0.7f, bend_offset = 0.2f;

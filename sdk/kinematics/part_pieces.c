@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define SAMPLES 12288    /* of the whole mesh, by area */
 #define LEAST_SAMPLES 16 /* of a piece, however small */

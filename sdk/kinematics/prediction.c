@@ -1,6 +1,6 @@
 /* The network's raw heads, read in the object-normalised frame. */
 #include "kinematics/candidates.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 static void vector_out(const dmi_kpp_frame* frame, const float in[3], float out[3]) {
     for (int k = 0; k < 3; k++)

@@ -3,7 +3,7 @@
 
 #include "base/cpu.h"
 #include "kinematics/forest.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 #include "nn/weights.h"
 
 #define HIDDEN 64

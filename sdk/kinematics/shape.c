@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define FAN 96 /* directions of a half sphere */
 

@@ -3,7 +3,7 @@
 
 #include "base/random.h"
 #include "base/sort.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define NEAR_TRIES 32768
 #define GUIDE 4096

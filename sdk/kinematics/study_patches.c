@@ -1,8 +1,8 @@
 /* Shells and smooth regions of the part and of the body near it: hinge hardware, knobs, shafts and rims show there. */
 #include <stdlib.h>
 
-#include "kinematics/linear3.h"
 #include "kinematics/study.h"
+#include "math/linear3.h"
 #include "mesh/connectivity.h"
 
 #define MAX_FACES 24576 /* of each side; the largest are kept */

@@ -1,7 +1,7 @@
 /* Moves samples of a part along a joint and looks up how far they are from the body. */
 #include "kinematics/sweep.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define STOPPED 0.03f /* share of the free points that must meet the body */
 #define JAMMED 0.15f  /* share that no gap or thin shell explains */

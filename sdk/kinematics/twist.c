@@ -1,7 +1,7 @@
 /* Velocities of a part's points, and the angle between two joints'. */
 #include "kinematics/twist.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 static void make_unit(dmi_twist* t) {
     float square = 0;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "math/linear3.h"
 #include "math/vec3.h"
 
 #define TWO_PI 6.28318530717958647692f
@@ -57,28 +58,21 @@ float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near) 
 }
 
 void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
-    const dmi_float3 a = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
-    if (dmi_joint_turns(joint->type)) {
-        const float less = cosf(value) - 1, s = sinf(value), way = advance(joint) * value;
-        float arm[3];
-        for (int i = 0; i < 3; i++) arm[i] = rest_point[i] - origin.v[i];
-        const float along = arm[0] * a.v[0] + arm[1] * a.v[1] + arm[2] * a.v[2];
-        for (int i = 0; i < 3; i++) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            const float quarter = a.v[j] * arm[k] - a.v[k] * arm[j];
-            out[i] = rest_point[i] + less * (arm[i] - along * a.v[i]) + s * quarter + way * a.v[i];
-        }
-    } else {
-        const float way = joint->type == DM_JOINT_PRISMATIC ? value : 0;
-        for (int i = 0; i < 3; i++) out[i] = rest_point[i] + way * a.v[i];
-    }
+    const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
+    const float way = (joint->type == DM_JOINT_PRISMATIC ? 1 : advance(joint)) * value;
+    if (dmi_joint_turns(joint->type))
+        dmi_turn3(axis.v, origin.v, cosf(value), sinf(value), rest_point, out);
+    else
+        dmi_copy3(rest_point, out);
+    dmi_madd3(out, way, axis.v, out);
 }
 
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
     const dm_vec3 a = joint->axis;
     if (dmi_joint_turns(joint->type)) {
+        dm_pose pose = dmi_joint_pose(joint, value);
         float p[3];
-        dmi_joint_move(joint, value, rest_point, p);
+        dmi_pose_apply(&pose, rest_point, p);
         const float x = p[0] - joint->origin.x, y = p[1] - joint->origin.y, z = p[2] - joint->origin.z;
         const float pitch = advance(joint);
         out[0] = a.y * z - a.z * y + pitch * a.x;

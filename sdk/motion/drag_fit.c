@@ -1,7 +1,7 @@
 /* Misses of a joint that follows a remembered pull, and their slopes by where the joint's line lies. */
 #include "motion/drag_fit.h"
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 
 #define LEAST_SINE2 1e-2f /* of the angle between a circle's two ways, as they are seen, squared */

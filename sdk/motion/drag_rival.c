@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 
 #define ONE_TURN 6.28318531f

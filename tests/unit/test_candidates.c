@@ -5,8 +5,8 @@
 
 #include "base/random.h"
 #include "kinematics/candidates.h"
-#include "kinematics/linear3.h"
 #include "kinematics/ranker.h"
+#include "math/linear3.h"
 #include "test_shapes.h"
 
 static test_shape shape;

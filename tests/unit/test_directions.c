@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "kinematics/directions.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define COUNT 600
 

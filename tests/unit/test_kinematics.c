@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "kinematics/kinematics.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 #include "test_shapes.h"
 #include "test_world.h"
 

@@ -11,7 +11,7 @@
 
 #include "base/random.h"
 #include "kinematics/kpp_input.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 /* Normals of a box, somewhat uneven, the body's box turned against the part's. */
 static void make_normal(dmi_random* random, int is_part, float out[3]) {

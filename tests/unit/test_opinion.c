@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "kinematics/linear3.h"
 #include "kinematics/opinion.h"
+#include "math/linear3.h"
 #include "test_shapes.h"
 #include "test_world.h"
 

@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "base/random.h"
-#include "kinematics/linear3.h"
 #include "kinematics/sieve.h"
+#include "math/linear3.h"
 #include "test_shapes.h"
 
 static test_shape shape;

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "kinematics/linear3.h"
 #include "kinematics/twist.h"
+#include "math/linear3.h"
 
 /* A part of points round (1, 0, 0). */
 static dmi_study* make_study(void) {

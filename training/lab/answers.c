@@ -7,7 +7,7 @@
 #include "case.h"
 #include "goal.h"
 #include "kinematics/kinematics.h"
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 static void score(const lab_case* made, const dm_joint* truth, const float drag_point[3], const dm_joint* answer,
                   const dm_lab_answers* out, uint32_t at) {

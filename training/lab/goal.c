@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 #define MOST_TURN 1.2f
 #define FREE_SLIDE 0.3f

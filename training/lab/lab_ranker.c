@@ -8,9 +8,9 @@
 #include "goal.h"
 #include "kinematics/evidence.h"
 #include "kinematics/kinematics.h"
-#include "kinematics/linear3.h"
 #include "kinematics/opinion.h"
 #include "kinematics/sieve.h"
+#include "math/linear3.h"
 
 #define KEPT_BEST 8
 #define SIEVE_VERSION 1

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "case.h"
-#include "kinematics/linear3.h"
 #include "lab_given.h"
+#include "math/linear3.h"
 #include "motion/dq_vae.h"
 
 #define STROKES 4      /* of every object: drawing one is much cheaper than making one */

@@ -1,5 +1,5 @@
 /* Symmetric eigenproblems by Jacobi rotations, principal directions, perpendicular frames. */
-#include "kinematics/linear3.h"
+#include "math/linear3.h"
 
 void dmi_perpendicular3(const float axis[3], float out_u[3], float out_w[3]) {
     int least = 0;

@@ -1,6 +1,6 @@
 /* Small dense algebra in three dimensions: vectors of floats, symmetric eigenproblems, perpendicular frames. */
-#ifndef DMI_KINEMATICS_LINEAR3_H
-#define DMI_KINEMATICS_LINEAR3_H
+#ifndef DMI_MATH_LINEAR3_H
+#define DMI_MATH_LINEAR3_H
 
 #include <math.h>
 #include <stdint.h>
