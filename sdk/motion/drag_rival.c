@@ -45,7 +45,7 @@ float dmi_rival_odds(const dm_joint* joint) {
 }
 
 /* What speaks against a turn by the place where the part was taken hold of: about an axis close by, any small pull is
- * explained, by a large turn. */
+ * explained, by a large turn. The root of the share: small parts do turn about points close by. */
 float dmi_rival_arm_cost(const dmi_hold* hold, const dm_joint* joint) {
     if (!dmi_joint_turns(joint->type)) return 0;
     const float arm = distance_to_line(hold->pull.grab, joint) / (GOOD_ARM * hold->size);
@@ -115,7 +115,8 @@ float dmi_hand_off(const dmi_hold* hold) {
 
 /* Log likelihood of being so far off. It counts how far that was at most, as a share of the pull by now: a slide
  * crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail is that
- * of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. */
+ * of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. Fitted to
+ * drags of generated objects (docs/feel.md). */
 static float met(const dmi_hold* hold, float off) {
     return -FALL * logf(1 + off / dmi_hand_off(hold));
 }

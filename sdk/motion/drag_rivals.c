@@ -55,8 +55,8 @@ void dmi_rivals_init(dmi_rivals* rivals, const dm_joint* joints, uint32_t count,
 static uint32_t likeliest(const dmi_rivals* rivals, uint32_t out[AT_ONCE]) {
     uint32_t found = 0;
     for (uint32_t i = 0; i < rivals->count; i++) {
-        const float hope = rivals->hope[i];
-        if (i == rivals->best || (found == AT_ONCE && hope <= rivals->hope[out[found - 1]])) continue;
+        const float hope = rivals->hope[i], least = found == AT_ONCE ? rivals->hope[out[found - 1]] : -INFINITY;
+        if (!(hope > least) || i == rivals->best) continue; /* nor where it is no number */
         uint32_t at = found < AT_ONCE ? found++ : found - 1;
         for (; at > 0 && rivals->hope[out[at - 1]] < hope; at--) out[at] = out[at - 1];
         out[at] = i;

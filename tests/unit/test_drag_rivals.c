@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "math/frames.h"
+#include "math/linear3.h"
 #include "motion/drag.h"
 
 #define FRAME (1.0f / 60)
@@ -289,6 +290,23 @@ static void no_turn_about_the_grabbed_point(void** state) {
     assert_true(rivals.list[rivals.count - 1].prior > -0.5f);
 }
 
+/* Rivals whose likelihood overflowed are not weighed in the place of others. */
+static void what_is_no_number_is_not_waited_for(void** state) {
+    (void)state;
+    enum { ALONG_X = JOINTS, ALONG_Y }; /* the last resorts; along z there is a slide already */
+    dmi_rivals rivals;
+    dmi_rivals_init(&rivals, joints, JOINTS, handle, 1, (dmi_give){.length = 4});
+    rivals.hope[LEFT] = rivals.hope[RIGHT] = rivals.hope[LOWER] = NAN;
+    dm_ray ray = ray_to(eye, (const float[3]){handle[0] + 0.1f, handle[1], handle[2]});
+    dmi_float3 direction = dmi_xyz(ray.direction);
+    dmi_normalize3(direction.v);
+    ray.direction = dmi_vec3(direction.v);
+    dmi_rivals_weigh(&rivals, 0, &ray, DMI_PERSPECTIVE);
+    assert_near(rivals.list[ALONG_X].reach, 0.1f, 1e-4);
+    assert_true(rivals.list[ALONG_Y].worst > 0);
+    for (int i = LEFT; i <= LOWER; i++) assert_near(rivals.list[i].worst, 0, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_pull_tells_the_joint),
@@ -301,6 +319,7 @@ int main(void) {
         cmocka_unit_test(host_axes_do_not_matter),
         cmocka_unit_test(an_alternative_takes_over),
         cmocka_unit_test(no_turn_about_the_grabbed_point),
+        cmocka_unit_test(what_is_no_number_is_not_waited_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
