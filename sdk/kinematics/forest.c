@@ -7,48 +7,42 @@
 
 /* A tree's nodes as the file has them: column -1 for leaves, then the value is a score. */
 typedef struct raw_tree {
-    const float *column, *left, *value;
+    const float *column, *value;
 } raw_tree;
 
-/* Children come after their parents, so that every way down ends. */
-static int is_fork(const raw_tree* raw, uint32_t node) {
-    const float column = raw->column[node], left = raw->left[node];
-    return column >= 0 && column < DMI_EVIDENCE_COUNT && column == floorf(column) && left > (float)node &&
-           left < DMI_FOREST_NODES - 1 && left == floorf(left) && isfinite(raw->value[node]);
-}
-
+/* Nodes lie level by level: a fork's two go after those of the forks before it, so that every way down ends. */
 static int read_tree(const raw_tree* raw, dmi_forest_node* nodes, float* scores, uint32_t* out_depth) {
-    uint32_t depth[DMI_FOREST_NODES] = {0};
+    uint32_t depth[DMI_FOREST_NODES] = {0}, left = 1;
     *out_depth = 0;
     for (uint32_t n = 0; n < DMI_FOREST_NODES; n++) {
-        if (raw->column[n] == -1) {
-            if (!isfinite(raw->value[n])) return 0;
+        const float column = raw->column[n], value = raw->value[n];
+        if (!isfinite(value)) return 0;
+        if (column == -1) {
             nodes[n] = (dmi_forest_node){.value = INFINITY, .left = (uint8_t)n};
-            scores[n] = raw->value[n];
+            scores[n] = value;
             continue;
         }
-        if (!is_fork(raw, n)) return 0;
-        const uint32_t left = (uint32_t)raw->left[n];
-        nodes[n] = (dmi_forest_node){.value = raw->value[n], .column = (uint8_t)raw->column[n], .left = (uint8_t)left};
+        if (!(column >= 0 && column < DMI_EVIDENCE_COUNT && column == floorf(column)) || left <= n ||
+            left >= DMI_FOREST_NODES - 1)
+            return 0;
+        nodes[n] = (dmi_forest_node){.value = value, .column = (uint8_t)column, .left = (uint8_t)left};
         scores[n] = 0;
-        for (uint32_t child = left; child < left + 2; child++)
-            if (depth[child] < depth[n] + 1) depth[child] = depth[n] + 1;
-        if (*out_depth < depth[left]) *out_depth = depth[left];
+        *out_depth = depth[left] = depth[left + 1] = depth[n] + 1;
+        left += 2;
     }
     return 1;
 }
 
 dm_result dmi_forest_read(dmi_env* env, const dmi_weights* weights, dmi_forest* out_forest) {
     enum { NODES = DMI_FOREST_TREES * DMI_FOREST_NODES };
-    const size_t bytes = 3 * sizeof(float) * NODES;
+    const size_t bytes = 2 * sizeof(float) * NODES;
     float* raw = dmi_alloc(env, bytes, _Alignof(float));
     if (raw == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "forest: no memory for %zu bytes", bytes);
     int whole = dmi_weights_read(weights, "forest.column", DMI_FOREST_TREES, DMI_FOREST_NODES, raw) &&
-                dmi_weights_read(weights, "forest.left", DMI_FOREST_TREES, DMI_FOREST_NODES, raw + NODES) &&
-                dmi_weights_read(weights, "forest.value", DMI_FOREST_TREES, DMI_FOREST_NODES, raw + 2 * NODES);
+                dmi_weights_read(weights, "forest.value", DMI_FOREST_TREES, DMI_FOREST_NODES, raw + NODES);
     for (uint32_t t = 0; whole && t < DMI_FOREST_TREES; t++) {
         const float* first = raw + (size_t)t * DMI_FOREST_NODES;
-        const raw_tree tree = {.column = first, .left = first + NODES, .value = first + 2 * NODES};
+        const raw_tree tree = {.column = first, .value = first + NODES};
         whole = read_tree(&tree, out_forest->nodes[t], out_forest->scores[t], &out_forest->depth[t]);
     }
     dmi_free(env, raw, bytes);

@@ -90,10 +90,22 @@ static dm_joint make_joint(const work* w, const dmi_candidate* c, float mass, fl
         joint.type = DM_JOINT_SCREW;
         joint.pitch = p != NULL ? (dmi_dot3(p->turn_axis, c->axis) < 0 ? -p->pitch : p->pitch) : 0.02f;
     }
-    dmi_limits_set(&w->study, p, w->query->hint != NULL, dmi_ranker_limits(w->query->ranker), &joint);
-    if (given == DM_JOINT_CONTINUOUS || (given == DM_JOINT_REVOLUTE && joint.type == DM_JOINT_CONTINUOUS))
-        joint.type = given;
     return joint;
+}
+
+/* Of all hypotheses at once. candidates: which of them each is. */
+static void set_limits(const work* w, const uint32_t candidates[DM_MAX_HYPOTHESES], dmi_hypotheses* out) {
+    const dmi_prediction* p = w->query->net != NULL ? &w->opinion.prediction : NULL;
+    const int32_t given = w->query->given_type;
+    const float* evidence[DM_MAX_HYPOTHESES];
+    for (uint32_t i = 0; i < out->count; i++) evidence[i] = w->evidence[candidates[i]];
+    dmi_limits_set(&w->study, p, w->query->hint != NULL, dmi_ranker_limits(w->query->ranker), evidence, out->joints,
+                   out->count);
+    for (uint32_t i = 0; i < out->count; i++) {
+        dm_joint* joint = &out->joints[i];
+        if (given == DM_JOINT_CONTINUOUS || (given == DM_JOINT_REVOLUTE && joint->type == DM_JOINT_CONTINUOUS))
+            joint->type = given;
+    }
 }
 
 /* Everything that choosing works on: the leading candidates, who is alike, what is left. */
@@ -171,6 +183,7 @@ static void follow(const dmi_drag_hint* hint, dm_joint* joint) {
  * slide outweighs each turn long before slides outweigh turns. */
 static void choose(const work* w, dmi_hypotheses* out) {
     choice c;
+    uint32_t chosen[DM_MAX_HYPOTHESES];
     start_choice(w, &c);
     out->count = 0;
     float least = 1; /* no alternative is stated likelier than what goes before it */
@@ -181,15 +194,25 @@ static void choose(const work* w, dmi_hypotheses* out) {
         best = sharpen(w, best, &c);
         uint32_t index = c.top[best].index;
         least = fminf(least, take_alike(w, best, &c));
+        chosen[out->count] = index;
         out->joints[out->count++] = make_joint(w, &w->candidates[index], least, c.type_mass[slides(w, index)]);
     }
+    set_limits(w, chosen, out);
 }
 
-/* The plain KPP-Net; a given type is certain. */
+static void gather_evidence(work* w, const dmi_prediction* prediction) {
+    const dmi_kinematics_query* query = w->query;
+    if (prediction != NULL) dmi_opinion_score(query->net, query->isa, &w->opinion, w->candidates, w->count, w->score);
+    dmi_evidence_make(&w->study, query->hint, prediction, prediction != NULL ? w->score : NULL, w->candidates, w->count,
+                      w->evidence);
+}
+
+/* The plain KPP-Net; a given type is certain. The evidence is for the limits. */
 static void ask_network(work* w) {
     int32_t type = w->query->given_type;
     dmi_prediction_candidates(&w->opinion.prediction, w->study.centre, w->candidates, w->probability);
     w->count = 2;
+    gather_evidence(w, &w->opinion.prediction);
     if (type == DM_JOINT_UNKNOWN || type == DM_JOINT_FIXED) return;
     w->probability[1] = type == DM_JOINT_PRISMATIC ? 1 : 0;
     w->probability[0] = 1 - w->probability[1];
@@ -209,9 +232,7 @@ static void rank_candidates(work* w, const dmi_prediction* prediction) {
     w->count = dmi_candidates_make(&w->study, query->hint, prediction, w->candidates);
     keep_type(w);
     sift(w);
-    if (prediction != NULL) dmi_opinion_score(query->net, query->isa, &w->opinion, w->candidates, w->count, w->score);
-    dmi_evidence_make(&w->study, query->hint, prediction, prediction != NULL ? w->score : NULL, w->candidates, w->count,
-                      w->evidence);
+    gather_evidence(w, prediction);
     dmi_ranker_probabilities(query->ranker, (const float(*)[DMI_EVIDENCE_COUNT])w->evidence, w->count, w->probability);
 }
 

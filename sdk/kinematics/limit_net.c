@@ -1,8 +1,9 @@
-/* Forward pass of the limits' network: how probable each range is, and the range that overlaps the likely ones most. A
+/* Forward pass of the limits' networks: how probable each range is, and the range that overlaps the likely ones most. A
  * door that goes a quarter turn or a half overlaps neither well with the mean of both. */
 #include "kinematics/limit_net.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define LEAST 0.01f    /* between the limits */
@@ -15,29 +16,47 @@ static int sizes_rise(const float sizes[DMI_LIMIT_SIZES]) {
     return rise;
 }
 
+static int read_voice(const dmi_weights* weights, int index, dmi_limit_voice* out) {
+    const uint32_t in = DMI_LIMIT_INPUTS, hidden = DMI_LIMIT_HIDDEN, outputs = DMI_LIMIT_OUTPUTS;
+    const struct {
+        const char* name;
+        uint32_t rows, columns;
+        float* to;
+    } tensors[] = {{"first", in, hidden, out->first},       {"first_bias", hidden, 0, out->first_bias},
+                   {"second", hidden, hidden, out->second}, {"second_bias", hidden, 0, out->second_bias},
+                   {"last", hidden, outputs, out->last},    {"last_bias", outputs, 0, out->last_bias}};
+    for (size_t i = 0; i < sizeof tensors / sizeof *tensors; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "limits.%d.%s", index, tensors[i].name);
+        if (!dmi_weights_read(weights, name, tensors[i].rows, tensors[i].columns, tensors[i].to)) return 0;
+    }
+    return 1;
+}
+
 int dmi_limit_net_read(const dmi_weights* weights, dmi_limit_net* out_net) {
-    const uint32_t in = DMI_LIMIT_FEATURES, hidden = DMI_LIMIT_HIDDEN;
-    return dmi_weights_read(weights, "limits.mean", in, 0, out_net->mean) &&
-           dmi_weights_read(weights, "limits.scale", in, 0, out_net->scale) &&
-           dmi_weights_read(weights, "limits.sizes", DMI_LIMIT_SIZES, 0, out_net->sizes) &&
-           dmi_weights_read(weights, "limits.first", in, hidden, out_net->first) &&
-           dmi_weights_read(weights, "limits.first_bias", hidden, 0, out_net->first_bias) &&
-           dmi_weights_read(weights, "limits.second", hidden, hidden, out_net->second) &&
-           dmi_weights_read(weights, "limits.second_bias", hidden, 0, out_net->second_bias) &&
-           dmi_weights_read(weights, "limits.last", hidden, DMI_LIMIT_OUTPUTS, out_net->last) &&
-           dmi_weights_read(weights, "limits.last_bias", DMI_LIMIT_OUTPUTS, 0, out_net->last_bias) &&
-           sizes_rise(out_net->sizes);
+    int whole = dmi_weights_read(weights, "limits.mean", DMI_LIMIT_INPUTS, 0, out_net->mean) &&
+                dmi_weights_read(weights, "limits.scale", DMI_LIMIT_INPUTS, 0, out_net->scale) &&
+                dmi_weights_read(weights, "limits.sizes", DMI_LIMIT_SIZES, 0, out_net->sizes) &&
+                sizes_rise(out_net->sizes);
+    for (int i = 0; i < DMI_LIMIT_VOICES; i++) whole = whole && read_voice(weights, i, &out_net->voices[i]);
+    return whole;
 }
 
-static void dense(const float* weight, const float* bias, const float* in, int inputs, int outputs,
+/* rows x outputs, from rows x inputs. What is zero adds nothing. */
+static void dense(const float* weight, const float* bias, const float* in, uint32_t rows, int inputs, int outputs,
                   float* restrict out) {
-    memcpy(out, bias, (size_t)outputs * sizeof *out);
+    for (uint32_t r = 0; r < rows; r++) memcpy(out + r * (uint32_t)outputs, bias, (size_t)outputs * sizeof *out);
     for (int i = 0; i < inputs; i++)
-        for (int o = 0; o < outputs; o++) out[o] += in[i] * weight[i * outputs + o];
+        for (uint32_t r = 0; r < rows; r++) {
+            const float x = in[r * (uint32_t)inputs + (uint32_t)i];
+            float* to = out + r * (uint32_t)outputs;
+            if (x == 0) continue;
+            for (int o = 0; o < outputs; o++) to[o] += x * weight[i * outputs + o];
+        }
 }
 
-static void rectify(float* x, int count) {
-    for (int i = 0; i < count; i++) x[i] = x[i] > 0 ? x[i] : 0;
+static void rectify(float* x, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) x[i] = x[i] > 0 ? x[i] : 0;
 }
 
 /* Logits to probabilities; the least logit is held so that no share is denormal. */
@@ -55,8 +74,9 @@ typedef struct ranges {
     float down[MOST_RANGES], up[MOST_RANGES], probability[MOST_RANGES];
 } ranges;
 
-/* The ranges that count: of every kind of range each side has its own shares. */
-static void likely_ranges(const dmi_limit_net* net, const float outputs[DMI_LIMIT_OUTPUTS - 1], ranges* out) {
+/* Of each range how probable a voice thinks it: of every kind of range each side has its own shares. */
+static void add_opinion(const float outputs[DMI_LIMIT_OUTPUTS - 1],
+                        float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES]) {
     enum { N = DMI_LIMIT_SIZES, KINDS = DMI_LIMIT_KINDS };
     float kind[KINDS], down[KINDS][N], up[KINDS][N];
     share(outputs, KINDS, kind);
@@ -64,15 +84,23 @@ static void likely_ranges(const dmi_limit_net* net, const float outputs[DMI_LIMI
         share(outputs + KINDS + k * N, N, down[k]);
         share(outputs + KINDS + (KINDS + k) * N, N, up[k]);
     }
+    for (int k = 0; k < KINDS; k++)
+        for (int d = 0; d < N; d++) {
+            const float both = kind[k] * down[k][d] / DMI_LIMIT_VOICES;
+            for (int u = 0; u < N; u++) probability[d][u] += both * up[k][u];
+        }
+}
+
+/* Those that count. */
+static void likely_ranges(const dmi_limit_net* net, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
+                          ranges* out) {
     out->count = 0;
-    for (int d = 0; d < N; d++)
-        for (int u = 0; u < N; u++) {
-            float p = 0;
-            for (int k = 0; k < KINDS; k++) p += kind[k] * down[k][d] * up[k][u];
-            if (p <= UNLIKELY) continue;
+    for (int d = 0; d < DMI_LIMIT_SIZES; d++)
+        for (int u = 0; u < DMI_LIMIT_SIZES; u++) {
+            if (probability[d][u] <= UNLIKELY) continue;
             out->down[out->count] = net->sizes[d];
             out->up[out->count] = net->sizes[u];
-            out->probability[out->count++] = p;
+            out->probability[out->count++] = probability[d][u];
         }
 }
 
@@ -97,20 +125,47 @@ static int best_range(const ranges* all) {
     return best;
 }
 
-void dmi_limit_net_forward(const dmi_limit_net* net, const float features[DMI_LIMIT_FEATURES], float* out_lower,
-                           float* out_upper, float* out_free) {
-    float x[DMI_LIMIT_FEATURES], a[DMI_LIMIT_HIDDEN], b[DMI_LIMIT_HIDDEN], out[DMI_LIMIT_OUTPUTS];
+/* What is unknown counts as its mean. */
+static void standardise(const dmi_limit_net* net, const dmi_limit_question* question, float out[DMI_LIMIT_INPUTS]) {
+    const float *mean = net->mean + DMI_LIMIT_FEATURES, *scale = net->scale + DMI_LIMIT_FEATURES;
+    for (int i = 0; i < DMI_LIMIT_FEATURES; i++) out[i] = (question->features[i] - net->mean[i]) * net->scale[i];
+    for (int i = 0; i < DMI_EVIDENCE_COUNT; i++)
+        out[DMI_LIMIT_FEATURES + i] = question->evidence != NULL ? (question->evidence[i] - mean[i]) * scale[i] : 0;
+}
+
+static void speak(const dmi_limit_voice* voice, const float* x, uint32_t rows, float* out) {
+    float a[DMI_LIMIT_ROWS * DMI_LIMIT_HIDDEN], b[DMI_LIMIT_ROWS * DMI_LIMIT_HIDDEN];
+    dense(voice->first, voice->first_bias, x, rows, DMI_LIMIT_INPUTS, DMI_LIMIT_HIDDEN, a);
+    rectify(a, rows * DMI_LIMIT_HIDDEN);
+    dense(voice->second, voice->second_bias, a, rows, DMI_LIMIT_HIDDEN, DMI_LIMIT_HIDDEN, b);
+    rectify(b, rows * DMI_LIMIT_HIDDEN);
+    dense(voice->last, voice->last_bias, b, rows, DMI_LIMIT_HIDDEN, DMI_LIMIT_OUTPUTS, out);
+}
+
+static void answer(const dmi_limit_net* net, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
+                   dmi_limit_answer* out) {
     ranges likely;
-    for (int i = 0; i < DMI_LIMIT_FEATURES; i++) x[i] = (features[i] - net->mean[i]) * net->scale[i];
-    dense(net->first, net->first_bias, x, DMI_LIMIT_FEATURES, DMI_LIMIT_HIDDEN, a);
-    rectify(a, DMI_LIMIT_HIDDEN);
-    dense(net->second, net->second_bias, a, DMI_LIMIT_HIDDEN, DMI_LIMIT_HIDDEN, b);
-    rectify(b, DMI_LIMIT_HIDDEN);
-    dense(net->last, net->last_bias, b, DMI_LIMIT_HIDDEN, DMI_LIMIT_OUTPUTS, out);
-    likely_ranges(net, out + 1, &likely);
+    likely_ranges(net, probability, &likely);
     const int best = best_range(&likely);
-    *out_lower = -likely.down[best];
-    *out_upper = likely.up[best];
-    if (*out_upper - *out_lower < LEAST) *out_upper = *out_lower + LEAST;
-    *out_free = out[0];
+    out->lower = -likely.down[best];
+    out->upper = likely.up[best];
+    if (out->upper - out->lower < LEAST) out->upper = out->lower + LEAST;
+}
+
+void dmi_limit_net_ask(const dmi_limit_net* net, const dmi_limit_question* questions, uint32_t count,
+                       dmi_limit_answer* out) {
+    float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], said[DMI_LIMIT_ROWS][DMI_LIMIT_OUTPUTS];
+    float probability[DMI_LIMIT_ROWS][DMI_LIMIT_SIZES][DMI_LIMIT_SIZES] = {0};
+    for (uint32_t r = 0; r < count; r++) {
+        standardise(net, &questions[r], x[r]);
+        out[r].free = 0;
+    }
+    for (int i = 0; i < DMI_LIMIT_VOICES; i++) {
+        speak(&net->voices[i], x[0], count, said[0]);
+        for (uint32_t r = 0; r < count; r++) {
+            out[r].free += said[r][0] / DMI_LIMIT_VOICES;
+            add_opinion(said[r] + 1, probability[r]);
+        }
+    }
+    for (uint32_t r = 0; r < count; r++) answer(net, (const float(*)[DMI_LIMIT_SIZES])probability[r], &out[r]);
 }

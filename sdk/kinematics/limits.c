@@ -54,30 +54,44 @@ void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
     joint->lower = -joint->upper, joint->upper = -lower;
 }
 
-static void ask_network(const dmi_study* study, const dmi_prediction* prediction, int with_drag,
-                        const dmi_limit_net* net, dm_joint* joint) {
-    float features[DMI_LIMIT_FEATURES], lower, upper, free;
-    if (!with_drag) dmi_limits_face_room(study, joint);
-    float unit = dmi_limits_features(study, prediction, with_drag, joint, features);
-    dmi_limit_net_forward(net, features, &lower, &upper, &free);
-    if (joint->type == DM_JOINT_REVOLUTE && free > 0) {
-        joint->type = DM_JOINT_CONTINUOUS;
-        joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
-        return;
-    }
-    joint->lower = unit * lower, joint->upper = unit * upper;
-}
-
-void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, int with_drag, const dmi_limit_net* net,
-                    dm_joint* joint) {
-    if (net != NULL) {
-        ask_network(study, prediction, with_drag, net, joint);
-        return;
-    }
+static void set_by_rules(const dmi_study* study, dm_joint* joint) {
     dmi_sweep s;
     dmi_sweep_make(study, joint, &s);
     if (dmi_sweep_slides(&s))
         limit_slide(&s, joint);
     else
         limit_turn(&s, joint);
+}
+
+static void take_answer(const dmi_limit_answer* answer, float unit, dm_joint* joint) {
+    if (joint->type == DM_JOINT_REVOLUTE && answer->free > 0) {
+        joint->type = DM_JOINT_CONTINUOUS;
+        joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
+        return;
+    }
+    joint->lower = unit * answer->lower, joint->upper = unit * answer->upper;
+}
+
+/* Of a slide the evidence is kept from the networks: they would learn by heart how far the buttons of each generated
+ * kind go in, and no other is alike (docs/decisions.md, 39). */
+static void ask_networks(const dmi_study* study, const dmi_prediction* prediction, int with_drag,
+                         const dmi_limit_net* net, const float* const* evidence, dm_joint* joints, uint32_t count) {
+    dmi_limit_question questions[DM_MAX_HYPOTHESES] = {0};
+    dmi_limit_answer answers[DM_MAX_HYPOTHESES];
+    float units[DM_MAX_HYPOTHESES];
+    for (uint32_t i = 0; i < count; i++) {
+        if (!with_drag) dmi_limits_face_room(study, &joints[i]);
+        units[i] = dmi_limits_features(study, prediction, with_drag, &joints[i], questions[i].features);
+        questions[i].evidence = joints[i].type != DM_JOINT_PRISMATIC ? evidence[i] : NULL;
+    }
+    dmi_limit_net_ask(net, questions, count, answers);
+    for (uint32_t i = 0; i < count; i++) take_answer(&answers[i], units[i], &joints[i]);
+}
+
+void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, int with_drag, const dmi_limit_net* net,
+                    const float* const* evidence, dm_joint* joints, uint32_t count) {
+    if (net != NULL)
+        ask_networks(study, prediction, with_drag, net, evidence, joints, count);
+    else
+        for (uint32_t i = 0; i < count; i++) set_by_rules(study, &joints[i]);
 }

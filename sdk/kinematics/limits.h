@@ -13,10 +13,10 @@ float dmi_limits_features(const dmi_study* study, const dmi_prediction* predicti
 /* Signs a joint that no drag signs: positive is the side with more room before the part meets the body. */
 void dmi_limits_face_room(const dmi_study* study, dm_joint* joint);
 
-/* Sets lower and upper of a revolute, prismatic or screw joint (inner frame), and turns a revolute one that nothing
- * stops into a continuous one. with_drag: positive follows a drag; else the joint is
- * signed by dmi_limits_face_room. prediction and net (then by rules) may be NULL. */
+/* Sets lower and upper of revolute, prismatic or screw joints (inner frame), and turns a revolute one that nothing
+ * stops into a continuous one; count: at most DM_MAX_HYPOTHESES. with_drag: positive follows a drag; else the joints
+ * are signed by dmi_limits_face_room. evidence: each joint's. prediction and net (then by rules) may be NULL. */
 void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, int with_drag, const dmi_limit_net* net,
-                    dm_joint* joint);
+                    const float* const* evidence, dm_joint* joints, uint32_t count);
 
 #endif

@@ -10,14 +10,14 @@
 #include "kinematics/forest.h"
 #include "test_world.h"
 
-enum { NODES = DMI_FOREST_TREES * DMI_FOREST_NODES, TENSORS = 3, ROWS = 37 };
+enum { NODES = DMI_FOREST_TREES * DMI_FOREST_NODES, TENSORS = 2, ROWS = 37 };
 
 static dmi_forest forest;
 static float rows[ROWS][DMI_EVIDENCE_COUNT], scores[ROWS];
 
 /* Trees as a weights file has them. */
 typedef struct trees {
-    float column[NODES], left[NODES], value[NODES];
+    float column[NODES], value[NODES];
 } trees;
 static trees made;
 
@@ -26,15 +26,15 @@ static trees made;
 static void two_forks(void) {
     memset(&made, 0, sizeof made);
     for (int n = 0; n < NODES; n++) made.column[n] = -1;
-    made.column[0] = 5, made.left[0] = 1, made.value[0] = 0.5f;
+    made.column[0] = 5, made.value[0] = 0.5f;
     made.value[1] = 10;
-    made.column[2] = 201, made.left[2] = 3, made.value[2] = -1;
+    made.column[2] = 201, made.value[2] = -1;
     made.value[3] = 20, made.value[4] = 30;
 }
 
 /* The bytes of a weights file around `made`. */
 static unsigned char* file_of_trees(size_t* out_size) {
-    static const char* names[TENSORS] = {"column", "left", "value"};
+    static const char* names[TENSORS] = {"column", "value"};
     char header[1024];
     size_t bytes = sizeof(float) * NODES, at = 0;
     int length =
@@ -98,28 +98,35 @@ static void what_is_no_tree_is_refused(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    float* const numbers[] = {&made.left[0],   &made.left[2],   &made.left[2],   &made.left[0],  &made.column[0],
-                              &made.column[0], &made.column[2], &made.column[0], &made.value[0], &made.value[1]};
-    const float wrong[] = {0, 2, 1, 1.5f, DMI_EVIDENCE_COUNT, 0.5f, -2, NAN, INFINITY, NAN};
+    float* const numbers[] = {&made.column[0], &made.column[0], &made.column[2],
+                              &made.column[0], &made.value[0],  &made.value[1]};
+    const float wrong[] = {DMI_EVIDENCE_COUNT, 0.5f, -2, NAN, INFINITY, NAN};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         two_forks();
         *numbers[i] = wrong[i];
         assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
     }
     two_forks();
-    made.column[DMI_FOREST_NODES - 3] = 0, made.left[DMI_FOREST_NODES - 3] = DMI_FOREST_NODES - 2;
+    made.column[0] = -1; /* the fork at 2 hangs on nothing, and its own would be 1 and 2 */
+    assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
+    two_forks();
+    for (int n = 0; n < DMI_FOREST_NODES / 2; n++) made.column[n] = 0;
     assert_int_equal(read_made(&t), DM_OK);
-    made.left[DMI_FOREST_NODES - 3] = DMI_FOREST_NODES - 1; /* no room for the one after */
+    made.column[DMI_FOREST_NODES / 2] = 0; /* no room for what it forks to */
     assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
     test_env_close(&t);
 }
 
 static float walk(const trees* from, int tree, const float* row) {
-    const int first = tree * DMI_FOREST_NODES;
+    const float* column = from->column + (size_t)tree * DMI_FOREST_NODES;
+    const float* value = from->value + (size_t)tree * DMI_FOREST_NODES;
     int n = 0;
-    while (from->column[first + n] >= 0)
-        n = (int)from->left[first + n] + (row[(int)from->column[first + n]] > from->value[first + n]);
-    return from->value[first + n];
+    while (column[n] >= 0) {
+        int forks = 0;
+        for (int before = 0; before < n; before++) forks += column[before] >= 0;
+        n = 1 + 2 * forks + (row[(int)column[n]] > value[n]);
+    }
+    return value[n];
 }
 
 /* Side by side and one by one: the same bits. */
@@ -133,7 +140,6 @@ static void the_shipped_trees_say_what_a_plain_walk_says(void** state) {
     assert_int_equal(dmi_weights_open(&t.env, bytes, size, "dragmesh-ranker", 99, &weights), DM_OK);
     assert_int_equal(dmi_forest_read(&t.env, weights, &forest), DM_OK);
     assert_true(dmi_weights_read(weights, "forest.column", DMI_FOREST_TREES, DMI_FOREST_NODES, made.column));
-    assert_true(dmi_weights_read(weights, "forest.left", DMI_FOREST_TREES, DMI_FOREST_NODES, made.left));
     assert_true(dmi_weights_read(weights, "forest.value", DMI_FOREST_TREES, DMI_FOREST_NODES, made.value));
     dmi_weights_close(weights);
     free(bytes);

@@ -17,20 +17,48 @@ static dmi_ranker* open_ranker(test_env* t) {
     return ranker;
 }
 
+static void draw(dmi_random* random, float scale, float* out, int count) {
+    for (int k = 0; k < count; k++) out[k] = scale * dmi_random_normal(random);
+}
+
 static void any_features_give_a_range_around_rest(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
     dmi_ranker* ranker = open_ranker(&t);
-    const dmi_limit_net* net = dmi_ranker_limits(ranker);
     dmi_random random = dmi_random_make(3, 1);
     for (int i = 0; i < 500; i++) {
-        float features[DMI_LIMIT_FEATURES], lower, upper, free_turn;
-        for (int k = 0; k < DMI_LIMIT_FEATURES; k++)
-            features[k] = dmi_random_normal(&random) * (i % 2 == 0 ? 1.0f : 50.0f);
-        dmi_limit_net_forward(net, features, &lower, &upper, &free_turn);
-        assert_true(isfinite(lower) && isfinite(upper) && isfinite(free_turn));
-        assert_true(lower <= 0 && upper >= 0 && upper - lower > 0.009f);
+        float evidence[DMI_EVIDENCE_COUNT];
+        dmi_limit_question question = {.evidence = i % 3 == 0 ? NULL : evidence};
+        dmi_limit_answer answer;
+        draw(&random, i % 2 == 0 ? 1.0f : 50.0f, question.features, DMI_LIMIT_FEATURES);
+        draw(&random, i % 2 == 0 ? 1.0f : 50.0f, evidence, DMI_EVIDENCE_COUNT);
+        dmi_limit_net_ask(dmi_ranker_limits(ranker), &question, 1, &answer);
+        assert_true(isfinite(answer.lower) && isfinite(answer.upper) && isfinite(answer.free));
+        assert_true(answer.lower <= 0 && answer.upper >= 0 && answer.upper - answer.lower > 0.009f);
+    }
+    dmi_ranker_destroy(ranker);
+    test_env_close(&t);
+}
+
+static void joints_do_not_change_each_others_answers(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_ranker* ranker = open_ranker(&t);
+    dmi_random random = dmi_random_make(4, 1);
+    float evidence[DMI_EVIDENCE_COUNT];
+    dmi_limit_question questions[DMI_LIMIT_ROWS];
+    dmi_limit_answer together[DMI_LIMIT_ROWS], alone;
+    draw(&random, 1, evidence, DMI_EVIDENCE_COUNT);
+    for (int i = 0; i < DMI_LIMIT_ROWS; i++) {
+        draw(&random, 1, questions[i].features, DMI_LIMIT_FEATURES);
+        questions[i].evidence = i % 2 == 0 ? evidence : NULL;
+    }
+    dmi_limit_net_ask(dmi_ranker_limits(ranker), questions, DMI_LIMIT_ROWS, together);
+    for (int i = 0; i < DMI_LIMIT_ROWS; i++) {
+        dmi_limit_net_ask(dmi_ranker_limits(ranker), &questions[i], 1, &alone);
+        assert_memory_equal(&alone, &together[i], sizeof alone);
     }
     dmi_ranker_destroy(ranker);
     test_env_close(&t);
@@ -43,40 +71,47 @@ static void room_on_one_side_opens_that_side(void** state) {
     test_env_open(&t, TEST_NEVER);
     dmi_ranker* ranker = open_ranker(&t);
     const dmi_limit_net* net = dmi_ranker_limits(ranker);
-    float features[DMI_LIMIT_FEATURES], lower, upper, free_turn;
-    memcpy(features, net->mean, sizeof features);
+    dmi_limit_question question = {.evidence = NULL};
+    dmi_limit_answer answer;
+    float* features = question.features;
+    memcpy(features, net->mean, sizeof question.features);
     features[0] = 0, features[1] = 1;
     features[2] = features[3] = 2.5f; /* rad of room the way of the drag */
     features[4] = features[5] = 0;    /* and none back */
-    dmi_limit_net_forward(net, features, &lower, &upper, &free_turn);
-    assert_true(upper > 0.3f && upper > -2 * lower);
+    dmi_limit_net_ask(net, &question, 1, &answer);
+    assert_true(answer.upper > 0.3f && answer.upper > -2 * answer.lower);
     dmi_ranker_destroy(ranker);
     test_env_close(&t);
 }
 
-/* Rests at an end and goes 1.5 or 3 rad: the likelier is answered, never what lies between. */
+/* Rests at an end and goes 1.5 or 3 rad: the likelier is answered, never what lies between; and of voices that
+ * disagree the one that is surer. */
 static void one_of_two_ranges_is_answered(void** state) {
     (void)state;
     static dmi_limit_net net;
     enum { N = DMI_LIMIT_SIZES, SIDES = 1 + DMI_LIMIT_KINDS, QUARTER = 10, HALF = 20 };
     for (int i = 0; i < N; i++) net.sizes[i] = 0.15f * (float)i;
-    for (int k = 0; k < DMI_LIMIT_KINDS; k++) {
-        net.last_bias[1 + k] = k > 1 ? -20.0f : k == 0 ? 0.4f : 0;
-        net.last_bias[SIDES + k * N] = 20; /* no way down */
-        net.last_bias[SIDES + (DMI_LIMIT_KINDS + k) * N + (k == 0 ? QUARTER : HALF)] = 20;
+    for (int v = 0; v < DMI_LIMIT_VOICES; v++) {
+        float* bias = net.voices[v].last_bias;
+        for (int k = 0; k < DMI_LIMIT_KINDS; k++) {
+            bias[1 + k] = k > 1 ? -20.0f : k == 0 ? 0.4f : 0;
+            bias[SIDES + k * N] = 20; /* no way down */
+            bias[SIDES + (DMI_LIMIT_KINDS + k) * N + (k == 0 ? QUARTER : HALF)] = 20;
+        }
     }
-    const float features[DMI_LIMIT_FEATURES] = {0};
-    float lower, upper, free_turn;
-    dmi_limit_net_forward(&net, features, &lower, &upper, &free_turn);
-    assert_true(lower == 0 && upper == net.sizes[QUARTER]);
-    net.last_bias[1] = -1;
-    dmi_limit_net_forward(&net, features, &lower, &upper, &free_turn);
-    assert_true(lower == 0 && upper == net.sizes[HALF]);
+    const dmi_limit_question question = {.evidence = NULL};
+    dmi_limit_answer answer;
+    dmi_limit_net_ask(&net, &question, 1, &answer);
+    assert_true(answer.lower == 0 && answer.upper == net.sizes[QUARTER]);
+    net.voices[0].last_bias[1] = -10;
+    dmi_limit_net_ask(&net, &question, 1, &answer);
+    assert_true(answer.lower == 0 && answer.upper == net.sizes[HALF]);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_features_give_a_range_around_rest),
+        cmocka_unit_test(joints_do_not_change_each_others_answers),
         cmocka_unit_test(room_on_one_side_opens_that_side),
         cmocka_unit_test(one_of_two_ranges_is_answered),
     };

@@ -63,6 +63,15 @@ def gather(cases):
     return (np.array(first, np.uint32), *(np.concatenate(arrays) for arrays in zip(*parts)), edges)
 
 
+def level_by_level(column, left):
+    """A tree's nodes in the order that the file has them, those it does not need last: whose child a node is need not be said."""
+    order = [0]
+    for node in order:
+        if column[node] >= 0:
+            order += [left[node], left[node] + 1]
+    return np.array(order + sorted(set(range(len(column))) - set(order)))
+
+
 def grow(lab, cases, seed):
     """Tensors of a forest. cases: of each its rows of evidence, their log weights and their wanted probabilities."""
     first, bins, weights, wanted, edges = gather(cases)
@@ -78,5 +87,6 @@ def grow(lab, cases, seed):
         raise RuntimeError(f"dm_lab_boost: {result}")
     forks = nodes["column"] >= 0
     value = np.where(forks, edges[nodes["column"], nodes["bin"]], nodes["score"])
-    return {"forest.column": nodes["column"].astype(np.float16), "forest.left": nodes["left"].astype(np.float16),
-            "forest.value": value.astype(np.float16)}
+    order = np.stack([level_by_level(*tree) for tree in zip(nodes["column"], nodes["left"])])
+    return {f"forest.{name}": np.take_along_axis(array, order, 1).astype(np.float16)
+            for name, array in (("column", nodes["column"]), ("value", value))}

@@ -1,9 +1,12 @@
-"""The limits' network (sdk/kinematics/limit_net.c): what a sweep tells of generated joints in, its weights out.
+"""The limits' networks (sdk/kinematics/limit_net.c): what a sweep tells of generated joints, and the evidence they are ranked
+by, in; their weights out.
 
-    python -m dragmesh_training.limits make OUT.npz --weights KPP --seed 5 --count 8000 [--split train]
+    python -m dragmesh_training.limits make OUT.npz --weights KPP --sieve SIEVE --seed 5 --count 8000 [--split 1]
     python -m dragmesh_training.limits fit A.npz B.npz --validate V.npz -o limits.safetensors
 
-It learns how probable each range is; the library answers with the range whose expected overlap with the true one is largest.
+They learn how probable each range is; the library answers with the range whose expected overlap with the true one is largest.
+The evidence says what kind of thing this is: slides and half of the turns do without it, or a network would know the ranges of
+the kinds it was shown and no others. Several that chance alone makes different err less together than one.
 """
 import argparse
 import ctypes
@@ -15,26 +18,43 @@ import torch
 from .config import KNOWN
 from .ranker import case_file, category_names, export, load, open_lab, options_of
 
-ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32))
+ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32), ("pose", np.float32),
+          ("has_drag", np.int32))
 # Of what ships. Half of the cases are of the kinds up to here: the later ones are machines and robots for the most part, whose
 # ranges would say too much about a kitchen's.
-SEEDS, VALIDATION_SEED, CASES, FIRST_KINDS = (5, 15, 25), 6, 8000, 195
+SEEDS, VALIDATION_SEED, CASES, FIRST_KINDS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000, 195
 # Sizes of either side of a range, in rad or in the part's extent along the slide, and how many kinds of ranges there are.
 SIZES = np.array([0, .01, .02, .035, .055, .08, .12, .17, .24, .32, .42, .55, .7, .85, 1, 1.2, 1.4, 1.571, 1.8, 2.1, 2.5,
                   3, 3.6, 4.7, 6.5], np.float32)
 RANGE_KINDS = 8
+VOICES = 3  # as in limit_net.h
+FEATURES, SLIDES = 37, 0  # DMI_LIMIT_FEATURES, and the one of them that is 1 for slides
+AT_ONCE = 500  # cases
+WITHOUT_EVIDENCE = 0.5  # share of turning cases; the library keeps that of slides back
 
 
-def make(lab, kinematics, seed, count, split, chosen):
-    columns = lab.dm_lab_limits_columns()
-    data = {"features": np.zeros((count, columns), np.float32)}
+def make(lab, kinematics, sieve, seed, count, split, chosen):
+    data = {"features": np.zeros((count, lab.dm_lab_limits_columns()), np.float32),
+            "evidence": np.zeros((count, lab.dm_lab_limits_evidence()), np.float32)}
     data.update({name: np.zeros(count, dtype) for name, dtype in ARRAYS})
     options, keep = options_of(lab, seed, count, split, chosen)
-    pointers = (ctypes.c_void_p * 5)(*[array.ctypes.data for array in data.values()])
-    if lab.dm_lab_limits_batch(ctypes.byref(options), kinematics, ctypes.c_size_t(len(kinematics)), pointers) != 0:
+    pointers = (ctypes.c_void_p * len(data))(*[array.ctypes.data for array in data.values()])
+    sizes = [ctypes.c_size_t(len(weights)) for weights in (kinematics, sieve)]
+    if lab.dm_lab_limits_batch(ctypes.byref(options), kinematics, sizes[0], sieve, sizes[1], pointers) != 0:
         raise RuntimeError("dm_lab_limits_batch failed")
     del keep
+    data["evidence"] = data["evidence"].astype(np.float16)
     return data
+
+
+def inputs_of(data):
+    return torch.from_numpy(np.concatenate([data["features"], data["evidence"].astype(np.float32)], 1))
+
+
+def hide_evidence(x, rows):
+    """Of these rows; x: standardised, is changed."""
+    x[np.flatnonzero(rows), FEATURES:] = 0
+    return x
 
 
 def size_shares(sizes):
@@ -50,10 +70,13 @@ def range_logs(outputs):
             torch.log_softmax(sides[:, 1], 2))
 
 
-def mean_overlap(outputs, lower, upper):
-    """Intersection over union of the ranges answered with the true ones, as sdk/kinematics/limit_net.c answers."""
+def probabilities(outputs):
     _, kinds, down, up = (part.exp() for part in range_logs(outputs))
-    probability = torch.einsum("nk,nkd,nku->ndu", kinds, down, up).flatten(1)
+    return torch.einsum("nk,nkd,nku->ndu", kinds, down, up).flatten(1)
+
+
+def mean_overlap(probability, lower, upper):
+    """Intersection over union of the ranges answered with the true ones, as sdk/kinematics/limit_net.c answers."""
     pairs = torch.cartesian_prod(torch.from_numpy(SIZES), torch.from_numpy(SIZES))
     overlap = torch.minimum(pairs[:, None], pairs).sum(2) / (torch.maximum(pairs[:, None], pairs).sum(2) + 1e-4)
     best = pairs[(probability @ overlap).argmax(1)]
@@ -61,13 +84,29 @@ def mean_overlap(outputs, lower, upper):
     return (torch.minimum(best, truth).sum(1) / (torch.maximum(best, truth).sum(1) + 1e-4)).mean().item()
 
 
-def fit(data, validation, steps, seed):
+def build(inputs):
+    hidden = 160
+    return torch.nn.Sequential(torch.nn.Linear(inputs, hidden), torch.nn.ReLU(), torch.nn.Dropout(0.1),
+                               torch.nn.Linear(hidden, hidden), torch.nn.ReLU(),
+                               torch.nn.Linear(hidden, 1 + RANGE_KINDS * (1 + 2 * len(SIZES))))
+
+
+def overlaps(nets, data, mean, scale):
+    """Of the limited cases with a drag and without one."""
+    out = []
+    for drag in (1, 0):
+        limited = np.flatnonzero((data["free"] == 0) & (data["has_drag"] == drag))[:4000]
+        part = {name: array[limited] for name, array in data.items()}
+        x = hide_evidence((inputs_of(part) - mean) * scale, part["features"][:, SLIDES] > 0.5)
+        probability = sum(probabilities(net(x)) for net in nets) / len(nets)
+        out.append(mean_overlap(probability, torch.from_numpy(part["lower"]), torch.from_numpy(part["upper"])))
+    return out
+
+
+def fit_one(data, x, mean, scale, steps, seed):
     """How probable each range is, by the likelihood of the true ones."""
     torch.manual_seed(seed)
-    hidden, x = 160, torch.from_numpy(data["features"])
-    mean, scale = x.mean(0), 1 / (x.std(0) + 0.02)
-    net = torch.nn.Sequential(torch.nn.Linear(x.shape[1], hidden), torch.nn.ReLU(), torch.nn.Linear(hidden, hidden),
-                              torch.nn.ReLU(), torch.nn.Linear(hidden, 1 + RANGE_KINDS * (1 + 2 * len(SIZES))))
+    net, slides = build(x.shape[1]), data["features"][:, SLIDES] > 0.5
     optimiser = torch.optim.AdamW(net.parameters(), 2e-3, weight_decay=3e-2)
     down, up = size_shares(-torch.from_numpy(data["lower"])), size_shares(torch.from_numpy(data["upper"]))
     free, random = torch.from_numpy(data["free"]), np.random.default_rng(seed)
@@ -77,6 +116,7 @@ def fit(data, validation, steps, seed):
             group["lr"] = 2e-3 * (1 - step / steps) + 1e-5
         index = random.integers(0, len(x), 256)
         noisy = (x[index] - mean) * scale + 0.6 * torch.randn(256, x.shape[1])
+        hide_evidence(noisy, slides[index] | (random.random(256) < WITHOUT_EVIDENCE))
         stops, kinds, downs, ups = range_logs(net(noisy))
         known = (downs * down[index, None]).sum(2) + (ups * up[index, None]).sum(2)
         likelihood = torch.logsumexp(kinds + known, 1)[free[index] == 0]
@@ -87,42 +127,50 @@ def fit(data, validation, steps, seed):
         for name, value in net.state_dict().items():
             average[name].lerp_(value, max(0.001, 1 / (step + 1)))
     net.load_state_dict(average)
+    return net.eval()
+
+
+def fit(data, validation, steps, seed):
+    x = inputs_of(data)
+    mean, scale = x.mean(0), 1 / (x.std(0) + 0.02)
+    nets = [fit_one(data, x, mean, scale, steps, seed + voice) for voice in range(VOICES)]
     with torch.no_grad():
         for name, part in (("trained", data), ("validation", validation)):
-            limited = np.flatnonzero(part["free"] == 0)[:4000]
-            features, lower, upper = (torch.from_numpy(part[k][limited]) for k in ("features", "lower", "upper"))
-            print(f"limits: overlap with the truth {mean_overlap(net((features - mean) * scale), lower, upper):.3f} {name}",
-                  flush=True)
+            for some in (nets[:1], nets):
+                print("limits: overlap with the truth {:.3f} with a drag, {:.3f} without,".format(
+                    *overlaps(some, part, mean, scale)), name, f"by {len(some)}", flush=True)
     tensors = {"limits.mean": mean.numpy(), "limits.scale": scale.numpy(), "limits.sizes": SIZES}
-    for layer, name in ((0, "first"), (2, "second"), (4, "last")):
-        tensors[f"limits.{name}"] = np.ascontiguousarray(net[layer].weight.detach().numpy().T)
-        tensors[f"limits.{name}_bias"] = net[layer].bias.detach().numpy()
+    for voice, net in enumerate(nets):
+        for layer, name in ((0, "first"), (3, "second"), (5, "last")):
+            tensors[f"limits.{voice}.{name}"] = net[layer].weight.detach().numpy().T
+            tensors[f"limits.{voice}.{name}_bias"] = net[layer].bias.detach().numpy()
     return tensors
 
 
 def run_make(arguments):
     lab = open_lab(arguments.lab)
-    with open(arguments.weights, "rb") as file:
-        kinematics = file.read()
+    kinematics, sieve = (open(path, "rb").read() for path in (arguments.weights, arguments.sieve))
     names = category_names(lab)
-    np.savez(arguments.out, names=np.array(names),
-             **make(lab, kinematics, arguments.seed, arguments.count, arguments.split, names[:arguments.kinds]))
+    parts = [make(lab, kinematics, sieve, arguments.seed * 1000003 + first, min(AT_ONCE, arguments.count - first),
+                  arguments.split, names[arguments.from_kind:arguments.kinds])
+             for first in range(0, arguments.count, AT_ONCE)]
+    np.savez(arguments.out, names=np.array(names), **{name: np.concatenate([part[name] for part in parts]) for name in parts[0]})
 
 
 def run_fit(arguments):
     torch.set_num_threads(1)
     data = load(arguments.data)
     tensors = fit(data, load([arguments.validate]), arguments.steps, arguments.seed)
-    export(arguments.out, tensors, {"architecture": "dragmesh-limits", "version": "1", "seed": str(arguments.seed),
+    export(arguments.out, tensors, {"architecture": "dragmesh-limits", "version": "2", "seed": str(arguments.seed),
                                     "trained": f"{len(data['free'])} generated cases"})
 
 
-def ship(folder, kinematics, out):
-    """The limits' network that ships; goes on where it was stopped."""
+def ship(folder, kinematics, sieve, out):
+    """The limits' networks that ship; goes on where it was stopped."""
     def made(name, seed, count, *more):
-        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--count", str(count), *more)
+        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--sieve", sieve, "--count", str(count), *more)
 
-    validation = made("validation", VALIDATION_SEED, CASES // 4, "--split", "1")
+    validation = made("validation", VALIDATION_SEED, CASES // 2, "--split", "1")
     files = [made("first", seed, CASES, "--kinds", str(FIRST_KINDS)) for seed in SEEDS]
     files += [made("all", seed, CASES) for seed in SEEDS]
     run(["fit", *files, "--validate", validation, "-o", out])
@@ -136,15 +184,17 @@ def run(words=None):
     one.add_argument("--lab", default=os.path.join(os.path.dirname(__file__), "..", "..", "build", "release",
                                                    "libdragmesh_lab.so"))
     one.add_argument("--weights", required=True, help="the KPP-Net that ships")
+    one.add_argument("--sieve", required=True, help="the sieve that ships")
     one.add_argument("--seed", type=int, default=5)
     one.add_argument("--count", type=int, default=CASES)
     one.add_argument("--split", type=int, default=0)
     one.add_argument("--kinds", type=int, default=KNOWN, help="only the first so many kinds of objects")
+    one.add_argument("--from-kind", type=int, default=0, help="and of them none before this one")
     one.set_defaults(run=run_make)
     two = commands.add_parser("fit")
     two.add_argument("data", nargs="+")
     two.add_argument("--validate", required=True)
-    two.add_argument("--steps", type=int, default=7000)
+    two.add_argument("--steps", type=int, default=20000)
     two.add_argument("--seed", type=int, default=1)
     two.add_argument("-o", "--out", required=True)
     two.set_defaults(run=run_fit)

@@ -245,9 +245,10 @@ def calibrate(good, trust):
 
 
 def export(path, tensors, metadata):
-    """Everything that is no float16 as float32."""
+    """The forest and the matrices of the limits' networks, which are most of it, as float16, everything else as float32."""
     from .export import write_safetensors
-    write_safetensors(path, {name: array if array.dtype == np.float16 else array.astype(np.float32)
+    halves = {name for name, array in tensors.items() if array.ndim == 2 and name.startswith(("forest.", "limits."))}
+    write_safetensors(path, {name: np.ascontiguousarray(array, np.float16 if name in halves else np.float32)
                              for name, array in tensors.items()}, metadata)
 
 
@@ -306,7 +307,7 @@ def run_train(arguments):
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     for path in (arguments.sieve, arguments.limits):
         tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
-    metadata = {"architecture": "dragmesh-ranker", "version": "7", "commit": commit, "seed": str(arguments.seed),
+    metadata = {"architecture": "dragmesh-ranker", "version": "8", "commit": commit, "seed": str(arguments.seed),
                 "trained": f"{len(data['used'])} generated cases, the forest {len(more['used'])}"}
     if arguments.calibration_of:
         calibration = load_safetensors(arguments.calibration_of)[0]["calibration"].numpy()
@@ -370,7 +371,7 @@ def ship(folder, models):
         [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
          for kinematics, some in zip((earlier, shipped), seeds) for seed in some]
         for seeds in (NETWORK_SEEDS, FOREST_SEEDS))
-    fit_limits(folder, shipped, limits)
+    fit_limits(folder, shipped, sieve, limits)
     validation = case_file(run, folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
     common = ["train", *of_network, "--forest", *of_forest, "--validate", validation, "--weights", shipped,
               "--sieve", sieve, "--limits", limits]
