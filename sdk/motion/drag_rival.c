@@ -116,7 +116,7 @@ float dmi_hand_off(const dmi_hold* hold) {
 /* Log likelihood of being so far off. It counts how far that was at most, as a share of the pull by now: a slide
  * crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail is that
  * of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. Fitted to
- * drags of generated objects (docs/feel.md). */
+ * drags of generated objects (docs/trials_drag.md). */
 static float met(const dmi_hold* hold, float off) {
     return -FALL * logf(1 + off / dmi_hand_off(hold));
 }
