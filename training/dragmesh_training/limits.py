@@ -16,6 +16,7 @@ import numpy as np
 import torch
 
 from .config import KNOWN
+from .descent import descend
 from .ranker import case_file, category_names, export, load, open_lab, options_of
 
 ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32), ("pose", np.float32),
@@ -107,26 +108,19 @@ def fit_one(data, x, mean, scale, steps, seed):
     """How probable each range is, by the likelihood of the true ones."""
     torch.manual_seed(seed)
     net, slides = build(x.shape[1]), data["features"][:, SLIDES] > 0.5
-    optimiser = torch.optim.AdamW(net.parameters(), 2e-3, weight_decay=3e-2)
     down, up = size_shares(-torch.from_numpy(data["lower"])), size_shares(torch.from_numpy(data["upper"]))
     free, random = torch.from_numpy(data["free"]), np.random.default_rng(seed)
-    average = {name: value.clone() for name, value in net.state_dict().items()}
-    for step in range(steps):
-        for group in optimiser.param_groups:
-            group["lr"] = 2e-3 * (1 - step / steps) + 1e-5
+
+    def loss_of(_):
         index = random.integers(0, len(x), 256)
         noisy = (x[index] - mean) * scale + 0.6 * torch.randn(256, x.shape[1])
         hide_evidence(noisy, slides[index] | (random.random(256) < WITHOUT_EVIDENCE))
         stops, kinds, downs, ups = range_logs(net(noisy))
         known = (downs * down[index, None]).sum(2) + (ups * up[index, None]).sum(2)
         likelihood = torch.logsumexp(kinds + known, 1)[free[index] == 0]
-        loss = torch.nn.functional.binary_cross_entropy_with_logits(stops, free[index].float()) - 0.3 * likelihood.mean()
-        optimiser.zero_grad()
-        loss.backward()
-        optimiser.step()
-        for name, value in net.state_dict().items():
-            average[name].lerp_(value, max(0.001, 1 / (step + 1)))
-    net.load_state_dict(average)
+        return torch.nn.functional.binary_cross_entropy_with_logits(stops, free[index].float()) - 0.3 * likelihood.mean()
+
+    descend(net, steps, 2e-3, 1e-5, 3e-2, 0.001, loss_of)
     return net.eval()
 
 

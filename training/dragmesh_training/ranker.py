@@ -187,34 +187,32 @@ def draw(data, cost, random, batch, without_network, without_group, mean):
 
 def fit(data, validation, names, arguments):
     import torch
+    from .descent import descend, listwise_loss
     torch.manual_seed(arguments.seed)
     torch.set_num_threads(1)
     real = data["used"][:800, None] > np.arange(data["pose"].shape[1])
     flat = data["evidence"][:800].astype(np.float32)[real]
     mean, scale = torch.from_numpy(flat.mean(0)), 1 / (torch.from_numpy(flat.std(0)) + 0.05)
     net = build(len(mean), arguments.hidden, arguments.dropout)
-    optimiser = torch.optim.AdamW(net.parameters(), arguments.rate, weight_decay=1e-2)
-    average = {name: value.clone() for name, value in net.state_dict().items()}
     random, cost, smooth, start = np.random.default_rng(arguments.seed), costs(data), 0.0, time.time()
-    for step in range(arguments.steps):
-        for group in optimiser.param_groups:
-            group["lr"] = arguments.rate * (1 - step / arguments.steps) + 2e-5
-        evidence, extra, cases = map(torch.from_numpy, draw(data, cost, random, arguments.batch,
-                                                            arguments.without_network, arguments.without_group,
-                                                            mean.numpy()))
-        wanted = torch.softmax(extra - cases, 1)
-        loss = -(wanted * torch.log_softmax(net((evidence - mean) * scale)[..., 0] + extra, 1)).sum(1).mean()
-        optimiser.zero_grad()
-        loss.backward()
-        optimiser.step()
-        smooth += (loss.item() - smooth) * max(0.02, 1 / (step + 1))
-        for name, value in net.state_dict().items():
-            average[name].lerp_(value, max(0.002, 1 / (step + 1)))
+
+    def tell(step, loss):
+        nonlocal smooth
+        smooth += (loss - smooth) * max(0.02, 1 / (step + 1))
         if (step + 1) % max(arguments.steps // 5, 1) == 0:
             good, _ = evaluate(net, validation, mean, scale, arguments.without_network >= 1)
             print(f"{time.time() - start:5.0f} s {step + 1} steps loss {smooth:.3f} {summary(good, validation, names)}",
                   flush=True)
-    net.load_state_dict(average)
+
+    def loss_of(step):
+        evidence, extra, cases = map(torch.from_numpy, draw(data, cost, random, arguments.batch,
+                                                            arguments.without_network, arguments.without_group,
+                                                            mean.numpy()))
+        loss = listwise_loss(net((evidence - mean) * scale)[..., 0], extra, cases)
+        tell(step, loss.item())
+        return loss
+
+    descend(net, arguments.steps, arguments.rate, 2e-5, 1e-2, 0.002, loss_of)
     return net, mean, scale
 
 

@@ -30,6 +30,7 @@ def glance_columns(lab):
 def fit(data, columns, steps, batch, rate, seed):
     """net((glance - mean) * scale) is a candidate's score."""
     import torch
+    from .descent import descend, listwise_loss
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     random, cost, everything = np.random.default_rng(seed), costs(data) / SHARPER, np.arange(data["pose"].shape[1])
@@ -37,25 +38,17 @@ def fit(data, columns, steps, batch, rate, seed):
     mean, scale = torch.from_numpy(flat.mean(0)), 1 / (torch.from_numpy(flat.std(0)) + 0.05)
     net = torch.nn.Sequential(torch.nn.Linear(len(columns), HIDDEN), torch.nn.ReLU(),
                               torch.nn.Linear(HIDDEN, 1, bias=False))
-    optimiser = torch.optim.AdamW(net.parameters(), rate, weight_decay=1e-2)
-    average = {name: value.clone() for name, value in net.state_dict().items()}
     of_network = np.isin(columns, NETWORK)
-    for step in range(steps):
-        for group in optimiser.param_groups:
-            group["lr"] = rate * (1 - step / steps) + 2e-5
+
+    def loss_of(_):
         index = random.integers(0, len(cost), batch)
         evidence = data["evidence"][index].astype(np.float32)
         evidence[np.ix_(random.random(batch) < WITHOUT_NETWORK, everything, of_network)] = 0
-        extra = torch.from_numpy(log_weights(np.tile(everything, (batch, 1)), data["used"][index], data["total"][index]))
-        wanted = torch.softmax(extra - torch.from_numpy(cost[index]), 1)
+        extra = log_weights(np.tile(everything, (batch, 1)), data["used"][index], data["total"][index])
         score = net((torch.from_numpy(evidence) - mean) * scale)[..., 0]
-        loss = -(wanted * torch.log_softmax(score + extra, 1)).sum(1).mean()
-        optimiser.zero_grad()
-        loss.backward()
-        optimiser.step()
-        for name, value in net.state_dict().items():
-            average[name].lerp_(value, max(0.005, 1 / (step + 1)))
-    net.load_state_dict(average)
+        return listwise_loss(score, torch.from_numpy(extra), torch.from_numpy(cost[index]))
+
+    descend(net, steps, rate, 2e-5, 1e-2, 0.005, loss_of)
     return net, mean, scale
 
 
