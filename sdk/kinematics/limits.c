@@ -38,6 +38,13 @@ static void limit_slide(const dmi_sweep* s, dm_joint* joint) {
     if (joint->upper - joint->lower < step) joint->upper = most, joint->lower = 0;
 }
 
+/* The same joint about the opposite axis; a screw's pitch stays. */
+static void turn_round(dm_joint* joint) {
+    const float lower = joint->lower;
+    joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
+    joint->lower = -joint->upper, joint->upper = -lower;
+}
+
 void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
     dmi_sweep s;
     dmi_sweep_make(study, joint, &s);
@@ -48,10 +55,7 @@ void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
     /* Opening leads away from the body even where the sweep meets nothing on either side. */
     const float room = (up[0] + up[1] + down[0] + down[1]) / (step * (float)steps), some = 0.2f * step * (float)steps;
     const float away = dmi_sweep_clearance(&s, some).mean - dmi_sweep_clearance(&s, -some).mean;
-    if (room + 4 * away / study->diagonal >= 0) return;
-    const float lower = joint->lower;
-    joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
-    joint->lower = -joint->upper, joint->upper = -lower;
+    if (room + 4 * away / study->diagonal < 0) turn_round(joint);
 }
 
 static void set_by_rules(const dmi_study* study, dm_joint* joint) {
@@ -94,4 +98,7 @@ void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, in
         ask_networks(study, prediction, with_drag, net, evidence, joints, count);
     else
         for (uint32_t i = 0; i < count; i++) set_by_rules(study, &joints[i]);
+    if (with_drag) return;
+    for (uint32_t i = 0; i < count; i++)
+        if (-joints[i].lower > joints[i].upper) turn_round(&joints[i]);
 }

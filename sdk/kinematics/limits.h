@@ -14,8 +14,9 @@ float dmi_limits_features(const dmi_study* study, const dmi_prediction* predicti
 void dmi_limits_face_room(const dmi_study* study, dm_joint* joint);
 
 /* Sets lower and upper of revolute, prismatic or screw joints (inner frame), and turns a revolute one that nothing
- * stops into a continuous one; count: at most DM_MAX_HYPOTHESES. with_drag: positive follows a drag; else the joints
- * are signed by dmi_limits_face_room. evidence: each joint's. prediction and net (then by rules) may be NULL. */
+ * stops into a continuous one; count: at most DM_MAX_HYPOTHESES. with_drag: positive follows a drag; else the
+ * joints come back with the longer way on the positive side. evidence: each joint's. prediction and net (then by rules)
+ * may be NULL. */
 void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, int with_drag, const dmi_limit_net* net,
                     const float* const* evidence, dm_joint* joints, uint32_t count);
 

@@ -102,11 +102,28 @@ static void a_sweep_stops_at_the_body(void** state) {
     close_bench(&b);
 }
 
+/* Whichever way the axis pointed. */
+static void without_a_drag_the_longer_way_is_positive(void** state) {
+    (void)state;
+    bench b;
+    make_open_lid();
+    open_bench(&b);
+    for (int way = -1; way <= 1; way += 2) {
+        dm_joint joint =
+            joint_at(&b, DM_JOINT_REVOLUTE, (const float[]){(float)way, 0, 0}, (const double[]){0.5, 0.06, -0.02});
+        dmi_limits_set(&study, NULL, 0, NULL, NULL, &joint, 1);
+        assert_true(joint.upper > 1 && -joint.lower <= joint.upper);
+        assert_float_equal(joint.axis.x, -1, 0); /* nothing stops it on the way back */
+    }
+    close_bench(&b);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_open_lid_knows_which_way_it_shuts),
         cmocka_unit_test(a_button_knows_how_proud_it_stands),
         cmocka_unit_test(a_sweep_stops_at_the_body),
+        cmocka_unit_test(without_a_drag_the_longer_way_is_positive),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -229,7 +229,8 @@ typedef struct dm_joint {
     float confidence;      /* probability that type, axis and origin are all right, 0..1 */
     float pitch;           /* screws: host units a radian, signed along the axis */
     dm_vec3 axis;          /* unit; host object frame. A positive value turns right-handed in a right-handed host
-                              frame (left-handed in a left-handed one), or slides along it */
+                              frame (left-handed in a left-handed one), or slides along it. Found with a drag,
+                              positive goes its way; without one, the longer way is positive, so `upper` opens */
     dm_vec3 origin;     /* the point of the axis line nearest the part's centre; a host's own stays as it was given */
     float lower, upper; /* limits of the joint value (rad or host units); the rest pose is value 0. None when they are
                            equal, and for continuous joints */
