@@ -17,10 +17,7 @@ static void velocity_at(const dm_joint* joint, const float point[3], float out[3
 void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint) {
     float v[3];
     velocity_at(joint, hint->point, v);
-    if (dmi_dot3(v, hint->vector) >= 0) return;
-    float lower = joint->lower;
-    joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
-    joint->lower = -joint->upper, joint->upper = -lower;
+    if (dmi_dot3(v, hint->vector) < 0) dmi_joint_reverse(joint);
 }
 
 /* How well an oriented joint explains the drag: its motion's direction, and room to go there. */

@@ -3,7 +3,7 @@
 #include "kinematics/limits.h"
 
 #include "kinematics/sweep.h"
-#include "math/linear3.h"
+#include "math/joint.h"
 
 #define HALF_TURN 3.14159265f
 #define ROUND 0.02f /* most distance from itself, over its diagonal, of a turned part that counts as round */
@@ -38,13 +38,6 @@ static void limit_slide(const dmi_sweep* s, dm_joint* joint) {
     if (joint->upper - joint->lower < step) joint->upper = most, joint->lower = 0;
 }
 
-/* The same joint about the opposite axis; a screw's pitch stays. */
-static void turn_round(dm_joint* joint) {
-    const float lower = joint->lower;
-    joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
-    joint->lower = -joint->upper, joint->upper = -lower;
-}
-
 void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
     dmi_sweep s;
     dmi_sweep_make(study, joint, &s);
@@ -55,7 +48,7 @@ void dmi_limits_face_room(const dmi_study* study, dm_joint* joint) {
     /* Opening leads away from the body even where the sweep meets nothing on either side. */
     const float room = (up[0] + up[1] + down[0] + down[1]) / (step * (float)steps), some = 0.2f * step * (float)steps;
     const float away = dmi_sweep_clearance(&s, some).mean - dmi_sweep_clearance(&s, -some).mean;
-    if (room + 4 * away / study->diagonal < 0) turn_round(joint);
+    if (room + 4 * away / study->diagonal < 0) dmi_joint_reverse(joint);
 }
 
 static void set_by_rules(const dmi_study* study, dm_joint* joint) {
@@ -100,5 +93,5 @@ void dmi_limits_set(const dmi_study* study, const dmi_prediction* prediction, in
         for (uint32_t i = 0; i < count; i++) set_by_rules(study, &joints[i]);
     if (with_drag) return;
     for (uint32_t i = 0; i < count; i++)
-        if (-joints[i].lower > joints[i].upper) turn_round(&joints[i]);
+        if (-joints[i].lower > joints[i].upper) dmi_joint_reverse(&joints[i]);
 }

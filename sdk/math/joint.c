@@ -57,6 +57,12 @@ float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near) 
     return isfinite(value) ? value : near;
 }
 
+void dmi_joint_reverse(dm_joint* joint) {
+    const float lower = joint->lower;
+    joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
+    joint->lower = -joint->upper, joint->upper = -lower;
+}
+
 void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
     const float way = (joint->type == DM_JOINT_PRISMATIC ? 1 : advance(joint)) * value;

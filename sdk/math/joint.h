@@ -13,6 +13,8 @@ float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near);
 void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]);
 /* d point / d value at `value`, for a point given at rest. */
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]);
+/* The same joint about, or along, the opposite axis; a screw's pitch stays. */
+void dmi_joint_reverse(dm_joint* joint);
 /* Turns about a line: revolute, continuous, screw. */
 int dmi_joint_turns(int32_t type);
 /* Whether lower and upper bound the value: not for continuous joints, nor when lower == upper (no limits stated). */

@@ -5,13 +5,12 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <dlfcn.h>
 #include <math.h>
 #include <string.h>
 
 #include "../../training/lab/boost.h"
 #include "base/random.h"
-#include "test_tool.h"
+#include "test_lab.h"
 
 enum { CASES = 300, EACH = 6, COLUMNS = 4, ROWS = CASES * EACH, TREES = 60, LEAVES = 8, NODES = 2 * LEAVES - 1 };
 
@@ -33,10 +32,8 @@ static const dm_lab_boost_rule rule = {TREES, LEAVES, 4, 0.2f, 1, 0.5f, 0.7f, 1,
 
 static int load_lab(void** state) {
     (void)state;
-    char path[TOOL_PATH];
-    tool_find("libdragmesh_lab.so", path);
-    void* lab = dlopen(path, RTLD_NOW);
-    if (!lab) return -1;
+    void* lab = test_open_lab();
+    if (lab == NULL) return -1;
     *(void**)&boost = dlsym(lab, "dm_lab_boost");
     return boost == NULL;
 }

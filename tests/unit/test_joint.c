@@ -44,6 +44,23 @@ static void one_point_goes_where_the_pose_takes_it(void** state) {
     }
 }
 
+static void a_reversed_joint_goes_the_same_places(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(5, 2);
+    for (int i = 0; i < CASES; i++) {
+        const dm_joint joint = test_joint(&random, moving_types[i % 4], 1);
+        dm_joint reversed = joint;
+        dmi_joint_reverse(&reversed);
+        const float value = test_range(&random, -3, 3);
+        const float point[3] = {test_range(&random, -1, 1), test_range(&random, -1, 1), test_range(&random, -1, 1)};
+        float there[3], again[3];
+        dmi_joint_move(&joint, value, point, there);
+        dmi_joint_move(&reversed, -value, point, again);
+        assert_near3(again, there, 4e-6);
+        assert_true(reversed.lower == -joint.upper && reversed.upper == -joint.lower);
+    }
+}
+
 static void positive_turns_are_right_handed(void** state) {
     (void)state;
     dm_joint joint = {.type = DM_JOINT_REVOLUTE, .axis = {0, 0, 1}};
@@ -168,6 +185,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(poses_keep_to_the_joint),
         cmocka_unit_test(one_point_goes_where_the_pose_takes_it),
+        cmocka_unit_test(a_reversed_joint_goes_the_same_places),
         cmocka_unit_test(positive_turns_are_right_handed),
         cmocka_unit_test(still_joints_stay),
         cmocka_unit_test(projection_recovers_the_value),

@@ -6,7 +6,6 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <dlfcn.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +13,7 @@
 #include "../../training/lab/dragmesh_lab.h"
 #include "kinematics/kpp_input.h"
 #include "motion/dq_vae.h"
-#include "test_tool.h"
+#include "test_lab.h"
 
 enum { COUNT = 48, REVOLUTE = 0, PRISMATIC = 1, SCREW = 2, CONTINUOUS = 3 };
 
@@ -87,13 +86,8 @@ static dm_lab_options exact(uint64_t seed) {
 
 static int load_lab(void** state) {
     (void)state;
-    char path[TOOL_PATH];
-    tool_find("libdragmesh_lab.so", path);
-    void* lab = dlopen(path, RTLD_NOW);
-    if (!lab) {
-        print_error("%s\n", dlerror());
-        return -1;
-    }
+    void* lab = test_open_lab();
+    if (lab == NULL) return -1;
     *(void**)&kpp_batch = dlsym(lab, "dm_lab_kpp_batch");
     *(void**)&vae_batch = dlsym(lab, "dm_lab_vae_batch");
     *(void**)&category_count = dlsym(lab, "dm_lab_category_count");

@@ -5,14 +5,13 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <dlfcn.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../../training/lab/lab_growth.h"
 #include "kinematics/part_choice.h"
-#include "test_tool.h"
+#include "test_lab.h"
 
 enum { CASES = 12, ROWS = 16000 };
 
@@ -100,13 +99,8 @@ static void test_a_net_of_another_shape_is_refused(void** state) {
 
 static int load_lab(void** state) {
     (void)state;
-    char path[TOOL_PATH];
-    tool_find("libdragmesh_lab.so", path);
-    void* lab = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (!lab) {
-        print_error("%s\n", dlerror());
-        return -1;
-    }
+    void* lab = test_open_lab();
+    if (lab == NULL) return -1;
     *(void**)&growth_batch = dlsym(lab, "dm_lab_growth_batch");
     *(void**)&choice_batch = dlsym(lab, "dm_lab_choice_batch");
     *(void**)&growth_columns = dlsym(lab, "dm_lab_growth_columns");

@@ -5,13 +5,12 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <dlfcn.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "../../training/lab/lab_limits.h"
 #include "kinematics/limits.h"
-#include "test_tool.h"
+#include "test_lab.h"
 #include "test_world.h"
 
 enum { COUNT = 120, MOST_CATEGORIES = 1024 };
@@ -27,10 +26,8 @@ static struct {
 
 static int load_lab(void** state) {
     (void)state;
-    char path[TOOL_PATH];
-    tool_find("libdragmesh_lab.so", path);
-    void* lab = dlopen(path, RTLD_NOW);
-    if (!lab) return -1;
+    void* lab = test_open_lab();
+    if (lab == NULL) return -1;
     *(void**)&limits_batch = dlsym(lab, "dm_lab_limits_batch");
     *(void**)&category_count = dlsym(lab, "dm_lab_category_count");
     uint32_t (*columns)(void), (*evidence)(void);

@@ -78,7 +78,7 @@ dm_result lab_judge_one(lab_judge* judge, int with_drag, uint32_t index, lab_jud
     return result;
 }
 
-dm_result lab_judge_cases(lab_judge* judge, const dm_lab_options* options, lab_judge_each each, void* user) {
+static dm_result judge_cases(lab_judge* judge, const dm_lab_options* options, lab_judge_each each, void* user) {
     lab_judged* w = judge->work;
     dm_result result = DM_OK;
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
@@ -90,5 +90,15 @@ dm_result lab_judge_cases(lab_judge* judge, const dm_lab_options* options, lab_j
         result = lab_judge_one(judge, lab_chance(&w->made.random, options->with_drag), i, each, user);
         lab_case_release(&judge->env, &w->made);
     }
+    return result;
+}
+
+dm_result lab_judge_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
+                          const void* sieve, size_t sieve_size, lab_judge_each each, void* user) {
+    lab_judge judge;
+    dm_result result = lab_judge_open(kinematics, kinematics_size, sieve, sieve_size, &judge);
+    if (result != DM_OK) return result;
+    result = judge_cases(&judge, options, each, user);
+    lab_judge_close(&judge);
     return result;
 }

@@ -41,7 +41,8 @@ typedef void (*lab_judge_each)(const lab_judged* work, int with_drag, uint32_t i
 /* Judges the work's case, whose drag is set, and hands it on. with_drag 0: the kinematics does not see the drag, the
  * labels do. */
 dm_result lab_judge_one(lab_judge* judge, int with_drag, uint32_t index, lab_judge_each each, void* user);
-/* Draws and judges cases one after the other, and hands each on. */
-dm_result lab_judge_cases(lab_judge* judge, const dm_lab_options* options, lab_judge_each each, void* user);
+/* Opens, draws and judges the options' cases one after the other, hands each on, and closes. */
+dm_result lab_judge_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
+                          const void* sieve, size_t sieve_size, lab_judge_each each, void* user);
 
 #endif

@@ -8,6 +8,7 @@
 #include "judge.h"
 #include "kinematics/limits.h"
 #include "math/linear3.h"
+#include "math/vec3.h"
 
 uint32_t dm_lab_limits_columns(void) {
     return DMI_LIMIT_FEATURES;
@@ -42,7 +43,7 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
                                            out->features + (size_t)at * DMI_LIMIT_FEATURES);
     memcpy(out->evidence + (size_t)at * DMI_EVIDENCE_COUNT, work->evidence[nearest], sizeof work->evidence[nearest]);
     const dm_joint* truth = &work->joint;
-    const int along = truth->axis.x * joint.axis.x + truth->axis.y * joint.axis.y + truth->axis.z * joint.axis.z >= 0;
+    const int along = dmi_dot3(dmi_xyz(truth->axis).v, dmi_xyz(joint.axis).v) >= 0;
     out->lower[at] = (along ? truth->lower : -truth->upper) / unit;
     out->upper[at] = (along ? truth->upper : -truth->lower) / unit;
     out->free[at] = truth->type == DM_JOINT_CONTINUOUS;
@@ -53,11 +54,6 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
 
 dm_result dm_lab_limits_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                               const void* sieve, size_t sieve_size, const dm_lab_limits* out) {
-    lab_judge judge;
     dm_lab_limits to = *out;
-    dm_result result = lab_judge_open(kinematics, kinematics_size, sieve, sieve_size, &judge);
-    if (result != DM_OK) return result;
-    result = lab_judge_cases(&judge, options, write_case, &to);
-    lab_judge_close(&judge);
-    return result;
+    return lab_judge_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
 }

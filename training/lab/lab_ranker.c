@@ -6,6 +6,7 @@
 
 #include "judge.h"
 #include "math/linear3.h"
+#include "math/vec3.h"
 
 #define KEPT_BEST 8
 
@@ -16,11 +17,6 @@ uint32_t dm_lab_ranker_columns(void) {
 uint32_t dm_lab_sieve_columns(uint8_t* out) {
     if (out != NULL) memcpy(out, dmi_glance_columns, sizeof dmi_glance_columns);
     return DMI_GLANCE_COLUMNS;
-}
-
-static void axis_of(const dm_joint* joint, float axis[3], float origin[3]) {
-    axis[0] = joint->axis.x, axis[1] = joint->axis.y, axis[2] = joint->axis.z;
-    origin[0] = joint->origin.x, origin[1] = joint->origin.y, origin[2] = joint->origin.z;
 }
 
 /* The best few first, then the others in random order. */
@@ -43,16 +39,15 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
     const dm_lab_ranker* out = user;
     const uint32_t rows = work->count < out->rows ? work->count : out->rows;
     uint32_t order[DMI_CANDIDATES_MAX];
-    float axis[3], origin[3];
-    axis_of(&work->joint, axis, origin);
+    const dmi_float3 axis = dmi_xyz(work->joint.axis), origin = dmi_xyz(work->joint.origin);
     order_rows(work, order);
     for (uint32_t i = 0; i < rows; i++) {
         const uint32_t k = order[i], slot = at * out->rows + i;
         const dmi_candidate* c = &work->candidates[k];
         memcpy(out->evidence + (size_t)slot * DMI_EVIDENCE_COUNT, work->evidence[k], sizeof work->evidence[k]);
         out->pose[slot] = work->pose[k];
-        out->axis_error[slot] = acosf(fminf(fabsf(dmi_dot3(axis, c->axis)), 1));
-        out->line_error[slot] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_line_distance3(c->origin, axis, origin);
+        out->axis_error[slot] = acosf(fminf(fabsf(dmi_dot3(axis.v, c->axis)), 1));
+        out->line_error[slot] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_line_distance3(c->origin, axis.v, origin.v);
     }
     out->used[at] = (int32_t)rows;
     out->total[at] = (int32_t)work->count;
@@ -64,13 +59,8 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
 
 dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                               const void* sieve, size_t sieve_size, const dm_lab_ranker* out) {
-    lab_judge judge;
     dm_lab_ranker to = *out;
-    dm_result result = lab_judge_open(kinematics, kinematics_size, sieve, sieve_size, &judge);
-    if (result != DM_OK) return result;
-    result = lab_judge_cases(&judge, options, write_case, &to);
-    lab_judge_close(&judge);
-    return result;
+    return lab_judge_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
 }
 
 dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
