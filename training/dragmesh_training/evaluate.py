@@ -1,4 +1,4 @@
-"""Scores of both networks on generated objects (paper.md §C): trained categories and held-out ones apart.
+"""Scores of both networks on generated objects (paper.md §C): categories that were trained on and later ones apart.
 
 `python -m dragmesh_training.evaluate kpp|vae WEIGHTS [--split test] [--count N] [--json]` scores exported weights.
 """
@@ -212,11 +212,10 @@ def load_model(network, path):
 
 
 def full_scores(network, model, split, count, seed=11):
-    """Trained and held-out categories apart, as in training and clean: for KPP-Net objects, masks and drags without mistakes, for
+    """Trained and later categories apart, as in training and clean: for KPP-Net objects, masks and drags without mistakes, for
     the VAE a steady hand and the exact joint. For the VAE screws apart too."""
     lab = data.Lab()
-    groups = {name: config.kinds_of(lab.categories, which)
-              for name, which in (("trained", "trained"), ("held_out", "held"), ("later", "later"))}
+    groups = {which: config.kinds_of(lab.categories, which) for which in ("trained", "later")}
     clean = {**config.MIX, "mask_noise": 0.0, "drag_noise_degrees": 0.0}
     clean.update({"messy": 0.0} if network == "kpp" else {"joint_noise": 0.0, "hand_noise": 0.0})
     mixes = {"": config.MIX, "_clean": clean}

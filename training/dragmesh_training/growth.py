@@ -83,7 +83,7 @@ def make_proposals(lab, model, seed, first, count, mask, messy):
 
 def gather(lab, folder, name, count, make, messy=0.6):
     """Arrays of `count` cases, in batches that are kept in the folder when there is one."""
-    mask = ranker.category_weights(lab, kinds_of(ranker.category_names(lab), "all"))
+    mask = ranker.category_weights(lab, kinds_of(ranker.category_names(lab), "trained"))
     parts, start = [], time.time()
     for first in range(0, count, BATCH):
         path = folder and os.path.join(folder, f"{name}_{first}.npz")

@@ -23,7 +23,7 @@ ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("ca
           ("has_drag", np.int32))
 # Of what ships. Half of the cases are of the kinds up to here: the later ones are machines and robots for the most part, whose
 # ranges would say too much about a kitchen's.
-SEEDS, VALIDATION_SEED, CASES, FIRST_KINDS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000, 195
+SEEDS, VALIDATION_SEED, CASES, STEPS, FIRST_KINDS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000, 20000, 195
 # Sizes of either side of a range, in rad or in the part's extent along the slide, and how many kinds of ranges there are.
 SIZES = np.array([0, .01, .02, .035, .055, .08, .12, .17, .24, .32, .42, .55, .7, .85, 1, 1.2, 1.4, 1.571, 1.8, 2.1, 2.5,
                   3, 3.6, 4.7, 6.5], np.float32)
@@ -159,15 +159,15 @@ def run_fit(arguments):
                                     "trained": f"{len(data['free'])} generated cases"})
 
 
-def ship(folder, kinematics, sieve, out):
-    """The limits' networks that ship; goes on where it was stopped."""
+def ship(folder, kinematics, sieve, out, some=str):
+    """The limits' networks that ship; goes on where it was stopped. some: how many of so many cases and steps, as a word."""
     def made(name, seed, count, *more):
-        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--sieve", sieve, "--count", str(count), *more)
+        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--sieve", sieve, "--count", some(count), *more)
 
     validation = made("validation", VALIDATION_SEED, CASES // 2, "--split", "1")
     files = [made("first", seed, CASES, "--kinds", str(FIRST_KINDS)) for seed in SEEDS]
     files += [made("all", seed, CASES) for seed in SEEDS]
-    run(["fit", *files, "--validate", validation, "-o", out])
+    run(["fit", *files, "--validate", validation, "--steps", some(STEPS), "-o", out])
 
 
 def run(words=None):
@@ -188,7 +188,7 @@ def run(words=None):
     two = commands.add_parser("fit")
     two.add_argument("data", nargs="+")
     two.add_argument("--validate", required=True)
-    two.add_argument("--steps", type=int, default=20000)
+    two.add_argument("--steps", type=int, default=STEPS)
     two.add_argument("--seed", type=int, default=1)
     two.add_argument("-o", "--out", required=True)
     two.set_defaults(run=run_fit)

@@ -24,9 +24,16 @@ from . import forest
 from .config import HELD_OUT, kinds_of
 KEPT_BEST = 8  # as in lab_ranker.c
 GOOD = 0.02
-# What ships is trained on 6,000 cases of each seed: with the evidence of an earlier KPP-Net (see earlier_network), and with
+# What ships is trained on so many cases of each seed: with the evidence of an earlier KPP-Net (EARLIER_COMMIT), and with
 # the shipped one's.
+CASES, STEPS, LEAST = 6000, 9000, 20
+LEAST_SLOPE = 0.1  # of confidence by trust: the library takes none that falls, as few cases may say
+# KPP-Net after a third of its run, of fewer kinds. On the kinds that both were trained on the shipped one is right more often
+# than elsewhere, and a ranker that saw no other would trust it too far; the earlier one, whose choice head had only begun, errs
+# there about as often as the shipped one does on what it does not know.
 EARLIER_COMMIT = "613e580"
+# The last KPP-Net that knew none of HELD_OUT: with it the ranker's twin says how sure an answer is where nothing knows the kind.
+UNKNOWING_COMMIT = "60987f0"
 NETWORK_SEEDS = (101, 103, 211), (102, 104)
 FOREST_SEEDS = (101, 103, 301, 302, 305, 306, 307, 308), (102, 104, 303, 304, 315, 316, 317, 318)
 SIEVE_SEEDS, SIEVE_CASES = (301, 302), 6000  # of the one network and of the other
@@ -239,7 +246,7 @@ def calibrate(good, trust):
         p = 1 / (1 + np.exp(-x @ w))
         hessian = x.T @ (x * (p * (1 - p))[:, None]) + 1e-3 * np.eye(2)
         w += np.linalg.solve(hessian, x.T @ (good - p))
-    return w
+    return np.array([max(w[0], LEAST_SLOPE), w[1]])
 
 
 def export(path, tensors, metadata):
@@ -313,7 +320,7 @@ def run_train(arguments):
         calibration = own_calibration(lab, kinematics, tensors, metadata, arguments.out, arguments.calibration_cases)
     export(arguments.out, {**tensors, "calibration": calibration}, metadata)
     with open(arguments.out, "rb") as file:
-        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, kinds_of(category_names(lab), "all"))
+        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, kinds_of(category_names(lab), "trained"))
     print(f"whole library, validation: type {found['right_type'].mean():.3f} "
           f"{summary(found['pose'] < GOOD, found, np.array(category_names(lab)))}; "
           f"confidence = sigmoid(a logit(mass) + b), none, drag: {calibration.round(3).tolist()}", flush=True)
@@ -329,14 +336,12 @@ def run_answer(arguments):
               f"type {found['right_type'][mask].mean():.3f} stated {found['confidence'][mask].mean():.3f}")
 
 
-def earlier_network(folder):
-    """KPP-Net after a third of its run, as committed once, of fewer kinds. On the kinds that both were trained on the shipped
-    one is right more often than elsewhere, and a ranker that saw no other would trust it too far; the earlier one, whose
-    choice head had only begun, errs there about as often as the shipped one does on what it does not know."""
-    path = os.path.join(folder, "kpp_earlier.safetensors")
+def committed_network(folder, name, commit):
+    """A KPP-Net of before, as committed once, in the folder."""
+    path = os.path.join(folder, name + ".safetensors")
     if not os.path.exists(path):
         with open(path, "wb") as file:
-            subprocess.run(["git", "show", f"{EARLIER_COMMIT}:sdk/models/kpp_net.safetensors"], stdout=file, check=True,
+            subprocess.run(["git", "show", f"{commit}:sdk/models/kpp_net.safetensors"], stdout=file, check=True,
                            cwd=os.path.dirname(os.path.abspath(__file__)))
     return path
 
@@ -350,32 +355,38 @@ def case_file(command, folder, name, kinematics, seed, *more):
     return path
 
 
-def ship(folder, models):
-    """What sdk/models/ranker.safetensors is made by; goes on where it was stopped. About an hour of one core. First the
-    sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved. Its twin in the
-    folder has not seen the held-out kinds (nor has the sieve): it says how well kinds are answered that the ranker does
-    not know, and what the probabilities of such answers are worth."""
+def ship(folder, models, out=None, share=1.0):
+    """What sdk/models/ranker.safetensors is made by (out: the one of that folder); goes on where it was stopped. About an
+    hour of one core. First the sieve, from cases all of whose candidates are judged; then the ranker, from cases that were
+    sieved. Its twin in the folder has not seen the held-out kinds (nor have the sieve and the KPP-Net that it is asked with):
+    it says how well kinds are answered that nothing knows, and what the probabilities of such answers are worth. share: of the cases and the steps,
+    for a try."""
     from .limits import ship as fit_limits
-    from .sieve import run as fit_sieve
+    from .sieve import STEPS as SIEVE_STEPS, run as fit_sieve
+
+    def some(count, least=LEAST):
+        return str(max(round(share * count), least))
+
     os.makedirs(folder, exist_ok=True)
     shipped = os.path.join(models, "kpp_net.safetensors")
-    earlier = earlier_network(folder)
+    earlier = committed_network(folder, "kpp_earlier", EARLIER_COMMIT)
+    unknowing = committed_network(folder, "kpp_unknowing", UNKNOWING_COMMIT)
     sieve, limits = (os.path.join(folder, name + ".safetensors") for name in ("sieve", "limits"))
     if not os.path.exists(sieve):
-        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", str(SIEVE_CASES))
+        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", some(SIEVE_CASES))
                  for seed, kinematics in zip(SIEVE_SEEDS, (earlier, shipped))]
-        fit_sieve([*every, "-o", sieve])
+        fit_sieve([*every, "--steps", some(SIEVE_STEPS), "-o", sieve])
     of_network, of_forest = (
-        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", "6000", "--sieve", sieve)
-         for kinematics, some in zip((earlier, shipped), seeds) for seed in some]
+        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", some(CASES), "--sieve", sieve)
+         for kinematics, of_one in zip((earlier, shipped), seeds) for seed in of_one]
         for seeds in (NETWORK_SEEDS, FOREST_SEEDS))
-    fit_limits(folder, shipped, sieve, limits)
-    validation = case_file(run, folder, "validation", shipped, 105, "--count", "1500", "--split", "1", "--sieve", sieve)
-    common = ["train", *of_network, "--forest", *of_forest, "--validate", validation, "--weights", shipped,
-              "--sieve", sieve, "--limits", limits]
+    fit_limits(folder, shipped, sieve, limits, some)
+    validation = case_file(run, folder, "validation", shipped, 105, "--count", some(1500), "--split", "1", "--sieve", sieve)
+    common = ["train", *of_network, "--forest", *of_forest, "--validate", validation,
+              "--sieve", sieve, "--limits", limits, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
     twin = os.path.join(folder, "twin.safetensors")
-    run([*common, "--hold-out", "-o", twin])
-    run([*common, "--calibration-of", twin, "-o", os.path.join(models, "ranker.safetensors")])
+    run([*common, "--weights", unknowing, "--hold-out", "-o", twin])
+    run([*common, "--weights", shipped, "--calibration-of", twin, "-o", os.path.join(out or models, "ranker.safetensors")])
 
 
 def run(words):
@@ -390,7 +401,7 @@ def run(words):
     one.add_argument("--rows", type=int, default=112)
     one.add_argument("--split", type=int, default=0)
     one.add_argument("--noise", type=float, default=14.0)
-    one.add_argument("--only", choices=("all", "held", "trained", "later"), default="all")
+    one.add_argument("--only", choices=("trained", "held", "later"), default="trained")
     one.add_argument("--weights")
     one.add_argument("--sieve", help="weights of the sieve; without them all candidates are judged")
     one.set_defaults(run=run_make)
@@ -399,12 +410,12 @@ def run(words):
     two.add_argument("--forest", nargs="+", required=True, help="cases that the forest is grown on")
     two.add_argument("--validate", required=True)
     two.add_argument("--lab", default=default_lab)
-    two.add_argument("--weights", required=True, help="the KPP-Net that ships")
+    two.add_argument("--weights", required=True, help="the KPP-Net that answers are asked with")
     two.add_argument("--sieve", required=True, help="what the cases were made with")
     two.add_argument("--limits", required=True, help="weights of the limits' network (limits.py)")
     two.add_argument("--calibration-cases", type=int, default=3000)
     two.add_argument("--calibration-of", help="a ranker of its twin's calibration; without it, its own on the held-out kinds")
-    two.add_argument("--steps", type=int, default=9000)
+    two.add_argument("--steps", type=int, default=STEPS)
     two.add_argument("--batch", type=int, default=48)
     two.add_argument("--hidden", type=int, default=64)
     two.add_argument("--rate", type=float, default=2e-3)
@@ -420,7 +431,7 @@ def run(words):
     three.add_argument("--lab", default=default_lab)
     three.add_argument("--weights", default=os.path.join(models, "kpp_net.safetensors"))
     three.add_argument("--ranker", default=os.path.join(models, "ranker.safetensors"))
-    three.add_argument("--only", choices=("all", "held", "trained", "later"), default="later")
+    three.add_argument("--only", choices=("trained", "held", "later"), default="later")
     three.add_argument("--count", type=int, default=4000)
     three.add_argument("--seed", type=int, default=91)
     three.set_defaults(run=run_answer)

@@ -17,6 +17,7 @@ from .config import HELD_OUT
 from .ranker import KEPT_BEST, NETWORK, costs, export, load, log_weights, open_lab
 
 HIDDEN, KEPT = 16, 256  # as in sieve.h
+STEPS = 2500
 SHARPER = 0.3  # of the ranker's costs: what differs by a third of a tolerance is told apart
 WITHOUT_NETWORK = 0.2
 
@@ -81,7 +82,7 @@ def run(words=None):
     parser.add_argument("data", nargs="+")
     parser.add_argument("--lab", default=os.path.join(os.path.dirname(__file__), "..", "..", "build", "release",
                                                       "libdragmesh_lab.so"))
-    parser.add_argument("--steps", type=int, default=2500)
+    parser.add_argument("--steps", type=int, default=STEPS)
     parser.add_argument("--batch", type=int, default=64)
     parser.add_argument("--rate", type=float, default=3e-3)
     parser.add_argument("--seed", type=int, default=1)
