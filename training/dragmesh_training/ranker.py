@@ -340,9 +340,10 @@ def committed_network(folder, name, commit):
     """A KPP-Net of before, as committed once, in the folder."""
     path = os.path.join(folder, name + ".safetensors")
     if not os.path.exists(path):
+        weights = subprocess.run(["git", "show", f"{commit}:sdk/models/kpp_net.safetensors"], stdout=subprocess.PIPE, check=True,
+                                 cwd=os.path.dirname(os.path.abspath(__file__))).stdout
         with open(path, "wb") as file:
-            subprocess.run(["git", "show", f"{commit}:sdk/models/kpp_net.safetensors"], stdout=file, check=True,
-                           cwd=os.path.dirname(os.path.abspath(__file__)))
+            file.write(weights)
     return path
 
 
@@ -355,12 +356,12 @@ def case_file(command, folder, name, kinematics, seed, *more):
     return path
 
 
-def ship(folder, models, out=None, share=1.0):
-    """What sdk/models/ranker.safetensors is made by (out: the one of that folder); goes on where it was stopped. About an
-    hour of one core. First the sieve, from cases all of whose candidates are judged; then the ranker, from cases that were
-    sieved. Its twin in the folder has not seen the held-out kinds (nor have the sieve and the KPP-Net that it is asked with):
-    it says how well kinds are answered that nothing knows, and what the probabilities of such answers are worth. share: of the cases and the steps,
-    for a try."""
+def ship(folder, models, out, share):
+    """What the ranker of the folder `out` is made by, for the KPP-Net in `models`; goes on where it was stopped. About an hour
+    of one core. First the sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved.
+    Its twin has not seen the held-out kinds (nor have the sieve and the KPP-Net that it is asked with): it says how well kinds
+    are answered that nothing knows, and what the probabilities of such answers are worth. share: of the cases and the steps,
+    less than 1 for a try."""
     from .limits import ship as fit_limits
     from .sieve import STEPS as SIEVE_STEPS, run as fit_sieve
 
@@ -386,7 +387,7 @@ def ship(folder, models, out=None, share=1.0):
               "--sieve", sieve, "--limits", limits, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
     twin = os.path.join(folder, "twin.safetensors")
     run([*common, "--weights", unknowing, "--hold-out", "-o", twin])
-    run([*common, "--weights", shipped, "--calibration-of", twin, "-o", os.path.join(out or models, "ranker.safetensors")])
+    run([*common, "--weights", shipped, "--calibration-of", twin, "-o", os.path.join(out, "ranker.safetensors")])
 
 
 def run(words):
