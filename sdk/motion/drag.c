@@ -10,10 +10,7 @@
 /* How much farther than the pointer the grabbed point may go at once. Where the way runs almost along the ray (within
  * 1/16 rad), less than that decides where on it the pointer is; the rest is made up for over a time. */
 #define MOST_GAIN 16.0f
-#define CATCH_UP_TIME 0.1f /* s, half-life */
-#define BLEND_TIME 0.1f    /* s from one joint's pose to the next one's … */
-#define BLEND_SLOWER 0.3f  /* … and so much more a radian, or a length of the part */
-#define LONGEST_BLEND 0.6f
+#define CATCH_UP_TIME 0.1f    /* s, half-life */
 #define LEAST_TURN 1e-5f      /* rad between rays: rounding makes less, a pixel makes more */
 #define LIMIT_TOLERANCE 1e-4f /* of the range: what counts as being at a limit */
 
@@ -23,17 +20,10 @@ static float speed_of(const dm_joint* joint, const float rest_point[3]) {
     return sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* The part is shown at `before` now and comes over to its joint smoothly: the farther, the longer it takes. */
+/* The part is shown at `before` now and comes over to its joint smoothly. */
 static void come_from(dmi_drag* drag, const dm_pose* before) {
-    const dm_pose now = dmi_joint_pose(&drag->joint, drag->value), back = dmi_pose_inverse(&now);
-    drag->offset = dmi_pose_multiply(before, &back);
-    drag->offset_age = 0;
-    float here[3], there[3], way = 0;
-    dmi_pose_apply(before, drag->rest_point, there);
-    dmi_pose_apply(&now, drag->rest_point, here);
-    for (int i = 0; i < 3; i++) way += (here[i] - there[i]) * (here[i] - there[i]);
-    const float turn = 2 * acosf(fminf(fabsf(drag->offset.real[3]), 1)), size = drag->rivals.hold.size;
-    drag->offset_time = fminf(BLEND_TIME + BLEND_SLOWER * (turn + (size > 0 ? sqrtf(way) / size : 0)), LONGEST_BLEND);
+    const dm_pose now = dmi_joint_pose(&drag->joint, drag->value);
+    drag->handover = dmi_handover_begin(before, &now, drag->rest_point, drag->rivals.hold.size);
 }
 
 void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_point[3], float start_value,
@@ -43,8 +33,7 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     dmi_pose_apply(&back, grab_point, drag->rest_point);
     drag->value = drag->target = dmi_joint_clamp(joint, start_value);
     drag->reach = dmi_feel_reach(feel, joint, drag->target);
-    drag->offset = dmi_pose_identity();
-    drag->offset_age = INFINITY;
+    drag->handover = dmi_handover_none();
     drag->release.return_time = fmaxf(feel->return_time, 0);
     drag->speed = speed_of(joint, drag->rest_point);
     memcpy(drag->point, grab_point, sizeof drag->point);
@@ -133,13 +122,9 @@ static float follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     return wish;
 }
 
-/* The pose shown: the joint's own, and what is left of the way over from the last joint. */
 static dm_pose shown_pose(const dmi_drag* drag) {
-    const dm_pose pose = dmi_joint_pose(&drag->joint, drag->value), none = dmi_pose_identity();
-    if (!(drag->offset_age < drag->offset_time)) return pose;
-    const float s = drag->offset_age / drag->offset_time, share = s * s * (3 - 2 * s);
-    const dm_pose offset = dmi_pose_sclerp(&drag->offset, &none, share);
-    return dmi_pose_multiply(&offset, &pose);
+    const dm_pose pose = dmi_joint_pose(&drag->joint, drag->value);
+    return dmi_handover_pose(&drag->handover, &pose, drag->rest_point);
 }
 
 /* Goes over to the best rival where the pointer asks for it, without a jump of the pose shown. */
@@ -171,7 +156,7 @@ static void hold(dmi_drag* drag, const dm_ray* ray, float dt) {
 
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state) {
     const float time = dt > 0 && isfinite(dt) ? dt : 0;
-    drag->offset_age += time;
+    drag->handover.age += time;
     if (drag->release.phase == DM_DRAG_HELD) {
         hold(drag, ray, time);
     } else if (drag->release.phase == DM_DRAG_RELEASED) {

@@ -3,6 +3,7 @@
 #ifndef DMI_MOTION_DRAG_H
 #define DMI_MOTION_DRAG_H
 
+#include "motion/drag_handover.h"
 #include "motion/drag_release.h"
 #include "motion/drag_rivals.h"
 
@@ -20,10 +21,8 @@ typedef struct dmi_drag {
     dmi_give give;
     int yields; /* its limits are estimates: these, and at most those the pull may take it to */
     float guess_lower, guess_upper, most_lower, most_upper;
-    dm_pose offset;    /* of the pose shown from the joint's own, when it came to a new joint … */
-    float offset_age;  /* … so long ago, s … */
-    float offset_time; /* … which is gone after this */
-    uint32_t changes;  /* of the joint */
+    dmi_handover handover;
+    uint32_t changes; /* of the joint */
     dmi_release release;
 } dmi_drag;
 
