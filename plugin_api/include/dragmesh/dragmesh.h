@@ -343,7 +343,7 @@ typedef struct dm_drag_state {
     int32_t at_limit;   /* -1 at lower, +1 at upper, 0 between */
     int32_t phase;      /* DM_DRAG_HELD … */
     uint32_t changes;   /* how often the pull has changed the joint that the drag follows: dm_drag_get_joint. The pose
-                           comes over to a new joint within 0.6 s, mostly in 0.1 s */
+                           comes over to a new joint within 0.6 s; the grabbed point first, mostly in 0.1 s */
 } dm_drag_state;
 
 /* What a released part does next. */
