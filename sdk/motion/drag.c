@@ -42,15 +42,15 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
 
 /* Takes the joint's limits for estimates. */
 static void estimate_limits(dmi_drag* drag) {
-    drag->yields = dmi_joint_has_limits(&drag->joint) && drag->give.share >= 0;
+    const dmi_give give = drag->rivals.hold.give;
+    drag->yields = dmi_joint_has_limits(&drag->joint) && give.share >= 0;
     drag->guess_lower = drag->joint.lower, drag->guess_upper = drag->joint.upper;
-    dmi_rivals_limits(&drag->joint, drag->give, &drag->most_lower, &drag->most_upper);
+    dmi_rivals_limits(&drag->joint, give, &drag->most_lower, &drag->most_upper);
 }
 
 void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size, dmi_give give) {
-    drag->give = give;
+    dmi_rivals_init(&drag->rivals, joints, count, drag->rest_point, size, give);
     estimate_limits(drag);
-    if (count > 0) dmi_rivals_init(&drag->rivals, joints, count, drag->rest_point, size, give);
 }
 
 /* What the part may be asked for, given where the pointer is; limits that yield come along. */

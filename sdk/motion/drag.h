@@ -17,9 +17,8 @@ typedef struct dmi_drag {
     float reach;               /* the value the pointer asks for before soft ends bring it into the limits */
     dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
     dmi_projection projection; /* perspective once rays of different directions have come */
-    dmi_rivals rivals;         /* none: the joint is sure */
-    dmi_give give;
-    int yields; /* its limits are estimates: these, and at most those the pull may take it to */
+    dmi_rivals rivals;         /* count 0: nothing else is thought of */
+    int yields;                /* its limits are estimates: these, and at most those the pull may take it to */
     float guess_lower, guess_upper, most_lower, most_upper;
     dmi_handover handover;
     uint32_t changes; /* of the joint */
