@@ -2,7 +2,6 @@
  * inside the shell. Drawn pointing to +Z with the thumb's face up. */
 #include "categories.h"
 #include "hardware.h"
-#include "thumbs.h"
 
 enum { OUTLINE = 12, ROWS = 9 };
 
@@ -86,7 +85,7 @@ static void draw_thumbstick(dmg_builder* b, uint32_t parent, float radius) {
     bool collar = dmg_chance(b, 0.6f);
     if (collar) dmg_torus(b, v3(0, 0, 0), v3(0, 0, 1), 1.25f * radius, radius * dmg_range(b, 0.06f, 0.2f));
     int motion = dmg_int(b, 0, 2);
-    if (motion == 0) dmg_slide(b, parent, "thumb_stick", v3(0, 0, -1), 0.0f, dmg_stick_press(b, radius));
+    if (motion == 0) dmg_slide(b, parent, "thumb_stick", v3(0, 0, -1), 0.0f, radius * dmg_range(b, 0.05f, 0.25f));
     if (motion == 1) dmg_hinge(b, parent, "thumb_stick", v3(0, 0, pivot), v3(1, 0, 0), -swing, swing);
     if (motion == 2) dmg_hinge(b, parent, "thumb_stick", v3(0, 0, pivot), v3(0, 1, 0), -swing, swing);
     float stem = radius * dmg_range(b, 0.35f, 0.7f);

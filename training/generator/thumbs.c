@@ -50,17 +50,12 @@ static void draw_stick_rim(dmg_builder* b, float radius) {
     if (kind == 1) dmg_torus(b, v3(0, 0, 0), v3(0, 0, 1), 1.15f * radius, thick);
 }
 
-/* The switch below a stick gives by a quarter of a millimetre to one; the stick's cap is 8 to 10 in radius. */
-float dmg_stick_press(dmg_builder* b, float radius) {
-    return radius * dmg_scale_range(b, 0.03f, 0.1f);
-}
-
 /* A stick is a ball joint in life: its skirt is a piece of a sphere that hides the hole whichever way it leans, and the
  * pivot is that sphere's centre, below the face. Here it has one of its three motions; the drag tells which. */
 void dmg_thumb_stick_draw(dmg_builder* b, uint32_t parent, float radius) {
     float ball = radius * dmg_range(b, 0.75f, 1.5f), top = radius * dmg_range(b, -0.1f, 0.45f), centre = top - ball,
           pivot = centre * (dmg_chance(b, 0.75f) ? dmg_range(b, 0.8f, 1.2f) : dmg_range(b, -0.1f, 1.8f)),
-          swing = dmg_range(b, 0.15f, 0.42f), down = dmg_stick_press(b, radius);
+          swing = dmg_range(b, 0.15f, 0.42f), down = radius * dmg_range(b, 0.04f, 0.25f);
     draw_stick_rim(b, fmaxf(ball, radius));
     int motion = dmg_int(b, 0, 2);
     dmg_vec line = motion == 1 ? v3(1, 0, 0) : v3(0, 1, 0);

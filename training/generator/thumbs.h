@@ -14,8 +14,6 @@ enum {
 };
 void dmg_rows_draw(dmg_builder* b, const dmg_vec* at, int rows, int columns, unsigned flags);
 
-/* How far a stick of this radius is pressed. */
-float dmg_stick_press(dmg_builder* b, float radius);
 /* On z = 0, +Z out of the shell, +Y away from the player. `parent` is in use afterwards. */
 void dmg_thumb_stick_draw(dmg_builder* b, uint32_t parent, float radius);
 void dmg_touch_pad_draw(dmg_builder* b, uint32_t parent, float radius);
