@@ -20,12 +20,6 @@ static float speed_of(const dm_joint* joint, const float rest_point[3]) {
     return sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* The part is shown at `before` now and comes over to its joint smoothly. */
-static void come_from(dmi_drag* drag, const dm_pose* before) {
-    const dm_pose now = dmi_joint_pose(&drag->joint, drag->value);
-    drag->handover = dmi_handover_begin(before, &now, drag->rest_point, drag->rivals.hold.size);
-}
-
 void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_point[3], float start_value,
                     const dm_drag_feel* feel) {
     *drag = (dmi_drag){.joint = *joint, .feel = *feel};
@@ -37,7 +31,9 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     drag->release.return_time = fmaxf(feel->return_time, 0);
     drag->speed = speed_of(joint, drag->rest_point);
     memcpy(drag->point, grab_point, sizeof drag->point);
-    if (drag->value != start_value) come_from(drag, &pose); /* it stands outside its limits */
+    if (drag->value == start_value) return;
+    const dm_pose inside = dmi_joint_pose(joint, drag->value); /* it stands outside its limits */
+    drag->handover = dmi_handover_along(&pose, &inside);
 }
 
 /* Takes the joint's limits for estimates. */
@@ -137,7 +133,8 @@ static void change_joint(dmi_drag* drag) {
     drag->target = drag->value = target_at(drag, drag->reach);
     drag->velocity = 0;
     drag->speed = speed_of(&drag->joint, drag->rest_point);
-    come_from(drag, &before);
+    const dm_pose now = dmi_joint_pose(&drag->joint, drag->value);
+    drag->handover = dmi_handover_begin(&before, &now, drag->rest_point, drag->rivals.hold.size);
     drag->changes++;
 }
 

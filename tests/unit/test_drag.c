@@ -457,6 +457,29 @@ static void drags_start_where_the_part_is(void** state) {
     }
 }
 
+/* A door that stands farther open than its limits say comes into them by its own hinge: points of the axis stay. */
+static void a_part_outside_its_limits_comes_in_on_its_joint(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(8, 5);
+    for (int i = 0; i < CASES; i++) {
+        const dm_joint joint = test_joint(&random, DM_JOINT_REVOLUTE, 0.5f);
+        float rest[3], eye[3], grab[3], actual[3];
+        test_point(&random, 0.5f, rest);
+        random_eye(&random, eye);
+        const float start = joint.upper + test_range(&random, 0.2f, 1.5f);
+        point_at(&joint, start, rest, grab);
+        dmi_drag drag;
+        dmi_drag_begin(&drag, &joint, grab, start, &plain);
+        for (int k = 0; k < 45; k++) {
+            const dm_ray ray = ray_through(eye, grab);
+            dm_drag_state now;
+            dmi_drag_update(&drag, &ray, FRAME, &now);
+            dmi_pose_apply(&now.pose, dmi_xyz(joint.origin).v, actual);
+            assert_near3(actual, dmi_xyz(joint.origin).v, 2e-5);
+        }
+    }
+}
+
 /* A drawer seen end on, or its line's own direction as the ray: nothing to learn, nothing moves. */
 static void rays_along_a_slide_keep_it(void** state) {
     (void)state;
@@ -515,6 +538,7 @@ int main(void) {
         cmocka_unit_test(limits_stop_and_are_told),
         cmocka_unit_test(soft_ends_give_and_are_reached),
         cmocka_unit_test(drags_start_where_the_part_is),
+        cmocka_unit_test(a_part_outside_its_limits_comes_in_on_its_joint),
         cmocka_unit_test(rays_along_a_slide_keep_it),
         cmocka_unit_test(beyond_the_vanishing_point_the_end_holds),
     };

@@ -1,8 +1,6 @@
 /* From one joint to another: the grabbed point goes straight to where the new one has it, the part turns after it. */
 #include "test_math.h"
 
-#include <string.h>
-
 #include "motion/drag_handover.h"
 
 enum { CASES = 500, FRAMES = 60 };
