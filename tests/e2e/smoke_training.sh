@@ -27,10 +27,12 @@ smoke() {
 
 smoke kpp kpp_net.safetensors --set batch=16 --set pool=2048 --set choice_from=0
 smoke vae dq_vae.safetensors --set batch=32 --set pool=2048
-for run in first second; do
-    "$python" training/train kpp --run "$work/$run" --out "$work/$run" --set steps=20 --set batch=8 --set pool=512
+for way in "" --plain; do
+    for run in first second; do
+        "$python" training/train kpp $way --run "$work/$run$way" --out "$work/$run$way" --set steps=20 --set batch=8 --set pool=512
+    done
+    cmp "$work/first$way/kpp_net.safetensors" "$work/second$way/kpp_net.safetensors" || { echo "smoke training: the same run gave other weights" >&2; exit 1; }
 done
-cmp "$work/first/kpp_net.safetensors" "$work/second/kpp_net.safetensors" || { echo "smoke training: the same run gave other weights" >&2; exit 1; }
 for network in kpp vae; do
     "$python" training/train "$network" --run "$work/$network-paper" --set size=paper --set steps=1 --set batch=2 --set pool=256
 done

@@ -113,7 +113,7 @@ def train_row(row, arrays, steps, log):
     for step in range(steps):
         index = random.integers(0, len(arrays["type"]), row.batch)
         batch = data.to_tensors({name: array[index] for name, array in arrays.items()}, "cpu")
-        loss = losses.weighted(train.batch_losses(row, model, batch), row.weights)
+        loss = losses.weighted(train.batch_losses(row, model, train.prepared(row, batch)), row.weights)
         share = 0.01 + 0.99 * 0.5 * (1 + math.cos(math.pi * step / steps))
         for group in optimizer.param_groups:
             group["lr"] = RATE * min(1.0, (step + 1) / warm_up) * share

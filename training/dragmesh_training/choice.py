@@ -98,11 +98,17 @@ def considered(slides, axis, origin, batch):
     return result
 
 
-def choice_loss(model, known, batch):
-    """Cross-entropy of the choice among proposals: they share a probability of one by how near their motions are to the truth."""
+def question(batch):
+    """What the choice head is asked about a batch: the numbers of the proposals' lines, which of them count (0; else next to
+    nothing), and how they share a probability of one, by how near their motions are to the truth."""
     slides, axis, origin = propose(batch)
     off = differences(slides, axis, origin, batch["local_centres"][:, ::2])
-    scores = model.choice(known, line_numbers(slides, axis, origin, batch["shape"]))
     out = torch.where(considered(slides, axis, origin, batch), 0.0, -1e9)
-    wanted = torch.softmax(out - (off / NEAR) ** 2, dim=-1)
-    return -(wanted * torch.log_softmax(scores + out, dim=-1)).sum(-1).mean()
+    return {"lines": line_numbers(slides, axis, origin, batch["shape"]), "out": out,
+            "wanted": torch.softmax(out - (off / NEAR) ** 2, dim=-1)}
+
+
+def choice_loss(model, known, asked):
+    """Cross-entropy of the answer to a question."""
+    scores = model.choice(known, asked["lines"])
+    return -(asked["wanted"] * torch.log_softmax(scores + asked["out"], dim=-1)).sum(-1).mean()

@@ -154,12 +154,16 @@ class PointEncoder(nn.Module):
             TransformerLayer(config.dim, config.heads, config.ff) for _ in range(layers))
         self.norm = nn.LayerNorm(config.dim)
 
-    def forward(self, points, centres):
-        tokens = Maximum.apply(self.point(points), 2) + self.position(centres)
+    def tokens(self, points, positions):
+        """Of every group, before the last norm; what fast.py does in other ways."""
+        tokens = Maximum.apply(self.point(points), 2) + positions
         for layer in self.layers:
             tokens = layer(tokens)
-        tokens = self.norm(tokens)
-        return torch.cat([tokens.mean(dim=1), tokens.amax(dim=1)], dim=-1)
+        return tokens
+
+    def forward(self, points, centres):
+        tokens = self.norm(self.tokens(points, self.position(centres)))
+        return torch.cat([tokens.mean(dim=1), Maximum.apply(tokens, 1)], dim=-1)
 
 
 class PointNet(nn.Module):

@@ -9,13 +9,14 @@ from dataclasses import asdict, replace
 import torch
 
 from . import evaluate, export
-from .choice import choice_loss
+from .choice import choice_loss, question
 from .data import CHUNK, Pool, Stream, mirrored, to_tensors
 from .losses import kpp_losses, vae_losses, weighted
 from .networks import KPP_SIZES, VAE_SIZES, DqVae, KppNet
 
 FIRST_CHUNKS = 8  # in the pool before the first step
 WARM_UP = 200  # steps
+LONGEST = 1.0  # gradient that is taken as it is
 AVERAGE = 0.999  # of the weights that are scored and exported
 EVALUATE_EVERY = 1000
 SAVE_EVERY = 250
@@ -35,14 +36,21 @@ def run_network(network, model, batch, sample):
     return model(batch, sample)
 
 
+def prepared(config, batch):
+    """A batch as the losses take it: KPP-Net's in one of four mirror images, with a question for its choice head."""
+    if config.network != "kpp":
+        return batch
+    batch = mirrored(batch)
+    return {**batch, "question": question(batch)} if config.weights["choice"] > 0 else batch
+
+
 def batch_losses(config, model, batch):
-    if config.network == "kpp":
-        batch = mirrored(batch)
+    """Of a prepared batch."""
     output = run_network(config.network, model, batch, sample=True)
     if config.network == "kpp":
         losses = kpp_losses(output, batch)
         chosen = config.weights["choice"] > 0
-        losses["choice"] = choice_loss(model, output["known"], batch) if chosen else torch.zeros(())
+        losses["choice"] = choice_loss(model, output["known"], batch["question"]) if chosen else torch.zeros(())
         return losses
     return vae_losses(*output, batch, config.free_nats)
 
@@ -123,27 +131,43 @@ class Run:
         torch.save(state, self.checkpoint + ".new")
         os.replace(self.checkpoint + ".new", self.checkpoint)
 
+    def drawn(self, config, step):
+        """The batch of a step, which are to be asked for in order."""
+        if step * config.fresh // CHUNK != (step + 1) * config.fresh // CHUNK:
+            self.pool.add_chunk()
+            self.chunks += 1
+        return prepared(config, to_tensors(self.pool.batch(config.batch), self.device))
+
+    def next_batch(self, config):
+        return self.drawn(config, self.step)
+
+    @property
+    def averaged(self):
+        """Share of this step's weights in their average."""
+        return 1 - min(AVERAGE, (self.step + 1) / (self.step + 10))
+
+    def descend(self, loss, rate):
+        for group in self.optimizer.param_groups:
+            group["lr"] = rate
+        self.optimizer.zero_grad(set_to_none=True)
+        loss.backward()
+        torch.nn.utils.clip_grad_norm_(self.model.parameters(), LONGEST)
+        self.optimizer.step()
+        with torch.no_grad():
+            for averaged, weight in zip(self.average.parameters(), self.model.parameters()):
+                averaged.lerp_(weight, self.averaged)
+
     def advance(self):
         """One step; the losses as floats."""
         config = replace(self.config, weights=weights_at(self.config, self.done))
-        if self.step * config.fresh // CHUNK != (self.step + 1) * config.fresh // CHUNK:
-            self.pool.add_chunk()
-            self.chunks += 1
-        batch = to_tensors(self.pool.batch(config.batch), self.device)
-        losses = batch_losses(config, self.model, batch)
+        losses = batch_losses(config, self.model, self.next_batch(config))
         total = weighted(losses, config.weights)
-        for group in self.optimizer.param_groups:
-            group["lr"] = rate_at(config, self.step, self.done)
-        self.optimizer.zero_grad(set_to_none=True)
-        total.backward()
-        torch.nn.utils.clip_grad_norm_(self.model.parameters(), 1.0)
-        self.optimizer.step()
-        keep = min(AVERAGE, (self.step + 1) / (self.step + 10))
-        with torch.no_grad():
-            for averaged, weight in zip(self.average.parameters(), self.model.parameters()):
-                averaged.lerp_(weight, 1 - keep)
+        self.descend(total, rate_at(config, self.step, self.done))
         self.step += 1
         return {"total": float(total), **{name: float(value) for name, value in losses.items()}}
+
+    def close(self):
+        self.stream.close()
 
     def log(self, row):
         path = os.path.join(self.folder, "log.csv")
@@ -165,13 +189,13 @@ def progress(run, losses, per_second, note):
     print(text, end="\r" if sys.stdout.isatty() else "\n", flush=True)
 
 
-def train(config, folder, threads, workers, out=None, until=None, start=None):
+def train(config, folder, threads, workers, out=None, until=None, start=None, make_run=Run):
     """Trains to the end of the config (or step `until`), from the folder's checkpoint when it has one; exports to `out`. The
-    last scores."""
+    last scores. make_run: Run, or fast.FastRun where fast.fits."""
     torch.set_num_threads(threads)
     torch.set_flush_denormal(True)
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
-    run = Run(config, folder, device, workers, start)
+    run = make_run(config, folder, device, workers, start)
     scores, sums, since, begun = {}, {}, 0, time.monotonic()
     done = run.done
     while done < 1 and run.step != until:
@@ -192,7 +216,7 @@ def train(config, folder, threads, workers, out=None, until=None, start=None):
         progress(run, means, since * config.batch / (time.monotonic() - begun),
                  "  ".join(f"{name} {value:.4g}" for name, value in scores.items()))
         sums, since, begun = {}, 0, time.monotonic()
-    run.stream.close()
+    run.close()
     if out:
         export.export_run(folder, out)
     return scores
