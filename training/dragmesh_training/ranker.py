@@ -332,8 +332,11 @@ def run_answer(arguments):
     found = answers(lab, kinematics, ranker, arguments.seed, arguments.count, 1,
                     kinds_of(category_names(lab), arguments.only))
     for name, mask in (("with a drag", found["has_drag"] != 0), ("without", found["has_drag"] == 0)):
+        right = mask & (found["right_type"] != 0)
+        axis, line = 1000 * found["axis_error"][right], 1000 * found["line_error"][right & (found["line_error"] >= 0)]
         print(f"{arguments.only} kinds, {name}: {mask.sum()} cases, pose<2% {(found['pose'][mask] < GOOD).mean():.3f} "
-              f"type {found['right_type'][mask].mean():.3f} stated {found['confidence'][mask].mean():.3f}")
+              f"type {found['right_type'][mask].mean():.3f} stated {found['confidence'][mask].mean():.3f}; of the right type "
+              f"axis {axis.mean():.0f} mrad in the mean, {np.median(axis):.1f} median, line {line.mean():.1f} and {np.median(line):.1f} thousandths of the size")
 
 
 def committed_network(folder, name, commit):

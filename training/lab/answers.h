@@ -10,7 +10,7 @@ typedef struct dm_lab_answers {
     float* confidence; /* stated */
     int32_t* right_type;
     float* axis_error; /* rad */
-    float* line_error; /* object sizes; 0 for slides */
+    float* line_error; /* object sizes; -1 where a slide is answered */
     int32_t* has_drag;
     int32_t* category;
 } dm_lab_answers;
