@@ -213,7 +213,8 @@ def load_model(network, path):
 
 def full_scores(network, model, split, count, seed=11):
     """Trained and later categories apart, as in training and clean: for KPP-Net objects, masks and drags without mistakes, for
-    the VAE a steady hand and the exact joint. For the VAE screws apart too."""
+    the VAE a steady hand and the exact joint. For KPP-Net as the paper has it, too: its categories, clean, always with a drag. For
+    the VAE screws apart."""
     lab = data.Lab()
     groups = {which: config.kinds_of(lab.categories, which) for which in ("trained", "later")}
     clean = {**config.MIX, "mask_noise": 0.0, "drag_noise_degrees": 0.0}
@@ -225,6 +226,10 @@ def full_scores(network, model, split, count, seed=11):
             if categories:
                 arrays = data.make_batch(lab, network, seed, count, categories, split, mix)
                 result[group + name] = score(network, model, arrays)
+    if network == "kpp":
+        paper = config.kinds_of(lab.categories, "paper")
+        arrays = data.make_batch(lab, network, seed, count, paper, split, {**clean, "with_drag": 1.0})
+        result["paper_clean_drag"] = score(network, model, arrays)
     if network == "vae":
         arrays = data.make_batch(lab, network, seed, count, THREADED, split)
         screws = arrays["type"] == SCREW

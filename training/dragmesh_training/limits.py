@@ -24,12 +24,14 @@ ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("ca
 # Of what ships. Half of the cases are of the kinds up to here: the later ones are machines and robots for the most part, whose
 # ranges would say too much about a kitchen's.
 SEEDS, VALIDATION_SEED, CASES, STEPS, FIRST_KINDS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000, 20000, 195
-# Sizes of either side of a range, in rad or in the part's extent along the slide, and how many kinds of ranges there are.
-SIZES = np.array([0, .01, .02, .035, .055, .08, .12, .17, .24, .32, .42, .55, .7, .85, 1, 1.2, 1.4, 1.571, 1.8, 2.1, 2.5,
-                  3, 3.6, 4.7, 6.5], np.float32)
-RANGE_KINDS = 8
+# Sizes of either side of a range, in rad or in the part's extent along the slide: in rad, the round angles are among them.
+SIZES = np.array([0, .01, .02, .035, .055, .08, .12, .175, .262, .349, .436, .524, .65, .785, .9, 1.047, 1.2, 1.38, 1.571,
+                  1.833, 2.094, 2.5, 3.142, 4.2, 6.283], np.float32)
+RANGE_KINDS = 8  # of which a joint's is one
 VOICES = 3  # as in limit_net.h
 FEATURES, SLIDES = 37, 0  # DMI_LIMIT_FEATURES, and the one of them that is 1 for slides
+# Degrees that people write limits in multiples of, and how many do (0: as the mechanism has it). Set by hand.
+ROUND_DEGREES, ROUND_SHARES = (0, 15, 45), (0.3, 0.3, 0.4)
 AT_ONCE = 500  # cases
 WITHOUT_EVIDENCE = 0.5  # share of turning cases; the library keeps that of slides back
 
@@ -46,6 +48,20 @@ def make(lab, kinematics, sieve, seed, count, split, chosen):
     del keep
     data["evidence"] = data["evidence"].astype(np.float16)
     return data
+
+
+def as_written(lower, upper, turns, random):
+    """The limits of turns as people write them down, most of them in round degrees: the generator's are wherever a mechanism
+    ends. A side stays as it is when rounding would leave nothing of it, a range when rounding would cost it much."""
+    step = np.radians(random.choice(ROUND_DEGREES, len(lower), p=ROUND_SHARES)) * turns
+
+    def rounded(side):
+        nearest = np.round(side / np.maximum(step, 1e-6)) * step
+        return np.where((step == 0) | (nearest == 0), side, nearest).astype(np.float32)
+
+    low, high = rounded(lower), rounded(upper)
+    keeps = high - low >= 0.6 * (upper - lower)
+    return np.where(keeps, low, lower), np.where(keeps, high, upper)
 
 
 def inputs_of(data):
@@ -125,7 +141,8 @@ def fit_one(data, x, mean, scale, steps, seed):
 
 
 def fit(data, validation, steps, seed):
-    x = inputs_of(data)
+    lower, upper = as_written(data["lower"], data["upper"], data["features"][:, SLIDES] < 0.5, np.random.default_rng(seed))
+    data, x = {**data, "lower": lower, "upper": upper}, inputs_of(data)
     mean, scale = x.mean(0), 1 / (x.std(0) + 0.02)
     nets = [fit_one(data, x, mean, scale, steps, seed + voice) for voice in range(VOICES)]
     with torch.no_grad():

@@ -261,16 +261,18 @@ ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type"
                  ("line_error", np.float32), ("has_drag", np.int32), ("category", np.int32))
 
 
-def options_of(lab, seed, count, split, chosen, noise_degrees=8.0, with_drag=0.7, mask_noise=0.3):
-    """Cases as `make` draws them; the weights of the categories must live as long as the options."""
+def options_of(lab, seed, count, split, chosen, clean=False):
+    """Cases as `make` draws them, or clean ones: no mess, masks and drags without mistakes. The weights of the categories must
+    live as long as the options."""
     weights = category_weights(lab, chosen)
-    return Options(seed, count, split, weights.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0), weights
+    messy, mask_noise, noise_degrees = (0, 0, 0) if clean else (0.5, 0.3, 8.0)
+    return Options(seed, count, split, weights.ctypes.data, messy, mask_noise, 1.0, 0.7, noise_degrees, 0, 0), weights
 
 
-def answers(lab, kinematics, ranker, seed, count, split, chosen):
+def answers(lab, kinematics, ranker, seed, count, split, chosen, clean=False):
     """What the whole library answers on fresh cases."""
     data = {name: np.zeros(count, dtype) for name, dtype in ANSWER_ARRAYS}
-    options, keep = options_of(lab, seed, count, split, chosen)
+    options, keep = options_of(lab, seed, count, split, chosen, clean)
     pointers = (ctypes.c_void_p * len(data))(*[array.ctypes.data for array in data.values()])
     result = lab.dm_lab_answer(ctypes.byref(options), kinematics, ctypes.c_size_t(len(kinematics)), ranker,
                                ctypes.c_size_t(len(ranker)), pointers)
@@ -330,7 +332,7 @@ def run_answer(arguments):
     lab = open_lab(arguments.lab)
     kinematics, ranker = (open(path, "rb").read() for path in (arguments.weights, arguments.ranker))
     found = answers(lab, kinematics, ranker, arguments.seed, arguments.count, 1,
-                    kinds_of(category_names(lab), arguments.only))
+                    kinds_of(category_names(lab), arguments.only), arguments.clean)
     for name, mask in (("with a drag", found["has_drag"] != 0), ("without", found["has_drag"] == 0)):
         right = mask & (found["right_type"] != 0)
         axis, line = 1000 * found["axis_error"][right], 1000 * found["line_error"][right & (found["line_error"] >= 0)]
@@ -435,7 +437,8 @@ def run(words):
     three.add_argument("--lab", default=default_lab)
     three.add_argument("--weights", default=os.path.join(models, "kpp_net.safetensors"))
     three.add_argument("--ranker", default=os.path.join(models, "ranker.safetensors"))
-    three.add_argument("--only", choices=("trained", "held", "later"), default="later")
+    three.add_argument("--only", choices=("trained", "held", "paper", "later"), default="later")
+    three.add_argument("--clean", action="store_true", help="no mess, masks and drags without mistakes")
     three.add_argument("--count", type=int, default=4000)
     three.add_argument("--seed", type=int, default=91)
     three.set_defaults(run=run_answer)
