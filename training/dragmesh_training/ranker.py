@@ -295,7 +295,7 @@ def own_calibration(lab, kinematics, tensors, metadata, path, count):
 
 
 def run_train(arguments):
-    from .export import load_safetensors
+    from .export import commit, load_safetensors
     lab = open_lab(arguments.lab)
     names = np.load(arguments.data[0])["names"]
     left_out = HELD_OUT if arguments.hold_out else ()
@@ -311,10 +311,9 @@ def run_train(arguments):
                                arguments.seed))
     for layer, name in enumerate(("0", "2", "4")):
         tensors[f"{name}.weight"], tensors[f"{name}.bias"] = state[2 * layer].numpy(), state[2 * layer + 1].numpy()
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     for path in (arguments.sieve, arguments.limits):
         tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
-    metadata = {"architecture": "dragmesh-ranker", "version": "8", "commit": commit, "seed": str(arguments.seed),
+    metadata = {"architecture": "dragmesh-ranker", "version": "8", "commit": commit(), "seed": str(arguments.seed),
                 "trained": f"{len(data['used'])} generated cases, the forest {len(more['used'])}"}
     if arguments.calibration_of:
         calibration = load_safetensors(arguments.calibration_of)[0]["calibration"].numpy()
