@@ -1,9 +1,10 @@
-/* Joint hypotheses of one part: study, network, candidates, evidence, ranking, limits. */
+/* Joint hypotheses of one part: study, network, candidates, evidence, ranking, residual, limits. */
 #include "kinematics/kinematics.h"
 
 #include "kinematics/limits.h"
 #include "kinematics/opinion.h"
 #include "kinematics/ranker.h"
+#include "kinematics/residual.h"
 #include "kinematics/twist.h"
 #include "math/linear3.h"
 
@@ -169,6 +170,22 @@ static float take_alike(const work* w, uint32_t chosen, choice* c) {
     return mass;
 }
 
+/* The chosen candidate and those that move the part much as it does, by how likely they are. The rules' scores are no
+ * probabilities: with them the candidate stays as it is. */
+static void refine(const work* w, uint32_t chosen, const choice* c, dm_joint* joint) {
+    dmi_voice voices[TOP_OF_TYPE];
+    uint32_t count = 0;
+    const dmi_candidate* winner = &w->candidates[c->top[chosen].index];
+    if (w->query->ranker == NULL) return;
+    for (uint32_t i = 0; i < c->count; i++) {
+        const uint32_t index = c->top[i].index;
+        const float off = c->difference[chosen][i] / ALIKE;
+        if (!dmi_residual_counts(winner, &w->candidates[index])) continue;
+        voices[count++] = (dmi_voice){&w->candidates[index], w->probability[index] * expf(-off * off)};
+    }
+    dmi_residual_apply(winner, voices, count, joint);
+}
+
 /* Signs a joint along the drag. A part that is being dragged has room that way: when its limits leave none there, the
  * sweep has mistaken the side. */
 static void follow(const dmi_drag_hint* hint, dm_joint* joint) {
@@ -195,7 +212,9 @@ static void choose(const work* w, dmi_hypotheses* out) {
         uint32_t index = c.top[best].index;
         least = fminf(least, take_alike(w, best, &c));
         chosen[out->count] = index;
-        out->joints[out->count++] = make_joint(w, &w->candidates[index], least, c.type_mass[slides(w, index)]);
+        dm_joint* joint = &out->joints[out->count++];
+        *joint = make_joint(w, &w->candidates[index], least, c.type_mass[slides(w, index)]);
+        refine(w, best, &c, joint);
     }
     set_limits(w, chosen, out);
 }
