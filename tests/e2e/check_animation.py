@@ -116,7 +116,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         worst = max(check(arguments.tool, f, arguments.joint, arguments.keep or scratch) for f in arguments.folders)
     print(f"worst {worst:.2e} of the object's size")
-    sys.exit(worst > 1e-5)
+    sys.exit(1 if worst > 1e-5 else 0)
 
 
 if __name__ == "__main__":
