@@ -1,4 +1,4 @@
--- dragmesh: one library a room, the boundary on top, programs and tests round it. `scripts/build` runs it.
+-- dragmesh: one library a room, the boundary on top, programs and tests around them. `scripts/build` runs it.
 -- Read by premake5 as it is, and by Debian's premake4 through premake4.lua.
 
 workspace "dragmesh"
@@ -31,24 +31,24 @@ workspace "dragmesh"
 
 local embree = os.isfile("/usr/include/embree4/rtcore.h") and "embree4" or "embree3"
 
--- A program or library: its folders of sources, what it links, where its result goes.
-local function make(name, kind_, sources, libraries)
+-- Declares a program or library: its sources, the folders it may include from, and what it links.
+local function make(name, kind_, sources, includes, libraries)
     project(name)
         kind(kind_)
         language "C"
         files(sources)
-        includedirs { "plugin_api/include", "sdk", "training/generator", "tests/include", "samples/dragmesh_cli" }
+        includedirs(includes)
         objdir("build/obj/" .. name)
         if #libraries > 0 then links(libraries) end
 end
 
-local function library(name, sources, libraries)
-    make(name, "StaticLib", sources, libraries)
+local function library(name, sources, includes, libraries)
+    make(name, "StaticLib", sources, includes, libraries or {})
         targetdir "build/%{cfg.buildcfg}/lib"
 end
 
-local function shared(name, sources, libraries, map)
-    make(name, "SharedLib", sources, libraries)
+local function shared(name, sources, includes, libraries, map)
+    make(name, "SharedLib", sources, includes, libraries)
         targetdir "build/%{cfg.buildcfg}"
         linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,--gc-sections" }
         filter "configurations:asan or tsan"
@@ -56,40 +56,93 @@ local function shared(name, sources, libraries, map)
         filter {}
 end
 
-local function program(name, sources, libraries, folder)
-    make(name, "ConsoleApp", sources, libraries)
+local function program(name, sources, includes, libraries, folder)
+    make(name, "ConsoleApp", sources, includes, libraries)
         targetdir("build/%{cfg.buildcfg}" .. (folder or ""))
         linkoptions { "-Wl,-rpath,'$$ORIGIN',-rpath,'$$ORIGIN/..'" }
 end
 
+-- Rooms ------------------------------------------------------------------------------------------------------------
+
+-- The rooms of sdk, lowest first: { folder, rooms that it may include }. docs/ARCHITECTURE.md explains the order.
+local analysis = { "base", "math", "mesh", "kinematics/analysis" }
+local kpp = { "base", "math", "mesh", "nn", "kinematics/kpp" }
+local candidates = { "base", "math", "mesh", "nn", "kinematics/analysis", "kinematics/kpp", "kinematics/candidates" }
+local features = table.join(candidates, { "kinematics/features" })
+local inference = table.join(features, { "kinematics/ranking", "kinematics/limits", "kinematics/inference" })
+local rooms = {
+    { "base", { "base" } },
+    { "math", { "base", "math" } },
+    { "mesh", { "base", "math", "mesh" } },
+    { "pick", { "base", "math", "mesh", "pick" } },
+    { "nn", { "base", "nn" } },
+    { "segmentation", { "base", "math", "mesh", "nn", "segmentation" } },
+    { "kinematics/analysis", analysis },
+    { "kinematics/kpp", kpp },
+    { "kinematics/candidates", candidates },
+    { "kinematics/features", features },
+    { "kinematics/ranking", table.join(features, { "kinematics/ranking" }) },
+    { "kinematics/limits", table.join(features, { "kinematics/limits" }) },
+    { "kinematics/inference", inference },
+    { "kinematics/object", table.join(inference, { "pick", "kinematics/object" }) },
+    { "motion", table.join(inference, { "pick", "kinematics/object", "motion" }) },
+}
+
+-- Makes build/include/NAME, which holds a link to each folder of `from` that a room may include, and returns it. A
+-- header of any other room is then not found.
+local function include_folder(name, from, allowed)
+    local folder = "build/include/" .. name
+    os.execute("rm -rf " .. folder)
+    for _, room in ipairs(allowed) do
+        local parent, up = path.getdirectory(folder .. "/" .. room), path.getrelative(folder .. "/" .. room .. "/..", ".")
+        os.execute("mkdir -p " .. parent .. " && ln -s " .. up .. "/" .. from .. "/" .. room .. " " .. folder .. "/" .. room)
+    end
+    return folder
+end
+
+local api = "plugin_api/include"
+local room_libraries = {}
+for _, room in ipairs(rooms) do
+    local name = "dragmesh_" .. room[1]:gsub("/", "_")
+    table.insert(room_libraries, 1, name)
+    library(name, { "sdk/" .. room[1] .. "/*.c" }, { api, include_folder(name, "sdk", room[2]) })
+end
+
 -- Libraries --------------------------------------------------------------------------------------------------------
 
--- The whole library for static linking, C alone.
-library("dragmesh_core", {
-    "sdk/base/*.c", "sdk/math/*.c", "sdk/mesh/*.c", "sdk/pick/*.c", "sdk/nn/*.c", "sdk/kinematics/*.c",
-    "sdk/motion/*.c", "plugin_api/src/*.c" }, {})
+-- The boundary with all rooms in one archive: the whole library for static linking, C alone.
+library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, room_libraries)
+    -- The archive is made anew from its objects and the rooms' archives: ar by itself only ever adds.
+    local folder, add = "../%{cfg.buildcfg}/lib/lib", ""
+    for _, name in ipairs(room_libraries) do add = add .. " 'addlib " .. folder .. name .. ".a'" end
+    postbuildcommands {
+        "@(echo create $(TARGET).new; printf '%s\\n'" .. add .. "; printf 'addmod %s\\n' $(OBJECTS); echo save) | $(AR) -M",
+        "@mv $(TARGET).new $(TARGET)" }
 
 local core = { "dragmesh_core", "cjson", embree, "m" }
 
-shared("dragmesh", { "plugin_api/src/interface.c" }, core, "plugin_api/dragmesh.map")
+shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plugin_api/dragmesh.map")
 
 -- glTF in and out: the one room with C++ (tinygltf behind a thin C file).
 shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
+    { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh" }) },
     { "dragmesh_core", "tinygltf", "cjson", "m" }, "plugin_api/dragmesh_gltf.map")
     language "C++"
 
 -- The procedural generator, and the library through which training sees the sdk's own samplers.
-library("dragmesh_generator", { "training/generator/*.c" }, {})
+local generator = "training/generator"
+library("dragmesh_generator", { "training/generator/*.c" },
+    { api, generator, include_folder("dragmesh_generator", "sdk", { "base", "math", "mesh" }) })
 
-shared("dragmesh_lab", { "training/lab/*.c" },
+shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },
     { "dragmesh_generator", "dragmesh_core", "cjson", embree, "m" }, "training/lab/lab.map")
 
 -- Programs ---------------------------------------------------------------------------------------------------------
 
-program("dragmesh_cli", { "samples/dragmesh_cli/*.c" }, { "dragmesh", "dragmesh_gltf", "cjson", "png", "m" })
+program("dragmesh_cli", { "samples/dragmesh_cli/*.c" }, { api }, { "dragmesh", "dragmesh_gltf", "cjson", "png", "m" })
     targetname "dragmesh"
 
-program("dragmesh_generate", { "training/generate/*.c" },
+program("dragmesh_generate", { "training/generate/*.c" }, { api, "sdk", generator },
     { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
 
 -- What samples link beside the library; one whose library is missing is left out (scripts/install viewer).
@@ -112,16 +165,18 @@ local missing = { viewer = true, gpu_skinning = not has_viewer, vlm_intent = not
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
     if name and not missing[name] then
-        program("sample_" .. name, { source }, needs[name] or { "dragmesh", "m" }, "/samples")
+        program("sample_" .. name, { source }, { api }, needs[name] or { "dragmesh", "m" }, "/samples")
     end
 end
 
 if has_viewer then
-    program("dragmesh_viewer", { "samples/10_viewer/*.c" },
+    program("dragmesh_viewer", { "samples/10_viewer/*.c" }, { api },
         { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" })
 end
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------
+
+local everything = { api, "sdk", generator, "tests/include", "samples/dragmesh_cli" }
 
 for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
     for _, source in ipairs(os.matchfiles("tests/" .. room .. "/test_*.c")) do
@@ -130,16 +185,17 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
         if room == "abi" or room == "e2e" then
             libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
         end
-        program(name, { source }, libraries, "/tests")
+        program(name, { source }, everything, libraries, "/tests")
             if room ~= "abi" then defines { "DM_TEST_ROOM=\"" .. room .. "\"" } end
     end
 end
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
-    program(source:match("([%w_]+)%.c$"), { source, "tests/fuzz/driver.c" },
+    program(source:match("([%w_]+)%.c$"), { source, "tests/fuzz/driver.c" }, everything,
         { "dragmesh_gltf", "dragmesh_core", "cjson", embree, "m" }, "/fuzz")
 end
 
 for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
-    program(source:match("([%w_]+)%.c$"), { source, "tests/bench/support.c", "tests/bench/world.c" }, { "dragmesh_core", "cjson", embree, "m" }, "/bench")
+    program(source:match("([%w_]+)%.c$"), { source, "tests/bench/support.c", "tests/bench/world.c" }, everything,
+        { "dragmesh_core", "cjson", embree, "m" }, "/bench")
 end

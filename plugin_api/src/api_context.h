@@ -4,7 +4,7 @@
 
 #include "base/cpu.h"
 #include "base/pool.h"
-#include "kinematics/prepare.h"
+#include "kinematics/object/prepare.h"
 #include "motion/drag.h"
 #include "motion/motion.h"
 #include "pick/pick.h"
@@ -18,9 +18,9 @@ typedef struct dmi_dependent {
 } dmi_dependent;
 
 typedef struct dmi_model_slot {
-    dmi_kpp_net* kinematics; /* NULL: not given */
-    dmi_dq_vae* motion;      /* NULL: not given */
-    dmi_ranker* ranker;      /* NULL: not given */
+    dmi_kpp_net* kinematics;  /* NULL: not given */
+    dmi_dq_vae* motion;       /* NULL: not given */
+    dmi_joint_models* joints; /* NULL: not given */
 } dmi_model_slot;
 
 /* An object standing in a scene: known to both, so that either can go first. */
@@ -84,7 +84,7 @@ dm_result dmi_find_part(dm_context* context, const char* function, const dmi_obj
                         uint32_t* out_index);
 
 /* model NULL: geometry and rules. */
-dmi_brain dmi_brain_of(const dm_context* context, const dmi_model_slot* model);
+dmi_inference_models dmi_inference_models_of(const dm_context* context, const dmi_model_slot* model);
 
 /* Takes an object over, encodes it for the motion network of `model` (0: none), and names it. */
 dm_result dmi_object_publish(dm_context* context, const char* function, dmi_object* object, dm_model model,

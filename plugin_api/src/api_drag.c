@@ -71,7 +71,8 @@ static int is_at_rest(const dm_joint* joint, float value) {
     return fabsf(value) <= AT_REST * range;
 }
 
-static void add_alternatives(dmi_rivals* rivals, const dmi_object* object, const dmi_alternatives* alternatives) {
+static void add_alternatives(dmi_hypothesis_tracker* rivals, const dmi_object* object,
+                             const dmi_alternatives* alternatives) {
     for (uint32_t i = 0; i < alternatives->count; i++) {
         const dmi_alternative* one = &alternatives->list[i];
         const dm_joint inner = {.type = one->type,
@@ -81,7 +82,7 @@ static void add_alternatives(dmi_rivals* rivals, const dmi_object* object, const
                                 .origin = {one->origin[0], one->origin[1], one->origin[2]},
                                 .source = DM_JOINT_FROM_GEOMETRY};
         const dm_joint joint = dmi_frame_joint_out(&object->frame, &inner);
-        dmi_rivals_add_alternative(rivals, &joint);
+        dmi_hypothesis_tracker_add_alternative(rivals, &joint);
     }
 }
 
@@ -168,7 +169,7 @@ dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint*
         return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_get_joint: out_joint is NULL");
     }
     *out_joint = slot->drag.joint;
-    if (slot->drag.rivals.count > 0) out_joint->confidence = dmi_rivals_confidence(&slot->drag.rivals);
+    if (slot->drag.rivals.count > 0) out_joint->confidence = dmi_hypothesis_tracker_confidence(&slot->drag.rivals);
     return DM_OK;
 }
 

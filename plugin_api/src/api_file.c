@@ -1,7 +1,7 @@
 /* Prepared objects to bytes and back. */
 #include "api_check.h"
 #include "api_context.h"
-#include "kinematics/blob.h"
+#include "kinematics/object/dmo.h"
 
 dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                  size_t* out_size) {
@@ -10,14 +10,14 @@ dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* bu
     if (!out_size) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_save: out_size is NULL");
     const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_save", object);
     if (!slot) return DM_ERROR_STALE_HANDLE;
-    size_t size = dmi_object_blob_size(slot->object);
+    size_t size = dmi_dmo_size(slot->object);
     *out_size = size;
     if (!buffer) return DM_OK;
     if (capacity < size) {
         return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_object_save: capacity is %zu, the object takes %zu bytes",
                         capacity, size);
     }
-    dmi_object_to_blob(slot->object, buffer);
+    dmi_dmo_write(slot->object, buffer);
     return DM_OK;
 }
 
@@ -30,7 +30,7 @@ dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t s
     }
     if (model && !dmi_find(context, context->models, "dm_object_load: model", model)) return DM_ERROR_STALE_HANDLE;
     dmi_object* object = NULL;
-    dm_result result = dmi_object_from_blob(env, context->picker, &context->axes, data, size, &object);
+    dm_result result = dmi_dmo_read(env, context->picker, &context->axes, data, size, &object);
     if (result != DM_OK) return result;
     return dmi_object_publish(context, "dm_object_load", object, model, out_object);
 }

@@ -1,8 +1,8 @@
 /* Which part was grabbed, for hosts that have no mask. */
 #include "api_check.h"
 #include "api_context.h"
-#include "kinematics/part_finder.h"
 #include "math/linear3.h"
+#include "segmentation/part_finder.h"
 
 static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_count) {
     if (face_count >= mesh->face_count) return DM_OK;

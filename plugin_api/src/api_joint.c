@@ -70,8 +70,8 @@ dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32
     dmi_drag_hint hint;
     result = dmi_object_hint(env, "dm_object_refine: drag", slot->object, index, drag, &hint);
     if (result != DM_OK) return result;
-    const dmi_brain brain = dmi_brain_of(context, model);
-    return dmi_object_refine(env, slot->object, index, &brain, &hint);
+    const dmi_inference_models models = dmi_inference_models_of(context, model);
+    return dmi_object_refine(env, slot->object, index, &models, &hint);
 }
 
 /* A copy that the library can work with: unit axis, limits that the type has, or an error that names the field. */

@@ -17,7 +17,7 @@ static dm_result load_networks(dmi_env* env, const dm_model_desc* desc, dmi_mode
         dm_result result = dmi_dq_vae_load(env, desc->motion, desc->motion_size, &slot->motion);
         if (result != DM_OK) return result;
     }
-    return desc->ranker ? dmi_ranker_load(env, desc->ranker, desc->ranker_size, &slot->ranker) : DM_OK;
+    return desc->ranker ? dmi_joint_models_load(env, desc->ranker, desc->ranker_size, &slot->joints) : DM_OK;
 }
 
 dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc* desc, dm_model* out_model) {
@@ -45,7 +45,7 @@ dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc* desc, 
 void dmi_model_release(dm_context* context, dmi_model_slot* slot) {
     if (slot->kinematics) dmi_kpp_net_destroy(slot->kinematics);
     if (slot->motion) dmi_dq_vae_destroy(slot->motion);
-    if (slot->ranker) dmi_ranker_destroy(slot->ranker);
+    if (slot->joints) dmi_joint_models_destroy(slot->joints);
     dmi_free(&context->env, slot, sizeof *slot);
 }
 

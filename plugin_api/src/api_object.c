@@ -127,9 +127,9 @@ dm_result dmi_object_publish(dm_context* context, const char* function, dmi_obje
     return DM_OK;
 }
 
-dmi_brain dmi_brain_of(const dm_context* context, const dmi_model_slot* model) {
-    return (dmi_brain){
-        .net = model ? model->kinematics : NULL, .ranker = model ? model->ranker : NULL, .isa = context->isa};
+dmi_inference_models dmi_inference_models_of(const dm_context* context, const dmi_model_slot* model) {
+    return (dmi_inference_models){
+        .kpp = model ? model->kinematics : NULL, .joints = model ? model->joints : NULL, .isa = context->isa};
 }
 
 static dm_result prepare(dm_context* context, const dm_object_desc* desc, const dm_part_desc* parts,
@@ -152,7 +152,7 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
                                     .mesh = &mesh,
                                     .parts = parts,
                                     .part_count = desc->part_count,
-                                    .brain = dmi_brain_of(context, model),
+                                    .models = dmi_inference_models_of(context, model),
                                     .seed = desc->seed,
                                     .network_alone = (desc->flags & DM_PREPARE_NETWORK_ALONE) != 0,
                                     .keep_triangles = !(desc->flags & DM_PREPARE_WITHOUT_PICKING),

@@ -41,11 +41,11 @@ static void estimate_limits(dmi_drag* drag) {
     const dmi_give give = drag->rivals.hold.give;
     drag->yields = dmi_joint_has_limits(&drag->joint) && give.share >= 0;
     drag->guess_lower = drag->joint.lower, drag->guess_upper = drag->joint.upper;
-    dmi_rivals_limits(&drag->joint, give, &drag->most_lower, &drag->most_upper);
+    dmi_hypothesis_tracker_limits(&drag->joint, give, &drag->most_lower, &drag->most_upper);
 }
 
 void dmi_drag_doubt(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size, dmi_give give) {
-    dmi_rivals_init(&drag->rivals, joints, count, drag->rest_point, size, give);
+    dmi_hypothesis_tracker_init(&drag->rivals, joints, count, drag->rest_point, size, give);
     estimate_limits(drag);
 }
 
@@ -125,7 +125,7 @@ static dm_pose shown_pose(const dmi_drag* drag) {
 
 /* Goes over to the best rival where the pointer asks for it, without a jump of the pose shown. */
 static void change_joint(dmi_drag* drag) {
-    const dmi_rival* best = &drag->rivals.list[drag->rivals.best];
+    const dmi_joint_hypothesis* best = &drag->rivals.list[drag->rivals.best];
     const dm_pose before = shown_pose(drag);
     drag->joint = best->joint;
     drag->reach = best->reach;
@@ -143,7 +143,7 @@ static void hold(dmi_drag* drag, const dm_ray* ray, float dt) {
     dm_ray unit;
     if (ray && usable_ray(ray, &unit)) {
         const float wish = follow(drag, &unit, dt);
-        if (dmi_rivals_weigh(&drag->rivals, wish, &unit, drag->projection)) {
+        if (dmi_hypothesis_tracker_weigh(&drag->rivals, wish, &unit, drag->projection)) {
             change_joint(drag);
             before = drag->target;
         }

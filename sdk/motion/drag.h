@@ -5,7 +5,7 @@
 
 #include "motion/drag_handover.h"
 #include "motion/drag_release.h"
-#include "motion/drag_rivals.h"
+#include "motion/hypothesis_tracker.h"
 
 typedef struct dmi_drag {
     dm_joint joint;      /* host object frame */
@@ -17,7 +17,7 @@ typedef struct dmi_drag {
     float reach;               /* the value the pointer asks for before soft ends bring it into the limits */
     dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
     dmi_projection projection; /* perspective once rays of different directions have come */
-    dmi_rivals rivals;         /* count 0: nothing else is thought of */
+    dmi_hypothesis_tracker rivals;         /* count 0: nothing else is thought of */
     int yields;                /* its limits are estimates: these, and at most those the pull may take it to */
     float guess_lower, guess_upper, most_lower, most_upper;
     dmi_handover handover;

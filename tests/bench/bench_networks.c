@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "kinematics/kpp_net.h"
+#include "kinematics/kpp/kpp_net.h"
 #include "math/apply_points.h"
 #include "motion/dq_vae.h"
 #include "nn/kernels.h"

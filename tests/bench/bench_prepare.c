@@ -5,11 +5,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "kinematics/evidence.h"
-#include "kinematics/kinematics.h"
-#include "kinematics/opinion.h"
-#include "kinematics/prepare.h"
-#include "kinematics/ranker.h"
+#include "kinematics/features/candidate_features.h"
+#include "kinematics/features/kpp_ensemble.h"
+#include "kinematics/inference/joint_inference.h"
+#include "kinematics/inference/joint_models.h"
+#include "kinematics/object/prepare.h"
 #include "mesh/connectivity.h"
 #include "pick/picker.h"
 #include "support.h"
@@ -24,17 +24,17 @@ typedef struct stages {
     bench_mesh shape;
     dmi_mesh* mesh;
     dmi_bvh* bvh;
-    dmi_brain brain;
+    dmi_inference_models models;
     dmi_drag_hint hint;
     uint32_t* welded;
     dmi_cloud* cloud;
-    dmi_study study;
+    dmi_part_analysis study;
     dmi_arena study_arena;
-    dmi_opinion opinion;
+    dmi_kpp_ensemble opinion;
     void* scratch;
     dmi_candidate *all, *candidates; /* before the sieve and after it */
     uint32_t all_count, candidate_count;
-    float (*evidence)[DMI_EVIDENCE_COUNT];
+    float (*evidence)[DMI_FEATURE_COUNT];
     float *score, *probability;
     const char* only; /* NULL: every stage is measured */
 } stages;
@@ -67,7 +67,7 @@ static void stage_weld(void* user) {
     stages* s = user;
     dmi_arena arena;
     dmi_arena_init(&arena, &s->env, ARENA_BLOCK);
-    check(dmi_weld_vertices(&arena, s->mesh, DMI_STUDY_WELD, s->welded), "weld");
+    check(dmi_weld_vertices(&arena, s->mesh, DMI_WELD_TOLERANCE, s->welded), "weld");
     dmi_arena_release(&arena);
 }
 
@@ -75,12 +75,12 @@ static void stage_study(void* user) {
     stages* s = user;
     dmi_arena_release(&s->study_arena);
     dmi_arena_init(&s->study_arena, &s->env, ARENA_BLOCK);
-    check(dmi_study_make(&s->study_arena, s->mesh, s->cloud, 1, s->welded, &s->study), "study");
+    check(dmi_part_analysis_make(&s->study_arena, s->mesh, s->cloud, 1, s->welded, &s->study), "study");
 }
 
 static void stage_opinion(void* user) {
     stages* s = user;
-    dmi_opinion_form(s->brain.net, s->brain.isa, s->cloud, &s->hint, s->scratch, &s->opinion);
+    dmi_kpp_ensemble_run(s->models.kpp, s->models.isa, s->cloud, &s->hint, s->scratch, &s->opinion);
 }
 
 static void stage_candidates(void* user) {
@@ -90,43 +90,37 @@ static void stage_candidates(void* user) {
 
 static void stage_sieve(void* user) {
     stages* s = user;
-    const dmi_sieve* sieve = dmi_ranker_sieve(s->brain.ranker);
+    const dmi_prefilter* sieve = s->models.joints != NULL ? &s->models.joints->prefilter : NULL;
     memcpy(s->candidates, s->all, s->all_count * sizeof *s->all);
     s->candidate_count = s->all_count;
     if (sieve != NULL)
-        s->candidate_count = dmi_sieve_keep(sieve, &s->study, &s->hint, s->brain.net, s->brain.isa, &s->opinion,
-                                            s->candidates, s->all_count, s->evidence);
+        s->candidate_count = dmi_prefilter_keep(sieve, &s->study, &s->hint, s->models.kpp, s->models.isa, &s->opinion,
+                                                s->candidates, s->all_count, s->evidence);
 }
 
 static void stage_choice(void* user) {
     stages* s = user;
-    dmi_opinion_score(s->brain.net, s->brain.isa, &s->opinion, s->candidates, s->candidate_count, s->score);
+    dmi_kpp_ensemble_score(s->models.kpp, s->models.isa, &s->opinion, s->candidates, s->candidate_count, s->score);
 }
 
 static void stage_evidence(void* user) {
     stages* s = user;
-    dmi_evidence_make(&s->study, &s->hint, &s->opinion.prediction, s->score, s->candidates, s->candidate_count,
-                      s->evidence);
+    dmi_candidate_features_make(&s->study, &s->hint, &s->opinion.prediction, s->score, s->candidates,
+                                s->candidate_count, s->evidence);
 }
 
 static void stage_ranker(void* user) {
     stages* s = user;
-    dmi_ranker_probabilities(s->brain.ranker, (const float(*)[DMI_EVIDENCE_COUNT])s->evidence, s->candidate_count,
-                             s->probability);
+    dmi_ranker_probabilities(s->models.joints != NULL ? &s->models.joints->ranker : NULL,
+                             (const float(*)[DMI_FEATURE_COUNT])s->evidence, s->candidate_count, s->probability);
 }
 
 static void stage_infer(void* user) {
     stages* s = user;
     dmi_hypotheses found;
-    const dmi_kinematics_query query = {.mesh = s->mesh,
-                                        .cloud = s->cloud,
-                                        .net = s->brain.net,
-                                        .ranker = s->brain.ranker,
-                                        .hint = &s->hint,
-                                        .welded = s->welded,
-                                        .part = 1,
-                                        .isa = s->brain.isa};
-    check(dmi_kinematics_infer(&s->env, &query, &found, NULL), "infer");
+    const dmi_inference_query query = {
+        .mesh = s->mesh, .cloud = s->cloud, .models = s->models, .hint = &s->hint, .welded = s->welded, .part = 1};
+    check(dmi_joint_inference_run(&s->env, &query, &found, NULL), "infer");
 }
 
 static void show(const char* name, stages* s, void (*stage)(void*)) {
@@ -143,16 +137,16 @@ static void load_models(const char* folder, stages* s) {
     char path[4096];
     size_t size;
     dmi_kpp_net* net = NULL;
-    dmi_ranker* ranker = NULL; /* rules, where there is no file of it */
+    dmi_joint_models* joints = NULL; /* rules, where there is no file of it */
     snprintf(path, sizeof path, "%s/kpp_net.safetensors", folder);
     void* data = bench_read(path, &size);
     check(dmi_kpp_net_load(&s->env, data, size, &net), path);
     free(data);
     snprintf(path, sizeof path, "%s/ranker.safetensors", folder);
     data = access(path, R_OK) == 0 ? bench_read(path, &size) : NULL;
-    if (data != NULL) check(dmi_ranker_load(&s->env, data, size, &ranker), path);
+    if (data != NULL) check(dmi_joint_models_load(&s->env, data, size, &joints), path);
     free(data);
-    s->brain = (dmi_brain){net, ranker, dmi_cpu_best_isa()};
+    s->models = (dmi_inference_models){net, joints, dmi_cpu_best_isa()};
     s->scratch = bench_alloc(dmi_kpp_net_scratch_size(net));
 }
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "dragmesh/dragmesh.h"
-#include "kinematics/blob_format.h"
+#include "kinematics/object/dmo_format.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
@@ -42,7 +42,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (!bytes) return 0;
     memcpy(bytes, data, size);
     if (size > 12) {
-        uint32_t crc = dmi_blob_crc(bytes + 12, size - 12);
+        uint32_t crc = dmi_dmo_crc(bytes + 12, size - 12);
         for (int i = 0; i < 4; i++) bytes[8 + i] = (uint8_t)(crc >> (8 * i));
     }
     dm_object object;

@@ -1,7 +1,7 @@
 /* Fuzz target: weights. Whatever the bytes, reading and loading answer with a network or an error and leak nothing. */
 #include <stdlib.h>
 
-#include "kinematics/kpp_net.h"
+#include "kinematics/kpp/kpp_net.h"
 #include "motion/dq_vae.h"
 #include "nn/weights.h"
 

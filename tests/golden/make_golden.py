@@ -129,7 +129,7 @@ def candidates(net, rng, known, shape):
 
 
 def kpp_case(net, rng, points, normals, drag):
-    """A plausible input: as sdk/kinematics/kpp_input.c makes it, but for the choice of the frame."""
+    """A plausible input: as sdk/kinematics/kpp/kpp_input.c makes it, but for the choice of the frame."""
     pick = np.concatenate([np.arange(512), PART + np.arange(256), PART + NEAR + np.arange(256)])
     x, n = points[pick], normals[pick]
     centre = x[:512].mean(0)

@@ -1,7 +1,7 @@
 /* KPP-Net in C against PyTorch: the shipped weights, the same inputs, every kernel path of this machine. */
 #include "golden.h"
 
-#include "kinematics/kpp_choice.h"
+#include "kinematics/features/kpp_candidate_scores.h"
 
 #define CANDIDATES 40
 
@@ -21,7 +21,7 @@ static void compare_choice(const dmi_kpp_net* net, dmi_isa isa, const dmi_weight
         memcpy(candidates[i].axis, axis[i], sizeof axis[i]);
         memcpy(candidates[i].origin, origin[i], sizeof origin[i]);
     }
-    dmi_kpp_choice(net, isa, input, output, candidates, CANDIDATES, scores);
+    dmi_kpp_candidate_scores(net, isa, input, output, candidates, CANDIDATES, scores);
     golden_compare(golden, "scores", CANDIDATES, 0, scores, 3 * GOLDEN_TOLERANCE, where);
 }
 

@@ -1,7 +1,7 @@
 /* Arena and shelf: alignment, no overlap, reuse of blocks, no leak whichever allocation fails. */
 #include "test_env.h"
 
-#include "base/shelf.h"
+#include "base/arena_pool.h"
 
 static void pieces_are_aligned_and_apart(void** state) {
     (void)state;
@@ -78,23 +78,23 @@ static void rewinding_gives_back_what_came_later(void** state) {
 
 static void a_shelf_lends_each_arena_once(void** state) {
     (void)state;
-    enum { TAKEN = DMI_SHELF_ARENAS + 2 };
+    enum { TAKEN = DMI_ARENA_POOL_SIZE + 2 };
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_shelf shelf;
-    dmi_shelf_init(&shelf, &t.env, 1024);
+    dmi_arena_pool shelf;
+    dmi_arena_pool_init(&shelf, &t.env, 1024);
     dmi_arena own[TAKEN], *taken[TAKEN];
     for (int round = 0; round < 2; round++) {
         for (int i = 0; i < TAKEN; i++) {
-            taken[i] = dmi_shelf_take(&shelf, &own[i]);
+            taken[i] = dmi_arena_pool_take(&shelf, &own[i]);
             for (int k = 0; k < i; k++) assert_ptr_not_equal(taken[i], taken[k]);
-            assert_int_equal(taken[i] == &own[i], i >= DMI_SHELF_ARENAS);
+            assert_int_equal(taken[i] == &own[i], i >= DMI_ARENA_POOL_SIZE);
             assert_non_null(dmi_arena_push(taken[i], 500));
         }
-        for (int i = 0; i < TAKEN; i++) dmi_shelf_put(&shelf, taken[i]);
+        for (int i = 0; i < TAKEN; i++) dmi_arena_pool_put(&shelf, taken[i]);
     }
     assert_int_equal(t.memory.calls, TAKEN + 2); /* the shelf's arenas kept theirs */
-    dmi_shelf_release(&shelf);
+    dmi_arena_pool_release(&shelf);
     test_env_close(&t);
 }
 

@@ -4,16 +4,16 @@
 #include <math.h>
 
 #include "base/random.h"
-#include "kinematics/candidates.h"
-#include "kinematics/ranker.h"
+#include "kinematics/candidates/candidates.h"
+#include "kinematics/ranking/ranker.h"
 #include "math/linear3.h"
 #include "test_shapes.h"
 
 static test_shape shape;
 static dmi_cloud cloud;
-static dmi_study study;
+static dmi_part_analysis study;
 static dmi_candidate candidates[DMI_CANDIDATES_MAX];
-static float evidence[DMI_CANDIDATES_MAX][DMI_EVIDENCE_COUNT];
+static float evidence[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
 
 /* A body with a lid that has a hinge line at its back lower edge. */
 static void make_lid(void) {
@@ -30,7 +30,7 @@ static dmi_mesh* study_shape(dmi_env* env, dmi_arena* arena) {
     assert_int_equal(dmi_mesh_create(env, &axes, &desc, NULL, 0, &mesh), DM_OK);
     assert_int_equal(dmi_cloud_sample(env, mesh, 1, 3, &cloud), DM_OK);
     dmi_arena_init(arena, env, (size_t)1 << 20);
-    assert_int_equal(dmi_study_make(arena, mesh, &cloud, 1, NULL, &study), DM_OK);
+    assert_int_equal(dmi_part_analysis_make(arena, mesh, &cloud, 1, NULL, &study), DM_OK);
     return mesh;
 }
 
@@ -103,21 +103,21 @@ static void distances_agree_with_brute_force(void** state) {
     dmi_random random = dmi_random_make(8, 8);
     for (int i = 0; i < N; i++)
         for (int k = 0; k < 3; k++) samples[i][k] = 0.2f + 0.6f * dmi_random_unit(&random);
-    dmi_field field;
+    dmi_distance_grid field;
     const float low[3] = {0, 0, 0}, high[3] = {1, 1, 0.9f};
-    assert_int_equal(dmi_field_make(&arena, (const float(*)[3])samples, N, low, high, &field), DM_OK);
+    assert_int_equal(dmi_distance_grid_make(&arena, (const float(*)[3])samples, N, low, high, &field), DM_OK);
     for (int q = 0; q < 500; q++) {
         float point[3], least = INFINITY, found;
         for (int k = 0; k < 3; k++) point[k] = 0.95f * dmi_random_unit(&random);
         point[2] *= 0.9f;
         for (int i = 0; i < N; i++) least = fminf(least, dmi_distance3(point, samples[i]));
-        assert_float_equal(dmi_field_distance(&field, point), least, 1.8f * field.cell);
-        assert_true(dmi_field_nearest(&field, point, &found) < N);
+        assert_float_equal(dmi_distance_grid_distance(&field, point), least, 1.8f * field.cell);
+        assert_true(dmi_distance_grid_nearest(&field, point, &found) < N);
         assert_true(found >= least - 1e-6f && found < least + 2.1f * field.cell);
         if (least < 0.5f * field.cell) assert_float_equal(found, least, 1e-6f);
     }
     const float outside[3] = {1.5f, 0.5f, 0.5f};
-    assert_true(dmi_field_distance(&field, outside) > 0.5f);
+    assert_true(dmi_distance_grid_distance(&field, outside) > 0.5f);
     dmi_arena_release(&arena);
     test_env_close(&t);
 }
@@ -149,16 +149,16 @@ static void a_lids_hinge_is_a_candidate(void** state) {
         uint32_t count = dmi_candidates_make(&study, with ? &hint : NULL, NULL, candidates);
         assert_in_range(count, 20, DMI_CANDIDATES_MAX);
         assert_true(nearest_line(count, axis, hinge) < 0.005f);
-        dmi_evidence_make(&study, with ? &hint : NULL, NULL, NULL, candidates, count, evidence);
+        dmi_candidate_features_make(&study, with ? &hint : NULL, NULL, NULL, candidates, count, evidence);
         float sum = 0, probability[DMI_CANDIDATES_MAX];
         for (uint32_t i = 0; i < count; i++) {
-            for (int k = 0; k < DMI_EVIDENCE_COUNT; k++) assert_true(isfinite(evidence[i][k]));
+            for (int k = 0; k < DMI_FEATURE_COUNT; k++) assert_true(isfinite(evidence[i][k]));
             float arm[3], velocity[3];
             dmi_sub3(hint.point, candidates[i].origin, arm);
             dmi_cross3(candidates[i].axis, arm, velocity);
             if (with && candidates[i].type == DM_JOINT_REVOLUTE) assert_true(dmi_dot3(velocity, hint.vector) > 0);
         }
-        dmi_ranker_probabilities(NULL, (const float(*)[DMI_EVIDENCE_COUNT])evidence, count, probability);
+        dmi_ranker_probabilities(NULL, (const float(*)[DMI_FEATURE_COUNT])evidence, count, probability);
         for (uint32_t i = 0; i < count; i++) sum += probability[i];
         assert_float_equal(sum, 1, 1e-4f);
     }
@@ -203,20 +203,20 @@ static void choices_are_shares(void** state) {
     uint32_t count = dmi_candidates_make(&study, NULL, NULL, candidates), best = count / 2;
     float* scores = calloc(count, sizeof *scores);
     for (uint32_t i = 0; i < count; i++) scores[i] = i == best ? 2.0f : i == 0 ? -1e30f : -0.01f * (float)i;
-    dmi_evidence_make(&study, NULL, NULL, scores, candidates, count, evidence);
+    dmi_candidate_features_make(&study, NULL, NULL, scores, candidates, count, evidence);
     float sum = 0;
     for (uint32_t i = 0; i < count; i++) {
-        const float* choice = evidence[i] + DMI_EVIDENCE_CHOICE;
+        const float* choice = evidence[i] + DMI_FEATURE_CHOICE;
         sum += expf(4 * choice[5]);
         assert_int_equal(choice[0] == 0, i == best);
         assert_true(choice[2] >= choice[0] && choice[3] >= choice[1] && choice[0] >= -3 && choice[2] >= -3);
         assert_true((choice[4] > 0) == (candidates[i].type == candidates[best].type));
     }
     assert_float_equal(sum, 1, 1e-3f);
-    assert_float_equal(evidence[best][DMI_EVIDENCE_CHOICE + 1], 1, 1e-6f);
-    dmi_evidence_make(&study, NULL, NULL, NULL, candidates, count, evidence);
+    assert_float_equal(evidence[best][DMI_FEATURE_CHOICE + 1], 1, 1e-6f);
+    dmi_candidate_features_make(&study, NULL, NULL, NULL, candidates, count, evidence);
     for (uint32_t i = 0; i < count; i++)
-        for (int k = 0; k < 6; k++) assert_true(evidence[i][DMI_EVIDENCE_CHOICE + k] == 0);
+        for (int k = 0; k < 6; k++) assert_true(evidence[i][DMI_FEATURE_CHOICE + k] == 0);
     free(scores);
     dmi_arena_release(&arena);
     dmi_mesh_destroy(&t.env, mesh);

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "kinematics/kpp_input.h"
+#include "kinematics/kpp/kpp_input.h"
 #include "math/linear3.h"
 
 /* Normals of a box, somewhat uneven, the body's box turned against the part's. */

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "../../training/lab/dragmesh_lab.h"
-#include "kinematics/kpp_input.h"
+#include "kinematics/kpp/kpp_input.h"
 #include "motion/dq_vae.h"
 #include "test_lab.h"
 

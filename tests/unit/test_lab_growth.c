@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "../../training/lab/lab_growth.h"
-#include "kinematics/part_choice.h"
+#include "segmentation/part_choice.h"
 #include "test_lab.h"
 
 enum { CASES = 12, ROWS = 16000 };

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "../../training/lab/lab_limits.h"
-#include "kinematics/limits.h"
+#include "kinematics/limits/limits.h"
 #include "test_lab.h"
 #include "test_world.h"
 
@@ -19,7 +19,7 @@ static dm_result (*limits_batch)(const dm_lab_options*, const void*, size_t, con
 static uint32_t (*category_count)(void);
 
 static struct {
-    float features[COUNT][DMI_LIMIT_FEATURES], evidence[COUNT][DMI_EVIDENCE_COUNT];
+    float features[COUNT][DMI_LIMIT_FEATURES], evidence[COUNT][DMI_FEATURE_COUNT];
     float lower[COUNT], upper[COUNT], pose[COUNT];
     int32_t free[COUNT], category[COUNT], has_drag[COUNT];
 } made;
@@ -33,7 +33,7 @@ static int load_lab(void** state) {
     uint32_t (*columns)(void), (*evidence)(void);
     *(void**)&columns = dlsym(lab, "dm_lab_limits_columns");
     *(void**)&evidence = dlsym(lab, "dm_lab_limits_evidence");
-    return columns() != DMI_LIMIT_FEATURES || evidence() != DMI_EVIDENCE_COUNT;
+    return columns() != DMI_LIMIT_FEATURES || evidence() != DMI_FEATURE_COUNT;
 }
 
 static void make_cases(float with_drag) {
@@ -62,7 +62,7 @@ static void ranges_hold_the_rest(void** state) {
     for (int i = 0; i < COUNT; i++) {
         const int holds = made.lower[i] <= 1e-4f && made.upper[i] >= -1e-4f && made.lower[i] < made.upper[i];
         assert_true(holds || made.free[i]);
-        assert_true((made.evidence[i][DMI_EVIDENCE_SLIDES] > 0.5f) == (made.features[i][0] > 0.5f));
+        assert_true((made.evidence[i][DMI_FEATURE_SLIDES] > 0.5f) == (made.features[i][0] > 0.5f));
         assert_true((made.features[i][1] > 0.5f) == (made.has_drag[i] != 0));
         near += made.pose[i] < 0.02f;
     }

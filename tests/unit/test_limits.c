@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "kinematics/limits.h"
-#include "kinematics/sweep.h"
+#include "kinematics/limits/limits.h"
+#include "kinematics/limits/sweep.h"
 #include "test_shapes.h"
 #include "test_world.h"
 
@@ -12,7 +12,7 @@ enum { DOWN = 4, AROUND = 28 };
 
 static test_shape shape;
 static dmi_cloud cloud;
-static dmi_study study;
+static dmi_part_analysis study;
 
 typedef struct bench {
     test_env t;
@@ -28,7 +28,7 @@ static void open_bench(bench* b) {
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
     assert_int_equal(dmi_mesh_create(&b->t.env, &axes, &desc, NULL, 0, &b->mesh), DM_OK);
     assert_int_equal(dmi_cloud_sample(&b->t.env, b->mesh, 1, 5, &cloud), DM_OK);
-    assert_int_equal(dmi_study_make(&b->arena, b->mesh, &cloud, 1, NULL, &study), DM_OK);
+    assert_int_equal(dmi_part_analysis_make(&b->arena, b->mesh, &cloud, 1, NULL, &study), DM_OK);
 }
 
 static void close_bench(bench* b) {

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "kinematics/object.h"
+#include "kinematics/object/object.h"
 #include "motion/dq_vae.h"
 #include "test_world.h"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "kinematics/part_choice.h"
+#include "segmentation/part_choice.h"
 #include "test_shapes.h"
 
 /* A network that finds every piece equally likely: the first that touches joins. */

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "kinematics/part_finder.h"
+#include "segmentation/part_finder.h"
 #include "test_shapes.h"
 
 static test_shape shape;

@@ -3,13 +3,13 @@
 
 #include <math.h>
 
-#include "kinematics/twist.h"
+#include "kinematics/candidates/twist.h"
 #include "math/linear3.h"
 
 /* A part of points round (1, 0, 0). */
-static dmi_study* make_study(void) {
+static dmi_part_analysis* make_study(void) {
     static float points[DMI_TWIST_POINTS][3];
-    dmi_study* study = calloc(1, sizeof *study);
+    dmi_part_analysis* study = calloc(1, sizeof *study);
     assert_non_null(study);
     study->points = (const float(*)[3])points;
     for (int i = 0; i < DMI_TWIST_POINTS; i++) {
@@ -24,7 +24,7 @@ static dmi_candidate joint_of(int32_t type, float x, float y, float z, float at)
     return (dmi_candidate){.type = type, .axis = {x, y, z}, .origin = {at, 0, 0}};
 }
 
-static float differ(const dmi_study* study, dmi_candidate a, dmi_candidate b) {
+static float differ(const dmi_part_analysis* study, dmi_candidate a, dmi_candidate b) {
     dmi_twist first, second;
     dmi_twist_of_candidate(study, &a, &first);
     dmi_twist_of_candidate(study, &b, &second);
@@ -35,7 +35,7 @@ static float differ(const dmi_study* study, dmi_candidate a, dmi_candidate b) {
 
 static void signs_and_places_along_the_axis_are_alike(void** state) {
     (void)state;
-    dmi_study* study = make_study();
+    dmi_part_analysis* study = make_study();
     dmi_candidate hinge = joint_of(DM_JOINT_REVOLUTE, 0, 0, 1, 0), same = joint_of(DM_JOINT_REVOLUTE, 0, 0, -1, 0);
     same.origin[2] = 5;
     assert_true(differ(study, hinge, same) < 2e-3f);
@@ -46,7 +46,7 @@ static void signs_and_places_along_the_axis_are_alike(void** state) {
 
 static void others_differ_by_as_much_as_they_are_off(void** state) {
     (void)state;
-    dmi_study* study = make_study();
+    dmi_part_analysis* study = make_study();
     const dmi_candidate hinge = joint_of(DM_JOINT_REVOLUTE, 0, 0, 1, 0);
     const float near = differ(study, hinge, joint_of(DM_JOINT_REVOLUTE, 0, 0, 1, 0.05f));
     const float far = differ(study, hinge, joint_of(DM_JOINT_REVOLUTE, 0, 0, 1, 0.5f));
@@ -60,7 +60,7 @@ static void others_differ_by_as_much_as_they_are_off(void** state) {
 
 static void joints_move_as_their_candidates(void** state) {
     (void)state;
-    dmi_study* study = make_study();
+    dmi_part_analysis* study = make_study();
     const dmi_candidate hinge = joint_of(DM_JOINT_REVOLUTE, 0, 0, 1, 0.2f);
     const dm_joint joint = {.type = DM_JOINT_CONTINUOUS, .axis = {0, 0, 1}, .origin = {0.2f, 0, 0}};
     dmi_twist a, b;

@@ -3,8 +3,8 @@
  * Reading functions answer 0 for an index that does not exist and check nothing else: offsets, counts and strides are
  * as the file states them. Editing functions keep the first failure in the document, do nothing after it and answer -1;
  * dmi_tiny_write reports it, so that an edit reads without a check a line. */
-#ifndef DMI_MESH_GLTF_TINY_H
-#define DMI_MESH_GLTF_TINY_H
+#ifndef DMI_MESH_GLTF_GLTF_TINY_H
+#define DMI_MESH_GLTF_GLTF_TINY_H
 
 #include "dragmesh/dragmesh.h"
 

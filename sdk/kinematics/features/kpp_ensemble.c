@@ -1,0 +1,77 @@
+/* A few forward passes and their means. */
+#include "kinematics/features/kpp_ensemble.h"
+
+#include "math/linear3.h"
+
+/* Shifts log-likelihoods so that they add up to a probability of one. */
+static void normalize(float* scores, uint32_t count) {
+    float most = -INFINITY, sum = 0;
+    for (uint32_t i = 0; i < count; i++) most = dmi_max(most, scores[i]);
+    for (uint32_t i = 0; i < count; i++) sum += expf(scores[i] - most);
+    for (uint32_t i = 0; i < count; i++) scores[i] -= most + logf(sum);
+}
+
+/* Every look is at other points of the cloud, every second one with its frame turned. */
+static void look(const dmi_cloud* cloud, uint32_t index, const dmi_drag_hint* hint, dmi_kpp_input* out) {
+    dmi_kpp_input_make(cloud, index % DMI_KPP_QUARTERS, hint, out);
+    if (index % 2 == 1) dmi_kpp_input_turn(out, out);
+}
+
+/* How differently two looks turn the part: an angle, and a distance over the part's radius. */
+static float turn_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
+    const float angle = acosf(dmi_min(fabsf(dmi_dot3(a->turn_axis, b->turn_axis)), 1));
+    return angle + dmi_min(dmi_line_distance3(a->origin, b->turn_axis, b->origin) * per_radius, 2);
+}
+
+static float slide_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
+    (void)per_radius;
+    return acosf(dmi_min(fabsf(dmi_dot3(a->slide_axis, b->slide_axis)), 1));
+}
+
+/* The look that the others agree with most: a mean of two hinges would be none. */
+static const dmi_prediction* middle(const dmi_prediction looks[DMI_KPP_MEMBERS], float per_radius,
+                                    float (*gap)(const dmi_prediction*, const dmi_prediction*, float)) {
+    const dmi_prediction* best = looks;
+    float least = INFINITY;
+    for (int i = 0; i < DMI_KPP_MEMBERS; i++) {
+        float sum = 0;
+        for (int k = 0; k < DMI_KPP_MEMBERS; k++) sum += gap(&looks[i], &looks[k], per_radius);
+        if (sum < least) least = sum, best = &looks[i];
+    }
+    return best;
+}
+
+void dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
+                          void* scratch, dmi_kpp_ensemble* out_opinion) {
+    dmi_kpp_ensemble* o = out_opinion;
+    dmi_prediction looks[DMI_KPP_MEMBERS];
+    float type[DMI_KPP_TYPES] = {0};
+    for (uint32_t i = 0; i < DMI_KPP_MEMBERS; i++) {
+        look(cloud, i, hint, &o->input[i]);
+        dmi_kpp_net_forward(net, isa, &o->input[i], scratch, &o->output[i]);
+        dmi_prediction_read(&o->input[i].frame, &o->output[i], &looks[i]);
+        for (int k = 0; k < DMI_KPP_TYPES; k++) type[k] += looks[i].type[k] / DMI_KPP_MEMBERS;
+    }
+    const dmi_prediction* slide = middle(looks, o->input[0].frame.scale, slide_gap);
+    o->prediction = *middle(looks, o->input[0].frame.scale, turn_gap);
+    dmi_copy3(slide->slide_axis, o->prediction.slide_axis);
+    memcpy(o->prediction.slide_limits, slide->slide_limits, sizeof slide->slide_limits);
+    memcpy(o->prediction.type, type, sizeof type);
+}
+
+void dmi_kpp_ensemble_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* opinion,
+                            const dmi_candidate* candidates, uint32_t count, float out_scores[DMI_CANDIDATES_MAX]) {
+    float one[DMI_CANDIDATES_MAX];
+    memset(out_scores, 0, count * sizeof *out_scores);
+    for (int i = 0; i < DMI_KPP_MEMBERS; i++) {
+        dmi_kpp_candidate_scores(net, isa, &opinion->input[i], &opinion->output[i], candidates, count, one);
+        normalize(one, count);
+        for (uint32_t c = 0; c < count; c++) out_scores[c] += one[c] / DMI_KPP_MEMBERS;
+    }
+}
+
+void dmi_kpp_ensemble_score_first(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* opinion,
+                                  const dmi_candidate* candidates, uint32_t count,
+                                  float out_scores[DMI_CANDIDATES_MAX]) {
+    dmi_kpp_candidate_scores(net, isa, &opinion->input[0], &opinion->output[0], candidates, count, out_scores);
+}

@@ -1,0 +1,59 @@
+/* Signs and re-ranks hypotheses by a drag: closed form, microseconds. */
+#include "kinematics/inference/joint_inference.h"
+#include "math/linear3.h"
+
+#define DRAG_SPREAD 0.22f /* rad: a hand is off by 5 to 10 degrees, and the part may have moved already */
+#define FLOOR 0.02f       /* no drag rules a hypothesis out */
+#define AGAINST_STOP 0.35f
+
+static void velocity_at(const dm_joint* joint, const float point[3], float out[3]) {
+    if (joint->type == DM_JOINT_FIXED || joint->type == DM_JOINT_UNKNOWN) {
+        memset(out, 0, 3 * sizeof *out);
+        return;
+    }
+    dmi_joint_velocity(joint, 0, point, out);
+}
+
+void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint) {
+    float v[3];
+    velocity_at(joint, hint->point, v);
+    if (dmi_dot3(v, hint->vector) < 0) dmi_joint_reverse(joint);
+}
+
+/* How well an oriented joint explains the drag: its motion's direction, and room to go there. */
+static float likelihood(const dm_joint* joint, const dmi_drag_hint* hint) {
+    float v[3], length = dmi_length3(hint->vector);
+    velocity_at(joint, hint->point, v);
+    float speed = dmi_length3(v);
+    if (speed < 1e-6f || length < 1e-20f) return FLOOR;
+    float cosine = dmi_dot3(v, hint->vector) / (speed * length), angle = acosf(fminf(fmaxf(cosine, -1), 1));
+    float spread = angle / DRAG_SPREAD;
+    float fit = expf(-0.5f * spread * spread) + FLOOR;
+    return joint->upper <= 0 && joint->lower < 0 ? fit * AGAINST_STOP : fit;
+}
+
+static int turning(const dm_joint* joint) {
+    return dmi_joint_turns(joint->type);
+}
+
+void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint* hint, dmi_hypotheses* out) {
+    float weight[DM_MAX_HYPOTHESES], before = 0, after = 0, turns = 0;
+    dmi_hypotheses result = {.count = hypotheses->count};
+    for (uint32_t i = 0; i < hypotheses->count; i++) {
+        dm_joint joint = hypotheses->joints[i];
+        dmi_joint_orient(&joint, hint);
+        float w = (joint.confidence + 1e-6f) * likelihood(&joint, hint);
+        before += joint.confidence + 1e-6f, after += w;
+        turns += turning(&joint) ? w : 0;
+        uint32_t at = i;
+        for (; at > 0 && weight[at - 1] < w; at--)
+            weight[at] = weight[at - 1], result.joints[at] = result.joints[at - 1];
+        weight[at] = w, result.joints[at] = joint;
+    }
+    for (uint32_t i = 0; i < result.count; i++) {
+        dm_joint* joint = &result.joints[i];
+        joint->confidence = weight[i] / after * fminf(before, 1);
+        joint->type_confidence = (turning(joint) ? turns : after - turns) / after;
+    }
+    *out = result;
+}

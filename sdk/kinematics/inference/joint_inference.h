@@ -1,0 +1,45 @@
+/* Mesh + part (+ drag) -> ranked joint hypotheses: network and geometry together. Object-normalised frame throughout.
+ */
+#ifndef DMI_INFERENCE_JOINT_INFERENCE_H
+#define DMI_INFERENCE_JOINT_INFERENCE_H
+
+#include "kinematics/inference/joint_models.h"
+#include "kinematics/kpp/kpp_net.h"
+#include "kinematics/ranking/alternatives.h"
+#include "math/joint.h"
+
+typedef struct dmi_hypotheses {
+    dm_joint joints[DM_MAX_HYPOTHESES]; /* best first, inner frame */
+    uint32_t count;
+} dmi_hypotheses;
+
+/* Which weights there are, and how to run them. */
+typedef struct dmi_inference_models {
+    const dmi_kpp_net* kpp;         /* NULL: geometry alone */
+    const dmi_joint_models* joints; /* NULL: candidates are ranked by rules */
+    dmi_isa isa;
+} dmi_inference_models;
+
+typedef struct dmi_inference_query {
+    const dmi_mesh* mesh;
+    const dmi_cloud* cloud; /* of `part` */
+    dmi_inference_models models;
+    const dmi_drag_hint* hint; /* NULL: none */
+    const uint32_t* welded;    /* dmi_weld_vertices of the mesh, for many parts to share; NULL: welded anew */
+    dmi_arena* scratch;        /* left as it was found; NULL: memory of its own */
+    uint32_t part;             /* index in mesh->parts */
+    int32_t given_type;        /* DM_JOINT_*; UNKNOWN = find out */
+    int network_alone;         /* the net's own answers are the only candidates, by its own probabilities */
+} dmi_inference_query;
+
+/* out_alternatives: NULL, or what a pull may choose from beside the hypotheses. */
+dm_result dmi_joint_inference_run(dmi_env* env, const dmi_inference_query* query, dmi_hypotheses* out_hypotheses,
+                                  dmi_alternatives* out_alternatives);
+
+/* Orders hypotheses by how well they explain a drag, and turns their signs so that positive follows it. Microseconds.
+ */
+void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint* hint, dmi_hypotheses* out);
+/* Signs the joint so that a positive step moves the drag's point along its vector (limits swap with the sign). */
+void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint);
+
+#endif

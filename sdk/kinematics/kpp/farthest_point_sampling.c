@@ -1,0 +1,114 @@
+/* Sweeps over all points that vectorise, and a few points that are worth a closer look. */
+#include "kinematics/kpp/farthest_point_sampling.h"
+
+#include <math.h>
+
+#include "base/cpu.h"
+
+#define LANES DMI_FPS_POINT_STEP
+
+void dmi_fps_begin(const float* x, const float* y, const float* z, uint32_t count, dmi_fps* out) {
+    out->x = x, out->y = y, out->z = z, out->count = count;
+    for (uint32_t i = 0; i < count; i++) out->cover[i] = INFINITY;
+}
+
+/* Squared distances of LANES points from the centre; the least of each lane. */
+static inline void measure_some(const float* restrict x, const float* restrict y, const float* restrict z,
+                                const float centre[3], float* restrict distance, float* restrict least) {
+    const float a = centre[0], b = centre[1], c = centre[2];
+    for (int k = 0; k < LANES; k++) {
+        const float dx = x[k] - a, dy = y[k] - b, dz = z[k] - c;
+        const float d = dx * dx + dy * dy + dz * dz;
+        distance[k] = d;
+        least[k] = d < least[k] ? d : least[k];
+    }
+}
+
+static inline void measure(const dmi_fps* g, uint32_t centre, float* distance, float least[LANES]) {
+    const float from[3] = {g->x[centre], g->y[centre], g->z[centre]};
+    for (int k = 0; k < LANES; k++) least[k] = INFINITY;
+    for (uint32_t i = 0; i < g->count; i += LANES)
+        measure_some(g->x + i, g->y + i, g->z + i, from, distance + i, least);
+}
+
+/* The DMI_FPS_GROUP-th smallest of the lanes' least distances: at least so many points are within it, and few more. */
+static inline float limit_of(const float least[LANES]) {
+    int32_t smaller[LANES] = {0};
+    float limit = 0;
+    for (int l = 0; l < LANES; l++)
+        for (int k = 0; k < LANES; k++) smaller[k] += least[l] < least[k];
+    for (int l = 0; l < LANES; l++) limit = smaller[l] < DMI_FPS_GROUP && least[l] > limit ? least[l] : limit;
+    return limit;
+}
+
+static inline int any_within(const float* restrict distance, float limit) {
+    int32_t any = 0;
+    for (int k = 0; k < LANES; k++) any |= distance[k] <= limit;
+    return any;
+}
+
+/* Of the points within the limit the DMI_FPS_GROUP nearest, kept in order. */
+static inline void nearest(const float* distance, uint32_t count, float limit, uint32_t self,
+                           uint32_t out[DMI_FPS_GROUP]) {
+    float best[DMI_FPS_GROUP];
+    uint32_t filled = 1;
+    for (int m = 0; m < DMI_FPS_GROUP; m++) best[m] = -1, out[m] = self;
+    for (uint32_t first = 0; first < count; first += LANES) {
+        if (!any_within(distance + first, limit)) continue;
+        for (uint32_t i = first; i < first + LANES; i++) {
+            const float d = distance[i];
+            if (d > limit || i == self || (filled == DMI_FPS_GROUP && d >= best[DMI_FPS_GROUP - 1])) continue;
+            uint32_t at = filled < DMI_FPS_GROUP ? filled++ : DMI_FPS_GROUP - 1;
+            for (; best[at - 1] > d; at--) best[at] = best[at - 1], out[at] = out[at - 1];
+            best[at] = d, out[at] = i;
+        }
+    }
+}
+
+/* The cover of LANES points with the new centre; the most of each lane. */
+static inline void cover_some(const float* restrict distance, float* restrict cover, float* restrict most) {
+    for (int k = 0; k < LANES; k++) {
+        const float d = distance[k] < cover[k] ? distance[k] : cover[k];
+        cover[k] = d;
+        most[k] = d > most[k] ? d : most[k];
+    }
+}
+
+static inline int any_from(const float* restrict cover, float most) {
+    int32_t any = 0;
+    for (int k = 0; k < LANES; k++) any |= cover[k] >= most;
+    return any;
+}
+
+/* Goes on with the cover; answers the first of the points that are farthest. */
+static inline uint32_t farthest(const float* distance, uint32_t count, float* cover) {
+    float most[LANES] = {0};
+    for (uint32_t i = 0; i < count; i += LANES) cover_some(distance + i, cover + i, most);
+    for (int k = 1; k < LANES; k++) most[0] = most[k] > most[0] ? most[k] : most[0];
+    uint32_t at = 0;
+    while (at + LANES < count && !any_from(cover + at, most[0])) at += LANES;
+    while (at + 1 < count && cover[at] < most[0]) at++;
+    return at;
+}
+
+static inline uint32_t next_of(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
+    float distance[DMI_FPS_MAX_POINTS], least[LANES];
+    measure(g, centre, distance, least);
+    nearest(distance, g->count, limit_of(least), centre, out_members);
+    return farthest(distance, g->count, g->cover);
+}
+
+#if defined(__x86_64__)
+/* The same operations, eight at a time; without FMA, so the same bits. */
+__attribute__((target("avx2"), flatten)) static uint32_t next_avx2(dmi_fps* g, uint32_t centre,
+                                                                   uint32_t out_members[DMI_FPS_GROUP]) {
+    return next_of(g, centre, out_members);
+}
+#endif
+
+uint32_t dmi_fps_next(dmi_fps* grouping, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
+#if defined(__x86_64__)
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) return next_avx2(grouping, centre, out_members);
+#endif
+    return next_of(grouping, centre, out_members);
+}

@@ -1,0 +1,32 @@
+/* The network's raw heads, read in the object-normalised frame. */
+#include "kinematics/kpp/kpp_prediction.h"
+
+#include "math/linear3.h"
+
+static void vector_out(const dmi_kpp_frame* frame, const float in[3], float out[3]) {
+    for (int k = 0; k < 3; k++)
+        out[k] = in[0] * frame->rotation[k] + in[1] * frame->rotation[3 + k] + in[2] * frame->rotation[6 + k];
+}
+
+static void softmax(const float* logits, uint32_t count, float* out) {
+    float most = -INFINITY, sum = 0;
+    for (uint32_t i = 0; i < count; i++) most = fmaxf(most, logits[i]);
+    for (uint32_t i = 0; i < count; i++) sum += out[i] = expf(logits[i] - most);
+    for (uint32_t i = 0; i < count; i++) out[i] /= sum;
+}
+
+void dmi_prediction_read(const dmi_kpp_frame* frame, const dmi_kpp_output* raw, dmi_prediction* out) {
+    static const float x_axis[3] = {1, 0, 0};
+    softmax(raw->type_logits, DMI_KPP_TYPES, out->type);
+    vector_out(frame, raw->turn_axis, out->turn_axis);
+    vector_out(frame, raw->slide_axis, out->slide_axis);
+    if (!(dmi_normalize3(out->turn_axis) > 1e-6f)) vector_out(frame, x_axis, out->turn_axis);
+    if (!(dmi_normalize3(out->slide_axis) > 1e-6f)) vector_out(frame, x_axis, out->slide_axis);
+    vector_out(frame, raw->origin, out->origin);
+    for (int k = 0; k < 3; k++) out->origin[k] = frame->origin[k] + out->origin[k] / frame->scale;
+    for (int k = 0; k < 2; k++) {
+        out->turn_limits[k] = raw->limits[k] * 3.14159265f;
+        out->slide_limits[k] = raw->limits[2 + k] / frame->scale;
+    }
+    out->pitch = raw->limits[4] / frame->scale;
+}

@@ -1,0 +1,97 @@
+/* Limits from a sweep of the part's samples through the body's distance grid: what stops the part, weighed with what is
+ * known of its kind by a small network, or by rules without one. */
+#include "kinematics/limits/limits.h"
+
+#include "kinematics/limits/sweep.h"
+#include "math/joint.h"
+
+#define HALF_TURN 3.14159265f
+#define ROUND 0.02f /* most distance from itself, over its diagonal, of a turned part that counts as round */
+#define USUAL_OPENING 1.5707963f
+#define USUAL_TRAVEL 0.8f /* of the part's extent along a slide: drawers stay on their runners */
+
+static int is_round(const dmi_sweep* s) {
+    return dmi_sweep_roundness(s) < ROUND + 0.5f * s->study->part_field.cell / s->study->diagonal;
+}
+
+static void limit_turn(const dmi_sweep* s, dm_joint* joint) {
+    float up[2], down[2];
+    dmi_sweep_reach(s, DMI_SWEEP_TURN, DMI_SWEEP_TURNS, up);
+    dmi_sweep_reach(s, -DMI_SWEEP_TURN, DMI_SWEEP_TURNS, down);
+    if (up[0] >= 3.1f && down[0] <= -3.1f && joint->type == DM_JOINT_REVOLUTE && is_round(s)) {
+        joint->type = DM_JOINT_CONTINUOUS;
+        joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
+        return;
+    }
+    /* It rests closed: the side with more room is the one it opens to. */
+    joint->upper = up[0] >= -down[0] ? fminf(up[0], USUAL_OPENING) : 0;
+    joint->lower = up[0] >= -down[0] ? 0 : fmaxf(down[0], -USUAL_OPENING);
+    if (joint->upper - joint->lower < DMI_SWEEP_TURN) joint->upper = USUAL_OPENING, joint->lower = 0;
+}
+
+static void limit_slide(const dmi_sweep* s, dm_joint* joint) {
+    float most = USUAL_TRAVEL * s->extent, step = most / DMI_SWEEP_SLIDES, up[2], down[2];
+    dmi_sweep_reach(s, step, DMI_SWEEP_SLIDES, up);
+    dmi_sweep_reach(s, -step, DMI_SWEEP_SLIDES, down);
+    joint->upper = up[0] >= -down[0] ? up[0] : 0;
+    joint->lower = up[0] >= -down[0] ? 0 : down[0];
+    if (joint->upper - joint->lower < step) joint->upper = most, joint->lower = 0;
+}
+
+void dmi_limits_face_room(const dmi_part_analysis* study, dm_joint* joint) {
+    dmi_sweep s;
+    dmi_sweep_make(study, joint, &s);
+    int slides = dmi_sweep_slides(&s), steps = slides ? DMI_SWEEP_SLIDES : DMI_SWEEP_TURNS;
+    float step = slides ? s.extent / DMI_SWEEP_SLIDES : DMI_SWEEP_TURN, up[2], down[2];
+    dmi_sweep_reach(&s, step, steps, up);
+    dmi_sweep_reach(&s, -step, steps, down);
+    /* Opening leads away from the body even where the sweep meets nothing on either side. */
+    const float room = (up[0] + up[1] + down[0] + down[1]) / (step * (float)steps), some = 0.2f * step * (float)steps;
+    const float away = dmi_sweep_clearance(&s, some).mean - dmi_sweep_clearance(&s, -some).mean;
+    if (room + 4 * away / study->diagonal < 0) dmi_joint_reverse(joint);
+}
+
+static void set_by_rules(const dmi_part_analysis* study, dm_joint* joint) {
+    dmi_sweep s;
+    dmi_sweep_make(study, joint, &s);
+    if (dmi_sweep_slides(&s))
+        limit_slide(&s, joint);
+    else
+        limit_turn(&s, joint);
+}
+
+static void take_answer(const dmi_limit_prediction* answer, float unit, dm_joint* joint) {
+    if (joint->type == DM_JOINT_REVOLUTE && answer->free > 0) {
+        joint->type = DM_JOINT_CONTINUOUS;
+        joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
+        return;
+    }
+    joint->lower = unit * answer->lower, joint->upper = unit * answer->upper;
+}
+
+/* Of a slide the evidence is kept from the networks: they would learn by heart how far the buttons of each generated
+ * kind go in, and no other is alike (docs/decisions.md, 39). */
+static void ask_networks(const dmi_part_analysis* study, const dmi_prediction* prediction, int with_drag,
+                         const dmi_limit_network* net, const float* const* evidence, dm_joint* joints, uint32_t count) {
+    dmi_limit_query questions[DM_MAX_HYPOTHESES] = {0};
+    dmi_limit_prediction answers[DM_MAX_HYPOTHESES];
+    float units[DM_MAX_HYPOTHESES];
+    for (uint32_t i = 0; i < count; i++) {
+        if (!with_drag) dmi_limits_face_room(study, &joints[i]);
+        units[i] = dmi_limits_features(study, prediction, with_drag, &joints[i], questions[i].features);
+        questions[i].evidence = joints[i].type != DM_JOINT_PRISMATIC ? evidence[i] : NULL;
+    }
+    dmi_limit_network_predict(net, questions, count, answers);
+    for (uint32_t i = 0; i < count; i++) take_answer(&answers[i], units[i], &joints[i]);
+}
+
+void dmi_limits_set(const dmi_part_analysis* study, const dmi_prediction* prediction, int with_drag,
+                    const dmi_limit_network* net, const float* const* evidence, dm_joint* joints, uint32_t count) {
+    if (net != NULL)
+        ask_networks(study, prediction, with_drag, net, evidence, joints, count);
+    else
+        for (uint32_t i = 0; i < count; i++) set_by_rules(study, &joints[i]);
+    if (with_drag) return;
+    for (uint32_t i = 0; i < count; i++)
+        if (-joints[i].lower > joints[i].upper) dmi_joint_reverse(&joints[i]);
+}

@@ -1,0 +1,128 @@
+/* The prepared object: memory, look-ups, and the check every drag on it goes through. */
+#include "kinematics/object/object.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/ids.h"
+
+dm_result dmi_object_create(dmi_env* env, uint32_t part_count, dmi_object** out_object) {
+    dmi_object* object = dmi_alloc_zeroed(env, sizeof *object, _Alignof(dmi_object));
+    if (!object) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "object: no memory");
+    object->part_count = part_count;
+    object->parts = dmi_alloc_zeroed(env, part_count * sizeof *object->parts, _Alignof(dmi_object_part));
+    if (!object->parts) {
+        dmi_object_destroy(env, object);
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "object: no memory for %u parts", part_count - 1);
+    }
+    *out_object = object;
+    return DM_OK;
+}
+
+void dmi_object_destroy(dmi_env* env, dmi_object* object) {
+    if (!object) return;
+    dmi_object_drop_triangles(env, object);
+    dmi_free(env, object->parts, object->part_count * sizeof *object->parts);
+    dmi_free(env, object, sizeof *object);
+}
+
+void dmi_object_drop_triangles(dmi_env* env, dmi_object* object) {
+    if (object->bvh) dmi_bvh_destroy(object->bvh);
+    if (object->mesh) dmi_mesh_destroy(env, object->mesh);
+    object->bvh = NULL;
+    object->mesh = NULL;
+}
+
+int32_t dmi_object_find_part(const dmi_object* object, uint32_t id) {
+    return dmi_find_id(&object->parts->shape.id, sizeof *object->parts, object->part_count, id);
+}
+
+int dmi_object_moves_with(const dmi_object* object, uint32_t index, uint32_t ancestor) {
+    while (index != ancestor && index != 0) index = object->parts[index].shape.parent;
+    return index == ancestor;
+}
+
+void dmi_object_bound(dmi_object* object) {
+    for (int k = 0; k < 3; k++) {
+        object->box_min[k] = object->parts[0].shape.box_min[k];
+        object->box_max[k] = object->parts[0].shape.box_max[k];
+        for (uint32_t i = 1; i < object->part_count; i++) {
+            object->box_min[k] = fminf(object->box_min[k], object->parts[i].shape.box_min[k]);
+            object->box_max[k] = fmaxf(object->box_max[k], object->parts[i].shape.box_max[k]);
+        }
+    }
+}
+
+void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float max[3], dm_vec3* out_min,
+                        dm_vec3* out_max) {
+    for (int corner = 0; corner < 8; corner++) {
+        const float inner[3] = {corner & 1 ? max[0] : min[0], corner & 2 ? max[1] : min[1],
+                                corner & 4 ? max[2] : min[2]};
+        float host[3];
+        dmi_frame_point_out(frame, inner, host);
+        const dm_vec3 p = {host[0], host[1], host[2]};
+        if (corner == 0) *out_min = *out_max = p;
+        *out_min = (dm_vec3){fminf(out_min->x, p.x), fminf(out_min->y, p.y), fminf(out_min->z, p.z)};
+        *out_max = (dm_vec3){fmaxf(out_max->x, p.x), fmaxf(out_max->y, p.y), fmaxf(out_max->z, p.z)};
+    }
+}
+
+static float distance_to_box(const dmi_part* shape, const float point[3]) {
+    float square = 0.0f;
+    for (int i = 0; i < 3; i++) {
+        float outside = fmaxf(fmaxf(shape->box_min[i] - point[i], point[i] - shape->box_max[i]), 0.0f);
+        square += outside * outside;
+    }
+    return sqrtf(square);
+}
+
+/* To the nearest box of what moves when the part moves: a door is also pulled by the handle it carries. */
+static float distance_to_part(const dmi_object* object, uint32_t part, const float point[3]) {
+    float nearest = INFINITY;
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        if (dmi_object_moves_with(object, i, part)) {
+            nearest = fminf(nearest, distance_to_box(&object->parts[i].shape, point));
+        }
+    }
+    return nearest;
+}
+
+dm_result dmi_object_hint(dmi_env* env, const char* what, const dmi_object* object, uint32_t part,
+                          const dm_drag_hint* drag, dmi_drag_hint* out_hint) {
+    const double point[3] = {drag->point.x, drag->point.y, drag->point.z};
+    const float vector[3] = {drag->vector.x, drag->vector.y, drag->vector.z};
+    for (int i = 0; i < 3; i++) {
+        if (!isfinite(point[i])) return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.point[%d] is %g", what, i, point[i]);
+        if (!isfinite(vector[i])) {
+            return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.vector[%d] is %g", what, i, (double)vector[i]);
+        }
+    }
+    dmi_drag_hint hint;
+    dmi_frame_point_in(&object->frame, point, hint.point);
+    dmi_frame_vector_in(&object->frame, vector, hint.vector);
+    double length = sqrt((double)hint.vector[0] * hint.vector[0] + (double)hint.vector[1] * hint.vector[1] +
+                         (double)hint.vector[2] * hint.vector[2]);
+    if (!(length > 1e-12 && length < 1e12)) {
+        return dmi_fail(env, DM_ERROR_ZERO_DRAG, "%s.vector is %g object sizes long", what, length);
+    }
+    float distance = distance_to_part(object, part, hint.point);
+    if (!(distance <= 0.5f)) {
+        return dmi_fail(env, DM_ERROR_DRAG_OFF_PART, "%s.point (%g, %g, %g) is %g object sizes away from part %u", what,
+                        point[0], point[1], point[2], (double)distance, object->parts[part].shape.id);
+    }
+    *out_hint = hint;
+    return DM_OK;
+}
+
+void dmi_cloud_thin(const dmi_cloud* cloud, float out_points[DMI_OBJECT_POINTS][3]) {
+    for (uint32_t i = 0; i < DMI_OBJECT_POINTS; i++) {
+        for (int k = 0; k < 3; k++) out_points[i][k] = cloud->xyz[i * DMI_OBJECT_STRIDE][k];
+    }
+}
+
+void dmi_cloud_widen(const dmi_object_part* part, dmi_cloud* out_cloud) {
+    memset(out_cloud, 0, sizeof *out_cloud);
+    for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++) {
+        for (int k = 0; k < 3; k++) out_cloud->xyz[i][k] = part->points[i / DMI_OBJECT_STRIDE][k];
+    }
+}

@@ -1,0 +1,29 @@
+/* What else a part may move by beside its hypotheses: many, for a pull to choose from. */
+#ifndef DMI_RANKING_ALTERNATIVES_H
+#define DMI_RANKING_ALTERNATIVES_H
+
+#include "kinematics/candidates/candidates.h"
+#include "kinematics/ranking/ranker.h"
+#include "math/joint.h"
+
+#define DMI_ALTERNATIVES 48
+
+/* A joint whose limits are worth no estimate. */
+typedef struct dmi_alternative {
+    int32_t type; /* DM_JOINT_REVOLUTE, CONTINUOUS or PRISMATIC */
+    float confidence;
+    float axis[3], origin[3];
+} dmi_alternative;
+
+typedef struct dmi_alternatives {
+    dmi_alternative list[DMI_ALTERNATIVES]; /* the likeliest, each with what is alike it */
+    uint32_t count;
+} dmi_alternatives;
+
+/* Those candidates, most probable first, that move the part neither as a hypothesis does nor as one before them.
+ * dragged: the probabilities are those with a drag. */
+dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_part_analysis* study, const dmi_ranker* ranker, int dragged,
+                                const dm_joint* hypotheses, uint32_t hypothesis_count, const dmi_candidate* candidates,
+                                const float* probability, uint32_t count, dmi_alternatives* out);
+
+#endif

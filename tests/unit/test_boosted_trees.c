@@ -1,0 +1,177 @@
+/* A forest scores what its trees say, whatever the rows; a file that holds no trees is refused. */
+#include "test_env.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "kinematics/ranking/boosted_trees.h"
+#include "test_world.h"
+
+enum { NODES = DMI_TREES * DMI_TREE_NODES, TENSORS = 2, ROWS = 37 };
+
+static dmi_boosted_trees forest;
+static float rows[ROWS][DMI_FEATURE_COUNT], scores[ROWS];
+
+/* Trees as a weights file has them. */
+typedef struct trees {
+    float column[NODES], value[NODES];
+} trees;
+static trees made;
+
+/* The first tree forks at column 5 and, to the right of it, at column 201; the others are one leaf that says nothing.
+ */
+static void two_forks(void) {
+    memset(&made, 0, sizeof made);
+    for (int n = 0; n < NODES; n++) made.column[n] = -1;
+    made.column[0] = 5, made.value[0] = 0.5f;
+    made.value[1] = 10;
+    made.column[2] = 201, made.value[2] = -1;
+    made.value[3] = 20, made.value[4] = 30;
+}
+
+/* The bytes of a weights file around `made`. */
+static unsigned char* file_of_trees(size_t* out_size) {
+    static const char* names[TENSORS] = {"column", "value"};
+    char header[1024];
+    size_t bytes = sizeof(float) * NODES, at = 0;
+    int length =
+        snprintf(header, sizeof header, "{\"__metadata__\":{\"architecture\":\"dragmesh-ranker\",\"version\":\"1\"}");
+    for (int i = 0; i < TENSORS; i++, at += bytes)
+        length += snprintf(header + length, sizeof header - (size_t)length,
+                           ",\"forest.%s\":{\"dtype\":\"F32\",\"shape\":[%d,%d],\"data_offsets\":[%zu,%zu]}", names[i],
+                           DMI_TREES, DMI_TREE_NODES, at, at + bytes);
+    header[length++] = '}';
+    unsigned char* file = calloc(1, 8 + (size_t)length + sizeof made);
+    assert_non_null(file);
+    file[0] = (unsigned char)(length & 255), file[1] = (unsigned char)(length >> 8);
+    memcpy(file + 8, header, (size_t)length);
+    memcpy(file + 8 + length, &made, sizeof made);
+    *out_size = 8 + (size_t)length + sizeof made;
+    return file;
+}
+
+/* `reader` is the environment that the forest is read in. */
+static dm_result read_made_in(test_env* t, test_env* reader) {
+    size_t size;
+    unsigned char* file = file_of_trees(&size);
+    dmi_weights* weights;
+    assert_int_equal(dmi_weights_open(&t->env, file, size, "dragmesh-ranker", 1, &weights), DM_OK);
+    const dm_result result = dmi_boosted_trees_read(&reader->env, weights, &forest);
+    dmi_weights_close(weights);
+    free(file);
+    return result;
+}
+
+static dm_result read_made(test_env* t) {
+    return read_made_in(t, t);
+}
+
+static void rows_go_down_to_their_leaves(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    two_forks();
+    assert_int_equal(read_made(&t), DM_OK);
+    for (int r = 0; r < ROWS; r++) rows[r][5] = r % 3 == 0 ? 0.5f : 0.6f, rows[r][201] = r % 3 == 1 ? -1 : 0;
+    dmi_boosted_trees_score(&forest, (const float(*)[DMI_FEATURE_COUNT])rows, ROWS, scores);
+    for (int r = 0; r < ROWS; r++) assert_true(scores[r] == (r % 3 == 0 ? 10 : r % 3 == 1 ? 20 : 30));
+    test_env_close(&t);
+}
+
+static void what_is_no_number_still_ends_in_a_leaf(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    two_forks();
+    assert_int_equal(read_made(&t), DM_OK);
+    for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[0][k] = NAN, rows[1][k] = INFINITY, rows[2][k] = -INFINITY;
+    dmi_boosted_trees_score(&forest, (const float(*)[DMI_FEATURE_COUNT])rows, 3, scores);
+    assert_true(scores[0] == 10 && scores[1] == 30 && scores[2] == 10);
+    test_env_close(&t);
+}
+
+/* Each makes one number of the two forks what no tree has. */
+static void what_is_no_tree_is_refused(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    float* const numbers[] = {&made.column[0], &made.column[0], &made.column[2],
+                              &made.column[0], &made.value[0],  &made.value[1]};
+    const float wrong[] = {DMI_FEATURE_COUNT, 0.5f, -2, NAN, INFINITY, NAN};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        two_forks();
+        *numbers[i] = wrong[i];
+        assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
+    }
+    two_forks();
+    made.column[0] = -1; /* the fork at 2 hangs on nothing, and its own would be 1 and 2 */
+    assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
+    two_forks();
+    for (int n = 0; n < DMI_TREE_NODES / 2; n++) made.column[n] = 0;
+    assert_int_equal(read_made(&t), DM_OK);
+    made.column[DMI_TREE_NODES / 2] = 0; /* no room for what it forks to */
+    assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
+    test_env_close(&t);
+}
+
+static float walk(const trees* from, int tree, const float* row) {
+    const float* column = from->column + (size_t)tree * DMI_TREE_NODES;
+    const float* value = from->value + (size_t)tree * DMI_TREE_NODES;
+    int n = 0;
+    while (column[n] >= 0) {
+        int forks = 0;
+        for (int before = 0; before < n; before++) forks += column[before] >= 0;
+        n = 1 + 2 * forks + (row[(int)column[n]] > value[n]);
+    }
+    return value[n];
+}
+
+/* Side by side and one by one: the same bits. */
+static void the_shipped_trees_say_what_a_plain_walk_says(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    size_t size;
+    void* bytes = test_read_file("sdk/models/ranker.safetensors", &size);
+    dmi_weights* weights;
+    assert_int_equal(dmi_weights_open(&t.env, bytes, size, "dragmesh-ranker", 99, &weights), DM_OK);
+    assert_int_equal(dmi_boosted_trees_read(&t.env, weights, &forest), DM_OK);
+    assert_true(dmi_weights_read(weights, "forest.column", DMI_TREES, DMI_TREE_NODES, made.column));
+    assert_true(dmi_weights_read(weights, "forest.value", DMI_TREES, DMI_TREE_NODES, made.value));
+    dmi_weights_close(weights);
+    free(bytes);
+    dmi_random random = dmi_random_make(7, 1);
+    for (int r = 0; r < ROWS; r++)
+        for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[r][k] = dmi_random_normal(&random);
+    dmi_boosted_trees_score(&forest, (const float(*)[DMI_FEATURE_COUNT])rows, ROWS, scores);
+    for (int r = 0; r < ROWS; r++) {
+        float sum = 0;
+        for (int tree = 0; tree < DMI_TREES; tree++) sum += walk(&made, tree, rows[r]);
+        assert_true(sum == scores[r]);
+        assert_true(r == 0 || scores[r] != scores[0]);
+    }
+    test_env_close(&t);
+}
+
+static void no_memory_is_no_wrong_model(void** state) {
+    (void)state;
+    test_env t, starved;
+    test_env_open(&t, TEST_NEVER);
+    test_env_open(&starved, 0);
+    two_forks();
+    assert_int_equal(read_made_in(&t, &starved), DM_ERROR_OUT_OF_MEMORY);
+    test_env_close(&starved);
+    test_env_close(&t);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_go_down_to_their_leaves), cmocka_unit_test(what_is_no_number_still_ends_in_a_leaf),
+        cmocka_unit_test(what_is_no_tree_is_refused),   cmocka_unit_test(the_shipped_trees_say_what_a_plain_walk_says),
+        cmocka_unit_test(no_memory_is_no_wrong_model),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

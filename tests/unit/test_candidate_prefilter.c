@@ -1,0 +1,153 @@
+/* The glance at candidates agrees with their evidence, and the sieve keeps the best in their order. */
+#include "test_env.h"
+
+#include <math.h>
+
+#include "base/random.h"
+#include "kinematics/ranking/candidate_prefilter.h"
+#include "math/linear3.h"
+#include "test_shapes.h"
+
+static test_shape shape;
+static dmi_cloud cloud;
+static dmi_part_analysis study;
+static dmi_candidate candidates[DMI_CANDIDATES_MAX], kept[DMI_CANDIDATES_MAX];
+static float evidence[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT], rows[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
+static dmi_prefilter sieve;
+
+typedef struct bench {
+    test_env t;
+    dmi_arena arena;
+    dmi_mesh* mesh;
+    dmi_drag_hint hint;
+} bench;
+
+/* A crooked pile of boxes with a slab leaning on it: many directions, so many candidates. */
+static void open_bench(bench* b) {
+    dmi_axes axes;
+    dmi_random random = dmi_random_make(5, 2);
+    test_env_open(&b->t, TEST_NEVER);
+    shape.vertex_count = shape.face_count = 0;
+    for (int i = 0; i < 6; i++) {
+        const float x = 0.13f * (float)i, y = 0.1f * dmi_random_unit(&random);
+        test_shape_box(&shape, (const float[]){x, y, 0}, (const float[]){x + 0.12f, y + 0.4f, 0.5f}, 0);
+        test_shape_box(&shape, (const float[]){x, 0.52f, y}, (const float[]){x + 0.1f, 0.56f + 0.3f * y, 0.5f}, 1);
+    }
+    const dm_mesh_desc desc = test_shape_desc(&shape);
+    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
+    assert_int_equal(dmi_mesh_create(&b->t.env, &axes, &desc, NULL, 0, &b->mesh), DM_OK);
+    assert_int_equal(dmi_cloud_sample(&b->t.env, b->mesh, 1, 3, &cloud), DM_OK);
+    dmi_arena_init(&b->arena, &b->t.env, (size_t)1 << 20);
+    assert_int_equal(dmi_part_analysis_make(&b->arena, b->mesh, &cloud, 1, NULL, &study), DM_OK);
+    dmi_copy3(study.points[0], b->hint.point);
+    dmi_copy3((const float[]){0.1f, 1, 0.2f}, b->hint.vector);
+}
+
+static void close_bench(bench* b) {
+    dmi_arena_release(&b->arena);
+    dmi_mesh_destroy(&b->t.env, b->mesh);
+    test_env_close(&b->t);
+}
+
+/* A sieve that scores by one column of the glance alone; sign: 1 keeps the largest, -1 the least. */
+static void sieve_by(int column, float sign) {
+    sieve = (dmi_prefilter){.first_bias = {100}, .last = {1}};
+    for (int i = 0; i < DMI_CHEAP_COLUMNS; i++)
+        if (dmi_cheap_columns[i] == column) sieve.first[i][0] = sign;
+}
+
+static uint32_t keep(const dmi_drag_hint* hint, uint32_t count) {
+    memcpy(kept, candidates, sizeof kept);
+    return dmi_prefilter_keep(&sieve, &study, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
+}
+
+/* The columns that a glance says it fills hold what all of the evidence has there; the others stay as they were. */
+static void a_glance_sees_its_columns_of_the_evidence(void** state) {
+    (void)state;
+    bench b;
+    open_bench(&b);
+    const dmi_prediction prediction = {.type = {0.5f, 0.3f, 0.1f, 0.1f},
+                                       .turn_axis = {1, 0, 0},
+                                       .slide_axis = {0, 0.6f, 0.8f},
+                                       .origin = {0.1f, 0, 0}};
+    float scores[DMI_CANDIDATES_MAX];
+    for (int with = 0; with < 2; with++) {
+        const dmi_drag_hint* hint = with ? &b.hint : NULL;
+        const dmi_prediction* said = with ? &prediction : NULL;
+        const uint32_t count = dmi_candidates_make(&study, hint, said, candidates);
+        for (uint32_t i = 0; i < count; i++) scores[i] = -0.01f * (float)i;
+        dmi_candidate_features_make(&study, hint, said, with ? scores : NULL, candidates, count, evidence);
+        dmi_cheap_features glance;
+        dmi_cheap_features_begin(&study, hint, said, &glance);
+        for (uint32_t i = 0; i < count; i++) {
+            for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[i][k] = -7;
+            dmi_cheap_features_row(&glance, &candidates[i], rows[i]);
+        }
+        dmi_cheap_features_kpp_scores(with ? scores : NULL, count, rows);
+        for (uint32_t i = 0; i < count; i++)
+            for (int k = 0, next = 0; k < DMI_FEATURE_COUNT; k++) {
+                const int seen = next < DMI_CHEAP_COLUMNS && dmi_cheap_columns[next] == k;
+                assert_true(rows[i][k] == (seen ? evidence[i][k] : -7));
+                next += seen;
+            }
+    }
+    close_bench(&b);
+}
+
+static int same(const dmi_candidate* a, const dmi_candidate* b) {
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+/* Whoever is kept has at least the score of whoever is not, and their order is as it was. */
+static void the_best_are_kept_in_order(void** state) {
+    (void)state;
+    bench b;
+    open_bench(&b);
+    const uint32_t count = dmi_candidates_make(&study, NULL, NULL, candidates);
+    assert_true(count > DMI_PREFILTER_KEPT + 50);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const int column = DMI_FEATURE_PLACE + 2;
+        sieve_by(column, (float)sign);
+        assert_int_equal(keep(NULL, count), DMI_PREFILTER_KEPT);
+        float least = INFINITY, most = -INFINITY;
+        uint32_t next = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            const float score = (float)sign * rows[i][column];
+            if (next < DMI_PREFILTER_KEPT && same(&kept[next], &candidates[i]))
+                next++, least = fminf(least, score);
+            else
+                most = fmaxf(most, score);
+        }
+        assert_int_equal(next, DMI_PREFILTER_KEPT);
+        assert_true(least >= most);
+    }
+    close_bench(&b);
+}
+
+/* Among equals the first are kept; a few candidates pass as they are. */
+static void equals_and_few_pass(void** state) {
+    (void)state;
+    bench b;
+    open_bench(&b);
+    const uint32_t count = dmi_candidates_make(&study, &b.hint, NULL, candidates);
+    assert_true(count > DMI_PREFILTER_KEPT);
+    sieve_by(DMI_FEATURE_DRAG, 1); /* 1 for every candidate */
+    assert_int_equal(keep(&b.hint, count), DMI_PREFILTER_KEPT);
+    assert_memory_equal(kept, candidates, DMI_PREFILTER_KEPT * sizeof *kept);
+    assert_int_equal(keep(&b.hint, DMI_PREFILTER_KEPT), DMI_PREFILTER_KEPT);
+    assert_int_equal(keep(&b.hint, 3), 3);
+    assert_memory_equal(kept, candidates, sizeof kept);
+    sieve_by(-1, 0), sieve.last[0] = NAN; /* weights that say nothing keep the first, too */
+    assert_int_equal(keep(&b.hint, count), DMI_PREFILTER_KEPT);
+    assert_memory_equal(kept, candidates, DMI_PREFILTER_KEPT * sizeof *kept);
+    close_bench(&b);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_glance_sees_its_columns_of_the_evidence),
+        cmocka_unit_test(the_best_are_kept_in_order),
+        cmocka_unit_test(equals_and_few_pass),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,412 @@
+/* Prepared objects as bytes: what is saved is loaded to the bit, in any host's axes, and no bytes do harm. */
+#include <math.h>
+#include <string.h>
+
+#include "kinematics/object/dmo_format.h"
+#include "test_world.h"
+
+#define CORPUS "tests/abi/corpus/cabinet_v1.dmo"
+
+typedef struct bytes {
+    uint8_t* data;
+    size_t size;
+} bytes;
+
+static bytes save(dm_context* context, dm_object object) {
+    bytes out = {NULL, 0};
+    assert_int_equal(dm_object_save(context, object, NULL, 0, &out.size), DM_OK);
+    out.data = malloc(out.size);
+    assert_non_null(out.data);
+    size_t written = 0;
+    assert_int_equal(dm_object_save(context, object, out.data, out.size, &written), DM_OK);
+    assert_int_equal(written, out.size);
+    return out;
+}
+
+/* The cabinet with the host's own hinge for the handle: a joint that no hypothesis has. */
+static dm_object make_object(test_world* w, uint32_t flags) {
+    dm_object object = 0;
+    assert_int_equal(test_world_prepare(w, flags, &object), DM_OK);
+    const dm_joint hinge = test_hinge();
+    assert_int_equal(dm_object_set_joint(w->context, object, TEST_HANDLE, &hinge), DM_OK);
+    return object;
+}
+
+static void put_u32(uint8_t* at, uint32_t value) {
+    for (int i = 0; i < 4; i++) at[i] = (uint8_t)(value >> (8 * i));
+}
+
+static void sign_again(bytes* blob) {
+    put_u32(blob->data + 8, dmi_dmo_crc(blob->data + 12, blob->size - 12));
+}
+
+static void assert_same_part(dm_context* a, dm_object in_a, dm_context* b, dm_object in_b, uint32_t index) {
+    dm_part_info part_a = {.struct_size = sizeof part_a}, part_b = {.struct_size = sizeof part_b};
+    assert_int_equal(dm_object_get_part(a, in_a, index, &part_a), DM_OK);
+    assert_int_equal(dm_object_get_part(b, in_b, index, &part_b), DM_OK);
+    assert_memory_equal(&part_a, &part_b, sizeof part_a);
+    dm_joint ranked_a[DM_MAX_HYPOTHESES], ranked_b[DM_MAX_HYPOTHESES];
+    uint32_t count_a = 0, count_b = 0;
+    assert_int_equal(dm_object_get_hypotheses(a, in_a, part_a.id, NULL, ranked_a, DM_MAX_HYPOTHESES, &count_a), DM_OK);
+    assert_int_equal(dm_object_get_hypotheses(b, in_b, part_a.id, NULL, ranked_b, DM_MAX_HYPOTHESES, &count_b), DM_OK);
+    assert_int_equal(count_a, count_b);
+    assert_memory_equal(ranked_a, ranked_b, count_a * sizeof *ranked_a);
+}
+
+static void test_crc_is_the_common_one(void** state) {
+    (void)state;
+    assert_int_equal(dmi_dmo_crc((const uint8_t*)"123456789", 9), 0xCBF43926);
+}
+
+static void test_loading_gives_the_saved_bits(void** state) {
+    (void)state;
+    test_world w, fresh;
+    test_world_init(&w);
+    test_world_open(&w);
+    test_world_load_model(&w);
+    test_world_init(&fresh);
+    test_world_open(&fresh);
+    test_world_load_model(&fresh);
+    dm_object object = make_object(&w, 0), loaded = 0;
+    bytes blob = save(w.context, object);
+    assert_int_equal(dm_object_load(fresh.context, blob.data, blob.size, fresh.model, &loaded), DM_OK);
+    dm_object_info a = {.struct_size = sizeof a}, b = {.struct_size = sizeof b};
+    assert_int_equal(dm_object_get_info(w.context, object, &a), DM_OK);
+    assert_int_equal(dm_object_get_info(fresh.context, loaded, &b), DM_OK);
+    assert_memory_equal(&a, &b, sizeof a);
+    dm_joint joint_a, joint_b;
+    for (uint32_t i = 0; i < 2; i++) assert_same_part(w.context, object, fresh.context, loaded, i);
+    dm_object_get_joint(w.context, object, TEST_DOOR, &joint_a);
+    dm_object_get_joint(fresh.context, loaded, TEST_DOOR, &joint_b);
+    assert_memory_equal(&joint_a, &joint_b, sizeof joint_a);
+    dm_object_get_joint(fresh.context, loaded, TEST_HANDLE, &joint_b);
+    assert_int_equal(joint_b.source, DM_JOINT_FROM_HOST);
+    assert_true(fabsf(joint_b.origin.z - test_hinge().origin.z) < 1e-6f);
+    const dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = TEST_DOOR, .drag = test_pull()};
+    dm_motion motion_a, motion_b;
+    dm_pose poses_a[DM_MOTION_FRAMES], poses_b[DM_MOTION_FRAMES];
+    assert_int_equal(dm_motion_generate(w.context, object, &desc, &motion_a), DM_OK);
+    assert_int_equal(dm_motion_generate(fresh.context, loaded, &desc, &motion_b), DM_OK);
+    dm_motion_get_frames(w.context, motion_a, poses_a, NULL);
+    dm_motion_get_frames(fresh.context, motion_b, poses_b, NULL);
+    assert_memory_equal(poses_a, poses_b, sizeof poses_a);
+    const dm_drag_hint pull = test_pull(); /* the triangles came along, so refinement works as before */
+    assert_int_equal(dm_object_refine(w.context, object, TEST_DOOR, &pull), DM_OK);
+    assert_int_equal(dm_object_refine(fresh.context, loaded, TEST_DOOR, &pull), DM_OK);
+    for (uint32_t i = 0; i < 2; i++) assert_same_part(w.context, object, fresh.context, loaded, i);
+    free(blob.data);
+    test_world_close(&w);
+    test_world_close(&fresh);
+}
+
+static void test_saving_again_gives_the_same_bytes(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    for (uint32_t flags = 0; flags <= DM_PREPARE_WITHOUT_PICKING; flags++) {
+        bytes first = save(w.context, make_object(&w, flags));
+        dm_object loaded;
+        assert_int_equal(dm_object_load(w.context, first.data, first.size, 0, &loaded), DM_OK);
+        bytes second = save(w.context, loaded);
+        assert_int_equal(first.size, second.size);
+        /* All but the host's joint, which passes through the frames once more. */
+        size_t differing = 0;
+        for (size_t i = 12; i < first.size; i++) differing += first.data[i] != second.data[i];
+        assert_true(differing <= 13 * 4);
+        free(first.data);
+        free(second.data);
+    }
+    test_world_close(&w);
+}
+
+static void test_without_triangles_it_is_small(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
+    assert_true(blob.size <= 64 * 1024);
+    dm_object loaded;
+    dm_object_info info = {.struct_size = sizeof info};
+    assert_int_equal(dm_object_load(w.context, blob.data, blob.size, 0, &loaded), DM_OK);
+    assert_int_equal(dm_object_get_info(w.context, loaded, &info), DM_OK);
+    assert_int_equal(info.pickable, 0);
+    size_t size = 0;
+    assert_int_equal(dm_object_save(w.context, loaded, blob.data, 10, &size), DM_ERROR_BUFFER_TOO_SMALL);
+    assert_int_equal(size, blob.size);
+    free(blob.data);
+    test_world_close(&w);
+}
+
+static void test_loaded_objects_can_be_picked(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, 0));
+    dm_object loaded;
+    assert_int_equal(dm_object_load(w.context, blob.data, blob.size, 0, &loaded), DM_OK);
+    const dm_scene_desc desc = {.struct_size = sizeof desc};
+    dm_scene scene;
+    uint32_t instance;
+    dm_hit hit;
+    const dm_ray ray = {{0.5f, 0.25f, 5}, {0, 0, -1}};
+    assert_int_equal(dm_scene_create(w.context, &desc, &scene), DM_OK);
+    assert_int_equal(dm_scene_add(w.context, scene, loaded, NULL, &instance), DM_OK);
+    assert_int_equal(dm_scene_commit(w.context, scene), DM_OK);
+    assert_int_equal(dm_scene_pick(w.context, scene, &ray, &hit), DM_OK);
+    assert_int_equal(hit.object, loaded);
+    assert_int_equal(hit.part_id, TEST_DOOR);
+    assert_true(fabsf(hit.point.z - 1.05f) < 1e-5f);
+    free(blob.data);
+    test_world_close(&w);
+}
+
+/* Prepared on a Y-up machine in metres, loaded by a Z-up game in centimetres. */
+static void test_a_file_serves_hosts_of_other_axes(void** state) {
+    (void)state;
+    test_world w, unreal;
+    test_world_init(&w);
+    test_world_open(&w);
+    test_world_init(&unreal);
+    unreal.desc.axes = DM_AXES_UNREAL;
+    unreal.desc.unit_in_metres = 0.01f;
+    test_world_open(&unreal);
+    bytes blob = save(w.context, make_object(&w, 0));
+    dm_object loaded;
+    dm_object_info info = {.struct_size = sizeof info};
+    dm_joint joint;
+    assert_int_equal(dm_object_load(unreal.context, blob.data, blob.size, 0, &loaded), DM_OK);
+    assert_int_equal(dm_object_get_info(unreal.context, loaded, &info), DM_OK);
+    assert_true(fabsf(info.size - 200) < 1e-3f && fabsf(info.box_max.z - 100) < 1e-3f);
+    assert_int_equal(dm_object_get_joint(unreal.context, loaded, TEST_HANDLE, &joint), DM_OK);
+    assert_true(fabsf(fabsf(joint.axis.z) - 1) < 1e-6f && fabsf(joint.origin.z - 50) < 1e-3f);
+    free(blob.data);
+    test_world_close(&w);
+    test_world_close(&unreal);
+}
+
+/* ---- bad bytes ---- */
+
+static void assert_bad(test_world* w, const bytes* blob, size_t size, dm_result expected) {
+    dm_object object = 0;
+    w->messages.count = 0;
+    /* From a block of exactly its size, so that a read beyond the end is seen. */
+    uint8_t* exact = malloc(size > 0 ? size : 1);
+    memcpy(exact, blob->data, size);
+    assert_int_equal(dm_object_load(w->context, exact, size, 0, &object), expected);
+    free(exact);
+    assert_int_equal(object, 0);
+    assert_true(w->messages.count >= 1);
+}
+
+static void test_every_truncation_is_noticed(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, 0));
+    for (size_t size = 0; size < blob.size; size += size < 256 ? 1 : 61) assert_bad(&w, &blob, size, DM_ERROR_BAD_DATA);
+    free(blob.data);
+    test_world_close(&w);
+}
+
+static void test_every_flipped_bit_is_noticed(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
+    for (size_t i = 0; i < blob.size; i += i < 512 ? 1 : 37) {
+        blob.data[i] ^= (uint8_t)(1 << i % 8);
+        int in_version = i >= 4 && i < 8;
+        dm_object object = 0;
+        dm_result result = dm_object_load(w.context, blob.data, blob.size, 0, &object);
+        assert_true(result == DM_ERROR_BAD_DATA || (in_version && result == DM_ERROR_VERSION));
+        blob.data[i] ^= (uint8_t)(1 << i % 8);
+    }
+    free(blob.data);
+    test_world_close(&w);
+}
+
+/* A liar who knows the checksum: whatever 32-bit word is overwritten, the answer is an error or a working object. */
+static void test_hostile_numbers_do_no_harm(void** state) {
+    (void)state;
+    static const uint32_t edges[] = {0, 1, 0x7fffffff, 0x80000000, 0xffffffff, 0x7f800000, 0x7fc00000, 0x7149f2ca};
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, 0));
+    const int64_t held = w.memory.live_bytes;
+    int loaded = 0;
+    for (size_t at = 12; at + 4 <= blob.size; at += at < 1600 ? 4 : 1012) {
+        const uint32_t edge = edges[(at / 4) % (sizeof edges / sizeof *edges)];
+        uint8_t kept[4];
+        memcpy(kept, blob.data + at, 4);
+        put_u32(blob.data + at, edge);
+        sign_again(&blob);
+        dm_object object = 0;
+        dm_joint joints[DM_MAX_HYPOTHESES];
+        uint32_t count;
+        dm_result result = dm_object_load(w.context, blob.data, blob.size, 0, &object);
+        if (result == DM_OK) {
+            loaded++;
+            dm_object_get_hypotheses(w.context, object, TEST_DOOR, NULL, joints, DM_MAX_HYPOTHESES, &count);
+            assert_int_equal(dm_object_destroy(w.context, object), DM_OK);
+        } else {
+            assert_int_equal(result, DM_ERROR_BAD_DATA);
+        }
+        assert_int_equal(w.memory.live_bytes, held);
+        memcpy(blob.data + at, kept, 4);
+    }
+    assert_true(loaded > 0);
+    free(blob.data);
+    test_world_close(&w);
+}
+
+static void test_newer_files(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, 0));
+    put_u32(blob.data + 4, DMI_DMO_VERSION + 1);
+    assert_bad(&w, &blob, blob.size, DM_ERROR_VERSION);
+    put_u32(blob.data + 4, DMI_DMO_VERSION);
+    /* A section of a tag that this version does not know is skipped: here the triangles are called something else. */
+    put_u32(blob.data + DMI_DMO_HEADER_SIZE + DMI_DMO_TRIANGLES * DMI_DMO_ENTRY_SIZE, DMI_DMO_TAG('N', 'E', 'W', ' '));
+    sign_again(&blob);
+    dm_object object;
+    dm_object_info info = {.struct_size = sizeof info};
+    assert_int_equal(dm_object_load(w.context, blob.data, blob.size, 0, &object), DM_OK);
+    assert_int_equal(dm_object_get_info(w.context, object, &info), DM_OK);
+    assert_int_equal(info.pickable, 0);
+    put_u32(blob.data + DMI_DMO_HEADER_SIZE + DMI_DMO_TRIANGLES * DMI_DMO_ENTRY_SIZE, dmi_dmo_tags[DMI_DMO_JOINTS]);
+    sign_again(&blob);
+    assert_bad(&w, &blob, blob.size, DM_ERROR_BAD_DATA); /* twice the same section */
+    free(blob.data);
+    test_world_close(&w);
+}
+
+/* Where the file's table says that a section lies. */
+static size_t section_at(const bytes* blob, int section) {
+    const uint8_t* offset = blob->data + DMI_DMO_HEADER_SIZE + (size_t)section * DMI_DMO_ENTRY_SIZE + 8;
+    return (size_t)offset[0] | (size_t)offset[1] << 8 | (size_t)offset[2] << 16;
+}
+
+static void assert_bad_word(test_world* w, bytes* blob, size_t at, uint32_t word) {
+    uint8_t kept[4];
+    memcpy(kept, blob->data + at, 4);
+    put_u32(blob->data + at, word);
+    sign_again(blob);
+    assert_bad(w, blob, blob->size, DM_ERROR_BAD_DATA);
+    memcpy(blob->data + at, kept, 4);
+}
+
+static void test_alternatives(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
+    const size_t at = section_at(&blob, DMI_DMO_ALTERNATIVES);
+    assert_true(blob.data[at] > 0 && blob.data[at] <= DMI_ALTERNATIVES);
+    assert_bad_word(&w, &blob, at, DMI_ALTERNATIVES + 1);
+    assert_bad_word(&w, &blob, at, 0); /* then something is left */
+    assert_bad_word(&w, &blob, at + 4, DM_JOINT_FIXED);
+    assert_bad_word(&w, &blob, at + 8, 0x40000000);  /* a confidence of 2 */
+    assert_bad_word(&w, &blob, at + 12, 0x7fc00000); /* no number in the axis … */
+    assert_bad_word(&w, &blob, at + 24, 0x7f800000); /* … and infinity in the origin */
+    /* A file from before there were any: the section is called something else. */
+    put_u32(blob.data + DMI_DMO_HEADER_SIZE + DMI_DMO_ALTERNATIVES * DMI_DMO_ENTRY_SIZE,
+            DMI_DMO_TAG('N', 'E', 'W', ' '));
+    sign_again(&blob);
+    dm_object object = 0;
+    assert_int_equal(dm_object_load(w.context, blob.data, blob.size, 0, &object), DM_OK);
+    free(blob.data);
+    test_world_close(&w);
+}
+
+static void test_load_arguments(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes blob = save(w.context, make_object(&w, 0));
+    dm_object object = 0;
+    assert_int_equal(dm_object_load(w.context, NULL, 5, 0, &object), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_object_load(w.context, blob.data, blob.size, 0, NULL), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_object_load(w.context, blob.data, blob.size, 99, &object), DM_ERROR_STALE_HANDLE);
+    assert_int_equal(dm_object_save(w.context, object, NULL, 0, &blob.size), DM_ERROR_STALE_HANDLE);
+    assert_int_equal(dm_object_save(w.context, object, NULL, 0, NULL), DM_ERROR_INVALID_ARGUMENT);
+    free(blob.data);
+    test_world_close(&w);
+}
+
+/* ---- files of earlier versions load for ever ---- */
+
+/* Written by `test_blob corpus` at version 0.1: the cabinet of test_shapes.h, prepared without weights, the hinge of
+ * test_world.h on both parts. */
+static void test_the_first_version_still_loads(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    size_t size = 0;
+    void* data = test_read_file(CORPUS, &size);
+    dm_object object;
+    dm_object_info info = {.struct_size = sizeof info};
+    dm_joint joint;
+    assert_int_equal(dm_object_load(w.context, data, size, 0, &object), DM_OK);
+    assert_int_equal(dm_object_get_info(w.context, object, &info), DM_OK);
+    assert_int_equal(info.part_count, 2);
+    assert_int_equal(info.triangle_count, 36);
+    assert_int_equal(info.pickable, 1);
+    assert_true(fabsf(info.size - 2) < 1e-6f);
+    for (uint32_t id = TEST_DOOR; id <= TEST_HANDLE; id++) {
+        assert_int_equal(dm_object_get_joint(w.context, object, id, &joint), DM_OK);
+        assert_int_equal(joint.type, DM_JOINT_REVOLUTE);
+        assert_int_equal(joint.source, DM_JOINT_FROM_HOST);
+        assert_true(fabsf(joint.axis.y + 1) < 1e-6f && fabsf(joint.origin.z - 1.03f) < 1e-6f);
+        assert_true(joint.lower == 0 && joint.upper == 1.5f);
+    }
+    free(data);
+    test_world_close(&w);
+}
+
+static int write_corpus(const char* path) {
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    dm_object object = make_object(&w, 0);
+    const dm_joint hinge = test_hinge();
+    dm_object_set_joint(w.context, object, TEST_DOOR, &hinge);
+    bytes blob = save(w.context, object);
+    FILE* file = fopen(path, "wb");
+    int failed = !file || fwrite(blob.data, 1, blob.size, file) != blob.size;
+    if (file) fclose(file);
+    free(blob.data);
+    test_world_close(&w);
+    return failed;
+}
+
+int main(int argc, char** argv) {
+    if (argc == 3 && strcmp(argv[1], "corpus") == 0) return write_corpus(argv[2]);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_crc_is_the_common_one),
+        cmocka_unit_test(test_loading_gives_the_saved_bits),
+        cmocka_unit_test(test_saving_again_gives_the_same_bytes),
+        cmocka_unit_test(test_without_triangles_it_is_small),
+        cmocka_unit_test(test_loaded_objects_can_be_picked),
+        cmocka_unit_test(test_a_file_serves_hosts_of_other_axes),
+        cmocka_unit_test(test_every_truncation_is_noticed),
+        cmocka_unit_test(test_every_flipped_bit_is_noticed),
+        cmocka_unit_test(test_hostile_numbers_do_no_harm),
+        cmocka_unit_test(test_newer_files),
+        cmocka_unit_test(test_alternatives),
+        cmocka_unit_test(test_load_arguments),
+        cmocka_unit_test(test_the_first_version_still_loads),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
