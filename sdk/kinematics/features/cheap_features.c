@@ -1,234 +1,282 @@
-/* Shape, place in the box, drag, families and the network's word: a few operations a candidate. */
+/* Measures shape, place in the part's box, drag, suggested directions and lines, and what KPP-Net says. */
 #include "kinematics/features/cheap_features.h"
 
 #include "math/linear3.h"
 
-/* Slide, shape, alignment, offsets, place in the box, drag, network, families, handle, cross-section, grip, choice. */
-const uint8_t dmi_cheap_columns[DMI_CHEAP_COLUMNS] = {
-    0,   37,  38,  39,  40,  41,  42,  43,  44,  45,  46,  47,  48,  49,  50,  51,  52,  53,  54,  55,
-    56,  57,  64,  65,  66,  67,  75,  77,  78,  79,  80,  81,  82,  83,  84,  86,  87,  88,  89,  90,
-    91,  92,  93,  94,  95,  96,  97,  98,  99,  100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110,
-    111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 149, 150, 152, 157, 158, 159,
-    160, 161, 162, 163, 164, 165, 166, 167, 168, 170, 171, 172, 173, 174, 175, 176};
+/* Distances at which a likeness falls to 1 / e, all by hand: in diagonals of the part, half sides of its box, or rad.
+ */
+#define AT_CENTROID 0.01f
+#define AT_BOX_CENTRE 0.005f
+#define ON_SIDE 0.03f
+#define AT_CORNER 0.01f
+#define FOLLOWED_CLOSELY 0.01f
+#define FOLLOWED 0.1f
+#define NETWORK_ANGLE_CLOSE 0.05f
+#define NETWORK_ANGLE_NEAR 0.2f
+#define NETWORK_LINE_CLOSE 0.03f
+#define NETWORK_LINE_NEAR 0.12f
 
-static int slides(const dmi_candidate* c) {
+/* Bounds that keep a feature in a range where a network is fitted; by hand. */
+#define MOST_HALF_SIDES 4      /* across the thinner side */
+#define MOST_WIDE_HALF_SIDES 2 /* across the wider side */
+#define MOST_DIAGONALS 0.5f    /* beyond a side */
+#define MOST_NETWORK_OFFSET 3  /* diagonals */
+#define MOST_LOG_RATIO 12      /* of KPP-Net's likelihoods */
+#define MOST_TYPE_LEAD 8       /* between the types */
+#define LOG_UNIT 4             /* what such logarithms are divided by */
+#define AREA_RATIO_UNIT 5      /* likewise */
+
+#define ALIGNED_COSINE 0.9995f    /* 32 mrad; by hand */
+#define FLAT 0.2f                 /* shortest over longest side of a flat part; by hand */
+#define PULLED_ACROSS 0.5f        /* cosine of the drag with the thinner side from which it tells the way; by hand */
+#define LEAST_HALF_SIDE 0.01f     /* diagonals: a thinner box is taken as so thin; by hand */
+#define LEAST_HALF_SECTION 0.005f /* likewise, in the cross-section */
+#define LEAST_SIDE 1e-6f          /* objects; avoids a division by 0 */
+#define LEAST_LENGTH 1e-9f        /* likewise */
+#define LEAST_SPEED 1e-12f        /* likewise */
+
+static bool slides(const dmi_candidate* c) {
     return c->type == DM_JOINT_PRISMATIC;
 }
 
-static void shape_evidence(const dmi_cheap_features* j, float out[5]) {
-    float longest = dmi_max(j->side[0], 1e-6f);
-    out[0] = j->side[2] / longest;
-    out[1] = j->side[2] / dmi_max(j->side[1], 1e-6f);
-    out[2] = j->side[1] / longest;
-    out[3] = logf(j->study->diagonal);
-    out[4] = logf(1 + j->study->area_ratio) / 5;
+static float clamp(float x, float most) {
+    return dmi_min(dmi_max(x, -most), most);
 }
 
-static void alignment_evidence(const dmi_cheap_features* j, const dmi_candidate* c, float out[12]) {
-    float longest = dmi_max(j->side[0], 1e-6f), thin = j->side[2] / longest, middle = j->side[1] / longest;
+static void shape_features(const dmi_cheap_features* cheap, float row[DMI_FEATURE_COUNT]) {
+    const float* side = cheap->side;
+    const float longest = dmi_max(side[0], LEAST_SIDE);
+    row[DMI_FEATURE_SHAPE_THIN_BY_LONG] = side[2] / longest;
+    row[DMI_FEATURE_SHAPE_THIN_BY_MIDDLE] = side[2] / dmi_max(side[1], LEAST_SIDE);
+    row[DMI_FEATURE_SHAPE_MIDDLE_BY_LONG] = side[1] / longest;
+    row[DMI_FEATURE_SHAPE_LOG_DIAGONAL] = cheap->log_diagonal;
+    row[DMI_FEATURE_SHAPE_LOG_AREA_RATIO] = cheap->log_area_ratio;
+}
+
+/* k: 0 the longest side of the part's box, 1 the middle one, 2 the shortest. */
+static void alignment_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    const float longest = dmi_max(cheap->side[0], LEAST_SIDE);
+    const float thin = cheap->side[2] / longest, middle = cheap->side[1] / longest;
     for (int k = 0; k < 3; k++) {
-        float cosine = fabsf(dmi_dot3(c->axis, j->study->box.axes[k])), aligned = cosine > 0.9995f ? 1.0f : 0.0f;
-        out[k] = aligned;
-        out[3 + k] = cosine;
-        out[6 + k] = thin < 0.2f ? aligned : 0;
-        out[9 + k] = aligned * middle;
+        const float cosine = fabsf(dmi_dot3(c->axis, cheap->analysis->box.axes[k]));
+        const float aligned = cosine > ALIGNED_COSINE ? 1.0f : 0.0f;
+        row[DMI_FEATURE_ALIGNED_LONG + k] = aligned;
+        row[DMI_FEATURE_COSINE_LONG + k] = cosine;
+        row[DMI_FEATURE_FLAT_ALIGNED_LONG + k] = thin < FLAT ? aligned : 0;
+        row[DMI_FEATURE_WIDE_ALIGNED_LONG + k] = aligned * middle;
     }
 }
 
-/* Distances from the centroid and the box's centre; how far the body is from the axis. */
-static void offset_evidence(const dmi_cheap_features* j, const dmi_candidate* c, float* place) {
-    const dmi_part_analysis* s = j->study;
-    for (int k = 0; k < 4; k++) place[k] = 0;
-    place[10] = 0;
+static void offset_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    const dmi_part_analysis* a = cheap->analysis;
+    row[DMI_FEATURE_CENTROID_OFFSET] = row[DMI_FEATURE_AT_CENTROID] = 0;
+    row[DMI_FEATURE_BOX_OFFSET] = row[DMI_FEATURE_AT_BOX_CENTRE] = 0;
+    row[DMI_FEATURE_BODY_DISTANCE] = 0;
     if (slides(c)) return;
-    const float off = dmi_line_distance3(s->centre, c->axis, c->origin) / s->diagonal;
-    const float off_box = dmi_line_distance3(j->box_centre, c->axis, c->origin) / s->diagonal;
-    place[0] = off, place[1] = expf(-off / 0.01f);
-    place[2] = off_box, place[3] = expf(-off_box / 0.005f);
-    place[10] = dmi_distance_grid_distance(&s->body_field, c->origin) / s->diagonal;
+    const float centroid = dmi_line_distance3(a->centre, c->axis, c->origin) / a->diagonal;
+    const float box = dmi_line_distance3(cheap->box_centre, c->axis, c->origin) / a->diagonal;
+    row[DMI_FEATURE_CENTROID_OFFSET] = centroid;
+    row[DMI_FEATURE_AT_CENTROID] = expf(-centroid / AT_CENTROID);
+    row[DMI_FEATURE_BOX_OFFSET] = box;
+    row[DMI_FEATURE_AT_BOX_CENTRE] = expf(-box / AT_BOX_CENTRE);
+    row[DMI_FEATURE_BODY_DISTANCE] = dmi_distance_grid_distance(&a->body_field, c->origin) / a->diagonal;
 }
 
-/* The axis of the part's box that the candidate's is nearest to. */
-static int box_axis_along(const dmi_cheap_features* j, const dmi_candidate* c) {
+/* Returns the axis of the part's box that the candidate's axis is nearest to. */
+static int box_axis_along(const dmi_cheap_features* cheap, const dmi_candidate* c) {
     int along = 0;
     float best = 0;
     for (int k = 0; k < 3; k++) {
-        const float cosine = fabsf(dmi_dot3(c->axis, j->study->box.axes[k]));
+        const float cosine = fabsf(dmi_dot3(c->axis, cheap->analysis->box.axes[k]));
         if (cosine > best) best = cosine, along = k;
     }
     return along;
 }
 
-static void side_evidence(const dmi_cheap_features* j, const dmi_candidate* c, float out[3]) {
-    memset(out, 0, 3 * sizeof *out);
+static void side_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_SIDE_FAR] = row[DMI_FEATURE_SIDE_NEAR] = row[DMI_FEATURE_ON_SIDE] = 0;
     if (slides(c)) return;
-    const int along = box_axis_along(j, c);
+    const dmi_part_analysis* a = cheap->analysis;
+    const int along = box_axis_along(cheap, c);
     float place[2];
     for (int k = 0, n = 0; k < 3; k++) {
         if (k == along) continue;
-        float off = fabsf(dmi_dot3(c->origin, j->study->box.axes[k]) - j->middle[k]);
-        place[n++] = dmi_min(off / dmi_max(0.5f * j->side[k], 0.01f * j->study->diagonal), 4);
+        const float off = fabsf(dmi_dot3(c->origin, a->box.axes[k]) - cheap->middle[k]);
+        place[n++] = dmi_min(off / dmi_max(0.5f * cheap->side[k], LEAST_HALF_SIDE * a->diagonal), MOST_HALF_SIDES);
     }
-    out[0] = dmi_max(place[0], place[1]);
-    out[1] = dmi_min(place[0], place[1]);
-    out[2] = expf(-fabsf(out[0] - 1) / 0.03f);
+    const float far = dmi_max(place[0], place[1]);
+    row[DMI_FEATURE_SIDE_FAR] = far;
+    row[DMI_FEATURE_SIDE_NEAR] = dmi_min(place[0], place[1]);
+    row[DMI_FEATURE_ON_SIDE] = expf(-fabsf(far - 1) / ON_SIDE);
 }
 
-/* How far a place is from a corner of the cross-section. */
+/* Returns how near a place in the cross-section is to the nearest corner of one of its thinner edges. */
 static float corner(float wide, float thin, float side_wide, float side_thin, float diagonal) {
     const float a = fabsf(wide) - 0.5f * side_wide, b = thin - 0.5f * side_thin;
-    return expf(-sqrtf(a * a + b * b) / (0.01f * diagonal));
+    return expf(-sqrtf(a * a + b * b) / (AT_CORNER * diagonal));
 }
 
 /* The axis in the box's cross-section: across its wider and its thinner side. A slab has a face towards the body and
- * one away from it, and may hang on the edge of either, or on its middle, or beside it. */
-static void spot_evidence(const dmi_cheap_features* j, const dmi_candidate* c, float out[8]) {
-    memset(out, 0, 8 * sizeof *out);
+ * one away from it, and may hang on the edge of either, on its middle, or beside it. */
+static void section_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_SECTION_WIDE] = row[DMI_FEATURE_SECTION_WIDE_BEYOND] = 0;
+    row[DMI_FEATURE_SECTION_THIN] = row[DMI_FEATURE_SECTION_THIN_OFFSET] = row[DMI_FEATURE_SECTION_BODY_SIDE] = 0;
+    row[DMI_FEATURE_SECTION_OUTER_CORNER] = row[DMI_FEATURE_SECTION_INNER_CORNER] = 0;
+    row[DMI_FEATURE_SECTION_PULLED] = 0;
     if (slides(c)) return;
-    const dmi_part_analysis* s = j->study;
-    const int along = box_axis_along(j, c);
+    const dmi_part_analysis* a = cheap->analysis;
+    const float *side = cheap->side, diagonal = a->diagonal, least = LEAST_HALF_SECTION * diagonal;
+    const int along = box_axis_along(cheap, c);
     const int wide = along == 0 ? 1 : 0, thin = along == 2 ? 1 : 2; /* sides are sorted, longest first */
-    const float w = dmi_dot3(c->origin, s->box.axes[wide]) - j->middle[wide];
-    const float t = dmi_dot3(c->origin, s->box.axes[thin]) - j->middle[thin];
-    const float away = s->lean[thin] < 0 ? -t : t, pulled = dmi_dot3(j->drag, s->box.axes[thin]);
-    const float least = 0.005f * s->diagonal;
-    out[0] = dmi_min(fabsf(w) / dmi_max(0.5f * j->side[wide], least), 2);
-    out[1] = dmi_min(dmi_max((fabsf(w) - 0.5f * j->side[wide]) / s->diagonal, -0.5f), 0.5f);
-    out[2] = dmi_min(dmi_max(away / dmi_max(0.5f * j->side[thin], least), -4), 4);
-    out[3] = dmi_min(dmi_max(away / s->diagonal, -0.5f), 0.5f);
-    out[4] = fabsf(s->lean[thin]);
-    out[5] = corner(w, away, j->side[wide], j->side[thin], s->diagonal);
-    out[6] = corner(w, -away, j->side[wide], j->side[thin], s->diagonal);
-    out[7] = fabsf(pulled) < 0.5f ? 0 : dmi_min(dmi_max((pulled < 0 ? -t : t) / s->diagonal, -0.5f), 0.5f);
+    const float w = dmi_dot3(c->origin, a->box.axes[wide]) - cheap->middle[wide];
+    const float t = dmi_dot3(c->origin, a->box.axes[thin]) - cheap->middle[thin];
+    const float away = a->lean[thin] < 0 ? -t : t, pulled = dmi_dot3(cheap->drag, a->box.axes[thin]);
+    row[DMI_FEATURE_SECTION_WIDE] = dmi_min(fabsf(w) / dmi_max(0.5f * side[wide], least), MOST_WIDE_HALF_SIDES);
+    row[DMI_FEATURE_SECTION_WIDE_BEYOND] = clamp((fabsf(w) - 0.5f * side[wide]) / diagonal, MOST_DIAGONALS);
+    row[DMI_FEATURE_SECTION_THIN] = clamp(away / dmi_max(0.5f * side[thin], least), MOST_HALF_SIDES);
+    row[DMI_FEATURE_SECTION_THIN_OFFSET] = clamp(away / diagonal, MOST_DIAGONALS);
+    row[DMI_FEATURE_SECTION_BODY_SIDE] = fabsf(a->lean[thin]);
+    row[DMI_FEATURE_SECTION_OUTER_CORNER] = corner(w, away, side[wide], side[thin], diagonal);
+    row[DMI_FEATURE_SECTION_INNER_CORNER] = corner(w, -away, side[wide], side[thin], diagonal);
+    row[DMI_FEATURE_SECTION_PULLED] =
+        fabsf(pulled) < PULLED_ACROSS ? 0 : clamp((pulled < 0 ? -t : t) / diagonal, MOST_DIAGONALS);
 }
 
-/* How well the drag is followed, and how it lies to the part. */
-static void follow_evidence(const dmi_cheap_features* j, const dmi_candidate* c, float* drag) {
-    drag[0] = 0;
-    for (int k = 2; k < 10; k++) drag[k] = 0;
-    if (j->hint == NULL) return;
+static void drag_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    for (int k = DMI_FEATURE_DRAG_ANGLE; k <= DMI_FEATURE_DRAG_BOX_COSINE; k++) row[k] = 0;
+    row[DMI_FEATURE_HAS_DRAG] = cheap->hint != NULL ? 1.0f : 0.0f;
+    if (cheap->hint == NULL) return;
     float v[3];
-    dmi_candidate_velocity(c, j->hint->point, v);
-    const float speed = dmi_length3(v), cosine = dmi_dot3(v, j->drag) / (speed + 1e-12f);
-    const float angle = acosf(dmi_min(dmi_max(cosine, -1), 1));
-    drag[0] = 1;
-    drag[2] = angle;
-    drag[3] = expf(-angle / 0.01f);
-    drag[4] = expf(-angle / 0.1f);
-    drag[5] = fabsf(dmi_dot3(j->drag, j->drag_normal));
-    for (int k = 0; k < 3; k++) drag[6 + k] = fabsf(dmi_dot3(j->drag, j->study->box.axes[k]));
-    drag[9] = dmi_max(drag[6], dmi_max(drag[7], drag[8]));
+    dmi_candidate_velocity(c, cheap->hint->point, v);
+    const float cosine = dmi_dot3(v, cheap->drag) / (dmi_length3(v) + LEAST_SPEED), angle = acosf(clamp(cosine, 1));
+    row[DMI_FEATURE_DRAG_ANGLE] = angle;
+    row[DMI_FEATURE_DRAG_FOLLOWED_10MRAD] = expf(-angle / FOLLOWED_CLOSELY);
+    row[DMI_FEATURE_DRAG_FOLLOWED_100MRAD] = expf(-angle / FOLLOWED);
+    row[DMI_FEATURE_DRAG_NORMAL_COSINE] = fabsf(dmi_dot3(cheap->drag, cheap->drag_normal));
+    const float* of_sides = row + DMI_FEATURE_DRAG_LONG_COSINE;
+    for (int k = 0; k < 3; k++)
+        row[DMI_FEATURE_DRAG_LONG_COSINE + k] = fabsf(dmi_dot3(cheap->drag, cheap->analysis->box.axes[k]));
+    row[DMI_FEATURE_DRAG_BOX_COSINE] = dmi_max(of_sides[0], dmi_max(of_sides[1], of_sides[2]));
 }
 
-/* The size of the handle, whether it runs along the axis, and how far beyond the part's middle it lies, seen from the
- * axis. */
-static void handle_evidence(const dmi_part_analysis* s, const dmi_candidate* c, float* handle) {
-    handle[0] = handle[1] = handle[3] = 0;
-    if (s->handle_spread <= 0) return;
-    handle[0] = s->handle_spread / s->diagonal;
-    handle[1] = fabsf(dmi_dot3(s->handle_direction, c->axis));
+static void handle_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_HANDLE_SIZE] = row[DMI_FEATURE_HANDLE_ALONG_AXIS] = row[DMI_FEATURE_HANDLE_BEYOND] = 0;
+    if (a->handle_spread <= 0) return;
+    row[DMI_FEATURE_HANDLE_SIZE] = a->handle_spread / a->diagonal;
+    row[DMI_FEATURE_HANDLE_ALONG_AXIS] = fabsf(dmi_dot3(a->handle_direction, c->axis));
     if (slides(c)) return;
     float off[3], arm[3];
-    dmi_sub3(s->handle, s->centre, off);
-    dmi_sub3(s->centre, c->origin, arm);
-    handle[3] = dmi_dot3(off, arm) / (dmi_length3(arm) * s->diagonal + 1e-9f);
+    dmi_sub3(a->handle, a->centre, off);
+    dmi_sub3(a->centre, c->origin, arm);
+    row[DMI_FEATURE_HANDLE_BEYOND] = dmi_dot3(off, arm) / (dmi_length3(arm) * a->diagonal + LEAST_LENGTH);
 }
 
-/* What a hand would take hold of: its share of the part, its size, whether it runs along the axis, and how far beyond
- * the part's middle it lies, seen from the axis. */
-static void grip_evidence(const dmi_part_analysis* s, const dmi_candidate* c, float* grip) {
-    for (int k = 0; k < 4; k++) grip[k] = 0;
-    grip[5] = 0;
-    if (s->grip_share <= 0) return;
-    grip[0] = 1;
-    grip[1] = s->grip_share;
-    grip[2] = s->grip_spread / s->diagonal;
-    grip[3] = fabsf(dmi_dot3(s->grip_direction, c->axis));
+static void grip_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_HAS_GRIP] = row[DMI_FEATURE_GRIP_SHARE] = row[DMI_FEATURE_GRIP_SIZE] = 0;
+    row[DMI_FEATURE_GRIP_ALONG_AXIS] = row[DMI_FEATURE_GRIP_BEYOND] = 0;
+    if (a->grip_share <= 0) return;
+    row[DMI_FEATURE_HAS_GRIP] = 1;
+    row[DMI_FEATURE_GRIP_SHARE] = a->grip_share;
+    row[DMI_FEATURE_GRIP_SIZE] = a->grip_spread / a->diagonal;
+    row[DMI_FEATURE_GRIP_ALONG_AXIS] = fabsf(dmi_dot3(a->grip_direction, c->axis));
     if (slides(c)) return;
     float off[3], arm[3];
-    dmi_sub3(s->grip, s->centre, off);
-    dmi_sub3(s->centre, c->origin, arm);
+    dmi_sub3(a->grip, a->centre, off);
+    dmi_sub3(a->centre, c->origin, arm);
     dmi_reject3(arm, c->axis);
-    grip[5] = dmi_dot3(off, arm) / (dmi_length3(arm) * s->diagonal + 1e-9f);
+    row[DMI_FEATURE_GRIP_BEYOND] = dmi_dot3(off, arm) / (dmi_length3(arm) * a->diagonal + LEAST_LENGTH);
 }
 
-static void network_evidence(const dmi_cheap_features* j, const dmi_candidate* c, float out[12]) {
-    memset(out, 0, 12 * sizeof *out);
-    const dmi_prediction* p = j->prediction;
+static void network_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    for (int k = DMI_FEATURE_HAS_NETWORK; k <= DMI_FEATURE_NETWORK_CONTINUOUS; k++) row[k] = 0;
+    const dmi_prediction* p = cheap->prediction;
     if (p == NULL) return;
-    float turning = p->type[0] + p->type[2] + p->type[3];
-    float cosine = fabsf(dmi_dot3(c->axis, slides(c) ? p->slide_axis : p->turn_axis));
-    float angle = acosf(dmi_min(cosine, 1));
-    out[0] = 1;
-    out[1] = slides(c) ? p->type[1] : turning;
-    out[2] = angle, out[3] = expf(-angle / 0.05f), out[4] = expf(-angle / 0.2f);
-    for (int k = 0; k < DMI_KPP_TYPES; k++) out[8 + k] = p->type[k];
+    const float turning =
+        p->type[DM_JOINT_REVOLUTE - 1] + p->type[DM_JOINT_SCREW - 1] + p->type[DM_JOINT_CONTINUOUS - 1];
+    const float cosine = fabsf(dmi_dot3(c->axis, slides(c) ? p->slide_axis : p->turn_axis));
+    const float angle = acosf(dmi_min(cosine, 1));
+    row[DMI_FEATURE_HAS_NETWORK] = 1;
+    row[DMI_FEATURE_NETWORK_TYPE] = slides(c) ? p->type[DM_JOINT_PRISMATIC - 1] : turning;
+    row[DMI_FEATURE_NETWORK_ANGLE] = angle;
+    row[DMI_FEATURE_NETWORK_NEAR_50MRAD] = expf(-angle / NETWORK_ANGLE_CLOSE);
+    row[DMI_FEATURE_NETWORK_NEAR_200MRAD] = expf(-angle / NETWORK_ANGLE_NEAR);
+    for (int k = 0; k < DMI_KPP_TYPES; k++) row[DMI_FEATURE_NETWORK_REVOLUTE + k] = p->type[k];
     if (slides(c)) return;
-    float off = dmi_line_distance3(p->origin, c->axis, c->origin) / j->study->diagonal;
-    out[5] = dmi_min(off, 3), out[6] = expf(-off / 0.03f), out[7] = expf(-off / 0.12f);
+    const float off = dmi_line_distance3(p->origin, c->axis, c->origin) / cheap->analysis->diagonal;
+    row[DMI_FEATURE_NETWORK_OFFSET] = dmi_min(off, MOST_NETWORK_OFFSET);
+    row[DMI_FEATURE_NETWORK_ON_LINE_3] = expf(-off / NETWORK_LINE_CLOSE);
+    row[DMI_FEATURE_NETWORK_ON_LINE_12] = expf(-off / NETWORK_LINE_NEAR);
 }
 
-static void family_evidence(const dmi_candidate* c, float* direction, float* origin) {
-    for (int k = 0; k < DMI_DIRECTION_FAMILIES; k++) direction[k] = (float)(c->direction_families >> k & 1);
-    for (int k = 0; k < DMI_ORIGIN_FAMILIES; k++) origin[k] = (float)(c->origin_families >> k & 1);
+static void family_features(const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    _Static_assert(DMI_DIRECTION_NETWORK == 1 << (DMI_FEATURE_DIRECTION_NETWORK - DMI_FEATURE_DIRECTION_BOX),
+                   "one column a bit");
+    _Static_assert(DMI_ORIGIN_NETWORK == 1 << (DMI_FEATURE_ORIGIN_NETWORK - DMI_FEATURE_ORIGIN_CENTROID),
+                   "one column a bit");
+    for (int k = 0; k < DMI_DIRECTION_FAMILIES; k++)
+        row[DMI_FEATURE_DIRECTION_BOX + k] = (float)(c->direction_families >> k & 1);
+    for (int k = 0; k < DMI_ORIGIN_FAMILIES; k++)
+        row[DMI_FEATURE_ORIGIN_CENTROID + k] = (float)(c->origin_families >> k & 1);
 }
 
-void dmi_cheap_features_begin(const dmi_part_analysis* study, const dmi_drag_hint* hint,
+void dmi_cheap_features_begin(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                               const dmi_prediction* prediction, dmi_cheap_features* out) {
-    *out = (dmi_cheap_features){.study = study, .hint = hint, .prediction = prediction};
+    *out = (dmi_cheap_features){.analysis = analysis, .hint = hint, .prediction = prediction};
     for (int k = 0; k < 3; k++) {
-        out->side[k] = study->box.high[k] - study->box.low[k];
-        out->middle[k] = (study->box.high[k] + study->box.low[k]) / 2;
+        out->side[k] = analysis->box.high[k] - analysis->box.low[k];
+        out->middle[k] = (analysis->box.high[k] + analysis->box.low[k]) / 2;
     }
-    dmi_box_centre(&study->box, out->box_centre);
-    shape_evidence(out, out->shape);
+    dmi_box_centre(&analysis->box, out->box_centre);
+    out->log_diagonal = logf(analysis->diagonal);
+    out->log_area_ratio = logf(1 + analysis->area_ratio) / AREA_RATIO_UNIT;
     if (hint == NULL) return;
     dmi_copy3(hint->vector, out->drag);
     dmi_normalize3(out->drag);
     float least = INFINITY;
     for (uint32_t i = 0; i < DMI_ANALYSIS_POINTS; i++) {
-        float d = dmi_distance3(study->points[i], hint->point);
-        if (d < least) least = d, dmi_copy3(study->normals[i], out->drag_normal);
+        const float d = dmi_distance3(analysis->points[i], hint->point);
+        if (d < least) least = d, dmi_copy3(analysis->normals[i], out->drag_normal);
     }
 }
 
-void dmi_cheap_features_row(const dmi_cheap_features* glance, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
-    row[DMI_FEATURE_SLIDES] = slides(c) ? 1.0f : 0.0f;
-    memcpy(row + DMI_FEATURE_SHAPE, glance->shape, sizeof glance->shape);
-    alignment_evidence(glance, c, row + DMI_FEATURE_ALIGNMENT);
-    offset_evidence(glance, c, row + DMI_FEATURE_PLACE);
-    side_evidence(glance, c, row + DMI_FEATURE_SIDE);
-    spot_evidence(glance, c, row + DMI_FEATURE_SPOT);
-    follow_evidence(glance, c, row + DMI_FEATURE_DRAG);
-    handle_evidence(glance->study, c, row + DMI_FEATURE_HANDLE);
-    grip_evidence(glance->study, c, row + DMI_FEATURE_GRIP);
-    network_evidence(glance, c, row + DMI_FEATURE_NETWORK);
-    family_evidence(c, row + DMI_FEATURE_DIRECTION, row + DMI_FEATURE_ORIGIN);
+void dmi_cheap_features_row(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_PRISMATIC] = slides(c) ? 1.0f : 0.0f;
+    shape_features(cheap, row);
+    alignment_features(cheap, c, row);
+    offset_features(cheap, c, row);
+    side_features(cheap, c, row);
+    section_features(cheap, c, row);
+    drag_features(cheap, c, row);
+    handle_features(cheap->analysis, c, row);
+    grip_features(cheap->analysis, c, row);
+    network_features(cheap, c, row);
+    family_features(c, row);
 }
 
-/* The network's choice among the candidates: each one's score below the best of all and below the best of its own type,
- * as a distance and as a likeness; how its type's best does against the other type's; its share of all. */
+/* best: of turns, of slides; most: of all; log_sum: of all likelihoods over the most. */
+static void score_features(float score, const float best[2], float most, float log_sum, float row[DMI_FEATURE_COUNT]) {
+    const int type = row[DMI_FEATURE_PRISMATIC] > 0;
+    row[DMI_FEATURE_SCORE_BELOW_BEST] = dmi_max(score - most, -MOST_LOG_RATIO) / LOG_UNIT;
+    row[DMI_FEATURE_SCORE_LIKENESS] = expf(score - most);
+    row[DMI_FEATURE_SCORE_BELOW_TYPE_BEST] = dmi_max(score - best[type], -MOST_LOG_RATIO) / LOG_UNIT;
+    row[DMI_FEATURE_SCORE_TYPE_LIKENESS] = expf(score - best[type]);
+    row[DMI_FEATURE_SCORE_TYPE_LEAD] = clamp(best[type] - best[!type], MOST_TYPE_LEAD) / LOG_UNIT;
+    row[DMI_FEATURE_SCORE_LOG_SHARE] = dmi_max(score - most - log_sum, -MOST_LOG_RATIO) / LOG_UNIT;
+}
+
 void dmi_cheap_features_kpp_scores(const float* scores, uint32_t count, float (*rows)[DMI_FEATURE_COUNT]) {
     if (scores == NULL) {
         for (uint32_t i = 0; i < count; i++)
-            memset(rows[i] + DMI_FEATURE_CHOICE, 0, (DMI_FEATURE_MIRROR - DMI_FEATURE_CHOICE) * sizeof(float));
+            for (int k = DMI_FEATURE_SCORE_BELOW_BEST; k <= DMI_FEATURE_SCORE_LOG_SHARE; k++) rows[i][k] = 0;
         return;
     }
     float best[2] = {-INFINITY, -INFINITY}, sum = 0;
     for (uint32_t i = 0; i < count; i++) {
-        const int type = rows[i][DMI_FEATURE_SLIDES] > 0;
+        const int type = rows[i][DMI_FEATURE_PRISMATIC] > 0;
         best[type] = dmi_max(best[type], scores[i]);
     }
     const float most = dmi_max(best[0], best[1]);
     for (uint32_t i = 0; i < count; i++) sum += expf(scores[i] - most);
-    for (uint32_t i = 0; i < count; i++) {
-        const int type = rows[i][DMI_FEATURE_SLIDES] > 0;
-        float* out = rows[i] + DMI_FEATURE_CHOICE;
-        out[0] = dmi_max(scores[i] - most, -12) / 4;
-        out[1] = expf(scores[i] - most);
-        out[2] = dmi_max(scores[i] - best[type], -12) / 4;
-        out[3] = expf(scores[i] - best[type]);
-        out[4] = dmi_max(dmi_min(best[type] - best[!type], 8), -8) / 4;
-        out[5] = dmi_max(scores[i] - most - logf(sum), -12) / 4;
-    }
+    const float log_sum = logf(sum);
+    for (uint32_t i = 0; i < count; i++) score_features(scores[i], best, most, log_sum, rows[i]);
 }

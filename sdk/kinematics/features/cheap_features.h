@@ -1,31 +1,28 @@
-/* The first look at candidate joints: the numbers of their evidence that cost next to nothing. */
+/* The features that cost a few operations a candidate: every candidate's, for the prefilter. */
 #ifndef DMI_FEATURES_CHEAP_FEATURES_H
 #define DMI_FEATURES_CHEAP_FEATURES_H
 
-#include "kinematics/features/candidate_features.h"
+#include "kinematics/candidates/candidates.h"
+#include "kinematics/features/feature_table.h"
 
-/* The columns of the evidence that a glance fills, in rising order. */
-#define DMI_CHEAP_COLUMNS 96
-extern const uint8_t dmi_cheap_columns[DMI_CHEAP_COLUMNS];
-
-/* What all candidates of a part are seen with. */
+/* What all candidates of a part share. */
 typedef struct dmi_cheap_features {
-    const dmi_part_analysis* study;
-    const dmi_drag_hint* hint;
-    const dmi_prediction* prediction;
-    float drag[3], drag_normal[3]; /* unit */
-    float side[3], middle[3];      /* lengths of the box and its centre, along its axes */
+    const dmi_part_analysis* analysis;
+    const dmi_drag_hint* hint;        /* NULL: none */
+    const dmi_prediction* prediction; /* NULL: none */
+    float drag[3], drag_normal[3];    /* unit; the part's normal at the dragged point */
+    float side[3], middle[3];         /* lengths of the part's box and its centre, along its axes */
     float box_centre[3];
-    float shape[5];
+    float log_diagonal, log_area_ratio; /* as the group SHAPE has them */
 } dmi_cheap_features;
 
 /* hint and prediction may be NULL. */
-void dmi_cheap_features_begin(const dmi_part_analysis* study, const dmi_drag_hint* hint,
+void dmi_cheap_features_begin(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                               const dmi_prediction* prediction, dmi_cheap_features* out);
-/* Those columns but the choice's; the others are left as they are. */
-void dmi_cheap_features_row(const dmi_cheap_features* glance, const dmi_candidate* candidate,
+/* Fills the cheap columns (dmi_cheap_columns) but those of the group NETWORK_SCORE. Leaves the others as they are. */
+void dmi_cheap_features_row(const dmi_cheap_features* cheap, const dmi_candidate* candidate,
                             float row[DMI_FEATURE_COUNT]);
-/* scores: one a row, may be NULL. */
+/* Fills the group NETWORK_SCORE. scores: log-likelihoods up to a constant, one a row; NULL: zeros. */
 void dmi_cheap_features_kpp_scores(const float* scores, uint32_t count, float (*rows)[DMI_FEATURE_COUNT]);
 
 #endif

@@ -3,34 +3,37 @@
 
 #include "math/linear3.h"
 
-#define PART_POINTS 64
-#define BODY_POINTS 128
-#define SAME 0.9999998f /* cosine, 0.6 mrad */
-#define UNLIKE 0.25f    /* of the part's diagonal: farther than this is no likeness at all */
+#define PART_POINTS 64         /* by hand */
+#define BODY_POINTS 128        /* by hand */
+#define SAME_COSINE 0.9999998f /* 0.6 mrad between the normals of one mirror; by hand */
+#define UNLIKE 0.25f           /* diagonals: farther than this is no likeness at all; by hand */
+#define KNOWN_SHARE 4          /* one image in so many must lie in the grid; by hand */
+#define OFF_CENTRE 0.02f       /* diagonals from which an axis lies to a side of the box's centre; by hand */
+#define LEAST_WIDTH 1e-9f      /* avoids a division by 0 */
 
 typedef struct sample {
     const float (*points)[3];
     uint32_t count, step;
 } sample;
 
-void dmi_symmetry_begin(const dmi_part_analysis* study, dmi_symmetry* out) {
-    out->study = study;
+void dmi_symmetry_begin(const dmi_part_analysis* analysis, dmi_symmetry* out) {
+    out->analysis = analysis;
     out->count = 0;
-    dmi_box_centre(&study->box, out->centre);
+    dmi_box_centre(&analysis->box, out->centre);
 }
 
-static sample part_sample(const dmi_part_analysis* s) {
-    return (sample){s->points, PART_POINTS, 1};
+static sample part_sample(const dmi_part_analysis* a) {
+    return (sample){a->points, PART_POINTS, 1};
 }
 
-static sample near_sample(const dmi_part_analysis* s) {
-    const uint32_t count = s->near_count < BODY_POINTS ? s->near_count : BODY_POINTS;
-    return (sample){(const float(*)[3])s->near_points, count, count > 0 ? s->near_count / count : 1};
+static sample near_sample(const dmi_part_analysis* a) {
+    const uint32_t count = a->near_count < BODY_POINTS ? a->near_count : BODY_POINTS;
+    return (sample){(const float(*)[3])a->near_points, count, count > 0 ? a->near_count / count : 1};
 }
 
-/* Mean distance from the field's samples of the points' images in the mirror of that normal, at a place along it. Only
- * of images that lie in the field's grid: what is beyond it nobody knows. */
-static float difference(const float normal[3], float at, sample from, const dmi_distance_grid* field, float size) {
+/* Returns the mean distance of the points' images from the grid's samples, in the mirror of that normal at a place
+ * along it. Counts only images that lie in the grid: beyond it nothing is known. */
+static float image_distance(const float normal[3], float at, sample from, const dmi_distance_grid* grid, float size) {
     float image[3][DMI_POINT_BATCH], distance[DMI_POINT_BATCH], inside[DMI_POINT_BATCH], sum = 0, known = 0;
     for (uint32_t i = 0; i < from.count; i++) {
         const float* p = from.points[(size_t)i * from.step];
@@ -38,94 +41,108 @@ static float difference(const float normal[3], float at, sample from, const dmi_
         for (int k = 0; k < 3; k++) image[k][i] = p[k] + off * normal[k];
         inside[i] = 1;
     }
-    dmi_distance_grid_distances(field, (const float(*)[DMI_POINT_BATCH])image, from.count, distance);
+    dmi_distance_grid_distances(grid, (const float(*)[DMI_POINT_BATCH])image, from.count, distance);
     for (int k = 0; k < 3; k++) {
-        const float low = field->low[k], high = low + (float)field->size[k] * field->cell;
+        const float low = grid->low[k], high = low + (float)grid->size[k] * grid->cell;
         for (uint32_t i = 0; i < from.count; i++) inside[i] = image[k][i] >= low && image[k][i] <= high ? inside[i] : 0;
     }
     for (uint32_t i = 0; i < from.count; i++) {
         sum += inside[i] * dmi_min(distance[i] / size, UNLIKE);
         known += inside[i];
     }
-    return known == 0 || 4 * known < (float)from.count ? UNLIKE : sum / known;
+    return known == 0 || KNOWN_SHARE * known < (float)from.count ? UNLIKE : sum / known;
 }
 
-static void look_at_middle(const dmi_symmetry* m, const float normal[3], float out[3]) {
-    const dmi_part_analysis* s = m->study;
-    const float at = dmi_dot3(m->centre, normal);
+static void measure_middle(const dmi_symmetry* s, const float normal[3], dmi_mirror_distances* out) {
+    const dmi_part_analysis* a = s->analysis;
+    const float at = dmi_dot3(s->centre, normal);
     float low, high;
-    out[0] = difference(normal, at, part_sample(s), &s->part_field, s->diagonal);
-    out[1] = difference(normal, at, near_sample(s), &s->body_field, s->diagonal);
-    dmi_shape_limits((const float(*)[3])s->outline, s->outline_count, (const float(*)[3])normal, 1, &low, &high);
-    out[2] = dmi_min(fabsf(at - (low + high) / 2) / (high - low + 1e-9f), 1);
+    out->part = image_distance(normal, at, part_sample(a), &a->part_field, a->diagonal);
+    out->body = image_distance(normal, at, near_sample(a), &a->body_field, a->diagonal);
+    dmi_shape_limits((const float(*)[3])a->outline, a->outline_count, (const float(*)[3])normal, 1, &low, &high);
+    out->offset = dmi_min(fabsf(at - (low + high) / 2) / (high - low + LEAST_WIDTH), 1);
 }
 
-/* Beyond the part's low and its high side. */
-static void look_for_twins(const dmi_symmetry* m, const float normal[3], float out[2]) {
-    const dmi_part_analysis* s = m->study;
+static void measure_twins(const dmi_part_analysis* a, const float normal[3], float out[2]) {
     float low, high;
-    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3])normal, 1, &low, &high);
-    out[0] = difference(normal, low, part_sample(s), &s->body_field, s->diagonal);
-    out[1] = difference(normal, high, part_sample(s), &s->body_field, s->diagonal);
+    dmi_shape_limits((const float(*)[3])a->extremes, a->extreme_count, (const float(*)[3])normal, 1, &low, &high);
+    out[0] = image_distance(normal, low, part_sample(a), &a->body_field, a->diagonal);
+    out[1] = image_distance(normal, high, part_sample(a), &a->body_field, a->diagonal);
 }
 
-/* Into the mirrors of that normal, of either sign. The last place serves all that come when the others are taken. */
-static const dmi_mirror_plane* look(dmi_symmetry* m, const float normal[3]) {
-    for (uint32_t i = 0; i < m->count; i++)
-        if (fabsf(dmi_dot3(m->looks[i].normal, normal)) > SAME) return &m->looks[i];
-    if (m->count < DMI_MIRROR_PLANES) m->count++;
-    dmi_mirror_plane* out = &m->looks[m->count - 1];
+/* Returns the mirror of a normal, of either sign. The last place serves all that come when the others are taken. */
+static const dmi_mirror_plane* mirror_of(dmi_symmetry* s, const float normal[3]) {
+    for (uint32_t i = 0; i < s->count; i++)
+        if (fabsf(dmi_dot3(s->planes[i].normal, normal)) > SAME_COSINE) return &s->planes[i];
+    if (s->count < DMI_MIRROR_PLANES) s->count++;
+    dmi_mirror_plane* out = &s->planes[s->count - 1];
     dmi_copy3(normal, out->normal);
-    look_at_middle(m, normal, out->middle);
-    look_for_twins(m, normal, out->twins);
+    measure_middle(s, normal, &out->middle);
+    measure_twins(s->analysis, normal, out->twins);
     return out;
 }
 
-/* Across the axis, along a side of the part's box: the side that leads to it from the part's middle, or, where it runs
- * through that or is a slide's, the side that lies most across. */
-static void towards(const dmi_symmetry* m, const dmi_candidate* c, float out[3]) {
-    const dmi_part_analysis* s = m->study;
+/* Writes a direction across the axis, along a side of the part's box: the side that leads to the axis from the box's
+ * centre or, where the axis runs through that or is a slide's, the side that lies most across. */
+static void direction_towards(const dmi_symmetry* s, const dmi_candidate* c, float out[3]) {
+    const dmi_part_analysis* a = s->analysis;
     float way[3];
-    dmi_sub3(c->origin, m->centre, way);
+    dmi_sub3(c->origin, s->centre, way);
     dmi_reject3(way, c->axis);
-    const int leads = c->type != DM_JOINT_PRISMATIC && dmi_normalize3(way) > 0.02f * s->diagonal;
+    const bool leads = c->type != DM_JOINT_PRISMATIC && dmi_normalize3(way) > OFF_CENTRE * a->diagonal;
     float most = -INFINITY, sign = 1;
     for (int k = 0; k < 3; k++) {
-        const float along = dmi_dot3(s->box.axes[k], way);
-        const float fit = leads ? fabsf(along) : -fabsf(dmi_dot3(s->box.axes[k], c->axis));
+        const float along = dmi_dot3(a->box.axes[k], way);
+        const float fit = leads ? fabsf(along) : -fabsf(dmi_dot3(a->box.axes[k], c->axis));
         if (fit <= most) continue;
         most = fit, sign = leads && along < 0 ? -1.0f : 1.0f;
-        dmi_copy3(s->box.axes[k], out);
+        dmi_copy3(a->box.axes[k], out);
     }
     for (int k = 0; k < 3; k++) out[k] *= sign;
     dmi_reject3(out, c->axis);
     dmi_normalize3(out);
 }
 
-static void slide_evidence(const dmi_mirror_plane* first, const dmi_mirror_plane* second, float* middles,
-                           float* twins) {
-    if (first->middle[0] > second->middle[0]) {
+static void write_towards(const dmi_mirror_distances* d, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_MIRROR_TOWARDS_PART] = d->part;
+    row[DMI_FEATURE_MIRROR_TOWARDS_BODY] = d->body;
+    row[DMI_FEATURE_MIRROR_TOWARDS_OFFSET] = d->offset;
+}
+
+static void write_side(const dmi_mirror_distances* d, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_MIRROR_SIDE_PART] = d->part;
+    row[DMI_FEATURE_MIRROR_SIDE_BODY] = d->body;
+    row[DMI_FEATURE_MIRROR_SIDE_OFFSET] = d->offset;
+}
+
+static void slide_features(const dmi_mirror_plane* first, const dmi_mirror_plane* second,
+                           float row[DMI_FEATURE_COUNT]) {
+    if (first->middle.part > second->middle.part) {
         const dmi_mirror_plane* other = first;
         first = second, second = other;
     }
-    memcpy(middles, first->middle, sizeof first->middle);
-    memcpy(middles + 3, second->middle, sizeof second->middle);
-    twins[0] = dmi_min(first->twins[0], first->twins[1]);
-    twins[1] = dmi_min(second->twins[0], second->twins[1]);
+    write_towards(&first->middle, row);
+    write_side(&second->middle, row);
+    row[DMI_FEATURE_TWIN_AWAY] = dmi_min(first->twins[0], first->twins[1]);
+    row[DMI_FEATURE_TWIN_TOWARDS] = dmi_min(second->twins[0], second->twins[1]);
 }
 
-void dmi_symmetry_features(dmi_symmetry* mirror, const dmi_candidate* candidate, float out[DMI_SYMMETRY_COUNT]) {
-    float way[3], across[3], *middles = out + DMI_SYMMETRY_MIDPLANES, *twins = out + DMI_SYMMETRY_TWINS;
-    towards(mirror, candidate, way);
+void dmi_symmetry_features(dmi_symmetry* symmetry, const dmi_candidate* candidate, float row[DMI_FEATURE_COUNT]) {
+    float way[3], across[3];
+    direction_towards(symmetry, candidate, way);
     dmi_cross3(candidate->axis, way, across);
-    memcpy(middles, look(mirror, candidate->axis)->middle, sizeof(float[3]));
-    const dmi_mirror_plane first = *look(mirror, way), second = *look(mirror, across);
+    const dmi_mirror_distances axis = mirror_of(symmetry, candidate->axis)->middle;
+    row[DMI_FEATURE_MIRROR_AXIS_PART] = axis.part;
+    row[DMI_FEATURE_MIRROR_AXIS_BODY] = axis.body;
+    row[DMI_FEATURE_MIRROR_AXIS_OFFSET] = axis.offset;
+    const dmi_mirror_plane first = *mirror_of(symmetry, way), second = *mirror_of(symmetry, across);
     if (candidate->type == DM_JOINT_PRISMATIC) {
-        slide_evidence(&first, &second, middles + 3, twins);
+        slide_features(&first, &second, row);
         return;
     }
-    const int turned = dmi_dot3(first.normal, way) < 0;
-    memcpy(middles + 3, first.middle, sizeof first.middle);
-    memcpy(middles + 6, second.middle, sizeof second.middle);
-    twins[0] = first.twins[turned], twins[1] = first.twins[!turned];
+    const bool turned = dmi_dot3(first.normal, way) < 0;
+    write_towards(&first.middle, row);
+    write_side(&second.middle, row);
+    row[DMI_FEATURE_TWIN_AWAY] = first.twins[turned];
+    row[DMI_FEATURE_TWIN_TOWARDS] = first.twins[!turned];
 }

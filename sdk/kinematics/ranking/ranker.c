@@ -76,27 +76,20 @@ static float upper_layers(const dmi_ranker* ranker, const float* restrict hidden
     return score;
 }
 
-/* Two opinions of one ranker: with KPP-Net's numbers, and, to a share, without them. */
+/* Two members of one ranker: with KPP-Net's features, and, to a share, without them. */
 static float forward(const dmi_ranker* ranker, const float* evidence) {
-    enum {
-        NETWORK_DIRECTION = DMI_FEATURE_DIRECTION + 10, /* bit of DMI_DIRECTION_NETWORK, */
-        NETWORK_ORIGIN = DMI_FEATURE_ORIGIN + 15        /* of DMI_ORIGIN_NETWORK */
-    };
-    _Static_assert(DMI_DIRECTION_NETWORK == 1 << 10 && DMI_ORIGIN_NETWORK == 1 << 15, "one column a bit");
     float without[HIDDEN], with[HIDDEN];
     memcpy(without, ranker->first_bias, sizeof without);
-    add_columns(ranker, evidence, 0, DMI_FEATURE_NETWORK, without);
-    add_columns(ranker, evidence, DMI_FEATURE_DIRECTION, NETWORK_DIRECTION, without);
-    add_columns(ranker, evidence, NETWORK_DIRECTION + 1, NETWORK_ORIGIN, without);
-    add_columns(ranker, evidence, NETWORK_ORIGIN + 1, DMI_FEATURE_CHOICE, without);
-    add_columns(ranker, evidence, DMI_FEATURE_MIRROR, DMI_FEATURE_COUNT, without);
+    for (uint32_t k = 0, from = 0; k <= DMI_NETWORK_COLUMNS; k++) {
+        const uint32_t to = k < DMI_NETWORK_COLUMNS ? dmi_network_columns[k] : DMI_FEATURE_COUNT;
+        add_columns(ranker, evidence, from, to, without);
+        from = to + 1;
+    }
     const float alone = upper_layers(ranker, without);
-    if (evidence[DMI_FEATURE_NETWORK] == 0) return alone;
+    if (evidence[DMI_FEATURE_HAS_NETWORK] == 0) return alone;
     memcpy(with, without, sizeof with);
-    add_columns(ranker, evidence, DMI_FEATURE_NETWORK, DMI_FEATURE_DIRECTION, with);
-    add_columns(ranker, evidence, NETWORK_DIRECTION, NETWORK_DIRECTION + 1, with);
-    add_columns(ranker, evidence, NETWORK_ORIGIN, NETWORK_ORIGIN + 1, with);
-    add_columns(ranker, evidence, DMI_FEATURE_CHOICE, DMI_FEATURE_MIRROR, with);
+    for (uint32_t k = 0; k < DMI_NETWORK_COLUMNS; k++)
+        add_columns(ranker, evidence, dmi_network_columns[k], dmi_network_columns[k] + 1u, with);
     return (1 - DOUBT) * upper_layers(ranker, with) + DOUBT * alone;
 }
 
@@ -114,22 +107,27 @@ score_avx2(const dmi_ranker* ranker, const float (*evidence)[DMI_FEATURE_COUNT],
 #endif
 
 /* Rules: surfaces slide on themselves where parts touch; a motion does not run into the body; a drag is followed; axes
- * run along sides and through middles; the network's answer draws what is near it. Weights are round numbers set by
+ * run along sides and through middles; KPP-Net's answer attracts what is near it. Weights are round numbers set by
  * hand. */
-static float rule_score(const float* e) {
-    const float *contact = e + DMI_FEATURE_CONTACT + 14, *sweep = e + DMI_FEATURE_SWEEP, *drag = e + DMI_FEATURE_DRAG;
-    const float *net = e + DMI_FEATURE_NETWORK, *place = e + DMI_FEATURE_PLACE;
-    float score = -3 * e[DMI_FEATURE_SLIP] - 3 * contact[0] - 2 * contact[1] - 4 * dmi_min(sweep[0], sweep[1]);
-    score -= drag[0] > 0 ? 4 * sweep[2] + drag[2] * drag[2] / 0.02f : 0;
-    if (e[DMI_FEATURE_SLIDES] == 0) {
-        score += 1.5f * contact[4] + e[DMI_FEATURE_SIDE + 2] + e[DMI_FEATURE_SYMMETRY + 2] + place[1] + place[3];
-        score -= 3 * dmi_max(e[DMI_FEATURE_ALONG + 2] - 0.05f, 0) + 1;
+static float rule_score(const float* f) {
+    const bool turns = f[DMI_FEATURE_PRISMATIC] == 0;
+    float score = -3 * f[DMI_FEATURE_SURFACE_SLIP] - 3 * f[DMI_FEATURE_NEAREST_PART_NORMAL_SPEED] -
+                  2 * f[DMI_FEATURE_NEAREST_BODY_NORMAL_SPEED] -
+                  4 * dmi_min(f[DMI_FEATURE_HIT_SHORT_ALONG], f[DMI_FEATURE_HIT_SHORT_AGAINST]);
+    score -= f[DMI_FEATURE_HAS_DRAG] > 0
+                 ? 4 * f[DMI_FEATURE_HIT_MIDDLE_ALONG] + f[DMI_FEATURE_DRAG_ANGLE] * f[DMI_FEATURE_DRAG_ANGLE] / 0.02f
+                 : 0;
+    if (turns) {
+        score += 1.5f * f[DMI_FEATURE_NEAREST_ON_AXIS] + f[DMI_FEATURE_ON_SIDE] + f[DMI_FEATURE_ROUND] +
+                 f[DMI_FEATURE_AT_CENTROID] + f[DMI_FEATURE_AT_BOX_CENTRE];
+        score -= 3 * dmi_max(f[DMI_FEATURE_ALONG_PART_MEAN] - 0.05f, 0) + 1;
     }
-    if (net[0] > 0) {
-        score += logf(net[1] + 0.02f) - 4 * dmi_min(net[2], 1) + 2 * net[3];
-        if (e[DMI_FEATURE_SLIDES] == 0) score -= 4 * dmi_min(net[5], 1) - net[6];
+    if (f[DMI_FEATURE_HAS_NETWORK] > 0) {
+        score += logf(f[DMI_FEATURE_NETWORK_TYPE] + 0.02f) - 4 * dmi_min(f[DMI_FEATURE_NETWORK_ANGLE], 1) +
+                 2 * f[DMI_FEATURE_NETWORK_NEAR_50MRAD];
+        if (turns) score -= 4 * dmi_min(f[DMI_FEATURE_NETWORK_OFFSET], 1) - f[DMI_FEATURE_NETWORK_ON_LINE_3];
     }
-    for (int k = 0; k < 3; k++) score += 0.7f * e[DMI_FEATURE_ALIGNMENT + k];
+    for (int k = 0; k < 3; k++) score += 0.7f * f[DMI_FEATURE_ALIGNED_LONG + k];
     return score;
 }
 

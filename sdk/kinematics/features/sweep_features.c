@@ -1,0 +1,100 @@
+/* Collision sweep: moves the part along a candidate joint, both ways, through the distance grid of its body. */
+#include "kinematics/analysis/batched_transform.h"
+#include "kinematics/features/feature_groups.h"
+#include "math/linear3.h"
+
+/* How far the part goes. The 2nd and the 4th step only serve to notice hits on the way. */
+enum { SHORT = 0, MIDDLE = 2, LONG = 4, STEPS = 5 };
+
+/* Cosines and sines of 0.06, 0.15, 0.35, 0.8 and 1.4 rad, and shares of the part's extent along a slide; by hand. */
+static const float step_cosine[STEPS] = {0.99820054f, 0.98877108f, 0.93937271f, 0.69670671f, 0.16996714f};
+static const float step_sine[STEPS] = {0.05996401f, 0.14943813f, 0.34289781f, 0.71735609f, 0.98544973f};
+static const float step_share[STEPS] = {0.04f, 0.12f, 0.25f, 0.5f, 0.85f};
+
+/* In cells of the body's distance grid; by hand. The grid's distances are exact to a cell. */
+#define TOUCH_CELLS 2.1f /* nearer than this a point touches the body */
+#define HIT_CELLS 0.9f   /* nearer than this a point that was free has met it */
+
+typedef struct sweep {
+    float hit[2][STEPS], detached[2][STEPS], touch[2][STEPS]; /* along the joint, and against it */
+} sweep;
+
+void dmi_sweep_features_begin(dmi_feature_context* context) {
+    const dmi_part_analysis* a = context->analysis;
+    for (int i = 0; i < DMI_SWEPT_POINTS; i++)
+        context->free[i] = dmi_distance_grid_distance(&a->body_field, a->points[i]) > TOUCH_CELLS * a->body_field.cell;
+}
+
+/* Returns the third smallest distance: a couple of points may lag behind a part that has left the body. */
+static float third_smallest(const float* distance) {
+    float near[3] = {INFINITY, INFINITY, INFINITY};
+    for (uint32_t i = 0; i < DMI_SWEPT_POINTS; i++) {
+        /* Keeps the least three in order, without a branch. */
+        const float d = distance[i], first = dmi_max(near[0], d), second = dmi_max(near[1], first);
+        near[0] = dmi_min(near[0], d);
+        near[1] = dmi_min(near[1], first);
+        near[2] = dmi_min(near[2], second);
+    }
+    return near[2];
+}
+
+static void carry(const dmi_candidate* c, const float (*points)[3], dmi_batched_transform* out) {
+    if (dmi_candidate_slides(c))
+        dmi_batched_transform_prismatic(c->axis, points, DMI_SWEPT_POINTS, out);
+    else
+        dmi_batched_transform_revolute(c->axis, c->origin, points, DMI_SWEPT_POINTS, out);
+}
+
+static void sweep_part(const dmi_feature_context* context, const dmi_candidate* c, sweep* out) {
+    const dmi_part_analysis* a = context->analysis;
+    const dmi_distance_grid* body = &a->body_field;
+    const float touch_limit = TOUCH_CELLS * body->cell, hit_limit = HIT_CELLS * body->cell;
+    float extent = 0;
+    for (int k = 0; k < 3; k++) extent += fabsf(dmi_dot3(c->axis, a->box.axes[k])) * context->cheap.side[k];
+    dmi_batched_transform moved;
+    carry(c, a->points, &moved);
+    for (int side = 0; side < 2; side++) {
+        const float sign = side == 0 ? 1.0f : -1.0f;
+        int32_t hit[DMI_SWEPT_POINTS] = {0}; /* a point that has met the body stays so */
+        for (int step = 0; step < STEPS; step++) {
+            float distance[DMI_POINT_BATCH];
+            const float shift = dmi_candidate_slides(c) ? step_share[step] * extent : 0;
+            dmi_batched_transform_distances(&moved, step_cosine[step], sign * step_sine[step], sign * shift, body,
+                                            distance);
+            int32_t hits = 0, touches = 0;
+            for (int i = 0; i < DMI_SWEPT_POINTS; i++) {
+                hit[i] |= context->free[i] & (distance[i] < hit_limit);
+                hits += hit[i];
+                touches += distance[i] < touch_limit;
+            }
+            out->hit[side][step] = (float)hits / DMI_SWEPT_POINTS;
+            out->touch[side][step] = (float)touches / DMI_SWEPT_POINTS;
+            if (step == MIDDLE || step == LONG) out->detached[side][step] = third_smallest(distance) / a->diagonal;
+        }
+    }
+}
+
+/* With a drag the candidate's positive way is along it. Without one the smaller number comes first. */
+static void write_pair(const dmi_feature_context* context, const float both[2][STEPS], int step, float* along,
+                       float* against) {
+    const float a = both[0][step], b = both[1][step];
+    *along = context->hint != NULL ? a : dmi_min(a, b);
+    *against = context->hint != NULL ? b : dmi_max(a, b);
+}
+
+void dmi_sweep_features(const dmi_feature_context* context, const dmi_candidate* candidate,
+                        float row[DMI_FEATURE_COUNT]) {
+    sweep s;
+    sweep_part(context, candidate, &s);
+#define WRITE(what, of, step)                                                                                          \
+    write_pair(context, (const float(*)[STEPS])s.of, step, &row[DMI_FEATURE_##what##_##step##_ALONG],                  \
+               &row[DMI_FEATURE_##what##_##step##_AGAINST])
+    WRITE(HIT, hit, SHORT);
+    WRITE(HIT, hit, MIDDLE);
+    WRITE(HIT, hit, LONG);
+    WRITE(DETACHED, detached, MIDDLE);
+    WRITE(DETACHED, detached, LONG);
+    WRITE(TOUCH, touch, MIDDLE);
+    WRITE(TOUCH, touch, LONG);
+#undef WRITE
+}
