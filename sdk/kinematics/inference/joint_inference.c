@@ -2,6 +2,7 @@
 #include "kinematics/inference/joint_inference.h"
 
 #include "kinematics/candidates/twist.h"
+#include "kinematics/features/candidate_features.h"
 #include "kinematics/features/kpp_ensemble.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/ranking/consensus_refine.h"
@@ -110,7 +111,8 @@ static void set_limits(const work* w, const uint32_t candidates[DM_MAX_HYPOTHESE
     const int32_t given = w->query->given_type;
     const float* evidence[DM_MAX_HYPOTHESES];
     for (uint32_t i = 0; i < out->count; i++) evidence[i] = w->evidence[candidates[i]];
-    dmi_limits_set(&w->study, p, w->query->hint != NULL, limit_network(w), evidence, out->joints, out->count);
+    dmi_limits_set(&w->study, p, w->query->hint != NULL, limit_network(w), w->query->models.isa, evidence, out->joints,
+                   out->count);
     for (uint32_t i = 0; i < out->count; i++) {
         dm_joint* joint = &out->joints[i];
         if (given == DM_JOINT_CONTINUOUS || (given == DM_JOINT_REVOLUTE && joint->type == DM_JOINT_CONTINUOUS))
@@ -262,7 +264,8 @@ static void rank_candidates(work* w, const dmi_prediction* prediction) {
     keep_type(w);
     sift(w);
     gather_evidence(w, prediction);
-    dmi_ranker_probabilities(ranker(w), (const float(*)[DMI_FEATURE_COUNT])w->evidence, w->count, w->probability);
+    dmi_ranker_probabilities(ranker(w), query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->evidence, w->count,
+                             w->probability);
 }
 
 /* None of screws, whose pitch no geometry tells; the plain network has none. */

@@ -1,38 +1,33 @@
 /* Loads the models fitted on candidate joints. */
 #include "kinematics/inference/joint_models.h"
 
-#define ARCHITECTURE "dragmesh-ranker"
-#define VERSION 8 /* of the file; earlier limit networks do not take candidate features */
+#define ARENA_BLOCK ((size_t)64 * 1024)
 
-static dm_result read_models(const dmi_weights* weights, dmi_joint_models* models) {
-    dmi_env* env = models->env;
-    dm_result result = dmi_ranker_read(env, weights, &models->ranker);
-    if (result != DM_OK) return result;
-    if (dmi_limit_network_read(weights, &models->limits) && dmi_prefilter_read(weights, &models->prefilter))
-        return DM_OK;
-    return dmi_fail(env, DM_ERROR_WRONG_MODEL,
-                    "ranker: a tensor is missing or of another shape (as in files before version %d)", VERSION);
+static void read_models(dmi_loader* loader, void* network) {
+    dmi_joint_models* models = network;
+    dmi_prefilter_read(loader, &models->prefilter);
+    dmi_ranker_read(loader, &models->ranker);
+    dmi_limit_network_read(loader, &models->limits);
 }
 
 dm_result dmi_joint_models_load(dmi_env* env, const void* data, size_t size, dmi_joint_models** out_models) {
-    dmi_weights* weights;
-    dm_result result = dmi_weights_open(env, data, size, ARCHITECTURE, VERSION, &weights);
-    if (result != DM_OK) return result;
-    dmi_joint_models* models = dmi_alloc(env, sizeof *models, _Alignof(dmi_joint_models));
-    if (models == NULL) {
-        result = dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "ranker: no memory for its %zu bytes", sizeof *models);
-    } else {
-        models->env = env;
-        result = read_models(weights, models);
-    }
-    dmi_weights_close(weights);
+    dmi_joint_models* models = dmi_alloc_zeroed(env, sizeof *models, _Alignof(dmi_joint_models));
+    if (models == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "joint models: no memory for %zu bytes", sizeof *models);
+    models->env = env;
+    dmi_arena_init(&models->arena, env, ARENA_BLOCK);
+    const dm_result result =
+        dmi_load_network(env, data, size, "dragmesh-joint-models", read_models, models, &models->arena);
     if (result != DM_OK)
-        dmi_joint_models_destroy(models);
+        dmi_free(env, models, sizeof *models);
     else
         *out_models = models;
     return result;
 }
 
 void dmi_joint_models_destroy(dmi_joint_models* models) {
-    if (models != NULL) dmi_free(models->env, models, sizeof *models);
+    if (models == NULL) return;
+    dmi_env* env = models->env;
+    dmi_arena_release(&models->arena);
+    dmi_free(env, models, sizeof *models);
 }

@@ -8,12 +8,13 @@
 
 typedef struct dmi_joint_models {
     dmi_env* env;
+    dmi_arena arena; /* holds the packed layers */
     dmi_prefilter prefilter;
     dmi_ranker ranker;
     dmi_limit_network limits;
 } dmi_joint_models;
 
-/* DM_ERROR_WRONG_MODEL for a file of another architecture or of an earlier version. */
+/* DM_ERROR_WRONG_MODEL for a file of another architecture; earlier versions have one of their own. */
 dm_result dmi_joint_models_load(dmi_env* env, const void* data, size_t size, dmi_joint_models** out_models);
 void dmi_joint_models_destroy(dmi_joint_models* models);
 

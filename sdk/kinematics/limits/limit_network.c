@@ -1,69 +1,49 @@
-/* Forward pass of the limits' networks: how probable each range is, and the range that overlaps the likely ones most. A
- * door that goes a quarter turn or a half overlaps neither well with the mean of both. */
+/* Predicts how probable each range is, and answers with the range that overlaps the likely ones most: a door that goes
+ * a quarter turn or a half overlaps neither well with the mean of both. */
 #include "kinematics/limits/limit_network.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-#define LEAST 0.01f    /* between the limits */
-#define UNLIKELY 1e-3f /* ranges less probable than this don't count; all alike have more */
-#define LOW_LOGIT (-30.0f)
+#define LEAST_RANGE 0.01f /* between the limits, in the features' unit; by hand */
+#define UNLIKELY 1e-3f    /* ranges less probable than this do not count (all alike, each would have more); by hand */
+#define LOWEST_LOGIT (-30.0f)
+#define LEAST_UNION 1e-4f /* avoids a division by 0 */
 
-static int sizes_rise(const float sizes[DMI_LIMIT_SIZES]) {
-    int rise = sizes[0] == 0;
+enum { HIDDEN = 160, OUTPUTS = 1 + DMI_LIMIT_KINDS * (1 + 2 * DMI_LIMIT_SIZES) };
+
+static bool sizes_rise(const float sizes[DMI_LIMIT_SIZES]) {
+    bool rise = sizes[0] == 0;
     for (int i = 1; i < DMI_LIMIT_SIZES; i++) rise &= sizes[i] > sizes[i - 1];
     return rise;
 }
 
-static int read_voice(const dmi_weights* weights, int index, dmi_limit_member* out) {
-    const uint32_t in = DMI_LIMIT_INPUTS, hidden = DMI_LIMIT_HIDDEN, outputs = DMI_LIMIT_OUTPUTS;
-    const struct {
-        const char* name;
-        uint32_t rows, columns;
-        float* to;
-    } tensors[] = {{"first", in, hidden, out->first},       {"first_bias", hidden, 0, out->first_bias},
-                   {"second", hidden, hidden, out->second}, {"second_bias", hidden, 0, out->second_bias},
-                   {"last", hidden, outputs, out->last},    {"last_bias", outputs, 0, out->last_bias}};
-    for (size_t i = 0; i < sizeof tensors / sizeof *tensors; i++) {
+static void read_vector(dmi_loader* loader, const char* name, uint32_t count, float* out) {
+    const float* tensor = dmi_load_tensor(loader, name, count, 0);
+    if (tensor != NULL) memcpy(out, tensor, count * sizeof *out);
+}
+
+void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network) {
+    static const uint32_t sizes[] = {DMI_LIMIT_INPUTS, HIDDEN, HIDDEN, OUTPUTS};
+    read_vector(loader, "limits.mean", DMI_LIMIT_INPUTS, out_network->mean);
+    read_vector(loader, "limits.scale", DMI_LIMIT_INPUTS, out_network->scale);
+    read_vector(loader, "limits.sizes", DMI_LIMIT_SIZES, out_network->sizes);
+    for (int i = 0; i < DMI_LIMIT_MEMBERS; i++) {
         char name[32];
-        snprintf(name, sizeof name, "limits.%d.%s", index, tensors[i].name);
-        if (!dmi_weights_read(weights, name, tensors[i].rows, tensors[i].columns, tensors[i].to)) return 0;
+        snprintf(name, sizeof name, "limits.%d", i);
+        dmi_load_perceptron(loader, name, sizes, 3, &out_network->members[i]);
     }
-    return 1;
+    if (loader->result == DM_OK && !sizes_rise(out_network->sizes))
+        loader->result = dmi_fail(loader->env, DM_ERROR_WRONG_MODEL, "limits.sizes does not rise from 0");
 }
 
-int dmi_limit_network_read(const dmi_weights* weights, dmi_limit_network* out_net) {
-    int whole = dmi_weights_read(weights, "limits.mean", DMI_LIMIT_INPUTS, 0, out_net->mean) &&
-                dmi_weights_read(weights, "limits.scale", DMI_LIMIT_INPUTS, 0, out_net->scale) &&
-                dmi_weights_read(weights, "limits.sizes", DMI_LIMIT_SIZES, 0, out_net->sizes) &&
-                sizes_rise(out_net->sizes);
-    for (int i = 0; i < DMI_LIMIT_MEMBERS; i++) whole = whole && read_voice(weights, i, &out_net->voices[i]);
-    return whole;
-}
-
-/* rows x outputs, from rows x inputs. What is zero adds nothing. */
-static void dense(const float* weight, const float* bias, const float* in, uint32_t rows, int inputs, int outputs,
-                  float* restrict out) {
-    for (uint32_t r = 0; r < rows; r++) memcpy(out + r * (uint32_t)outputs, bias, (size_t)outputs * sizeof *out);
-    for (int i = 0; i < inputs; i++)
-        for (uint32_t r = 0; r < rows; r++) {
-            const float x = in[r * (uint32_t)inputs + (uint32_t)i];
-            float* to = out + r * (uint32_t)outputs;
-            if (x == 0) continue;
-            for (int o = 0; o < outputs; o++) to[o] += x * weight[i * outputs + o];
-        }
-}
-
-static void rectify(float* x, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++) x[i] = x[i] > 0 ? x[i] : 0;
-}
-
-/* Logits to probabilities; the least logit is held so that no share is denormal. */
-static void share(const float* logits, int count, float* out) {
+/* Softmax. The least logit is held so that no probability is denormal. */
+static void softmax(const float* logits, int count, float* out) {
     float most = -INFINITY, sum = 0;
     for (int i = 0; i < count; i++) most = fmaxf(most, logits[i]);
-    for (int i = 0; i < count; i++) sum += out[i] = expf(fmaxf(logits[i] - most, LOW_LOGIT));
+    for (int i = 0; i < count; i++) sum += out[i] = expf(fmaxf(logits[i] - most, LOWEST_LOGIT));
     for (int i = 0; i < count; i++) out[i] /= sum;
 }
 
@@ -74,15 +54,15 @@ typedef struct ranges {
     float down[MOST_RANGES], up[MOST_RANGES], probability[MOST_RANGES];
 } ranges;
 
-/* Of each range how probable a voice thinks it: of every kind of range each side has its own shares. */
-static void add_opinion(const float outputs[DMI_LIMIT_OUTPUTS - 1],
-                        float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES]) {
+/* Adds the probability that a member gives each range: a mixture whose components have a distribution of either side.
+ */
+static void add_member(const float outputs[OUTPUTS - 1], float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES]) {
     enum { N = DMI_LIMIT_SIZES, KINDS = DMI_LIMIT_KINDS };
     float kind[KINDS], down[KINDS][N], up[KINDS][N];
-    share(outputs, KINDS, kind);
+    softmax(outputs, KINDS, kind);
     for (int k = 0; k < KINDS; k++) {
-        share(outputs + KINDS + k * N, N, down[k]);
-        share(outputs + KINDS + (KINDS + k) * N, N, up[k]);
+        softmax(outputs + KINDS + k * N, N, down[k]);
+        softmax(outputs + KINDS + (KINDS + k) * N, N, up[k]);
     }
     for (int k = 0; k < KINDS; k++)
         for (int d = 0; d < N; d++) {
@@ -91,31 +71,31 @@ static void add_opinion(const float outputs[DMI_LIMIT_OUTPUTS - 1],
         }
 }
 
-/* Those that count. */
-static void likely_ranges(const dmi_limit_network* net, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
+/* Lists the ranges that count. */
+static void likely_ranges(const dmi_limit_network* network, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
                           ranges* out) {
     out->count = 0;
     for (int d = 0; d < DMI_LIMIT_SIZES; d++)
         for (int u = 0; u < DMI_LIMIT_SIZES; u++) {
             if (probability[d][u] <= UNLIKELY) continue;
-            out->down[out->count] = net->sizes[d];
-            out->up[out->count] = net->sizes[u];
+            out->down[out->count] = network->sizes[d];
+            out->up[out->count] = network->sizes[u];
             out->probability[out->count++] = probability[d][u];
         }
 }
 
-/* Of two ranges that hold the rest, their overlap is what they share over what they cover; adds that of range k with
- * each, as probable as it is. All ranges side by side in the inner loop: four or eight overlaps at a time. */
+/* Adds the overlap (intersection over union) of range k with each range, times the probability of k. Both ranges hold
+ * the rest configuration. The inner loop is over all ranges, so that it vectorises. */
 static void add_overlaps(const ranges* all, int k, float* restrict expected) {
     const float down = all->down[k], up = all->up[k], probability = all->probability[k];
     for (int i = 0; i < all->count; i++) {
         const float d = all->down[i], u = all->up[i];
         const float both = (d < down ? d : down) + (u < up ? u : up);
-        expected[i] += probability * (both / ((d < down ? down : d) + (u < up ? up : u) + 1e-4f));
+        expected[i] += probability * (both / ((d < down ? down : d) + (u < up ? up : u) + LEAST_UNION));
     }
 }
 
-/* The range whose expected overlap with the true one is largest. */
+/* Returns the range whose expected overlap with the true one is largest. */
 static int best_range(const ranges* all) {
     float expected[MOST_RANGES] = {0};
     int best = 0;
@@ -125,47 +105,40 @@ static int best_range(const ranges* all) {
     return best;
 }
 
-/* What is unknown counts as its mean. */
-static void standardise(const dmi_limit_network* net, const dmi_limit_query* question, float out[DMI_LIMIT_INPUTS]) {
-    const float *mean = net->mean + DMI_LIMIT_FEATURES, *scale = net->scale + DMI_LIMIT_FEATURES;
-    for (int i = 0; i < DMI_LIMIT_FEATURES; i++) out[i] = (question->features[i] - net->mean[i]) * net->scale[i];
+/* An unknown input counts as its mean. */
+static void standardise(const dmi_limit_network* network, const dmi_limit_query* query, float out[DMI_LIMIT_INPUTS]) {
+    const float *mean = network->mean + DMI_LIMIT_FEATURES, *scale = network->scale + DMI_LIMIT_FEATURES;
+    for (int i = 0; i < DMI_LIMIT_FEATURES; i++) out[i] = (query->features[i] - network->mean[i]) * network->scale[i];
     for (int i = 0; i < DMI_FEATURE_COUNT; i++)
-        out[DMI_LIMIT_FEATURES + i] = question->evidence != NULL ? (question->evidence[i] - mean[i]) * scale[i] : 0;
+        out[DMI_LIMIT_FEATURES + i] = query->candidate != NULL ? (query->candidate[i] - mean[i]) * scale[i] : 0;
 }
 
-static void speak(const dmi_limit_member* voice, const float* x, uint32_t rows, float* out) {
-    float a[DMI_LIMIT_ROWS * DMI_LIMIT_HIDDEN], b[DMI_LIMIT_ROWS * DMI_LIMIT_HIDDEN];
-    dense(voice->first, voice->first_bias, x, rows, DMI_LIMIT_INPUTS, DMI_LIMIT_HIDDEN, a);
-    rectify(a, rows * DMI_LIMIT_HIDDEN);
-    dense(voice->second, voice->second_bias, a, rows, DMI_LIMIT_HIDDEN, DMI_LIMIT_HIDDEN, b);
-    rectify(b, rows * DMI_LIMIT_HIDDEN);
-    dense(voice->last, voice->last_bias, b, rows, DMI_LIMIT_HIDDEN, DMI_LIMIT_OUTPUTS, out);
-}
-
-static void answer(const dmi_limit_network* net, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
+static void answer(const dmi_limit_network* network, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
                    dmi_limit_prediction* out) {
     ranges likely;
-    likely_ranges(net, probability, &likely);
+    likely_ranges(network, probability, &likely);
     const int best = best_range(&likely);
     out->lower = -likely.down[best];
     out->upper = likely.up[best];
-    if (out->upper - out->lower < LEAST) out->upper = out->lower + LEAST;
+    if (out->upper - out->lower < LEAST_RANGE) out->upper = out->lower + LEAST_RANGE;
 }
 
-void dmi_limit_network_predict(const dmi_limit_network* net, const dmi_limit_query* questions, uint32_t count,
-                               dmi_limit_prediction* out) {
-    float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], said[DMI_LIMIT_ROWS][DMI_LIMIT_OUTPUTS];
+void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
+                               uint32_t count, dmi_limit_prediction* out) {
+    _Alignas(64) float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], y[DMI_LIMIT_ROWS][OUTPUTS];
+    _Alignas(64) float hidden[2][DMI_LIMIT_ROWS][HIDDEN];
+    float* const buffers[2] = {hidden[0][0], hidden[1][0]};
     float probability[DMI_LIMIT_ROWS][DMI_LIMIT_SIZES][DMI_LIMIT_SIZES] = {0};
     for (uint32_t r = 0; r < count; r++) {
-        standardise(net, &questions[r], x[r]);
+        standardise(network, &queries[r], x[r]);
         out[r].free = 0;
     }
     for (int i = 0; i < DMI_LIMIT_MEMBERS; i++) {
-        speak(&net->voices[i], x[0], count, said[0]);
+        dmi_perceptron_apply(&network->members[i], dmi_kernels_for(isa), x[0], count, buffers, y[0]);
         for (uint32_t r = 0; r < count; r++) {
-            out[r].free += said[r][0] / DMI_LIMIT_MEMBERS;
-            add_opinion(said[r] + 1, probability[r]);
+            out[r].free += y[r][0] / DMI_LIMIT_MEMBERS;
+            add_member(y[r] + 1, probability[r]);
         }
     }
-    for (uint32_t r = 0; r < count; r++) answer(net, (const float(*)[DMI_LIMIT_SIZES])probability[r], &out[r]);
+    for (uint32_t r = 0; r < count; r++) answer(network, (const float(*)[DMI_LIMIT_SIZES])probability[r], &out[r]);
 }

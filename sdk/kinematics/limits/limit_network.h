@@ -1,41 +1,32 @@
-/* Small networks that name a joint's limits from what a sweep and the part's shape tell, and from the evidence that
- * the joint was ranked by: it says what kind of thing this is. Trained on generated objects; its weights lie in the
- * ranker's file. */
+/* Small networks that predict a joint's limits from its sweep, the part's shape and the candidate features that the
+ * joint was ranked by. Fitted on generated objects. */
 #ifndef DMI_LIMITS_LIMIT_NETWORK_H
 #define DMI_LIMITS_LIMIT_NETWORK_H
 
-#include "kinematics/features/candidate_features.h"
-#include "nn/weights.h"
+#include "dragmesh/dragmesh.h"
+#include "kinematics/features/feature_table.h"
+#include "nn/perceptron.h"
 
 #define DMI_LIMIT_FEATURES 37                                     /* of a sweep: see limits.h */
-#define DMI_LIMIT_INPUTS (DMI_LIMIT_FEATURES + DMI_FEATURE_COUNT) /* the joint's evidence after them */
-#define DMI_LIMIT_HIDDEN 160
-#define DMI_LIMIT_SIZES 25  /* that either side of a range can have */
-#define DMI_LIMIT_KINDS 8   /* of ranges, of which a joint's is one: the components of a mixture */
-#define DMI_LIMIT_MEMBERS 3 /* networks fitted alike but for chance: their mean errs less */
-#define DMI_LIMIT_OUTPUTS (1 + DMI_LIMIT_KINDS * (1 + 2 * DMI_LIMIT_SIZES))
-
-/* A row of outputs for each input. */
-typedef struct dmi_limit_member {
-    float first[DMI_LIMIT_INPUTS * DMI_LIMIT_HIDDEN], first_bias[DMI_LIMIT_HIDDEN];
-    float second[DMI_LIMIT_HIDDEN * DMI_LIMIT_HIDDEN], second_bias[DMI_LIMIT_HIDDEN];
-    float last[DMI_LIMIT_HIDDEN * DMI_LIMIT_OUTPUTS], last_bias[DMI_LIMIT_OUTPUTS];
-} dmi_limit_member;
+#define DMI_LIMIT_INPUTS (DMI_LIMIT_FEATURES + DMI_FEATURE_COUNT) /* the joint's candidate features come after them */
+#define DMI_LIMIT_SIZES 25                                        /* that either side of a range can have */
+#define DMI_LIMIT_KINDS 8                                         /* components of the mixture of ranges */
+#define DMI_LIMIT_MEMBERS 3 /* of the ensemble: networks fitted alike but for chance err less together (measured) */
 
 typedef struct dmi_limit_network {
     float mean[DMI_LIMIT_INPUTS], scale[DMI_LIMIT_INPUTS];
     float sizes[DMI_LIMIT_SIZES]; /* rising from 0 */
-    dmi_limit_member voices[DMI_LIMIT_MEMBERS];
+    dmi_perceptron members[DMI_LIMIT_MEMBERS];
 } dmi_limit_network;
 
-/* 0 when a tensor is missing or of another shape, or the sizes don't rise from 0. */
-int dmi_limit_network_read(const dmi_weights* weights, dmi_limit_network* out_net);
+/* DM_ERROR_WRONG_MODEL when the sizes do not rise from 0. */
+void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network);
 
-#define DMI_LIMIT_ROWS DM_MAX_HYPOTHESES /* joints at a time: they share the way of the weights through the caches */
+#define DMI_LIMIT_ROWS DM_MAX_HYPOTHESES /* joints at a time: they share the weights in the caches */
 
 typedef struct dmi_limit_query {
     float features[DMI_LIMIT_FEATURES];
-    const float* evidence; /* DMI_FEATURE_COUNT numbers; NULL where it is unknown */
+    const float* candidate; /* its candidate features, DMI_FEATURE_COUNT; NULL: unknown */
 } dmi_limit_query;
 
 /* In the features' unit. */
@@ -45,7 +36,7 @@ typedef struct dmi_limit_prediction {
 } dmi_limit_prediction;
 
 /* count: at most DMI_LIMIT_ROWS. */
-void dmi_limit_network_predict(const dmi_limit_network* net, const dmi_limit_query* questions, uint32_t count,
-                               dmi_limit_prediction* out);
+void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
+                               uint32_t count, dmi_limit_prediction* out);
 
 #endif

@@ -60,37 +60,39 @@ static void set_by_rules(const dmi_part_analysis* study, dm_joint* joint) {
         limit_turn(&s, joint);
 }
 
-static void take_answer(const dmi_limit_prediction* answer, float unit, dm_joint* joint) {
-    if (joint->type == DM_JOINT_REVOLUTE && answer->free > 0) {
+static void take_prediction(const dmi_limit_prediction* prediction, float unit, dm_joint* joint) {
+    if (joint->type == DM_JOINT_REVOLUTE && prediction->free > 0) {
         joint->type = DM_JOINT_CONTINUOUS;
         joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
         return;
     }
-    joint->lower = unit * answer->lower, joint->upper = unit * answer->upper;
+    joint->lower = unit * prediction->lower, joint->upper = unit * prediction->upper;
 }
 
-/* Of a slide the evidence is kept from the networks: they would learn by heart how far the buttons of each generated
- * kind go in, and no other is alike (docs/decisions.md, 39). */
-static void ask_networks(const dmi_part_analysis* study, const dmi_prediction* prediction, int with_drag,
-                         const dmi_limit_network* net, const float* const* evidence, dm_joint* joints, uint32_t count) {
-    dmi_limit_query questions[DM_MAX_HYPOTHESES] = {0};
-    dmi_limit_prediction answers[DM_MAX_HYPOTHESES];
+/* Of a slide the candidate features are kept from the networks: they would learn by heart how far the buttons of each
+ * generated kind go in, and no other is alike (docs/research/decisions.md, 39). */
+static void set_by_networks(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
+                            const dmi_limit_network* network, dmi_isa isa, const float* const* features,
+                            dm_joint* joints, uint32_t count) {
+    dmi_limit_query queries[DM_MAX_HYPOTHESES] = {0};
+    dmi_limit_prediction predictions[DM_MAX_HYPOTHESES];
     float units[DM_MAX_HYPOTHESES];
     for (uint32_t i = 0; i < count; i++) {
-        if (!with_drag) dmi_limits_face_room(study, &joints[i]);
-        units[i] = dmi_limits_features(study, prediction, with_drag, &joints[i], questions[i].features);
-        questions[i].evidence = joints[i].type != DM_JOINT_PRISMATIC ? evidence[i] : NULL;
+        if (!with_drag) dmi_limits_face_room(analysis, &joints[i]);
+        units[i] = dmi_limits_features(analysis, prediction, with_drag, &joints[i], queries[i].features);
+        queries[i].candidate = joints[i].type != DM_JOINT_PRISMATIC ? features[i] : NULL;
     }
-    dmi_limit_network_predict(net, questions, count, answers);
-    for (uint32_t i = 0; i < count; i++) take_answer(&answers[i], units[i], &joints[i]);
+    dmi_limit_network_predict(network, isa, queries, count, predictions);
+    for (uint32_t i = 0; i < count; i++) take_prediction(&predictions[i], units[i], &joints[i]);
 }
 
-void dmi_limits_set(const dmi_part_analysis* study, const dmi_prediction* prediction, int with_drag,
-                    const dmi_limit_network* net, const float* const* evidence, dm_joint* joints, uint32_t count) {
-    if (net != NULL)
-        ask_networks(study, prediction, with_drag, net, evidence, joints, count);
+void dmi_limits_set(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
+                    const dmi_limit_network* network, dmi_isa isa, const float* const* features, dm_joint* joints,
+                    uint32_t count) {
+    if (network != NULL)
+        set_by_networks(analysis, prediction, with_drag, network, isa, features, joints, count);
     else
-        for (uint32_t i = 0; i < count; i++) set_by_rules(study, &joints[i]);
+        for (uint32_t i = 0; i < count; i++) set_by_rules(analysis, &joints[i]);
     if (with_drag) return;
     for (uint32_t i = 0; i < count; i++)
         if (-joints[i].lower > joints[i].upper) dmi_joint_reverse(&joints[i]);

@@ -15,9 +15,10 @@ void dmi_limits_face_room(const dmi_part_analysis* study, dm_joint* joint);
 
 /* Sets lower and upper of revolute, prismatic or screw joints (inner frame), and turns a revolute one that nothing
  * stops into a continuous one; count: at most DM_MAX_HYPOTHESES. with_drag: positive follows a drag; else the
- * joints come back with the longer way on the positive side. evidence: each joint's. prediction and net (then by rules)
- * may be NULL. */
-void dmi_limits_set(const dmi_part_analysis* study, const dmi_prediction* prediction, int with_drag,
-                    const dmi_limit_network* net, const float* const* evidence, dm_joint* joints, uint32_t count);
+ * joints come back with the longer way on the positive side. features: each joint's candidate features. prediction and
+ * network (then by rules) may be NULL. */
+void dmi_limits_set(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
+                    const dmi_limit_network* network, dmi_isa isa, const float* const* features, dm_joint* joints,
+                    uint32_t count);
 
 #endif

@@ -1,16 +1,17 @@
-/* Reads a forest, and walks rows of evidence down its trees side by side. */
+/* Reads boosted trees, and walks rows of features down them side by side. */
 #include "kinematics/ranking/boosted_trees.h"
 
 #include <math.h>
 
-#define SIDE 16 /* rows at a time: each waits for its own memory */
+#define BATCH 16 /* rows at a time: each waits for its own memory; measured */
 
 /* A tree's nodes as the file has them: column -1 for leaves, then the value is a score. */
 typedef struct raw_tree {
     const float *column, *value;
 } raw_tree;
 
-/* Nodes lie level by level: a fork's two go after those of the forks before it, so that every way down ends. */
+/* Returns whether a tree is one. Nodes lie level by level: a split's two children come after those of the splits before
+ * it, so that every way down ends. */
 static int read_tree(const raw_tree* raw, dmi_tree_node* nodes, float* scores, uint32_t* out_depth) {
     uint32_t depth[DMI_TREE_NODES] = {0}, left = 1;
     *out_depth = 0;
@@ -33,43 +34,37 @@ static int read_tree(const raw_tree* raw, dmi_tree_node* nodes, float* scores, u
     return 1;
 }
 
-dm_result dmi_boosted_trees_read(dmi_env* env, const dmi_weights* weights, dmi_boosted_trees* out_forest) {
-    enum { NODES = DMI_TREES * DMI_TREE_NODES };
-    const size_t bytes = 2 * sizeof(float) * NODES;
-    float* raw = dmi_alloc(env, bytes, _Alignof(float));
-    if (raw == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "forest: no memory for %zu bytes", bytes);
-    int whole = dmi_weights_read(weights, "forest.column", DMI_TREES, DMI_TREE_NODES, raw) &&
-                dmi_weights_read(weights, "forest.value", DMI_TREES, DMI_TREE_NODES, raw + NODES);
-    for (uint32_t t = 0; whole && t < DMI_TREES; t++) {
-        const float* first = raw + (size_t)t * DMI_TREE_NODES;
-        const raw_tree tree = {.column = first, .value = first + NODES};
-        whole = read_tree(&tree, out_forest->nodes[t], out_forest->scores[t], &out_forest->depth[t]);
+void dmi_boosted_trees_read(dmi_loader* loader, dmi_boosted_trees* out_trees) {
+    const float* column = dmi_load_tensor(loader, "trees.column", DMI_TREES, DMI_TREE_NODES);
+    const float* value = dmi_load_tensor(loader, "trees.value", DMI_TREES, DMI_TREE_NODES);
+    for (uint32_t t = 0; loader->result == DM_OK && t < DMI_TREES; t++) {
+        const size_t first = (size_t)t * DMI_TREE_NODES;
+        const raw_tree tree = {.column = column + first, .value = value + first};
+        if (!read_tree(&tree, out_trees->nodes[t], out_trees->scores[t], &out_trees->depth[t]))
+            loader->result =
+                dmi_fail(loader->env, DM_ERROR_WRONG_MODEL, "trees.column and trees.value: tree %u is none", t);
     }
-    dmi_free(env, raw, bytes);
-    return whole ? DM_OK
-                 : dmi_fail(env, DM_ERROR_WRONG_MODEL, "forest: a tensor is missing, or is no forest of %d trees",
-                            DMI_TREES);
 }
 
-/* Not less-or-equal: what is no number goes left, and so stays in a leaf. */
+/* Compares with >, not <=: NaN goes left, and so stays in a leaf. */
 static inline uint32_t step(const dmi_tree_node* nodes, uint32_t node, const float* row) {
     return nodes[node].left + (uint32_t)(row[nodes[node].column] > nodes[node].value);
 }
 
-static void score_rows(const dmi_boosted_trees* forest, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
+static void score_rows(const dmi_boosted_trees* trees, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
                        float* out_scores) {
     for (uint32_t r = 0; r < count; r++) out_scores[r] = 0;
     for (uint32_t t = 0; t < DMI_TREES; t++) {
-        uint32_t at[SIDE] = {0};
-        for (uint32_t d = 0; d < forest->depth[t]; d++)
-            for (uint32_t r = 0; r < count; r++) at[r] = step(forest->nodes[t], at[r], rows[r]);
-        for (uint32_t r = 0; r < count; r++) out_scores[r] += forest->scores[t][at[r]];
+        uint32_t at[BATCH] = {0};
+        for (uint32_t d = 0; d < trees->depth[t]; d++)
+            for (uint32_t r = 0; r < count; r++) at[r] = step(trees->nodes[t], at[r], rows[r]);
+        for (uint32_t r = 0; r < count; r++) out_scores[r] += trees->scores[t][at[r]];
     }
 }
 
-void dmi_boosted_trees_score(const dmi_boosted_trees* forest, const float (*evidence)[DMI_FEATURE_COUNT],
-                             uint32_t count, float* out_scores) {
+void dmi_boosted_trees_score(const dmi_boosted_trees* trees, const float (*features)[DMI_FEATURE_COUNT], uint32_t count,
+                             float* out_scores) {
     uint32_t first = 0;
-    for (; first + SIDE <= count; first += SIDE) score_rows(forest, evidence + first, SIDE, out_scores + first);
-    if (first < count) score_rows(forest, evidence + first, count - first, out_scores + first);
+    for (; first + BATCH <= count; first += BATCH) score_rows(trees, features + first, BATCH, out_scores + first);
+    if (first < count) score_rows(trees, features + first, count - first, out_scores + first);
 }

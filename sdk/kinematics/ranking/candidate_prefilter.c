@@ -1,69 +1,27 @@
-/* The sieve's forward pass and the choice of the best. */
+/* Scores candidates by their cheap features and chooses the best. */
 #include "kinematics/ranking/candidate_prefilter.h"
 
-#include "base/cpu.h"
+#define HIDDEN 16
+#define BATCH 32 /* rows at a time: they stay in the first cache */
 
-#define SIDE 4 /* rows at a time */
-
-int dmi_prefilter_read(const dmi_weights* weights, dmi_prefilter* out_sieve) {
-    enum { IN = DMI_CHEAP_COLUMNS, HIDDEN = DMI_PREFILTER_HIDDEN };
-    float mean[IN], scale[IN], first[HIDDEN][IN];
-    if (!dmi_weights_read(weights, "sieve.mean", IN, 0, mean) ||
-        !dmi_weights_read(weights, "sieve.scale", IN, 0, scale) ||
-        !dmi_weights_read(weights, "sieve.0.weight", HIDDEN, IN, &first[0][0]) ||
-        !dmi_weights_read(weights, "sieve.0.bias", HIDDEN, 0, out_sieve->first_bias) ||
-        !dmi_weights_read(weights, "sieve.2.weight", 1, HIDDEN, out_sieve->last))
-        return 0;
-    for (int o = 0; o < HIDDEN; o++)
-        for (int i = 0; i < IN; i++) {
-            out_sieve->first[i][o] = first[o][i] * scale[i];
-            out_sieve->first_bias[o] -= out_sieve->first[i][o] * mean[i];
-        }
-    return 1;
+void dmi_prefilter_read(dmi_loader* loader, dmi_prefilter* out_prefilter) {
+    static const uint32_t sizes[] = {DMI_CHEAP_COLUMNS, HIDDEN, 1};
+    dmi_load_standardised_perceptron(loader, "prefilter", sizes, 2, &out_prefilter->network);
 }
 
-/* Some rows side by side: their sums wait less for each other. */
-static inline void forward(const dmi_prefilter* sieve, const float (*rows)[DMI_FEATURE_COUNT], float out_scores[SIDE]) {
-    float hidden[SIDE][DMI_PREFILTER_HIDDEN];
-    for (int r = 0; r < SIDE; r++) memcpy(hidden[r], sieve->first_bias, sizeof hidden[r]);
-    for (int i = 0; i < DMI_CHEAP_COLUMNS; i++)
-        for (int r = 0; r < SIDE; r++) {
-            const float x = rows[r][dmi_cheap_columns[i]];
-            for (int o = 0; o < DMI_PREFILTER_HIDDEN; o++) hidden[r][o] += x * sieve->first[i][o];
-        }
-    for (int r = 0; r < SIDE; r++) {
-        out_scores[r] = 0;
-        for (int o = 0; o < DMI_PREFILTER_HIDDEN; o++) out_scores[r] += dmi_max(hidden[r][o], 0) * sieve->last[o];
-    }
-}
-
-/* The last rows that are fewer go once more with some before them. */
-static inline void score_rows(const dmi_prefilter* sieve, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
-                              float* out_scores) {
-    for (uint32_t i = 0; i + SIDE <= count; i += SIDE) forward(sieve, rows + i, out_scores + i);
-    forward(sieve, rows + count - SIDE, out_scores + count - SIDE);
-}
-
-#if defined(__x86_64__)
-/* The same operations, eight at a time; without FMA, so the same bits. */
-__attribute__((target("avx2"), flatten)) static void
-score_avx2(const dmi_prefilter* sieve, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count, float* out_scores) {
-    score_rows(sieve, rows, count, out_scores);
-}
-#endif
-
-static void score(const dmi_prefilter* sieve, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
+static void score(const dmi_prefilter* prefilter, dmi_isa isa, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
                   float* out_scores) {
-#if defined(__x86_64__)
-    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) {
-        score_avx2(sieve, rows, count, out_scores);
-        return;
+    _Alignas(64) float x[BATCH][DMI_CHEAP_COLUMNS], hidden[BATCH][HIDDEN];
+    float* const buffers[2] = {hidden[0], NULL};
+    for (uint32_t first = 0; first < count; first += BATCH) {
+        const uint32_t batch = count - first < BATCH ? count - first : BATCH;
+        for (uint32_t r = 0; r < batch; r++)
+            for (int k = 0; k < DMI_CHEAP_COLUMNS; k++) x[r][k] = rows[first + r][dmi_cheap_columns[k]];
+        dmi_perceptron_apply(&prefilter->network, dmi_kernels_for(isa), x[0], batch, buffers, out_scores + first);
     }
-#endif
-    score_rows(sieve, rows, count, out_scores);
 }
 
-/* The value that comes n-th when the largest is the 0th; `values` lose their order (Hoare's quickselect). */
+/* Returns the n-th largest value, the largest being the 0th, by Hoare's quickselect. Reorders `values`. */
 static float nth_largest(float* values, uint32_t count, uint32_t n) {
     int64_t low = 0, high = (int64_t)count - 1;
     while (low < high) {
@@ -86,7 +44,7 @@ static float nth_largest(float* values, uint32_t count, uint32_t n) {
     return values[n];
 }
 
-/* Of equals on the border the first are kept. */
+/* Moves the best to the front. Of equal ones at the limit, keeps the first. */
 static uint32_t keep_best(const float* scores, dmi_candidate* candidates, uint32_t count) {
     float sorted[DMI_CANDIDATES_MAX];
     memcpy(sorted, scores, count * sizeof *scores);
@@ -105,16 +63,17 @@ static uint32_t keep_best(const float* scores, dmi_candidate* candidates, uint32
     return kept;
 }
 
-uint32_t dmi_prefilter_keep(const dmi_prefilter* sieve, const dmi_part_analysis* study, const dmi_drag_hint* hint,
-                            const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* opinion,
-                            dmi_candidate* candidates, uint32_t count, float (*rows)[DMI_FEATURE_COUNT]) {
+uint32_t dmi_prefilter_keep(const dmi_prefilter* prefilter, const dmi_part_analysis* analysis,
+                            const dmi_drag_hint* hint, const dmi_kpp_net* net, dmi_isa isa,
+                            const dmi_kpp_ensemble* ensemble, dmi_candidate* candidates, uint32_t count,
+                            float (*rows)[DMI_FEATURE_COUNT]) {
     if (count <= DMI_PREFILTER_KEPT) return count;
     float scores[DMI_CANDIDATES_MAX];
-    dmi_cheap_features glance;
-    dmi_cheap_features_begin(study, hint, opinion != NULL ? &opinion->prediction : NULL, &glance);
-    for (uint32_t i = 0; i < count; i++) dmi_cheap_features_row(&glance, &candidates[i], rows[i]);
-    if (opinion != NULL) dmi_kpp_ensemble_score_first(net, isa, opinion, candidates, count, scores);
-    dmi_cheap_features_kpp_scores(opinion != NULL ? scores : NULL, count, rows);
-    score(sieve, (const float(*)[DMI_FEATURE_COUNT])rows, count, scores);
+    dmi_cheap_features cheap;
+    dmi_cheap_features_begin(analysis, hint, ensemble != NULL ? &ensemble->prediction : NULL, &cheap);
+    for (uint32_t i = 0; i < count; i++) dmi_cheap_features_row(&cheap, &candidates[i], rows[i]);
+    if (ensemble != NULL) dmi_kpp_ensemble_score_first(net, isa, ensemble, candidates, count, scores);
+    dmi_cheap_features_kpp_scores(ensemble != NULL ? scores : NULL, count, rows);
+    score(prefilter, isa, (const float(*)[DMI_FEATURE_COUNT])rows, count, scores);
     return keep_best(scores, candidates, count);
 }

@@ -1,110 +1,59 @@
-/* The learned ranker's forward pass, and the rules that stand in for it. */
+/* Scores candidates by network and trees, or by rules, and calibrates confidences. */
 #include "kinematics/ranking/ranker.h"
 
-#include "base/cpu.h"
+#include <math.h>
+#include <string.h>
+
+#include "kinematics/candidates/candidates.h"
 #include "math/linear3.h"
 
-#define HIDDEN DMI_RANKER_HIDDEN
-/* Share of the opinion that does without KPP-Net. Where neither it nor the ranker knows the kind of object, 0 to .2 do
- * about as well and .4 worse, most of all without a drag (docs/decisions.md, 31). */
-#define DOUBT 0.2f
+#define HIDDEN 64
+#define BATCH 24           /* rows at a time: they and their hidden numbers stay in the first cache */
+#define STEEPEST 1e3f      /* slope of the calibration that a file may have */
+#define LEAST_CHANCE 1e-4f /* probabilities are kept so far from 0 and 1 before their log odds are taken; by hand */
+/* Share of the ensemble member that does without KPP-Net. Measured: where neither KPP-Net nor the ranker knows the kind
+ * of object, 0 to 0.2 do about as well and 0.4 worse, most of all without a drag (docs/research/decisions.md, 31). */
+#define NETWORK_FREE_SHARE 0.2f
 
-static int copy_transposed(const dmi_weights* weights, const char* name, uint32_t outputs, uint32_t inputs, float* to) {
-    float from[HIDDEN * (DMI_FEATURE_COUNT > HIDDEN ? DMI_FEATURE_COUNT : HIDDEN)];
-    if (!dmi_weights_read(weights, name, outputs, inputs, from)) return 0;
-    for (uint32_t o = 0; o < outputs; o++)
-        for (uint32_t i = 0; i < inputs; i++) to[i * outputs + o] = from[o * inputs + i];
-    return 1;
+static void fail(dmi_loader* loader, const char* what) {
+    if (loader->result == DM_OK) loader->result = dmi_fail(loader->env, DM_ERROR_WRONG_MODEL, "ranker: %s", what);
 }
 
-static int copy_vector(const dmi_weights* weights, const char* name, uint32_t count, float* to) {
-    return dmi_weights_read(weights, name, count, 0, to);
+void dmi_ranker_read(dmi_loader* loader, dmi_ranker* out_ranker) {
+    static const uint32_t sizes[] = {DMI_FEATURE_COUNT, HIDDEN, HIDDEN, 1};
+    dmi_load_standardised_perceptron(loader, "ranker", sizes, 3, &out_ranker->network);
+    const float* calibration = dmi_load_tensor(loader, "ranker.calibration", 2, 2);
+    if (calibration != NULL) memcpy(out_ranker->calibration, calibration, sizeof out_ranker->calibration);
+    for (int i = 0; calibration != NULL && i < 2; i++)
+        if (!(out_ranker->calibration[i][0] > 0 && out_ranker->calibration[i][0] < STEEPEST))
+            fail(loader, "the calibration does not rise");
+    dmi_boosted_trees_read(loader, &out_ranker->trees);
 }
 
-/* Folds the standardisation (x - mean) * scale into the first layer. */
-static void fold_standardisation(const float* mean, const float* scale, dmi_ranker* ranker) {
-    for (uint32_t i = 0; i < DMI_FEATURE_COUNT; i++)
-        for (uint32_t o = 0; o < HIDDEN; o++) {
-            ranker->first[i][o] *= scale[i];
-            ranker->first_bias[o] -= ranker->first[i][o] * mean[i];
-        }
+/* Hides KPP-Net's features, as training does. */
+static void hide_network(float (*rows)[DMI_FEATURE_COUNT], uint32_t count) {
+    for (uint32_t r = 0; r < count; r++)
+        for (int k = 0; k < DMI_NETWORK_COLUMNS; k++) rows[r][dmi_network_columns[k]] = 0;
 }
 
-static int read_tensors(const dmi_weights* weights, dmi_ranker* ranker) {
-    float mean[DMI_FEATURE_COUNT], scale[DMI_FEATURE_COUNT];
-    if (!copy_vector(weights, "mean", DMI_FEATURE_COUNT, mean) ||
-        !copy_vector(weights, "scale", DMI_FEATURE_COUNT, scale) ||
-        !copy_transposed(weights, "0.weight", HIDDEN, DMI_FEATURE_COUNT, &ranker->first[0][0]) ||
-        !copy_vector(weights, "0.bias", HIDDEN, ranker->first_bias) ||
-        !copy_transposed(weights, "2.weight", HIDDEN, HIDDEN, &ranker->second[0][0]) ||
-        !copy_vector(weights, "2.bias", HIDDEN, ranker->second_bias) ||
-        !copy_transposed(weights, "4.weight", 1, HIDDEN, ranker->last) ||
-        !copy_vector(weights, "4.bias", 1, &ranker->last_bias) ||
-        !dmi_weights_read(weights, "calibration", 2, 2, &ranker->calibration[0][0]))
-        return 0;
-    for (int i = 0; i < 2; i++)
-        if (!(ranker->calibration[i][0] > 0 && ranker->calibration[i][0] < 1e3f)) return 0;
-    fold_standardisation(mean, scale, ranker);
-    return 1;
-}
-
-dm_result dmi_ranker_read(dmi_env* env, const dmi_weights* weights, dmi_ranker* out_ranker) {
-    if (!read_tensors(weights, out_ranker))
-        return dmi_fail(env, DM_ERROR_WRONG_MODEL,
-                        "ranker: a tensor is missing or of another shape, or the calibration does not rise");
-    return dmi_boosted_trees_read(env, weights, &out_ranker->trees);
-}
-
-/* Adds what some columns of evidence give the first layer. */
-static void add_columns(const dmi_ranker* ranker, const float* restrict evidence, uint32_t from, uint32_t to,
-                        float* restrict hidden) {
-    for (uint32_t i = from; i < to; i++) {
-        const float x = evidence[i];
-        if (x == 0) continue;
-        for (uint32_t o = 0; o < HIDDEN; o++) hidden[o] += x * ranker->first[i][o];
+/* Two members of one network: with KPP-Net's features and, to a share, without them. All rows have KPP-Net's features,
+ * or none has. */
+static void network_score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
+                          uint32_t count, float* out_score) {
+    const dmi_kernels* kernels = dmi_kernels_for(isa);
+    _Alignas(64) float x[BATCH][DMI_FEATURE_COUNT], hidden[2][BATCH][HIDDEN], alone[BATCH];
+    float* const buffers[2] = {hidden[0][0], hidden[1][0]};
+    for (uint32_t first = 0; first < count; first += BATCH) {
+        const uint32_t rows = count - first < BATCH ? count - first : BATCH;
+        dmi_perceptron_apply(&ranker->network, kernels, features[first], rows, buffers, out_score + first);
+        if (features[first][DMI_FEATURE_HAS_NETWORK] == 0) continue;
+        memcpy(x, features[first], rows * sizeof *x);
+        hide_network(x, rows);
+        dmi_perceptron_apply(&ranker->network, kernels, x[0], rows, buffers, alone);
+        for (uint32_t r = 0; r < rows; r++)
+            out_score[first + r] = (1 - NETWORK_FREE_SHARE) * out_score[first + r] + NETWORK_FREE_SHARE * alone[r];
     }
 }
-
-static float upper_layers(const dmi_ranker* ranker, const float* restrict hidden) {
-    float b[HIDDEN], score = ranker->last_bias;
-    memcpy(b, ranker->second_bias, sizeof b);
-    for (uint32_t i = 0; i < HIDDEN; i++) {
-        if (hidden[i] <= 0) continue;
-        for (uint32_t o = 0; o < HIDDEN; o++) b[o] += hidden[i] * ranker->second[i][o];
-    }
-    for (uint32_t i = 0; i < HIDDEN; i++) score += (b[i] > 0 ? b[i] : 0) * ranker->last[i];
-    return score;
-}
-
-/* Two members of one ranker: with KPP-Net's features, and, to a share, without them. */
-static float forward(const dmi_ranker* ranker, const float* evidence) {
-    float without[HIDDEN], with[HIDDEN];
-    memcpy(without, ranker->first_bias, sizeof without);
-    for (uint32_t k = 0, from = 0; k <= DMI_NETWORK_COLUMNS; k++) {
-        const uint32_t to = k < DMI_NETWORK_COLUMNS ? dmi_network_columns[k] : DMI_FEATURE_COUNT;
-        add_columns(ranker, evidence, from, to, without);
-        from = to + 1;
-    }
-    const float alone = upper_layers(ranker, without);
-    if (evidence[DMI_FEATURE_HAS_NETWORK] == 0) return alone;
-    memcpy(with, without, sizeof with);
-    for (uint32_t k = 0; k < DMI_NETWORK_COLUMNS; k++)
-        add_columns(ranker, evidence, dmi_network_columns[k], dmi_network_columns[k] + 1u, with);
-    return (1 - DOUBT) * upper_layers(ranker, with) + DOUBT * alone;
-}
-
-static void score_plain(const dmi_ranker* ranker, const float (*evidence)[DMI_FEATURE_COUNT], uint32_t count,
-                        float* out_score) {
-    for (uint32_t i = 0; i < count; i++) out_score[i] = forward(ranker, evidence[i]);
-}
-
-#if defined(__x86_64__)
-/* The same operations, eight at a time; without FMA, so the same bits. */
-__attribute__((target("avx2"), flatten)) static void
-score_avx2(const dmi_ranker* ranker, const float (*evidence)[DMI_FEATURE_COUNT], uint32_t count, float* out_score) {
-    for (uint32_t i = 0; i < count; i++) out_score[i] = forward(ranker, evidence[i]);
-}
-#endif
 
 /* Rules: surfaces slide on themselves where parts touch; a motion does not run into the body; a drag is followed; axes
  * run along sides and through middles; KPP-Net's answer attracts what is near it. Weights are round numbers set by
@@ -131,34 +80,23 @@ static float rule_score(const float* f) {
     return score;
 }
 
-static void network_score(const dmi_ranker* ranker, const float (*evidence)[DMI_FEATURE_COUNT], uint32_t count,
-                          float* out_score) {
-#if defined(__x86_64__)
-    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) {
-        score_avx2(ranker, evidence, count, out_score);
-        return;
-    }
-#endif
-    score_plain(ranker, evidence, count, out_score);
-}
-
-/* A network and a forest err on different candidates: their mean errs less than either. */
-static void score(const dmi_ranker* ranker, const float (*evidence)[DMI_FEATURE_COUNT], uint32_t count,
+/* Network and trees err on different candidates: their mean errs less than either (measured). */
+static void score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT], uint32_t count,
                   float* out_score) {
     if (ranker == NULL) {
-        for (uint32_t i = 0; i < count; i++) out_score[i] = rule_score(evidence[i]);
+        for (uint32_t i = 0; i < count; i++) out_score[i] = rule_score(features[i]);
         return;
     }
     float by_trees[DMI_CANDIDATES_MAX];
-    dmi_boosted_trees_score(&ranker->trees, evidence, count, by_trees);
-    network_score(ranker, evidence, count, out_score);
+    dmi_boosted_trees_score(&ranker->trees, features, count, by_trees);
+    network_score(ranker, isa, features, count, out_score);
     for (uint32_t i = 0; i < count; i++) out_score[i] = (out_score[i] + by_trees[i]) / 2;
 }
 
-void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[DMI_FEATURE_COUNT], uint32_t count,
-                              float* out_probability) {
+void dmi_ranker_probabilities(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
+                              uint32_t count, float* out_probability) {
     float most = -INFINITY, sum = 0;
-    score(ranker, evidence, count, out_probability);
+    score(ranker, isa, features, count, out_probability);
     for (uint32_t i = 0; i < count; i++) most = dmi_max(most, out_probability[i]);
     for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = expf(out_probability[i] - most);
     for (uint32_t i = 0; i < count; i++) out_probability[i] /= sum;
@@ -166,7 +104,7 @@ void dmi_ranker_probabilities(const dmi_ranker* ranker, const float (*evidence)[
 
 float dmi_ranker_confidence(const dmi_ranker* ranker, int dragged, float mass) {
     if (ranker == NULL) return dmi_min(mass, 1);
-    float p = dmi_min(dmi_max(mass, 1e-4f), 1 - 1e-4f);
+    const float p = dmi_min(dmi_max(mass, LEAST_CHANCE), 1 - LEAST_CHANCE);
     const float* line = ranker->calibration[dragged ? 1 : 0];
     return 1 / (1 + expf(-line[0] * logf(p / (1 - p)) - line[1]));
 }
