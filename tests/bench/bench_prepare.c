@@ -111,7 +111,7 @@ static void stage_evidence(void* user) {
 
 static void stage_ranker(void* user) {
     stages* s = user;
-    dmi_ranker_probabilities(s->models.joints != NULL ? &s->models.joints->ranker : NULL,
+    dmi_ranker_probabilities(s->models.joints != NULL ? &s->models.joints->ranker : NULL, s->models.isa,
                              (const float(*)[DMI_FEATURE_COUNT])s->evidence, s->candidate_count, s->probability);
 }
 

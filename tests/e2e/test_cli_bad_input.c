@@ -269,7 +269,7 @@ static void test_a_wrong_ranker(void** state) {
     tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|%s|--models|%s", object.glb, object.moving, object.folder);
     assert_int_equal(out.status, 2);
     assert_non_null(strstr(out.errors, "DM_ERROR_WRONG_MODEL: "));
-    assert_non_null(strstr(out.errors, "dragmesh-ranker"));
+    assert_non_null(strstr(out.errors, "dragmesh-joint-models"));
 }
 
 static void test_unusable_arguments(void** state) {

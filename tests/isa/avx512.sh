@@ -16,7 +16,7 @@ compile() { # SOURCE
 export -f compile
 export cc flags out
 rm -f "$out"/obj/*.o "$out/libcore.a"
-printf '%s\n' sdk/{base,math,mesh,nn,kinematics,motion}/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
+printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
 ar rcs "$out/libcore.a" "$out"/obj/*.o
 compile tests/isa/cpu_avx512.c
 for test in test_gemm test_layers test_dual_quat test_golden_kpp test_golden_vae; do

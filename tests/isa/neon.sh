@@ -26,7 +26,7 @@ compile() { # SOURCE
 export -f compile
 export cc flags out
 rm -f "$out"/obj/*.o "$out/libcore.a"
-printf '%s\n' sdk/{base,math,mesh,nn,kinematics,motion}/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
+printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
 ar=aarch64-linux-gnu-ar
 $ar rcs "$out/libcore.a" "$out"/obj/*.o
 

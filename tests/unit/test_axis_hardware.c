@@ -34,18 +34,19 @@ static void check_gate(const dmi_mesh* mesh, const dmi_part_analysis* study) {
     const dmi_candidate hinge = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0, 0.5, 0});
     const dmi_candidate edge = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0.8, 0.5, 0});
     const dmi_candidate slide = test_candidate(mesh, DM_JOINT_PRISMATIC, front, (const double[]){0.4, 0.5, 0});
-    float of_hinge[DMI_HARDWARE_COUNT], of_edge[DMI_HARDWARE_COUNT], of_slide[DMI_HARDWARE_COUNT];
+    float of_hinge[DMI_FEATURE_COUNT], of_edge[DMI_FEATURE_COUNT], of_slide[DMI_FEATURE_COUNT];
     dmi_axis_hardware_features(study, &hinge, of_hinge);
     dmi_axis_hardware_features(study, &edge, of_edge);
     dmi_axis_hardware_features(study, &slide, of_slide);
-    assert_true(of_hinge[DMI_HARDWARE_ROUND] > 1.9f && of_hinge[DMI_HARDWARE_ROUND + 2] > 0.9f);
-    assert_true(of_hinge[DMI_HARDWARE_PAIR] > 0.9f);
-    assert_true(of_hinge[DMI_HARDWARE_CENTRED] > 1.9f && of_hinge[DMI_HARDWARE_CENTRED + 1] > 0.9f);
+    assert_true(of_hinge[DMI_FEATURE_ROUND_PART_COUNT] > 1.9f && of_hinge[DMI_FEATURE_ROUND_BODY_COUNT] > 0.9f);
+    assert_true(of_hinge[DMI_FEATURE_ROUND_PAIR] > 0.9f);
+    assert_true(of_hinge[DMI_FEATURE_CENTRED_PART_COUNT] > 1.9f && of_hinge[DMI_FEATURE_CENTRED_BODY_COUNT] > 0.9f);
     /* From the one knuckle's middle to the other's, over the leaf's diagonal. */
-    assert_float_equal(of_hinge[DMI_HARDWARE_SPAN], 0.7f / sqrtf(0.82f * 0.82f + 1), 0.02f);
-    for (int k = DMI_HARDWARE_PAIR; k < DMI_HARDWARE_SPAN; k++) assert_true(of_edge[k] < 0.01f);
-    assert_true(of_slide[DMI_HARDWARE_PAIR] < 0.01f);
-    for (int k = DMI_HARDWARE_CENTRED; k < DMI_HARDWARE_COUNT; k++) assert_float_equal(of_slide[k], 0, 0);
+    assert_float_equal(of_hinge[DMI_FEATURE_HARDWARE_SPAN], 0.7f / sqrtf(0.82f * 0.82f + 1), 0.02f);
+    for (int k = DMI_FEATURE_ROUND_PAIR; k < DMI_FEATURE_HARDWARE_SPAN; k++) assert_true(of_edge[k] < 0.01f);
+    assert_true(of_slide[DMI_FEATURE_ROUND_PAIR] < 0.01f);
+    for (int k = DMI_FEATURE_CENTRED_PART_COUNT; k <= DMI_FEATURE_CONTACT_CLOSE; k++)
+        assert_float_equal(of_slide[k], 0, 0);
 }
 
 static void knuckles_lie_on_the_hinge(void** state) {
@@ -64,12 +65,12 @@ static void check_plunger(const dmi_mesh* mesh, const dmi_part_analysis* study) 
     const dmi_candidate along = test_candidate(mesh, DM_JOINT_PRISMATIC, up, (const double[]){0, 0.45, 0});
     const dmi_candidate across = test_candidate(mesh, DM_JOINT_PRISMATIC, right, (const double[]){0, 0.45, 0});
     const dmi_candidate turn = test_candidate(mesh, DM_JOINT_CONTINUOUS, up, (const double[]){0, 0.45, 0});
-    float of_along[DMI_HARDWARE_COUNT], of_across[DMI_HARDWARE_COUNT], of_turn[DMI_HARDWARE_COUNT];
+    float of_along[DMI_FEATURE_COUNT], of_across[DMI_FEATURE_COUNT], of_turn[DMI_FEATURE_COUNT];
     dmi_axis_hardware_features(study, &along, of_along);
     dmi_axis_hardware_features(study, &across, of_across);
     dmi_axis_hardware_features(study, &turn, of_turn);
-    assert_true(of_along[DMI_HARDWARE_PAIR] > 0.9f && of_turn[DMI_HARDWARE_PAIR] > 0.9f);
-    assert_true(of_across[DMI_HARDWARE_PAIR] < 0.01f);
+    assert_true(of_along[DMI_FEATURE_ROUND_PAIR] > 0.9f && of_turn[DMI_FEATURE_ROUND_PAIR] > 0.9f);
+    assert_true(of_across[DMI_FEATURE_ROUND_PAIR] < 0.01f);
 }
 
 static void a_plunger_shares_its_line_with_the_barrel(void** state) {

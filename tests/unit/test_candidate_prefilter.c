@@ -1,25 +1,28 @@
-/* The glance at candidates agrees with their evidence, and the sieve keeps the best in their order. */
+/* The glance at candidates agrees with their features, and the sieve keeps the best in their order. */
 #include "test_env.h"
 
 #include <math.h>
 
 #include "base/random.h"
+#include "kinematics/features/candidate_features.h"
 #include "kinematics/ranking/candidate_prefilter.h"
 #include "math/linear3.h"
+#include "test_perceptron.h"
 #include "test_shapes.h"
 
 static test_shape shape;
 static dmi_cloud cloud;
 static dmi_part_analysis study;
 static dmi_candidate candidates[DMI_CANDIDATES_MAX], kept[DMI_CANDIDATES_MAX];
-static float evidence[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT], rows[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
-static dmi_prefilter sieve;
+static float features[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT], rows[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
+static dmi_prefilter prefilter;
 
 typedef struct bench {
     test_env t;
     dmi_arena arena;
     dmi_mesh* mesh;
     dmi_drag_hint hint;
+    test_layers layers;
 } bench;
 
 /* A crooked pile of boxes with a slab leaning on it: many directions, so many candidates. */
@@ -39,30 +42,36 @@ static void open_bench(bench* b) {
     assert_int_equal(dmi_cloud_sample(&b->t.env, b->mesh, 1, 3, &cloud), DM_OK);
     dmi_arena_init(&b->arena, &b->t.env, (size_t)1 << 20);
     assert_int_equal(dmi_part_analysis_make(&b->arena, b->mesh, &cloud, 1, NULL, &study), DM_OK);
+    test_layers_open(&b->layers, &b->t.env);
     dmi_copy3(study.points[0], b->hint.point);
     dmi_copy3((const float[]){0.1f, 1, 0.2f}, b->hint.vector);
 }
 
 static void close_bench(bench* b) {
+    test_layers_close(&b->layers);
     dmi_arena_release(&b->arena);
     dmi_mesh_destroy(&b->t.env, b->mesh);
     test_env_close(&b->t);
 }
 
-/* A sieve that scores by one column of the glance alone; sign: 1 keeps the largest, -1 the least. */
-static void sieve_by(int column, float sign) {
-    sieve = (dmi_prefilter){.first_bias = {100}, .last = {1}};
+/* Makes a prefilter that scores by one cheap column alone: times `sign` with `last` after it. */
+static void prefilter_by(bench* b, int column, float sign, float last) {
+    enum { HIDDEN = 16 };
+    float first[HIDDEN][DMI_CHEAP_COLUMNS] = {{0}}, bias[HIDDEN] = {100}, second[HIDDEN] = {last}, zero = 0;
     for (int i = 0; i < DMI_CHEAP_COLUMNS; i++)
-        if (dmi_cheap_columns[i] == column) sieve.first[i][0] = sign;
+        if (dmi_cheap_columns[i] == column) first[0][i] = sign;
+    prefilter.network.layer_count = 2;
+    prefilter.network.layers[0] = test_layer(&b->layers, first[0], bias, DMI_CHEAP_COLUMNS, HIDDEN);
+    prefilter.network.layers[1] = test_layer(&b->layers, second, &zero, HIDDEN, 1);
 }
 
 static uint32_t keep(const dmi_drag_hint* hint, uint32_t count) {
     memcpy(kept, candidates, sizeof kept);
-    return dmi_prefilter_keep(&sieve, &study, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
+    return dmi_prefilter_keep(&prefilter, &study, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
 }
 
-/* The columns that a glance says it fills hold what all of the evidence has there; the others stay as they were. */
-static void a_glance_sees_its_columns_of_the_evidence(void** state) {
+/* The cheap columns hold what the full rows have there; the others stay as they were. */
+static void cheap_features_fill_their_columns(void** state) {
     (void)state;
     bench b;
     open_bench(&b);
@@ -76,18 +85,18 @@ static void a_glance_sees_its_columns_of_the_evidence(void** state) {
         const dmi_prediction* said = with ? &prediction : NULL;
         const uint32_t count = dmi_candidates_make(&study, hint, said, candidates);
         for (uint32_t i = 0; i < count; i++) scores[i] = -0.01f * (float)i;
-        dmi_candidate_features_make(&study, hint, said, with ? scores : NULL, candidates, count, evidence);
-        dmi_cheap_features glance;
-        dmi_cheap_features_begin(&study, hint, said, &glance);
+        dmi_candidate_features_make(&study, hint, said, with ? scores : NULL, candidates, count, features);
+        dmi_cheap_features cheap;
+        dmi_cheap_features_begin(&study, hint, said, &cheap);
         for (uint32_t i = 0; i < count; i++) {
             for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[i][k] = -7;
-            dmi_cheap_features_row(&glance, &candidates[i], rows[i]);
+            dmi_cheap_features_row(&cheap, &candidates[i], rows[i]);
         }
         dmi_cheap_features_kpp_scores(with ? scores : NULL, count, rows);
         for (uint32_t i = 0; i < count; i++)
             for (int k = 0, next = 0; k < DMI_FEATURE_COUNT; k++) {
                 const int seen = next < DMI_CHEAP_COLUMNS && dmi_cheap_columns[next] == k;
-                assert_true(rows[i][k] == (seen ? evidence[i][k] : -7));
+                assert_true(rows[i][k] == (seen ? features[i][k] : -7));
                 next += seen;
             }
     }
@@ -106,8 +115,8 @@ static void the_best_are_kept_in_order(void** state) {
     const uint32_t count = dmi_candidates_make(&study, NULL, NULL, candidates);
     assert_true(count > DMI_PREFILTER_KEPT + 50);
     for (int sign = -1; sign <= 1; sign += 2) {
-        const int column = DMI_FEATURE_PLACE + 2;
-        sieve_by(column, (float)sign);
+        const int column = DMI_FEATURE_BOX_OFFSET;
+        prefilter_by(&b, column, (float)sign, 1);
         assert_int_equal(keep(NULL, count), DMI_PREFILTER_KEPT);
         float least = INFINITY, most = -INFINITY;
         uint32_t next = 0;
@@ -131,13 +140,13 @@ static void equals_and_few_pass(void** state) {
     open_bench(&b);
     const uint32_t count = dmi_candidates_make(&study, &b.hint, NULL, candidates);
     assert_true(count > DMI_PREFILTER_KEPT);
-    sieve_by(DMI_FEATURE_DRAG, 1); /* 1 for every candidate */
+    prefilter_by(&b, DMI_FEATURE_HAS_DRAG, 1, 1); /* 1 for every candidate */
     assert_int_equal(keep(&b.hint, count), DMI_PREFILTER_KEPT);
     assert_memory_equal(kept, candidates, DMI_PREFILTER_KEPT * sizeof *kept);
     assert_int_equal(keep(&b.hint, DMI_PREFILTER_KEPT), DMI_PREFILTER_KEPT);
     assert_int_equal(keep(&b.hint, 3), 3);
     assert_memory_equal(kept, candidates, sizeof kept);
-    sieve_by(-1, 0), sieve.last[0] = NAN; /* weights that say nothing keep the first, too */
+    prefilter_by(&b, -1, 0, NAN); /* weights that say nothing keep the first, too */
     assert_int_equal(keep(&b.hint, count), DMI_PREFILTER_KEPT);
     assert_memory_equal(kept, candidates, DMI_PREFILTER_KEPT * sizeof *kept);
     close_bench(&b);
@@ -145,7 +154,7 @@ static void equals_and_few_pass(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_glance_sees_its_columns_of_the_evidence),
+        cmocka_unit_test(cheap_features_fill_their_columns),
         cmocka_unit_test(the_best_are_kept_in_order),
         cmocka_unit_test(equals_and_few_pass),
     };

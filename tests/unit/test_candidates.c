@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "kinematics/candidates/candidates.h"
+#include "kinematics/features/candidate_features.h"
 #include "kinematics/ranking/ranker.h"
 #include "math/linear3.h"
 #include "test_shapes.h"
@@ -13,7 +14,7 @@ static test_shape shape;
 static dmi_cloud cloud;
 static dmi_part_analysis study;
 static dmi_candidate candidates[DMI_CANDIDATES_MAX];
-static float evidence[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
+static float features[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
 
 /* A body with a lid that has a hinge line at its back lower edge. */
 static void make_lid(void) {
@@ -149,16 +150,16 @@ static void a_lids_hinge_is_a_candidate(void** state) {
         uint32_t count = dmi_candidates_make(&study, with ? &hint : NULL, NULL, candidates);
         assert_in_range(count, 20, DMI_CANDIDATES_MAX);
         assert_true(nearest_line(count, axis, hinge) < 0.005f);
-        dmi_candidate_features_make(&study, with ? &hint : NULL, NULL, NULL, candidates, count, evidence);
+        dmi_candidate_features_make(&study, with ? &hint : NULL, NULL, NULL, candidates, count, features);
         float sum = 0, probability[DMI_CANDIDATES_MAX];
         for (uint32_t i = 0; i < count; i++) {
-            for (int k = 0; k < DMI_FEATURE_COUNT; k++) assert_true(isfinite(evidence[i][k]));
+            for (int k = 0; k < DMI_FEATURE_COUNT; k++) assert_true(isfinite(features[i][k]));
             float arm[3], velocity[3];
             dmi_sub3(hint.point, candidates[i].origin, arm);
             dmi_cross3(candidates[i].axis, arm, velocity);
             if (with && candidates[i].type == DM_JOINT_REVOLUTE) assert_true(dmi_dot3(velocity, hint.vector) > 0);
         }
-        dmi_ranker_probabilities(NULL, (const float(*)[DMI_FEATURE_COUNT])evidence, count, probability);
+        dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])features, count, probability);
         for (uint32_t i = 0; i < count; i++) sum += probability[i];
         assert_float_equal(sum, 1, 1e-4f);
     }
@@ -203,20 +204,24 @@ static void choices_are_shares(void** state) {
     uint32_t count = dmi_candidates_make(&study, NULL, NULL, candidates), best = count / 2;
     float* scores = calloc(count, sizeof *scores);
     for (uint32_t i = 0; i < count; i++) scores[i] = i == best ? 2.0f : i == 0 ? -1e30f : -0.01f * (float)i;
-    dmi_candidate_features_make(&study, NULL, NULL, scores, candidates, count, evidence);
+    dmi_candidate_features_make(&study, NULL, NULL, scores, candidates, count, features);
     float sum = 0;
     for (uint32_t i = 0; i < count; i++) {
-        const float* choice = evidence[i] + DMI_FEATURE_CHOICE;
-        sum += expf(4 * choice[5]);
-        assert_int_equal(choice[0] == 0, i == best);
-        assert_true(choice[2] >= choice[0] && choice[3] >= choice[1] && choice[0] >= -3 && choice[2] >= -3);
-        assert_true((choice[4] > 0) == (candidates[i].type == candidates[best].type));
+        const float* row = features[i];
+        const float below_best = row[DMI_FEATURE_SCORE_BELOW_BEST];
+        const float below_type_best = row[DMI_FEATURE_SCORE_BELOW_TYPE_BEST];
+        sum += expf(4 * row[DMI_FEATURE_SCORE_LOG_SHARE]);
+        assert_int_equal(below_best == 0, i == best);
+        assert_true(below_type_best >= below_best && below_best >= -3 && below_type_best >= -3);
+        assert_true(row[DMI_FEATURE_SCORE_TYPE_LIKENESS] >= row[DMI_FEATURE_SCORE_LIKENESS]);
+        assert_true((row[DMI_FEATURE_SCORE_TYPE_LEAD] > 0) == (candidates[i].type == candidates[best].type));
     }
     assert_float_equal(sum, 1, 1e-3f);
-    assert_float_equal(evidence[best][DMI_FEATURE_CHOICE + 1], 1, 1e-6f);
-    dmi_candidate_features_make(&study, NULL, NULL, NULL, candidates, count, evidence);
+    assert_float_equal(features[best][DMI_FEATURE_SCORE_LIKENESS], 1, 1e-6f);
+    dmi_candidate_features_make(&study, NULL, NULL, NULL, candidates, count, features);
     for (uint32_t i = 0; i < count; i++)
-        for (int k = 0; k < 6; k++) assert_true(evidence[i][DMI_FEATURE_CHOICE + k] == 0);
+        for (int k = DMI_FEATURE_SCORE_BELOW_BEST; k <= DMI_FEATURE_SCORE_LOG_SHARE; k++)
+            assert_true(features[i][k] == 0);
     free(scores);
     dmi_arena_release(&arena);
     dmi_mesh_destroy(&t.env, mesh);

@@ -62,7 +62,7 @@ static void ranges_hold_the_rest(void** state) {
     for (int i = 0; i < COUNT; i++) {
         const int holds = made.lower[i] <= 1e-4f && made.upper[i] >= -1e-4f && made.lower[i] < made.upper[i];
         assert_true(holds || made.free[i]);
-        assert_true((made.evidence[i][DMI_FEATURE_SLIDES] > 0.5f) == (made.features[i][0] > 0.5f));
+        assert_true((made.evidence[i][DMI_FEATURE_PRISMATIC] > 0.5f) == (made.features[i][0] > 0.5f));
         assert_true((made.features[i][1] > 0.5f) == (made.has_drag[i] != 0));
         near += made.pose[i] < 0.02f;
     }

@@ -111,7 +111,7 @@ static void without_a_drag_the_longer_way_is_positive(void** state) {
     for (int way = -1; way <= 1; way += 2) {
         dm_joint joint =
             joint_at(&b, DM_JOINT_REVOLUTE, (const float[]){(float)way, 0, 0}, (const double[]){0.5, 0.06, -0.02});
-        dmi_limits_set(&study, NULL, 0, NULL, NULL, &joint, 1);
+        dmi_limits_set(&study, NULL, 0, NULL, DMI_ISA_SCALAR, NULL, &joint, 1);
         assert_true(joint.upper > 1 && -joint.lower <= joint.upper);
         assert_float_equal(joint.axis.x, -1, 0); /* nothing stops it on the way back */
     }
