@@ -118,12 +118,32 @@ static void without_a_drag_the_longer_way_is_positive(void** state) {
     close_bench(&b);
 }
 
+/* By rules, without networks: a lid that nothing stops opens a quarter turn; a drawer stays on its runners. */
+static void rules_open_a_quarter_turn(void** state) {
+    (void)state;
+    bench b;
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){1, 0.3f, 0.7f}, 0);
+    test_shape_box(&shape, (const float[]){0, 0.31f, 0}, (const float[]){1, 0.33f, 0.7f}, 1);
+    open_bench(&b);
+    dm_joint turn = joint_at(&b, DM_JOINT_REVOLUTE, (const float[]){-1, 0, 0}, (const double[]){0.5, 0.32, -0.02});
+    dmi_limits_set(&study, NULL, 1, NULL, DMI_ISA_SCALAR, NULL, &turn, 1);
+    assert_float_equal(turn.lower, 0, 0);
+    assert_float_equal(turn.upper, 1.5707963f, 1e-5f);
+    dm_joint slide = joint_at(&b, DM_JOINT_PRISMATIC, (const float[]){0, 0, 1}, (const double[]){0.5, 0.32, 0});
+    dmi_limits_set(&study, NULL, 1, NULL, DMI_ISA_SCALAR, NULL, &slide, 1);
+    assert_float_equal(slide.lower, 0, 0);
+    assert_float_equal(slide.upper, 0.8f * 0.7f, 0.01f); /* of its depth; the object's largest side is 1 */
+    close_bench(&b);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_open_lid_knows_which_way_it_shuts),
         cmocka_unit_test(a_button_knows_how_proud_it_stands),
         cmocka_unit_test(a_sweep_stops_at_the_body),
         cmocka_unit_test(without_a_drag_the_longer_way_is_positive),
+        cmocka_unit_test(rules_open_a_quarter_turn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

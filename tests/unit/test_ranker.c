@@ -1,0 +1,80 @@
+/* The ranker's score: the mean of network and trees, and the network's with KPP-Net's features and, to a fifth,
+ * without. */
+#include "test_env.h"
+
+#include <math.h>
+
+#include "kinematics/ranking/ranker.h"
+#include "test_perceptron.h"
+
+enum { COUNT = 2, HIDDEN = 64 };
+
+/* A network whose score is `gain` times a column, beside trees that say nothing. */
+static dmi_ranker* open_ranker(test_layers* layers, int column, float gain) {
+    static dmi_ranker ranker;
+    static float first[HIDDEN][DMI_FEATURE_COUNT], second[HIDDEN][HIDDEN], third[HIDDEN];
+    const float zeros[HIDDEN] = {0};
+    memset(first, 0, sizeof first);
+    first[0][column] = gain, second[0][0] = 1, third[0] = 1;
+    ranker.network.layer_count = 3;
+    ranker.network.layers[0] = test_layer(layers, first[0], zeros, DMI_FEATURE_COUNT, HIDDEN);
+    ranker.network.layers[1] = test_layer(layers, second[0], zeros, HIDDEN, HIDDEN);
+    ranker.network.layers[2] = test_layer(layers, third, zeros, HIDDEN, 1);
+    return &ranker;
+}
+
+/* How much likelier the first candidate is than the second, as a logarithm: only the first has 1 in the column. */
+static float log_odds(int column, float gain, float has_network) {
+    test_env t;
+    test_layers layers;
+    float rows[COUNT][DMI_FEATURE_COUNT] = {{0}}, probability[COUNT];
+    test_env_open(&t, TEST_NEVER);
+    test_layers_open(&layers, &t.env);
+    const dmi_ranker* ranker = open_ranker(&layers, column, gain);
+    for (int i = 0; i < COUNT; i++) rows[i][DMI_FEATURE_HAS_NETWORK] = has_network;
+    rows[0][column] = 1;
+    dmi_ranker_probabilities(ranker, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, COUNT, probability);
+    assert_float_equal(probability[0] + probability[1], 1, 1e-6f);
+    test_layers_close(&layers);
+    test_env_close(&t);
+    return logf(probability[0] / probability[1]);
+}
+
+static void geometry_counts_in_both_members(void** state) {
+    (void)state;
+    assert_float_equal(log_odds(DMI_FEATURE_ON_SIDE, 3, 1), 3.0f / 2, 1e-4f);
+    assert_float_equal(log_odds(DMI_FEATURE_ON_SIDE, 3, 0), 3.0f / 2, 1e-4f);
+}
+
+static void a_fifth_of_the_network_does_without_kpp_net(void** state) {
+    (void)state;
+    for (int k = 0; k < DMI_NETWORK_COLUMNS; k++) {
+        const int column = dmi_network_columns[k];
+        if (column != DMI_FEATURE_HAS_NETWORK) assert_float_equal(log_odds(column, 3, 1), 0.8f * 3 / 2, 1e-4f);
+    }
+}
+
+static void confidence_rises_with_the_probability(void** state) {
+    (void)state;
+    const dmi_ranker ranker = {.calibration = {{0.8f, -0.2f}, {1.1f, 0.3f}}};
+    for (int dragged = 0; dragged < 2; dragged++) {
+        float last = 0;
+        for (int i = 0; i <= 20; i++) {
+            const float now = dmi_ranker_confidence(&ranker, dragged, (float)i / 20);
+            assert_true(now > last && now < 1);
+            last = now;
+        }
+    }
+    /* log odds of 0.5 are 0: the offset alone */
+    assert_float_equal(dmi_ranker_confidence(&ranker, 1, 0.5f), 1 / (1 + expf(-0.3f)), 1e-5f);
+    assert_float_equal(dmi_ranker_confidence(NULL, 1, 0.7f), 0.7f, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(geometry_counts_in_both_members),
+        cmocka_unit_test(a_fifth_of_the_network_does_without_kpp_net),
+        cmocka_unit_test(confidence_rises_with_the_probability),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
