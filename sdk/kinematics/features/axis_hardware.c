@@ -75,7 +75,7 @@ static float centred_shells(const dmi_part_analysis* s, const dmi_candidate* c, 
     float sum = 0;
     for (uint32_t i = 0; i < count; i++) {
         const dmi_patch* p = &patches[i];
-        if (!p->shell || p->diagonal > SMALL * s->diagonal) continue;
+        if (!p->is_shell || p->diagonal > SMALL * s->diagonal) continue;
         const float on = fades(dmi_line_distance3(p->box_centre, c->axis, c->origin), OFFSET * s->diagonal);
         sum = dmi_min(sum + on, MOST);
         if (on > ON_AXIS) stretch(all, dmi_dot3(p->box_centre, c->axis));

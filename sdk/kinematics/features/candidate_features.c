@@ -54,7 +54,7 @@ static void contact_evidence(const judge* j, const dmi_candidate* c, const dmi_c
     float part = 0, rest = 0, speed = 0, on_axis = 0;
     uint32_t step = contact->count / CONTACT_POINTS + 1, n = 0;
     for (uint32_t i = 0; i < contact->count; i += step, n++) {
-        uint32_t p = contact->points[i], q = s->facing[p];
+        uint32_t p = contact->points[i], q = s->nearest_near[p];
         float v[3], length;
         dmi_candidate_velocity(c, s->points[p], v);
         length = dmi_length3(v);
@@ -101,7 +101,7 @@ static float third_smallest(const float* distance) {
 /* Moves the part both ways through the body's distance grid. */
 static void sweep_part(const judge* j, const dmi_candidate* c, sweep* out) {
     const dmi_part_analysis* s = j->study;
-    float extent = 0, touch_limit = 2.1f * s->body_field.cell, hit_limit = 0.9f * s->body_field.cell;
+    float extent = 0, touch_limit = 2.1f * s->body_grid.cell, hit_limit = 0.9f * s->body_grid.cell;
     for (int k = 0; k < 3; k++) extent += fabsf(dmi_dot3(c->axis, s->box.axes[k])) * j->glance.side[k];
     dmi_batched_transform m;
     carry(c, s->points, SWEEP_POINTS, &m);
@@ -112,7 +112,7 @@ static void sweep_part(const judge* j, const dmi_candidate* c, sweep* out) {
             float distance[DMI_POINT_BATCH];
             const float shift = slides(c) ? SWEEP_SHARE[step] * extent : 0;
             dmi_batched_transform_distances(&m, SWEEP_COSINE[step], sign * SWEEP_SINE[step], sign * shift,
-                                            &s->body_field, distance);
+                                            &s->body_grid, distance);
             int32_t hits = 0, touches = 0;
             for (int i = 0; i < SWEEP_POINTS; i++) {
                 hit[i] |= j->free[i] & (distance[i] < hit_limit);
@@ -173,13 +173,13 @@ static void along_evidence(const judge* j, const dmi_candidate* c, float out[4])
     memset(out, 0, 4 * sizeof *out);
     if (slides(c)) return;
     float low, high;
-    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3]) & c->axis, 1, &low, &high);
+    dmi_extents_along((const float(*)[3])s->extreme_points, s->extreme_point_count, (const float(*)[3]) & c->axis, 1, &low, &high);
     float at = dmi_dot3(c->origin, c->axis);
     for (int i = 0; i < 9; i++) {
         float x[3];
         dmi_madd3(c->origin, low + (high - low) * (float)i / 8 - at, c->axis, x);
-        float body = dmi_distance_grid_distance(&s->body_field, x) / s->diagonal;
-        float part = dmi_distance_grid_distance(&s->part_field, x) / s->diagonal;
+        float body = dmi_distance_grid_distance(&s->body_grid, x) / s->diagonal;
+        float part = dmi_distance_grid_distance(&s->part_grid, x) / s->diagonal;
         out[0] += body / 9, out[1] = dmi_max(out[1], body);
         out[2] += part / 9, out[3] = dmi_max(out[3], part);
     }
@@ -197,7 +197,7 @@ static void symmetry_evidence(const judge* j, const dmi_candidate* c, float out[
     float mean[5] = {0};
     for (int k = 0; k < 5; k++) {
         float distance[DMI_POINT_BATCH];
-        dmi_batched_transform_distances(&m, cosine[k], sine[k], 0, &s->part_field, distance);
+        dmi_batched_transform_distances(&m, cosine[k], sine[k], 0, &s->part_grid, distance);
         for (int i = 0; i < SYMMETRY_POINTS; i++) mean[k] += dmi_min(distance[i] / s->diagonal, 0.5f) / SYMMETRY_POINTS;
     }
     float least = dmi_min(dmi_min(mean[1], mean[2]), dmi_min(mean[3], mean[4]));
@@ -214,9 +214,9 @@ static void outline_evidence(const judge* j, const dmi_candidate* c, float out[4
     dmi_sub3(c->origin, s->centre, way[1]);
     dmi_reject3(way[1], c->axis);
     int off_centre = dmi_normalize3(way[1]) > 0.02f * s->diagonal;
-    dmi_shape_limits((const float(*)[3])s->outline, s->outline_count, (const float(*)[3])way, off_centre ? 2 : 1, low,
+    dmi_extents_along((const float(*)[3])s->object_extreme_points, s->object_extreme_point_count, (const float(*)[3])way, off_centre ? 2 : 1, low,
                      high);
-    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3])way, 1, &part_low,
+    dmi_extents_along((const float(*)[3])s->extreme_points, s->extreme_point_count, (const float(*)[3])way, 1, &part_low,
                      &part_high);
     out[0] = (part_high - part_low) / (high[0] - low[0] + 1e-9f);
     if (slides(c) || !off_centre) return;
@@ -233,12 +233,12 @@ static void reach_evidence(const judge* j, const dmi_candidate* c, float most, f
     const int turns = !slides(c);
     float *drag = row + DMI_FEATURE_DRAG, *handle = row + DMI_FEATURE_HANDLE, *grip = row + DMI_FEATURE_GRIP;
     drag[1] = drag[10] = handle[2] = grip[4] = 0;
-    if (turns && s->handle_spread > 0) handle[2] = dmi_line_distance3(s->handle, c->axis, c->origin) / (most + 1e-9f);
-    if (turns && s->grip_share > 0) grip[4] = dmi_line_distance3(s->grip, c->axis, c->origin) / (most + 1e-9f);
+    if (turns && s->widest_gap_spread > 0) handle[2] = dmi_line_distance3(s->widest_gap_mean, c->axis, c->origin) / (most + 1e-9f);
+    if (turns && s->protrusion_share > 0) grip[4] = dmi_line_distance3(s->protrusion_mean, c->axis, c->origin) / (most + 1e-9f);
     if (j->hint == NULL) return;
     float v[3], low, high;
     dmi_candidate_velocity(c, j->hint->point, v);
-    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3]) & c->axis, 1, &low, &high);
+    dmi_extents_along((const float(*)[3])s->extreme_points, s->extreme_point_count, (const float(*)[3]) & c->axis, 1, &low, &high);
     const float along = (dmi_dot3(j->hint->point, c->axis) - low) / dmi_max(high - low, 1e-6f);
     if (turns) drag[1] = dmi_min(dmi_length3(v) / (most + 1e-9f), 2);
     drag[10] = dmi_min(fabsf(along - 0.5f), 2);
@@ -248,7 +248,7 @@ static judge make_judge(const dmi_part_analysis* study, const dmi_drag_hint* hin
     judge j = {.study = study, .hint = hint};
     dmi_cheap_features_begin(study, hint, prediction, &j.glance);
     for (int i = 0; i < SWEEP_POINTS; i++)
-        j.free[i] = dmi_distance_grid_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell;
+        j.free[i] = dmi_distance_grid_distance(&study->body_grid, study->points[i]) > 2.1f * study->body_grid.cell;
     return j;
 }
 

@@ -45,7 +45,7 @@ static void offset_evidence(const dmi_cheap_features* j, const dmi_candidate* c,
     const float off_box = dmi_line_distance3(j->box_centre, c->axis, c->origin) / s->diagonal;
     place[0] = off, place[1] = expf(-off / 0.01f);
     place[2] = off_box, place[3] = expf(-off_box / 0.005f);
-    place[10] = dmi_distance_grid_distance(&s->body_field, c->origin) / s->diagonal;
+    place[10] = dmi_distance_grid_distance(&s->body_grid, c->origin) / s->diagonal;
 }
 
 /* The axis of the part's box that the candidate's is nearest to. */
@@ -90,13 +90,13 @@ static void spot_evidence(const dmi_cheap_features* j, const dmi_candidate* c, f
     const int wide = along == 0 ? 1 : 0, thin = along == 2 ? 1 : 2; /* sides are sorted, longest first */
     const float w = dmi_dot3(c->origin, s->box.axes[wide]) - j->middle[wide];
     const float t = dmi_dot3(c->origin, s->box.axes[thin]) - j->middle[thin];
-    const float away = s->lean[thin] < 0 ? -t : t, pulled = dmi_dot3(j->drag, s->box.axes[thin]);
+    const float away = s->body_side[thin] < 0 ? -t : t, pulled = dmi_dot3(j->drag, s->box.axes[thin]);
     const float least = 0.005f * s->diagonal;
     out[0] = dmi_min(fabsf(w) / dmi_max(0.5f * j->side[wide], least), 2);
     out[1] = dmi_min(dmi_max((fabsf(w) - 0.5f * j->side[wide]) / s->diagonal, -0.5f), 0.5f);
     out[2] = dmi_min(dmi_max(away / dmi_max(0.5f * j->side[thin], least), -4), 4);
     out[3] = dmi_min(dmi_max(away / s->diagonal, -0.5f), 0.5f);
-    out[4] = fabsf(s->lean[thin]);
+    out[4] = fabsf(s->body_side[thin]);
     out[5] = corner(w, away, j->side[wide], j->side[thin], s->diagonal);
     out[6] = corner(w, -away, j->side[wide], j->side[thin], s->diagonal);
     out[7] = fabsf(pulled) < 0.5f ? 0 : dmi_min(dmi_max((pulled < 0 ? -t : t) / s->diagonal, -0.5f), 0.5f);
@@ -124,12 +124,12 @@ static void follow_evidence(const dmi_cheap_features* j, const dmi_candidate* c,
  * axis. */
 static void handle_evidence(const dmi_part_analysis* s, const dmi_candidate* c, float* handle) {
     handle[0] = handle[1] = handle[3] = 0;
-    if (s->handle_spread <= 0) return;
-    handle[0] = s->handle_spread / s->diagonal;
-    handle[1] = fabsf(dmi_dot3(s->handle_direction, c->axis));
+    if (s->widest_gap_spread <= 0) return;
+    handle[0] = s->widest_gap_spread / s->diagonal;
+    handle[1] = fabsf(dmi_dot3(s->widest_gap_direction, c->axis));
     if (slides(c)) return;
     float off[3], arm[3];
-    dmi_sub3(s->handle, s->centre, off);
+    dmi_sub3(s->widest_gap_mean, s->centre, off);
     dmi_sub3(s->centre, c->origin, arm);
     handle[3] = dmi_dot3(off, arm) / (dmi_length3(arm) * s->diagonal + 1e-9f);
 }
@@ -139,14 +139,14 @@ static void handle_evidence(const dmi_part_analysis* s, const dmi_candidate* c, 
 static void grip_evidence(const dmi_part_analysis* s, const dmi_candidate* c, float* grip) {
     for (int k = 0; k < 4; k++) grip[k] = 0;
     grip[5] = 0;
-    if (s->grip_share <= 0) return;
+    if (s->protrusion_share <= 0) return;
     grip[0] = 1;
-    grip[1] = s->grip_share;
-    grip[2] = s->grip_spread / s->diagonal;
-    grip[3] = fabsf(dmi_dot3(s->grip_direction, c->axis));
+    grip[1] = s->protrusion_share;
+    grip[2] = s->protrusion_spread / s->diagonal;
+    grip[3] = fabsf(dmi_dot3(s->protrusion_direction, c->axis));
     if (slides(c)) return;
     float off[3], arm[3];
-    dmi_sub3(s->grip, s->centre, off);
+    dmi_sub3(s->protrusion_mean, s->centre, off);
     dmi_sub3(s->centre, c->origin, arm);
     dmi_reject3(arm, c->axis);
     grip[5] = dmi_dot3(off, arm) / (dmi_length3(arm) * s->diagonal + 1e-9f);

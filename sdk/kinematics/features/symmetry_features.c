@@ -54,9 +54,9 @@ static void look_at_middle(const dmi_symmetry* m, const float normal[3], float o
     const dmi_part_analysis* s = m->study;
     const float at = dmi_dot3(m->centre, normal);
     float low, high;
-    out[0] = difference(normal, at, part_sample(s), &s->part_field, s->diagonal);
-    out[1] = difference(normal, at, near_sample(s), &s->body_field, s->diagonal);
-    dmi_shape_limits((const float(*)[3])s->outline, s->outline_count, (const float(*)[3])normal, 1, &low, &high);
+    out[0] = difference(normal, at, part_sample(s), &s->part_grid, s->diagonal);
+    out[1] = difference(normal, at, near_sample(s), &s->body_grid, s->diagonal);
+    dmi_extents_along((const float(*)[3])s->object_extreme_points, s->object_extreme_point_count, (const float(*)[3])normal, 1, &low, &high);
     out[2] = dmi_min(fabsf(at - (low + high) / 2) / (high - low + 1e-9f), 1);
 }
 
@@ -64,9 +64,9 @@ static void look_at_middle(const dmi_symmetry* m, const float normal[3], float o
 static void look_for_twins(const dmi_symmetry* m, const float normal[3], float out[2]) {
     const dmi_part_analysis* s = m->study;
     float low, high;
-    dmi_shape_limits((const float(*)[3])s->extremes, s->extreme_count, (const float(*)[3])normal, 1, &low, &high);
-    out[0] = difference(normal, low, part_sample(s), &s->body_field, s->diagonal);
-    out[1] = difference(normal, high, part_sample(s), &s->body_field, s->diagonal);
+    dmi_extents_along((const float(*)[3])s->extreme_points, s->extreme_point_count, (const float(*)[3])normal, 1, &low, &high);
+    out[0] = difference(normal, low, part_sample(s), &s->body_grid, s->diagonal);
+    out[1] = difference(normal, high, part_sample(s), &s->body_grid, s->diagonal);
 }
 
 /* Into the mirrors of that normal, of either sign. The last place serves all that come when the others are taken. */
