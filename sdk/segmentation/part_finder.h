@@ -1,4 +1,4 @@
-/* Which faces move together with a point of the surface that a player grabs: the part, when no mask names it. */
+/* Finds the faces that move together with a grabbed point of the surface, for meshes without a part mask. */
 #ifndef DMI_SEGMENTATION_PART_FINDER_H
 #define DMI_SEGMENTATION_PART_FINDER_H
 
@@ -10,8 +10,7 @@ typedef struct dmi_part_query {
     float drag[3];        /* unit; zeros: none */
 } dmi_part_query;
 
-/* out_faces: 1 for the faces that move, 0 for the others. */
+/* Sets out_faces[f] to 1 for the faces that move, to 0 for the others. DM_ERROR_FULL_MASK: every face would move. */
 dm_result dmi_part_find(dmi_env* env, const dmi_part_query* query, uint8_t* out_faces);
-uint32_t dmi_part_nearest_face(const dmi_mesh* mesh, const float point[3]);
 
 #endif

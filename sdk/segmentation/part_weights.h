@@ -1,9 +1,10 @@
-/* Weights of the part finder's two networks: whether a piece belongs to a growing part, and which proposal is the part.
- * Fitted on generated objects alone by training/dragmesh_training/growth.py: not to be edited. */
+/* Weights of the part finder's networks: dmi_part_growth_net rates whether a piece belongs to a growing region,
+ * dmi_part_proposal_net which proposal is the part. Fitted on generated objects alone, and written, by
+ * training/dragmesh_training/growth.py: not to be edited. */
 #ifndef DMI_SEGMENTATION_PART_WEIGHTS_H
 #define DMI_SEGMENTATION_PART_WEIGHTS_H
 
-#include "segmentation/part_growth.h"
+#include "segmentation/part_net.h"
 
 /* clang-format off */
 static const float dmi_part_growth_weights[] = {
@@ -61,7 +62,7 @@ static const float dmi_part_growth_outputs[] = {
 static const dmi_part_net dmi_part_growth_net = {
     31, 16, dmi_part_growth_weights, dmi_part_growth_biases, dmi_part_growth_outputs, 0.35928f};
 
-static const float dmi_part_choice_weights[] = {
+static const float dmi_part_proposal_weights[] = {
     -0.068346f, -0.31072f, -0.093651f, 0.0076838f, 0.0042401f, -0.070882f, 0.19115f, -2.0092f, -0.1384f, -0.011929f,
     -0.57195f, -0.076346f, -0.72027f, 0.87063f, -0.032992f, 0.38983f, 2.7177f, -0.58232f, -0.18507f, 0.2299f, 0.15622f,
     -0.27496f, -0.4566f, -0.553f, -0.041562f, -0.050786f, 0.17807f, 0.75317f, -0.55267f, 0.31799f, 0.36539f, -0.029225f,
@@ -814,7 +815,7 @@ static const float dmi_part_choice_weights[] = {
     0.37912f, 0.33582f, -0.27915f, -1.5574f, -0.33163f, 0.48259f, -0.040659f, 0.041739f, -0.7636f, 0.11934f, 0.62192f,
     -0.23922f, 0.079559f, -0.28313f, -0.10975f, -1.0107f, -1.3547f, -0.29239f, 0.17107f, 0.36063f, 0.040371f, 0.18065f,
     -0.34507f, -0.27584f, 0.0022107f, -0.22681f, 0.011579f, 0.11097f};
-static const float dmi_part_choice_biases[] = {
+static const float dmi_part_proposal_biases[] = {
     2.3946f, -1.4753f, -0.39329f, -2.7229f, 1.8574f, -2.2295f, 2.5999f, -0.39268f, -1.6589f, 0.72853f, 0.34815f,
     2.9561f, 1.3877f, 0.41056f, -1.0799f, 1.4452f, 1.8902f, -2.7002f, -0.34681f, 1.66f, 2.5887f, 3.6193f, 2.6604f,
     1.7146f, -1.8606f, 1.1413f, 0.13672f, 1.3247f, 0.14349f, 1.6793f, -0.95128f, 1.3152f, 0.87087f, -0.8418f, -0.90438f,
@@ -828,7 +829,7 @@ static const float dmi_part_choice_biases[] = {
     -0.23168f, 0.0023772f, -0.48961f, -2.088f, 1.8097f, -0.9191f, 0.10082f, 2.008f, -1.2173f, 0.092836f, -3.2874f,
     -0.2235f, 0.8945f, 0.5984f, -3.1309f, 0.47528f, -1.9231f, -1.5699f, -1.0993f, 2.0325f, -1.9645f, -1.6389f, 1.9116f,
     -0.83622f, 1.0382f, 0.50344f};
-static const float dmi_part_choice_outputs[] = {
+static const float dmi_part_proposal_outputs[] = {
     0.051518f, -0.15391f, -0.14454f, 0.060118f, 0.041047f, 0.028992f, 0.13607f, -0.15102f, 0.072992f, -0.11876f,
     0.018533f, -0.14783f, -0.093166f, 0.025803f, -0.081398f, 0.11716f, -0.11927f, 0.059195f, -0.13101f, 0.016006f,
     -0.15071f, 0.11479f, 0.075816f, -0.12281f, 0.13409f, -0.1322f, 0.079946f, 0.058845f, 0.10573f, 0.056136f, -0.16548f,
@@ -843,8 +844,8 @@ static const float dmi_part_choice_outputs[] = {
     0.039411f, -0.1507f, 0.061728f, 0.15594f, 0.074149f, -0.06948f, -0.15481f, -0.088675f, 0.14169f, -0.14722f,
     -0.12343f, 0.05272f, -0.14719f, 0.042798f, 0.08747f, -0.11926f, 0.068917f, -0.1909f, 0.02628f, 0.13966f, -0.12178f,
     -0.10228f, -0.072174f, 0.099684f, 0.0051783f, -0.10447f, 0.12438f, -0.10282f, 0.10145f, 0.083324f, 0.085067f};
-static const dmi_part_net dmi_part_choice_net = {
-    55, 144, dmi_part_choice_weights, dmi_part_choice_biases, dmi_part_choice_outputs, -0.083819f};
+static const dmi_part_net dmi_part_proposal_net = {
+    55, 144, dmi_part_proposal_weights, dmi_part_proposal_biases, dmi_part_proposal_outputs, -0.083819f};
 
 /* clang-format on */
 #endif

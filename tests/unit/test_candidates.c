@@ -63,7 +63,7 @@ static void box_of_a_turned_box(void** state) {
         dmi_turn3(axis, zero, cosf(0.7f), sinf(0.7f), unit, turned_axes[i]);
     }
     dmi_box box;
-    dmi_shape_box((const float(*)[3])points, 8, (const float(*)[3])turned_axes, 3, &box);
+    dmi_min_volume_box((const float(*)[3])points, 8, (const float(*)[3])turned_axes, 3, &box);
     const float sides[3] = {3, 1, 0.4f};
     for (int i = 0; i < 3; i++) {
         assert_float_equal(box.high[i] - box.low[i], sides[i], 1e-5f);
@@ -83,7 +83,7 @@ static void slippage_of_a_cylinder(void** state) {
         dmi_copy3(p, points[i]), dmi_copy3(n, normals[i]);
     }
     dmi_slippage s;
-    dmi_shape_slippage((const float(*)[3])points, (const float(*)[3])normals, NULL, N, &s);
+    dmi_slippage_compute((const float(*)[3])points, (const float(*)[3])normals, NULL, N, &s);
     assert_float_equal(fabsf(s.turn_axis[0][1]), 1, 1e-3f);
     assert_float_equal(s.turn_point[0][0], 2, 1e-3f);
     assert_float_equal(s.turn_point[0][2], 3, 1e-3f);

@@ -10,7 +10,8 @@
 #include <string.h>
 
 #include "../../training/lab/lab_growth.h"
-#include "segmentation/part_choice.h"
+#include "segmentation/proposals.h"
+#include "segmentation/region_growing.h"
 #include "test_lab.h"
 
 enum { CASES = 12, ROWS = 16000 };
@@ -20,13 +21,13 @@ static dm_result (*choice_batch)(const dm_lab_options*, const dm_lab_part_net*, 
 static uint32_t (*growth_columns)(void), (*choice_columns)(void), (*choice_most)(void), (*category_count)(void);
 
 static struct {
-    float features[ROWS][DMI_GROWTH_FEATURES], belongs[ROWS], weight[ROWS];
+    float features[ROWS][DMI_NEIGHBOUR_FEATURES], belongs[ROWS], weight[ROWS];
     int32_t category[ROWS];
     uint32_t count;
 } growth, growth_again;
 
 static struct {
-    float features[CASES][DMI_PROPOSALS_MOST][DMI_CHOICE_FEATURES], overlap[CASES][DMI_PROPOSALS_MOST];
+    float features[CASES][DMI_MAX_PROPOSALS][DMI_PROPOSAL_FEATURES], overlap[CASES][DMI_MAX_PROPOSALS];
     int32_t used[CASES], category[CASES];
 } choice, choice_again;
 
@@ -53,21 +54,21 @@ static void test_pieces_repeat_and_are_of_both_kinds(void** state) {
             ROWS, &both[i]->features[0][0], both[i]->belongs, both[i]->weight, both[i]->category, &both[i]->count};
         assert_int_equal(growth_batch(&options, &out), DM_OK);
     }
-    assert_int_equal(growth_columns(), DMI_GROWTH_FEATURES);
+    assert_int_equal(growth_columns(), DMI_NEIGHBOUR_FEATURES);
     assert_memory_equal(&growth, &growth_again, sizeof growth);
     uint32_t belong = 0;
     assert_true(growth.count > 50);
     for (uint32_t r = 0; r < growth.count; r++) {
         belong += growth.belongs[r] > 0.5f;
-        for (int k = 0; k < DMI_GROWTH_FEATURES; k++) assert_true(isfinite(growth.features[r][k]));
+        for (int k = 0; k < DMI_NEIGHBOUR_FEATURES; k++) assert_true(isfinite(growth.features[r][k]));
     }
     assert_true(belong > 0 && belong < growth.count);
 }
 
 static void test_proposals_repeat_and_some_are_the_part(void** state) {
     (void)state;
-    static const float zeros[DMI_GROWTH_FEATURES];
-    const dm_lab_part_net net = {DMI_GROWTH_FEATURES, 1, zeros, zeros, zeros, 0};
+    static const float zeros[DMI_NEIGHBOUR_FEATURES];
+    const dm_lab_part_net net = {DMI_NEIGHBOUR_FEATURES, 1, zeros, zeros, zeros, 0};
     __typeof__(choice)* both[2] = {&choice, &choice_again};
     for (int i = 0; i < 2; i++) {
         const dm_lab_options options = options_of(5);
@@ -75,15 +76,15 @@ static void test_proposals_repeat_and_some_are_the_part(void** state) {
                                    both[i]->category};
         assert_int_equal(choice_batch(&options, &net, &out), DM_OK);
     }
-    assert_int_equal(choice_columns(), DMI_CHOICE_FEATURES);
-    assert_int_equal(choice_most(), DMI_PROPOSALS_MOST);
+    assert_int_equal(choice_columns(), DMI_PROPOSAL_FEATURES);
+    assert_int_equal(choice_most(), DMI_MAX_PROPOSALS);
     assert_memory_equal(&choice, &choice_again, sizeof choice);
     int found = 0;
     for (int c = 0; c < CASES; c++) {
         for (int i = 0; i < choice.used[c]; i++) {
             assert_true(choice.overlap[c][i] >= 0 && choice.overlap[c][i] <= 1.0001f);
             found += choice.overlap[c][i] > 0.8f;
-            for (int k = 0; k < DMI_CHOICE_FEATURES; k++) assert_true(isfinite(choice.features[c][i][k]));
+            for (int k = 0; k < DMI_PROPOSAL_FEATURES; k++) assert_true(isfinite(choice.features[c][i][k]));
         }
     }
     assert_true(found > 0);
@@ -92,7 +93,7 @@ static void test_proposals_repeat_and_some_are_the_part(void** state) {
 static void test_a_net_of_another_shape_is_refused(void** state) {
     (void)state;
     const dm_lab_options options = options_of(5);
-    const dm_lab_part_net net = {DMI_GROWTH_FEATURES - 1, 0, NULL, NULL, NULL, 0};
+    const dm_lab_part_net net = {DMI_NEIGHBOUR_FEATURES - 1, 0, NULL, NULL, NULL, 0};
     const dm_lab_choice out = {NULL, NULL, NULL, NULL};
     assert_int_equal(choice_batch(&options, &net, &out), DM_ERROR_INVALID_ARGUMENT);
 }

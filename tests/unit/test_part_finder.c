@@ -1,4 +1,4 @@
-/* Finding the part that a grabbed point belongs to: among given pieces, in one mesh of several sheets, on one sheet. */
+/* The part at a grabbed point: among given pieces, in one mesh of several sheets, on one sheet. */
 #include "test_env.h"
 
 #include <math.h>
@@ -27,51 +27,50 @@ static dm_result find(dmi_env* env, int with_ids, const float point[3], const fl
     return result;
 }
 
-static void find_well(int with_ids, const float point[3], const float drag[3]) {
+static void find_ok(int with_ids, const float point[3], const float drag[3]) {
     test_env t;
     test_env_open(&t, TEST_NEVER);
     assert_int_equal(find(&t.env, with_ids, point, drag), DM_OK);
     test_env_close(&t);
 }
 
-/* Every face of the part is found, and none of another. */
+/* Checks for each of the three parts whether all of its faces are found (1) or none (0). */
 static void expect_parts(int part0, int part1, int part2) {
     const int expected[3] = {part0, part1, part2};
     for (uint32_t f = 0; f < shape.face_count; f++) assert_int_equal(found[f], expected[shape.part[f]]);
 }
 
-static const float on_door[3] = {0.3f, 0.3f, 1.05f}, on_handle[3] = {0.91f, 0.5f, 1.07f}, outwards[3] = {0, 0, 1},
-                   nowhere[3] = {0, 0, 0};
+static const float on_door[3] = {0.3f, 0.3f, 1.05f}, on_handle[3] = {0.91f, 0.5f, 1.07f}, outward[3] = {0, 0, 1},
+                   no_drag[3] = {0, 0, 0};
 
-static void test_a_node_takes_along_what_hangs_on_it(void** state) {
+static void test_a_node_carries_the_small_pieces_attached_to_it(void** state) {
     (void)state;
     test_shape_cabinet(&shape);
-    find_well(1, on_door, outwards);
+    find_ok(1, on_door, outward);
     expect_parts(0, 1, 1);
-    find_well(1, on_door, nowhere);
+    find_ok(1, on_door, no_drag);
     expect_parts(0, 1, 1);
 }
 
-static void test_a_node_does_not_take_what_holds_it(void** state) {
+static void test_a_node_does_not_carry_the_piece_it_is_attached_to(void** state) {
     (void)state;
     test_shape_cabinet(&shape);
-    find_well(1, on_handle, outwards);
+    find_ok(1, on_handle, outward);
     expect_parts(0, 0, 1);
 }
 
-static void test_a_large_neighbour_has_a_joint_of_its_own(void** state) {
+static void test_large_neighbours_are_not_carried(void** state) {
     (void)state;
     shape.vertex_count = shape.face_count = 0;
     test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){4, 1, 1}, 0);
     test_shape_box(&shape, (const float[]){4.01f, 0, 0}, (const float[]){5, 1, 1}, 1);
     test_shape_box(&shape, (const float[]){5.01f, 0, 0}, (const float[]){6, 1, 1}, 2);
-    find_well(1, (const float[]){4.5f, 0.5f, 1}, outwards);
+    find_ok(1, (const float[]){4.5f, 0.5f, 1}, outward);
     expect_parts(0, 1, 0);
 }
 
-/* More shells than a cell's samples are compared with each other, all in one corner of the door: the door is found all
- * the same. */
-static void test_a_crowd_of_tiny_shells_hides_nothing(void** state) {
+/* More shells in one corner of the door than samples of one bucket are compared. */
+static void test_many_tiny_shells_in_one_cell_do_not_hide_the_part(void** state) {
     (void)state;
     shape.vertex_count = shape.face_count = 0;
     test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){2, 1, 1}, 0);
@@ -80,21 +79,21 @@ static void test_a_crowd_of_tiny_shells_hides_nothing(void** state) {
         const float x = 0.95f + 0.001f * (float)(i % 18), y = 0.95f + 0.001f * (float)(i / 18);
         test_shape_box(&shape, (const float[]){x, y, 1.0501f}, (const float[]){x + 0.0005f, y + 0.0005f, 1.0506f}, 2);
     }
-    find_well(0, on_door, outwards);
+    find_ok(0, on_door, outward);
     for (uint32_t f = 0; f < 24; f++) assert_int_equal(found[f], shape.part[f]);
 }
 
-static void test_sheets_of_one_mesh_stay_apart(void** state) {
+static void test_sheets_of_one_mesh_are_separate_pieces(void** state) {
     (void)state;
     test_shape_cabinet(&shape);
-    find_well(0, on_door, outwards);
+    find_ok(0, on_door, outward);
     for (uint32_t f = 0; f < shape.face_count; f++) {
         if (shape.part[f] == 0) assert_int_equal(found[f], 0);
         if (shape.part[f] == 1) assert_int_equal(found[f], 1);
     }
 }
 
-/* A slab of 3 x 3 cells whose middle cell stands out as a button: one closed sheet. Part 1: the button. */
+/* Makes a slab of 3 x 3 cells whose middle cell is raised as a button (part 1), one closed sheet. */
 static void make_button(void) {
     uint32_t grid[2][4][4], raised[2][2];
     shape.vertex_count = shape.face_count = 0;
@@ -135,7 +134,7 @@ static void make_button(void) {
 static void test_a_bulge_is_cut_where_the_surface_bends_inwards(void** state) {
     (void)state;
     make_button();
-    find_well(0, (const float[]){1.5f, 1.5f, 1.4f}, (const float[]){0, 0, -1});
+    find_ok(0, (const float[]){1.5f, 1.5f, 1.4f}, (const float[]){0, 0, -1});
     expect_parts(0, 1, 0);
 }
 
@@ -148,16 +147,16 @@ static void test_a_bulge_is_cut_in_a_mesh_wound_inside_out(void** state) {
         shape.corners[f][1] = shape.corners[f][2];
         shape.corners[f][2] = second;
     }
-    find_well(0, (const float[]){1.5f, 1.5f, 1.4f}, (const float[]){0, 0, -1});
+    find_ok(0, (const float[]){1.5f, 1.5f, 1.4f}, (const float[]){0, 0, -1});
     expect_parts(0, 1, 0);
 }
 
-/* Nothing bends inwards on a box: its lid, with a low rim, is told by the creases. */
-static void test_what_has_no_inward_bend_is_cut_at_creases(void** state) {
+/* A box has no concave edges, so its lid ends at the creases. */
+static void test_convex_sheets_are_cut_at_creases(void** state) {
     (void)state;
     shape.vertex_count = shape.face_count = 0;
     test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){1, 1, 1}, 0);
-    find_well(0, (const float[]){0.5f, 0.5f, 1}, outwards);
+    find_ok(0, (const float[]){0.5f, 0.5f, 1}, outward);
     uint32_t count = 0;
     for (uint32_t f = 0; f < shape.face_count; f++) {
         count += found[f];
@@ -174,7 +173,7 @@ static void test_a_whole_mesh_is_no_part(void** state) {
     test_shape_face(&shape, 0, 1, 3, 0);
     test_shape_face(&shape, 0, 3, 2, 0);
     test_env_open(&t, TEST_NEVER);
-    assert_int_equal(find(&t.env, 0, (const float[]){0.5f, 0.5f, 0}, outwards), DM_ERROR_FULL_MASK);
+    assert_int_equal(find(&t.env, 0, (const float[]){0.5f, 0.5f, 0}, outward), DM_ERROR_FULL_MASK);
     test_env_close(&t);
 }
 
@@ -186,7 +185,7 @@ static void test_every_failing_allocation_is_reported(void** state) {
             test_env t;
             test_shape_cabinet(&shape);
             test_env_open(&t, n);
-            result = find(&t.env, with_ids, on_door, outwards);
+            result = find(&t.env, with_ids, on_door, outward);
             if (result != DM_OK) assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);
             test_env_close(&t);
             assert_true(n < 200);
@@ -194,7 +193,7 @@ static void test_every_failing_allocation_is_reported(void** state) {
     }
 }
 
-static void test_the_boundary_names_what_is_wrong(void** state) {
+static void test_api_reports_invalid_arguments(void** state) {
     (void)state;
     dm_context* context;
     test_shape_cabinet(&shape);
@@ -216,17 +215,17 @@ static void test_the_boundary_names_what_is_wrong(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_node_takes_along_what_hangs_on_it),
-        cmocka_unit_test(test_a_node_does_not_take_what_holds_it),
-        cmocka_unit_test(test_a_large_neighbour_has_a_joint_of_its_own),
-        cmocka_unit_test(test_sheets_of_one_mesh_stay_apart),
-        cmocka_unit_test(test_a_crowd_of_tiny_shells_hides_nothing),
+        cmocka_unit_test(test_a_node_carries_the_small_pieces_attached_to_it),
+        cmocka_unit_test(test_a_node_does_not_carry_the_piece_it_is_attached_to),
+        cmocka_unit_test(test_large_neighbours_are_not_carried),
+        cmocka_unit_test(test_sheets_of_one_mesh_are_separate_pieces),
+        cmocka_unit_test(test_many_tiny_shells_in_one_cell_do_not_hide_the_part),
         cmocka_unit_test(test_a_bulge_is_cut_where_the_surface_bends_inwards),
         cmocka_unit_test(test_a_bulge_is_cut_in_a_mesh_wound_inside_out),
-        cmocka_unit_test(test_what_has_no_inward_bend_is_cut_at_creases),
+        cmocka_unit_test(test_convex_sheets_are_cut_at_creases),
         cmocka_unit_test(test_a_whole_mesh_is_no_part),
         cmocka_unit_test(test_every_failing_allocation_is_reported),
-        cmocka_unit_test(test_the_boundary_names_what_is_wrong),
+        cmocka_unit_test(test_api_reports_invalid_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,33 +1,38 @@
-/* Everything measured about one part and its surroundings before any joint is thought of: box, symmetry directions,
- * contact regions, patches, distance grids. Independent of a drag. */
+/* Geometric analysis of one part and the body near it: box, directions, contact regions, patches, distance grids. It is
+ * independent of a drag and of candidate joints. All coordinates are object-normalised. */
 #ifndef DMI_ANALYSIS_PART_ANALYSIS_H
 #define DMI_ANALYSIS_PART_ANALYSIS_H
 
+#include <stdbool.h>
+
 #include "base/arena.h"
+#include "kinematics/analysis/bounding_box.h"
 #include "kinematics/analysis/distance_grid.h"
-#include "kinematics/analysis/shape.h"
+#include "kinematics/analysis/normal_clusters.h"
+#include "kinematics/analysis/slippage.h"
 #include "mesh/cloud.h"
 
 #define DMI_ANALYSIS_POINTS 2048       /* surface points of the part: the cloud's part block */
-#define DMI_ANALYSIS_NEAR_POINTS 12288 /* most samples of the body near the part */
-#define DMI_CONTACT_REGIONS 3
-#define DMI_MAX_PATCHES 24
-#define DMI_MAX_NORMAL_CLUSTERS 6
+#define DMI_ANALYSIS_NEAR_POINTS 12288 /* most samples of the body near the part; by hand */
+#define DMI_CONTACT_REGIONS 3          /* absolute, relative and rank limit of the gap, see contacts.c */
+#define DMI_MAX_PATCHES 24             /* of the part, and of the body near it; by hand */
+#define DMI_MAX_NORMAL_CLUSTERS 6      /* of the part, and of the body near it; by hand */
+#define DMI_WELD_TOLERANCE 1e-5f       /* object sizes, of the welded vertices; by hand */
 
-/* Part points close to the body, by three notions of close. */
+/* The part's points whose gap is below a limit. */
 typedef struct dmi_contact {
     uint32_t* points; /* indices of part points */
     uint32_t count;
-    float mean[3], box_centre[3];
-    float directions[3][3]; /* principal, largest first */
+    float mean[3], box_centre[3]; /* box_centre: of their axis-aligned box */
+    float directions[3][3];       /* principal, largest variance first */
 } dmi_contact;
 
-/* A shell or smooth region of the surface, and the line about which it turns on itself, if it does. */
+/* A shell or smooth region of the surface, and the axis of its best rotational slippage. */
 typedef struct dmi_patch {
     float area, diagonal;
     float centroid[3], box_centre[3];
-    float axis[3], point[3], residual; /* residual > 1: no such line */
-    int32_t shell;
+    float axis[3], point[3], residual; /* as of dmi_slippage; residual > 1: not computed */
+    bool is_shell;
 } dmi_patch;
 
 typedef struct dmi_part_analysis {
@@ -35,45 +40,43 @@ typedef struct dmi_part_analysis {
     uint32_t part;
     const float (*points)[3]; /* DMI_ANALYSIS_POINTS */
     const float (*normals)[3];
-    float* gap;       /* part point -> distance to the body */
-    uint32_t* facing; /* part point -> nearest near sample, UINT32_MAX without a body near */
-    float (*near_points)[3];
+    float* gap;              /* part point -> distance to the body */
+    uint32_t* nearest_near;  /* part point -> nearest of near_points; UINT32_MAX: there are none */
+    float (*near_points)[3]; /* samples of the body near the part */
     float (*near_normals)[3];
     uint32_t near_count;
-    float low[3], high[3]; /* axis-aligned box of the part */
+    float low[3], high[3]; /* axis-aligned box of the part's vertices */
     float centre[3];       /* mean of its points */
-    float diagonal;
-    float area_ratio; /* of the body's area to the part's */
-    float extremes[DMI_SHAPE_MAX_HULL][3];
-    uint32_t extreme_count;
-    float outline[DMI_SHAPE_MAX_HULL][3]; /* extremes of the whole object */
-    uint32_t outline_count;
-    float handle[3], handle_direction[3]; /* mean and longest direction of what stands out farthest from the body */
-    float handle_spread;                  /* root mean square distance from its mean; 0: no body near */
+    float diagonal;        /* of the axis-aligned box */
+    float area_ratio;      /* the body's area / the part's */
+    float extreme_points[DMI_MAX_HULL_POINTS][3];
+    uint32_t extreme_point_count;
+    float object_extreme_points[DMI_MAX_HULL_POINTS][3]; /* of the part and the body */
+    uint32_t object_extreme_point_count;
+    /* the points with the widest gaps: mean, longest direction, root mean square distance from the mean (0: no body) */
+    float widest_gap_mean[3], widest_gap_direction[3];
+    float widest_gap_spread;
     dmi_box box;
-    float lean[3]; /* along the box's axes: 1, the body lies down the axis alone; -1, up the axis; 0, on both sides
-                      alike */
-    float grip[3], grip_direction[3]; /* mean and longest direction of what stands proud of the box's outer face */
-    float grip_spread, grip_share;    /* root mean square distance from the mean; share of the points, 0: none */
-    float part_directions[3][3], all_directions[3][3];
+    float body_side[3]; /* along the box's axes: 1, the body lies only in the negative direction; -1, only in the
+                         * positive; 0, on both sides alike */
+    /* the points that protrude beyond the box's outer face: mean, longest direction, root mean square distance from
+     * the mean, share of the points (0: none) */
+    float protrusion_mean[3], protrusion_direction[3];
+    float protrusion_spread, protrusion_share;
+    float part_directions[3][3], all_directions[3][3]; /* principal: of the points; of near_points */
     dmi_normal_cluster part_clusters[DMI_MAX_NORMAL_CLUSTERS], near_clusters[DMI_MAX_NORMAL_CLUSTERS];
     uint32_t part_cluster_count, near_cluster_count;
     dmi_contact contacts[DMI_CONTACT_REGIONS];
     dmi_slippage slippage[1 + 2 * DMI_CONTACT_REGIONS]; /* of the part; of a contact's part side and body side */
-    int32_t has_slippage[1 + 2 * DMI_CONTACT_REGIONS];
+    bool has_slippage[1 + 2 * DMI_CONTACT_REGIONS];
     dmi_patch part_patches[DMI_MAX_PATCHES], near_patches[DMI_MAX_PATCHES];
     uint32_t part_patch_count, near_patch_count;
-    dmi_distance_grid body_field, part_field;
+    dmi_distance_grid body_grid, part_grid;
 } dmi_part_analysis;
 
-#define DMI_WELD_TOLERANCE 1e-5f /* tolerance */
-
-/* Everything lives in the arena. welded: from dmi_weld_vertices with the tolerance above, or NULL to weld here. */
+/* Analyses a part (index in mesh->parts). All memory comes from the arena; mesh and cloud must outlive `out`. welded:
+ * from dmi_weld_vertices with DMI_WELD_TOLERANCE; NULL: computed here. */
 dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
                                  const uint32_t* welded, dmi_part_analysis* out);
-
-/* study_patches.c: shells and smooth regions of the part and of the body near it. */
-dm_result dmi_part_analysis_patches(dmi_arena* arena, const uint8_t* moving, const float low[3], const float high[3],
-                                    const uint32_t* welded, dmi_part_analysis* study);
 
 #endif

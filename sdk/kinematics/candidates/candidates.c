@@ -102,10 +102,10 @@ static void suggest_patches(const dmi_patch* patches, uint32_t count, float larg
             add_line(s, p->axis, p->point, near ? DMI_DIRECTION_NEAR_PATCH : DMI_DIRECTION_PATCH,
                      near ? DMI_ORIGIN_NEAR_LINE : DMI_ORIGIN_LINE);
         if (p->diagonal > largest) continue;
-        uint32_t family = near ? (p->shell ? DMI_ORIGIN_NEAR_SHELL : DMI_ORIGIN_NEAR_PATCH)
-                               : (p->shell ? DMI_ORIGIN_SHELL : DMI_ORIGIN_PATCH);
+        uint32_t family = near ? (p->is_shell ? DMI_ORIGIN_NEAR_SHELL : DMI_ORIGIN_NEAR_PATCH)
+                               : (p->is_shell ? DMI_ORIGIN_SHELL : DMI_ORIGIN_PATCH);
         add_point(s, p->box_centre, family);
-        if (p->shell) add_point(s, p->centroid, family);
+        if (p->is_shell) add_point(s, p->centroid, family);
     }
 }
 
@@ -278,7 +278,7 @@ static void add_turns(collector* c, const suggestions* s, const direction* d) {
     uint32_t first = c->count;
     if (c->hint != NULL && fabsf(dmi_dot3(d->d, c->drag)) > ACROSS_DRAG) return;
     dmi_rectangle r;
-    dmi_shape_rectangle((const float(*)[3])c->study->extremes, c->study->extreme_count, d->d, &r);
+    dmi_min_area_rectangle((const float(*)[3])c->study->extreme_points, c->study->extreme_point_count, d->d, &r);
     add_rectangle(c, first, d, (const float(*)[3])r.axes, r.low, r.high, 0);
     add_insets(c, first, d, &r);
     for (uint32_t i = 0; i < s->point_count; i++)

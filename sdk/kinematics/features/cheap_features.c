@@ -79,7 +79,7 @@ static void offset_features(const dmi_cheap_features* cheap, const dmi_candidate
     row[DMI_FEATURE_AT_CENTROID] = expf(-centroid / AT_CENTROID);
     row[DMI_FEATURE_BOX_OFFSET] = box;
     row[DMI_FEATURE_AT_BOX_CENTRE] = expf(-box / AT_BOX_CENTRE);
-    row[DMI_FEATURE_BODY_DISTANCE] = dmi_distance_grid_distance(&a->body_field, c->origin) / a->diagonal;
+    row[DMI_FEATURE_BODY_DISTANCE] = dmi_distance_grid_distance(&a->body_grid, c->origin) / a->diagonal;
 }
 
 /* Returns the axis of the part's box that the candidate's axis is nearest to. */
@@ -130,12 +130,12 @@ static void section_features(const dmi_cheap_features* cheap, const dmi_candidat
     const int wide = along == 0 ? 1 : 0, thin = along == 2 ? 1 : 2; /* sides are sorted, longest first */
     const float w = dmi_dot3(c->origin, a->box.axes[wide]) - cheap->middle[wide];
     const float t = dmi_dot3(c->origin, a->box.axes[thin]) - cheap->middle[thin];
-    const float away = a->lean[thin] < 0 ? -t : t, pulled = dmi_dot3(cheap->drag, a->box.axes[thin]);
+    const float away = a->body_side[thin] < 0 ? -t : t, pulled = dmi_dot3(cheap->drag, a->box.axes[thin]);
     row[DMI_FEATURE_SECTION_WIDE] = dmi_min(fabsf(w) / dmi_max(0.5f * side[wide], least), MOST_WIDE_HALF_SIDES);
     row[DMI_FEATURE_SECTION_WIDE_BEYOND] = clamp((fabsf(w) - 0.5f * side[wide]) / diagonal, MOST_DIAGONALS);
     row[DMI_FEATURE_SECTION_THIN] = clamp(away / dmi_max(0.5f * side[thin], least), MOST_HALF_SIDES);
     row[DMI_FEATURE_SECTION_THIN_OFFSET] = clamp(away / diagonal, MOST_DIAGONALS);
-    row[DMI_FEATURE_SECTION_BODY_SIDE] = fabsf(a->lean[thin]);
+    row[DMI_FEATURE_SECTION_BODY_SIDE] = fabsf(a->body_side[thin]);
     row[DMI_FEATURE_SECTION_OUTER_CORNER] = corner(w, away, side[wide], side[thin], diagonal);
     row[DMI_FEATURE_SECTION_INNER_CORNER] = corner(w, -away, side[wide], side[thin], diagonal);
     row[DMI_FEATURE_SECTION_PULLED] =
@@ -159,32 +159,32 @@ static void drag_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     row[DMI_FEATURE_DRAG_BOX_COSINE] = dmi_max(of_sides[0], dmi_max(of_sides[1], of_sides[2]));
 }
 
-static void handle_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
-    row[DMI_FEATURE_HANDLE_SIZE] = row[DMI_FEATURE_HANDLE_ALONG_AXIS] = row[DMI_FEATURE_HANDLE_BEYOND] = 0;
-    if (a->handle_spread <= 0) return;
-    row[DMI_FEATURE_HANDLE_SIZE] = a->handle_spread / a->diagonal;
-    row[DMI_FEATURE_HANDLE_ALONG_AXIS] = fabsf(dmi_dot3(a->handle_direction, c->axis));
+static void widest_gap_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_WIDEST_GAP_SIZE] = row[DMI_FEATURE_WIDEST_GAP_ALONG_AXIS] = row[DMI_FEATURE_WIDEST_GAP_BEYOND] = 0;
+    if (a->widest_gap_spread <= 0) return;
+    row[DMI_FEATURE_WIDEST_GAP_SIZE] = a->widest_gap_spread / a->diagonal;
+    row[DMI_FEATURE_WIDEST_GAP_ALONG_AXIS] = fabsf(dmi_dot3(a->widest_gap_direction, c->axis));
     if (slides(c)) return;
     float off[3], arm[3];
-    dmi_sub3(a->handle, a->centre, off);
+    dmi_sub3(a->widest_gap_mean, a->centre, off);
     dmi_sub3(a->centre, c->origin, arm);
-    row[DMI_FEATURE_HANDLE_BEYOND] = dmi_dot3(off, arm) / (dmi_length3(arm) * a->diagonal + LEAST_LENGTH);
+    row[DMI_FEATURE_WIDEST_GAP_BEYOND] = dmi_dot3(off, arm) / (dmi_length3(arm) * a->diagonal + LEAST_LENGTH);
 }
 
-static void grip_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
-    row[DMI_FEATURE_HAS_GRIP] = row[DMI_FEATURE_GRIP_SHARE] = row[DMI_FEATURE_GRIP_SIZE] = 0;
-    row[DMI_FEATURE_GRIP_ALONG_AXIS] = row[DMI_FEATURE_GRIP_BEYOND] = 0;
-    if (a->grip_share <= 0) return;
-    row[DMI_FEATURE_HAS_GRIP] = 1;
-    row[DMI_FEATURE_GRIP_SHARE] = a->grip_share;
-    row[DMI_FEATURE_GRIP_SIZE] = a->grip_spread / a->diagonal;
-    row[DMI_FEATURE_GRIP_ALONG_AXIS] = fabsf(dmi_dot3(a->grip_direction, c->axis));
+static void protrusion_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_HAS_PROTRUSION] = row[DMI_FEATURE_PROTRUSION_SHARE] = row[DMI_FEATURE_PROTRUSION_SIZE] = 0;
+    row[DMI_FEATURE_PROTRUSION_ALONG_AXIS] = row[DMI_FEATURE_PROTRUSION_BEYOND] = 0;
+    if (a->protrusion_share <= 0) return;
+    row[DMI_FEATURE_HAS_PROTRUSION] = 1;
+    row[DMI_FEATURE_PROTRUSION_SHARE] = a->protrusion_share;
+    row[DMI_FEATURE_PROTRUSION_SIZE] = a->protrusion_spread / a->diagonal;
+    row[DMI_FEATURE_PROTRUSION_ALONG_AXIS] = fabsf(dmi_dot3(a->protrusion_direction, c->axis));
     if (slides(c)) return;
     float off[3], arm[3];
-    dmi_sub3(a->grip, a->centre, off);
+    dmi_sub3(a->protrusion_mean, a->centre, off);
     dmi_sub3(a->centre, c->origin, arm);
     dmi_reject3(arm, c->axis);
-    row[DMI_FEATURE_GRIP_BEYOND] = dmi_dot3(off, arm) / (dmi_length3(arm) * a->diagonal + LEAST_LENGTH);
+    row[DMI_FEATURE_PROTRUSION_BEYOND] = dmi_dot3(off, arm) / (dmi_length3(arm) * a->diagonal + LEAST_LENGTH);
 }
 
 static void network_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
@@ -247,8 +247,8 @@ void dmi_cheap_features_row(const dmi_cheap_features* cheap, const dmi_candidate
     side_features(cheap, c, row);
     section_features(cheap, c, row);
     drag_features(cheap, c, row);
-    handle_features(cheap->analysis, c, row);
-    grip_features(cheap->analysis, c, row);
+    widest_gap_features(cheap->analysis, c, row);
+    protrusion_features(cheap->analysis, c, row);
     network_features(cheap, c, row);
     family_features(c, row);
 }

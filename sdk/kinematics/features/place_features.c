@@ -17,7 +17,7 @@
 #define LEAST_EXTENT 1e-6f   /* objects, likewise */
 
 static void limits_along(const float (*points)[3], uint32_t count, const float direction[3], float* low, float* high) {
-    dmi_shape_limits(points, count, (const float(*)[3])direction, 1, low, high);
+    dmi_extents_along(points, count, (const float(*)[3])direction, 1, low, high);
 }
 
 /* Writes the spread of the distances from the axis, and how much of the part lies beyond the axis as seen from the
@@ -54,16 +54,18 @@ static void reach_features(const dmi_feature_context* context, const dmi_candida
     const dmi_part_analysis* a = context->analysis;
     const bool turns = !dmi_candidate_slides(c);
     row[DMI_FEATURE_DRAG_REACH] = row[DMI_FEATURE_DRAG_ALONG_AXIS] = 0;
-    row[DMI_FEATURE_HANDLE_REACH] = row[DMI_FEATURE_GRIP_REACH] = 0;
-    if (turns && a->handle_spread > 0)
-        row[DMI_FEATURE_HANDLE_REACH] = dmi_line_distance3(a->handle, c->axis, c->origin) / (most + LEAST_LENGTH);
-    if (turns && a->grip_share > 0)
-        row[DMI_FEATURE_GRIP_REACH] = dmi_line_distance3(a->grip, c->axis, c->origin) / (most + LEAST_LENGTH);
+    row[DMI_FEATURE_WIDEST_GAP_REACH] = row[DMI_FEATURE_PROTRUSION_REACH] = 0;
+    if (turns && a->widest_gap_spread > 0)
+        row[DMI_FEATURE_WIDEST_GAP_REACH] =
+            dmi_line_distance3(a->widest_gap_mean, c->axis, c->origin) / (most + LEAST_LENGTH);
+    if (turns && a->protrusion_share > 0)
+        row[DMI_FEATURE_PROTRUSION_REACH] =
+            dmi_line_distance3(a->protrusion_mean, c->axis, c->origin) / (most + LEAST_LENGTH);
     if (context->hint == NULL) return;
     const float* point = context->hint->point;
     float v[3], low, high;
     dmi_candidate_velocity(c, point, v);
-    limits_along((const float(*)[3])a->extremes, a->extreme_count, c->axis, &low, &high);
+    limits_along((const float(*)[3])a->extreme_points, a->extreme_point_count, c->axis, &low, &high);
     const float along = (dmi_dot3(point, c->axis) - low) / dmi_max(high - low, LEAST_EXTENT);
     if (turns) row[DMI_FEATURE_DRAG_REACH] = dmi_min(dmi_length3(v) / (most + LEAST_LENGTH), MOST_REACH);
     row[DMI_FEATURE_DRAG_ALONG_AXIS] = dmi_min(fabsf(along - 0.5f), MOST_REACH);
@@ -72,13 +74,13 @@ static void reach_features(const dmi_feature_context* context, const dmi_candida
 static void along_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
     float body_mean = 0, body_most = 0, part_mean = 0, part_most = 0, low, high;
     if (!dmi_candidate_slides(c)) {
-        limits_along((const float(*)[3])a->extremes, a->extreme_count, c->axis, &low, &high);
+        limits_along((const float(*)[3])a->extreme_points, a->extreme_point_count, c->axis, &low, &high);
         const float at = dmi_dot3(c->origin, c->axis);
         for (int i = 0; i < ALONG_SAMPLES; i++) {
             float x[3];
             dmi_madd3(c->origin, low + (high - low) * (float)i / (ALONG_SAMPLES - 1) - at, c->axis, x);
-            const float body = dmi_distance_grid_distance(&a->body_field, x) / a->diagonal;
-            const float part = dmi_distance_grid_distance(&a->part_field, x) / a->diagonal;
+            const float body = dmi_distance_grid_distance(&a->body_grid, x) / a->diagonal;
+            const float part = dmi_distance_grid_distance(&a->part_grid, x) / a->diagonal;
             body_mean += body / ALONG_SAMPLES, body_most = dmi_max(body_most, body);
             part_mean += part / ALONG_SAMPLES, part_most = dmi_max(part_most, part);
         }
@@ -99,7 +101,7 @@ static void rotation_features(const dmi_part_analysis* a, const dmi_candidate* c
     dmi_batched_transform_revolute(c->axis, c->origin, a->points, ROTATED_POINTS, &moved);
     for (int k = 0; k < FRACTIONS; k++) {
         float distance[DMI_POINT_BATCH];
-        dmi_batched_transform_distances(&moved, cosine[k], sine[k], 0, &a->part_field, distance);
+        dmi_batched_transform_distances(&moved, cosine[k], sine[k], 0, &a->part_grid, distance);
         for (int i = 0; i < ROTATED_POINTS; i++)
             mean[k] += dmi_min(distance[i] / a->diagonal, UNLIKE_DISTANCE) / ROTATED_POINTS;
     }
@@ -117,9 +119,9 @@ static void outline_features(const dmi_part_analysis* a, const dmi_candidate* c,
     dmi_sub3(c->origin, a->centre, directions[1]);
     dmi_reject3(directions[1], c->axis);
     const bool off_centre = dmi_normalize3(directions[1]) > OFF_CENTRE * a->diagonal;
-    dmi_shape_limits((const float(*)[3])a->outline, a->outline_count, (const float(*)[3])directions, off_centre ? 2 : 1,
-                     low, high);
-    limits_along((const float(*)[3])a->extremes, a->extreme_count, directions[0], &part_low, &part_high);
+    dmi_extents_along((const float(*)[3])a->object_extreme_points, a->object_extreme_point_count,
+                      (const float(*)[3])directions, off_centre ? 2 : 1, low, high);
+    limits_along((const float(*)[3])a->extreme_points, a->extreme_point_count, directions[0], &part_low, &part_high);
     row[DMI_FEATURE_OUTLINE_LENGTH_SHARE] = (part_high - part_low) / (high[0] - low[0] + LEAST_LENGTH);
     if (dmi_candidate_slides(c) || !off_centre) return;
     const float width = high[1] - low[1] + LEAST_LENGTH;

@@ -50,7 +50,7 @@ static void contact_features(const dmi_part_analysis* a, const dmi_candidate* c,
     const uint32_t step = contact->count / CONTACT_POINTS + 1;
     uint32_t n = 0;
     for (uint32_t i = 0; i < contact->count; i += step, n++) {
-        const uint32_t p = contact->points[i], q = a->facing[p];
+        const uint32_t p = contact->points[i], q = a->nearest_near[p];
         float v[3];
         dmi_candidate_velocity(c, a->points[p], v);
         const float length = dmi_length3(v), ratio = length / (ON_AXIS_RADIUS * a->diagonal);

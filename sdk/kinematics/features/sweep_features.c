@@ -22,7 +22,7 @@ typedef struct sweep {
 void dmi_sweep_features_begin(dmi_feature_context* context) {
     const dmi_part_analysis* a = context->analysis;
     for (int i = 0; i < DMI_SWEPT_POINTS; i++)
-        context->free[i] = dmi_distance_grid_distance(&a->body_field, a->points[i]) > TOUCH_CELLS * a->body_field.cell;
+        context->free[i] = dmi_distance_grid_distance(&a->body_grid, a->points[i]) > TOUCH_CELLS * a->body_grid.cell;
 }
 
 /* Returns the third smallest distance: a couple of points may lag behind a part that has left the body. */
@@ -47,7 +47,7 @@ static void carry(const dmi_candidate* c, const float (*points)[3], dmi_batched_
 
 static void sweep_part(const dmi_feature_context* context, const dmi_candidate* c, sweep* out) {
     const dmi_part_analysis* a = context->analysis;
-    const dmi_distance_grid* body = &a->body_field;
+    const dmi_distance_grid* body = &a->body_grid;
     const float touch_limit = TOUCH_CELLS * body->cell, hit_limit = HIT_CELLS * body->cell;
     float extent = 0;
     for (int k = 0; k < 3; k++) extent += fabsf(dmi_dot3(c->axis, a->box.axes[k])) * context->cheap.side[k];

@@ -57,17 +57,19 @@ static void measure_middle(const dmi_symmetry* s, const float normal[3], dmi_mir
     const dmi_part_analysis* a = s->analysis;
     const float at = dmi_dot3(s->centre, normal);
     float low, high;
-    out->part = image_distance(normal, at, part_sample(a), &a->part_field, a->diagonal);
-    out->body = image_distance(normal, at, near_sample(a), &a->body_field, a->diagonal);
-    dmi_shape_limits((const float(*)[3])a->outline, a->outline_count, (const float(*)[3])normal, 1, &low, &high);
+    out->part = image_distance(normal, at, part_sample(a), &a->part_grid, a->diagonal);
+    out->body = image_distance(normal, at, near_sample(a), &a->body_grid, a->diagonal);
+    dmi_extents_along((const float(*)[3])a->object_extreme_points, a->object_extreme_point_count,
+                      (const float(*)[3])normal, 1, &low, &high);
     out->offset = dmi_min(fabsf(at - (low + high) / 2) / (high - low + LEAST_WIDTH), 1);
 }
 
 static void measure_twins(const dmi_part_analysis* a, const float normal[3], float out[2]) {
     float low, high;
-    dmi_shape_limits((const float(*)[3])a->extremes, a->extreme_count, (const float(*)[3])normal, 1, &low, &high);
-    out[0] = image_distance(normal, low, part_sample(a), &a->body_field, a->diagonal);
-    out[1] = image_distance(normal, high, part_sample(a), &a->body_field, a->diagonal);
+    dmi_extents_along((const float(*)[3])a->extreme_points, a->extreme_point_count, (const float(*)[3])normal, 1, &low,
+                      &high);
+    out[0] = image_distance(normal, low, part_sample(a), &a->body_grid, a->diagonal);
+    out[1] = image_distance(normal, high, part_sample(a), &a->body_grid, a->diagonal);
 }
 
 /* Returns the mirror of a normal, of either sign. The last place serves all that come when the others are taken. */

@@ -11,7 +11,7 @@
 #define USUAL_TRAVEL 0.8f /* of the part's extent along a slide: drawers stay on their runners */
 
 static int is_round(const dmi_sweep* s) {
-    return dmi_sweep_roundness(s) < ROUND + 0.5f * s->study->part_field.cell / s->study->diagonal;
+    return dmi_sweep_roundness(s) < ROUND + 0.5f * s->study->part_grid.cell / s->study->diagonal;
 }
 
 static void limit_turn(const dmi_sweep* s, dm_joint* joint) {

@@ -19,8 +19,8 @@ static void distances_at(const dmi_sweep* s, float value, const dmi_distance_gri
 /* Share of the free points that are inside the body's cells at a value. */
 static float blocked(const dmi_sweep* s, float value) {
     float distance[DMI_SWEEP_POINTS];
-    distances_at(s, value, &s->study->body_field, distance);
-    const float limit = 0.9f * s->study->body_field.cell;
+    distances_at(s, value, &s->study->body_grid, distance);
+    const float limit = 0.9f * s->study->body_grid.cell;
     int32_t hits = 0;
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) hits += s->free[i] & (distance[i] < limit);
     return s->free_count > 0 ? (float)hits / (float)s->free_count : 0;
@@ -40,7 +40,7 @@ void dmi_sweep_reach(const dmi_sweep* s, float step, int steps, float out[2]) {
 
 dmi_clearance dmi_sweep_clearance(const dmi_sweep* s, float value) {
     float distance[DMI_SWEEP_POINTS];
-    distances_at(s, value, &s->study->body_field, distance);
+    distances_at(s, value, &s->study->body_grid, distance);
     dmi_clearance out = {.least = INFINITY};
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
         out.mean += dmi_min(distance[i], s->study->diagonal) / DMI_SWEEP_POINTS;
@@ -53,7 +53,7 @@ float dmi_sweep_roundness(const dmi_sweep* s) {
     float mean = 0;
     for (uint32_t turn = 0; turn < 3; turn++) {
         float distance[DMI_SWEEP_POINTS];
-        distances_at(s, 0.4f + 2.1f * (float)turn, &s->study->part_field, distance);
+        distances_at(s, 0.4f + 2.1f * (float)turn, &s->study->part_grid, distance);
         for (uint32_t i = turn; i < DMI_SWEEP_POINTS; i += 3) mean += distance[i] / DMI_SWEEP_POINTS;
     }
     return mean / s->study->diagonal;
@@ -69,11 +69,11 @@ void dmi_sweep_make(const dmi_part_analysis* study, const dm_joint* joint, dmi_s
     else
         dmi_batched_transform_revolute(axis, out->origin, study->points, DMI_SWEEP_POINTS, &out->moved);
     float low, high;
-    dmi_shape_limits((const float(*)[3])study->extremes, study->extreme_count, &axis, 1, &low, &high);
+    dmi_extents_along((const float(*)[3])study->extreme_points, study->extreme_point_count, &axis, 1, &low, &high);
     out->extent = dmi_max(high - low, 0.01f);
     out->free_count = 0;
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
-        out->free[i] = dmi_distance_grid_distance(&study->body_field, study->points[i]) > 2.1f * study->body_field.cell;
+        out->free[i] = dmi_distance_grid_distance(&study->body_grid, study->points[i]) > 2.1f * study->body_grid.cell;
         out->free_count += out->free[i];
     }
 }

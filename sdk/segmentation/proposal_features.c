@@ -1,0 +1,237 @@
+/* Computes the features of proposals. */
+#include "segmentation/proposal_features.h"
+
+#include <string.h>
+
+#include "math/linear3.h"
+#include "segmentation/proposal_box.h"
+#include "segmentation/proposal_contact.h"
+#include "segmentation/remaining_components.h"
+
+#define MIN_AREA 1e-12f       /* object sizes squared: avoids a division by zero */
+#define MIN_AREA_SHARE 1e-9f  /* of the mesh's area, added to areas that are divided by; by hand */
+#define MIN_AREA_ADDED 1e-20f /* object sizes squared, added likewise for meshes without area */
+#define MAX_ODDS 8            /* clamp of log odds; by hand */
+#define MAX_AREA_RATIO 3.0f   /* clamp of areas and counts relative to the part's; by hand */
+#define MAX_BOX_AREA 3        /* clamp of the area relative to the box's surface; by hand */
+#define MAX_REST_CONTACTS 2   /* clamp; by hand */
+#define MAX_GRAB_OFFSET 2     /* half sides, clamp; by hand */
+#define MAX_LOG_NEXT_AREA 6   /* clamp; by hand */
+#define BOX_MARGIN 0.5f       /* contact distances, added to boxes where the next piece is compared; by hand */
+/* A piece of which more than 4 of 5 samples lie in the box is enclosed; by hand. */
+enum { ENCLOSED_SAMPLES = 4, ENCLOSED_OF = 5 };
+
+typedef struct scratch {
+    float (*points)[3], (*next_points)[3]; /* samples of the part, of the next piece */
+    dmi_remaining_components components;
+} scratch;
+
+static float clamp(float x, float limit) {
+    return fminf(fmaxf(x, -limit), limit);
+}
+
+/* ---- how the part grew ---- */
+
+static void write_growth(const dmi_proposal* part, float area, float* out) {
+    const dmi_piece_level* level = part->level;
+    float carried = 0, sheet = 0, taken = 0;
+    uint32_t members = 0;
+    for (uint32_t p = 0; p < level->pieces.count; p++) {
+        members += part->inside[p] != 0;
+        carried += part->inside[p] == DMI_PIECE_CARRIED ? level->pieces.area[p] : 0;
+        if (level->sheets[p] != level->sheets[part->seed]) continue;
+        sheet += level->pieces.area[p];
+        taken += part->inside[p] ? level->pieces.area[p] : 0;
+    }
+    const float epsilon = MIN_AREA_SHARE * level->total_area + MIN_AREA_ADDED;
+    out[DMI_PROPOSAL_LOG_AREA] = logf((area + epsilon) / level->total_area);
+    out[DMI_PROPOSAL_SEED_AREA] = level->pieces.area[part->seed] / (area + epsilon);
+    out[DMI_PROPOSAL_LOG_PIECES] = logf((float)members);
+    out[DMI_PROPOSAL_LOWEST_ODDS] = clamp(part->lowest_log_odds, MAX_ODDS);
+    out[DMI_PROPOSAL_LAST_ODDS] = clamp(part->last_log_odds, MAX_ODDS);
+    out[DMI_PROPOSAL_NEXT_ODDS] = clamp(part->next_log_odds, MAX_ODDS);
+    out[DMI_PROPOSAL_SHEET_IS_CUT] = (float)level->sheet_is_cut;
+    out[DMI_PROPOSAL_CARRIED_AREA] = carried / (area + epsilon);
+    out[DMI_PROPOSAL_LOG_MESH_PIECES] = logf((float)level->pieces.count);
+    out[DMI_PROPOSAL_SHEET_AREA] = sheet / level->total_area;
+    out[DMI_PROPOSAL_SHEET_TAKEN] = taken / (sheet + epsilon);
+    out[DMI_PROPOSAL_LATER_ODDS] = fmaxf(part->later_log_odds, -MAX_ODDS);
+    out[DMI_PROPOSAL_GROWTH_AREA] = area / fmaxf(part->final_area, MIN_AREA);
+    out[DMI_PROPOSAL_LOG_LIKELY] = logf(1 + (float)part->likely_count);
+    out[DMI_PROPOSAL_LIKELY_AREA] = fminf(part->likely_area / area, MAX_AREA_RATIO);
+}
+
+/* ---- contact and motion ---- */
+
+static void write_contact(const dmi_proposal_contact* sums, const dmi_proposal_box* box, float* out) {
+    const float count = fmaxf(sums->count, 1), samples = (float)box->samples;
+    float centre[3];
+    for (int k = 0; k < 3; k++) centre[k] = sums->count > 0 ? sums->centre[k] / count : box->centre[k];
+    out[DMI_PROPOSAL_CONTACTS] = sums->count / samples;
+    out[DMI_PROPOSAL_REST_CONTACTS] = fminf(sums->rest_count / samples, MAX_REST_CONTACTS);
+    out[DMI_PROPOSAL_CONTACT_SPREAD] = sqrtf(fmaxf(sums->square / count - dmi_dot3(centre, centre), 0)) / box->radius;
+    out[DMI_PROPOSAL_CONTACT_OFFSET] = dmi_distance3(centre, box->centre) / box->radius;
+    for (int i = 0; i < DMI_PROPOSAL_CONTACT_KINDS; i++) out[DMI_PROPOSAL_CONCAVE + i] = sums->kinds[i] / count;
+    out[DMI_PROPOSAL_CONTACT_DISTANCE] = sums->distance / count;
+}
+
+static void write_motion(const dmi_proposal_contact* sums, const dmi_proposal_box* box, const dmi_grab* grab,
+                         float* out) {
+    out[DMI_PROPOSAL_HAS_DRAG] = dmi_dot3(grab->drag, grab->drag) > 0.5f ? 1 : 0;
+    out[DMI_PROPOSAL_SLIDE_SPEED] = sqrtf(sums->constant / fmaxf(sums->count, 1));
+    out[DMI_PROPOSAL_TURN_SPEED] = sqrtf(dmi_proposal_contact_turn(sums));
+    out[DMI_PROPOSAL_DRAG_LONGEST] = fabsf(dmi_dot3(grab->drag, box->axes[0]));
+    out[DMI_PROPOSAL_DRAG_SHORTEST] = fabsf(dmi_dot3(grab->drag, box->axes[2]));
+}
+
+/* ---- shape ---- */
+
+static uint32_t gather_points(const dmi_pieces* pieces, const uint8_t* inside, float (*points)[3]) {
+    uint32_t count = 0;
+    for (uint32_t s = 0; s < pieces->first[pieces->count]; s++)
+        if (inside[pieces->samples[s].piece]) dmi_copy3(pieces->samples[s].point, points[count++]);
+    return count;
+}
+
+static void write_shape(const dmi_proposal_box* box, float area, float* out) {
+    float side[3];
+    for (int k = 0; k < 3; k++) side[k] = fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
+    const float surface = 2 * (side[0] * side[1] + side[1] * side[2] + side[2] * side[0]);
+    out[DMI_PROPOSAL_LOG_LENGTH] = logf(side[0]);
+    out[DMI_PROPOSAL_WIDTH] = side[1] / side[0];
+    out[DMI_PROPOSAL_THICKNESS] = side[2] / side[0];
+    out[DMI_PROPOSAL_BOX_AREA] = fminf(area / surface, MAX_BOX_AREA);
+    out[DMI_PROPOSAL_RADIUS] = box->radius;
+    out[DMI_PROPOSAL_LOG_RADIUS] = logf(box->radius);
+}
+
+static void write_grab(const dmi_proposal_box* box, const dmi_grab* grab, float* out) {
+    float offset[3];
+    dmi_sub3(grab->point, box->centre, offset);
+    for (int k = 0; k < 3; k++) {
+        const float side = fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
+        out[DMI_PROPOSAL_GRAB + k] = fminf(2 * fabsf(dmi_dot3(offset, box->axes[k])) / side, MAX_GRAB_OFFSET);
+    }
+}
+
+/* ---- what remains ---- */
+
+/* Counts the rest's samples in the part's box, and sums the area of enclosed pieces outside the largest component. */
+static void write_box_contents(const dmi_proposal* part, const dmi_proposal_box* box,
+                               const dmi_remaining_components* components, float area, float* out) {
+    const dmi_pieces* pieces = &part->level->pieces;
+    float samples = 0, enclosed = 0;
+    for (uint32_t p = 0; p < pieces->count; p++) {
+        uint32_t count = 0, all = pieces->first[p + 1] - pieces->first[p];
+        if (part->inside[p]) continue;
+        for (uint32_t s = pieces->first[p]; s < pieces->first[p + 1]; s++)
+            count += dmi_proposal_box_contains(box, pieces->samples[s].point, 0);
+        samples += (float)count;
+        if (components->roots[p] != components->largest && ENCLOSED_OF * count > ENCLOSED_SAMPLES * all)
+            enclosed += pieces->area[p];
+    }
+    out[DMI_PROPOSAL_REST_IN_BOX] = fminf(samples / (float)box->samples, MAX_AREA_RATIO);
+    out[DMI_PROPOSAL_ENCLOSED_AREA] = fminf(enclosed / area, MAX_AREA_RATIO);
+}
+
+static void write_detached(const dmi_proposal* part, const dmi_remaining_components* components, float area,
+                           float* out) {
+    float detached = 0;
+    for (uint32_t p = 0; p < part->level->pieces.count; p++)
+        if (!part->inside[p] && components->roots[p] == p && p != components->largest && components->touches_part[p])
+            detached += components->area[p];
+    out[DMI_PROPOSAL_DETACHED_AREA] = fminf(detached / area, MAX_AREA_RATIO);
+}
+
+static void write_repeats(const dmi_proposal* part, float area, float* out) {
+    const dmi_piece_level* level = part->level;
+    float shares[2] = {0, 0}; /* with a repeat outside, inside */
+    for (uint32_t p = 0; p < level->pieces.count; p++) {
+        bool found[2] = {false, false};
+        if (!part->inside[p]) continue;
+        for (int i = 0; i < DMI_PIECE_MAX_REPEATS && level->repeats[p][i] != DMI_PIECE_NONE; i++)
+            found[part->inside[level->repeats[p][i]] != 0] = true;
+        for (int i = 0; i < 2; i++)
+            if (found[i]) shares[i] += level->pieces.area[p] / area;
+    }
+    out[DMI_PROPOSAL_REPEATS_OUTSIDE] = shares[0];
+    out[DMI_PROPOSAL_REPEATS_INSIDE] = shares[1];
+}
+
+/* ---- the next piece ---- */
+
+static void write_next(const dmi_proposal* part, const dmi_proposal_box* box, float area, const scratch* work,
+                       float* out) {
+    const dmi_piece_level* level = part->level;
+    const dmi_pieces* pieces = &level->pieces;
+    const uint32_t next = part->next_piece;
+    if (next == DMI_PIECE_NONE || part->inside[next]) return;
+    const float margin = BOX_MARGIN * pieces->contact_distance;
+    const uint32_t first = pieces->first[next], count = pieces->first[next + 1] - first;
+    uint32_t in_box = 0, in_next_box = 0, touching = 0;
+    for (uint32_t s = first; s < first + count; s++) {
+        dmi_copy3(pieces->samples[s].point, work->next_points[s - first]);
+        in_box += dmi_proposal_box_contains(box, pieces->samples[s].point, margin);
+        touching += dmi_sample_touches(pieces, part->inside, &pieces->samples[s]);
+    }
+    const dmi_proposal_box next_box = dmi_proposal_box_fit((const float(*)[3])work->next_points, count);
+    for (uint32_t s = 0; s < box->samples; s++)
+        in_next_box += dmi_proposal_box_contains(&next_box, work->points[s], margin);
+    out[DMI_PROPOSAL_NEXT_IN_BOX] = (float)in_box / (float)count;
+    out[DMI_PROPOSAL_IN_NEXT_BOX] = (float)in_next_box / (float)box->samples;
+    out[DMI_PROPOSAL_LOG_NEXT_AREA] = clamp(logf(fmaxf(pieces->area[next], MIN_AREA) / area), MAX_LOG_NEXT_AREA);
+    out[DMI_PROPOSAL_NEXT_CONTACTS] = (float)touching / (float)count;
+    for (int i = 0; i < DMI_PIECE_MAX_REPEATS && level->repeats[next][i] != DMI_PIECE_NONE; i++)
+        if (part->inside[level->repeats[next][i]]) out[DMI_PROPOSAL_NEXT_REPEATS] = 1;
+}
+
+/* ---- all of them ---- */
+
+static void measure(dmi_proposal* part, const dmi_grab* grab, scratch* work) {
+    const dmi_pieces* pieces = &part->level->pieces;
+    float* out = part->features;
+    memset(out, 0, sizeof part->features);
+    dmi_remaining_components_find(pieces, part->inside, &work->components);
+    const float area = fmaxf(work->components.part_area, MIN_AREA);
+    const uint32_t count = gather_points(pieces, part->inside, work->points);
+    const dmi_proposal_box box = dmi_proposal_box_fit((const float(*)[3])work->points, count);
+    const dmi_proposal_contact sums = dmi_proposal_contact_sum(part, grab);
+    write_growth(part, area, out);
+    write_contact(&sums, &box, out);
+    write_motion(&sums, &box, grab, out);
+    write_shape(&box, area, out);
+    write_box_contents(part, &box, &work->components, area, out);
+    write_detached(part, &work->components, area, out);
+    write_repeats(part, area, out);
+    write_grab(&box, grab, out);
+    dmi_proposal_box_symmetry(&box, (const float(*)[3])work->points, out + DMI_PROPOSAL_SYMMETRY);
+    write_next(part, &box, area, work, out);
+}
+
+/* Returns the pieces with the most samples, NULL without proposals: scratch memory is made for them. */
+static const dmi_pieces* largest_level(const dmi_proposals* proposals) {
+    uint32_t samples = 0;
+    const dmi_pieces* largest = NULL;
+    for (uint32_t i = 0; i < proposals->count; i++) {
+        const dmi_pieces* pieces = &proposals->items[i].level->pieces;
+        if (pieces->first[pieces->count] < samples) continue;
+        samples = pieces->first[pieces->count];
+        largest = pieces;
+    }
+    return largest;
+}
+
+dm_result dmi_proposals_measure(dmi_arena* arena, const dmi_grab* grab, dmi_proposals* proposals) {
+    scratch work = {.points = NULL};
+    const dmi_pieces* largest = largest_level(proposals);
+    if (largest == NULL) return DM_OK;
+    const uint32_t samples = largest->first[largest->count];
+    work.points = dmi_arena_push(arena, samples * sizeof *work.points);
+    work.next_points = dmi_arena_push(arena, samples * sizeof *work.next_points);
+    if (work.points == NULL || work.next_points == NULL)
+        return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u samples", samples);
+    dm_result result = dmi_remaining_components_make(arena, largest, &work.components);
+    if (result != DM_OK) return result;
+    for (uint32_t i = 0; i < proposals->count; i++) measure(&proposals->items[i], grab, &work);
+    return DM_OK;
+}

@@ -1,0 +1,219 @@
+/* Computes the features of a region's neighbours: contacts, sizes, and positions along the drag. */
+#include "segmentation/region_growing.h"
+
+#include <string.h>
+
+#include "math/linear3.h"
+#include "segmentation/contact_kind.h"
+
+#define MIN_AREA 1e-12f         /* object sizes squared: avoids the logarithm of zero */
+#define MIN_VARIANCE 1e-10f     /* object sizes squared: avoids a division by zero */
+#define MAX_LOG_AREA_RATIO 6    /* clamp of a feature; by hand */
+#define MAX_LOG_RADIUS_GROWTH 3 /* clamp of a feature; by hand */
+
+/* Moments and extent of one piece or several, object-normalised. */
+typedef struct dmi_piece_extent {
+    float area, centre[3], mean_square; /* mean_square: mean of |x|^2 over the surface */
+    float low, high;                    /* along the drag */
+    float normal_cosine;                /* mean |cosine| between normals and the drag */
+} piece_extent;
+
+/* Contacts of a piece outside the region, in numbers of samples. */
+typedef struct dmi_neighbour_contacts {
+    uint32_t with_region, with_others; /* the piece's samples in contact with the region, with another piece outside */
+    uint32_t from_region;              /* the region's samples in contact with the piece */
+    uint32_t flush, stacked, ahead, behind, concave, convex; /* of with_region */
+    float distance;                                          /* sum over with_region, in contact distances */
+} neighbour_contacts;
+
+/* ---- extents ---- */
+
+static piece_extent measure_piece(const dmi_pieces* pieces, const float drag[3], uint32_t piece) {
+    piece_extent out = {.area = pieces->area[piece], .low = INFINITY, .high = -INFINITY};
+    const uint32_t first = pieces->first[piece], end = pieces->first[piece + 1];
+    const float share = 1 / (float)(end - first);
+    for (uint32_t s = first; s < end; s++) {
+        const dmi_piece_sample* sample = &pieces->samples[s];
+        const float height = dmi_dot3(sample->point, drag);
+        dmi_madd3(out.centre, share, sample->point, out.centre);
+        out.mean_square += share * dmi_dot3(sample->point, sample->point);
+        out.low = fminf(out.low, height);
+        out.high = fmaxf(out.high, height);
+        out.normal_cosine += share * fabsf(dmi_dot3(sample->normal, drag));
+    }
+    return out;
+}
+
+/* Returns the extent of both together, weighted by area. */
+static piece_extent merge_extents(const piece_extent* a, const piece_extent* b) {
+    piece_extent out = {.area = a->area + b->area, .low = fminf(a->low, b->low), .high = fmaxf(a->high, b->high)};
+    const float share = out.area > 0 ? b->area / out.area : 0.5f;
+    for (int k = 0; k < 3; k++) out.centre[k] = (1 - share) * a->centre[k] + share * b->centre[k];
+    out.mean_square = (1 - share) * a->mean_square + share * b->mean_square;
+    out.normal_cosine = (1 - share) * a->normal_cosine + share * b->normal_cosine;
+    return out;
+}
+
+/* Returns the root mean square distance of the surface from its centre. */
+static float radius_of(const piece_extent* extent) {
+    return sqrtf(fmaxf(extent->mean_square - dmi_dot3(extent->centre, extent->centre), MIN_VARIANCE));
+}
+
+/* ---- the region ---- */
+
+static uint32_t label_count(const uint32_t* labels, uint32_t count) {
+    uint32_t end = 0;
+    for (uint32_t i = 0; i < count; i++)
+        if (labels[i] >= end) end = labels[i] + 1;
+    return end;
+}
+
+dm_result dmi_region_make(dmi_arena* arena, const dmi_piece_level* level, const float drag[3], dmi_region* out) {
+    const dmi_pieces* pieces = &level->pieces;
+    const uint32_t shells = label_count(level->shells, pieces->count);
+    const uint32_t sheets = label_count(level->sheets, pieces->count), samples = pieces->first[pieces->count];
+    *out = (dmi_region){.level = level};
+    dmi_copy3(drag, out->drag);
+    out->inside = dmi_arena_push(arena, pieces->count);
+    out->shell_inside = dmi_arena_push(arena, shells);
+    out->sheet_inside = dmi_arena_push(arena, sheets);
+    out->features = dmi_arena_push(arena, pieces->count * sizeof *out->features);
+    out->neighbours = dmi_arena_push(arena, pieces->count * sizeof *out->neighbours);
+    out->contact_samples = dmi_arena_push(arena, samples * sizeof *out->contact_samples);
+    out->extents = dmi_arena_push(arena, pieces->count * sizeof *out->extents);
+    out->sums = dmi_arena_push(arena, pieces->count * sizeof *out->sums);
+    if (out->inside == NULL || out->shell_inside == NULL || out->sheet_inside == NULL || out->features == NULL ||
+        out->neighbours == NULL || out->contact_samples == NULL || out->extents == NULL || out->sums == NULL)
+        return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to grow a region of %u pieces", pieces->count);
+    memset(out->inside, 0, pieces->count);
+    memset(out->shell_inside, 0, shells);
+    memset(out->sheet_inside, 0, sheets);
+    for (uint32_t p = 0; p < pieces->count; p++) out->extents[p] = measure_piece(pieces, out->drag, p);
+    for (uint32_t s = 0; s < samples; s++)
+        if (pieces->samples[s].contact_count > 0) out->contact_samples[out->contact_sample_count++] = s;
+    return DM_OK;
+}
+
+void dmi_region_add(dmi_region* region, uint32_t piece) {
+    region->inside[piece] = 1;
+    region->shell_inside[region->level->shells[piece]] = 1;
+    region->sheet_inside[region->level->sheets[piece]] = 1;
+    region->piece_count++;
+}
+
+/* ---- contacts ---- */
+
+/* Adds the contact of a neighbour's sample with the region. */
+static void add_contact(const dmi_region* region, const dmi_piece_sample* sample, const dmi_piece_contact* contact,
+                        neighbour_contacts* sums) {
+    const dmi_pieces* pieces = &region->level->pieces;
+    const dmi_contact_kind kind = dmi_contact_classify(pieces, sample, contact, region->drag);
+    sums->with_region++;
+    sums->flush += kind.flush;
+    sums->stacked += kind.stacked;
+    sums->concave += kind.concave;
+    sums->convex += kind.convex;
+    sums->ahead += kind.ahead;
+    sums->behind += kind.behind;
+    sums->distance += contact->distance / pieces->contact_distance;
+}
+
+/* Adds one sample's contacts to the sums of the pieces concerned. */
+static void add_sample(dmi_region* region, const dmi_piece_sample* sample) {
+    neighbour_contacts* sums = region->sums;
+    const dmi_piece_contact* nearest = NULL;
+    bool with_others = false;
+    for (uint32_t c = 0; c < sample->contact_count; c++) {
+        const dmi_piece_contact* contact = &sample->contacts[c];
+        const uint32_t piece = region->level->pieces.samples[contact->sample].piece;
+        if (region->inside[sample->piece] && !region->inside[piece]) sums[piece].from_region++;
+        if (region->inside[sample->piece]) continue;
+        if (!region->inside[piece])
+            with_others = true;
+        else if (nearest == NULL || contact->distance < nearest->distance)
+            nearest = contact;
+    }
+    sums[sample->piece].with_others += with_others;
+    if (nearest != NULL) add_contact(region, sample, nearest, &sums[sample->piece]);
+}
+
+/* ---- features ---- */
+
+static void write_contacts(const neighbour_contacts* sums, float piece_samples, float region_samples, float* out) {
+    const float contacts = fmaxf((float)sums->with_region, 1);
+    out[DMI_NEIGHBOUR_CONTACT_SHARE] =
+        (float)sums->with_region / fmaxf((float)(sums->with_region + sums->with_others), 1);
+    out[DMI_NEIGHBOUR_REGION_CONTACTS] = (float)sums->with_region / piece_samples;
+    out[DMI_NEIGHBOUR_OTHER_CONTACTS] = (float)sums->with_others / piece_samples;
+    out[DMI_NEIGHBOUR_COVERED_REGION] = (float)sums->from_region / region_samples;
+    out[DMI_NEIGHBOUR_FLUSH] = (float)sums->flush / contacts;
+    out[DMI_NEIGHBOUR_STACKED] = (float)sums->stacked / contacts;
+    out[DMI_NEIGHBOUR_CONTACT_DISTANCE] = sums->distance / contacts;
+    out[DMI_NEIGHBOUR_STACKED_AHEAD] = (float)sums->ahead / contacts;
+    out[DMI_NEIGHBOUR_STACKED_BEHIND] = (float)sums->behind / contacts;
+    out[DMI_NEIGHBOUR_CONCAVE] = (float)sums->concave / contacts;
+    out[DMI_NEIGHBOUR_CONVEX] = (float)sums->convex / contacts;
+}
+
+static void write_sizes(const piece_extent* piece, const piece_extent* region, float total_area, float* out) {
+    const piece_extent both = merge_extents(region, piece);
+    out[DMI_NEIGHBOUR_LOG_AREA_RATIO] =
+        fminf(fmaxf(logf(fmaxf(piece->area, MIN_AREA) / fmaxf(region->area, MIN_AREA)), -MAX_LOG_AREA_RATIO),
+              MAX_LOG_AREA_RATIO);
+    out[DMI_NEIGHBOUR_AREA] = piece->area / total_area;
+    out[DMI_NEIGHBOUR_REGION_AREA] = region->area / total_area;
+    out[DMI_NEIGHBOUR_RADIUS] = radius_of(piece);
+    out[DMI_NEIGHBOUR_REGION_RADIUS] = radius_of(region);
+    out[DMI_NEIGHBOUR_LOG_RADIUS_GROWTH] = fminf(logf(radius_of(&both) / radius_of(region)), MAX_LOG_RADIUS_GROWTH);
+}
+
+static void write_drag(const piece_extent* piece, const piece_extent* region, const float drag[3], float* out) {
+    float offset[3];
+    dmi_sub3(piece->centre, region->centre, offset);
+    const float along = dmi_dot3(offset, drag);
+    out[DMI_NEIGHBOUR_HAS_DRAG] = dmi_dot3(drag, drag) > 0.5f ? 1 : 0;
+    out[DMI_NEIGHBOUR_NORMAL_COSINE] = piece->normal_cosine;
+    out[DMI_NEIGHBOUR_REGION_NORMAL_COSINE] = region->normal_cosine;
+    out[DMI_NEIGHBOUR_EXCESS_AHEAD] = fmaxf(piece->high - region->high, 0);
+    out[DMI_NEIGHBOUR_EXCESS_BEHIND] = fmaxf(region->low - piece->low, 0);
+    out[DMI_NEIGHBOUR_OFFSET_ALONG] = along;
+    out[DMI_NEIGHBOUR_REGION_EXTENT] = region->high - region->low;
+    out[DMI_NEIGHBOUR_EXTENT] = piece->high - piece->low;
+    out[DMI_NEIGHBOUR_OFFSET_ACROSS] = sqrtf(fmaxf(dmi_dot3(offset, offset) - along * along, 0));
+}
+
+static void write_relation(const dmi_region* region, uint32_t piece, float* out) {
+    const dmi_piece_level* level = region->level;
+    out[DMI_NEIGHBOUR_SAME_SHELL] = region->shell_inside[level->shells[piece]];
+    out[DMI_NEIGHBOUR_SAME_SHEET] = region->sheet_inside[level->sheets[piece]];
+    out[DMI_NEIGHBOUR_REPEAT] = 0;
+    for (int i = 0; i < DMI_PIECE_MAX_REPEATS && level->repeats[piece][i] != DMI_PIECE_NONE; i++)
+        if (region->inside[level->repeats[piece][i]]) out[DMI_NEIGHBOUR_REPEAT] = 1;
+    out[DMI_NEIGHBOUR_REGION_IS_SEED] = region->piece_count == 1;
+    out[DMI_NEIGHBOUR_SHEET_IS_CUT] = (float)level->sheet_is_cut;
+}
+
+void dmi_region_find_neighbours(dmi_region* region) {
+    const dmi_pieces* pieces = &region->level->pieces;
+    piece_extent whole = {.area = 0};
+    uint32_t region_samples = 0, members = 0;
+    memset(region->sums, 0, pieces->count * sizeof *region->sums);
+    for (uint32_t p = 0; p < pieces->count; p++) {
+        if (!region->inside[p]) continue;
+        whole = members++ == 0 ? region->extents[p] : merge_extents(&whole, &region->extents[p]);
+        region_samples += pieces->first[p + 1] - pieces->first[p];
+    }
+    for (uint32_t i = 0; i < region->contact_sample_count; i++)
+        add_sample(region, &pieces->samples[region->contact_samples[i]]);
+    region->neighbour_count = 0;
+    for (uint32_t p = 0; p < pieces->count; p++) {
+        if (region->inside[p] || region->sums[p].with_region + region->sums[p].from_region == 0) continue;
+        region->neighbours[region->neighbour_count++] = p;
+        float* features = region->features[p];
+        const float samples = (float)(pieces->first[p + 1] - pieces->first[p]);
+        write_contacts(&region->sums[p], samples, (float)region_samples, features);
+        write_sizes(&region->extents[p], &whole, region->level->total_area, features);
+        write_drag(&region->extents[p], &whole, region->drag, features);
+        write_relation(region, p, features);
+    }
+}
