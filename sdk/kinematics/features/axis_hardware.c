@@ -83,7 +83,7 @@ static float centred_shells(const dmi_part_analysis* a, const dmi_candidate* c, 
     float sum = 0;
     for (uint32_t i = 0; i < count; i++) {
         const dmi_patch* p = &patches[i];
-        if (!p->shell || p->diagonal > SMALL * a->diagonal) continue;
+        if (!p->is_shell || p->diagonal > SMALL * a->diagonal) continue;
         const float on = likeness(dmi_line_distance3(p->box_centre, c->axis, c->origin), OFFSET * a->diagonal);
         sum = dmi_min(sum + on, MOST);
         if (on > ON_AXIS) stretch(all, dmi_dot3(p->box_centre, c->axis));

@@ -28,7 +28,8 @@ void dmi_sweep_features_begin(dmi_feature_context* context);
 void dmi_sweep_features(const dmi_feature_context* context, const dmi_candidate* candidate,
                         float row[DMI_FEATURE_COUNT]);
 
-/* place_features.c: the full features of PLACE, DRAG, HANDLE and GRIP, and the groups ALONG, ROTATION and OUTLINE. */
+/* place_features.c: the full features of PLACE, DRAG, WIDEST_GAP and PROTRUSION, and the groups ALONG, ROTATION and
+ * OUTLINE. */
 void dmi_place_features(const dmi_feature_context* context, const dmi_candidate* candidate,
                         float row[DMI_FEATURE_COUNT]);
 
