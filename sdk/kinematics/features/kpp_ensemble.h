@@ -1,6 +1,6 @@
-/* What KPP-Net says of a part: it looks several times, each time at other points of the cloud, every second time with
- * two axes of its frame the other way round. Which way they point is half a convention, and where the looks differ the
- * truth is mostly between them. */
+/* KPP-Net as an ensemble of one network: it runs several times, each time on other points of the cloud, every second
+ * time with two axes of its frame reversed. Their sign is half a convention, and where the members differ the truth is
+ * mostly between them. */
 #ifndef DMI_FEATURES_KPP_ENSEMBLE_H
 #define DMI_FEATURES_KPP_ENSEMBLE_H
 
@@ -11,17 +11,17 @@
 typedef struct dmi_kpp_ensemble {
     dmi_kpp_input input[DMI_KPP_MEMBERS];
     dmi_kpp_output output[DMI_KPP_MEMBERS];
-    dmi_prediction prediction; /* of the look that the others agree with most; the type: the mean of all */
+    dmi_prediction prediction; /* of the member that the others agree with most; type: the mean of all */
 } dmi_kpp_ensemble;
 
 /* hint NULL: without a drag. scratch: as for dmi_kpp_net_forward. */
 void dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
-                          void* scratch, dmi_kpp_ensemble* out_opinion);
-/* Log-likelihoods of candidates up to a constant: the mean of all looks. */
-void dmi_kpp_ensemble_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* opinion,
+                          void* scratch, dmi_kpp_ensemble* out_ensemble);
+/* Writes log-likelihoods of candidates up to a constant: the mean of all members. */
+void dmi_kpp_ensemble_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* ensemble,
                             const dmi_candidate* candidates, uint32_t count, float out_scores[DMI_CANDIDATES_MAX]);
-/* The same by the first look alone. */
-void dmi_kpp_ensemble_score_first(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* opinion,
+/* Writes those of the first member alone. */
+void dmi_kpp_ensemble_score_first(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* ensemble,
                                   const dmi_candidate* candidates, uint32_t count,
                                   float out_scores[DMI_CANDIDATES_MAX]);
 

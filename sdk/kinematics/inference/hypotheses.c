@@ -1,10 +1,14 @@
-/* Signs and re-ranks hypotheses by a drag: closed form, microseconds. */
-#include "kinematics/inference/joint_inference.h"
+/* Signs and re-ranks hypotheses by a drag, in closed form. */
+#include "kinematics/inference/hypotheses.h"
+
 #include "math/linear3.h"
 
-#define DRAG_SPREAD 0.22f /* rad: a hand is off by 5 to 10 degrees, and the part may have moved already */
-#define FLOOR 0.02f       /* no drag rules a hypothesis out */
-#define AGAINST_STOP 0.35f
+#define DRAG_SPREAD 0.22f   /* rad: a hand is off by 5 to 10 degrees, and the part may have moved already; by hand */
+#define FLOOR 0.02f         /* least likelihood: no drag rules a hypothesis out; by hand */
+#define AGAINST_STOP 0.35f  /* factor of a joint that has no room along the drag; by hand */
+#define LEAST_WEIGHT 1e-6f  /* keeps a hypothesis of no confidence in the order it had */
+#define LEAST_SPEED 1e-6f   /* object sizes a radian or a unit of way: below it the point does not move */
+#define LEAST_LENGTH 1e-20f /* of a drag, object sizes */
 
 static void velocity_at(const dm_joint* joint, const float point[3], float out[3]) {
     if (joint->type == DM_JOINT_FIXED || joint->type == DM_JOINT_UNKNOWN) {
@@ -20,12 +24,12 @@ void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint) {
     if (dmi_dot3(v, hint->vector) < 0) dmi_joint_reverse(joint);
 }
 
-/* How well an oriented joint explains the drag: its motion's direction, and room to go there. */
+/* Returns how well an oriented joint explains the drag: by its motion's direction, and by room to go there. */
 static float likelihood(const dm_joint* joint, const dmi_drag_hint* hint) {
     float v[3], length = dmi_length3(hint->vector);
     velocity_at(joint, hint->point, v);
     float speed = dmi_length3(v);
-    if (speed < 1e-6f || length < 1e-20f) return FLOOR;
+    if (speed < LEAST_SPEED || length < LEAST_LENGTH) return FLOOR;
     float cosine = dmi_dot3(v, hint->vector) / (speed * length), angle = acosf(fminf(fmaxf(cosine, -1), 1));
     float spread = angle / DRAG_SPREAD;
     float fit = expf(-0.5f * spread * spread) + FLOOR;
@@ -42,8 +46,8 @@ void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint
     for (uint32_t i = 0; i < hypotheses->count; i++) {
         dm_joint joint = hypotheses->joints[i];
         dmi_joint_orient(&joint, hint);
-        float w = (joint.confidence + 1e-6f) * likelihood(&joint, hint);
-        before += joint.confidence + 1e-6f, after += w;
+        float w = (joint.confidence + LEAST_WEIGHT) * likelihood(&joint, hint);
+        before += joint.confidence + LEAST_WEIGHT, after += w;
         turns += turning(&joint) ? w : 0;
         uint32_t at = i;
         for (; at > 0 && weight[at - 1] < w; at--)

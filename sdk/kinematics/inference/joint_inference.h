@@ -1,17 +1,12 @@
-/* Mesh + part (+ drag) -> ranked joint hypotheses: network and geometry together. Object-normalised frame throughout.
- */
+/* Infers the joint of one part: mesh + part (+ drag) -> ranked joint hypotheses, from networks and geometry together.
+ * All in the object-normalised frame. */
 #ifndef DMI_INFERENCE_JOINT_INFERENCE_H
 #define DMI_INFERENCE_JOINT_INFERENCE_H
 
+#include "kinematics/inference/hypotheses.h"
 #include "kinematics/inference/joint_models.h"
 #include "kinematics/kpp/kpp_net.h"
 #include "kinematics/ranking/alternatives.h"
-#include "math/joint.h"
-
-typedef struct dmi_hypotheses {
-    dm_joint joints[DM_MAX_HYPOTHESES]; /* best first, inner frame */
-    uint32_t count;
-} dmi_hypotheses;
 
 /* Which weights there are, and how to run them. */
 typedef struct dmi_inference_models {
@@ -28,18 +23,12 @@ typedef struct dmi_inference_query {
     const uint32_t* welded;    /* dmi_weld_vertices of the mesh, for many parts to share; NULL: welded anew */
     dmi_arena* scratch;        /* left as it was found; NULL: memory of its own */
     uint32_t part;             /* index in mesh->parts */
-    int32_t given_type;        /* DM_JOINT_*; UNKNOWN = find out */
-    int network_alone;         /* the net's own answers are the only candidates, by its own probabilities */
+    int32_t given_type;        /* DM_JOINT_*; UNKNOWN: to be inferred */
+    int network_alone;         /* KPP-Net's answers are the only candidates, with its probabilities */
 } dmi_inference_query;
 
 /* out_alternatives: NULL, or what a pull may choose from beside the hypotheses. */
 dm_result dmi_joint_inference_run(dmi_env* env, const dmi_inference_query* query, dmi_hypotheses* out_hypotheses,
                                   dmi_alternatives* out_alternatives);
-
-/* Orders hypotheses by how well they explain a drag, and turns their signs so that positive follows it. Microseconds.
- */
-void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint* hint, dmi_hypotheses* out);
-/* Signs the joint so that a positive step moves the drag's point along its vector (limits swap with the sign). */
-void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint);
 
 #endif

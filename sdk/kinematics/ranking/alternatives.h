@@ -1,4 +1,4 @@
-/* What else a part may move by beside its hypotheses: many, for a pull to choose from. */
+/* Joints that a part may have beside its hypotheses: many, without limits, for a pull to choose from. */
 #ifndef DMI_RANKING_ALTERNATIVES_H
 #define DMI_RANKING_ALTERNATIVES_H
 
@@ -8,7 +8,7 @@
 
 #define DMI_ALTERNATIVES 48
 
-/* A joint whose limits are worth no estimate. */
+/* A joint without limits. */
 typedef struct dmi_alternative {
     int32_t type; /* DM_JOINT_REVOLUTE, CONTINUOUS or PRISMATIC */
     float confidence;
@@ -16,14 +16,15 @@ typedef struct dmi_alternative {
 } dmi_alternative;
 
 typedef struct dmi_alternatives {
-    dmi_alternative list[DMI_ALTERNATIVES]; /* the likeliest, each with what is alike it */
+    dmi_alternative list[DMI_ALTERNATIVES]; /* most probable first */
     uint32_t count;
 } dmi_alternatives;
 
-/* Those candidates, most probable first, that move the part neither as a hypothesis does nor as one before them.
+/* Finds the candidates, most probable first, that move the part neither as a hypothesis does nor as one before them.
  * dragged: the probabilities are those with a drag. */
-dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_part_analysis* study, const dmi_ranker* ranker, int dragged,
-                                const dm_joint* hypotheses, uint32_t hypothesis_count, const dmi_candidate* candidates,
-                                const float* probability, uint32_t count, dmi_alternatives* out);
+dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_part_analysis* analysis, const dmi_ranker* ranker,
+                                int dragged, const dm_joint* hypotheses, uint32_t hypothesis_count,
+                                const dmi_candidate* candidates, const float* probability, uint32_t count,
+                                dmi_alternatives* out);
 
 #endif

@@ -1,0 +1,19 @@
+/* Joint hypotheses of one part, and what a drag says of them in closed form. */
+#ifndef DMI_INFERENCE_HYPOTHESES_H
+#define DMI_INFERENCE_HYPOTHESES_H
+
+#include "math/drag_hint.h"
+#include "math/joint.h"
+
+typedef struct dmi_hypotheses {
+    dm_joint joints[DM_MAX_HYPOTHESES]; /* best first, object-normalised frame */
+    uint32_t count;
+} dmi_hypotheses;
+
+/* Orders hypotheses by how well they explain a drag, and turns their signs so that positive follows it. Takes
+ * microseconds. */
+void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint* hint, dmi_hypotheses* out);
+/* Signs a joint so that a positive step moves the drag's point along its vector. Limits swap with the sign. */
+void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint);
+
+#endif

@@ -1,0 +1,136 @@
+/* Non-maximum suppression over the leading candidates, by how differently they move the part. */
+#include "kinematics/inference/hypothesis_selection.h"
+
+#include "kinematics/candidates/twist.h"
+#include "math/linear3.h"
+
+#define TOP_OF_TYPE DMI_CONSENSUS_MAX /* leading turns, and leading slides, that may become hypotheses; by hand */
+#define TOP (2 * TOP_OF_TYPE)
+/* Differences of two twists (dmi_twist_difference): within the first an answer is near enough, within the second two
+ * candidates support one hypothesis, beyond the third they are worth two. Fitted on generated objects. */
+#define NEAR 0.03f
+#define ALIKE 0.1f
+#define APART 0.3f
+#define NEARLY_AS_HEAVY 0.9f /* share of the heaviest candidate's weight; by hand */
+#define HEAVIER 1.0001f      /* ratio: rounding does not decide between equal weights; by hand */
+
+typedef struct leading {
+    uint32_t index; /* of the candidate */
+    float weight;   /* probability that it is near enough, whichever candidate is right */
+} leading;
+
+typedef struct selection {
+    const dmi_ranked_candidates* ranked;
+    leading top[TOP];
+    float difference[TOP][TOP];
+    bool taken[TOP];
+    uint32_t count;
+    float type_mass[2]; /* of turns, of slides */
+} selection;
+
+static int slides(const selection* s, uint32_t index) {
+    return s->ranked->candidates[index].type == DM_JOINT_PRISMATIC;
+}
+
+static float probability(const selection* s, uint32_t leading_index) {
+    return s->ranked->probability[s->top[leading_index].index];
+}
+
+/* Writes the most probable candidates of one type, most probable first. Returns how many. */
+static uint32_t top_of_type(const selection* s, int type, leading out[TOP_OF_TYPE]) {
+    const float* p = s->ranked->probability;
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < s->ranked->count; i++) {
+        if (slides(s, i) != type || (n == TOP_OF_TYPE && p[i] <= p[out[n - 1].index])) continue;
+        uint32_t at = n < TOP_OF_TYPE ? n++ : TOP_OF_TYPE - 1;
+        for (; at > 0 && p[out[at - 1].index] < p[i]; at--) out[at] = out[at - 1];
+        out[at].index = i;
+    }
+    return n;
+}
+
+static void weigh(selection* s) {
+    dmi_twist twist[TOP];
+    for (uint32_t i = 0; i < s->count; i++)
+        dmi_twist_of_candidate(s->ranked->analysis, &s->ranked->candidates[s->top[i].index], &twist[i]);
+    for (uint32_t i = 0; i < s->count; i++) {
+        s->top[i].weight = 0;
+        for (uint32_t j = 0; j < s->count; j++) {
+            const float off = s->difference[i][j] = i == j ? 0 : dmi_twist_difference(&twist[i], &twist[j]);
+            s->top[i].weight += probability(s, j) * expf(-off * off / (NEAR * NEAR));
+        }
+    }
+}
+
+static void begin(const dmi_ranked_candidates* ranked, selection* s) {
+    *s = (selection){.ranked = ranked};
+    for (uint32_t i = 0; i < ranked->count; i++) s->type_mass[slides(s, i)] += ranked->probability[i];
+    s->count = top_of_type(s, 0, s->top);
+    s->count += top_of_type(s, 1, s->top + s->count);
+    weigh(s);
+}
+
+/* Returns the heaviest candidate left; s->count when none is. only: -1, or 0 for turns and 1 for slides. */
+static uint32_t heaviest(const selection* s, int only) {
+    uint32_t best = s->count;
+    for (uint32_t i = 0; i < s->count; i++) {
+        if (s->taken[i] || (only >= 0 && slides(s, s->top[i].index) != only)) continue;
+        if (best == s->count || s->top[i].weight > s->top[best].weight * HEAVIER) best = i;
+    }
+    return best;
+}
+
+/* Returns the most probable of the candidates near the best that are nearly as heavy: where a line or direction of the
+ * geometry is meant, it is met exactly. */
+static uint32_t most_probable_near(const selection* s, uint32_t best) {
+    uint32_t chosen = best;
+    for (uint32_t i = 0; i < s->count; i++) {
+        if (s->taken[i] || s->difference[best][i] > NEAR || s->top[i].weight < NEARLY_AS_HEAVY * s->top[best].weight)
+            continue;
+        if (probability(s, i) > probability(s, chosen)) chosen = i;
+    }
+    return chosen;
+}
+
+/* Takes a candidate and all that are worth no hypothesis beside it. Returns the probability of those that move the part
+ * alike. */
+static float suppress_alike(selection* s, uint32_t chosen) {
+    float mass = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        if (s->taken[i] || s->difference[chosen][i] > APART) continue;
+        if (s->difference[chosen][i] <= ALIKE) mass += probability(s, i);
+        s->taken[i] = true;
+    }
+    return mass;
+}
+
+static void write_support(const selection* s, uint32_t chosen, dmi_selected* out) {
+    out->support_count = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        const dmi_candidate* candidate = &s->ranked->candidates[s->top[i].index];
+        const float off = s->difference[chosen][i] / ALIKE;
+        if (!dmi_consensus_counts(out->candidate, candidate)) continue;
+        out->support[out->support_count++] = (dmi_weighted_candidate){candidate, probability(s, i) * expf(-off * off)};
+    }
+}
+
+uint32_t dmi_select_hypotheses(const dmi_ranked_candidates* ranked, int likelier_type_first,
+                               dmi_selected out[DM_MAX_HYPOTHESES]) {
+    selection s;
+    begin(ranked, &s);
+    uint32_t count = 0;
+    float least = 1; /* no hypothesis is stated likelier than the one before it */
+    while (count < DM_MAX_HYPOTHESES) {
+        const int only = count > 0 || !likelier_type_first ? -1 : s.type_mass[1] > s.type_mass[0];
+        uint32_t best = heaviest(&s, only);
+        if (best == s.count) break;
+        best = most_probable_near(&s, best);
+        dmi_selected* one = &out[count++];
+        one->index = s.top[best].index;
+        one->candidate = &ranked->candidates[one->index];
+        one->mass = least = dmi_min(least, suppress_alike(&s, best));
+        one->type_mass = s.type_mass[slides(&s, one->index)];
+        write_support(&s, best, one);
+    }
+    return count;
+}

@@ -1,0 +1,31 @@
+/* Selects a few hypotheses among ranked candidates, by non-maximum suppression: candidates that move the part alike
+ * support one hypothesis. */
+#ifndef DMI_INFERENCE_HYPOTHESIS_SELECTION_H
+#define DMI_INFERENCE_HYPOTHESIS_SELECTION_H
+
+#include "kinematics/ranking/consensus_refine.h"
+
+typedef struct dmi_ranked_candidates {
+    const dmi_part_analysis* analysis;
+    const dmi_candidate* candidates;
+    const float* probability; /* of each candidate; they sum to 1 */
+    uint32_t count;
+} dmi_ranked_candidates;
+
+/* A candidate that became a hypothesis. */
+typedef struct dmi_selected {
+    const dmi_candidate* candidate;
+    uint32_t index;  /* of the candidate */
+    float mass;      /* probability of the candidates that move the part alike, at most that of the one before */
+    float type_mass; /* probability of all candidates of its type, turn or slide */
+    dmi_weighted_candidate support[DMI_CONSENSUS_MAX]; /* candidates near it, itself among them */
+    uint32_t support_count;
+} dmi_selected;
+
+/* Returns how many hypotheses it found, best first. likelier_type_first: the first is of the type that has more
+ * probability. Turns are many candidates that share their probability and slides are few, so that a single slide
+ * outweighs each turn long before slides outweigh turns. Scores of rules are no probabilities and cannot say. */
+uint32_t dmi_select_hypotheses(const dmi_ranked_candidates* ranked, int likelier_type_first,
+                               dmi_selected out[DM_MAX_HYPOTHESES]);
+
+#endif
