@@ -1,4 +1,11 @@
-/* Every category: one function that draws it, one row here that names it. */
+/* The table of categories: a row for each, with the function dmg_build_<name> that draws it.
+ *
+ *     X(name, id, set)
+ *
+ * id: seeds the category's objects and deals them to the splits (dmg_make, dmg_split). It is given once, stays with the
+ *     category, and is never used again; a new category takes the next free one. Rows may stand in any order:
+ *     tests/e2e/category_ids.sh checks that neither order nor new rows change other categories' objects.
+ * set: FIRST, TRAINED or TEST_ONLY, a DMG_SET_* of generator.h. */
 #ifndef DMG_CATEGORIES_H
 #define DMG_CATEGORIES_H
 
@@ -6,591 +13,591 @@
 
 #define DMG_CATEGORIES(X)                                                                                              \
     /* storage.c */                                                                                                    \
-    X(kitchen_cabinet)                                                                                                 \
-    X(cabinet)                                                                                                         \
-    X(drawers)                                                                                                         \
+    X(kitchen_cabinet, 0, FIRST)                                                                                       \
+    X(cabinet, 1, FIRST)                                                                                               \
+    X(drawers, 2, FIRST)                                                                                               \
     /* furniture.c */                                                                                                  \
-    X(table)                                                                                                           \
-    X(wardrobe)                                                                                                        \
-    X(folding_chair)                                                                                                   \
-    X(swivel_chair)                                                                                                    \
+    X(table, 3, FIRST)                                                                                                 \
+    X(wardrobe, 4, FIRST)                                                                                              \
+    X(folding_chair, 5, FIRST)                                                                                         \
+    X(swivel_chair, 6, FIRST)                                                                                          \
     /* appliances.c */                                                                                                 \
-    X(microwave)                                                                                                       \
-    X(oven)                                                                                                            \
-    X(toaster)                                                                                                         \
-    X(coffee_machine)                                                                                                  \
+    X(microwave, 7, FIRST)                                                                                             \
+    X(oven, 8, FIRST)                                                                                                  \
+    X(toaster, 9, FIRST)                                                                                               \
+    X(coffee_machine, 10, FIRST)                                                                                       \
     /* cold.c */                                                                                                       \
-    X(refrigerator)                                                                                                    \
-    X(dishwasher)                                                                                                      \
-    X(washing_machine)                                                                                                 \
-    X(safe)                                                                                                            \
+    X(refrigerator, 11, FIRST)                                                                                         \
+    X(dishwasher, 12, FIRST)                                                                                           \
+    X(washing_machine, 13, FIRST)                                                                                      \
+    X(safe, 14, FIRST)                                                                                                 \
     /* office.c */                                                                                                     \
-    X(printer)                                                                                                         \
-    X(camera)                                                                                                          \
-    X(remote)                                                                                                          \
-    X(keyboard)                                                                                                        \
+    X(printer, 15, FIRST)                                                                                              \
+    X(camera, 16, FIRST)                                                                                               \
+    X(remote, 17, FIRST)                                                                                               \
+    X(keyboard, 18, FIRST)                                                                                             \
     /* lids.c */                                                                                                       \
-    X(chest)                                                                                                           \
-    X(bucket)                                                                                                          \
+    X(chest, 19, FIRST)                                                                                                \
+    X(bucket, 20, FIRST)                                                                                               \
     /* containers.c */                                                                                                 \
-    X(trash_can)                                                                                                       \
-    X(box)                                                                                                             \
-    X(pot)                                                                                                             \
-    X(toilet)                                                                                                          \
-    X(suitcase)                                                                                                        \
-    X(mailbox)                                                                                                         \
+    X(trash_can, 21, FIRST)                                                                                            \
+    X(box, 22, FIRST)                                                                                                  \
+    X(pot, 23, FIRST)                                                                                                  \
+    X(toilet, 24, FIRST)                                                                                               \
+    X(suitcase, 25, FIRST)                                                                                             \
+    X(mailbox, 26, FIRST)                                                                                              \
     /* slabs.c */                                                                                                      \
-    X(laptop)                                                                                                          \
-    X(phone)                                                                                                           \
-    X(stapler)                                                                                                         \
-    X(scissors)                                                                                                        \
-    X(pliers)                                                                                                          \
-    X(lighter)                                                                                                         \
-    X(book)                                                                                                            \
+    X(laptop, 27, FIRST)                                                                                               \
+    X(phone, 28, FIRST)                                                                                                \
+    X(stapler, 29, FIRST)                                                                                              \
+    X(scissors, 30, FIRST)                                                                                             \
+    X(pliers, 31, FIRST)                                                                                               \
+    X(lighter, 32, FIRST)                                                                                              \
+    X(book, 33, FIRST)                                                                                                 \
     /* openings.c */                                                                                                   \
-    X(door)                                                                                                            \
-    X(sliding_window)                                                                                                  \
-    X(window)                                                                                                          \
-    X(gate)                                                                                                            \
-    X(sliding_door)                                                                                                    \
-    X(trapdoor)                                                                                                        \
-    X(barrier)                                                                                                         \
+    X(door, 34, FIRST)                                                                                                 \
+    X(sliding_window, 35, FIRST)                                                                                       \
+    X(window, 36, FIRST)                                                                                               \
+    X(gate, 37, FIRST)                                                                                                 \
+    X(sliding_door, 38, FIRST)                                                                                         \
+    X(trapdoor, 39, FIRST)                                                                                             \
+    X(barrier, 40, FIRST)                                                                                              \
     /* buildings.c */                                                                                                  \
-    X(hangar_door)                                                                                                     \
-    X(garage_door)                                                                                                     \
-    X(drawbridge)                                                                                                      \
+    X(hangar_door, 41, FIRST)                                                                                          \
+    X(garage_door, 42, FIRST)                                                                                          \
+    X(drawbridge, 43, FIRST)                                                                                           \
     /* controls.c */                                                                                                   \
-    X(knob)                                                                                                            \
-    X(faucet)                                                                                                          \
-    X(button)                                                                                                          \
+    X(knob, 44, FIRST)                                                                                                 \
+    X(faucet, 45, FIRST)                                                                                               \
+    X(button, 46, FIRST)                                                                                               \
     /* levers.c */                                                                                                     \
-    X(lever)                                                                                                           \
-    X(switch)                                                                                                          \
-    X(slider)                                                                                                          \
-    X(crank)                                                                                                           \
-    X(valve)                                                                                                           \
-    X(joystick)                                                                                                        \
-    X(game_controller)                                                                                                 \
-    X(pedal)                                                                                                           \
+    X(lever, 47, FIRST)                                                                                                \
+    X(switch, 48, FIRST)                                                                                               \
+    X(slider, 49, FIRST)                                                                                               \
+    X(crank, 50, FIRST)                                                                                                \
+    X(valve, 51, FIRST)                                                                                                \
+    X(joystick, 52, FIRST)                                                                                             \
+    X(game_controller, 53, FIRST)                                                                                      \
+    X(pedal, 54, FIRST)                                                                                                \
     /* wheels.c */                                                                                                     \
-    X(wheel)                                                                                                           \
+    X(wheel, 55, FIRST)                                                                                                \
     /* rotors.c */                                                                                                     \
-    X(fan)                                                                                                             \
-    X(propeller)                                                                                                       \
-    X(wind_turbine)                                                                                                    \
-    X(globe)                                                                                                           \
-    X(clock)                                                                                                           \
-    X(turntable)                                                                                                       \
-    X(radar)                                                                                                           \
+    X(fan, 56, FIRST)                                                                                                  \
+    X(propeller, 57, FIRST)                                                                                            \
+    X(wind_turbine, 58, FIRST)                                                                                         \
+    X(globe, 59, FIRST)                                                                                                \
+    X(clock, 60, FIRST)                                                                                                \
+    X(turntable, 61, FIRST)                                                                                            \
+    X(radar, 62, FIRST)                                                                                                \
     /* handheld.c */                                                                                                   \
-    X(motion_controller)                                                                                               \
-    X(pistol)                                                                                                          \
+    X(motion_controller, 63, FIRST)                                                                                    \
+    X(pistol, 64, FIRST)                                                                                               \
     /* aircraft.c */                                                                                                   \
-    X(aeroplane)                                                                                                       \
-    X(helicopter)                                                                                                      \
-    X(drone)                                                                                                           \
-    X(windsock)                                                                                                        \
+    X(aeroplane, 65, FIRST)                                                                                            \
+    X(helicopter, 66, FIRST)                                                                                           \
+    X(drone, 67, FIRST)                                                                                                \
+    X(windsock, 68, FIRST)                                                                                             \
     /* robots.c */                                                                                                     \
-    X(gripper)                                                                                                         \
-    X(robot_arm)                                                                                                       \
-    X(legged_robot)                                                                                                    \
-    X(pan_tilt)                                                                                                        \
-    X(rail)                                                                                                            \
-    X(jetway)                                                                                                          \
-    X(crane)                                                                                                           \
+    X(gripper, 69, FIRST)                                                                                              \
+    X(robot_arm, 70, FIRST)                                                                                            \
+    X(legged_robot, 71, FIRST)                                                                                         \
+    X(pan_tilt, 72, FIRST)                                                                                             \
+    X(rail, 73, FIRST)                                                                                                 \
+    X(jetway, 74, FIRST)                                                                                               \
+    X(crane, 75, FIRST)                                                                                                \
     /* cockpit.c */                                                                                                    \
-    X(control_panel)                                                                                                   \
-    X(instrument)                                                                                                      \
-    X(yoke)                                                                                                            \
-    X(throttle)                                                                                                        \
+    X(control_panel, 76, FIRST)                                                                                        \
+    X(instrument, 77, FIRST)                                                                                           \
+    X(yoke, 78, FIRST)                                                                                                 \
+    X(throttle, 79, FIRST)                                                                                             \
     /* gadget.c */                                                                                                     \
-    X(gadget)                                                                                                          \
+    X(gadget, 80, FIRST)                                                                                               \
     /* vehicles.c */                                                                                                   \
-    X(car)                                                                                                             \
-    X(two_wheeler)                                                                                                     \
-    X(mobile_robot)                                                                                                    \
-    X(trolley)                                                                                                         \
+    X(car, 81, FIRST)                                                                                                  \
+    X(two_wheeler, 82, FIRST)                                                                                          \
+    X(mobile_robot, 83, FIRST)                                                                                         \
+    X(trolley, 84, FIRST)                                                                                              \
     /* small.c */                                                                                                      \
-    X(bottle)                                                                                                          \
-    X(jar)                                                                                                             \
-    X(dispenser)                                                                                                       \
-    X(syringe)                                                                                                         \
-    X(pen)                                                                                                             \
-    X(usb_stick)                                                                                                       \
-    X(folding_knife)                                                                                                   \
-    X(eyeglasses)                                                                                                      \
-    X(padlock)                                                                                                         \
+    X(bottle, 85, FIRST)                                                                                               \
+    X(jar, 86, FIRST)                                                                                                  \
+    X(dispenser, 87, FIRST)                                                                                            \
+    X(syringe, 88, FIRST)                                                                                              \
+    X(pen, 89, FIRST)                                                                                                  \
+    X(usb_stick, 90, FIRST)                                                                                            \
+    X(folding_knife, 91, FIRST)                                                                                        \
+    X(eyeglasses, 92, FIRST)                                                                                           \
+    X(padlock, 93, FIRST)                                                                                              \
     /* household.c */                                                                                                  \
-    X(desk_lamp)                                                                                                       \
-    X(kettle)                                                                                                          \
-    X(latch)                                                                                                           \
-    X(folding_panel)                                                                                                   \
-    X(kitchen_counter)                                                                                                 \
-    X(step_ladder)                                                                                                     \
-    X(swing)                                                                                                           \
-    X(vise)                                                                                                            \
+    X(desk_lamp, 94, FIRST)                                                                                            \
+    X(kettle, 95, FIRST)                                                                                               \
+    X(latch, 96, FIRST)                                                                                                \
+    X(folding_panel, 97, FIRST)                                                                                        \
+    X(kitchen_counter, 98, FIRST)                                                                                      \
+    X(step_ladder, 99, FIRST)                                                                                          \
+    X(swing, 100, FIRST)                                                                                               \
+    X(vise, 101, FIRST)                                                                                                \
     /* machines.c */                                                                                                   \
-    X(roll_top)                                                                                                        \
-    X(pivot_panel)                                                                                                     \
-    X(telescope)                                                                                                       \
-    X(gyroscope)                                                                                                       \
-    X(turnstile)                                                                                                       \
-    X(vending_machine)                                                                                                 \
-    X(figure)                                                                                                          \
-    X(gear_train)                                                                                                      \
-    X(fairground_wheel)                                                                                                \
-    X(mixer)                                                                                                           \
-    X(power_tool)                                                                                                      \
-    X(press)                                                                                                           \
-    X(balance)                                                                                                         \
-    X(slats)                                                                                                           \
+    X(roll_top, 102, FIRST)                                                                                            \
+    X(pivot_panel, 103, FIRST)                                                                                         \
+    X(telescope, 104, FIRST)                                                                                           \
+    X(gyroscope, 105, FIRST)                                                                                           \
+    X(turnstile, 106, FIRST)                                                                                           \
+    X(vending_machine, 107, FIRST)                                                                                     \
+    X(figure, 108, FIRST)                                                                                              \
+    X(gear_train, 109, FIRST)                                                                                          \
+    X(fairground_wheel, 110, FIRST)                                                                                    \
+    X(mixer, 111, FIRST)                                                                                               \
+    X(power_tool, 112, FIRST)                                                                                          \
+    X(press, 113, FIRST)                                                                                               \
+    X(balance, 114, FIRST)                                                                                             \
+    X(slats, 115, FIRST)                                                                                               \
     /* notebooks.c */                                                                                                  \
-    X(notebook)                                                                                                        \
+    X(notebook, 116, FIRST)                                                                                            \
     /* hutches.c */                                                                                                    \
-    X(slab_cabinet)                                                                                                    \
-    X(sliding_cabinet)                                                                                                 \
-    X(desk_hutch)                                                                                                      \
-    X(nightstand)                                                                                                      \
-    X(showcase)                                                                                                        \
+    X(slab_cabinet, 117, FIRST)                                                                                        \
+    X(sliding_cabinet, 118, FIRST)                                                                                     \
+    X(desk_hutch, 119, FIRST)                                                                                          \
+    X(nightstand, 120, FIRST)                                                                                          \
+    X(showcase, 121, FIRST)                                                                                            \
     /* strongboxes.c */                                                                                                \
-    X(strongbox)                                                                                                       \
-    X(counter_oven)                                                                                                    \
-    X(cooler)                                                                                                          \
+    X(strongbox, 122, FIRST)                                                                                           \
+    X(counter_oven, 123, FIRST)                                                                                        \
+    X(cooler, 124, FIRST)                                                                                              \
     /* openings.c */                                                                                                   \
-    X(post_door)                                                                                                       \
+    X(post_door, 125, FIRST)                                                                                           \
     /* cases.c */                                                                                                      \
-    X(hard_case)                                                                                                       \
-    X(pail)                                                                                                            \
-    X(lidded_bin)                                                                                                      \
-    X(flag_box)                                                                                                        \
+    X(hard_case, 126, FIRST)                                                                                           \
+    X(pail, 127, FIRST)                                                                                                \
+    X(lidded_bin, 128, FIRST)                                                                                          \
+    X(flag_box, 129, FIRST)                                                                                            \
     /* toolboxes.c */                                                                                                  \
-    X(toolbox)                                                                                                         \
-    X(casement)                                                                                                        \
+    X(toolbox, 130, FIRST)                                                                                             \
+    X(casement, 131, FIRST)                                                                                            \
     /* aircraft.c */                                                                                                   \
-    X(submarine)                                                                                                       \
+    X(submarine, 132, FIRST)                                                                                           \
     /* jet.c */                                                                                                        \
-    X(jet)                                                                                                             \
+    X(jet, 133, FIRST)                                                                                                 \
     /* chassis.c */                                                                                                    \
-    X(chassis)                                                                                                         \
-    X(wheelchair)                                                                                                      \
+    X(chassis, 134, FIRST)                                                                                             \
+    X(wheelchair, 135, FIRST)                                                                                          \
     /* cockpit.c */                                                                                                    \
-    X(avionics)                                                                                                        \
-    X(switchboard)                                                                                                     \
+    X(avionics, 136, FIRST)                                                                                            \
+    X(switchboard, 137, FIRST)                                                                                         \
     /* gauges.c */                                                                                                     \
-    X(gauge)                                                                                                           \
+    X(gauge, 138, FIRST)                                                                                               \
     /* controllers.c */                                                                                                \
-    X(vr_controller)                                                                                                   \
-    X(gamepad)                                                                                                         \
+    X(vr_controller, 139, FIRST)                                                                                       \
+    X(gamepad, 140, FIRST)                                                                                             \
     /* solar.c */                                                                                                      \
-    X(satellite)                                                                                                       \
-    X(solar_case)                                                                                                      \
-    X(solar_tracker)                                                                                                   \
+    X(satellite, 141, FIRST)                                                                                           \
+    X(solar_case, 142, FIRST)                                                                                          \
+    X(solar_tracker, 143, FIRST)                                                                                       \
     /* dishes.c */                                                                                                     \
-    X(dish)                                                                                                            \
-    X(radar_tower)                                                                                                     \
+    X(dish, 144, FIRST)                                                                                                \
+    X(radar_tower, 145, FIRST)                                                                                         \
     /* linkages.c */                                                                                                   \
-    X(claw)                                                                                                            \
-    X(bar_legs)                                                                                                        \
-    X(humanoid)                                                                                                        \
-    X(bracket)                                                                                                         \
+    X(claw, 146, FIRST)                                                                                                \
+    X(bar_legs, 147, FIRST)                                                                                            \
+    X(humanoid, 148, FIRST)                                                                                            \
+    X(bracket, 149, FIRST)                                                                                             \
     /* taps.c */                                                                                                       \
-    X(tap)                                                                                                             \
+    X(tap, 150, FIRST)                                                                                                 \
     /* stoves.c */                                                                                                     \
-    X(stove)                                                                                                           \
+    X(stove, 151, FIRST)                                                                                               \
     /* lever_stands.c */                                                                                               \
-    X(lever_stand)                                                                                                     \
+    X(lever_stand, 152, FIRST)                                                                                         \
     /* shelter.c */                                                                                                    \
-    X(shelter)                                                                                                         \
+    X(shelter, 153, FIRST)                                                                                             \
     /* bridge.c */                                                                                                     \
-    X(passenger_bridge)                                                                                                \
+    X(passenger_bridge, 154, FIRST)                                                                                    \
     /* presses.c */                                                                                                    \
-    X(push_button)                                                                                                     \
-    X(rocker_switch)                                                                                                   \
-    X(pop_up_toaster)                                                                                                  \
+    X(push_button, 155, FIRST)                                                                                         \
+    X(rocker_switch, 156, FIRST)                                                                                       \
+    X(pop_up_toaster, 157, FIRST)                                                                                      \
     /* brewers.c */                                                                                                    \
-    X(blender)                                                                                                         \
-    X(coffee_maker)                                                                                                    \
+    X(blender, 158, FIRST)                                                                                             \
+    X(coffee_maker, 159, FIRST)                                                                                        \
     /* pedestals.c */                                                                                                  \
-    X(pedestal)                                                                                                        \
+    X(pedestal, 160, FIRST)                                                                                            \
     /* seats.c */                                                                                                      \
-    X(office_chair)                                                                                                    \
+    X(office_chair, 161, FIRST)                                                                                        \
     /* vessels.c */                                                                                                    \
-    X(rov)                                                                                                             \
-    X(torpedo)                                                                                                         \
-    X(boat)                                                                                                            \
+    X(rov, 162, FIRST)                                                                                                 \
+    X(torpedo, 163, FIRST)                                                                                             \
+    X(boat, 164, FIRST)                                                                                                \
     /* gauges.c */                                                                                                     \
-    X(dashboard)                                                                                                       \
+    X(dashboard, 165, FIRST)                                                                                           \
     /* headsets.c */                                                                                                   \
-    X(headset)                                                                                                         \
+    X(headset, 166, FIRST)                                                                                             \
     /* winds.c */                                                                                                      \
-    X(power_turbine)                                                                                                   \
-    X(windmill)                                                                                                        \
-    X(wind_mast)                                                                                                       \
+    X(power_turbine, 167, FIRST)                                                                                       \
+    X(windmill, 168, FIRST)                                                                                            \
+    X(wind_mast, 169, FIRST)                                                                                           \
     /* pods.c */                                                                                                       \
-    X(finger_controller)                                                                                               \
-    X(trigger_tool)                                                                                                    \
-    X(squeeze_handle)                                                                                                  \
+    X(finger_controller, 170, FIRST)                                                                                   \
+    X(trigger_tool, 171, FIRST)                                                                                        \
+    X(squeeze_handle, 172, FIRST)                                                                                      \
     /* clams.c */                                                                                                      \
-    X(shell_case)                                                                                                      \
-    X(waffle_iron)                                                                                                     \
-    X(door_box)                                                                                                        \
-    X(swing_bin)                                                                                                       \
-    X(drop_pot)                                                                                                        \
+    X(shell_case, 173, FIRST)                                                                                          \
+    X(waffle_iron, 174, FIRST)                                                                                         \
+    X(door_box, 175, FIRST)                                                                                            \
+    X(swing_bin, 176, FIRST)                                                                                           \
+    X(drop_pot, 177, FIRST)                                                                                            \
     /* stands.c */                                                                                                     \
-    X(recliner)                                                                                                        \
-    X(flat_cart)                                                                                                       \
-    X(folding_table)                                                                                                   \
+    X(recliner, 178, FIRST)                                                                                            \
+    X(flat_cart, 179, FIRST)                                                                                           \
+    X(folding_table, 180, FIRST)                                                                                       \
     /* airframes.c */                                                                                                  \
-    X(airframe)                                                                                                        \
-    X(slotted_wing)                                                                                                    \
+    X(airframe, 181, FIRST)                                                                                            \
+    X(slotted_wing, 182, FIRST)                                                                                        \
     /* gear.c */                                                                                                       \
-    X(gear_leg)                                                                                                        \
-    X(hull_bay)                                                                                                        \
-    X(canopy)                                                                                                          \
+    X(gear_leg, 183, FIRST)                                                                                            \
+    X(hull_bay, 184, FIRST)                                                                                            \
+    X(canopy, 185, FIRST)                                                                                              \
     /* holds.c */                                                                                                      \
-    X(rotor_head)                                                                                                      \
-    X(cargo_hold)                                                                                                      \
+    X(rotor_head, 186, FIRST)                                                                                          \
+    X(cargo_hold, 187, FIRST)                                                                                          \
     /* manipulators.c */                                                                                               \
-    X(cobot_arm)                                                                                                       \
-    X(scara)                                                                                                           \
-    X(gantry)                                                                                                          \
-    X(jaw_gripper)                                                                                                     \
+    X(cobot_arm, 188, FIRST)                                                                                           \
+    X(scara, 189, FIRST)                                                                                               \
+    X(gantry, 190, FIRST)                                                                                              \
+    X(jaw_gripper, 191, FIRST)                                                                                         \
     /* walkers.c */                                                                                                    \
-    X(plate_legs)                                                                                                      \
-    X(insect_robot)                                                                                                    \
-    X(robot_hand)                                                                                                      \
+    X(plate_legs, 192, FIRST)                                                                                          \
+    X(insect_robot, 193, FIRST)                                                                                        \
+    X(robot_hand, 194, FIRST)                                                                                          \
     /* models.c */                                                                                                     \
-    X(bare_model)                                                                                                      \
+    X(bare_model, 195, TRAINED)                                                                                        \
     /* boards.c */                                                                                                     \
-    X(task_board)                                                                                                      \
+    X(task_board, 196, TRAINED)                                                                                        \
     /* lifts.c */                                                                                                      \
-    X(lift_column)                                                                                                     \
-    X(stacked_axes)                                                                                                    \
+    X(lift_column, 197, TRAINED)                                                                                       \
+    X(stacked_axes, 198, TRAINED)                                                                                      \
     /* screens.c */                                                                                                    \
-    X(monitor)                                                                                                         \
-    X(convertible)                                                                                                     \
+    X(monitor, 199, TRAINED)                                                                                           \
+    X(convertible, 200, TRAINED)                                                                                       \
     /* microscopes.c */                                                                                                \
-    X(microscope)                                                                                                      \
+    X(microscope, 201, TRAINED)                                                                                        \
     /* sights.c */                                                                                                     \
-    X(theodolite)                                                                                                      \
-    X(sextant)                                                                                                         \
+    X(theodolite, 202, TRAINED)                                                                                        \
+    X(sextant, 203, TRAINED)                                                                                           \
     /* crawlers.c */                                                                                                   \
-    X(flipper_robot)                                                                                                   \
-    X(rover)                                                                                                           \
+    X(flipper_robot, 204, TRAINED)                                                                                     \
+    X(rover, 205, TRAINED)                                                                                             \
     /* exoskeletons.c */                                                                                               \
-    X(exoskeleton)                                                                                                     \
+    X(exoskeleton, 206, TRAINED)                                                                                       \
     /* parallels.c */                                                                                                  \
-    X(parallel_robot)                                                                                                  \
+    X(parallel_robot, 207, TRAINED)                                                                                    \
     /* thrusters.c */                                                                                                  \
-    X(tilt_rotor)                                                                                                      \
+    X(tilt_rotor, 208, TRAINED)                                                                                        \
     /* heads.c */                                                                                                      \
-    X(sensor_head)                                                                                                     \
+    X(sensor_head, 209, TRAINED)                                                                                       \
     /* siege.c */                                                                                                      \
-    X(siege_engine)                                                                                                    \
+    X(siege_engine, 210, TRAINED)                                                                                      \
     /* arms.c */                                                                                                       \
-    X(firearm)                                                                                                         \
-    X(crossbow)                                                                                                        \
+    X(firearm, 211, TRAINED)                                                                                           \
+    X(crossbow, 212, TRAINED)                                                                                          \
     /* wands.c */                                                                                                      \
-    X(wand_controller)                                                                                                 \
+    X(wand_controller, 213, TRAINED)                                                                                   \
     /* vaults.c */                                                                                                     \
-    X(sarcophagus)                                                                                                     \
-    X(well)                                                                                                            \
-    X(dungeon_gate)                                                                                                    \
+    X(sarcophagus, 214, TRAINED)                                                                                       \
+    X(well, 215, TRAINED)                                                                                              \
+    X(dungeon_gate, 216, TRAINED)                                                                                      \
     /* hoods.c */                                                                                                      \
-    X(grill)                                                                                                           \
+    X(grill, 217, TRAINED)                                                                                             \
     /* bread_bins.c */                                                                                                 \
-    X(bread_bin)                                                                                                       \
+    X(bread_bin, 218, TRAINED)                                                                                         \
     /* primitives.c */                                                                                                 \
-    X(collision_model)                                                                                                 \
+    X(collision_model, 219, TRAINED)                                                                                   \
     /* hands.c */                                                                                                      \
-    X(finger_hand)                                                                                                     \
+    X(finger_hand, 220, TRAINED)                                                                                       \
     /* diggers.c */                                                                                                    \
-    X(excavator)                                                                                                       \
+    X(excavator, 221, TRAINED)                                                                                         \
     /* lifters.c */                                                                                                    \
-    X(forklift)                                                                                                        \
+    X(forklift, 222, TRAINED)                                                                                          \
     /* tippers.c */                                                                                                    \
-    X(tipper)                                                                                                          \
+    X(tipper, 223, TRAINED)                                                                                            \
     /* aerials.c */                                                                                                    \
-    X(service_truck)                                                                                                   \
+    X(service_truck, 224, TRAINED)                                                                                     \
     /* pulls.c */                                                                                                      \
-    X(push_pull_panel)                                                                                                 \
-    X(sunk_wheels)                                                                                                     \
+    X(push_pull_panel, 225, TRAINED)                                                                                   \
+    X(sunk_wheels, 226, TRAINED)                                                                                       \
     /* gates.c */                                                                                                      \
-    X(gate_lever)                                                                                                      \
-    X(ship_control)                                                                                                    \
+    X(gate_lever, 227, TRAINED)                                                                                        \
+    X(ship_control, 228, TRAINED)                                                                                      \
     /* horizons.c */                                                                                                   \
-    X(horizon_gauge)                                                                                                   \
+    X(horizon_gauge, 229, TRAINED)                                                                                     \
     /* benches.c */                                                                                                    \
-    X(bench_set)                                                                                                       \
-    X(centrifuge)                                                                                                      \
+    X(bench_set, 230, TRAINED)                                                                                         \
+    X(centrifuge, 231, TRAINED)                                                                                        \
     /* fold_fronts.c */                                                                                                \
-    X(tilt_cabinet)                                                                                                    \
-    X(wall_bed)                                                                                                        \
-    X(fold_desk)                                                                                                       \
+    X(tilt_cabinet, 232, TRAINED)                                                                                      \
+    X(wall_bed, 233, TRAINED)                                                                                          \
+    X(fold_desk, 234, TRAINED)                                                                                         \
     /* contour_cases.c */                                                                                              \
-    X(contour_case)                                                                                                    \
+    X(contour_case, 235, TRAINED)                                                                                      \
     /* clinic.c */                                                                                                     \
-    X(treatment_chair)                                                                                                 \
-    X(hospital_bed)                                                                                                    \
+    X(treatment_chair, 236, TRAINED)                                                                                   \
+    X(hospital_bed, 237, TRAINED)                                                                                      \
     /* amusements.c */                                                                                                 \
-    X(arcade_cabinet)                                                                                                  \
-    X(pinball_table)                                                                                                   \
-    X(music_box)                                                                                                       \
+    X(arcade_cabinet, 238, TRAINED)                                                                                    \
+    X(pinball_table, 239, TRAINED)                                                                                     \
+    X(music_box, 240, TRAINED)                                                                                         \
     /* carts.c */                                                                                                      \
-    X(market_cart)                                                                                                     \
+    X(market_cart, 241, TRAINED)                                                                                       \
     /* ramps.c */                                                                                                      \
-    X(belt_loader)                                                                                                     \
-    X(airstairs)                                                                                                       \
+    X(belt_loader, 242, TRAINED)                                                                                       \
+    X(airstairs, 243, TRAINED)                                                                                         \
     /* sails.c */                                                                                                      \
-    X(sailing_boat)                                                                                                    \
+    X(sailing_boat, 244, TRAINED)                                                                                      \
     /* mice.c */                                                                                                       \
-    X(computer_mouse)                                                                                                  \
+    X(computer_mouse, 245, TRAINED)                                                                                    \
     /* tripods.c */                                                                                                    \
-    X(tripod)                                                                                                          \
+    X(tripod, 246, TRAINED)                                                                                            \
     /* nacelles.c */                                                                                                   \
-    X(thrust_reverser)                                                                                                 \
-    X(jet_nozzle)                                                                                                      \
+    X(thrust_reverser, 247, TRAINED)                                                                                   \
+    X(jet_nozzle, 248, TRAINED)                                                                                        \
     /* skips.c */                                                                                                      \
-    X(dumpster)                                                                                                        \
+    X(dumpster, 249, TRAINED)                                                                                          \
     /* sluices.c */                                                                                                    \
-    X(sluice_gate)                                                                                                     \
+    X(sluice_gate, 250, TRAINED)                                                                                       \
     /* flush.c */                                                                                                      \
-    X(flush_cabinet)                                                                                                   \
+    X(flush_cabinet, 251, TRAINED)                                                                                     \
     /* corners.c */                                                                                                    \
-    X(corner_cabinet)                                                                                                  \
+    X(corner_cabinet, 252, TRAINED)                                                                                    \
     /* vanities.c */                                                                                                   \
-    X(vanity)                                                                                                          \
+    X(vanity, 253, TRAINED)                                                                                            \
     /* portals.c */                                                                                                    \
-    X(scifi_door)                                                                                                      \
+    X(scifi_door, 254, TRAINED)                                                                                        \
     /* hatches.c */                                                                                                    \
-    X(pressure_hatch)                                                                                                  \
+    X(pressure_hatch, 255, TRAINED)                                                                                    \
     /* armour.c */                                                                                                     \
-    X(gun_vehicle)                                                                                                     \
+    X(gun_vehicle, 256, TRAINED)                                                                                       \
     /* stage.c */                                                                                                      \
-    X(stage_light)                                                                                                     \
+    X(stage_light, 257, TRAINED)                                                                                       \
     /* players.c */                                                                                                    \
-    X(record_player)                                                                                                   \
+    X(record_player, 258, TRAINED)                                                                                     \
     /* engines.c */                                                                                                    \
-    X(piston_engine)                                                                                                   \
+    X(piston_engine, 259, TRAINED)                                                                                     \
     /* cabins.c */                                                                                                     \
-    X(cabin_door)                                                                                                      \
-    X(cabin_seat)                                                                                                      \
+    X(cabin_door, 260, TRAINED)                                                                                        \
+    X(cabin_seat, 261, TRAINED)                                                                                        \
     /* sofas.c */                                                                                                      \
-    X(sofa_bed)                                                                                                        \
+    X(sofa_bed, 262, TRAINED)                                                                                          \
     /* lathes.c */                                                                                                     \
-    X(lathe)                                                                                                           \
+    X(lathe, 263, TRAINED)                                                                                             \
     /* playground.c */                                                                                                 \
-    X(playground_piece)                                                                                                \
+    X(playground_piece, 264, TRAINED)                                                                                  \
     /* play_panels.c */                                                                                                \
-    X(play_panel)                                                                                                      \
+    X(play_panel, 265, TRAINED)                                                                                        \
     /* secrets.c */                                                                                                    \
-    X(secret_wall)                                                                                                     \
+    X(secret_wall, 266, TRAINED)                                                                                       \
     /* starships.c */                                                                                                  \
-    X(starship)                                                                                                        \
+    X(starship, 267, TRAINED)                                                                                          \
     /* pianos.c */                                                                                                     \
-    X(piano)                                                                                                           \
+    X(piano, 268, TRAINED)                                                                                             \
     /* sewing.c */                                                                                                     \
-    X(sewing_machine)                                                                                                  \
+    X(sewing_machine, 269, TRAINED)                                                                                    \
     /* trimmers.c */                                                                                                   \
-    X(paper_cutter)                                                                                                    \
-    X(hole_punch)                                                                                                      \
+    X(paper_cutter, 270, TRAINED)                                                                                      \
+    X(hole_punch, 271, TRAINED)                                                                                        \
     /* airers.c */                                                                                                     \
-    X(clothes_airer)                                                                                                   \
+    X(clothes_airer, 272, TRAINED)                                                                                     \
     /* mills.c */                                                                                                      \
-    X(milling_machine)                                                                                                 \
+    X(milling_machine, 273, TRAINED)                                                                                   \
     /* cots.c */                                                                                                       \
-    X(cot)                                                                                                             \
+    X(cot, 274, TRAINED)                                                                                               \
     /* cowlings.c */                                                                                                   \
-    X(cowling)                                                                                                         \
+    X(cowling, 275, TRAINED)                                                                                           \
     /* tables.c */                                                                                                     \
-    X(extending_table)                                                                                                 \
+    X(extending_table, 276, TRAINED)                                                                                   \
     /* consoles.c */                                                                                                   \
-    X(synthesizer)                                                                                                     \
-    X(sound_desk)                                                                                                      \
+    X(synthesizer, 277, TRAINED)                                                                                       \
+    X(sound_desk, 278, TRAINED)                                                                                        \
     /* forecourt.c */                                                                                                  \
-    X(fuel_pump)                                                                                                       \
-    X(ticket_machine)                                                                                                  \
+    X(fuel_pump, 279, TRAINED)                                                                                         \
+    X(ticket_machine, 280, TRAINED)                                                                                    \
     /* cages.c */                                                                                                      \
-    X(mine_cart)                                                                                                       \
-    X(lift_cage)                                                                                                       \
+    X(mine_cart, 281, TRAINED)                                                                                         \
+    X(lift_cage, 282, TRAINED)                                                                                         \
     /* extruders.c */                                                                                                  \
-    X(solid_printer)                                                                                                   \
+    X(solid_printer, 283, TRAINED)                                                                                     \
     /* coaches.c */                                                                                                    \
-    X(bus)                                                                                                             \
+    X(bus, 284, TRAINED)                                                                                               \
     /* interiors.c */                                                                                                  \
-    X(car_interior)                                                                                                    \
+    X(car_interior, 285, TRAINED)                                                                                      \
     /* vehicle_seats.c */                                                                                              \
-    X(car_seat)                                                                                                        \
+    X(car_seat, 286, TRAINED)                                                                                          \
     /* brass.c */                                                                                                      \
-    X(wind_instrument)                                                                                                 \
+    X(wind_instrument, 287, TRAINED)                                                                                   \
     /* mechanisms.c */                                                                                                 \
-    X(crank_bench)                                                                                                     \
+    X(crank_bench, 288, TRAINED)                                                                                       \
     /* cycles.c */                                                                                                     \
-    X(cycle)                                                                                                           \
+    X(cycle, 289, TRAINED)                                                                                             \
     /* airships.c */                                                                                                   \
-    X(airship)                                                                                                         \
+    X(airship, 290, TRAINED)                                                                                           \
     /* rigs.c */                                                                                                       \
-    X(link_rig)                                                                                                        \
+    X(link_rig, 291, TRAINED)                                                                                          \
     /* farm.c */                                                                                                       \
-    X(farm_machine)                                                                                                    \
+    X(farm_machine, 292, TRAINED)                                                                                      \
     /* pocket.c */                                                                                                     \
-    X(clamshell)                                                                                                       \
+    X(clamshell, 293, TEST_ONLY)                                                                                       \
     /* portables.c */                                                                                                  \
-    X(radio)                                                                                                           \
+    X(radio, 294, TEST_ONLY)                                                                                           \
     /* recorders.c */                                                                                                  \
-    X(recorder)                                                                                                        \
-    X(game_console)                                                                                                    \
+    X(recorder, 295, TEST_ONLY)                                                                                        \
+    X(game_console, 296, TEST_ONLY)                                                                                    \
     /* watches.c */                                                                                                    \
-    X(wrist_watch)                                                                                                     \
-    X(metronome)                                                                                                       \
+    X(wrist_watch, 297, TEST_ONLY)                                                                                     \
+    X(metronome, 298, TEST_ONLY)                                                                                       \
     /* carried.c */                                                                                                    \
-    X(binoculars)                                                                                                      \
-    X(lantern)                                                                                                         \
+    X(binoculars, 299, TEST_ONLY)                                                                                      \
+    X(lantern, 300, TEST_ONLY)                                                                                         \
     /* sports.c */                                                                                                     \
-    X(gym_machine)                                                                                                     \
+    X(gym_machine, 301, TEST_ONLY)                                                                                     \
     /* parlour.c */                                                                                                    \
-    X(ball_game)                                                                                                       \
+    X(ball_game, 302, TEST_ONLY)                                                                                       \
     /* antiques.c */                                                                                                   \
-    X(period_cabinet)                                                                                                  \
+    X(period_cabinet, 303, TEST_ONLY)                                                                                  \
     /* moderns.c */                                                                                                    \
-    X(modern_unit)                                                                                                     \
-    X(glass_case)                                                                                                      \
+    X(modern_unit, 304, TEST_ONLY)                                                                                     \
+    X(glass_case, 305, TEST_ONLY)                                                                                      \
     /* retro.c */                                                                                                      \
-    X(curved_appliance)                                                                                                \
-    X(slot_toaster)                                                                                                    \
+    X(curved_appliance, 306, TEST_ONLY)                                                                                \
+    X(slot_toaster, 307, TEST_ONLY)                                                                                    \
     /* coffers.c */                                                                                                    \
-    X(vault_safe)                                                                                                      \
-    X(soft_luggage)                                                                                                    \
+    X(vault_safe, 308, TEST_ONLY)                                                                                      \
+    X(soft_luggage, 309, TEST_ONLY)                                                                                    \
     /* fixtures.c */                                                                                                   \
-    X(toilet_suite)                                                                                                    \
-    X(gas_hob)                                                                                                         \
+    X(toilet_suite, 310, TEST_ONLY)                                                                                    \
+    X(gas_hob, 311, TEST_ONLY)                                                                                         \
     /* stools.c */                                                                                                     \
-    X(lamp_stand)                                                                                                      \
-    X(stool_chair)                                                                                                     \
+    X(lamp_stand, 312, TEST_ONLY)                                                                                      \
+    X(stool_chair, 313, TEST_ONLY)                                                                                     \
     /* wastebins.c */                                                                                                  \
-    X(hinged_bin)                                                                                                      \
+    X(hinged_bin, 314, TEST_ONLY)                                                                                      \
     /* fryers.c */                                                                                                     \
-    X(air_fryer)                                                                                                       \
-    X(rice_cooker)                                                                                                     \
-    X(salad_spinner)                                                                                                   \
+    X(air_fryer, 315, TEST_ONLY)                                                                                       \
+    X(rice_cooker, 316, TEST_ONLY)                                                                                     \
+    X(salad_spinner, 317, TEST_ONLY)                                                                                   \
     /* grinders.c */                                                                                                   \
-    X(hand_mill)                                                                                                       \
+    X(hand_mill, 318, TEST_ONLY)                                                                                       \
     /* squeezers.c */                                                                                                  \
-    X(hand_squeezer)                                                                                                   \
+    X(hand_squeezer, 319, TEST_ONLY)                                                                                   \
     /* openers.c */                                                                                                    \
-    X(corkscrew)                                                                                                       \
-    X(can_opener)                                                                                                      \
+    X(corkscrew, 320, TEST_ONLY)                                                                                       \
+    X(can_opener, 321, TEST_ONLY)                                                                                      \
     /* prams.c */                                                                                                      \
-    X(pushchair)                                                                                                       \
-    X(high_chair)                                                                                                      \
+    X(pushchair, 322, TEST_ONLY)                                                                                       \
+    X(high_chair, 323, TEST_ONLY)                                                                                      \
     /* parasols.c */                                                                                                   \
-    X(ironing_board)                                                                                                   \
-    X(parasol)                                                                                                         \
+    X(ironing_board, 324, TEST_ONLY)                                                                                   \
+    X(parasol, 325, TEST_ONLY)                                                                                         \
     /* brackets.c */                                                                                                   \
-    X(wall_arm)                                                                                                        \
-    X(pet_crate)                                                                                                       \
+    X(wall_arm, 326, TEST_ONLY)                                                                                        \
+    X(pet_crate, 327, TEST_ONLY)                                                                                       \
     /* trains.c */                                                                                                     \
-    X(locomotive)                                                                                                      \
+    X(locomotive, 328, TEST_ONLY)                                                                                      \
     /* wagons.c */                                                                                                     \
-    X(rail_wagon)                                                                                                      \
+    X(rail_wagon, 329, TEST_ONLY)                                                                                      \
     /* signals.c */                                                                                                    \
-    X(rail_signal)                                                                                                     \
+    X(rail_signal, 330, TEST_ONLY)                                                                                     \
     /* dozers.c */                                                                                                     \
-    X(bulldozer)                                                                                                       \
+    X(bulldozer, 331, TEST_ONLY)                                                                                       \
     /* gliders.c */                                                                                                    \
-    X(glider)                                                                                                          \
+    X(glider, 332, TEST_ONLY)                                                                                          \
     /* haulers.c */                                                                                                    \
-    X(mixer_truck)                                                                                                     \
-    X(fire_engine)                                                                                                     \
+    X(mixer_truck, 333, TEST_ONLY)                                                                                     \
+    X(fire_engine, 334, TEST_ONLY)                                                                                     \
     /* gondolas.c */                                                                                                   \
-    X(cable_car)                                                                                                       \
+    X(cable_car, 335, TEST_ONLY)                                                                                       \
     /* landers.c */                                                                                                    \
-    X(lander)                                                                                                          \
+    X(lander, 336, TEST_ONLY)                                                                                          \
     /* cannons.c */                                                                                                    \
-    X(water_cannon)                                                                                                    \
+    X(water_cannon, 337, TEST_ONLY)                                                                                    \
     /* drilling.c */                                                                                                   \
-    X(drill_press)                                                                                                     \
-    X(hand_drill)                                                                                                      \
+    X(drill_press, 338, TEST_ONLY)                                                                                     \
+    X(hand_drill, 339, TEST_ONLY)                                                                                      \
     /* sawing.c */                                                                                                     \
-    X(mitre_saw)                                                                                                       \
-    X(table_saw)                                                                                                       \
-    X(band_saw)                                                                                                        \
+    X(mitre_saw, 340, TEST_ONLY)                                                                                       \
+    X(table_saw, 341, TEST_ONLY)                                                                                       \
+    X(band_saw, 342, TEST_ONLY)                                                                                        \
     /* clamping.c */                                                                                                   \
-    X(clamp)                                                                                                           \
-    X(measuring_tool)                                                                                                  \
+    X(clamp, 343, TEST_ONLY)                                                                                           \
+    X(measuring_tool, 344, TEST_ONLY)                                                                                  \
     /* jacks.c */                                                                                                      \
-    X(scissor_jack)                                                                                                    \
-    X(winch)                                                                                                           \
+    X(scissor_jack, 345, TEST_ONLY)                                                                                    \
+    X(winch, 346, TEST_ONLY)                                                                                           \
     /* records.c */                                                                                                    \
-    X(filing_cabinet)                                                                                                  \
-    X(computer_tower)                                                                                                  \
+    X(filing_cabinet, 347, TEST_ONLY)                                                                                  \
+    X(computer_tower, 348, TEST_ONLY)                                                                                  \
     /* copiers.c */                                                                                                    \
-    X(photocopier)                                                                                                     \
-    X(cash_register)                                                                                                   \
+    X(photocopier, 349, TEST_ONLY)                                                                                     \
+    X(cash_register, 350, TEST_ONLY)                                                                                   \
     /* desks.c */                                                                                                      \
-    X(projector)                                                                                                       \
-    X(drafting_table)                                                                                                  \
-    X(desk_phone)                                                                                                      \
+    X(projector, 351, TEST_ONLY)                                                                                       \
+    X(drafting_table, 352, TEST_ONLY)                                                                                  \
+    X(desk_phone, 353, TEST_ONLY)                                                                                      \
     /* lobbies.c */                                                                                                    \
-    X(revolving_door)                                                                                                  \
-    X(lift_doors)                                                                                                      \
+    X(revolving_door, 354, TEST_ONLY)                                                                                  \
+    X(lift_doors, 355, TEST_ONLY)                                                                                      \
     /* plants.c */                                                                                                     \
-    X(roll_conveyor)                                                                                                   \
-    X(boiler)                                                                                                          \
+    X(roll_conveyor, 356, TEST_ONLY)                                                                                   \
+    X(boiler, 357, TEST_ONLY)                                                                                          \
     /* streets.c */                                                                                                    \
-    X(hydrant)                                                                                                         \
-    X(meter_box)                                                                                                       \
+    X(hydrant, 358, TEST_ONLY)                                                                                         \
+    X(meter_box, 359, TEST_ONLY)                                                                                       \
     /* freight.c */                                                                                                    \
-    X(shipping_container)                                                                                              \
+    X(shipping_container, 360, TEST_ONLY)                                                                              \
     /* vents.c */                                                                                                      \
-    X(roof_vent)                                                                                                       \
+    X(roof_vent, 361, TEST_ONLY)                                                                                       \
     /* theatres.c */                                                                                                   \
-    X(c_arm)                                                                                                           \
-    X(operating_lamp)                                                                                                  \
+    X(c_arm, 362, TEST_ONLY)                                                                                           \
+    X(operating_lamp, 363, TEST_ONLY)                                                                                  \
     /* wards.c */                                                                                                      \
-    X(incubator)                                                                                                       \
+    X(incubator, 364, TEST_ONLY)                                                                                       \
     /* balances.c */                                                                                                   \
-    X(cart_pole)                                                                                                       \
+    X(cart_pole, 365, TEST_ONLY)                                                                                       \
     /* grips.c */                                                                                                      \
-    X(ring_controller)                                                                                                 \
-    X(puck_controller)                                                                                                 \
-    X(flight_stick)                                                                                                    \
-    X(pistol_controller)                                                                                               \
+    X(ring_controller, 366, TEST_ONLY)                                                                                 \
+    X(puck_controller, 367, TEST_ONLY)                                                                                 \
+    X(flight_stick, 368, TEST_ONLY)                                                                                    \
+    X(pistol_controller, 369, TEST_ONLY)                                                                               \
     /* quadrants.c */                                                                                                  \
-    X(throttle_quadrant)                                                                                               \
-    X(racing_wheel)                                                                                                    \
-    X(drum_pedal)                                                                                                      \
+    X(throttle_quadrant, 370, TEST_ONLY)                                                                               \
+    X(racing_wheel, 371, TEST_ONLY)                                                                                    \
+    X(drum_pedal, 372, TEST_ONLY)                                                                                      \
     /* bars.c */                                                                                                       \
-    X(bike_controls)                                                                                                   \
+    X(bike_controls, 373, TEST_ONLY)                                                                                   \
     /* keyworks.c */                                                                                                   \
-    X(key_stack)                                                                                                       \
-    X(switch_panel)                                                                                                    \
+    X(key_stack, 374, TEST_ONLY)                                                                                       \
+    X(switch_panel, 375, TEST_ONLY)                                                                                    \
     /* escutcheons.c */                                                                                                \
-    X(door_furniture)                                                                                                  \
+    X(door_furniture, 376, TEST_ONLY)                                                                                  \
     /* cameras.c */                                                                                                    \
-    X(camera_body)                                                                                                     \
+    X(camera_body, 377, TEST_ONLY)                                                                                     \
     /* gimbals.c */                                                                                                    \
-    X(stick_box)                                                                                                       \
+    X(stick_box, 378, TEST_ONLY)                                                                                       \
     /* hand_levers.c */                                                                                                \
-    X(hand_exerciser)                                                                                                  \
+    X(hand_exerciser, 379, TEST_ONLY)                                                                                  \
     /* watchers.c */                                                                                                   \
-    X(security_camera)                                                                                                 \
+    X(security_camera, 380, TEST_ONLY)                                                                                 \
     /* pallets.c */                                                                                                    \
-    X(pallet_truck)                                                                                                    \
+    X(pallet_truck, 381, TEST_ONLY)                                                                                    \
     /* tabletops.c */                                                                                                  \
-    X(drawer_table)                                                                                                    \
+    X(drawer_table, 382, TEST_ONLY)                                                                                    \
     /* extractors.c */                                                                                                 \
-    X(range_hood)                                                                                                      \
+    X(range_hood, 383, TEST_ONLY)                                                                                      \
     /* showers.c */                                                                                                    \
-    X(shower)                                                                                                          \
+    X(shower, 384, TEST_ONLY)                                                                                          \
     /* toys.c */                                                                                                       \
-    X(toy_vehicle)                                                                                                     \
+    X(toy_vehicle, 385, TEST_ONLY)                                                                                     \
     /* campware.c */                                                                                                   \
-    X(folding_stool)                                                                                                   \
+    X(folding_stool, 386, TEST_ONLY)                                                                                   \
     /* decks.c */                                                                                                      \
-    X(ship_deck)
+    X(ship_deck, 387, TEST_ONLY)
 
-#define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
+#define DMG_DECLARE(name, id, set) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
 #undef DMG_DECLARE
 

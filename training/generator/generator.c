@@ -9,10 +9,12 @@
 
 typedef struct category {
     const char* name;
+    uint32_t id;
+    int32_t set; /* DMG_SET_* */
     void (*build)(dmg_builder* b);
 } category;
 
-#define DMG_ROW(name) {#name, dmg_build_##name},
+#define DMG_ROW(name, id, set) {#name, id, DMG_SET_##set, dmg_build_##name},
 static const category categories[] = {DMG_CATEGORIES(DMG_ROW)};
 #undef DMG_ROW
 
@@ -22,8 +24,16 @@ uint32_t dmg_category_count(void) {
     return CATEGORY_COUNT;
 }
 
-const char* dmg_category_name(uint32_t index) {
-    return index < CATEGORY_COUNT ? categories[index].name : NULL;
+const char* dmg_category_name(uint32_t row) {
+    return row < CATEGORY_COUNT ? categories[row].name : NULL;
+}
+
+uint32_t dmg_category_id(uint32_t row) {
+    return row < CATEGORY_COUNT ? categories[row].id : UINT32_MAX;
+}
+
+int32_t dmg_category_set(uint32_t row) {
+    return row < CATEGORY_COUNT ? categories[row].set : -1;
 }
 
 int32_t dmg_category_find(const char* name) {
@@ -33,7 +43,31 @@ int32_t dmg_category_find(const char* name) {
     return -1;
 }
 
-/* ---- handing out ---- */
+int32_t dmg_category_with_id(uint32_t id) {
+    for (int32_t i = 0; i < CATEGORY_COUNT; ++i) {
+        if (categories[i].id == id) return i;
+    }
+    return -1;
+}
+
+uint32_t dmg_category_id_limit(void) {
+    uint32_t limit = 0;
+    for (int32_t i = 0; i < CATEGORY_COUNT; ++i) {
+        if (categories[i].id >= limit) limit = categories[i].id + 1;
+    }
+    return limit;
+}
+
+int32_t dmg_split(uint32_t category, uint64_t seed) {
+    /* SplitMix64's finaliser over the seed and the id. */
+    uint64_t x = seed * 0x9e3779b97f4a7c15u + dmg_category_id(category) + 0x2545f4914f6cdd1du;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    const uint64_t slot = (x ^ (x >> 31)) % 20;
+    return slot == 0 ? DMG_SPLIT_VALIDATION : slot == 1 ? DMG_SPLIT_TEST : DMG_SPLIT_TRAIN;
+}
+
+/* ---- making an object ---- */
 
 /* A slide's origin says nothing: the middle of the part's box stands in for it. */
 static void centre_slides(const dmg_builder* b, dmg_object* object) {
@@ -86,7 +120,7 @@ int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_o
     dmg_builder* b = malloc(sizeof *b);
     if (!b) return 1;
     bool messy = (flags & DMG_MESSY) != 0;
-    dmg_builder_init(b, seed * 0x2545f4914f6cdd1dull + category * 0x9e3779b9ull + flags, messy);
+    dmg_builder_init(b, seed * 0x2545f4914f6cdd1dull + categories[category].id * 0x9e3779b9ull + flags, messy);
     categories[category].build(b);
     dmg_finish(b);
     dmg_object object = {.category = categories[category].name};

@@ -34,11 +34,31 @@ typedef struct dmg_object {
     uint32_t joint_count;
 } dmg_object;
 
-uint32_t dmg_category_count(void);
-const char* dmg_category_name(uint32_t index);
-int32_t dmg_category_find(const char* name); /* -1: none */
+/* What a category may be used for (set in categories.h). Both of the first two are trained on. */
+enum {
+    DMG_SET_FIRST = 0,    /* trained on; the limits' networks draw half of their cases from these alone */
+    DMG_SET_TRAINED = 1,  /* trained on */
+    DMG_SET_TEST_ONLY = 2 /* never trained on nor validated on */
+};
 
-/* Same category, seed and flags: the same bits. 0 on success. Release with dmg_object_release. */
+/* The use of one object of a category: 18 of 20 seeds are for training, one each for validation and for test. */
+enum { DMG_SPLIT_TRAIN = 0, DMG_SPLIT_VALIDATION = 1, DMG_SPLIT_TEST = 2 };
+
+/* Categories are listed in rows 0 .. count - 1. A row may change when categories are added or moved; the id stays.
+ * Store ids or names, not rows, and draw random numbers from ids alone. */
+uint32_t dmg_category_count(void);
+const char* dmg_category_name(uint32_t row); /* NULL: no such row */
+uint32_t dmg_category_id(uint32_t row);      /* UINT32_MAX: no such row */
+int32_t dmg_category_set(uint32_t row);      /* DMG_SET_*; -1: no such row */
+int32_t dmg_category_find(const char* name); /* its row; -1: none */
+int32_t dmg_category_with_id(uint32_t id);   /* its row; -1: none */
+uint32_t dmg_category_id_limit(void);        /* 1 + the largest id */
+
+/* DMG_SPLIT_* of the object that dmg_make makes of this seed, by a hash of seed and category id. */
+int32_t dmg_split(uint32_t category, uint64_t seed);
+
+/* Makes an object. category: a row. Same category id, seed and flags: the same bits. Returns 0 on success. Release with
+ * dmg_object_release. */
 int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_object);
 void dmg_object_release(dmg_object* object);
 

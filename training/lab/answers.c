@@ -23,7 +23,7 @@ static void score(const lab_case* made, const dm_joint* truth, const float drag_
     out->right_type[at] = slides == (truth->type == DM_JOINT_PRISMATIC);
     out->axis_error[at] = acosf(fminf(fabsf(dmi_dot3(axis, true_axis)), 1));
     out->line_error[at] = slides ? -1 : dmi_line_distance3(origin, true_axis, true_origin);
-    out->category[at] = (int32_t)made->category;
+    out->category[at] = (int32_t)made->category_id;
 }
 
 static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net,

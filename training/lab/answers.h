@@ -12,7 +12,7 @@ typedef struct dm_lab_answers {
     float* axis_error; /* rad */
     float* line_error; /* object sizes; -1 where a slide is answered */
     int32_t* has_drag;
-    int32_t* category;
+    int32_t* category; /* id */
 } dm_lab_answers;
 
 /* kinematics, ranker: bytes of weights files; NULL: without. */

@@ -19,29 +19,26 @@ static uint64_t mix(uint64_t a, uint64_t b) {
     return x ^ (x >> 31);
 }
 
-static int32_t split_of(uint32_t category, uint64_t object_seed) {
-    const uint64_t slot = mix(object_seed, category) % 20;
-    return slot == 0 ? DM_LAB_VALIDATION : slot == 1 ? DM_LAB_TEST : DM_LAB_TRAIN;
-}
-
-/* A category by the weights of the options; -1 when they allow none. */
-static int32_t draw_category(dmi_random* random, const dm_lab_options* options) {
-    const uint32_t count = dmg_category_count();
+/* Draws the id of a category by the weights of the options; -1 when they allow none. Goes through ids in rising order,
+ * so that the order of the generator's rows does not matter. */
+static int32_t draw_category_id(dmi_random* random, const dm_lab_options* options) {
+    const uint32_t limit = dmg_category_id_limit();
     uint32_t total = 0;
-    for (uint32_t c = 0; c < count; c++) total += options->categories[c];
+    for (uint32_t id = 0; id < limit; id++) total += options->categories[id];
     if (total == 0) return -1;
     uint32_t pick = dmi_random_u32(random) % total;
-    for (uint32_t c = 0; c < count; c++) {
-        if (pick < options->categories[c]) return (int32_t)c;
-        pick -= options->categories[c];
+    for (uint32_t id = 0; id < limit; id++) {
+        if (pick < options->categories[id]) return (int32_t)id;
+        pick -= options->categories[id];
     }
     return -1;
 }
 
-static uint64_t draw_object_seed(dmi_random* random, uint32_t category, int32_t split) {
+/* row: of the generator's category. */
+static uint64_t draw_object_seed(dmi_random* random, uint32_t row, int32_t split) {
     uint64_t seed;
     do seed = dmi_random_u32(random);
-    while (split_of(category, seed) != split);
+    while (dmg_split(row, seed) != split);
     return seed;
 }
 
@@ -112,12 +109,13 @@ static dm_joint true_joint(const dmi_mesh* mesh, const dmg_joint* source, uint32
 
 static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case* out) {
     dmi_random* random = &out->random;
-    const int32_t category = draw_category(random, options);
-    if (category < 0) return DM_ERROR_INVALID_ARGUMENT;
-    out->category = (uint32_t)category;
-    const uint64_t seed = draw_object_seed(random, out->category, options->split);
+    const int32_t id = draw_category_id(random, options);
+    const int32_t row = id < 0 ? -1 : dmg_category_with_id((uint32_t)id);
+    if (row < 0) return DM_ERROR_INVALID_ARGUMENT;
+    out->category_id = (uint32_t)id;
+    const uint64_t seed = draw_object_seed(random, (uint32_t)row, options->split);
     const uint32_t flags = lab_chance(random, options->messy) ? DMG_MESSY : 0;
-    if (dmg_make(out->category, seed, flags, &out->object)) return DM_ERROR_OUT_OF_MEMORY;
+    if (dmg_make((uint32_t)row, seed, flags, &out->object)) return DM_ERROR_OUT_OF_MEMORY;
     if (out->object.joint_count == 0) return DM_ERROR_NOT_FOUND;
     out->part = 1 + dmi_random_u32(random) % out->object.joint_count;
     const dmg_joint* joint = &out->object.joints[out->part - 1];

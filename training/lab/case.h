@@ -15,7 +15,7 @@ typedef struct lab_case {
     uint32_t* welded; /* the mesh's vertices, for studies of the part; NULL in a case of the caller's */
     dmi_cloud cloud;
     dm_joint joint; /* object-normalised, positive opens, origin nearest the part's centre */
-    uint32_t category;
+    uint32_t category_id;
     uint32_t part; /* the generator's id */
 } lab_case;
 

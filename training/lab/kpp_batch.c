@@ -40,7 +40,7 @@ static void write_case(const lab_case* made, const dmi_drag_hint* hint, const dm
     memcpy(out->local_centres + i * sizeof input->local_centres / 4, input->local_centres, sizeof input->local_centres);
     memcpy(out->shape + i * DMI_KPP_SHAPE, input->shape, sizeof input->shape);
     out->has_drag[i] = hint != NULL;
-    out->category[i] = (int32_t)made->category;
+    out->category[i] = (int32_t)made->category_id;
     write_labels(joint, &input->frame, out, i);
 }
 

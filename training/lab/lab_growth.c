@@ -174,7 +174,7 @@ static void note(const growing* g, const dmi_growth* growth) {
         memcpy(out->features + (size_t)row * DMI_GROWTH_FEATURES, growth->features[piece], sizeof growth->features[0]);
         out->belongs[row] = g->belongs[piece];
         out->weight[row] = 1 / (float)growth->touching_count;
-        out->category[row] = (int32_t)g->made.category;
+        out->category[row] = (int32_t)g->made.category_id;
     }
 }
 
@@ -269,7 +269,7 @@ static void note_proposals(const lab_case* made, const dmi_proposals* proposals,
                            const dm_lab_choice* out) {
     const uint32_t part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part);
     out->used[row] = (int32_t)proposals->count;
-    out->category[row] = (int32_t)made->category;
+    out->category[row] = (int32_t)made->category_id;
     for (uint32_t i = 0; i < proposals->count; i++) {
         const size_t at = (size_t)row * DMI_PROPOSALS_MOST + i;
         memcpy(out->features + at * DMI_CHOICE_FEATURES, proposals->items[i].features,

@@ -7,11 +7,11 @@
 
 typedef struct dm_lab_growth {
     uint32_t capacity;
-    float* features; /* x capacity x dm_lab_growth_columns() */
-    float* belongs;  /* x capacity: 0 or 1 */
-    float* weight;   /* x capacity: 1 over the pieces that touched at that step */
-    int32_t* category;
-    uint32_t* count; /* rows written; the batch ends early when the next case might not fit */
+    float* features;   /* x capacity x dm_lab_growth_columns() */
+    float* belongs;    /* x capacity: 0 or 1 */
+    float* weight;     /* x capacity: 1 over the pieces that touched at that step */
+    int32_t* category; /* id */
+    uint32_t* count;   /* rows written; the batch ends early when the next case might not fit */
 } dm_lab_growth;
 
 DM_API uint32_t dm_lab_growth_columns(void);
@@ -29,7 +29,7 @@ typedef struct dm_lab_choice {
     float* features;   /* x count x dm_lab_choice_most() x dm_lab_choice_columns() */
     float* overlap;    /* x count x dm_lab_choice_most(): with the true part, intersection over union of areas */
     int32_t* used;     /* x count: proposals there were */
-    int32_t* category; /* x count */
+    int32_t* category; /* x count: id */
 } dm_lab_choice;
 
 DM_API uint32_t dm_lab_choice_columns(void);

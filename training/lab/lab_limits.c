@@ -47,7 +47,7 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
     out->lower[at] = (along ? truth->lower : -truth->upper) / unit;
     out->upper[at] = (along ? truth->upper : -truth->lower) / unit;
     out->free[at] = truth->type == DM_JOINT_CONTINUOUS;
-    out->category[at] = (int32_t)work->made.category;
+    out->category[at] = (int32_t)work->made.category_id;
     out->pose[at] = work->pose[nearest];
     out->has_drag[at] = with_drag;
 }

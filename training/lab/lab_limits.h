@@ -10,9 +10,9 @@ typedef struct dm_lab_limits {
     float* evidence; /* x dm_lab_limits_evidence(): the ranker's, of the same joint */
     float* lower;    /* in the features' unit (1 rad, or the part's extent along the slide) */
     float* upper;
-    int32_t* free; /* 1: continuous, the limits mean nothing */
-    int32_t* category;
-    float* pose; /* how far the joint leaves the part from where it should be, over the object's size */
+    int32_t* free;     /* 1: continuous, the limits mean nothing */
+    int32_t* category; /* id */
+    float* pose;       /* how far the joint leaves the part from where it should be, over the object's size */
     int32_t* has_drag;
 } dm_lab_limits;
 

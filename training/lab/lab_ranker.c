@@ -53,7 +53,7 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
     out->total[at] = (int32_t)work->count;
     out->type[at] = work->joint.type - 1;
     out->has_drag[at] = with_drag;
-    out->category[at] = (int32_t)work->made.category;
+    out->category[at] = (int32_t)work->made.category_id;
     out->best[at] = work->pose[order[0]];
 }
 

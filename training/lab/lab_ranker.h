@@ -16,7 +16,7 @@ typedef struct dm_lab_ranker {
     int32_t* total; /* candidates there were; rows from the ninth on stand for total - 8 of them */
     int32_t* type;  /* of the true joint: 0 revolute, 1 prismatic, 2 screw, 3 continuous */
     int32_t* has_drag;
-    int32_t* category;
+    int32_t* category; /* id */
     float* best;       /* least pose of all candidates */
     float* axis_error; /* x rows: rad */
     float* line_error; /* x rows: distance of the axis from the true one at the part's centre; 0 for slides */

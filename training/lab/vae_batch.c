@@ -84,7 +84,7 @@ static void write_stroke(lab_case* made, const dm_lab_options* options, const dm
     memcpy(query.drag_vector, hint->vector, sizeof query.drag_vector);
     memcpy(query.path, stroke.path, sizeof query.path);
     write_query(object, &query, &stroke, out, i);
-    out->category[i] = (int32_t)made->category;
+    out->category[i] = (int32_t)made->category_id;
 }
 
 dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out) {
