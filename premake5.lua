@@ -79,7 +79,7 @@ shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
     language "C++"
 
 -- The procedural generator, and the library through which training sees the sdk's own samplers.
-library("dragmesh_generator", { "training/generator/*.c" }, {})
+library("dragmesh_generator", { "training/generator/**.c" }, {})
 
 shared("dragmesh_lab", { "training/lab/*.c" },
     { "dragmesh_generator", "dragmesh_core", "cjson", embree, "m" }, "training/lab/lab.map")

@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "build.h"
-#include "check.h"
+#include "core/build.h"
+#include "core/check.h"
 #include "generator.h"
 
 enum { SEEDS = 20, FEW_SEEDS = 4 };

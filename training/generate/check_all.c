@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "check.h"
+#include "core/check.h"
 #include "generator.h"
 
 #define DEEP 0.02f /* more than the interpenetration that untidy objects have on purpose */

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "build.h"
 #include "categories.h"
+#include "core/build.h"
 
 typedef struct category {
     const char* name;
