@@ -114,14 +114,14 @@ static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case*
     if (row < 0) return DM_ERROR_INVALID_ARGUMENT;
     out->category_id = (uint32_t)id;
     const uint64_t seed = draw_object_seed(random, (uint32_t)row, options->split);
-    const uint32_t flags = lab_chance(random, options->messy) ? DMG_MESSY : 0;
+    const uint32_t flags = lab_random_bool(random, options->messy) ? DMG_MESSY : 0;
     if (dmg_make((uint32_t)row, seed, flags, &out->object)) return DM_ERROR_OUT_OF_MEMORY;
     if (out->object.joint_count == 0) return DM_ERROR_NOT_FOUND;
     out->part = 1 + dmi_random_u32(random) % out->object.joint_count;
     const dmg_joint* joint = &out->object.joints[out->part - 1];
     if (joint->type < DM_JOINT_REVOLUTE || joint->type > DM_JOINT_CONTINUOUS) return DM_ERROR_NOT_FOUND;
-    if (lab_chance(random, options->rotated)) lab_turn_object(random, &out->object);
-    if (lab_chance(random, options->mask_noise)) lab_disturb_mask(random, &out->object, out->part);
+    if (lab_random_bool(random, options->rotated)) lab_rotate_object(random, &out->object);
+    if (lab_random_bool(random, options->mask_noise)) lab_augment_mask(random, &out->object, out->part);
     dm_result result = make_mesh(env, &out->object, &out->mesh);
     if (result == DM_OK) result = weld_and_mend(env, out);
     if (result != DM_OK) return result;
@@ -175,13 +175,13 @@ void lab_case_release(dmi_env* env, lab_case* made) {
 }
 
 dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_joint) {
-    const float noise = lab_uniform(&made->random, 0.0f, noise_degrees);
+    const float noise = lab_random_uniform(&made->random, 0.0f, noise_degrees);
     float point[3], vector[3];
     dmg_drag(&made->object, made->part, noise, dmi_random_u32(&made->random), point, vector);
     const dm_joint* joint = &made->joint;
     const float range = joint->upper - joint->lower;
     const int closing = joint->type == DM_JOINT_CONTINUOUS || -joint->lower > 0.2f * range;
-    if (closing && lab_chance(&made->random, 0.4f))
+    if (closing && lab_random_bool(&made->random, 0.4f))
         for (int i = 0; i < 3; i++) vector[i] = -vector[i];
     dmi_drag_hint hint;
     dmi_frame_point_in(&made->mesh->frame, (const double[3]){point[0], point[1], point[2]}, hint.point);
@@ -192,9 +192,9 @@ dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_j
 }
 
 dmi_drag_hint lab_given_drag(lab_case* made, const dm_lab_given* given, float noise_degrees, dm_joint* out_joint) {
-    const float degrees = lab_uniform(&made->random, 0.0f, noise_degrees) * dmi_random_normal(&made->random);
+    const float degrees = lab_random_uniform(&made->random, 0.0f, noise_degrees) * dmi_random_normal(&made->random);
     float about[3], rotation[9], vector[3];
-    lab_direction(&made->random, about);
+    lab_random_direction(&made->random, about);
     lab_rotation(about, degrees * 0.01745329f, rotation);
     lab_rotate(rotation, given->drag_vector, vector);
     const double point[3] = {given->drag_point[0], given->drag_point[1], given->drag_point[2]};

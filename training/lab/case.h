@@ -36,18 +36,18 @@ dmi_drag_hint lab_given_drag(lab_case* made, const struct dm_lab_given* given, f
                              dm_joint* out_joint);
 
 /* [low, high) */
-float lab_uniform(dmi_random* random, float low, float high);
-int lab_chance(dmi_random* random, float probability);
+float lab_random_uniform(dmi_random* random, float low, float high);
+int lab_random_bool(dmi_random* random, float probability);
 /* Uniform on the sphere. */
-void lab_direction(dmi_random* random, float out[3]);
+void lab_random_direction(dmi_random* random, float out[3]);
 /* Row-major rotation about a unit axis. */
 void lab_rotation(const float axis[3], float angle, float out[9]);
 void lab_rotate(const float rotation[9], const float v[3], float out[3]);
 
 /* Turns the whole object, labels too, by a random rotation. */
-void lab_turn_object(dmi_random* random, dmg_object* object);
+void lab_rotate_object(dmi_random* random, dmg_object* object);
 /* Patches of the part's mask get lost, or leak onto what is near: at most a seventh of its area each. */
-void lab_disturb_mask(dmi_random* random, dmg_object* object, uint32_t part);
+void lab_augment_mask(dmi_random* random, dmg_object* object, uint32_t part);
 
 /* A joint value for each of the 16 frames, and where a hand that means them draws the drag point. */
 typedef struct lab_stroke {

@@ -52,7 +52,7 @@ static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
     const dmi_drag_hint hint = lab_case_drag(made, noise_degrees, &joint);
     float length = 0;
     for (int k = 0; k < 3; k++) length += hint.vector[k] * hint.vector[k];
-    const int told = !lab_chance(&made->random, UNDIRECTED) && length > 0;
+    const int told = !lab_random_bool(&made->random, UNDIRECTED) && length > 0;
     for (int k = 0; k < 3; k++) {
         out->point[k] = hint.point[k];
         out->drag[k] = told ? hint.vector[k] / sqrtf(length) : 0;
@@ -86,7 +86,7 @@ static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t see
     if (united == NULL) return result == DM_OK ? DM_ERROR_OUT_OF_MEMORY : result;
     float total = 0, area = pieces.area[seed];
     for (uint32_t p = 0; p < pieces.count; p++) total += pieces.area[p];
-    const float most = lab_uniform(random, 0.2f, 1.2f) * total, eager = lab_uniform(random, 0.02f, 0.5f);
+    const float most = lab_random_uniform(random, 0.2f, 1.2f) * total, eager = lab_random_uniform(random, 0.02f, 0.5f);
     memset(united, 0, sheets->count);
     united[seed] = 1;
     for (int changed = 1; changed && area < most;) {
@@ -94,7 +94,8 @@ static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t see
         for (uint32_t s = 0; s < pieces.first[pieces.count] && area < most; s++) {
             const dmi_piece_sample* sample = &pieces.samples[s];
             for (uint32_t t = 0; t < sample->touch_count && !united[sample->piece]; t++) {
-                if (!united[pieces.samples[sample->touches[t].sample].piece] || !lab_chance(random, eager)) continue;
+                if (!united[pieces.samples[sample->touches[t].sample].piece] || !lab_random_bool(random, eager))
+                    continue;
                 united[sample->piece] = 1;
                 area += pieces.area[sample->piece];
                 changed = 1;
@@ -112,8 +113,8 @@ static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_shee
     uint8_t* torn = dmi_arena_push(arena, sheets->count);
     uint32_t count, labels = sheets->count;
     if (regions == NULL || select == NULL || torn == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    const float share = lab_uniform(random, 0.1f, 1);
-    for (uint32_t p = 0; p < sheets->count; p++) torn[p] = (uint8_t)lab_chance(random, share);
+    const float share = lab_random_uniform(random, 0.1f, 1);
+    for (uint32_t p = 0; p < sheets->count; p++) torn[p] = (uint8_t)lab_random_bool(random, share);
     for (uint32_t f = 0; f < faces; f++) select[f] = torn[sheets->labels[f]];
     dm_result result = dmi_face_regions(arena, sheets->mesh, sheets->welded, select, CREASE_COSINE, regions, &count);
     uint32_t* owners = result == DM_OK ? dmi_arena_push(arena, (count + 1) * sizeof *owners) : NULL;
@@ -139,8 +140,8 @@ static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_shee
 static dm_result make_sheets(dmi_arena* arena, lab_case* made, const dmi_grab* grab, dmi_part_sheets* out,
                              int* out_united) {
     dm_result result = dmi_part_sheets_make(arena, made->mesh, out);
-    if (result == DM_OK && lab_chance(&made->random, TORN)) result = tear_sheets(arena, &made->random, out);
-    *out_united = lab_chance(&made->random, UNITED);
+    if (result == DM_OK && lab_random_bool(&made->random, TORN)) result = tear_sheets(arena, &made->random, out);
+    *out_united = lab_random_bool(&made->random, UNITED);
     if (result != DM_OK || !*out_united || out->count > MOST_SHEETS) return result;
     return unite_sheets(arena, &made->random, out->labels[grab->face], out);
 }
@@ -209,7 +210,7 @@ static dm_result grow_once(dmi_env* env, growing* g) {
     dmi_arena_init(&arena, env, BLOCK);
     int united;
     dm_result result = make_sheets(&arena, &g->made, &grab, &sheets, &united);
-    const int cut = united || lab_chance(&g->made.random, CUT);
+    const int cut = united || lab_random_bool(&g->made.random, CUT);
     if (result == DM_OK)
         result = dmi_part_level_make(&arena, &sheets, cut ? sheets.labels[grab.face] : DMI_PART_NONE, &g->level);
     if (result == DM_OK && g->level.pieces.count == 0)

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "judge.h"
+#include "evaluate_candidates.h"
 #include "kinematics/limits.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -19,7 +19,7 @@ uint32_t dm_lab_limits_evidence(void) {
 }
 
 /* The candidate of the joint's type that costs least; one of another type where there is none. */
-static uint32_t nearest_candidate(const lab_judged* work) {
+static uint32_t nearest_candidate(const lab_evaluated_case* work) {
     const int slides = work->joint.type == DM_JOINT_PRISMATIC;
     float least = INFINITY;
     uint32_t nearest = 0;
@@ -31,7 +31,7 @@ static uint32_t nearest_candidate(const lab_judged* work) {
     return nearest;
 }
 
-static void write_case(const lab_judged* work, int with_drag, uint32_t at, void* user) {
+static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t at, void* user) {
     const dm_lab_limits* out = user;
     const uint32_t nearest = nearest_candidate(work);
     const dmi_candidate* c = &work->candidates[nearest];
@@ -55,5 +55,5 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
 dm_result dm_lab_limits_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                               const void* sieve, size_t sieve_size, const dm_lab_limits* out) {
     dm_lab_limits to = *out;
-    return lab_judge_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
+    return lab_evaluate_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
 }

@@ -17,9 +17,9 @@ static void thread(dmi_random* random, dmi_drag_hint* hint, dm_joint* joint) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
     joint->type = DM_JOINT_SCREW;
-    joint->pitch = lab_chance(random, 0.5f) ? pitch : -pitch;
-    joint->upper = lab_uniform(random, 0.5f, 12.0f);
-    joint->lower = lab_chance(random, 0.5f) ? 0.0f : -lab_uniform(random, 0.0f, 6.0f);
+    joint->pitch = lab_random_bool(random, 0.5f) ? pitch : -pitch;
+    joint->upper = lab_random_uniform(random, 0.5f, 12.0f);
+    joint->lower = lab_random_bool(random, 0.5f) ? 0.0f : -lab_random_uniform(random, 0.0f, 6.0f);
     const float lead = joint->pitch / fmaxf(dmi_line_distance3(hint->point, axis, origin), pitch);
     dmi_madd3(hint->vector, lead * dmi_length3(hint->vector), axis, hint->vector);
 }
@@ -27,7 +27,7 @@ static void thread(dmi_random* random, dmi_drag_hint* hint, dm_joint* joint) {
 /* A joint as a network or a person would have found it: a few degrees and a hundredth of the size off. */
 static dm_joint roughly(dmi_random* random, dm_joint joint) {
     float about[3], rotation[9], axis[3] = {joint.axis.x, joint.axis.y, joint.axis.z};
-    lab_direction(random, about);
+    lab_random_direction(random, about);
     lab_rotation(about, 0.05f * dmi_random_normal(random), rotation);
     lab_rotate(rotation, axis, axis);
     joint.axis = (dm_vec3){axis[0], axis[1], axis[2]};
@@ -73,13 +73,13 @@ static void write_query(const dmi_vae_object* object, const dmi_vae_query* query
 static void write_stroke(lab_case* made, const dm_lab_options* options, const dmi_vae_object* object,
                          const dmi_drag_hint* hint, const dm_joint* joint, const dm_lab_vae* out, uint32_t i) {
     dmi_random* random = &made->random;
-    const int steady = lab_chance(random, 0.25f);
+    const int steady = lab_random_bool(random, 0.25f);
     lab_stroke stroke;
     dmi_vae_query query = {.joint = *joint};
     /* The default path follows the joint the library has in hand, right or not. */
-    if (lab_chance(random, options->joint_noise)) query.joint = roughly(random, *joint);
+    if (lab_random_bool(random, options->joint_noise)) query.joint = roughly(random, *joint);
     lab_stroke_make(random, steady ? &query.joint : joint, hint->point, steady,
-                    !steady && lab_chance(random, options->hand_noise), &stroke);
+                    !steady && lab_random_bool(random, options->hand_noise), &stroke);
     memcpy(query.drag_point, hint->point, sizeof query.drag_point);
     memcpy(query.drag_vector, hint->vector, sizeof query.drag_vector);
     memcpy(query.path, stroke.path, sizeof query.path);
@@ -101,7 +101,7 @@ dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out)
             dm_joint joint;
             dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
             const int turns = joint.type == DM_JOINT_REVOLUTE || joint.type == DM_JOINT_CONTINUOUS;
-            if (turns && options->split == DM_LAB_TRAIN && lab_chance(&made->random, THREADED))
+            if (turns && options->split == DM_LAB_TRAIN && lab_random_bool(&made->random, THREADED))
                 thread(&made->random, &hint, &joint);
             write_stroke(made, options, object, &hint, &joint, out, i);
         }

@@ -3,10 +3,10 @@
 
 #include "case.h"
 
-void lab_turn_object(dmi_random* random, dmg_object* object) {
+void lab_rotate_object(dmi_random* random, dmg_object* object) {
     float axis[3], rotation[9];
-    lab_direction(random, axis);
-    lab_rotation(axis, lab_uniform(random, 0.0f, 3.14159265f), rotation);
+    lab_random_direction(random, axis);
+    lab_rotation(axis, lab_random_uniform(random, 0.0f, 3.14159265f), rotation);
     for (uint32_t v = 0; v < object->vertex_count; v++)
         lab_rotate(rotation, object->positions + 3 * v, object->positions + 3 * v);
     for (uint32_t j = 0; j < object->joint_count; j++) {
@@ -66,7 +66,7 @@ static void move_patch(dmg_object* object, uint32_t from, uint32_t to, const flo
         if (object->face_part[f] == from && face_distance(object, f, point) < radius) object->face_part[f] = to;
 }
 
-void lab_disturb_mask(dmi_random* random, dmg_object* object, uint32_t part) {
+void lab_augment_mask(dmi_random* random, dmg_object* object, uint32_t part) {
     float area = 0.0f;
     uint32_t count = 0;
     for (uint32_t f = 0; f < object->face_count; f++)
@@ -75,10 +75,10 @@ void lab_disturb_mask(dmi_random* random, dmg_object* object, uint32_t part) {
             count++;
         }
     const float size = object_size(object);
-    const int patches = 1 + (int)lab_uniform(random, 0.0f, 3.0f);
+    const int patches = 1 + (int)lab_random_uniform(random, 0.0f, 3.0f);
     for (int i = 0; i < patches; i++) {
         /* Both kinds of error sit on or beside the part: segmenters fail at borders and on small hardware. */
-        uint32_t pick = (uint32_t)lab_uniform(random, 0.0f, (float)count), face = 0;
+        uint32_t pick = (uint32_t)lab_random_uniform(random, 0.0f, (float)count), face = 0;
         for (uint32_t f = 0; f < object->face_count; f++)
             if (object->face_part[f] == part) {
                 face = f;
@@ -86,8 +86,8 @@ void lab_disturb_mask(dmi_random* random, dmg_object* object, uint32_t part) {
             }
         const float* corners[3];
         face_corners(object, face, corners);
-        const int lost = lab_chance(random, 0.5f);
-        const float radius = size * lab_uniform(random, 0.02f, 0.12f);
+        const int lost = lab_random_bool(random, 0.5f);
+        const float radius = size * lab_random_uniform(random, 0.02f, 0.12f);
         move_patch(object, lost ? part : 0, lost ? 0 : part, corners[0], radius, area / 7.0f);
     }
 }

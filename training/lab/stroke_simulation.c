@@ -44,10 +44,10 @@ static float reach(const dm_joint* joint) {
 /* The hand's own direction error, drag of the pointer behind the intent, and tremor. */
 static void shake(dmi_random* random, float path[DM_MOTION_FRAMES][3]) {
     float axis[3], rotation[9];
-    lab_direction(random, axis);
+    lab_random_direction(random, axis);
     lab_rotation(axis, 0.07f * dmi_random_normal(random), rotation);
-    const float lag = lab_chance(random, 0.4f) ? lab_uniform(random, 0.0f, 0.3f) : 0.0f;
-    const float share = lab_uniform(random, 0.0f, 0.02f);
+    const float lag = lab_random_bool(random, 0.4f) ? lab_random_uniform(random, 0.0f, 0.3f) : 0.0f;
+    const float share = lab_random_uniform(random, 0.0f, 0.02f);
     float length = 0.0f;
     for (int i = 0; i < 3; i++) length = fmaxf(length, fabsf(path[LAST][i] - path[0][i]));
     for (int f = 1; f < DM_MOTION_FRAMES; f++) {
@@ -65,10 +65,10 @@ static void shake(dmi_random* random, float path[DM_MOTION_FRAMES][3]) {
 void lab_stroke_make(dmi_random* random, const dm_joint* joint, const float drag_point[3], int steady, int noisy,
                      lab_stroke* out_stroke) {
     const int pace = steady ? MIN_JERK : (int)(dmi_random_u32(random) % PACES);
-    const float turn = lab_uniform(random, 0.4f, 0.9f);
-    float amplitude = steady ? 1.0f : lab_uniform(random, 0.1f, 1.0f);
+    const float turn = lab_random_uniform(random, 0.4f, 0.9f);
+    float amplitude = steady ? 1.0f : lab_random_uniform(random, 0.1f, 1.0f);
     /* Some hands pull on past the end stop. */
-    if (noisy && lab_chance(random, 0.15f)) amplitude = lab_uniform(random, 1.0f, 1.3f);
+    if (noisy && lab_random_bool(random, 0.15f)) amplitude = lab_random_uniform(random, 1.0f, 1.3f);
     const float most = reach(joint);
     for (int f = 0; f < DM_MOTION_FRAMES; f++) {
         const float value = amplitude * most * progress(pace, (float)f / (float)LAST, turn);

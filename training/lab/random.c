@@ -3,15 +3,15 @@
 
 #include "case.h"
 
-float lab_uniform(dmi_random* random, float low, float high) {
+float lab_random_uniform(dmi_random* random, float low, float high) {
     return low + (high - low) * dmi_random_unit(random);
 }
 
-int lab_chance(dmi_random* random, float probability) {
+int lab_random_bool(dmi_random* random, float probability) {
     return dmi_random_unit(random) < probability;
 }
 
-void lab_direction(dmi_random* random, float out[3]) {
+void lab_random_direction(dmi_random* random, float out[3]) {
     float length;
     do {
         for (int i = 0; i < 3; i++) out[i] = dmi_random_normal(random);

@@ -1,5 +1,5 @@
 /* The error that a player sees: the part moved by an answer against the part moved by the truth. */
-#include "goal.h"
+#include "pose_error.h"
 
 #include <math.h>
 
@@ -15,38 +15,39 @@ static float travel(const dm_joint* joint) {
     return joint->type == DM_JOINT_CONTINUOUS || farther == 0 ? 1.0f : fminf(farther, MOST_TURN);
 }
 
-void lab_goal_make(const dmi_cloud* cloud, const dm_joint* joint, const float drag_point[3], lab_goal* out_goal) {
+void lab_pose_target_make(const dmi_cloud* cloud, const dm_joint* joint, const float drag_point[3],
+                          lab_pose_target* out_target) {
     const dm_pose pose = dmi_joint_pose(joint, travel(joint));
-    out_goal->from = (const float(*)[3])cloud->xyz;
-    for (int i = 0; i < LAB_GOAL_POINTS; i++) dmi_pose_apply(&pose, out_goal->from[i], out_goal->to[i]);
-    dmi_copy3(drag_point, out_goal->drag_from);
-    dmi_pose_apply(&pose, drag_point, out_goal->drag_to);
+    out_target->from = (const float(*)[3])cloud->xyz;
+    for (int i = 0; i < LAB_POSE_POINTS; i++) dmi_pose_apply(&pose, out_target->from[i], out_target->to[i]);
+    dmi_copy3(drag_point, out_target->drag_from);
+    dmi_pose_apply(&pose, drag_point, out_target->drag_to);
 }
 
 /* The value that brings the dragged point nearest to where it truly goes. */
-static float best_value(const lab_goal* goal, const dm_joint* joint) {
+static float best_value(const lab_pose_target* target, const dm_joint* joint) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
     float a[3], b[3], side[3];
     if (joint->type == DM_JOINT_PRISMATIC) {
-        dmi_sub3(goal->drag_to, goal->drag_from, a);
+        dmi_sub3(target->drag_to, target->drag_from, a);
         return dmi_dot3(a, axis);
     }
-    dmi_sub3(goal->drag_from, origin, a), dmi_reject3(a, axis);
-    dmi_sub3(goal->drag_to, origin, b), dmi_reject3(b, axis);
+    dmi_sub3(target->drag_from, origin, a), dmi_reject3(a, axis);
+    dmi_sub3(target->drag_to, origin, b), dmi_reject3(b, axis);
     dmi_cross3(a, b, side);
     return fminf(fmaxf(atan2f(dmi_dot3(side, axis), dmi_dot3(a, b)), -MOST_ANSWER), MOST_ANSWER);
 }
 
-float lab_goal_error(const lab_goal* goal, int32_t type, const float axis[3], const float origin[3]) {
+float lab_pose_error(const lab_pose_target* target, int32_t type, const float axis[3], const float origin[3]) {
     const dm_joint joint = {
         .type = type, .axis = {axis[0], axis[1], axis[2]}, .origin = {origin[0], origin[1], origin[2]}};
-    const dm_pose pose = dmi_joint_pose(&joint, best_value(goal, &joint));
+    const dm_pose pose = dmi_joint_pose(&joint, best_value(target, &joint));
     float sum = 0;
-    for (int i = 0; i < LAB_GOAL_POINTS; i++) {
+    for (int i = 0; i < LAB_POSE_POINTS; i++) {
         float x[3];
-        dmi_pose_apply(&pose, goal->from[i], x);
-        sum += dmi_distance3(x, goal->to[i]);
+        dmi_pose_apply(&pose, target->from[i], x);
+        sum += dmi_distance3(x, target->to[i]);
     }
-    return sum / LAB_GOAL_POINTS;
+    return sum / LAB_POSE_POINTS;
 }
