@@ -100,6 +100,51 @@ static void categories_have_names(void** state) {
     assert_int_not_equal(dmg_make(dmg_category_count(), 0, 0, &object), 0);
 }
 
+/* Ids are unique, lead back to their rows, and end at the limit. */
+static void category_ids_are_unique(void** state) {
+    (void)state;
+    const uint32_t count = dmg_category_count(), limit = dmg_category_id_limit();
+    uint8_t* seen = calloc(limit, 1);
+    for (uint32_t row = 0; row < count; ++row) {
+        const uint32_t id = dmg_category_id(row);
+        assert_true(id < limit);
+        assert_int_equal(seen[id]++, 0);
+        assert_int_equal(dmg_category_with_id(id), row);
+    }
+    assert_int_equal(seen[limit - 1], 1);
+    assert_int_equal(dmg_category_with_id(limit), -1);
+    assert_int_equal(dmg_category_id(count), UINT32_MAX);
+    free(seen);
+}
+
+/* The categories of today stay in the sets that the shipped weights were trained and tested by. */
+static void category_sets_are_as_trained(void** state) {
+    (void)state;
+    enum { IDS = 388 };
+    uint32_t sizes[3] = {0};
+    for (uint32_t id = 0; id < IDS; ++id) {
+        const int32_t set = dmg_category_set((uint32_t)dmg_category_with_id(id));
+        assert_in_range(set, DMG_SET_FIRST, DMG_SET_TEST_ONLY);
+        ++sizes[set];
+    }
+    assert_int_equal(sizes[DMG_SET_FIRST], 195);
+    assert_int_equal(sizes[DMG_SET_FIRST] + sizes[DMG_SET_TRAINED], 293);
+    assert_int_equal(sizes[DMG_SET_TEST_ONLY], 95);
+    assert_int_equal(dmg_category_set(dmg_category_count()), -1);
+}
+
+/* Of 20 seeds one is for validation and one for test. */
+static void splits_have_their_shares(void** state) {
+    (void)state;
+    enum { COUNT = 2000 };
+    for (uint32_t row = 0; row < dmg_category_count(); ++row) {
+        uint32_t sizes[3] = {0};
+        for (uint64_t seed = 0; seed < COUNT; ++seed) ++sizes[dmg_split(row, seed)];
+        assert_in_range(sizes[DMG_SPLIT_VALIDATION], COUNT / 30, COUNT / 12);
+        assert_in_range(sizes[DMG_SPLIT_TEST], COUNT / 30, COUNT / 12);
+    }
+}
+
 static void same_seed_same_bits(void** state) {
     (void)state;
     for (uint32_t c = 0; c < dmg_category_count(); ++c) {
@@ -509,6 +554,9 @@ static void kitchen_cabinet_is_stable(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(categories_have_names),
+        cmocka_unit_test(category_ids_are_unique),
+        cmocka_unit_test(category_sets_are_as_trained),
+        cmocka_unit_test(splits_have_their_shares),
         cmocka_unit_test(same_seed_same_bits),
         cmocka_unit_test(every_object_is_sound),
         cmocka_unit_test(drags_follow_the_motion),
