@@ -411,8 +411,8 @@ static void motions_are_free(void** state) {
         fail_msg("of %u parts %u run into something, %u come off", parts, deep, loose);
 }
 
-/* Mess moves joints with what they move: the hinge lines of messy doors still run along their doors. */
-static void labels_survive_mess(void** state) {
+/* Augmentation moves joints with their parts: the hinge lines of messy doors still run along their doors. */
+static void labels_survive_augmentation(void** state) {
     (void)state;
     static const char* const names[] = {"door", "chest", "microwave", "book", "gate"};
     uint32_t parts = 0, loose = 0;
@@ -430,9 +430,9 @@ static void labels_survive_mess(void** state) {
     assert_true(loose == 0);
 }
 
-/* A door made snug may be larger, lie elsewhere and have more body round it: its hinge goes with it, its faces stay,
- * and what is added is no part's. */
-static void snug_parts_keep_their_hinges(void** state) {
+/* dmg_augment_fit may enlarge and shift a door and add body round it: the hinge moves with the door, the door keeps its
+ * faces, and what is added belongs to the body. */
+static void fitted_parts_keep_their_hinges(void** state) {
     (void)state;
     uint32_t moved = 0, more = 0;
     for (uint64_t seed = 0; seed < 60; ++seed) {
@@ -441,7 +441,7 @@ static void snug_parts_keep_their_hinges(void** state) {
         dmg_box(&b, v3(0, 0.5f, -0.3f), v3(1, 1, 0.58f));
         uint32_t door = dmg_hinge(&b, 0, "door", v3(-0.5f, 0.5f, 0), v3(0, 1, 0), 0, 1.5f), body = b.face_count;
         dmg_box(&b, v3(0, 0.5f, 0), v3(1, 1, 0.02f));
-        dmg_snug(&b);
+        dmg_augment_fit(&b);
         assert_false(b.failed);
         assert_int_equal(door, 1);
         dmg_bounds of_door = dmg_bounds_none();
@@ -480,10 +480,10 @@ static float leaning(const dmg_joint* a, const dmg_joint* b) {
     return v3_length(v3_cross(u, w));
 }
 
-/* People place joints by eye: a button may lean by degrees, a door may not, and both end where they should, nearly. */
+/* dmg_augment_joints may tilt a button by degrees but not a door, and both end nearly where they should. */
 static void joints_are_as_exact_as_people_see(void** state) {
     (void)state;
-    uint32_t loosened = 0, leaning_buttons = 0;
+    uint32_t inexact = 0, leaning_buttons = 0;
     for (uint64_t seed = 0; seed < 60; ++seed) {
         dmg_builder b;
         dmg_builder_init(&b, seed, true);
@@ -493,18 +493,18 @@ static void joints_are_as_exact_as_people_see(void** state) {
         dmg_slide(&b, 0, "button", v3(0, 0, -1), 0, 0.01f);
         dmg_box(&b, v3(0, 1.1f, 0), v3(0.05f, 0.05f, 0.02f));
         const dmg_joint door = b.parts[0].joint, button = b.parts[1].joint;
-        dmg_loosen(&b, 1);
+        dmg_augment_joints(&b, 1);
         const float door_leans = leaning(&door, &b.parts[0].joint), leans = leaning(&button, &b.parts[1].joint);
         assert_true(door_leans < 0.02f && leans < 0.5f);
         assert_true(ends_apart(&b, 1, &door) < 0.03f && ends_apart(&b, 2, &button) < 0.005f);
-        loosened += leans > 0;
+        inexact += leans > 0;
         leaning_buttons += leans > 0.03f;
         dmg_builder_free(&b);
     }
-    assert_true(loosened > 10 && loosened < 40 && leaning_buttons > 5);
+    assert_true(inexact > 10 && inexact < 40 && leaning_buttons > 5);
 }
 
-/* Stems go down, tops stay, ways change, and nothing but a button is touched. */
+/* dmg_augment_buttons lengthens stems downwards and changes travels, keeps tops, and changes nothing but buttons. */
 static void buttons_go_deep(void** state) {
     (void)state;
     uint32_t deeper = 0, other_ways = 0;
@@ -518,7 +518,7 @@ static void buttons_go_deep(void** state) {
         dmg_slide(&b, 0, "drawer", v3(0, 0, 1), 0, 0.4f);
         dmg_box(&b, v3(0, 0.7f, -0.2f), v3(0.2f, 0.2f, 0.4f));
         const dmg_joint drawer = b.parts[1].joint;
-        dmg_sink_buttons(&b, 1);
+        dmg_augment_buttons(&b, 1);
         dmg_bounds box = dmg_bounds_none();
         for (uint32_t v = b.pieces[1].first_vertex; v < dmg_piece_end(&b, 1); ++v) dmg_bounds_grow(&box, b.vertices[v]);
         assert_float_equal(box.high.z, drawn.high.z, 1e-6f);
@@ -565,8 +565,8 @@ int main(void) {
         cmocka_unit_test(open_parts_show),
         cmocka_unit_test(wrong_joints_are_found),
         cmocka_unit_test(motions_are_free),
-        cmocka_unit_test(labels_survive_mess),
-        cmocka_unit_test(snug_parts_keep_their_hinges),
+        cmocka_unit_test(labels_survive_augmentation),
+        cmocka_unit_test(fitted_parts_keep_their_hinges),
         cmocka_unit_test(joints_are_as_exact_as_people_see),
         cmocka_unit_test(buttons_go_deep),
         cmocka_unit_test(kitchen_cabinet_is_stable),

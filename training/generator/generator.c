@@ -1,4 +1,4 @@
-/* The generator's public face: makes an object of a category, and drags on it. */
+/* Implements the generator's public interface: makes objects of a category, and drags on them. */
 #include "generator.h"
 
 #include <stdlib.h>
@@ -69,7 +69,7 @@ int32_t dmg_split(uint32_t category, uint64_t seed) {
 
 /* ---- making an object ---- */
 
-/* A slide's origin says nothing: the middle of the part's box stands in for it. */
+/* Sets the origin of slides, which have no line of their own, to the centre of the part's box. */
 static void centre_slides(const dmg_builder* b, dmg_object* object) {
     for (uint32_t j = 0; j < object->joint_count; ++j) {
         if (object->joints[j].type != DM_JOINT_PRISMATIC) continue;
@@ -86,7 +86,7 @@ static void centre_slides(const dmg_builder* b, dmg_object* object) {
     }
 }
 
-/* Vertices no face uses stay behind; in a soup every corner gets its own. */
+/* Copies the mesh without unused vertices. soup: every corner gets a vertex of its own. */
 static int copy_mesh(const dmg_builder* b, dmg_object* object, bool soup) {
     uint32_t corners = 3 * b->face_count, capacity = soup ? corners : b->vertex_count;
     uint32_t* remap = malloc((b->vertex_count + 1) * sizeof *remap);
@@ -157,7 +157,7 @@ static float face_area(const dmg_object* object, uint32_t face) {
     return 0.5f * v3_length(v3_cross(v3_sub(corner(object, face, 1), a), v3_sub(corner(object, face, 2), a)));
 }
 
-/* A hand that grabs what a part carries moves the part too. */
+/* Returns whether `carrier` is the part or carries it: grabbing what a part carries moves the part too. */
 static bool moves_with(const dmg_object* object, uint32_t part, uint32_t carrier) {
     while (part != 0 && part != carrier) part = object->joints[part - 1].parent;
     return part == carrier;
@@ -182,7 +182,7 @@ static float distance_to_axis(const dmg_joint* joint, dmg_vec p) {
     return v3_length(v3_cross(axis, from));
 }
 
-/* The face in which the running sum of areas passes `target`, and a point on it drawn from `b`. */
+/* Returns a random point of the face in which the running sum of areas passes `target`. */
 static dmg_vec point_at_area(const dmg_object* object, const bool* moves, float target, dmg_builder* b) {
     uint32_t hit = 0;
     for (uint32_t f = 0; f < object->face_count && target >= 0.0f; ++f) {

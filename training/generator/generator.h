@@ -1,4 +1,6 @@
-/* Procedural articulated objects: seeded, labelled, in the glTF frame (right-handed, +Y up, metres). */
+/* Makes procedural articulated objects with labelled joints from a seed, in the glTF frame (right-handed, +Y up,
+ * metres).
+ */
 #ifndef DMG_GENERATOR_H
 #define DMG_GENERATOR_H
 
@@ -10,7 +12,8 @@
 extern "C" {
 #endif
 
-enum { DMG_MESSY = 1 }; /* clutter, tilts, missing interiors, flipped normals, gaps, rest state not closed … */
+/* Flag of dmg_make: augments the object with clutter, tilts, missing interiors, flipped normals, gaps, open parts … */
+enum { DMG_MESSY = 1 };
 
 /* One moving part. Types are DM_JOINT_*; revolute limits in rad, prismatic in metres, both relative to rest (value 0).
  */
@@ -62,9 +65,9 @@ int32_t dmg_split(uint32_t category, uint64_t seed);
 int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_object);
 void dmg_object_release(dmg_object* object);
 
-/* A drag as a hand makes it, on part `part` (1..): a point on its surface (for turning joints at least 0.3 of the
- * farthest from the axis), and the direction in which the point starts to move, `noise_degrees` x |N(0, 1)| off, of any
- * length between 0.02 and 0.5 of the object's size. */
+/* Draws a drag on part `part` (1 ..): a point on its surface (for turning joints at least 0.3 of the farthest distance
+ * from the axis), and the direction in which the point starts to move, `noise_degrees` x |N(0, 1)| off, with a length
+ * between 0.02 and 0.5 of the object's size. */
 void dmg_drag(const dmg_object* object, uint32_t part, float noise_degrees, uint64_t seed, float out_point[3],
               float out_vector[3]);
 

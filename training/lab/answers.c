@@ -1,4 +1,4 @@
-/* The library's whole kinematics on generated cases: what it answers, how sure it is, how wrong it is. */
+/* Runs the library's whole joint inference on generated cases and measures the errors of its answers. */
 #include "answers.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Disturbances that the generator's own mess does not have: any orientation, and part masks with errors. */
+/* Augments cases by what the generator does not: any orientation, and part masks with errors. */
 #include <math.h>
 
 #include "case.h"
@@ -42,7 +42,7 @@ static float face_distance(const dmg_object* object, uint32_t face, const float 
     return sqrtf(square);
 }
 
-/* Largest side of the object's box. */
+/* Returns the largest side of the object's box. */
 static float object_size(const dmg_object* object) {
     float size = 0.0f;
     for (int i = 0; i < 3; i++) {
@@ -77,7 +77,7 @@ void lab_augment_mask(dmi_random* random, dmg_object* object, uint32_t part) {
     const float size = object_size(object);
     const int patches = 1 + (int)lab_random_uniform(random, 0.0f, 3.0f);
     for (int i = 0; i < patches; i++) {
-        /* Both kinds of error sit on or beside the part: segmenters fail at borders and on small hardware. */
+        /* Both kinds of error are centred on the part: segmentation fails at borders and on small hardware. */
         uint32_t pick = (uint32_t)lab_random_uniform(random, 0.0f, (float)count), face = 0;
         for (uint32_t f = 0; f < object->face_count; f++)
             if (object->face_part[f] == part) {

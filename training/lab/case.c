@@ -1,5 +1,5 @@
-/* Makes training cases: draws an object of the right split, disturbs it, and hands it to the library's own front end.
- */
+/* Makes training cases: draws an object of the requested split, augments it, and passes it through the library's own
+ * mesh check and cloud sampler. */
 #include <string.h>
 
 #include "case.h"
@@ -11,7 +11,7 @@
 
 #define TRIES 64
 
-/* SplitMix64's finaliser: one well-mixed number from two. */
+/* Hashes two numbers into one (SplitMix64's finaliser). */
 static uint64_t mix(uint64_t a, uint64_t b) {
     uint64_t x = a * 0x9e3779b97f4a7c15u + b + 0x2545f4914f6cdd1du;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -34,7 +34,7 @@ static int32_t draw_category_id(dmi_random* random, const dm_lab_options* option
     return -1;
 }
 
-/* row: of the generator's category. */
+/* Draws a seed whose object belongs to the split. row: of the generator's category. */
 static uint64_t draw_object_seed(dmi_random* random, uint32_t row, int32_t split) {
     uint64_t seed;
     do seed = dmi_random_u32(random);
@@ -42,7 +42,7 @@ static uint64_t draw_object_seed(dmi_random* random, uint32_t row, int32_t split
     return seed;
 }
 
-/* The library's view of the object: checked mesh, parts with their parents. */
+/* Converts the object to the library's checked mesh, with parts and their parents. */
 static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** out_mesh) {
     const dm_mesh_desc desc = {.struct_size = sizeof desc,
                                .positions = object->positions,
@@ -66,7 +66,7 @@ static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** ou
     return result;
 }
 
-/* Masks as the library would mend them. */
+/* Welds the vertices and repairs the part mask as the library does. */
 static dm_result weld_and_mend(dmi_env* env, lab_case* out) {
     dmi_mesh *mesh = out->mesh, mended;
     out->welded = dmi_alloc(env, mesh->vertex_count * sizeof *out->welded, _Alignof(uint32_t));
@@ -91,7 +91,7 @@ static dm_joint flipped(dm_joint joint) {
     return joint;
 }
 
-/* The true joint in the object-normalised frame, positive opening. */
+/* Returns the true joint in the object-normalised frame, signed so that positive opens. */
 static dm_joint true_joint(const dmi_mesh* mesh, const dmg_joint* source, uint32_t part_index) {
     dm_joint joint = {.type = source->type,
                       .type_confidence = 1.0f,

@@ -1,4 +1,4 @@
-/* The generator's categories and the layout of the lab's structs, for bindings. */
+/* Gives bindings the generator's categories and the layout of the lab's structs. */
 #include <string.h>
 
 #include "dragmesh_lab.h"
@@ -27,7 +27,7 @@ uint32_t dm_lab_category_id_limit(void) {
     return dmg_category_id_limit();
 }
 
-/* Length of a joint's name without the number it may end in. */
+/* Returns the length of a joint's name without its trailing number. */
 static size_t stem(const char* name) {
     size_t length = strlen(name);
     while (length > 0 && (name[length - 1] == '_' || (name[length - 1] >= '0' && name[length - 1] <= '9'))) length--;

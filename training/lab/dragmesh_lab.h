@@ -1,4 +1,4 @@
-/* What training sees of the library: batches of network inputs and labels, made by the sdk's own code from generated
+/* Declares what training calls: batches of network inputs and labels, made by the sdk's own code from generated
  * objects.
  *
  * Everything is seeded: the same options give the same bits. Arrays belong to the caller and hold `count` cases each.
@@ -25,12 +25,12 @@ typedef struct dm_lab_options {
     float mask_noise;         /* share of objects whose part mask loses or leaks patches */
     float rotated;            /* share of objects turned by a random rotation */
     float with_drag;          /* share of cases with a drag (KPP alone: the VAE always has one) */
-    float drag_noise_degrees; /* a case's drag is up to this much off (1 sigma at the most) */
+    float drag_noise_degrees; /* each case's drag error has a sigma between 0 and this many degrees */
     float joint_noise;        /* VAE: share of cases whose given joint is slightly off */
     float hand_noise;         /* VAE: share of cases whose path is drawn by an unsteady hand */
 } dm_lab_options;
 
-/* KPP-Net: its input (docs/networks.md), and labels in the input's frame. */
+/* A batch for KPP-Net: its input (docs/networks.md), and labels in the input's frame. */
 typedef struct dm_lab_kpp {
     float* global_points;  /* x 48 x 16 x 17 */
     float* global_centres; /* x 48 x 3 */
@@ -46,7 +46,8 @@ typedef struct dm_lab_kpp {
     float* size;       /* object-normalised length of one inner unit */
 } dm_lab_kpp;
 
-/* DQ-VAE: its input (docs/networks.md), the true joint values, and the closed-form answer to the same path. */
+/* A batch for the DQ-VAE: its input (docs/networks.md), the true joint values, and the closed-form answer to the path.
+ */
 typedef struct dm_lab_vae {
     float* xyz;  /* x 512 x 3 */
     float* mask; /* x 512 */
@@ -75,10 +76,10 @@ DM_API uint32_t dm_lab_category_id_limit(void);        /* 1 + the largest id */
 /* Returns how many differently named joints the objects of the category's first seeds have: a controller many, a book
  * one. Used as a weight, so that every kind of joint gets its share. */
 DM_API uint32_t dm_lab_category_kinds(uint32_t row);
-/* Bytes of the two structs and of the options, so that a binding can check its own. */
+/* Returns the size in bytes of the options (which = 0), dm_lab_kpp (1) and dm_lab_vae (2), for a binding's check. */
 DM_API uint32_t dm_lab_layout(uint32_t which);
 
-/* DM_OK, or the error that the same kind of object met 64 times in a row. */
+/* Fill a batch. Return DM_OK, or the error of a case whose 64 attempts all failed. */
 DM_API dm_result dm_lab_kpp_batch(const dm_lab_options* options, const dm_lab_kpp* out);
 DM_API dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out);
 

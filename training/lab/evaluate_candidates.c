@@ -1,10 +1,10 @@
-/* Candidates of a case, sieved where there is a sieve, with their evidence and what each would cost a player. */
+/* Computes the candidates of a case, sieved where there is a sieve, with their evidence and their pose errors. */
 #include "evaluate_candidates.h"
 
 #include "pose_error.h"
 
 #define SIEVE_VERSION 1
-#define EXACT_DRAGS 0.4f
+#define EXACT_DRAGS 0.4f /* share of cases, set by hand */
 
 static dm_result open_sieve(lab_evaluator* evaluator, const void* data, size_t size) {
     dmi_weights* weights;
@@ -87,7 +87,7 @@ static dm_result evaluate_cases(lab_evaluator* evaluator, const dm_lab_options* 
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         result = lab_case_make(&evaluator->env, options, i, &w->made);
         if (result != DM_OK) break;
-        /* Some drags are exact: a host may hand over a tangent that it has computed. */
+        /* Some drags are exact, as from a host that computes the tangent. */
         const float noise = lab_random_bool(&w->made.random, EXACT_DRAGS) ? 0 : options->drag_noise_degrees;
         w->hint = lab_case_drag(&w->made, noise, &w->joint);
         result = lab_evaluate_case(evaluator, lab_random_bool(&w->made.random, options->with_drag), i, each, user);

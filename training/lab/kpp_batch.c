@@ -1,4 +1,4 @@
-/* Batches for KPP-Net: inputs by dmi_kpp_input_make, labels in the input's own frame. */
+/* Makes batches for KPP-Net: inputs by dmi_kpp_input_make, labels in the input's own frame. */
 #include <math.h>
 #include <string.h>
 

@@ -1,9 +1,10 @@
-/* Cases for fitting the part finder: grows the true parts of generated objects piece by piece and notes what touched
- * them on the way; lets parts grow by themselves and notes how much of the true part each stage is.
+/* Makes cases for fitting the part finder: grows the true parts of generated objects piece by piece and records the
+ * pieces that touch them at each step; lets parts grow by the network and records each proposal's overlap with the true
+ * part.
  *
  * The generator's objects are many separate shells. Some are taken as if neighbouring shells were one sheet of surface,
- * as in meshes that were modelled, scanned or united in one piece; in some the shells are torn at their creases, as
- * where faces lie double, or more than two meet at an edge. */
+ * as in meshes that were modelled, scanned or united in one piece; in some the shells are split at their creases, as
+ * where faces are doubled, or more than two meet at an edge. The shares below were set by hand. */
 #include "lab_growth.h"
 
 #include <math.h>
@@ -60,7 +61,7 @@ static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
     out->face = dmi_part_nearest_face(made->mesh, out->point);
 }
 
-/* United sheets become sheet 0 and one shell, the others follow. */
+/* Renumbers sheets: the united ones become sheet 0 and one shell, the others follow. */
 static dm_result relabel(dmi_arena* arena, const uint8_t* united, dmi_part_sheets* sheets) {
     uint32_t* labels = dmi_arena_push(arena, sheets->count * sizeof *labels);
     if (labels == NULL) return DM_ERROR_OUT_OF_MEMORY;
@@ -78,7 +79,7 @@ static dm_result relabel(dmi_arena* arena, const uint8_t* united, dmi_part_sheet
     return DM_OK;
 }
 
-/* The sheets around the grabbed one, as far as a random share of the whole area, become one. */
+/* Unites the sheets around the grabbed one up to a random share of the whole area. */
 static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t seed, dmi_part_sheets* sheets) {
     dmi_pieces pieces;
     dm_result result = dmi_pieces_make(arena, sheets->mesh, sheets->labels, sheets->count, &pieces);
@@ -105,7 +106,7 @@ static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t see
     return relabel(arena, united, sheets);
 }
 
-/* A random share of the sheets falls apart into smooth regions. */
+/* Splits a random share of the sheets into smooth regions. */
 static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_sheets* sheets) {
     const uint32_t faces = sheets->mesh->face_count;
     uint32_t* regions = dmi_arena_push(arena, faces * sizeof *regions);
@@ -136,7 +137,7 @@ static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_shee
     return DM_OK;
 }
 
-/* Sheets of a case, some united or torn. Answers whether the grabbed one was united with others. */
+/* Makes the sheets of a case, some united or split. out_united: whether the grabbed one was united with others. */
 static dm_result make_sheets(dmi_arena* arena, lab_case* made, const dmi_grab* grab, dmi_part_sheets* out,
                              int* out_united) {
     dm_result result = dmi_part_sheets_make(arena, made->mesh, out);
@@ -146,14 +147,14 @@ static dm_result make_sheets(dmi_arena* arena, lab_case* made, const dmi_grab* g
     return unite_sheets(arena, &made->random, out->labels[grab->face], out);
 }
 
-/* A face moves with the case's part. */
+/* Returns whether a face moves with the case's part. */
 static int moves(const lab_case* made, uint32_t part, uint32_t face) {
     return dmi_mesh_moves_with(made->mesh, made->mesh->face_part[face], part);
 }
 
 /* ---- growing ---- */
 
-/* Pieces with more than half of their area on the part. */
+/* Marks the pieces with more than half of their area on the part. */
 static void find_truth(growing* g) {
     const dmi_mesh* mesh = g->made.mesh;
     const dmi_pieces* pieces = &g->level.pieces;
@@ -179,7 +180,7 @@ static void note(const growing* g, const dmi_growth* growth) {
     }
 }
 
-/* A random one of the touching pieces that belong joins; 0 when none does. */
+/* Adds a random one of the touching pieces that belong; returns 0 when there is none. */
 static int step(growing* g, dmi_growth* growth) {
     uint32_t good[MOST_PIECES], count = 0;
     for (uint32_t i = 0; i < growth->touching_count; i++)

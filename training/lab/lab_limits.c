@@ -1,5 +1,5 @@
-/* What tells the limits of generated joints, and the true ones. A joint is the candidate that is nearest to the true
- * one, as the library would find it. */
+/* Computes the features from which limits are learnt, and the true limits. The joint is the candidate nearest to the
+ * true one, as the library would find it. */
 #include "lab_limits.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ uint32_t dm_lab_limits_evidence(void) {
     return DMI_EVIDENCE_COUNT;
 }
 
-/* The candidate of the joint's type that costs least; one of another type where there is none. */
+/* Returns the candidate of the joint's type with the least pose error; the first candidate where there is none. */
 static uint32_t nearest_candidate(const lab_evaluated_case* work) {
     const int slides = work->joint.type == DM_JOINT_PRISMATIC;
     float least = INFINITY;

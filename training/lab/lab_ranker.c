@@ -1,4 +1,4 @@
-/* Candidates of generated cases with their evidence and their true cost, made by the library's own kinematics. */
+/* Writes the candidates of generated cases with their evidence and errors, computed by the library's own code. */
 #include "lab_ranker.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define KEPT_BEST 8
+#define KEPT_BEST 8 /* candidates with the least pose error, which are always written */
 
 uint32_t dm_lab_ranker_columns(void) {
     return DMI_EVIDENCE_COUNT;
@@ -19,7 +19,7 @@ uint32_t dm_lab_sieve_columns(uint8_t* out) {
     return DMI_GLANCE_COLUMNS;
 }
 
-/* The best few first, then the others in random order. */
+/* Orders candidates: the KEPT_BEST with the least pose error first, then the others at random. */
 static void order_rows(const lab_evaluated_case* work, uint32_t order[DMI_CANDIDATES_MAX]) {
     dmi_random random = work->made.random;
     for (uint32_t i = 0; i < work->count; i++) order[i] = i;

@@ -1,14 +1,16 @@
-/* The error that a player sees: the part moved by an answer against the part moved by the truth. */
+/* Computes the pose error: the mean distance between the part moved by a candidate joint and moved by the true joint.
+ */
 #include "pose_error.h"
 
 #include <math.h>
 
 #include "math/linear3.h"
 
-#define MOST_TURN 1.2f
-#define FREE_SLIDE 0.3f
-#define MOST_ANSWER 2.2f /* rad */
+#define MOST_TURN 1.2f   /* rad: largest true turn compared */
+#define FREE_SLIDE 0.3f  /* object sizes: true slide of a joint without limits */
+#define MOST_ANSWER 2.2f /* rad: largest turn of the candidate */
 
+/* Returns the true joint's value at which the poses are compared. */
 static float travel(const dm_joint* joint) {
     const float farther = fmaxf(fabsf(joint->lower), fabsf(joint->upper));
     if (joint->type == DM_JOINT_PRISMATIC) return farther > 0 ? farther : FREE_SLIDE;
@@ -24,7 +26,7 @@ void lab_pose_target_make(const dmi_cloud* cloud, const dm_joint* joint, const f
     dmi_pose_apply(&pose, drag_point, out_target->drag_to);
 }
 
-/* The value that brings the dragged point nearest to where it truly goes. */
+/* Returns the joint value that brings the dragged point nearest to its true position. */
 static float best_value(const lab_pose_target* target, const dm_joint* joint) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};

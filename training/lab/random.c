@@ -1,4 +1,4 @@
-/* Small random draws and rotations shared by the lab's files. */
+/* Implements random draws and rotations that the lab's files share. */
 #include <math.h>
 
 #include "case.h"

@@ -1,4 +1,5 @@
-/* The strokes of a hand: how far, at what pace, how steadily. Their noise-free joint values are the DQ-VAE's targets.
+/* Simulates a player's strokes: amplitude, pace and unsteadiness. Their noise-free joint values are the DQ-VAE's
+ * targets.
  */
 #include <math.h>
 #include <string.h>
@@ -9,11 +10,12 @@
 
 enum { MIN_JERK, EASE_IN, EASE_OUT, LINEAR, SMOOTH, STOP_EARLY, START_LATE, TURN_BACK, PACES };
 
+/* Minimum-jerk profile (Flash and Hogan 1985). */
 static float min_jerk(float t) {
     return t * t * t * (10.0f + t * (6.0f * t - 15.0f));
 }
 
-/* Share of the way done at time t in [0, 1]; `turn` is when an uneven pace changes. */
+/* Returns the share of the way done at time t in [0, 1]; `turn` is the time at which an uneven pace changes. */
 static float progress(int pace, float t, float turn) {
     switch (pace) {
     case EASE_IN:
@@ -35,13 +37,13 @@ static float progress(int pace, float t, float turn) {
     }
 }
 
-/* How far the joint can go along the drag; continuous joints a turn, as the library's own default path. */
+/* Returns how far the joint goes along the drag; continuous joints one turn, as the library's default path. */
 static float reach(const dm_joint* joint) {
     if (joint->type == DM_JOINT_CONTINUOUS) return 6.28318531f;
     return joint->upper;
 }
 
-/* The hand's own direction error, drag of the pointer behind the intent, and tremor. */
+/* Adds a direction error, a lag and tremor to the path. */
 static void shake(dmi_random* random, float path[DM_MOTION_FRAMES][3]) {
     float axis[3], rotation[9];
     lab_random_direction(random, axis);
@@ -67,7 +69,7 @@ void lab_stroke_make(dmi_random* random, const dm_joint* joint, const float drag
     const int pace = steady ? MIN_JERK : (int)(dmi_random_u32(random) % PACES);
     const float turn = lab_random_uniform(random, 0.4f, 0.9f);
     float amplitude = steady ? 1.0f : lab_random_uniform(random, 0.1f, 1.0f);
-    /* Some hands pull on past the end stop. */
+    /* Some players pull past the end stop. */
     if (noisy && lab_random_bool(random, 0.15f)) amplitude = lab_random_uniform(random, 1.0f, 1.3f);
     const float most = reach(joint);
     for (int f = 0; f < DM_MOTION_FRAMES; f++) {

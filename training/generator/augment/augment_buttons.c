@@ -1,12 +1,12 @@
-/* How deep push buttons go into what they are on, and how far: a hand sees their tops alone. Some are drawn as caps,
- * some with the stem that reaches the switch; and they sink by millimetres, whether they stand out much or little. */
+/* Varies push buttons below the surface and in their travel: some become stems that reach deep into the body, and some
+ * travel by a length that has nothing to do with how far they stand out. Their visible tops stay as they are. */
 #include "core/build.h"
 
 typedef struct interval {
     float low, high;
 } interval;
 
-/* From where to where a part lies along a unit direction. */
+/* Returns the interval of a part along a unit direction. */
 static interval extent(const dmg_builder* b, uint32_t part, dmg_vec along) {
     interval out = {INFINITY, -INFINITY};
     for (uint32_t p = 0; p < b->piece_count; ++p) {
@@ -25,7 +25,7 @@ static bool carries(const dmg_builder* b, uint32_t part) {
     return false;
 }
 
-/* A part that is pressed. */
+/* A push button. */
 typedef struct plunger {
     dmg_vec in;           /* the way it goes, unit */
     bool backwards;       /* which is against the joint's axis */
@@ -39,7 +39,7 @@ static bool is_small(const dmg_builder* b, uint32_t part, float size) {
     return fmaxf(wide.x, fmaxf(wide.y, wide.z)) < 0.25f * size;
 }
 
-/* A small part at one end of a short slide that goes into the body. */
+/* Recognises a push button: a small part at one end of a short slide that goes into the body. */
 static bool is_pressed(const dmg_builder* b, uint32_t part, float size, plunger* out) {
     const dmg_joint* joint = &b->parts[part - 1].joint;
     const float way = joint->upper + joint->lower, range = joint->upper - joint->lower;
@@ -52,7 +52,7 @@ static bool is_pressed(const dmg_builder* b, uint32_t part, float size, plunger*
     return out->height > 1e-3f * size && out->room > 0 && out->room > own.low - body.low;
 }
 
-/* Its lower quarter goes down by a few times its height, as far as there is body. */
+/* Moves the lower quarter of the part down by `times` its height, at most four fifths of the body below. */
 static void deepen(dmg_builder* b, uint32_t part, const plunger* pressed, float times) {
     const float more = fminf(times * pressed->height, 0.8f * pressed->room);
     for (uint32_t p = 0; p < b->piece_count; ++p) {
@@ -63,14 +63,14 @@ static void deepen(dmg_builder* b, uint32_t part, const plunger* pressed, float 
     }
 }
 
-/* Its way anew, no farther than one and a half times its height. */
+/* Replaces the travel, at most one and a half times the part's height. */
 static void set_travel(dmg_joint* joint, const plunger* pressed, float travel) {
     travel = fminf(travel, 1.5f * pressed->height);
     joint->lower = pressed->backwards ? -travel : 0;
     joint->upper = pressed->backwards ? 0 : travel;
 }
 
-void dmg_sink_buttons(dmg_builder* b, float size) {
+void dmg_augment_buttons(dmg_builder* b, float size) {
     const bool anew = dmg_chance(b, 0.4f), deep = dmg_chance(b, 0.4f);
     const float travel = size * dmg_scale_range(b, 0.002f, 0.03f), times = dmg_scale_range(b, 0.5f, 12.0f);
     for (uint32_t part = 1; part <= b->part_count; ++part) {

@@ -1,5 +1,6 @@
-/* How tightly parts lie in what is round them, as in meshes that people make: drawn a little too large for their
- * opening, sunk into the body, laid upon a body that is closed behind them, framed without a gap. */
+/* Changes how tightly parts fit their surroundings, as in meshes that people make: enlarges parts beyond their opening,
+ * sinks them into the body, closes the body behind them, frames them without a gap. Lengths are shares of the part's
+ * box diagonal; their ranges were set by hand. */
 #include "core/build.h"
 
 enum { STOPS = 6 };
@@ -16,7 +17,7 @@ static float grown(float x, float centre, float half, float by) {
     return x + (x - centre) * fminf(by / fmaxf(half, 1e-6f), 0.5f);
 }
 
-/* Its box by as much on every side. */
+/* Enlarges the part's box by the same length on every side. */
 static void swell(dmg_builder* b, uint32_t part, float by) {
     dmg_bounds box = dmg_part_bounds(b, part);
     dmg_vec c = middle(&box), half = v3_scale(v3_sub(box.high, box.low), 0.5f);
@@ -35,7 +36,7 @@ static bool carried_by(const dmg_builder* b, uint32_t part, uint32_t carrier) {
     return part == carrier;
 }
 
-/* With its joint and what it carries. */
+/* Shifts a part with its joint and what it carries. */
 static void shift_part(dmg_builder* b, uint32_t part, dmg_vec by) {
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (!carried_by(b, b->pieces[p].part, part)) continue;
@@ -59,13 +60,13 @@ static dmg_vec with(dmg_vec v, int axis, float value) {
     return v3(axis == 0 ? value : v.x, axis == 1 ? value : v.y, axis == 2 ? value : v.z);
 }
 
-/* On which side the body is, mostly. */
+/* Returns the sign of the side on which the body lies along an axis; the other side in a fifth of the cases. */
 static float body_side(dmg_builder* b, const dmg_bounds* part, const dmg_bounds* body, int axis) {
     float side = along(middle(body), axis) < along(middle(part), axis) ? -1.0f : 1.0f;
     return dmg_chance(b, 0.8f) ? side : -side;
 }
 
-/* The part seldom comes into the room on its way. */
+/* Returns whether at most one in fifty of the part's vertices, over STOPS values of its range, lie inside the box. */
 static bool leaves_free(const dmg_builder* b, uint32_t part, const dmg_bounds* room, float slack) {
     const dmg_joint* joint = &b->parts[part - 1].joint;
     dmg_vec low = v3_add(room->low, v3(slack, slack, slack)), high = v3_sub(room->high, v3(slack, slack, slack));
@@ -88,7 +89,7 @@ static void draw_if_free(dmg_builder* b, uint32_t part, dmg_bounds room, float s
     if (leaves_free(b, part, &room, slack)) dmg_box_span(b, room.low, room.high);
 }
 
-/* The body goes on behind the part as if there were no opening. */
+/* Adds a box of body behind the part, as if there were no opening. */
 static void back(dmg_builder* b, uint32_t part, const dmg_bounds* body, int axis) {
     dmg_bounds box = dmg_part_bounds(b, part), room = box;
     float size = diagonal(&box), side = body_side(b, &box, body, axis);
@@ -104,7 +105,7 @@ static void back(dmg_builder* b, uint32_t part, const dmg_bounds* body, int axis
     draw_if_free(b, part, room, 0.02f * size);
 }
 
-/* Bars round the part, across the axis. */
+/* Adds bars round the part, across the axis. */
 static void frame(dmg_builder* b, uint32_t part, const dmg_bounds* body, int axis) {
     dmg_bounds box = dmg_part_bounds(b, part);
     float size = diagonal(&box), gap = size * dmg_range(b, -0.01f, 0.015f),
@@ -127,7 +128,7 @@ static void frame(dmg_builder* b, uint32_t part, const dmg_bounds* body, int axi
     }
 }
 
-/* Rather the side that it is thin along. */
+/* Draws an axis of the box, the thinner its side the more often. */
 static int across(dmg_builder* b, const dmg_bounds* box) {
     dmg_vec size = v3_sub(box->high, box->low);
     float least = 0.05f * v3_length(size) + 1e-6f;
@@ -135,7 +136,7 @@ static int across(dmg_builder* b, const dmg_bounds* box) {
     return dmg_weighted(b, weights, 3);
 }
 
-/* Which of these happen to an object's parts. */
+/* Which changes are made to an object's parts. */
 typedef struct habits {
     bool swells, sinks, backs, frames;
 } habits;
@@ -154,7 +155,7 @@ static void fit_part(dmg_builder* b, uint32_t part, const dmg_bounds* box, const
     if (how->frames && dmg_chance(b, 0.7f)) frame(b, part, body, axis);
 }
 
-void dmg_snug(dmg_builder* b) {
+void dmg_augment_fit(dmg_builder* b) {
     if (!dmg_chance(b, 0.6f)) return;
     habits how;
     how.swells = dmg_chance(b, 0.5f);

@@ -1,5 +1,5 @@
-/* How exactly people place a joint: as exactly as they can see. A hinge that is a little off shows when its door opens;
- * the axis of a button that moves by a hair may lean by degrees, and nobody notices. */
+/* Makes joints as inexact as those that people place by eye. The error is bounded by the displacement it causes at the
+ * end of the part's range: a hinge stays nearly exact, the axis of a button that moves little may lean by degrees. */
 #include "core/build.h"
 
 static float farthest_from_axis(const dmg_builder* b, uint32_t part, const dmg_joint* joint) {
@@ -13,12 +13,15 @@ static float farthest_from_axis(const dmg_builder* b, uint32_t part, const dmg_j
     return most;
 }
 
+/* Draws a unit vector at right angles to the axis. */
 static dmg_vec across(dmg_builder* b, dmg_vec axis) {
     float x = dmg_normal(b), y = dmg_normal(b), z = dmg_normal(b);
     return v3_normalize(v3_cross(axis, v3_normalize(v3(x, y, z))));
 }
 
-/* Leans the axis, and moves the line of a turn, so far that the part ends about `seen` beside where it would have. */
+/* Tilts the axis, and shifts a turning joint's line, so that the part ends about `seen` metres beside where it would
+ * have.
+ */
 static void loosen(dmg_builder* b, uint32_t part, float seen) {
     dmg_joint* joint = &b->parts[part - 1].joint;
     const float range = joint->upper - joint->lower;
@@ -33,7 +36,7 @@ static void loosen(dmg_builder* b, uint32_t part, float seen) {
     v3_to(v3_mad(v3_from(joint->origin), across(b, axis), off), joint->origin);
 }
 
-void dmg_loosen(dmg_builder* b, float size) {
+void dmg_augment_joints(dmg_builder* b, float size) {
     if (!dmg_chance(b, 0.4f)) return;
     const float seen = size * dmg_scale_range(b, 0.0005f, 0.004f);
     for (uint32_t part = 1; part <= b->part_count; ++part) loosen(b, part, seen);

@@ -1,6 +1,6 @@
-/* What happens to an object after it is drawn: parts posed at rest, and mess on purpose, because the meshes people make
- * are messy: surroundings, decoration, shells that miss, double or gape, uneven triangles, any up axis, turn and size.
- * Everything that moves a part moves its joint with it. */
+/* Finishes an object after its category has drawn it: poses the parts at rest, and augments messy objects with the
+ * defects of meshes that people make: surroundings, decoration, shells missing, doubled or shifted, uneven triangles,
+ * any up axis, rotation and size. Whatever moves a part moves its joint with it. */
 #include <string.h>
 
 #include "core/build.h"
@@ -31,7 +31,7 @@ static float largest_side(const dmg_bounds* around) {
 
 /* ---- rest ---- */
 
-/* Parts in the order of their ids: a parent comes before what it carries. */
+/* Moves parts and joints to their rest values. Goes by id, so that a parent comes before what it carries. */
 static void pose_parts(dmg_builder* b) {
     dmg_frame pose[DMG_PART_LIMIT + 1];
     pose[0] = dmg_frame_identity();
@@ -51,7 +51,8 @@ static void pose_parts(dmg_builder* b) {
     }
 }
 
-/* Which way a hand would go from here: away from the limit the part rests at, either way from between. */
+/* Returns the direction in which the part opens: away from the limit it rests at (within a tenth of the range), either
+ * way at random from between. */
 static int32_t opening_direction(dmg_builder* b, const dmg_joint* joint) {
     float range = joint->upper - joint->lower;
     if (joint->type == DM_JOINT_CONTINUOUS || range <= 0.0f) return (int32_t)dmg_sign(b);
@@ -60,6 +61,7 @@ static int32_t opening_direction(dmg_builder* b, const dmg_joint* joint) {
     return at < 0.1f || dmg_chance(b, 0.5f) ? 1 : -1;
 }
 
+/* Makes limits relative to rest and sets the opening direction. */
 static void settle_limits(dmg_builder* b) {
     for (uint32_t i = 0; i < b->part_count; ++i) {
         dmg_part* part = &b->parts[i];
@@ -69,7 +71,7 @@ static void settle_limits(dmg_builder* b) {
     }
 }
 
-/* Some parts are shown open, wheels and the like at any angle. */
+/* Draws rest values: some parts are open, continuous joints are at any angle. */
 static void scatter_rest(dmg_builder* b) {
     bool open = dmg_chance(b, 0.35f);
     float share = dmg_range(b, 0.2f, 1.0f);
@@ -83,9 +85,9 @@ static void scatter_rest(dmg_builder* b) {
     }
 }
 
-/* ---- mess of single pieces ---- */
+/* ---- augmentation of single pieces ---- */
 
-/* Every face of the piece into four, at the middles of its edges. */
+/* Splits every face of the piece into four at the midpoints of its edges. */
 static void subdivide(dmg_builder* b, uint32_t piece) {
     uint32_t first = b->pieces[piece].first_face, end = piece_face_end(b, piece), part = b->pieces[piece].part;
     uint32_t in_use = b->part;
@@ -135,7 +137,7 @@ static void flip_some(dmg_builder* b) {
     }
 }
 
-/* The same faces again, seen from the other side. */
+/* Adds copies of some pieces' faces with the opposite orientation. */
 static void double_faces(dmg_builder* b) {
     if (!dmg_chance(b, 0.1f) || b->face_count > MESSY_FACE_LIMIT) return;
     float share = dmg_chance(b, 0.5f) ? 1.0f : 0.4f;
@@ -156,7 +158,7 @@ static void double_faces(dmg_builder* b) {
     b->part = in_use;
 }
 
-/* Gaps and small interpenetrations: pieces a little off their place. */
+/* Shifts pieces by .0005 to .005 of the object's size (standard deviation), which leaves gaps and interpenetrations. */
 static void shift_some(dmg_builder* b, float size) {
     if (!dmg_chance(b, 0.25f)) return;
     float by = size * dmg_scale_range(b, 0.0005f, 0.005f);
@@ -169,7 +171,7 @@ static void shift_some(dmg_builder* b, float size) {
     }
 }
 
-/* Bits of the object that nobody modelled: their faces go, the first piece of every part stays. */
+/* Removes the faces of random pieces; keeps the first piece of every part. */
 static void drop_some(dmg_builder* b) {
     if (!dmg_chance(b, 0.15f)) return;
     float share = dmg_range(b, 0.03f, 0.2f);
@@ -192,7 +194,7 @@ static void drop_some(dmg_builder* b) {
 
 /* ---- surroundings ---- */
 
-/* Where the parts are at rest and on their way: what stands round the object must leave room. */
+/* Computes the boxes of every part at STOPS values of its range. Surroundings are kept out of them. */
 static uint32_t swept_boxes(const dmg_builder* b, dmg_bounds out[DMG_PART_LIMIT * 4]) {
     enum { STOPS = 4 };
     for (uint32_t i = 0; i < b->part_count * STOPS; ++i) out[i] = dmg_bounds_none();
@@ -242,7 +244,7 @@ static void draw_thing(dmg_builder* b, const dmg_bounds* room) {
     }
 }
 
-/* One thing somewhere round the object that is not in the way of the parts. */
+/* Adds one random solid round the object that no swept box meets. */
 static void add_thing(dmg_builder* b, const dmg_bounds* object, const dmg_bounds* swept, uint32_t swept_count) {
     dmg_vec size = v3_sub(object->high, object->low);
     float scale = largest_side(object);
@@ -261,7 +263,7 @@ static void add_thing(dmg_builder* b, const dmg_bounds* object, const dmg_bounds
     }
 }
 
-/* A floor, a wall, a room or a big block that the object stands on, hangs on or is let into. */
+/* Adds a floor, a wall, two walls or a large block beside the object. */
 static void add_setting(dmg_builder* b, const dmg_bounds* object) {
     dmg_vec size = v3_sub(object->high, object->low), centre = v3_lerp(object->low, object->high, 0.5f);
     float scale = largest_side(object), wide = scale * dmg_scale_range(b, 1.2f, 5.0f),
@@ -282,7 +284,7 @@ static void add_setting(dmg_builder* b, const dmg_bounds* object) {
     }
 }
 
-/* The same object again beside it, as part of the body: a row of lockers, a keyboard's other half. */
+/* Adds a copy of the whole object beside it, as part of the body. */
 static void add_twin(dmg_builder* b, const dmg_bounds* object) {
     if (b->face_count > MESSY_FACE_LIMIT / 4) return;
     uint32_t vertices = b->vertex_count, faces = b->face_count;
@@ -297,7 +299,7 @@ static void add_twin(dmg_builder* b, const dmg_bounds* object) {
     }
 }
 
-/* Screws, stickers, magnets, vents: small boxes on faces drawn at random, of the body and of the parts. */
+/* Adds small boxes (screws, stickers, vents) on random faces of the body and of the parts. */
 static void add_decoration(dmg_builder* b, float size) {
     int count = dmg_int(b, 1, 10);
     uint32_t faces = b->face_count;
@@ -327,9 +329,9 @@ static void add_surroundings(dmg_builder* b) {
     if (dmg_chance(b, 0.2f)) add_setting(b, &object);
 }
 
-/* ---- the frame it is handed out in ---- */
+/* ---- the frame of the result ---- */
 
-/* Any up axis, any turn, small tilts, mirrored, any place and unit. */
+/* Draws a frame with any up axis, rotation, small tilt, mirroring, position and unit. */
 static dmg_frame random_frame(dmg_builder* b, float size) {
     static const float ups[] = {6, 3, 1};
     dmg_frame frame = dmg_frame_identity(), next;
@@ -374,7 +376,8 @@ static void move_everything(dmg_builder* b, const dmg_frame* frame) {
     for (uint32_t f = 0; f < b->face_count && mirrored; ++f) flip_face(b, f);
 }
 
-/* The sign of an axis is a matter of taste: turn it round, with everything that depends on it. */
+/* Reverses the axes of half of the joints, with their limits and opening direction: the sign of an axis carries no
+ * information. */
 static void turn_signs(dmg_builder* b) {
     for (uint32_t i = 0; i < b->part_count; ++i) {
         dmg_joint* joint = &b->parts[i].joint;
@@ -387,7 +390,7 @@ static void turn_signs(dmg_builder* b) {
     }
 }
 
-/* A label that names a line should not lean on where along it the origin lies. */
+/* Moves origins along their axes at random, so that nothing can be learnt from where on the line an origin lies. */
 static void slide_origins(dmg_builder* b, float size) {
     for (uint32_t i = 0; i < b->part_count; ++i) {
         dmg_joint* joint = &b->parts[i].joint;
@@ -397,7 +400,7 @@ static void slide_origins(dmg_builder* b, float size) {
 
 void dmg_finish(dmg_builder* b) {
     b->frame_depth = 0;
-    b->frames[0] = dmg_frame_identity(); /* what a category put there must not move the mess again */
+    b->frames[0] = dmg_frame_identity(); /* a category's last frame must not move the augmentation */
     if (b->failed) return;
     if (b->messy) scatter_rest(b);
     pose_parts(b);
@@ -407,13 +410,13 @@ void dmg_finish(dmg_builder* b) {
     float size = largest_side(&object);
     drop_some(b);
     shift_some(b, size);
-    dmg_sink_buttons(b, size);
-    dmg_snug(b);
+    dmg_augment_buttons(b, size);
+    dmg_augment_fit(b);
     add_surroundings(b);
     double_faces(b);
     subdivide_some(b);
     flip_some(b);
-    dmg_loosen(b, size);
+    dmg_augment_joints(b, size);
     slide_origins(b, size);
     dmg_frame frame = random_frame(b, size);
     move_everything(b, &frame);

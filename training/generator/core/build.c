@@ -1,4 +1,4 @@
-/* The builder's core: random numbers, growing arrays, frames and parts. */
+/* Implements the builder's core: random numbers, growing arrays, frames and parts. */
 #include "core/build.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* The builder: how categories put an object together. Internal to the generator.
+/* Declares the builder, with which categories put an object together. Internal to the generator.
  *
  * A category draws its object closed, front towards +Z, right +X, up +Y, in metres, standing on y = 0. Parts are added
  * with their joint; everything drawn afterwards belongs to the part in use. The value at which a part rests is set
@@ -16,7 +16,8 @@
 
 enum { DMG_FRAME_DEPTH = 24, DMG_PART_LIMIT = 96, DMG_FACE_LIMIT = 200000 };
 
-/* A run of faces drawn by one call: what mess subdivides, shifts or flips as a whole. It ends where the next begins. */
+/* A run of faces drawn by one call, which augmentation subdivides, shifts or flips as a whole. It ends where the next
+ * begins. */
 typedef struct dmg_piece {
     uint32_t first_vertex, first_face, part;
 } dmg_piece;
@@ -24,7 +25,7 @@ typedef struct dmg_piece {
 typedef struct dmg_part {
     dmg_joint joint; /* limits relative to the closed state until dmg_finish */
     float rest;
-    bool keep_rest; /* mess may not move it: it would run into something */
+    bool keep_rest; /* augmentation may not change it: the part would collide */
 } dmg_part;
 
 typedef struct dmg_builder {
@@ -48,17 +49,17 @@ typedef struct dmg_builder {
 /* ---- random ---- */
 
 uint32_t dmg_random(dmg_builder* b);
-float dmg_unit(dmg_builder* b);                               /* [0, 1) */
+float dmg_unit(dmg_builder* b);                               /* uniform in [0, 1) */
 float dmg_range(dmg_builder* b, float low, float high);       /* uniform */
 float dmg_scale_range(dmg_builder* b, float low, float high); /* uniform in the logarithm */
 int dmg_int(dmg_builder* b, int low, int high);               /* both included */
 bool dmg_chance(dmg_builder* b, float probability);
 float dmg_sign(dmg_builder* b);   /* -1 or 1 */
 float dmg_normal(dmg_builder* b); /* standard normal */
-/* Index of one of `count` alternatives, drawn by weight. */
+/* Returns the index of one of `count` alternatives, drawn by weight. */
 int dmg_weighted(dmg_builder* b, const float* weights, int count);
 
-/* ---- life ---- */
+/* ---- creation and release ---- */
 
 void dmg_builder_init(dmg_builder* b, uint64_t seed, bool messy);
 void dmg_builder_free(dmg_builder* b);
@@ -71,14 +72,14 @@ void dmg_move(dmg_builder* b, float x, float y, float z);
 void dmg_turn(dmg_builder* b, dmg_vec axis, float angle); /* axis unit */
 void dmg_mirror(dmg_builder* b, dmg_vec normal);          /* normal unit, one of the axes */
 void dmg_grow(dmg_builder* b, float factor);
-/* Turns to the i-th of `count` places spread evenly round the axis. */
+/* Rotates to the i-th of `count` positions spread evenly round the axis. */
 void dmg_turn_to(dmg_builder* b, dmg_vec axis, int i, int count);
 
 /* ---- parts: their id; the new part is in use. Positions and directions are in the current frame ---- */
 
 uint32_t dmg_hinge(dmg_builder* b, uint32_t parent, const char* name, dmg_vec origin, dmg_vec axis, float lower,
                    float upper);
-/* From rest between `least` and `most` radians either way, each way drawn for itself. */
+/* Adds a hinge with limits between `least` and `most` radians in either direction, each drawn separately. */
 uint32_t dmg_hinge_either_way(dmg_builder* b, uint32_t parent, const char* name, dmg_vec origin, dmg_vec axis,
                               float least, float most);
 uint32_t dmg_slide(dmg_builder* b, uint32_t parent, const char* name, dmg_vec direction, float lower, float upper);
@@ -87,12 +88,13 @@ uint32_t dmg_spin(dmg_builder* b, uint32_t parent, const char* name, dmg_vec ori
 uint32_t dmg_screw(dmg_builder* b, uint32_t parent, const char* name, dmg_vec origin, dmg_vec axis, float pitch,
                    float lower, float upper);
 void dmg_use(dmg_builder* b, uint32_t part); /* 0 = body */
-/* The value, within the limits, at which the object is shown. */
+/* Sets the value, within the limits, at which the part rests. */
 void dmg_rest(dmg_builder* b, uint32_t part, float value);
 void dmg_keep_rest(dmg_builder* b, uint32_t part);
-/* Motion of a part alone (its parents at rest) from value 0 to `value`. */
+/* Returns the motion of a part alone (its parents at rest) from value 0 to `value`. */
 dmg_frame dmg_joint_frame(const dmg_joint* joint, float value);
-/* The value at one of `stops` places spread over its range, ends included; over a full turn where it has none. */
+/* Returns the value at one of `stops` places spread over the range, ends included; over a full turn for a continuous
+ * joint. */
 float dmg_joint_stop(const dmg_joint* joint, int stop, int stops);
 
 /* ---- bounds ---- */
@@ -103,9 +105,9 @@ typedef struct dmg_bounds {
 
 dmg_bounds dmg_bounds_none(void);
 void dmg_bounds_grow(dmg_bounds* bounds, dmg_vec p);
-/* The first vertex that is no longer the piece's. */
+/* Returns the end of the piece's vertices. */
 uint32_t dmg_piece_end(const dmg_builder* b, uint32_t piece);
-/* Of a part's own pieces, without what it carries. */
+/* Returns the box of a part's own pieces, without what it carries. */
 dmg_bounds dmg_part_bounds(const dmg_builder* b, uint32_t part);
 
 /* ---- geometry, lowest level ---- */
@@ -164,16 +166,16 @@ void dmg_rounded_plate(dmg_builder* b, float width, float height, float thicknes
 /* A sheet of the given thickness along a polyline in x, y, `depth` wide about z = 0. */
 void dmg_bent_plate(dmg_builder* b, const dmg_xy* line, int count, float thickness, float depth);
 
-/* ---- finishing (mess.c) ---- */
+/* ---- finishing (augment/) ---- */
 
-/* Some parts touch or cut what is round them (snug.c). */
-void dmg_snug(dmg_builder* b);
-/* Joints are as exact as people see (loose.c). size: of the object. */
-void dmg_loosen(dmg_builder* b, float size);
-/* Push buttons on stems that go deep (plungers.c), and ways that have little to do with how far they stand out. */
-void dmg_sink_buttons(dmg_builder* b, float size);
+/* Lets some parts touch or cut what surrounds them (augment_fit.c). */
+void dmg_augment_fit(dmg_builder* b);
+/* Makes joints as inexact as people place them (augment_joints.c). size: of the object, metres. */
+void dmg_augment_joints(dmg_builder* b, float size);
+/* Gives some push buttons deep stems and another travel (augment_buttons.c). */
+void dmg_augment_buttons(dmg_builder* b, float size);
 
-/* Poses the parts at rest, makes a mess when asked to and turns limits and labels to the rest state. */
+/* Poses the parts at rest, augments a messy object, and makes limits and labels relative to rest (augment_object.c). */
 void dmg_finish(dmg_builder* b);
 
 #endif
