@@ -1,5 +1,4 @@
-/* What flies: aeroplanes with their control surfaces, helicopters, drones; the sock that shows the wind; and what dives
- * much as they fly. */
+/* Draws aircraft: aeroplanes with their control surfaces, helicopters, drones; windsocks; and submarines. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"

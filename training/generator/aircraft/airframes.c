@@ -1,5 +1,5 @@
-/* Airframes as low-polygon models have them: a hull of few corners, tails of every layout, surfaces cut out of one skin
- * with tabs on them; and wings with all that slides, drops or rises on them. */
+/* Draws airframes as low-polygon models have them: a hull of few corners, tails of every layout, control surfaces
+ * cut out of one skin, with tabs; and wings with slats, flaps and spoilers. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"

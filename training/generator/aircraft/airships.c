@@ -1,4 +1,4 @@
-/* Airships: an envelope with fins and their rudders, a car with its doors and wheel, engines that tilt and turn. */
+/* Draws airships: an envelope with fins and rudders, a car with doors and a wheel, engines that tilt and turn. */
 #include "categories.h"
 #include "core/skins.h"
 #include "parts/hardware.h"

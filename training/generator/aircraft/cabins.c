@@ -1,4 +1,4 @@
-/* An aircraft's cabin: doors of every kind in a curved side, and what people sit on and fold down before them. */
+/* Draws an aircraft's cabin: doors of every kind in a curved side, and seats with what folds down before them. */
 #include "categories.h"
 #include "core/skins.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* Piston engines under their cowlings: rings of flaps, peeling panels, bonnets in halves, scoops with doors, shutters,
- * radiators let down, propellers whose blades turn. The propeller is in front. */
+/* Draws piston engines under their cowlings: rings of flaps, panels, bonnets in halves, scoops with doors, shutters,
+ * lowered radiators, propellers whose blades turn. The propeller is in front. */
 #include "categories.h"
 #include "core/skins.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* What folds into an aircraft's belly and what closes over it: legs with their doors, bays in round and flat skins,
- * canopies over a cockpit, ramps and doors of cargo holds; and the heads of rotors. */
+/* Draws an aircraft's landing gear and covers: legs with their doors, bays in round and flat skins, canopies over a
+ * cockpit. */
 #include "categories.h"
 #include "parts/hardware.h"
 

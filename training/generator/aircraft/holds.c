@@ -1,4 +1,4 @@
-/* Doors and ramps of aircraft's holds, and the heads that carry rotors' blades. */
+/* Draws doors and ramps of aircraft's holds, and rotor heads. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Aeroplanes as flight simulators have them: hulls in one skin with doors cut out of it, tails of all sorts, air
- * brakes, legs that fold behind doors. Nose to +Z. */
+/* Draws aeroplanes as flight simulators have them: hulls in one skin with doors cut out of it, tails of all layouts,
+ * air brakes, legs that fold behind doors. Nose to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"

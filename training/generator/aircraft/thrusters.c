@@ -1,4 +1,5 @@
-/* What aims its thrust or folds it away: rotors and fans that tilt, arms of drones that fold, thrusters that turn. */
+/* Draws thrust that is aimed or folded away: rotors and fans that tilt, arms of drones that fold, thrusters that
+ * turn. */
 #include "categories.h"
 #include "parts/hardware.h"
 

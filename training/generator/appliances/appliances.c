@@ -1,4 +1,4 @@
-/* Machines of the kitchen: a housing with doors, knobs, buttons and trays. */
+/* Draws kitchen appliances: a housing with doors, knobs, buttons and trays. */
 #include "categories.h"
 #include "parts/hardware.h"
 

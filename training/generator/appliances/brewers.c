@@ -1,4 +1,4 @@
-/* Round kitchen machines: blenders whose jug lifts off a turned base, coffee makers with a body that is no box. */
+/* Draws round kitchen machines: blenders whose jug lifts off a turned base, coffee makers whose body is no box. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

@@ -1,4 +1,5 @@
-/* Tall and white: refrigerators, dishwashers, washing machines, safes. Housings whose door is most of their front. */
+/* Draws large white goods and safes: refrigerators, dishwashers, washing machines, safes. The door is most of the
+ * housing's front. */
 #include "categories.h"
 #include "parts/hardware.h"
 

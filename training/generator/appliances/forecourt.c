@@ -1,5 +1,5 @@
-/* What stands at the kerb and takes money: petrol pumps old and new, charging pillars, parking meters, ticket machines.
- * Nozzles come out of their boots, triggers are squeezed, flaps and doors open. The customer stands at +Z. */
+/* Draws kerbside machines: petrol pumps old and new, charging pillars, parking meters, ticket machines. Nozzles come
+ * out of their boots, triggers are squeezed, flaps and doors open. The customer stands at +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

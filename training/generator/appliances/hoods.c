@@ -1,4 +1,4 @@
-/* Barbecues and dishes kept warm: lids and hoods that turn up, back or round over bowls, drums, boxes and trays. */
+/* Draws barbecues and food warmers: lids and hoods that turn up, back or round over bowls, drums, boxes and trays. */
 #include "categories.h"
 #include "core/arcs.h"
 #include "parts/hardware.h"

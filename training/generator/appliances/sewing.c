@@ -1,4 +1,4 @@
-/* The sewing machine: bed, pillar, arm and head, the wheel at its right, and all the small things that move on it. */
+/* Draws sewing machines: bed, pillar, arm and head, the wheel at the right, and the small parts that move on it. */
 #include "categories.h"
 #include "parts/hardware.h"
 

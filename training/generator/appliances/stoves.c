@@ -1,4 +1,4 @@
-/* Stoves and hobs: burners with relief on a slab or a range, and knobs that may be large, beside, above or in front. */
+/* Draws stoves and hobs: burners with relief on a slab or a range, and knobs of any size beside, above or in front. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"

@@ -1,4 +1,5 @@
-/* Mixer taps and lever valves: a cap with a lever turns both ways on a pillar, or a big lever on a small stem. */
+/* Draws mixer taps and lever valves: a cap with a lever that turns both ways on a pillar, or a large lever on a
+ * small stem. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Bread bins: fronts that roll under the roof, fall forward, turn up with the roof, or are pulled. */
+/* Draws bread bins: fronts that roll under the roof, fall forward, turn up with the roof, or are pulled. */
 #include "categories.h"
 #include "core/arcs.h"
 #include "parts/hardware.h"

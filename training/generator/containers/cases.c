@@ -1,4 +1,4 @@
-/* Cases of two halves with their handles and latches, pails, and boxes with a lid that grips over their rim. */
+/* Draws cases of two halves with handles and latches, pails, and boxes with a lid that grips over their rim. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Household shells: cases of two halves, grills that clap together, boxes with sunk or overlaid doors, bins with flaps,
- * pots whose handles drop. */
+/* Draws household shells: cases of two halves, grills that close on each other, boxes with sunk or overlaid doors,
+ * bins with flaps, pots whose handles drop. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Bins, boxes, pots, cases: containers with lids that turn, lift off or slide. */
+/* Draws bins, boxes, pots and cases with lids that turn, lift off or slide. */
 #include "categories.h"
 #include "parts/hardware.h"
 

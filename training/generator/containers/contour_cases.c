@@ -1,4 +1,4 @@
-/* Cases in the shape of what they hold, and boxes of one piece whose hinge is the thin rim between their halves. */
+/* Draws cases in the shape of what they hold, and one-piece boxes hinged by the thin rim between their halves. */
 #include "categories.h"
 #include "parts/hardware.h"
 

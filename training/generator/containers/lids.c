@@ -1,4 +1,4 @@
-/* Things with a lid or a bail: chests, buckets and their kin. */
+/* Draws things with a lid or a bail: chests, buckets. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* What a yard throws its waste into: steel containers with flapping lids and sliding side doors, skips, roll-off boxes
- * with barred doors, bottle banks that drop their floor, bins on casters under a dome. The user stands at +Z. */
+/* Draws waste containers: steel ones with flapping lids and sliding side doors, skips, roll-off boxes with barred
+ * doors, bottle banks that drop their floor, bins on casters under a dome. The user stands at +Z. */
 #include "categories.h"
 #include "core/arcs.h"
 #include "parts/hardware.h"

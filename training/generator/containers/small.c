@@ -1,4 +1,4 @@
-/* Small things from a pocket or a shelf: bottles, jars, dispensers, pens, sticks, knives, glasses, locks. */
+/* Draws small things: bottles, jars, dispensers, pens, sticks, knives, glasses, locks. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Doors before closed blocks: safes whose door is a sheet with dials, ovens whose door is a pane on the front. */
+/* Draws doors before closed blocks: safes whose door is a sheet with dials, ovens whose door is a pane on the front. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Lids on arms: tool boxes whose lid sinks behind the box, bins whose lid reaches back to a rod; casements in walls. */
+/* Draws lids on arms: tool boxes whose lid sinks behind the box, bins whose lid reaches back to a rod; casements in
+ * walls. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Task boards: what manipulation benchmarks and busy boards ask a hand to do, each on a frame, a box or a board. */
+/* Draws task boards of manipulation benchmarks and busy boards: small mechanisms on a frame, a box or a board. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* What a pilot or an operator faces: crowded panels, radios, switchboards, yokes and throttle quadrants. */
+/* Draws what a pilot or an operator faces: crowded panels, radios, switchboards, yokes and throttle quadrants. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"

@@ -1,4 +1,4 @@
-/* Controls: what one turns, presses, flips or pulls on a panel. */
+/* Draws single panel controls: knobs, buttons, faucets. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Things without a name: a body of any shape, and on its faces whatever turns, slides, flaps or presses. They keep a
- * learner from leaning on what a category usually looks like. */
+/* Draws objects of no category: a body of any shape with turning, sliding, flapping and pressed parts on its faces.
+ * They keep a network from relying on what a category usually looks like. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Levers in gates, and what stands on a ship's bridge: telegraphs, thrusters' heads, binnacles, steering stands. */
+/* Draws levers in gates, and the controls on a ship's bridge: telegraphs, thruster heads, binnacles, steering
+ * stands. */
 #include "categories.h"
 #include "parts/hardware.h"
 

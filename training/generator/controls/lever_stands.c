@@ -1,5 +1,5 @@
-/* Levers that are an object of their own: in the slot of a housing, between cheeks, on the side of a post; rockers in a
- * socket. Whether such a handle turns or slides is told by its slot alone. */
+/* Draws levers as objects of their own: in the slot of a housing, between cheeks, on the side of a post; rockers in
+ * a socket. Only the slot shows whether such a handle turns or slides. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Levers, switches, cranks, valves, sticks: controls that turn about a line or slide in a slot. */
+/* Draws levers, switches, cranks, valves and sticks: controls that turn about a line or slide in a slot. */
 #include "categories.h"
 #include "parts/hardware.h"
 

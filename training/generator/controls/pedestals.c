@@ -1,4 +1,5 @@
-/* Pedestals between two seats: levers in slots, trim wheels on the flank, rods to pull, a parking brake's handle. */
+/* Draws pedestals between two pilots' seats: levers in slots, trim wheels on the flank, pull rods, a parking brake's
+ * handle. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"

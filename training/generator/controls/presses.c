@@ -1,5 +1,5 @@
-/* Things with one or a few buttons and levers of their own: push buttons in boxes and bezels, snap-in rockers, toasters
- * with levers of any shape, blenders and round coffee makers. */
+/* Draws objects with one or a few buttons or levers: push buttons in boxes and bezels, snap-in rockers, toasters
+ * with levers of any shape. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

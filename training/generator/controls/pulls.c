@@ -1,5 +1,5 @@
-/* Panels of push rods beside knobs that turn, and wheels sunk into consoles beside blocks that slide: pairs that look
- * alike from the front and that their rods, skirts, slots and rims tell apart. */
+/* Draws pairs that look alike from the front and differ in rods, skirts, slots and rims: push rods beside knobs that
+ * turn, and wheels sunk into consoles beside blocks that slide. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Curved sheets about X and the plates that close their ends: hoods, rolling fronts. */
+/* Implements curved sheets about X and the plates that close their ends: hoods, rolling fronts. */
 #include "core/arcs.h"
 
 void dmg_profile_begin(dmg_builder* b) {

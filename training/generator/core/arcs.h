@@ -1,4 +1,5 @@
-/* Curved sheets about X. Their profiles lie in z (the profile's x) and y; angles go from the front (0) over the top. */
+/* Declares curved sheets about X. Their profiles lie in z (the profile's x) and y; angles go from the front (0) over
+ * the top. */
 #ifndef DMG_ARCS_H
 #define DMG_ARCS_H
 

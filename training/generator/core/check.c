@@ -1,5 +1,5 @@
-/* Collision by winding numbers (van Oosterom and Strackee 1983), detachment by distances, both over surface samples:
- * slow and sure, and nothing the generator itself is made with. */
+/* Checks for collisions by winding numbers (van Oosterom and Strackee 1983) and for detachment by distances, both
+ * over surface samples. It is slow, and shares no code with the generator. */
 #include "core/check.h"
 
 #include <float.h>

@@ -1,4 +1,5 @@
-/* Checks on generated objects: does a part, moving as its joint says, run into the body or come off it? */
+/* Declares checks on generated objects: whether a part, moving as its joint says, runs into the body or comes off
+ * it. */
 #ifndef DMG_CHECK_H
 #define DMG_CHECK_H
 

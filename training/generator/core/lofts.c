@@ -1,5 +1,5 @@
-/* Free-form shells: bent bodies of changing section with openings that keys fill flush, hoops; and the small parts that
- * stand square to such a surface, their pivots hidden below it. */
+/* Implements free-form shells: bent bodies of changing section with openings that keys fill flush, hoops; and the
+ * small parts that stand square to such a surface, their pivots hidden below it. */
 #include "core/lofts.h"
 
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* Free-form shells and what is let into them or stands out of them, square to the surface (lofts.c). */
+/* Declares free-form shells and the parts that are let into them or stand square to their surface (lofts.c). */
 #ifndef DMG_LOFTS_H
 #define DMG_LOFTS_H
 

@@ -1,4 +1,4 @@
-/* Shapes the builder draws: boxes, turned bodies, tubes along a path, extruded outlines. */
+/* Implements the builder's shapes: boxes, turned bodies, tubes along a path, extruded outlines. */
 #include <string.h>
 
 #include "core/build.h"

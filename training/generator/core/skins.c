@@ -1,4 +1,4 @@
-/* Skins of revolution: what a nacelle, a hull or an envelope is made of, whole or a patch of it. */
+/* Implements surfaces of revolution for nacelles, hulls and envelopes, whole or a patch of one. */
 #include "core/skins.h"
 
 enum { ROW_LIMIT = 12, STEP_LIMIT = 48 };

@@ -1,5 +1,5 @@
-/* Skins of revolution about Z: single sheets, as low-polygon aircraft have them, or with a thickness. Angles go from +X
- * over +Y. */
+/* Declares surfaces of revolution about Z: single sheets, as low-polygon aircraft have them, or with a thickness.
+ * Angles go from +X over +Y. */
 #ifndef DMG_SKINS_H
 #define DMG_SKINS_H
 

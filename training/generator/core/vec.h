@@ -1,4 +1,4 @@
-/* Three-dimensional vectors and affine frames for the generator, by value. */
+/* Defines three-dimensional vectors and affine frames for the generator, by value. */
 #ifndef DMG_VEC_H
 #define DMG_VEC_H
 

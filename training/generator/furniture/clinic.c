@@ -1,5 +1,5 @@
-/* Seats and beds that are worked on: dentists' and barbers' chairs on a column with arms that swing a tray and a lamp
- * in, hospital beds whose deck folds in sections between rails that drop. Feet towards +Z. */
+/* Draws dentists' and barbers' chairs on a column with arms that swing a tray and a lamp in, and hospital beds whose
+ * deck folds in sections between rails that drop. Feet towards +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Cabinets in the corner of a room: doors that fold, carousels, shelves that swing or glide out, fronts across it. */
+/* Draws cabinets for the corner of a room: doors that fold, carousels, shelves that swing or glide out, diagonal
+ * fronts. */
 #include "categories.h"
 #include "parts/hardware.h"
 

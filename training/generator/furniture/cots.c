@@ -1,4 +1,5 @@
-/* Cots and cradles: a side that drops, folds or is a gate, a bed that is set higher, a hood, drawers, a mobile. */
+/* Draws cots and cradles: a side that drops, folds or is a gate, a bed of adjustable height, a hood, drawers, a
+ * mobile. */
 #include "categories.h"
 #include "parts/hardware.h"
 

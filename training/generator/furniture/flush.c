@@ -1,4 +1,5 @@
-/* Cabinets of flush fronts, pulled by an edge or by nothing: boxes, rails, hinges, gaps tell a drawer from a door. */
+/* Draws cabinets of flush fronts, pulled by an edge or without a handle: boxes, rails, hinges and gaps distinguish
+ * drawers from doors. */
 #include "categories.h"
 #include "parts/hardware.h"
 

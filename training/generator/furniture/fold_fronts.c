@@ -1,4 +1,4 @@
-/* Furniture whose front tilts or falls: shoe cabinets, mirror cabinets, beds and desks that fold into a wall. */
+/* Draws furniture whose front tilts or falls: shoe cabinets, mirror cabinets, beds and desks that fold into a wall. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Tables, wardrobes, chairs. */
+/* Draws tables, wardrobes and chairs. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Furniture of plain thick slabs, as planned for a robot's kitchen: doors, sliders and drawers with bars to pull. */
+/* Draws furniture of plain thick slabs, as in kitchens of robot simulators: doors, sliders and drawers with bar
+ * handles. */
 #include "categories.h"
 #include "parts/hardware.h"
 

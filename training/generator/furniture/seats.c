@@ -1,5 +1,5 @@
-/* Office chairs, stools and beds on wheels: a seat may turn, rise or tilt as one piece, casters have two wheels each.
- */
+/* Draws office chairs, stools and beds on wheels: a seat may turn, rise or tilt as one piece; casters have two
+ * wheels each. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Sofas that become beds, each seat, back and arm with a way of its own. */
+/* Draws sofas that become beds: each seat, back and arm moves on its own. */
 #include "categories.h"
 #include "parts/hardware.h"
 

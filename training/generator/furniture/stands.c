@@ -1,5 +1,5 @@
-/* Household things on stands: seats that recline, carts with folding handles, screens on arms, tables whose legs fold.
- */
+/* Draws household things on stands: seats that recline, carts with folding handles, screens on arms, tables whose
+ * legs fold. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Furniture one keeps things in: a front is cut into cells, and each cell gets a door, a drawer, a flap or nothing. */
+/* Draws storage furniture: a front is cut into cells, and each cell gets a door, a drawer, a flap or nothing. */
 #include <stdio.h>
 
 #include "categories.h"

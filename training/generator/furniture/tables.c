@@ -1,4 +1,5 @@
-/* Tables that change their size or height: leaves that draw out, fall or swing on gates, tops that part, rise, turn. */
+/* Draws tables of variable size or height: leaves that draw out, fall or swing on gates, tops that part, rise or
+ * turn. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Dressing tables and dressers with a mirror that tilts, folds, lifts or slides; mirrors on feet and boxes in them. */
+/* Draws dressing tables and dressers with a mirror that tilts, folds, lifts or slides; mirrors on feet and boxes in
+ * them. */
 #include "categories.h"
 #include "parts/hardware.h"
 

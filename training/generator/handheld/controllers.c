@@ -1,5 +1,5 @@
-/* Controllers as their makers draw them: a tilted head on a handle, with or without a ring; wands; gamepads of several
- * outlines; headsets. Forward is +Z, up +Y. */
+/* Draws controllers after real products: a tilted head on a handle, with or without a ring; wands; gamepads of
+ * several outlines; headsets. Forward is +Z, up +Y. */
 #include "categories.h"
 #include "parts/thumbs.h"
 

@@ -1,5 +1,5 @@
-/* Controllers held in one hand: a grip and a head with a stick or a touch pad, keys, triggers whose pivots are hidden
- * inside the shell. Drawn pointing to +Z with the thumb's face up. */
+/* Draws controllers held in one hand: a grip and a head with a stick or a touch pad, keys, triggers whose pivots are
+ * hidden inside the shell. They point to +Z with the thumb's face up. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Worn on the head: a visor that tips up or slides forward on its band, ear cups that swivel on a bow, the wheel that
+/* Draws headsets: a visor that tips up or slides forward on its band, ear cups that swivel on a bow, the wheel that
  * tightens the strap. The face looks to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"

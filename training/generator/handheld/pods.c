@@ -1,6 +1,6 @@
-/* Hand-held housings that a finger's lever is let into: the lever fills an opening of the shell as a button would,
- * flush or a little proud, round or long, and turns about a pin nobody sees near one of its ends; its look-alikes
- * slide. Controllers with a rounded head, tools with a trigger, plain handles. Forward is +Z, up +Y. */
+/* Draws hand-held housings with a finger lever let into the shell: it fills an opening as a button would, flush or a
+ * little proud, round or long, and turns about a hidden pin near one of its ends; similar-looking ones slide.
+ * Controllers with a rounded head, tools with a trigger, plain handles. Forward is +Z, up +Y. */
 #include "categories.h"
 #include "parts/thumbs.h"
 

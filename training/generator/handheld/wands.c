@@ -1,5 +1,5 @@
-/* Motion controllers and play controllers of unusual bodies: flat pebbles, wands with a ball, bars with a key pad,
- * rings held by a spoke, light guns, halves joined by a band. Drawn with +Y forward, +Z up out of the thumb's face. */
+/* Draws motion and play controllers of unusual bodies: flat pebbles, wands with a ball, bars with a key pad, rings
+ * held by a spoke, light guns, halves joined by a band. +Y is forward, +Z out of the thumb's face. */
 #include "categories.h"
 #include "parts/thumbs.h"
 

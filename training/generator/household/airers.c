@@ -1,4 +1,4 @@
-/* What clothes dry on: frames of thin bars on legs that fold, towers of racks, umbrellas of lines, racks on a wall. */
+/* Draws clothes airers: frames of thin bars on folding legs, towers of racks, umbrella lines, wall racks. */
 #include "categories.h"
 #include "parts/hardware.h"
 

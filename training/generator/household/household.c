@@ -1,4 +1,4 @@
-/* Things about a house: lamps, kettles, latches, folding screens, whole kitchen counters, ladders, swings, vices. */
+/* Draws household things: lamps, kettles, latches, folding screens, whole kitchen counters, ladders, swings, vices. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Stage and studio lights: a head that tilts in a yoke which pans below a clamp, on a stand, a base or the floor;
- * before its lens a frame that turns, with barn doors, a slide for colour or a hood. The beam goes to +Z. */
+/* Draws stage and studio lights: a head that tilts in a yoke which pans below a clamp, on a stand, a base or the
+ * floor; before its lens a frame that turns, with barn doors, a slide for colour or a hood. The beam goes to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

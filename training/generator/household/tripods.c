@@ -1,4 +1,4 @@
-/* Stands whose legs spread round a middle: tubes that slide out of each other, what locks them, and the head on top. */
+/* Draws tripods: legs that spread round a middle, telescoping tubes, their locks, and the head on top. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* What stands on a laboratory's bench: measuring sets with bails, plug-ins and racks; centrifuges. */
+/* Draws bench instruments of a laboratory: measuring sets with bails, plug-ins and racks; centrifuges. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"

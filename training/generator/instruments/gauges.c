@@ -1,4 +1,5 @@
-/* Round instruments: a dial in a case, needles and cards that turn about its middle, knobs at the bezel's corners. */
+/* Draws round instruments: a dial in a case, needles and cards that turn about its middle, knobs at the bezel's
+ * corners. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"

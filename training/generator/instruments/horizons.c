@@ -1,5 +1,5 @@
-/* Flight instruments whose moving thing is no needle on the dial's middle: horizon balls in rings, cards that float,
- * drums of figures, tapes, bars hung at the rim, flags, a ball in a curved tube. */
+/* Draws flight instruments without a central needle: horizon balls in rings, floating cards, drums of figures,
+ * tapes, bars hung at the rim, flags, a ball in a curved tube. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"

@@ -1,4 +1,4 @@
-/* Microscopes: students' stands that lean on a pin, laboratory stands of one piece, stereo heads on a boom. */
+/* Draws microscopes: students' stands that lean on a pin, laboratory stands of one piece, stereo heads on a boom. */
 #include "categories.h"
 #include "parts/hardware.h"
 

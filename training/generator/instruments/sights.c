@@ -1,4 +1,4 @@
-/* Instruments that measure angles by sight: theodolites on their foot screws, sextants and their kin. */
+/* Draws instruments that measure angles by sight: theodolites on their foot screws, sextants and similar ones. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Dishes and radars: a reflector on a fork, a pole, a tripod or a tower. It looks to +Z. */
+/* Draws dishes and radars: a reflector on a fork, a pole, a tripod or a tower. It looks to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Engines as models and cut-open ones show them: upright, V and star engines with their valves, mill engines on a bed,
- * beam engines. A piston slides, its rod swings on it, crank and flywheel turn as one. */
+/* Draws engines as models and cut-open ones show them: upright, V and star engines with their valves, mill engines
+ * on a bed, beam engines. A piston slides, its rod swings on it, crank and flywheel turn as one. */
 #include "categories.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"

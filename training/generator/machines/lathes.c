@@ -1,5 +1,5 @@
-/* Lathes for metal and wood, turning centres behind doors: what slides on the bed carries what slides across it;
- * spindles, hand wheels and levers turn on what they move. */
+/* Draws lathes for metal and wood, and turning centres behind doors: the bed carries the saddle, the saddle the
+ * cross slide; spindles, hand wheels and levers turn on what they move. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"

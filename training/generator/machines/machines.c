@@ -1,4 +1,4 @@
-/* Machines: what stands in halls, workshops and fairgrounds, and what is held to work with. */
+/* Draws machines of halls, workshops and fairgrounds, and hand-held power tools. */
 #include "categories.h"
 #include "parts/hardware.h"
 

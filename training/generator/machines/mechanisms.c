@@ -1,5 +1,5 @@
-/* Mechanisms as textbooks, benches and automata show them: slider-cranks, yokes, slotted levers, cams under followers
- * that slide or tip. The crank turns about +Z. */
+/* Draws mechanisms of textbooks, test benches and automata: slider-cranks, yokes, slotted levers, cams under
+ * followers that slide or tip. The crank turns about +Z. */
 #include "categories.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* Mills with a knee, drill presses on a round column, machining centres behind doors: tables on slides, spindles in
+/* Draws knee mills, drill presses on a round column, machining centres behind doors: tables on slides, spindles in
  * quills, wheels and levers that feed them. */
 #include "categories.h"
 #include "parts/cranks.h"

@@ -1,5 +1,5 @@
-/* Rigs of links: arms that a cylinder raises, toggle clamps, lazy tongs and drawing pantographs, current collectors.
- * A cylinder's barrel swings about its foot, its rod slides in it: the same thing turns and slides. */
+/* Draws rigs of links: arms that a cylinder raises, toggle clamps, lazy tongs and pantographs, current collectors. A
+ * cylinder's barrel swings about its foot, and its rod slides in it. */
 #include "categories.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* What turns for its own sake: fans, propellers, turbines, clocks, globes, radars, turntables. */
+/* Draws things that turn: fans, propellers, turbines, clocks, globes, radars, turntables. */
 #include "categories.h"
 #include "parts/hardware.h"
 

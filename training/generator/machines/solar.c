@@ -1,5 +1,5 @@
-/* Solar panels: wings of satellites, cases that fold out, tables that follow the sun. Chains of equal leaves, each hung
- * on the one before. */
+/* Draws solar panels: satellite wings, cases that fold out, trackers. Chains of equal leaves, each hung on the one
+ * before. */
 #include "categories.h"
 #include "parts/hardware.h"
 

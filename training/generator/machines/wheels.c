@@ -1,4 +1,4 @@
-/* What turns without end: wheels under things. */
+/* Draws wheels under things. */
 #include "categories.h"
 #include "parts/hardware.h"
 

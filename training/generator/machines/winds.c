@@ -1,4 +1,5 @@
-/* What the wind turns: power stations with slender blades, mills with sails, vanes, cups and socks on masts. */
+/* Draws wind-driven machines: power turbines with slender blades, windmills with sails, vanes, cups and socks on
+ * masts. */
 #include "categories.h"
 #include "parts/hardware.h"
 

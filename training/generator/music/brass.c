@@ -1,6 +1,5 @@
-/* Wind instruments: brass with valves that are pressed or turned by levers, slides that draw out and keys that let
- * water go; woodwind with cups on long hinge rods and levers across them. Brass is blown towards +Z, woodwind stands.
- */
+/* Draws wind instruments: brass with valves that are pressed or turned by levers, slides that draw out and water
+ * keys; woodwind with cups on long hinge rods and levers across them. Brass is blown towards +Z, woodwind stands. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Consoles for sound: synthesisers with wheels beside their keys, mixing desks of channel strips, pads and jog wheels
- * for a player's hands, boards of effect pedals. The player is at +Z. */
+/* Draws sound consoles: synthesisers with wheels beside their keys, mixing desks of channel strips, pads and jog
+ * wheels, boards of effect pedals. The player is at +Z. */
 #include "categories.h"
 #include "music/manuals.h"
 #include "parts/hardware.h"

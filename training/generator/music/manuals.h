@@ -1,4 +1,4 @@
-/* A row of keys as pianos, organs and synthesisers have it (pianos.c). */
+/* Declares a row of keys for pianos, organs and synthesisers (pianos.c). */
 #ifndef DMG_MANUALS_H
 #define DMG_MANUALS_H
 

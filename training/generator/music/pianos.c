@@ -1,5 +1,5 @@
-/* Instruments with a row of keys: uprights, grands and reed organs with their lids, fallboards, props, pedals and
- * stools; stage keyboards with wheels, faders and pads. The player sits at +Z. */
+/* Draws instruments with a row of keys: uprights, grands and reed organs with their lids, fallboards, props, pedals
+ * and stools; stage keyboards with wheels, faders and pads. The player sits at +Z. */
 #include "categories.h"
 #include "music/manuals.h"
 #include "parts/hardware.h"

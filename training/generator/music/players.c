@@ -1,4 +1,4 @@
-/* What plays records: a platter, an arm that swings in over it and lifts, or runs along a rail; a dust lid; in a
+/* Draws record players: a platter, an arm that swings in over it and lifts, or runs along a rail; a dust lid; in a
  * plinth, a suitcase, a cabinet on legs, or a box with a horn and a crank. The listener is at +Z. */
 #include "categories.h"
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* The computer's mouse: keys on its shell's front, the wheel between them, what a thumb presses, where batteries go. */
+/* Draws computer mice: keys on the shell's front, the wheel between them, thumb keys, the battery cover. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

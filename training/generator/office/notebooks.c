@@ -1,4 +1,5 @@
-/* Portable computers by where their hinge sits: raised on the base, dropped behind it, inside its edge, far from it. */
+/* Draws portable computers by the place of their hinge: raised on the base, dropped behind it, inside its edge, far
+ * from it. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Machines of the desk: printers, cameras, remotes, keyboards, telephones with keys. */
+/* Draws desk machines: printers, cameras, remotes, keyboards, telephones with keys. */
 #include "categories.h"
 #include "parts/hardware.h"
 

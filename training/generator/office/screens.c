@@ -1,4 +1,4 @@
-/* Displays on stands of every sort, and portable computers whose halves hang together in odd ways. */
+/* Draws displays on stands of every kind, and portable computers with unusual connections between their halves. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Two halves about a line: laptops, telephones, staplers, tools. */
+/* Draws things of two halves about a line: laptops, telephones, staplers, tools. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* On a desk, with a blade: boards that trim paper, punches that hole it, reels that give tape. */
+/* Draws desk tools with a blade: paper trimmers, hole punches, tape dispensers. */
 #include "categories.h"
 #include "parts/hardware.h"
 

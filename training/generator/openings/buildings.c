@@ -1,4 +1,4 @@
-/* Doors of big buildings: hangars, garages, drawbridges. */
+/* Draws doors of large buildings: hangars, garages, drawbridges. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Doors and windows of buildings, with their frames. */
+/* Draws doors and windows of buildings, with their frames. */
 #include "categories.h"
 #include "parts/hardware.h"
 

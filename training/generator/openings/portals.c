@@ -1,6 +1,6 @@
-/* Doors of stations and starships: leaves that part along straight, slanted or toothed seams, slide into corners, fold
- * out as petals, turn or slide as the blades of an iris, run one behind another. They stand in the x, y plane; +Z is
- * towards the player. */
+/* Draws doors of stations and starships: leaves that part along straight, slanted or toothed seams, slide into
+ * corners, fold out as petals, turn or slide as the blades of an iris, run one behind another. They stand in the x,
+ * y plane; +Z is towards the player. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Shelters and big halls seen as simulators model them: the end wall itself is the door, whatever its outline. The door
- * looks to +Z. */
+/* Draws shelters and large halls as simulators model them: the end wall itself is the door, whatever its outline.
+ * The door looks to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

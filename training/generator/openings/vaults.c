@@ -1,5 +1,5 @@
-/* Stone and iron props of dungeons and yards: coffins whose lids slide, slew or hang on hinges, wells with a windlass,
- * gates that are drawn up in grooves, cell doors with their bolts. */
+/* Draws stone and iron props of dungeons and yards: coffins whose lids slide, slew or hang on hinges, wells with a
+ * windlass, gates that are drawn up in grooves, cell doors with their bolts. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Doors of buses and rail cars: leaves that fold, slide, step out before they slide, turn about posts or swing on
- * arms, and the ramps at their sills. The sill is at the origin, x goes outwards, z along the wall. */
+/* Implements doors of buses and rail cars: leaves that fold, slide, step out before they slide, turn about posts or
+ * swing on arms, and the ramps at their sills. The sill is at the origin, x goes outwards, z along the wall. */
 #include "parts/coach_doors.h"
 
 dmg_doorway dmg_doorway_pick(dmg_builder* b, bool hollow) {

@@ -1,4 +1,4 @@
-/* Doors of buses and rail cars. Internal to the generator. */
+/* Declares doors of buses and rail cars. */
 #ifndef DMG_COACH_DOORS_H
 #define DMG_COACH_DOORS_H
 

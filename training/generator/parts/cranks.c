@@ -1,4 +1,4 @@
-/* Crank trains: webs, rods and sliders with their true ways. */
+/* Implements crank trains: webs, rods and sliders with their exact ranges. */
 #include "parts/cranks.h"
 
 dmg_crank dmg_crank_pick(dmg_builder* b, float throw) {

@@ -1,5 +1,5 @@
-/* Crank trains: what engines and benches of mechanisms share. The crank turns about +Z at the origin, what it drives
- * slides along +X. */
+/* Declares crank trains, which engines and benches of mechanisms share. The crank turns about +Z at the origin, the
+ * slider moves along +X. */
 #ifndef DMG_CRANKS_H
 #define DMG_CRANKS_H
 

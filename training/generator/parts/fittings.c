@@ -1,4 +1,4 @@
-/* What appliances share: their doors, racks and panels of knobs and buttons. */
+/* Implements what appliances share: doors, racks and panels of knobs and buttons. */
 #include "parts/hardware.h"
 
 /* A door that is thicker than furniture's, with a bar or nothing to pull it. */

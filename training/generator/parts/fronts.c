@@ -1,4 +1,4 @@
-/* Doors, flaps, drawers and buttons on a front: the parts that furniture, appliances and panels share. */
+/* Implements doors, flaps, drawers and buttons on a front: the parts that furniture, appliances and panels share. */
 #include "parts/hardware.h"
 
 /* Where modellers put a leaf's line: often no hardware tells, and each has one of a few habits, all of them drawn alike

@@ -1,4 +1,4 @@
-/* Handles and knobs: what a hand takes hold of. */
+/* Implements handles and knobs. */
 #include "parts/hardware.h"
 
 static dmg_handle handle_of(dmg_builder* b, dmg_handle_kind kind, float hand) {

@@ -1,4 +1,4 @@
-/* Families of hardware that categories share: handles, hinges, panels, carcasses, fronts, feet, wheels. */
+/* Declares hardware that categories share: handles, hinges, panels, carcasses, fronts, feet, wheels. */
 #ifndef DMG_HARDWARE_H
 #define DMG_HARDWARE_H
 

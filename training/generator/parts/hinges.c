@@ -1,4 +1,4 @@
-/* Hinge hardware, drawn onto the leaf and onto what carries it. */
+/* Implements hinge hardware, drawn onto the leaf and onto what carries it. */
 #include "parts/hardware.h"
 
 dmg_hinge_style dmg_hinge_pick(dmg_builder* b, float radius) {

@@ -1,4 +1,4 @@
-/* Panels, frames and cases: the flat work that doors, drawers and housings are made of. */
+/* Implements panels, frames and cases: the flat parts of doors, drawers and housings. */
 #include "parts/hardware.h"
 
 dmg_panel dmg_panel_pick(dmg_builder* b) {

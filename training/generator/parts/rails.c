@@ -1,4 +1,4 @@
-/* What runs on rails: wheels with flanges, bogies, buffers and couplings. */
+/* Implements running gear of rail vehicles: wheels with flanges, bogies, buffers and couplings. */
 #include "parts/rails.h"
 
 #include "parts/walls.h"

@@ -1,4 +1,4 @@
-/* What runs on rails: wheels with flanges, bogies, buffers and couplings. */
+/* Declares running gear of rail vehicles: wheels with flanges, bogies, buffers and couplings. */
 #ifndef DMG_RAILS_H
 #define DMG_RAILS_H
 

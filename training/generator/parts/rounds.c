@@ -1,4 +1,4 @@
-/* Wheels and blades: round things about the axis Z, centred at the origin. */
+/* Implements wheels and blades: round parts about the axis Z, centred at the origin. */
 #include "parts/hardware.h"
 
 static void draw_tyre(dmg_builder* b, float radius, float width) {

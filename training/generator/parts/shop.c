@@ -1,4 +1,4 @@
-/* What machine tools share: hand wheels, levers, stands, panels on arms, walls with sliding doors. */
+/* Implements what machine tools share: hand wheels, levers, stands, panels on arms, walls with sliding doors. */
 #include "parts/shop.h"
 
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* What machine tools share. */
+/* Declares what machine tools share. */
 #ifndef DMG_SHOP_H
 #define DMG_SHOP_H
 

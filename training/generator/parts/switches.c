@@ -1,5 +1,5 @@
-/* Panel controls with the proportions designers give them: what turns is round and stands out, what is pressed is low.
- * A hand that does not drag yet is answered from nothing but these. */
+/* Implements panel controls with the proportions of real ones: controls that turn are round and stand out, controls
+ * that are pressed are low. Without a drag their type is inferred from these proportions alone. */
 #include "parts/switches.h"
 
 #include "parts/hardware.h"

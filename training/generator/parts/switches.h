@@ -1,5 +1,5 @@
-/* What sits on a panel's face: knobs that turn, keys that are pressed, switches that flip. Each is drawn on z = 0
- * facing +Z round the origin, within a circle of the given radius, and adds its parts; rows of them run along X. */
+/* Declares panel controls: knobs that turn, keys that are pressed, switches that flip. Each is drawn on z = 0 facing
+ * +Z round the origin, within a circle of the given radius, and adds its parts; rows of them run along X. */
 #ifndef DMG_SWITCHES_H
 #define DMG_SWITCHES_H
 

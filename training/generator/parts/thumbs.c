@@ -1,5 +1,5 @@
-/* What a thumb or a finger moves on a hand-held thing: sticks in a spherical skirt, touch pads, keys with little way,
- * triggers that are shells. Shared by controllers and headsets. */
+/* Implements controls for thumbs and fingers on hand-held things: sticks in a spherical skirt, touch pads, keys with
+ * little travel, triggers that are shells. Controllers and headsets share them. */
 #include "parts/thumbs.h"
 
 void dmg_rows_draw(dmg_builder* b, const dmg_vec* at, int rows, int columns, unsigned flags) {

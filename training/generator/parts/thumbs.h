@@ -1,4 +1,4 @@
-/* What a thumb or a finger moves on a hand-held thing (thumbs.c). */
+/* Declares controls for thumbs and fingers on hand-held things (thumbs.c). */
 #ifndef DMG_THUMBS_H
 #define DMG_THUMBS_H
 

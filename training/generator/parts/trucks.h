@@ -1,4 +1,4 @@
-/* Lorries: rails, axles, a cab that may tilt. Internal to the generator. */
+/* Declares lorries: rails, axles, a cab that may tilt. */
 #ifndef DMG_TRUCKS_H
 #define DMG_TRUCKS_H
 

@@ -1,4 +1,4 @@
-/* What the walls of big machines carry: doors and hatches laid on them, louvres, round lids, levers. */
+/* Implements what the walls of large machines carry: doors and hatches laid on them, louvres, round lids, levers. */
 #include "parts/walls.h"
 
 void dmg_wall_enter(dmg_builder* b, dmg_vec at, float facing) {

@@ -1,5 +1,5 @@
-/* What the walls of big machines carry: doors and hatches laid on them, louvres, round lids, levers. A wall is the
- * plane z = 0 of the frame, seen from +Z. */
+/* Declares what the walls of large machines carry: doors and hatches laid on them, louvres, round lids, levers. A
+ * wall is the plane z = 0 of the frame, seen from +Z. */
 #ifndef DMG_WALLS_H
 #define DMG_WALLS_H
 

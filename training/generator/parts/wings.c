@@ -1,4 +1,4 @@
-/* Wings and the surfaces cut out of them, for all that flies or dives. */
+/* Implements wings and the control surfaces cut out of them, for aircraft and submarines. */
 #include "parts/wings.h"
 
 static float chord_at(const dmg_wing* w, float s) {

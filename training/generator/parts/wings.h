@@ -1,4 +1,4 @@
-/* Wings: root at the origin, span along +X, nose to +Z, thin along Y. */
+/* Declares wings: root at the origin, span along +X, nose to +Z, thin along Y. */
 #ifndef DMG_WINGS_H
 #define DMG_WINGS_H
 

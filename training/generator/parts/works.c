@@ -1,4 +1,4 @@
-/* What working machines share: prisms across the machine, road wheels, cabs with doors, hydraulic rams. */
+/* Implements what working machines share: prisms across the machine, road wheels, cabs with doors, hydraulic rams. */
 #include "parts/works.h"
 
 #include "parts/hardware.h"

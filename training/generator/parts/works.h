@@ -1,4 +1,4 @@
-/* What working machines share: prisms across the machine, road wheels, cabs with doors, hydraulic rams. */
+/* Declares what working machines share: prisms across the machine, road wheels, cabs with doors, hydraulic rams. */
 #ifndef DMG_WORKS_H
 #define DMG_WORKS_H
 

@@ -1,4 +1,4 @@
-/* Robots for rough ground: tracks with flippers, rockers and bogies, wheels on legs and arms. They look to +Z. */
+/* Draws robots for rough ground: tracks with flippers, rockers and bogies, wheels on legs and arms. They look to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Exoskeletons: bars, drums and cuffs along a wearer who is not there. They look to +Z; a side's out is +X. */
+/* Draws exoskeletons: bars, drums and cuffs along the limbs of an absent wearer. They look to +Z; outwards of a side
+ * is +X. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Hands that are not like ours: three fingers round a palm, prostheses whose fingers are one piece, hooks, scoops. The
+/* Draws hands unlike human ones: three fingers round a palm, prostheses with one-piece fingers, hooks, scoops. The
  * palm's face is z = 0, fingers reach to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* What senses and looks about: dome and bullet cameras, scanners that spin or nod, stereo heads, eyes with lids, masts
- * that fold. */
+/* Draws sensor heads: dome and bullet cameras, scanners that spin or nod, stereo heads, eyes with lids, masts that
+ * fold. */
 #include "categories.h"
 #include "parts/hardware.h"
 

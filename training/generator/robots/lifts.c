@@ -1,5 +1,4 @@
-/* What carries something up or along: scissors, columns, telescopes, forks, axes stacked on each other, legs that
- * reach. */
+/* Draws lifting and travelling axes: scissors, columns, telescopes, forks, stacked axes, legs that reach. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Bare linkages: claws, legs of plain bars driven by discs, brackets that hold things. Links are plain shapes that run
- * into each other at their ends: no hub shows where they turn. */
+/* Draws bare linkages: claws, legs of plain bars driven by discs, brackets. Links are plain shapes that run into
+ * each other at their ends: no hub shows where they turn. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Industrial manipulators: arms of round housings with offset axes, SCARA arms, gantries, jaws on guides, hands. */
+/* Draws industrial manipulators: arms of round housings with offset axes, SCARA arms, gantries, jaws on guides,
+ * hands. */
 #include "categories.h"
 #include "parts/hardware.h"
 

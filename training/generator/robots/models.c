@@ -1,5 +1,5 @@
-/* Models as robot description files hold them: bare boxes, cylinders, capsules and balls that overlap where they are
- * joined or float apart. */
+/* Draws robot models as description files hold them: bare boxes, cylinders, capsules and balls that overlap at their
+ * joints or float apart. */
 #include "categories.h"
 #include "parts/hardware.h"
 

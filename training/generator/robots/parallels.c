@@ -1,5 +1,5 @@
-/* Parallel robots, whose plate moves by several legs at once: deltas, hexapods, five-bars. Each leg is a tree of its
- * own, as robot description files cut the loops. */
+/* Draws parallel robots, whose plate is moved by several legs at once: deltas, hexapods, five-bars. Each leg is a
+ * tree of its own, as robot description files cut the loops. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Robots and what they handle reduced to collision shapes: a box, a cylinder, a capsule or a ball for each link. */
+/* Draws robots and the objects they handle as collision shapes: a box, a cylinder, a capsule or a ball for each
+ * link. */
 #include "categories.h"
 #include "parts/hardware.h"
 

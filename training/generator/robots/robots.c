@@ -1,4 +1,4 @@
-/* Machines of links: arms, grippers, legs, mounts that pan and tilt, carriages on rails, jetways and cranes. */
+/* Draws robots and cranes: arms, grippers, legs, mounts that pan and tilt, carriages on rails, jetways and cranes. */
 #include "categories.h"
 #include "parts/hardware.h"
 

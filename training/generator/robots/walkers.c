@@ -1,4 +1,4 @@
-/* Legs of plates and motor drums, and hands of finger chains. */
+/* Draws legs of plates and motor drums, and hands of finger chains. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* What plays for a coin or a turn of a crank: arcade cabinets, pinball tables, music boxes and jacks-in-the-box, and
- * the carts such things are sold from. The player stands at +Z. */
+/* Draws arcade cabinets, pinball tables, music boxes and jacks-in-the-box, and the carts from which such things are
+ * sold. The player stands at +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

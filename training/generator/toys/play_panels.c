@@ -1,5 +1,5 @@
-/* Panels between posts on playgrounds: drums that turn on rods and beads that slide along them, wheels, gears, flaps,
- * pucks in slots, bolts, clocks. The child stands at +Z. */
+/* Draws play panels between posts: drums that turn on rods, beads that slide along them, wheels, gears, flaps, pucks
+ * in slots, bolts, clocks. The child stands at +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

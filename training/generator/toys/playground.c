@@ -1,4 +1,4 @@
-/* What stands on a playground: see-saws, roundabouts, rockers on springs, swings, diggers for the sand. */
+/* Draws playground equipment: see-saws, roundabouts, spring rockers, swings, sand diggers. */
 #include "categories.h"
 #include "parts/hardware.h"
 

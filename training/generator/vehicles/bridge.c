@@ -1,5 +1,5 @@
-/* Passenger bridges as airports model them: a fixed walk, a drum that turns, tunnels that tip and telescope on a frame
- * with wheels, a cab that turns on its own drum, a hood that meets the aircraft. They reach to +Z. */
+/* Draws airport passenger bridges: a fixed walk, a drum that turns, tunnels that tip and telescope on a wheeled
+ * frame, a cab that turns on its own drum, a hood that meets the aircraft. They reach to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* What mines and shafts run on and go down in: carts on rails whose tub tips or whose gates swing, pump trolleys; cages
- * between guides, platforms on a mast, dumb waiters. Carts run along Z. */
+/* Draws mine carts on rails whose tub tips or whose gates swing, and pump trolleys; lift cages between guides,
+ * platforms on a mast, dumb waiters. Carts run along Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

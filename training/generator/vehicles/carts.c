@@ -1,5 +1,5 @@
-/* Stalls on wheels: hand carts with a shade over them, counters on hinges, drawers and doors in their side, pots with
- * lids on their top. The seller stands at -Z, the street is at +Z. */
+/* Draws market carts: hand carts with a shade, hinged counters, drawers and doors in their side, pots with lids on
+ * top. The seller stands at -Z, the street is at +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Rolling chassis as simulators and games have them: wheels that steer, spring and trail, the seat's controls; and
- * wheelchairs. Nose to +Z, standing on y = 0. */
+/* Draws rolling chassis as simulators and games have them: wheels that steer, spring and trail, the seat's controls;
+ * and wheelchairs. Nose to +Z, standing on y = 0. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,6 @@
-/* Buses, coaches and rail cars: a shell with rooms for doors or a plain block, what opens in its sides, roof and ends,
- * what carries it and what takes its current. Ahead is +Z; everything beside is drawn for +X and mirrored. */
+/* Draws buses, coaches and rail cars: a shell with openings for doors or a plain block, doors and flaps in its
+ * sides, roof and ends, wheels or bogies, and current collectors. Ahead is +Z; the sides are drawn for +X and
+ * mirrored. */
 #include "categories.h"
 #include "parts/coach_doors.h"
 #include "parts/works.h"

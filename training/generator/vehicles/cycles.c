@@ -1,5 +1,5 @@
-/* Bicycles and motorcycles in detail: what hands and feet move on the bars, at the cranks and pegs, stands, sprung
- * forks and swing arms, saddles, cases with lids. Ahead is +Z; the axle line is X. */
+/* Draws bicycles and motorcycles in detail: controls on the bars, cranks, pegs, stands, sprung forks and swing arms,
+ * saddles, cases with lids. Ahead is +Z; the axle line is X. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Excavators and backhoes: a house that slews, a bent boom, a stick with its tail, a bucket, a thumb, a breaker or a
- * grab; rams that are drawn still, jointed or not at all. Ahead is +Z. */
+/* Draws excavators and backhoes: a house that slews, a bent boom, a stick with its tail, a bucket, a thumb, a
+ * breaker or a grab; rams that are still, jointed or left out. Ahead is +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

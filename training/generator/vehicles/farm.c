@@ -1,5 +1,5 @@
-/* Farm machines: tractors with a bonnet and a linkage that carries tools behind, combines with a header, a reel and a
- * pipe that swings out, tools whose wings fold. Ahead is +Z. */
+/* Draws farm machines: tractors with a bonnet and a linkage that carries tools behind, combines with a header, a
+ * reel and a pipe that swings out, tools whose wings fold. Ahead is +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

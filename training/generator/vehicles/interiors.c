@@ -1,7 +1,6 @@
-/* Inside a car: the dash with its glove box, vents and column, the console between the seats, seats on rails, what
- * hangs under the roof, the doors from within. Those who sit in it look to -Z; the driver is at -X (or all is
- * mirrored).
- */
+/* Draws the inside of a car: the dash with its glove box, vents and column, the console between the seats, seats on
+ * rails, visors and handles under the roof, the doors from within. Occupants look to -Z; the driver is at -X (or all
+ * is mirrored). */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

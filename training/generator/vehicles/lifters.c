@@ -1,5 +1,5 @@
-/* What lifts and loads: forklifts and stackers with their masts, loaders whose belt is raised, stairs for aircraft.
- * Ahead is +Z. */
+/* Draws lifting and loading vehicles: forklifts and stackers with their masts, belt loaders, aircraft stairs. Ahead
+ * is +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

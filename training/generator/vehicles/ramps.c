@@ -1,4 +1,4 @@
-/* What is pushed up to aircraft: loaders whose belt is raised, and stairs that telescope. Ahead is +Z, uphill. */
+/* Draws belt loaders and telescopic stairs for aircraft. Ahead is +Z, uphill. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

@@ -1,5 +1,5 @@
-/* Lorries, and those that tip: beds with tailgates and boards, rock dumpers, trailers, skips before the driver.
- * Ahead is +Z; a lorry's rear end is z = 0. */
+/* Draws lorries and tippers: beds with tailgates and boards, rock dumpers, trailers, front skips. Ahead is +Z; a
+ * lorry's rear end is z = 0. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/trucks.h"

@@ -1,5 +1,5 @@
-/* Seats of cars, buses and aircraft: on rails, blocks or a post; backs that recline, head rests on two rods, arm rests
- * that swing up, trays on the back of them, cushions that tip up. They look to -Z. */
+/* Draws seats of cars, buses and aircraft: on rails, blocks or a post; backs that recline, head rests on two rods,
+ * arm rests that swing up, trays on the back of them, cushions that tip up. They look to -Z. */
 #include "vehicles/vehicle_seats.h"
 
 #include "categories.h"

@@ -1,4 +1,4 @@
-/* Seats of vehicles. Internal to the generator. */
+/* Declares seats of vehicles. */
 #ifndef DMG_VEHICLE_SEATS_H
 #define DMG_VEHICLE_SEATS_H
 

@@ -1,4 +1,4 @@
-/* What drives: cars, two-wheelers, delivery robots, trolleys. Nose to +Z, standing on y = 0. */
+/* Draws cars, two-wheelers, delivery robots, trolleys. Nose to +Z, standing on y = 0. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Boats under sail and at work: booms, yards and derricks on their masts, rudders with tillers, boards that swing or
- * slide, winches, anchors, hatches. The bow is +Z. */
+/* Draws sailing and working boats: booms, yards and derricks on their masts, rudders with tillers, boards that swing
+ * or slide, winches, anchors, hatches. The bow is +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

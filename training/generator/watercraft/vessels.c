@@ -1,5 +1,5 @@
-/* What floats and dives: remotely operated vehicles whose small screws sit deep in their ducts, torpedoes with fins
- * that turn whole, boats with outboard motors. Bow to +Z. */
+/* Draws vessels: remotely operated vehicles whose small screws sit deep in their ducts, torpedoes with fins that
+ * turn whole, boats with outboard motors. Bow to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"

@@ -1,5 +1,5 @@
-/* Arms as game artists model them for a first person's view: revolvers, bolt, pump and break-action guns, carbines with
- * magazine, cover and folding stock, flintlocks, crossbows. The muzzle is at +Z, the line of the barrel y = 0. */
+/* Draws arms as first-person games model them: revolvers, bolt, pump and break-action guns, carbines with magazine,
+ * cover and folding stock, flintlocks, crossbows. The muzzle is at +Z, the line of the barrel y = 0. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Engines of sieges and old batteries as prop makers build them: cannon on carriages, ballistas, catapults with a
- * windlass, trebuchets with a hung weight. They shoot towards +Z. */
+/* Draws siege engines and old artillery as props: cannon on carriages, ballistas, catapults with a windlass,
+ * trebuchets with a hung weight. They shoot towards +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* What takes the steam away: cooker hoods with visors, flaps, filters and controls, on the wall, under a cabinet, over
- * an island or out of the worktop; fans in walls behind slats or covers. */
+/* Draws cooker hoods with visors, flaps, filters and controls, on the wall, under a cabinet, over an island or out
+ * of the worktop; and fans in walls behind slats or covers. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

@@ -1,4 +1,4 @@
-/* What is fixed in kitchens and bathrooms: toilets and bidets with their rings, lids, cisterns and levers; hobs and
+/* Draws fixtures of kitchens and bathrooms: toilets and bidets with rings, lids, cisterns and levers; hobs and
  * cookers with taps, grates that lift, a lid, ovens and a drawer. */
 #include "categories.h"
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* Cooking and washing pots of the counter top: air fryers with a drawer, a lid or an oven's door, rice, slow and
+/* Draws cooking and washing pots of the worktop: air fryers with a drawer, a lid or an oven door, rice, slow and
  * pressure cookers, salad spinners. */
 #include "categories.h"
 #include "core/skins.h"

@@ -1,5 +1,5 @@
-/* Mills turned by hand: columns whose head goes round, boxes with a drawer under a crank, tubes with a jar, the meat
- * mill clamped to a table. */
+/* Draws mills turned by hand: columns whose head turns, boxes with a drawer under a crank, tubes with a jar, mincers
+ * clamped to a table. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* Openers: corkscrews with wings, with one big lever, of a waiter; tin openers held in the hand or on the wall. */
+/* Draws openers: corkscrews with wings, with one long lever, of waiters; tin openers held in the hand or on the
+ * wall. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Appliances in rounded and bevelled housings: fridges of the fifties, microwaves under a curved front, small ovens,
- * drawers that wash dishes, tubs with lids, dryers with round doors; and toasters, presses with a lid. */
+/* Draws appliances in rounded and bevelled housings: fridges of the fifties, microwaves under a curved front, small
+ * ovens, dishwasher drawers, tubs with lids, dryers with round doors; and toasters, presses with a lid. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

@@ -1,5 +1,5 @@
-/* What stands and hangs in bathrooms to wash under: cabins with hung, folding and sliding doors, screens on baths,
- * rails with heads that slide and tilt, mixers; towel arms, paper holders, soap dishes and mirrors on arms. */
+/* Draws bathroom fittings: cabins with hung, folding and sliding doors, screens on baths, rails with heads that
+ * slide and tilt, mixers; towel arms, paper holders, soap dishes and mirrors on arms. */
 #include "categories.h"
 #include "parts/hardware.h"
 

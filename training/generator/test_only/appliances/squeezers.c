@@ -1,4 +1,5 @@
-/* Small tools of two levers about one pin: garlic and lemon presses, nutcrackers, tongs, punches, ice-cream scoops. */
+/* Draws small tools of two levers about one pin: garlic and lemon presses, nutcrackers, tongs, punches, ice-cream
+ * scoops. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Things that are locked: safes in floors, walls and hotels, lockers, gun safes with thick doors on outside pins; and
- * luggage of cloth: trolleys that open in halves, briefcases, bags under a flap. */
+/* Draws safes in floors, walls and hotels, lockers, gun safes with thick doors on outside pins; and soft luggage:
+ * trolleys that open in halves, briefcases, bags under a flap. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Containers: of freight with doors, locking bars and machines for cold, of waste with rams and flaps, stillages with
- * drop sides. */
+/* Draws freight containers with doors, locking bars and cooling machines, waste containers with rams and flaps,
+ * stillages with drop sides. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"

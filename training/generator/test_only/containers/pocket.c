@@ -1,5 +1,5 @@
-/* What is carried in a pocket and folds or slides: game consoles, telephones, organisers, mirrors, jewel boxes,
- * spectacle cases, tins. The hinge lies at the slabs' rear edge, between them; the lid comes up from +Z. */
+/* Draws pocket things that fold or slide: game consoles, telephones, organisers, mirrors, jewel boxes, spectacle
+ * cases, tins. The hinge lies at the slabs' rear edge, between them; the lid rises from +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Bins by their lids: domes and split lids over a pedal, swing and push lids, barrels on two wheels, and fronts that
- * tilt or draw out with a bucket. */
+/* Draws bins by their lids: domes and split lids over a pedal, swing and push lids, barrels on two wheels, and
+ * fronts that tilt or draw out with a bucket. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Keys and switches in numbers: levers on rods along a wind instrument's tube, typewriters, telegraph keys, accordions;
- * panels, flat or curved, full of guarded toggles, rockers, selectors, pulls and breakers. */
+/* Draws keys and switches in numbers: levers on rods along a wind instrument's tube, typewriters, telegraph keys,
+ * accordions; panels, flat or curved, full of guarded toggles, rockers, selectors, pulls and breakers. */
 #include "categories.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* What hands and feet work against a hidden shaft: aircraft throttle quadrants, racing wheels with paddles and pedals,
- * foot pedals of music and machines, the controls on a cycle's bar. */
+/* Draws hand and foot controls on a hidden shaft: aircraft throttle quadrants, racing wheels with paddles and
+ * pedals, foot pedals of music and machines. */
 #include "categories.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* Furniture of older times: cabinets under cornices on turned legs, arched and bowed doors, bombe chests, writing flaps
- * on lopers, chests of very many drawers. */
+/* Draws old furniture: cabinets under cornices on turned legs, arched and bowed doors, bombe chests, writing flaps
+ * on lopers, chests of many drawers. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

@@ -1,5 +1,5 @@
-/* Light things that fold or are carried about: stools on crossed legs, camp tables on folding frames, hampers and
- * litter boxes with swinging flaps. */
+/* Draws light folding and portable things: stools on crossed legs, camp tables on folding frames, hampers and litter
+ * boxes with swinging flaps. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* What stood on and round desks: projectors for screens, slides and films, drafting tables and easels, telephones. */
+/* Draws projectors for screens, slides and films, drafting tables and easels, and telephones. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Modern fronts without handles: larders that draw out with their shelves, lift-up and folding fronts, beds over
- * drawers, tippers, benches; and cases of glass: vitrines, panes that slide, lids over a showcase. */
+/* Draws modern fronts without handles: larders that draw out with their shelves, lift-up and folding fronts, beds
+ * over drawers, tippers, benches; and glass cases: vitrines, sliding panes, lids over a showcase. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Folding things of house and garden: ironing boards on crossed legs, on short legs or in the wall; parasols with ribs,
- * a runner, a tilt joint, a crank, a boom. */
+/* Draws folding things of house and garden: ironing boards on crossed legs, on short legs or in the wall; parasols
+ * with ribs, a runner, a tilt joint, a crank, a boom. */
 #include "categories.h"
 #include "parts/hardware.h"
 

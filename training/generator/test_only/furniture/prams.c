@@ -1,4 +1,4 @@
-/* What small children sit in: pushchairs and prams with swivelling wheels, hoods and bars, high chairs with trays. */
+/* Draws pushchairs and prams with swivelling wheels, hoods and bars, and high chairs with trays. */
 #include "categories.h"
 #include "core/arcs.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* Where papers and data are kept: filing cabinets, plan chests, card indexes, doors that recede, rolling fronts;
- * computer cases and racks of servers. */
+/* Draws filing cabinets, plan chests, card indexes, doors that recede, rolling fronts; computer cases and server
+ * racks. */
 #include "categories.h"
 #include "parts/hardware.h"
 

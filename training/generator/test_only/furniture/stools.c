@@ -1,5 +1,4 @@
-/* What one sits on and reads by: stools on gas lifts or screws, rocking and gaming chairs; lamps on jointed arms, poles
- * and tripods. */
+/* Draws stools on gas lifts or screws, rocking and gaming chairs; lamps on jointed arms, poles and tripods. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Tables with more to them than a top: desks over keyboard trays, lift-up and swivelling tops, gate-leg leaves, sewing
+/* Draws tables with further parts: desks over keyboard trays, lift-up and swivelling tops, gate-leg leaves, sewing
  * cabinets, dressing tables under three mirrors, benches with vises; drawers on many kinds of pulls. */
 #include "categories.h"
 #include "parts/hardware.h"

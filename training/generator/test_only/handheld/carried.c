@@ -1,5 +1,5 @@
-/* Carried to see by: binoculars that fold about their bridge, opera glasses, goggles for the night; lanterns with
- * globes and doors, torches, lamps worn on the head. */
+/* Draws binoculars that fold about their bridge, opera glasses, night-vision goggles; lanterns with globes and
+ * doors, torches, head lamps. */
 #include "categories.h"
 #include "parts/hardware.h"
 

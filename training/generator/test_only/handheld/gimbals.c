@@ -1,5 +1,5 @@
-/* Model makers' transmitters: sticks in gimbals let into a smooth shell, trims, switches on its shoulders, an aerial
- * that folds, a screen that tilts; or a wheel and a trigger on a grip. The face looks to +Z. */
+/* Draws model makers' transmitters: sticks in gimbals let into a smooth shell, trims, switches on its shoulders, an
+ * aerial that folds, a screen that tilts; or a wheel and a trigger on a grip. The face looks to +Z. */
 #include "categories.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* What a hand squeezes: grip trainers, pruning shears, staple guns, spray bottles, hose nozzles, glue guns, a brake
- * lever between seats. Forward is +Z; levers are bent shells on pins inside the body. */
+/* Draws tools that a hand squeezes: grip trainers, pruning shears, staple guns, spray bottles, hose nozzles, glue
+ * guns, a brake lever between seats. Forward is +Z; levers are bent shells on pins inside the body. */
 #include "categories.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* Radios: portable ones with aerials, bows and cassette doors, walkie-talkies, boxes beside the bed. */
+/* Draws radios: portable ones with aerials, bows and cassette doors, walkie-talkies, bedside sets. */
 #include "categories.h"
 #include "parts/hardware.h"
 

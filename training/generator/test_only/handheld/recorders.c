@@ -1,5 +1,5 @@
-/* What takes a tape, a disc or a cartridge: camcorders, reel machines, cassette players, video recorders, and game
- * consoles with lids, trays and flaps. */
+/* Draws players of tapes, discs and cartridges: camcorders, reel machines, cassette players, video recorders, and
+ * game consoles with lids, trays and flaps. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* What keeps time with a spring: watches on straps, on bracelets and in pockets; metronomes. */
+/* Draws watches on straps, on bracelets and in pockets; metronomes. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* What is balanced in control rooms and simulators: a pole on a cart, double pendulums, a ball on a beam, a pendulum on
- * a turning arm, a body on two wheels; of few plain shapes. */
+/* Draws balancing systems of control theory: a pole on a cart, double pendulums, a ball on a beam, a pendulum on a
+ * turning arm, a body on two wheels; of a few plain shapes. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,5 @@
-/* What throws water or light from a pivot: water cannons, searchlights, signal lamps with slats, beacons. */
+/* Draws things that throw water or light from a pivot: water cannons, searchlights, signal lamps with slats,
+ * beacons. */
 #include "categories.h"
 #include "parts/walls.h"
 #include "parts/works.h"

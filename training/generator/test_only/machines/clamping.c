@@ -1,5 +1,5 @@
-/* Clamps whose screws, jaws, toggles and springs close, and tools that measure: calipers, micrometers, dials on stands,
- * height gauges, bevels. */
+/* Draws clamps that close by screws, jaws, toggles and springs, and measuring tools: calipers, micrometers, dials on
+ * stands, height gauges, bevels. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,4 @@
-/* Machines of the office and the till: copiers with feeders, trays and doors; cash registers, card terminals, cash
- * dispensers. */
+/* Draws copiers with feeders, trays and doors; cash registers, card terminals, cash dispensers. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* Drills on a column: a quill fed down by a capstan, or a head that slides on its column; tables that rise, swing and
- * tilt; belts under lids; magnetic drills on a dovetail. */
+/* Draws drills: on a column, with a quill fed down by a capstan or a head that slides; with tables that rise, swing
+ * and tilt, and belts under lids; magnetic drills on a dovetail. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"

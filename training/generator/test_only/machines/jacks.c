@@ -1,5 +1,5 @@
-/* What lifts by hand: scissor, bottle and trolley jacks, engine hoists; winches, chain blocks, windlasses, hose reels.
- */
+/* Draws hand-operated lifting gear: scissor, bottle and trolley jacks, engine hoists; winches, chain blocks,
+ * windlasses, hose reels. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

@@ -1,4 +1,5 @@
-/* Games that are machines: table football, roulette, fruit machines, cabinets for darts, baskets, table tennis. */
+/* Draws games that are machines: table football, roulette, fruit machines, cabinets for darts, baskets, table
+ * tennis. */
 #include "categories.h"
 #include "parts/hardware.h"
 

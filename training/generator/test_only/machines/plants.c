@@ -1,4 +1,4 @@
-/* What stands about a works: conveyors of rollers, wheels and belts with gates, arms and stops; boilers, autoclaves,
+/* Draws factory equipment: conveyors of rollers, wheels and belts with gates, arms and stops; boilers, autoclaves,
  * furnaces and kilns with their doors, bolts, dampers and gauges. */
 #include "categories.h"
 #include "parts/hardware.h"

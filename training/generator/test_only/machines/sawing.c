@@ -1,5 +1,5 @@
-/* Saws of the workshop: mitre saws that turn, tilt, slide and chop, table saws with fences and gauges, band saws with
- * doors and horizontal ones with a bow. */
+/* Draws saws of the workshop: mitre saws that turn, tilt, slide and chop, table saws with fences and gauges, band
+ * saws with doors and horizontal ones with a bow. */
 #include "categories.h"
 #include "core/arcs.h"
 #include "parts/hardware.h"

@@ -1,4 +1,4 @@
-/* Machines of a gymnasium: bicycles that stand, towers with weights, benches whose backs are raised, rowers. */
+/* Draws gym machines: exercise bicycles, towers with weights, benches whose backs are raised, rowers. */
 #include "categories.h"
 #include "parts/hardware.h"
 

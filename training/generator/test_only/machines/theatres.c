@@ -1,4 +1,5 @@
-/* About an operating table: x-ray machines with an arm like a C or a tube on ceiling rails, lamps on linked arms. */
+/* Draws operating-room equipment: x-ray machines with a C-shaped arm or a tube on ceiling rails, lamps on linked
+ * arms. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,4 +1,4 @@
-/* Chunky toys on fat wheels: tippers, cranes with a crank, cars whose doors and bonnets open; wind-up animals. */
+/* Draws large-wheeled toys: tippers, cranes with a crank, cars whose doors and bonnets open; wind-up animals. */
 #include "categories.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
-/* On a ward and in a clean room: incubators with hoods, port doors, drawers and a tilting bed; isolators with glove
- * ports. */
+/* Draws ward and clean-room equipment: incubators with hoods, port doors, drawers and a tilting bed; isolators with
+ * glove ports. */
 #include "categories.h"
 #include "parts/hardware.h"
 

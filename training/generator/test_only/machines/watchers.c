@@ -1,5 +1,5 @@
-/* Cameras that are aimed: bullets on jointed brackets, eyeballs and domes in housings, heads that pan on a yoke,
- * carriages on rails, gimbals of three motors. */
+/* Draws cameras that are aimed: bullets on jointed brackets, eyeballs and domes in housings, heads that pan on a
+ * yoke, carriages on rails, gimbals of three motors. */
 #include "categories.h"
 #include "parts/hardware.h"
 

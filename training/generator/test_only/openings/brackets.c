@@ -1,5 +1,5 @@
-/* Things on walls and for beasts: jointed wall arms with a screen, a mirror or a lamp, scissors that reach out; wire
- * crates and carriers with doors and latches. */
+/* Draws jointed wall arms with a screen, a mirror or a lamp, and scissor arms; wire pet crates and carriers with
+ * doors and latches. */
 #include "categories.h"
 #include "parts/hardware.h"
 

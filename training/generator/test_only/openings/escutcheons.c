@@ -1,5 +1,5 @@
-/* What a hand finds on a door, on a piece cut out of it: lever handles, thumb-turns, knobs, bolts, latches, hasps,
- * covers of keyholes, letter flaps, knockers, chains, window handles. The door's face is z = 0. */
+/* Draws door furniture on a piece cut out of a door: lever handles, thumb-turns, knobs, bolts, latches, hasps,
+ * keyhole covers, letter flaps, knockers, chains, window handles. The door's face is z = 0. */
 #include "categories.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* Doors of lobbies: drums with wings about a post and night doors round them, automatic doors that slide or swing; lift
- * landings with telescopic, centre-opening, folding and rising doors, the car behind them. */
+/* Draws doors of lobbies: drums with wings about a post and night doors round them, automatic doors that slide or
+ * swing; lift landings with telescopic, centre-opening, folding and rising doors, the car behind them. */
 #include "categories.h"
 #include "core/skins.h"
 #include "parts/hardware.h"

@@ -1,5 +1,5 @@
-/* Beside a street and in its buildings' halls: hydrants with caps, operating nuts and hose reels; boxes of meters,
- * fuses and breakers with doors in doors, knife switches and isolators. */
+/* Draws hydrants with caps, operating nuts and hose reels; boxes of meters, fuses and breakers with doors in doors,
+ * knife switches and isolators. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"

@@ -1,5 +1,5 @@
-/* What lets air and light through: skylights, smoke vents, greenhouses, louvre windows, dampers of ducts, awnings,
- * turning cowls on roofs. */
+/* Draws vents and skylights: smoke vents, greenhouses, louvre windows, dampers of ducts, awnings, turning cowls on
+ * roofs. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"

@@ -1,5 +1,5 @@
-/* Decks of ships, bow to +Z: derricks, cranes and davits, hatch covers that fold, roll or tip, windlass and capstan,
- * tight doors with their clips, a bow that lifts or parts, a ramp at the stern. */
+/* Draws decks of ships, bow to +Z: derricks, cranes and davits, hatch covers that fold, roll or tip, windlass and
+ * capstan, tight doors with their clips, a bow that lifts or parts, a ramp at the stern. */
 #include "categories.h"
 #include "parts/walls.h"
 

@@ -1,4 +1,4 @@
-/* Earthmovers that push and roll: bulldozers with blade and ripper, graders, road rollers. Front is +Z. */
+/* Draws earthmovers: bulldozers with blade and ripper, graders, road rollers. Front is +Z. */
 #include "categories.h"
 #include "parts/walls.h"
 #include "parts/works.h"

@@ -1,4 +1,4 @@
-/* On a rope: cable cars with doors, grips and hangers, chairs with bars and bubbles, the big wheel they turn round. */
+/* Draws cable cars with doors, grips and hangers, chairs with bars and bubbles, and the bull wheel they turn round. */
 #include "categories.h"
 #include "parts/walls.h"
 #include "parts/works.h"

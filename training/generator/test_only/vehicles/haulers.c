@@ -1,4 +1,4 @@
-/* Lorries with a machine on their backs: concrete mixers, refuse lorries, sweepers; fire engines with ladders,
+/* Draws lorries with machines on their backs: concrete mixers, refuse lorries, sweepers; fire engines with ladders,
  * shutters, lockers, outriggers, monitors. The rear end is z = 0. */
 #include "categories.h"
 #include "parts/trucks.h"

@@ -1,5 +1,5 @@
-/* Spacecraft that land: legs that fold or give way, foot pads, petals, hatches, nozzles in gimbals, dishes and panels.
- */
+/* Draws spacecraft that land: legs that fold or give way, foot pads, petals, hatches, nozzles in gimbals, dishes and
+ * panels. */
 #include "categories.h"
 #include "parts/walls.h"
 #include "parts/works.h"

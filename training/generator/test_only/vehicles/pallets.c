@@ -1,5 +1,5 @@
-/* What lifts pallets and levels docks: hand pallet trucks with their drawbars, stackers with a mast, trucks one stands
- * on with a steering wheel, dock levellers with a lip, scissor tables. Forks and ramps point to +Z. */
+/* Draws pallet trucks and dock equipment: hand trucks with their drawbars, stackers with a mast, ride-on trucks with
+ * a steering wheel, dock levellers with a lip, scissor tables. Forks and ramps point to +Z. */
 #include "categories.h"
 #include "parts/hardware.h"
 #include "parts/works.h"

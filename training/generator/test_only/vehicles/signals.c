@@ -1,5 +1,5 @@
-/* What stands beside a railway: semaphores, crossing gates, lever frames, points, turntables, water cranes, buffer
- * stops. */
+/* Draws railway trackside equipment: semaphores, crossing gates, lever frames, points, turntables, water cranes,
+ * buffer stops. */
 #include "categories.h"
 #include "parts/walls.h"
 

@@ -1,4 +1,5 @@
-/* Locomotives: steam engines with all that opens on boiler, cab and tender; diesels with doors, fans, hatches. */
+/* Draws locomotives: steam engines with the doors and flaps of boiler, cab and tender; diesels with doors, fans,
+ * hatches. */
 #include "categories.h"
 #include "parts/rails.h"
 #include "parts/shop.h"

@@ -1,4 +1,4 @@
-/* Wagons: hopper doors below, sliding doors, drop sides, tanks with hatches and valves, stakes. */
+/* Draws rail wagons: hopper doors below, sliding doors, drop sides, tanks with hatches and valves, stakes. */
 #include "categories.h"
 #include "parts/rails.h"
 #include "parts/walls.h"
