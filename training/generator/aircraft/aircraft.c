@@ -44,7 +44,7 @@ static void draw_fuselage(dmg_builder* b, float radius, float nose, float tail) 
     dmg_lathe(b, v3(0, 0, 0), v3(0, 0, 1), profile, STATIONS);
 }
 
-/* A door lying on a round side at z, hung at its front or upper edge. */
+/* Draws a door lying on a round side at z, hung at its front or upper edge. */
 static void draw_side_door(dmg_builder* b, float radius, float z) {
     float width = radius * dmg_range(b, 0.6f, 1.0f), height = radius * dmg_range(b, 0.7f, 1.2f);
     float side = dmg_sign(b), lean = dmg_range(b, 0.0f, 0.3f), t = 0.03f * radius;
@@ -71,7 +71,7 @@ static void draw_side_door(dmg_builder* b, float radius, float z) {
     dmg_restore(b);
 }
 
-/* A bubble over the seat: hinged at the back, at the side, or sliding back. */
+/* Draws a bubble over the seat: hinged at the back, at the side, or sliding back. */
 static void draw_canopy(dmg_builder* b, float radius, float z) {
     int kind = dmg_int(b, 0, 2);
     dmg_vec base = {0, 0.75f * radius, z};
@@ -85,7 +85,7 @@ static void draw_canopy(dmg_builder* b, float radius, float z) {
     dmg_use(b, 0);
 }
 
-/* A leg with a wheel below y = 0: fixed, steered, or folding up about an axle. */
+/* Draws a leg with a wheel below y = 0: fixed, steered, or folding up about an axle. */
 static void draw_gear(dmg_builder* b, float x, float z, float length, float wheel, bool steered) {
     uint32_t leg = 0;
     dmg_save(b);
@@ -268,7 +268,7 @@ void dmg_build_helicopter(dmg_builder* b) {
 
 /* ---- drone ---- */
 
-/* What looks down from under a body: yaw, then pitch, each perhaps missing. */
+/* Draws what looks down from under a body: yaw, then pitch, each perhaps missing. */
 static void draw_camera_ball(dmg_builder* b, float size) {
     uint32_t carrier = 0;
     if (dmg_chance(b, 0.6f)) {
@@ -287,7 +287,7 @@ static void draw_camera_ball(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* An arm along +X that may fold about Y or twist about itself, a motor at its end, a propeller on top. */
+/* Draws an arm along +X that may fold about Y or twist about itself, a motor at its end, a propeller on top. */
 static void draw_drone_arm(dmg_builder* b, int motion, float root, float arm, float thick, float prop, int blades) {
     uint32_t carrier = 0;
     if (motion == 1) carrier = dmg_hinge(b, 0, "arm", v3(root, 0, 0), v3(0, 1, 0), 0.0f, 1.4f);
@@ -370,7 +370,7 @@ void dmg_build_windsock(dmg_builder* b) {
 
 /* ---- submarine ---- */
 
-/* A propeller in a duct, blowing along +Z. */
+/* Draws a propeller in a duct, blowing along +Z. */
 static void draw_thruster(dmg_builder* b, float radius) {
     float wall = 0.1f * radius, half = radius * dmg_range(b, 0.3f, 0.7f);
     const dmg_xy duct[] = {{1.08f * radius, -half},

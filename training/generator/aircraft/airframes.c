@@ -23,7 +23,7 @@ static uint32_t add_surface(dmg_builder* b, uint32_t parent, const dmg_wing* w, 
                      across ? v3(-1, 0, 0) : v3_normalize(v3_sub(from, to)), f->drops ? 0.0f : -f->swing, f->swing);
 }
 
-/* A surface, perhaps with a tab cut out of it that turns on it. */
+/* Draws a surface, perhaps with a tab cut out of it that turns on it. */
 static void draw_tabbed(dmg_builder* b, uint32_t surface, const dmg_wing* w, const dmg_surface* f, line_habit habit) {
     if (dmg_chance(b, 0.65f)) {
         dmg_wing_piece_draw(b, w, f->s0, f->s1, f->c, 1);
@@ -40,7 +40,7 @@ static void draw_tabbed(dmg_builder* b, uint32_t surface, const dmg_wing* w, con
     dmg_wing_piece_draw(b, w, t0, t1, c, 1);
 }
 
-/* The fixed skin round the surfaces, which are in order along the span. */
+/* Draws the fixed skin round the surfaces, which are in order along the span. */
 static void draw_fixed(dmg_builder* b, const dmg_wing* w, const dmg_surface* surfaces, int count) {
     float done = 0.0f;
     for (int i = 0; i < count; ++i) {
@@ -89,7 +89,7 @@ typedef struct airframe {
     float radius, high, nose, tail, lift; /* lift: of the hull's end */
 } airframe;
 
-/* A hull of four to eight corners and five sections. */
+/* Draws a hull of four to eight corners and five sections. */
 static void draw_skin(dmg_builder* b, const airframe* a) {
     dmg_xy outline[8];
     int corners = dmg_int(b, 4, 8);
@@ -227,7 +227,7 @@ typedef struct lift_devices {
 
 enum { TRAILING_FOWLER, TRAILING_PLAIN, TRAILING_SPLIT, TRAILING_BELOW, TRAILING_KINDS };
 
-/* One flap between s0 and s1. */
+/* Draws one flap between s0 and s1. */
 static void draw_flap(dmg_builder* b, uint32_t parent, const dmg_wing* w, const lift_devices* d, float s0, float s1,
                       float swing, float way) {
     dmg_vec from = dmg_wing_point(w, s0, d->back, -1), to = dmg_wing_point(w, s1, d->back, -1);
@@ -297,7 +297,7 @@ static void draw_spoiler(dmg_builder* b, uint32_t parent, const dmg_wing* w, con
     dmg_use(b, parent);
 }
 
-/* What lies between two places along the span: fixed middle, then the devices in their strips. */
+/* Draws what lies between two places along the span: fixed middle, then the devices in their strips. */
 static void draw_bay(dmg_builder* b, uint32_t parent, const dmg_wing* w, const lift_devices* d, float s0, float s1) {
     int flaps = dmg_int(b, 1, 2), slats = dmg_int(b, 1, 3), panels = dmg_int(b, 1, 3);
     float swing = dmg_range(b, 0.4f, 1.0f), way = dmg_range(b, 0.4f, 1.1f), down = dmg_range(b, 0.1f, 0.8f),
@@ -319,7 +319,7 @@ static void draw_bay(dmg_builder* b, uint32_t parent, const dmg_wing* w, const l
     }
 }
 
-/* The outer wing with its aileron, perhaps folding up about a line along the chord. */
+/* Draws the outer wing with its aileron, perhaps folding up about a line along the chord. */
 static void draw_outer(dmg_builder* b, const dmg_wing* w, float s0) {
     uint32_t fold = 0;
     if (dmg_chance(b, 0.3f))

@@ -17,7 +17,7 @@ static float envelope_radius(const airship* a, float z) {
     return a->r * powf(fmaxf(0.0f, 1.0f - shift * shift), a->full);
 }
 
-/* One turned skin, its gores as ribs sometimes; a cone or a disc at its nose. */
+/* Draws one turned skin, its gores as ribs sometimes; a cone or a disc at its nose. */
 static void draw_envelope(dmg_builder* b, const airship* a) {
     enum { ROWS = 9 };
     dmg_xy profile[ROWS];
@@ -36,7 +36,7 @@ static void draw_envelope(dmg_builder* b, const airship* a) {
     if (nose == 2) dmg_rod(b, v3(0, 0, 0.9f * a->half), v3(0, 0, 1.08f * a->half), 0.2f * r);
 }
 
-/* Three or four fins round the tail, each with a rudder cut out of it. */
+/* Draws three or four fins round the tail, each with a rudder cut out of it. */
 static void draw_tail(dmg_builder* b, const airship* a) {
     static const float crosses[] = {0.0f, 0.25f * DMG_PI};
     int count = dmg_chance(b, 0.3f) ? 3 : 4;
@@ -65,7 +65,7 @@ static void draw_tail(dmg_builder* b, const airship* a) {
     }
 }
 
-/* A propeller before or behind its pod, in a ring sometimes. */
+/* Draws a propeller before or behind its pod, in a ring sometimes. */
 static void draw_engine_screw(dmg_builder* b, uint32_t pod, float r, float length, float blade, bool pusher,
                               bool ring) {
     int count = dmg_int(b, 2, 4), kind = dmg_int(b, 0, 2);
@@ -165,7 +165,7 @@ static void draw_engines(dmg_builder* b, const airship* a, bool whole) {
     dmg_move(b, 0, 0, a->half);
 }
 
-/* A door in the car's side: hung at an edge, sliding outside, or let down with steps. */
+/* Draws a door in the car's side: hung at an edge, sliding outside, or let down with steps. */
 static void draw_car_door(dmg_builder* b, const airship* a, float z, float side) {
     float wide = a->high * dmg_range(b, 0.35f, 0.6f), low = a->sill + 0.1f * a->high,
           top = low + a->high * dmg_range(b, 0.65f, 0.8f), t = 0.03f * a->high, x = side * a->wide,
@@ -190,7 +190,7 @@ static void draw_car_door(dmg_builder* b, const airship* a, float z, float side)
     dmg_use(b, 0);
 }
 
-/* The car: a hull of a few sections hung close under the envelope, or on struts. */
+/* Draws the car: a hull of a few sections hung close under the envelope, or on struts. */
 static void draw_car(dmg_builder* b, const airship* a) {
     float w = a->wide, h = a->high, nose = dmg_range(b, 0.4f, 0.9f), tail = dmg_range(b, 0.3f, 0.9f),
           round = dmg_range(b, 0.5f, 0.9f);
@@ -267,7 +267,7 @@ static void draw_belly(dmg_builder* b, const airship* a) {
     dmg_use(b, 0);
 }
 
-/* The part of the envelope over the car: all that a model of the car alone has of it. */
+/* Draws the part of the envelope over the car: all that a model of the car alone has of it. */
 static void draw_belly_skin(dmg_builder* b, const airship* a) {
     dmg_xy rows[5];
     float around = dmg_range(b, 0.3f, 0.7f);

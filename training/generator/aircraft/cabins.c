@@ -22,7 +22,7 @@ static dmg_vec side_point(const doorway* d, float out, float angle, float z) {
     return p;
 }
 
-/* A patch of the side or of a door in it. */
+/* Draws a patch of the side or of a door in it. */
 static void draw_patch(dmg_builder* b, const doorway* d, float out, float a0, float a1, float z0, float z1, float t) {
     dmg_save(b);
     dmg_move(b, -d->radius, 0, 0);
@@ -30,7 +30,7 @@ static void draw_patch(dmg_builder* b, const doorway* d, float out, float a0, fl
     dmg_restore(b);
 }
 
-/* The side round the opening, up to `above` and down to `below`. */
+/* Draws the side round the opening, up to `above` and down to `below`. */
 static void draw_side(dmg_builder* b, const doorway* d, float above, float below, float z0, float z1) {
     float low = d->a0 - below / d->radius, top = d->a1 + above / d->radius;
     draw_patch(b, d, 0, low, top, z0, d->z0, d->t);
@@ -50,7 +50,7 @@ static void draw_side(dmg_builder* b, const doorway* d, float above, float below
     }
 }
 
-/* A handle that turns in the door, on a plate or let in; a window; a small flap that lets the pressure go. */
+/* Draws a handle that turns in the door, on a plate or let in; a window; a small flap that lets the pressure go. */
 static void draw_door_furniture(dmg_builder* b, const doorway* d, uint32_t door, float out, bool flap) {
     float middle = d->a0 + (d->a1 - d->a0) * dmg_range(b, 0.35f, 0.55f), wide = d->z1 - d->z0, size = 0.05f * d->high;
     dmg_vec at = side_point(d, out, middle, d->z0 + wide * dmg_range(b, 0.3f, 0.7f));
@@ -197,7 +197,7 @@ static void draw_cushion(dmg_builder* b, const seat* s, dmg_vec centre, dmg_vec 
         dmg_box(b, centre, size);
 }
 
-/* A table folded up against the rear of the back: it comes down on its arms, and its leaf slides or unfolds. */
+/* Draws a table folded up against the rear of the back: it comes down on its arms, and its leaf slides or unfolds. */
 static void draw_tray_table(dmg_builder* b, const seat* s, uint32_t back, float z) {
     float high = 0.4f * s->back, wide = 0.8f * s->width, t = 0.02f * s->back,
           low = s->pan + s->back * dmg_range(b, 0.2f, 0.4f);
@@ -224,7 +224,7 @@ static void draw_tray_table(dmg_builder* b, const seat* s, uint32_t back, float 
     dmg_use(b, back);
 }
 
-/* The back with its headrest; leans about a line across the rear of the pan. Returns its part. */
+/* Draws the back with its headrest; leans about a line across the rear of the pan. Returns its part. */
 static uint32_t draw_back(dmg_builder* b, const seat* s, uint32_t parent, bool reclines, bool table) {
     float z = -0.5f * s->deep, tall = s->back, tilt = dmg_range(b, 0.2f, 0.7f);
     uint32_t back = parent;
@@ -259,7 +259,7 @@ static uint32_t draw_back(dmg_builder* b, const seat* s, uint32_t parent, bool r
     return back;
 }
 
-/* An armrest on a pin at its rear end; its front goes up between the backs. */
+/* Draws an armrest on a pin at its rear end; its front goes up between the backs. */
 static void draw_armrest(dmg_builder* b, const seat* s, uint32_t parent, float x, bool lifts) {
     float y = s->pan + s->back * 0.3f, z = -0.5f * s->deep, long_ = s->deep * dmg_range(b, 0.7f, 0.95f),
           wide = 0.1f * s->width, t = 0.06f * s->back;
@@ -324,7 +324,7 @@ static void draw_row(dmg_builder* b, const seat* s) {
                      lifts && (ends || (i > 0 && i < count) || count == 1));
 }
 
-/* A pilot's seat: it rides on rails and rises on its column. */
+/* Draws a pilot's seat: it rides on rails and rises on its column. */
 static void draw_pilot_seat(dmg_builder* b, const seat* s) {
     float rail = 0.05f * s->width, way = s->deep * dmg_range(b, 0.2f, 0.5f),
           rise = 0.3f * s->pan * dmg_range(b, 0.5f, 1.0f);
@@ -354,7 +354,7 @@ static void draw_pilot_seat(dmg_builder* b, const seat* s) {
     }
 }
 
-/* An attendant's seat on a bulkhead: the pan folds down, held up by a spring. */
+/* Draws an attendant's seat on a bulkhead: the pan folds down, held up by a spring. */
 static void draw_jump_seat(dmg_builder* b, const seat* s) {
     float wall = 0.08f * s->width, z = -0.5f * s->deep, tall = s->pan + s->back * 1.25f;
     int count = dmg_int(b, 1, 2);

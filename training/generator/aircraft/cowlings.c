@@ -6,7 +6,7 @@
 
 /* ---- what both kinds of engine have ---- */
 
-/* A propeller behind whose spinner the blades may turn about their own lines. */
+/* Draws a propeller behind whose spinner the blades may turn about their own lines. */
 static void draw_propeller(dmg_builder* b, float z, float hub, float blade) {
     int count = dmg_int(b, 2, 5), kind = dmg_int(b, 0, 2);
     float chord = blade * dmg_range(b, 0.1f, 0.25f), twist = dmg_range(b, 0.3f, 0.9f),
@@ -34,7 +34,7 @@ static void draw_propeller(dmg_builder* b, float z, float hub, float blade) {
     dmg_use(b, 0);
 }
 
-/* A duct below y = 0 from the front z1 back to z0: doors at its exit, slats in its mouth. */
+/* Draws a duct below y = 0 from the front z1 back to z0: doors at its exit, slats in its mouth. */
 static void draw_scoop(dmg_builder* b, float half, float deep, float z0, float z1) {
     float t = 0.06f * deep, mouth = deep * dmg_range(b, 0.8f, 1.0f), swing = dmg_range(b, 0.3f, 0.9f),
           door = (z1 - z0) * dmg_range(b, 0.25f, 0.5f);
@@ -100,7 +100,7 @@ static void draw_peels(dmg_builder* b, const cowl* c) {
     }
 }
 
-/* What lets the air out behind: flaps all round, on the lower half or at both sides; or a ring that slides. */
+/* Draws what lets the air out behind: flaps all round, on the lower half or at both sides; or a ring that slides. */
 static void draw_outlet(dmg_builder* b, const cowl* c) {
     float deep = c->r * dmg_range(b, 0.18f, 0.45f), rear = c->r * dmg_range(b, 0.93f, 1.0f),
           swing = dmg_range(b, 0.2f, 0.75f);
@@ -182,7 +182,7 @@ typedef struct bonnet {
     float half, high, length, t, pan; /* pan: the part of the height that stays */
 } bonnet;
 
-/* The right half of the bonnet, bent over the engine: hung on the middle strip, or along the pan. */
+/* Draws the right half of the bonnet, bent over the engine: hung on the middle strip, or along the pan. */
 static void draw_bonnet_half(dmg_builder* b, const bonnet* n, bool low, float swing, int louvres, bool latch) {
     float x0 = 0.06f * n->half, z = 0.5f * n->length;
     const dmg_xy line[] = {
@@ -208,7 +208,7 @@ static void draw_bonnet_half(dmg_builder* b, const bonnet* n, bool low, float sw
     dmg_use(b, 0);
 }
 
-/* The block with its exhausts, seen when the bonnet is up. */
+/* Draws the block with its exhausts, seen when the bonnet is up. */
 static void draw_block(dmg_builder* b, const bonnet* n) {
     int pipes = dmg_int(b, 3, 6);
     dmg_box_span(b, v3(-0.4f * n->half, 0.3f * n->pan, 0.1f * n->length),
@@ -222,7 +222,7 @@ static void draw_block(dmg_builder* b, const bonnet* n) {
     }
 }
 
-/* A radiator in the nose behind shutters that turn about upright or level lines. */
+/* Draws a radiator in the nose behind shutters that turn about upright or level lines. */
 static void draw_shutters(dmg_builder* b, const bonnet* n, float z) {
     int count = dmg_int(b, 3, 8);
     bool upright = dmg_chance(b, 0.6f);
@@ -243,7 +243,7 @@ static void draw_shutters(dmg_builder* b, const bonnet* n, float z) {
     }
 }
 
-/* A radiator below that slides up into the pan and down into the wind, or swings out on its front edge. */
+/* Draws a radiator below that slides up into the pan and down into the wind, or swings out on its front edge. */
 static void draw_drop_radiator(dmg_builder* b, const bonnet* n) {
     float half = 0.5f * n->half, deep = 0.5f * n->pan, z0 = n->length * dmg_range(b, 0.05f, 0.3f),
           z1 = z0 + n->length * dmg_range(b, 0.2f, 0.4f);

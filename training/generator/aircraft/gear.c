@@ -27,7 +27,7 @@ static void draw_wheel_pair(dmg_builder* b, uint32_t carrier, const leg* l, int 
     dmg_use(b, carrier);
 }
 
-/* Two links behind the strut. */
+/* Draws two links behind the strut. */
 static void draw_torque_links(dmg_builder* b, const leg* l) {
     float r = 0.4f * l->radius, out = -l->length * 0.2f;
     dmg_beam(b, v3(0, -0.45f * l->length, 0), v3(0, -0.62f * l->length, out), 2 * l->radius, r);
@@ -65,7 +65,7 @@ static void draw_leg(dmg_builder* b, uint32_t carrier, const leg* l) {
     for (int s = -1; s <= 1; s += 2) draw_wheel_pair(b, beam, l, kind, spins, v3_add(foot, v3(0, 0, (float)s * reach)));
 }
 
-/* A door of the bay beside the leg: hung along the bay's side, or across its end. */
+/* Draws a door of the bay beside the leg: hung along the bay's side, or across its end. */
 static void draw_leg_door(dmg_builder* b, float side, float half, float deep, float z0, float z1) {
     float t = 0.03f * half + 0.01f * deep, swing = dmg_range(b, 1.2f, 1.9f);
     uint32_t door = dmg_hinge(b, 0, "gear_door", v3(side * half, 0, 0), v3(0, 0, -side), 0.0f, swing);
@@ -121,7 +121,7 @@ void dmg_build_gear_leg(dmg_builder* b) {
 
 enum { ARC_LIMIT = 12 };
 
-/* A sheet along an arc in x, y about the origin, from angle a0 to a1 (0: +X, counter-clockwise), z0 … z1. */
+/* Draws a sheet along an arc in x, y about the origin, from angle a0 to a1 (0: +X, counter-clockwise), z0 … z1. */
 static void draw_arc(dmg_builder* b, float radius, float high, float a0, float a1, float t, float z0, float z1) {
     dmg_xy line[ARC_LIMIT + 1];
     int steps = (int)ceilf((float)b->sides * fabsf(a1 - a0) / (2.0f * DMG_PI));
@@ -189,7 +189,7 @@ void dmg_build_hull_bay(dmg_builder* b) {
 
 /* ---- canopy ---- */
 
-/* A bubble of frames and panes between z0 and z1, open below, lower at its ends by their `taper`. */
+/* Draws a bubble of frames and panes between z0 and z1, open below, lower at its ends by their `taper`. */
 static void draw_bubble(dmg_builder* b, float wide, float high, float t, float z0, float z1) {
     int kind = dmg_int(b, 0, 2);
     if (kind == 0) draw_arc(b, wide, high / wide, 0.02f, DMG_PI - 0.02f, t, z0, z1);

@@ -4,7 +4,7 @@
 
 /* ---- rotor head ---- */
 
-/* One blade along +X from the hub: feathers, flaps, lags, or is part of the hub. */
+/* Draws one blade along +X from the hub: feathers, flaps, lags, or is part of the hub. */
 static void draw_blade(dmg_builder* b, uint32_t hub, float reach, float length, float chord, int freedom, int kind) {
     float swing = dmg_range(b, 0.15f, 0.6f), t = 0.12f * chord;
     dmg_use(b, hub);
@@ -78,7 +78,7 @@ typedef struct hold {
     int skin;                           /* square, eight-sided, round above */
 } hold;
 
-/* The tube's outline, walls from the floor over the roof, as a sheet z0 … z1. */
+/* Draws the tube's outline, walls from the floor over the roof, as a sheet z0 … z1. */
 static void draw_hold_tube(dmg_builder* b, const hold* h, float z0, float z1) {
     static const dmg_xy outlines[3][9] = {
         {{1, 0}, {1, 0.5f}, {1, 1}, {0.5f, 1}, {0, 1}, {-0.5f, 1}, {-1, 1}, {-1, 0.5f}, {-1, 0}},
@@ -101,7 +101,8 @@ static void draw_hold_tube(dmg_builder* b, const hold* h, float z0, float z1) {
     dmg_box_span(b, v3(-0.85f * h->half, -h->t, z0), v3(0.85f * h->half, 0, z1));
 }
 
-/* The ramp at the end z = 0, going up to the tail when shut, down to the ground when open; toes hinged at its end. */
+/* Draws the ramp at the end z = 0, going up to the tail when shut, down to the ground when open; toes hinged at its
+ * end. */
 static void draw_ramp(dmg_builder* b, const hold* h, float length, float slope) {
     float wide = 0.82f * h->half, open = slope + dmg_range(b, 0.1f, 0.4f);
     dmg_vec end = {0, length * sinf(slope), -length * cosf(slope)};
@@ -118,7 +119,7 @@ static void draw_ramp(dmg_builder* b, const hold* h, float length, float slope) 
     dmg_use(b, 0);
 }
 
-/* What closes the hold above the ramp: a door hung from the roof that goes up inside, or petals to the sides. */
+/* Draws what closes the hold above the ramp: a door hung from the roof that goes up inside, or petals to the sides. */
 static void draw_upper_doors(dmg_builder* b, const hold* h, float length, float rise) {
     float swing = dmg_range(b, 0.4f, 0.9f), wide = 0.8f * h->half;
     if (dmg_chance(b, 0.5f)) {
@@ -138,7 +139,8 @@ static void draw_upper_doors(dmg_builder* b, const hold* h, float length, float 
     }
 }
 
-/* A door in the side: stairs on its inside when it hangs from the sill, a plug that swings, or one that goes up. */
+/* Draws a door in the side: stairs on its inside when it hangs from the sill, a plug that swings, or one that goes up.
+ */
 static void draw_side_door(dmg_builder* b, const hold* h, float z, float side) {
     float width = h->high * dmg_range(b, 0.35f, 0.7f), high = 0.6f * h->high, x = side * (h->half + 0.6f * h->t),
           t = 0.5f * h->t;

@@ -146,7 +146,7 @@ static void draw_hatches(dmg_builder* b, hull* h) {
 
 /* ---- wings and tails ---- */
 
-/* A plate on the upper skin, its fore edge at c0: opens against the wind. */
+/* Draws a plate on the upper skin, its fore edge at c0: opens against the wind. */
 static void draw_spoiler(dmg_builder* b, const dmg_wing* w, float s0, float s1, float c0, float c1, float swing) {
     dmg_vec from = dmg_wing_point(w, s0, c0, 1), to = dmg_wing_point(w, s1, c0, 1);
     dmg_hinge(b, 0, "spoiler", from, v3_normalize(v3_sub(to, from)), 0.0f, swing);

@@ -29,14 +29,14 @@ static void draw_fan(dmg_builder* b, float r, float z) {
     dmg_use(b, 0);
 }
 
-/* What carries the engine: a pylon, or nothing. */
+/* Draws what carries the engine: a pylon, or nothing. */
 static void draw_pylon(dmg_builder* b, const nacelle* n) {
     float wide = 0.8f * n->r * sinf(n->top), reach = n->r * dmg_range(b, 0.3f, 1.2f),
           back = n->cut + 0.1f * (n->front - n->cut), fore = n->front - 0.35f * (n->front - n->cut);
     if (dmg_chance(b, 0.75f)) dmg_box_span(b, v3(-wide, 0.97f * n->r, back), v3(wide, n->r + reach, fore));
 }
 
-/* Two fan cowls, hung beside the pylon, between z0 and z1. */
+/* Draws two fan cowls, hung beside the pylon, between z0 and z1. */
 static void draw_fan_cowls(dmg_builder* b, const nacelle* n, float z0, float z1) {
     float top = n->top, bottom = dmg_range(b, 0.01f, 0.08f), swing = dmg_range(b, 0.5f, 1.1f);
     bool open = dmg_chance(b, 0.25f), latch = dmg_chance(b, 0.4f);
@@ -57,7 +57,7 @@ static void draw_fan_cowls(dmg_builder* b, const nacelle* n, float z0, float z1)
     }
 }
 
-/* The whole from the reverser forwards, with what turns in its intake. */
+/* Draws the whole from the reverser forwards, with what turns in its intake. */
 static void draw_front(dmg_builder* b, const nacelle* n) {
     float lip = n->r * dmg_range(b, 0.78f, 0.95f), mid = n->front - (n->front - n->cut) * dmg_range(b, 0.3f, 0.55f);
     bool cowls = dmg_chance(b, 0.4f);
@@ -73,7 +73,7 @@ static void draw_front(dmg_builder* b, const nacelle* n) {
     draw_fan(b, lip - n->t - 0.08f * n->r, mid + 0.3f * (n->front - mid));
 }
 
-/* A ring, or two halves, that moves back and bares the cascades. */
+/* Draws a ring, or two halves, that moves back and bares the cascades. */
 static void draw_sleeve(dmg_builder* b, const nacelle* n) {
     float deep = n->cut - n->rear, way = deep * dmg_range(b, 0.3f, 0.75f), inner = n->end * 0.94f - n->t,
           gap = dmg_range(b, 0.02f, 0.25f);
@@ -300,7 +300,7 @@ static void draw_round_nozzle(dmg_builder* b, const nozzle* n) {
     if (dmg_chance(b, 0.25f)) draw_petals(b, n, 0, 0.6f * n->r);
 }
 
-/* A flat duct with a ramp above and one below, each with a second one on its end sometimes. */
+/* Draws a flat duct with a ramp above and one below, each with a second one on its end sometimes. */
 static void draw_flat_nozzle(dmg_builder* b, const nozzle* n) {
     float half = n->r * dmg_range(b, 0.8f, 1.8f), high = n->r * dmg_range(b, 0.35f, 0.9f),
           t = fmaxf(n->t, 0.02f * n->r), length = high * dmg_range(b, 1.0f, 2.2f), lean = dmg_range(b, 0.0f, 0.4f),
@@ -332,7 +332,7 @@ static void draw_flat_nozzle(dmg_builder* b, const nozzle* n) {
     if (ramps == 1) dmg_box_span(b, v3(-half, -high - t, -1.2f * length), v3(half, -high + t, 0));
 }
 
-/* A cone in the middle that slides, at the rear or in an intake. */
+/* Draws a cone in the middle that slides, at the rear or in an intake. */
 static void draw_plug(dmg_builder* b, const nozzle* n) {
     float r = n->r * dmg_range(b, 0.35f, 0.75f), fore = n->r * dmg_range(b, 0.3f, 1.0f),
           back = n->r * dmg_range(b, 0.8f, 2.2f), way = n->r * dmg_range(b, 0.2f, 0.7f), stem = 0.3f * r;

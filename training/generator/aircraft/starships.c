@@ -7,7 +7,7 @@
 
 /* ---- plates in the x, z plane ---- */
 
-/* An outline of (x, z), counter-clockwise seen from below. */
+/* Draws an outline of (x, z), counter-clockwise seen from below. */
 static void draw_flat(dmg_builder* b, const dmg_xy* outline, int count, float y0, float y1) {
     dmg_save(b);
     dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI); /* its y is z, its z goes down */
@@ -39,7 +39,7 @@ static void draw_plan(dmg_builder* b, const plan* w, float s0, float s1) {
 
 typedef enum wing_kind { WING_FOLDS, WING_PARTS, WING_SWINGS, WING_TIP_FOLDS, WING_FIXED } wing_kind;
 
-/* What is at the tip: a gun, a pod, a fence. */
+/* Draws what is at the tip: a gun, a pod, a fence. */
 static void draw_tip(dmg_builder* b, const plan* w, int kind) {
     float x = w->span, z = -w->sweep - 0.5f * w->tip, r = fmaxf(0.8f * w->thick, 0.02f * w->span);
     if (kind == 1) dmg_rod(b, v3(x, 0, z - 0.3f * w->root), v3(x, 0, z + 0.8f * w->root), 0.6f * r);
@@ -123,7 +123,7 @@ static void draw_leg(dmg_builder* b, float drop, float ahead, int kind) {
     dmg_use(b, 0);
 }
 
-/* Three or four under a belly of half sizes x, z. */
+/* Draws three or four under a belly of half sizes x, z. */
 static void draw_gear(dmg_builder* b, float x, float z, float drop) {
     int kind = dmg_weighted(b, (const float[]){4, 2, 1}, 3);
     bool nose = dmg_chance(b, 0.5f);
@@ -159,7 +159,7 @@ static void draw_turret(dmg_builder* b, float r) {
     dmg_use(b, 0);
 }
 
-/* A dish on a post, turning and nodding. */
+/* Draws a dish on a post, turning and nodding. */
 static void draw_dish(dmg_builder* b, float r) {
     float y = 0.7f * r;
     uint32_t post = dmg_spin(b, 0, "dish_post", v3(0, 0, 0), v3(0, dmg_sign(b), 0));
@@ -172,7 +172,8 @@ static void draw_dish(dmg_builder* b, float r) {
     dmg_use(b, 0);
 }
 
-/* A glass over a seat, its sill at the origin, `length` along z: hung behind, at a side or in front, or sliding. */
+/* Draws a glass over a seat, its sill at the origin, `length` along z: hung behind, at a side or in front, or sliding.
+ */
 static void draw_canopy(dmg_builder* b, float half, float length, float high) {
     int kind = dmg_int(b, 0, 3), shape = dmg_int(b, 0, 1);
     float side = dmg_sign(b), swing = dmg_range(b, 0.5f, 1.3f), z = 0.5f * length, t = 0.06f * high;
@@ -190,7 +191,7 @@ static void draw_canopy(dmg_builder* b, float half, float length, float high) {
     dmg_use(b, 0);
 }
 
-/* A leaf under the belly, let down at its far edge as a gangway; steps on it, or rails. */
+/* Draws a leaf under the belly, let down at its far edge as a gangway; steps on it, or rails. */
 static void draw_ramp(dmg_builder* b, float half, float length, float drop, float ahead) {
     float t = 0.05f * length, open = asinf(fminf(0.9f, drop / length));
     dmg_hinge(b, 0, "ramp", v3(0, -t, -ahead * 0.5f * length), v3(ahead, 0, 0), 0.0f, open);
@@ -202,7 +203,7 @@ static void draw_ramp(dmg_builder* b, float half, float length, float drop, floa
     dmg_use(b, 0);
 }
 
-/* Two leaves over a bay on a flat face y = 0, hung at the sides; both open outwards. */
+/* Draws two leaves over a bay on a flat face y = 0, hung at the sides; both open outwards. */
 static void draw_bay(dmg_builder* b, float half, float length, const char* name) {
     float t = 0.05f * half, swing = dmg_range(b, 1.2f, 2.7f);
     int pieces = dmg_int(b, 1, 2);
@@ -241,7 +242,7 @@ static void draw_engines(dmg_builder* b, float x, float y, float z, float r) {
 
 /* ---- ships ---- */
 
-/* A long body of few sides or round. */
+/* Draws a long body of few sides or round. */
 static void build_fighter(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.02f, 0.8f), length = r * dmg_range(b, 5.0f, 11.0f), nose = 0.55f * length,
           tail = -0.45f * length, flat = dmg_range(b, 0.6f, 1.0f);
@@ -279,7 +280,7 @@ static void build_fighter(dmg_builder* b) {
     }
 }
 
-/* A slab-sided hull; outline (z, y). */
+/* Draws a slab-sided hull; outline (z, y). */
 static void build_shuttle(dmg_builder* b) {
     float half = dmg_scale_range(b, 0.04f, 3.0f), high = half * dmg_range(b, 0.9f, 1.8f),
           length = half * dmg_range(b, 3.5f, 7.0f), nose = 0.5f * length, tail = -0.5f * length,
@@ -319,7 +320,7 @@ static void build_shuttle(dmg_builder* b) {
     if (entry != 1 && dmg_chance(b, 0.5f)) draw_engines(b, 0.5f * half, 0.5f * high, tail - 0.3f * half, 0.35f * half);
 }
 
-/* A disc with a rim, two arms ahead, a cockpit at its side. */
+/* Draws a disc with a rim, two arms ahead, a cockpit at its side. */
 static void build_freighter(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.08f, 6.0f), high = r * dmg_range(b, 0.15f, 0.35f),
           drop = r * dmg_range(b, 0.25f, 0.5f), edge = high * dmg_range(b, 0.2f, 0.5f),

@@ -79,7 +79,8 @@ static void draw_fuselage(dmg_builder* b, float length, float wide) {
         dmg_box(b, v3(0, 0.4f * wide, -0.45f * length), v3(0.05f * wide, 0.8f * wide, 0.12f * length));
 }
 
-/* One station on a wing: what turns about X at (x, 0, 0) of the frame: the nacelle alone, or the wing's outer end. */
+/* Draws one station on a wing: what turns about X at (x, 0, 0) of the frame: the nacelle alone, or the wing's outer
+ * end. */
 static void draw_tilting(dmg_builder* b, const thruster* t, float x, float chord, float tip) {
     float up = dmg_range(b, 1.2f, 1.7f), t_wing = 0.12f * chord;
     dmg_vec axle = {x, 0, dmg_range(b, -0.3f, 0.2f) * chord};
@@ -125,7 +126,7 @@ static void draw_vtol(dmg_builder* b) {
 
 /* ---- drones that fold ---- */
 
-/* A camera held by one, two or three turning brackets under the nose. */
+/* Draws a camera held by one, two or three turning brackets under the nose. */
 static void draw_gimbal(dmg_builder* b, float s) {
     uint32_t carrier = 0;
     float t = 0.12f * s;
@@ -154,7 +155,8 @@ static void draw_gimbal(dmg_builder* b, float s) {
     dmg_use(b, 0);
 }
 
-/* An arm from the corner along +X; it folds back about the upright, or down, or not at all. Blades fold when few. */
+/* Draws an arm from the corner along +X; it folds back about the upright, or down, or not at all. Blades fold when few.
+ */
 static void draw_folding_arm(dmg_builder* b, float reach, float thick, const thruster* t, int fold, int bar) {
     uint32_t arm = 0;
     float swing = dmg_range(b, 1.2f, 2.4f);
@@ -218,7 +220,7 @@ static void draw_folding_drone(dmg_builder* b) {
 
 /* ---- thrusters under water ---- */
 
-/* A pod on an upright shaft that turns all round, or on a bracket at a transom that also tips up. */
+/* Draws a pod on an upright shaft that turns all round, or on a bracket at a transom that also tips up. */
 static void draw_azimuth(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.03f, 0.6f), shaft = r * dmg_range(b, 1.5f, 5.0f),
           thin = r * dmg_range(b, 0.1f, 0.25f);

@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A turntable plate on the floor of a cavity, y = 0. */
+/* Draws a turntable plate on the floor of a cavity, y = 0. */
 static void draw_turntable(dmg_builder* b, float radius) {
     uint32_t plate = dmg_spin(b, 0, "turntable", v3(0, 0, 0), v3(0, 1, 0));
     dmg_keep_rest(b, plate);
@@ -114,7 +114,7 @@ void dmg_build_oven(dmg_builder* b) {
 
 /* ---- toaster ---- */
 
-/* The lever that lowers the bread, in a groove on the side z = 0 facing +Z. */
+/* Draws the lever that lowers the bread, in a groove on the side z = 0 facing +Z. */
 static void draw_toast_lever(dmg_builder* b, float width, float height) {
     float travel = height * dmg_range(b, 0.3f, 0.55f), size = width * dmg_range(b, 0.08f, 0.18f), top = 0.3f * height;
     if (dmg_chance(b, 0.6f)) dmg_box(b, v3(0, top - 0.5f * travel, 0), v3(0.2f * size, travel + size, 0.04f * size));
@@ -183,7 +183,7 @@ void dmg_build_toaster(dmg_builder* b) {
 
 /* ---- coffee machine ---- */
 
-/* A jug on y = 0, its handle towards +Z. */
+/* Draws a jug on y = 0, its handle towards +Z. */
 static void draw_jug(dmg_builder* b, float radius, float height) {
     enum { POINTS = 6 };
     float neck = radius * dmg_range(b, 0.6f, 0.9f);
@@ -204,7 +204,7 @@ static void draw_jug(dmg_builder* b, float radius, float height) {
     dmg_sweep(b, path, POINTS, 0.07f * radius, 0.12f * radius, false);
 }
 
-/* A lid hinged at the back, on y = 0 over width x depth centred at the origin. */
+/* Draws a lid hinged at the back, on y = 0 over width x depth centred at the origin. */
 static void draw_small_lid(dmg_builder* b, const char* name, float width, float depth, float thick) {
     float back = -0.5f * depth + dmg_range(b, -0.5f, 0.5f) * thick, far = dmg_range(b, 1.1f, 1.9f);
     dmg_hinge(b, 0, name, v3(0, dmg_range(b, 0, 1) * thick, back), v3(-1, 0, 0), 0.0f, far);
@@ -237,7 +237,7 @@ static void draw_drip_machine(dmg_builder* b, float width, float height, float d
     dmg_controls_draw(b, 0, 0.7f * width, 0.6f * head);
 }
 
-/* A boiler with a group: the portafilter turns, the tank lifts out, the tray slides. */
+/* Draws a boiler with a group: the portafilter turns, the tank lifts out, the tray slides. */
 static void draw_espresso_machine(dmg_builder* b, float width, float height, float depth) {
     float tray = height * dmg_range(b, 0.1f, 0.16f), head = height * dmg_range(b, 0.3f, 0.45f),
           back = depth * dmg_range(b, 0.4f, 0.6f), radius = width * dmg_range(b, 0.08f, 0.14f);
@@ -266,7 +266,7 @@ static void draw_espresso_machine(dmg_builder* b, float width, float height, flo
     dmg_controls_draw(b, 0, 0.8f * width, 0.6f * head);
 }
 
-/* A capsule machine: a big lever over the head. */
+/* Draws a capsule machine: a big lever over the head. */
 static void draw_capsule_machine(dmg_builder* b, float width, float height, float depth) {
     float base = 0.08f * height, radius = 0.5f * width;
     dmg_box(b, v3(0, 0.5f * base, 0), v3(width, base, depth));

@@ -5,14 +5,14 @@
 
 /* ---- on a turned body: the frame to a place of its flank ---- */
 
-/* A cone's flank: radius `low` at y = 0, `high` at y = top; +Z out, +Y up along it. */
+/* Draws a cone's flank: radius `low` at y = 0, `high` at y = top; +Z out, +Y up along it. */
 static void to_flank(dmg_builder* b, float low, float high, float top, float share, float round) {
     dmg_turn(b, v3(0, 1, 0), round);
     dmg_move(b, 0, share * top, low + (high - low) * share);
     dmg_turn(b, v3(1, 0, 0), -atan2f(low - high, top));
 }
 
-/* A dial with a grip across it, or keys. */
+/* Draws a dial with a grip across it, or keys. */
 static void draw_flank_controls(dmg_builder* b, float size) {
     int kind = dmg_int(b, 0, 2), keys = dmg_int(b, 1, 3);
     if (kind == 0) {
@@ -127,7 +127,7 @@ typedef struct maker {
     float reach, cup;           /* where the cup is, before the axis; the room under the spout */
 } maker;
 
-/* A ball, an egg, a drum or a block, its top a plane wide enough for a button. Answers the top's height. */
+/* Draws a ball, an egg, a drum or a block, its top a plane wide enough for a button. Returns the top's height. */
 static float draw_maker_body(dmg_builder* b, const maker* m) {
     float r = m->radius, h = m->height, waist = dmg_range(b, 0.6f, 1.0f);
     int shape = dmg_int(b, 0, 3);
@@ -146,7 +146,7 @@ static float draw_maker_body(dmg_builder* b, const maker* m) {
     return h;
 }
 
-/* The button on top: a low cone, a disc in rings, a dome. Round as a knob, but it is pressed. */
+/* Draws the button on top: a low cone, a disc in rings, a dome. Round as a knob, but it is pressed. */
 static void draw_top_button(dmg_builder* b, float radius) {
     float rise = radius * dmg_range(b, 0.2f, 0.6f), deep = radius * dmg_range(b, 0.0f, 0.6f),
           flat = dmg_range(b, 0.3f, 0.95f);
@@ -166,7 +166,7 @@ static void draw_top_button(dmg_builder* b, float radius) {
     dmg_use(b, 0);
 }
 
-/* A head that reaches over the cup, with its lever: one arm or a yoke, up and back over the pin. */
+/* Draws a head that reaches over the cup, with its lever: one arm or a yoke, up and back over the pin. */
 static void draw_brew_head(dmg_builder* b, const maker* m) {
     float r = m->radius * dmg_range(b, 0.3f, 0.5f), y = m->cup + 0.5f * r, arm = m->reach * dmg_range(b, 0.5f, 1.0f),
           wide = 2.1f * r, thin = 0.12f * r, up = dmg_range(b, -0.2f, 0.4f);

@@ -48,7 +48,7 @@ typedef struct fridge {
     bool trays;
 } fridge;
 
-/* One compartment with one or two doors, centred at the origin of the front. */
+/* Draws one compartment with one or two doors, centred at the origin of the front. */
 static void draw_cold_room(dmg_builder* b, const fridge* f, float width, float height, bool twin, bool left,
                            bool crispers) {
     dmg_use(b, 0);
@@ -170,7 +170,7 @@ void dmg_build_dishwasher(dmg_builder* b) {
 
 /* ---- washing machine ---- */
 
-/* A round door: ring and glass, hung on the left. */
+/* Draws a round door: ring and glass, hung on the left. */
 static void draw_porthole(dmg_builder* b, float radius, float rim, bool left) {
     float side = left ? -1.0f : 1.0f, out = rim * dmg_range(b, 0.0f, 0.8f), half = 0.5f * rim;
     float hung = radius + dmg_range(b, -0.6f, 0.5f) * rim, far = dmg_range(b, 1.6f, 2.8f);
@@ -267,7 +267,7 @@ void dmg_build_washing_machine(dmg_builder* b) {
 
 /* ---- safe ---- */
 
-/* What one turns to open it, on the door in use at z = 0. */
+/* Draws what one turns to open it, on the door in use at z = 0. */
 static void draw_safe_lock(dmg_builder* b, uint32_t door, float size) {
     int kind = dmg_int(b, 0, 3);
     float radius = size * dmg_range(b, 0.06f, 0.12f), out = radius * dmg_range(b, 0.5f, 1.2f);

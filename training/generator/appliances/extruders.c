@@ -38,7 +38,7 @@ static void draw_bar(dmg_builder* b, const solid_printer* p, dmg_vec from, dmg_v
     }
 }
 
-/* What deposits: its nozzle's tip at the origin. */
+/* Draws what deposits: its nozzle's tip at the origin. */
 static void draw_head(dmg_builder* b, const solid_printer* p) {
     float s = 2.2f * p->t;
     dmg_cone(b, v3(0, 0.25f * s, 0), v3(0, 0, 0), 0.16f * s, 0.03f * s);
@@ -83,7 +83,7 @@ static void draw_bed(dmg_builder* b, const solid_printer* p, uint32_t bed) {
     }
 }
 
-/* A spool on a pin along Z from the origin. */
+/* Draws a spool on a pin along Z from the origin. */
 static void draw_spool(dmg_builder* b, uint32_t parent, float r) {
     float wide = r * dmg_range(b, 0.4f, 0.9f), hub = r * dmg_range(b, 0.3f, 0.5f), full = dmg_range(b, 0.55f, 0.95f);
     dmg_rod(b, v3(0, 0, -0.1f * r), v3(0, 0, 1.2f * wide), 0.8f * hub);
@@ -146,7 +146,7 @@ static void draw_gantry_printer(dmg_builder* b, const solid_printer* p) {
 
 /* ---- boxes ---- */
 
-/* A door before the opening, hung at a side, or two; a hood that lifts from the top. */
+/* Draws a door before the opening, hung at a side, or two; a hood that lifts from the top. */
 static void draw_box_covers(dmg_builder* b, const solid_printer* p, float x, float z, float high, float t) {
     int doors = dmg_weighted(b, (const float[]){0.25f, 0.5f, 0.25f}, 3);
     for (int i = 0; i < doors; ++i) {
@@ -226,7 +226,7 @@ static void draw_box_printer(dmg_builder* b, const solid_printer* p) {
 
 /* ---- three towers ---- */
 
-/* A carriage up each, two arms from it down to the effector; the arms may be parts of their own. */
+/* Draws a carriage up each, two arms from it down to the effector; the arms may be parts of their own. */
 static void draw_tower_printer(dmg_builder* b, const solid_printer* p) {
     float r = 1.35f * p->w, t = p->t, high = 2.2f * p->h + 3 * t, base = 1.2f * t, arm = 1.25f * p->w,
           plate = 0.3f * p->w, low = base + 0.7f * p->h, up = low + 0.1f * p->w + sqrtf(arm * arm - 0.36f * r * r);
@@ -311,7 +311,7 @@ static void draw_vat_printer(dmg_builder* b, const solid_printer* p) {
 
 /* ---- plotters ---- */
 
-/* A beam along the length of a table or fixed over a roll of paper; the carriage's pen goes down. */
+/* Draws a beam along the length of a table or fixed over a roll of paper; the carriage's pen goes down. */
 static void draw_plotter(dmg_builder* b, const solid_printer* p) {
     float x = p->w * dmg_range(b, 1.2f, 3.0f), z = p->d, t = p->t, base = t * dmg_range(b, 0.8f, 2.0f);
     bool roll = dmg_chance(b, 0.5f);

@@ -24,7 +24,7 @@ static void draw_trigger(dmg_builder* b, uint32_t nozzle, float h, float r, floa
     dmg_use(b, 0);
 }
 
-/* A pistol for petrol: spout, body, grip bent out to the customer. */
+/* Draws a pistol for petrol: spout, body, grip bent out to the customer. */
 static void draw_nozzle(dmg_builder* b, uint32_t parent, float r) {
     float h = r * dmg_range(b, 2.5f, 4.0f), deep = r * dmg_range(b, 2.5f, 5.0f), bend = dmg_range(b, 0.2f, 1.0f),
           length = r * dmg_range(b, 4.0f, 7.0f);
@@ -49,7 +49,7 @@ static void draw_nozzle(dmg_builder* b, uint32_t parent, float r) {
     dmg_use(b, 0);
 }
 
-/* A plug for a car's battery: a round or flat nose in a socket, its grip bent away, a latch to press on it. */
+/* Draws a plug for a car's battery: a round or flat nose in a socket, its grip bent away, a latch to press on it. */
 static void draw_plug(dmg_builder* b, float r) {
     float deep = r * dmg_range(b, 0.8f, 1.5f), bend = dmg_range(b, 0.3f, 1.3f), length = r * dmg_range(b, 2.5f, 4.5f);
     const dmg_xy socket[] = {{0.9f * r, -1.05f * deep},
@@ -72,7 +72,7 @@ static void draw_plug(dmg_builder* b, float r) {
 
 /* ---- what is on a face: z = 0, within width x high ---- */
 
-/* A flap before a tray: hung at its top, pushed in or pulled up; or at its foot. */
+/* Draws a flap before a tray: hung at its top, pushed in or pulled up; or at its foot. */
 static void draw_tray_flap(dmg_builder* b, uint32_t parent, const char* name, float width, float high) {
     float t = 0.06f * high, rim = 0.1f * high;
     int way = dmg_int(b, 0, 2);
@@ -148,7 +148,7 @@ static void draw_pay_face(dmg_builder* b, uint32_t parent, float width, float hi
     dmg_use(b, parent);
 }
 
-/* A service door in the lower face, drawn round the origin. */
+/* Draws a service door in the lower face, drawn round the origin. */
 static void draw_service_door(dmg_builder* b, float width, float high) {
     dmg_leaf leaf = dmg_leaf_pick(b, 0.12f);
     leaf.width = width;
@@ -217,7 +217,7 @@ static void draw_modern_pump(dmg_builder* b) {
     }
 }
 
-/* The lever beside the cradle that starts it, the crank that turns the counters back, the hands on its clock. */
+/* Draws the lever beside the cradle that starts it, the crank that turns the counters back, the hands on its clock. */
 static void draw_old_pump_fittings(dmg_builder* b, float width, float deep, float high) {
     float x = 0.5f * width, y = high * dmg_range(b, 0.4f, 0.6f), swing = dmg_range(b, 0.6f, 1.8f);
     int hands = dmg_int(b, 0, 2);
@@ -286,7 +286,7 @@ static void draw_old_pump(dmg_builder* b) {
     draw_nozzles(b, width, deep, (glass ? 0.45f : 0.55f) * high, dmg_chance(b, 0.8f) ? 1 : 2, true);
 }
 
-/* A pillar or a box on the wall, plugs at its sides or front, a flap over a socket. */
+/* Draws a pillar or a box on the wall, plugs at its sides or front, a flap over a socket. */
 static void draw_charger(dmg_builder* b) {
     bool pillar = dmg_chance(b, 0.65f);
     float high = pillar ? dmg_range(b, 1.1f, 2.0f) : dmg_range(b, 0.3f, 0.6f),
@@ -329,7 +329,7 @@ static void draw_charger(dmg_builder* b) {
 
 /* ---- parking meters and ticket machines ---- */
 
-/* The head about the origin: a D standing on its flat side, a drum, a box under a roof. */
+/* Draws the head about the origin: a D standing on its flat side, a drum, a box under a roof. */
 static void draw_meter_head(dmg_builder* b, float w) {
     enum { ARC = 11 };
     dmg_xy outline[ARC + 2];
@@ -401,8 +401,8 @@ static void draw_meter(dmg_builder* b) {
     }
 }
 
-/* A cabinet whose whole front opens with all that is on it, or a lower door; a visor, a lamp, a roof with a solar cell.
- */
+/* Draws a cabinet whose whole front opens with all that is on it, or a lower door; a visor, a lamp, a roof with a solar
+ * cell. */
 static void draw_ticket_machine(dmg_builder* b) {
     float width = dmg_range(b, 0.3f, 0.9f), high = dmg_range(b, 1.1f, 1.9f), deep = width * dmg_range(b, 0.5f, 1.0f),
           z = 0.5f * deep, t = 0.05f * width;

@@ -3,7 +3,7 @@
 #include "core/arcs.h"
 #include "parts/hardware.h"
 
-/* A bar across on two posts, on y = 0, facing up. */
+/* Draws a bar across on two posts, on y = 0, facing up. */
 static void draw_grip(dmg_builder* b, float room) {
     dmg_handle grip = dmg_handle_pick_bar(b, 0.3f * room);
     dmg_save(b);
@@ -82,7 +82,7 @@ static void draw_side_tables(dmg_builder* b, const grill* g, float up) {
     }
 }
 
-/* A dome or a flat-topped lid over a bowl, both turned; the rim is y = 0. */
+/* Draws a dome or a flat-topped lid over a bowl, both turned; the rim is y = 0. */
 static void draw_bowl_half(dmg_builder* b, float r, float rise, float wall, float power) {
     dmg_xy profile[2 * DMG_ARC];
     for (int i = 0; i < DMG_ARC; ++i) {
@@ -102,7 +102,7 @@ static void draw_bowl_half(dmg_builder* b, float r, float rise, float wall, floa
     dmg_lathe(b, v3(0, 0, 0), v3(0, 1, 0), profile, 2 * DMG_ARC);
 }
 
-/* A disc that turns on top of a lid, a little off its middle, to let smoke out. */
+/* Draws a disc that turns on top of a lid, a little off its middle, to let smoke out. */
 static void draw_vent(dmg_builder* b, uint32_t lid, float r, float rise) {
     float size = 0.16f * r;
     dmg_hinge(b, lid, "vent", v3(0, rise, 0), v3(0, 1, 0), 0.0f, dmg_range(b, 0.5f, 1.6f));
@@ -156,7 +156,7 @@ static void draw_round_grill(dmg_builder* b, const grill* g) {
     }
 }
 
-/* A drum lying along X: two halves, or a door cut out of its skin. */
+/* Draws a drum lying along X: two halves, or a door cut out of its skin. */
 static void draw_drum_grill(dmg_builder* b, const grill* g) {
     float r = 0.5f * g->depth, height = r * dmg_range(b, 0.4f, 2.0f),
           tilt = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, -0.3f, 0.3f);
@@ -209,7 +209,7 @@ static void draw_drum_grill(dmg_builder* b, const grill* g) {
     }
 }
 
-/* A hood with cheeks over a box of burners: pins through the cheeks, in from its rear edge. */
+/* Draws a hood with cheeks over a box of burners: pins through the cheeks, in from its rear edge. */
 static void draw_hood_grill(dmg_builder* b, const grill* g) {
     float d = g->depth, rise = d * dmg_range(b, 0.35f, 0.7f), box = d * dmg_range(b, 0.25f, 0.5f),
           height = d * dmg_range(b, 0.1f, 1.4f), z = 0.5f * d;
@@ -275,7 +275,7 @@ static void draw_ball_skin(dmg_builder* b, float r, float from, float to, float 
     dmg_lathe_arc(b, v3(0, 0, 0), v3(1, 0, 0), profile, 2 * DMG_ARC, 0.5f * DMG_PI - to, to - from);
 }
 
-/* A hood that rolls about the pins in the middle of its ends, over or under a fixed half. */
+/* Draws a hood that rolls about the pins in the middle of its ends, over or under a fixed half. */
 static void draw_roll_dish(dmg_builder* b, const grill* g) {
     float r = 0.5f * g->depth, tray = r * dmg_range(b, 0.2f, 0.7f), foot = r * dmg_range(b, 0.2f, 0.6f), t = g->wall;
     bool ball = dmg_chance(b, 0.4f), half = dmg_chance(b, 0.5f), under = dmg_chance(b, 0.5f);

@@ -128,7 +128,7 @@ static void draw_take_up(dmg_builder* b, const sewer* m) {
     dmg_use(b, m->body);
 }
 
-/* The plate at the left end: a door about its front or rear edge, about its top, or one that is screwed on. */
+/* Draws the plate at the left end: a door about its front or rear edge, about its top, or one that is screwed on. */
 static void draw_face_plate(dmg_builder* b, const sewer* m) {
     float x = m->needle - (m->frame == 3 ? 0.4f : 0.5f) * m->head, t = 0.012f * m->length, z = 0.45f * m->thick;
     float low = m->chin + 0.03f * m->high, top = m->high - 0.05f * m->high;
@@ -235,7 +235,7 @@ static void draw_spools(dmg_builder* b, const sewer* m) {
     dmg_use(b, m->body);
 }
 
-/* A handle to carry it by, or a lid over the spools. */
+/* Draws a handle to carry it by, or a lid over the spools. */
 static void draw_top(dmg_builder* b, const sewer* m) {
     float t = 0.02f * m->length, half = 0.3f * m->length, y = m->high;
     if (dmg_chance(b, 0.5f)) {
@@ -257,7 +257,7 @@ static void draw_top(dmg_builder* b, const sewer* m) {
 
 /* ---- at the bed ---- */
 
-/* The box round a free arm: it is drawn off to the left; things are kept under its flap. */
+/* Draws the box round a free arm: it is drawn off to the left; things are kept under its flap. */
 static void draw_extension(dmg_builder* b, const sewer* m) {
     float x0 = -0.5f * m->length, x1 = 0.5f * m->length - m->pillar - 0.005f * m->length, z = 0.14f * m->deep,
           front = 0.5f * m->deep;
@@ -299,7 +299,7 @@ static void draw_bobbin_cover(dmg_builder* b, const sewer* m) {
     dmg_use(b, m->body);
 }
 
-/* A wooden base, or a table with a treadle; the machine tilts back on it about the bed's rear edge. */
+/* Draws a wooden base, or a table with a treadle; the machine tilts back on it about the bed's rear edge. */
 static void draw_base(dmg_builder* b, sewer* m) {
     float wide = 1.15f * m->length, deep = 1.2f * m->deep, tall = m->length * dmg_range(b, 0.1f, 0.2f);
     bool table = dmg_chance(b, 0.4f), tilts = dmg_chance(b, 0.7f);

@@ -3,7 +3,7 @@
 #include "parts/hardware.h"
 #include "parts/switches.h"
 
-/* A burner on y = 0: rings, a plate in a dish, a grate, a coil. */
+/* Draws a burner on y = 0: rings, a plate in a dish, a grate, a coil. */
 static void draw_burner(dmg_builder* b, int kind, float radius) {
     const dmg_vec up = {0, 1, 0};
     float thin = 0.04f * radius;

@@ -5,7 +5,7 @@
 
 /* ---- shared shapes ---- */
 
-/* A pillar's or cap's section, round or square, from y = low to y = high. */
+/* Draws a pillar's or cap's section, round or square, from y = low to y = high. */
 static void draw_pillar(dmg_builder* b, bool square, float radius, float low, float high) {
     if (square)
         dmg_box(b, v3(0, 0.5f * (low + high), 0), v3(2 * radius, high - low, 2 * radius));
@@ -13,7 +13,8 @@ static void draw_pillar(dmg_builder* b, bool square, float radius, float low, fl
         dmg_rod(b, v3(0, low, 0), v3(0, high, 0), radius);
 }
 
-/* An arm from the origin over (0, rise, reach): a tube, a flat bar, a swan's neck or a beam that droops at its end. */
+/* Draws an arm from the origin over (0, rise, reach): a tube, a flat bar, a swan's neck or a beam that droops at its
+ * end. */
 static void draw_neck(dmg_builder* b, int kind, float radius, float rise, float reach) {
     enum { POINTS = 10 };
     dmg_vec path[POINTS];
@@ -30,7 +31,7 @@ static void draw_neck(dmg_builder* b, int kind, float radius, float rise, float 
         dmg_rod(b, v3(0, rise - 1.5f * radius, 0.93f * reach), v3(0, rise, 0.93f * reach), 0.7f * radius);
 }
 
-/* A lever from the top of a cap towards +Z, lifted at least by the given slope. */
+/* Draws a lever from the top of a cap towards +Z, lifted at least by the given slope. */
 static void draw_lever(dmg_builder* b, int kind, float radius, float length, float slope) {
     float lift = length * dmg_range(b, slope, 0.8f), thin = radius * dmg_range(b, 0.15f, 0.4f);
     dmg_vec tip = {0, lift, length};
@@ -74,7 +75,7 @@ static mixer pick_mixer(dmg_builder* b) {
     return m;
 }
 
-/* The cap and its lever, from y = 0 up: to and fro about the pillar, or tipped up at its back. */
+/* Draws the cap and its lever, from y = 0 up: to and fro about the pillar, or tipped up at its back. */
 static void draw_cap(dmg_builder* b, const mixer* m) {
     float cap = m->radius * dmg_range(b, 0.85f, 1.25f), high = cap * dmg_scale_range(b, 0.15f, 1.6f),
           length = m->reach * dmg_scale_range(b, 0.25f, 1.1f), swing = dmg_range(b, 0.5f, 1.8f), gap = 0.1f * m->radius,
@@ -96,7 +97,7 @@ static void draw_cap(dmg_builder* b, const mixer* m) {
     if (!tipped && dmg_chance(b, 0.35f)) dmg_rest(b, part, swing * dmg_range(b, -1.0f, 1.0f));
 }
 
-/* The handle on the pillar's side, about a level line. */
+/* Draws the handle on the pillar's side, about a level line. */
 static void draw_side_handle(dmg_builder* b, const mixer* m) {
     float side = dmg_sign(b), cap = m->radius * dmg_range(b, 0.6f, 1.0f), out = cap * dmg_range(b, 0.8f, 2.5f),
           upper = dmg_range(b, 0.7f, 1.8f), length = m->reach * dmg_range(b, 0.25f, 0.8f);
@@ -112,7 +113,7 @@ static void draw_side_handle(dmg_builder* b, const mixer* m) {
     draw_lever(b, dmg_int(b, 0, 4), cap, length, 0.0f);
 }
 
-/* A thin rod behind the spout that opens the waste: lifted, not turned. */
+/* Draws a thin rod behind the spout that opens the waste: lifted, not turned. */
 static void draw_lift_rod(dmg_builder* b, const mixer* m) {
     float thin = m->radius * dmg_range(b, 0.08f, 0.2f), out = m->radius * dmg_range(b, 1.2f, 1.8f),
           high = m->top * dmg_range(b, 0.5f, 1.1f), knob = thin * dmg_range(b, 1.5f, 3.0f);
@@ -163,7 +164,7 @@ static void draw_mixer(dmg_builder* b) {
 
 /* ---- lever valve ---- */
 
-/* A flange, a stem and a lever that may be larger than all the rest; on a floor, a wall or across a pipe. */
+/* Draws a flange, a stem and a lever that may be larger than all the rest; on a floor, a wall or across a pipe. */
 static void draw_lever_valve(dmg_builder* b) {
     float stem = dmg_scale_range(b, 0.006f, 0.03f), high = stem * dmg_range(b, 0.8f, 4.0f),
           length = stem * dmg_range(b, 2.5f, 14.0f), hub = stem * dmg_range(b, 1.0f, 2.6f),

@@ -28,7 +28,7 @@ static void draw_bin_case(dmg_builder* b, const bin* n, bool roof) {
     if (roof) dmg_box_span(b, v3(-0.5f * inner, h - t, t - z), v3(0.5f * inner, h, z - r));
 }
 
-/* A curved front that turns about the middle of its rounding and goes under the roof. */
+/* Draws a curved front that turns about the middle of its rounding and goes under the roof. */
 static void draw_roll_front(dmg_builder* b, const bin* source) {
     bin n = *source;
     n.round = fminf(0.49f * n.depth, n.height - 2.5f * n.wall) * dmg_range(b, 0.8f, 1.0f);
@@ -62,8 +62,8 @@ static void draw_roll_front(dmg_builder* b, const bin* source) {
     dmg_use(b, 0);
 }
 
-/* A flat front, upright or leaning, that falls forward: its line at the outer lower edge, in it, or on pins above it.
- */
+/* Draws a flat front, upright or leaning, that falls forward: its line at the outer lower edge, in it, or on pins above
+ * it. */
 static void draw_drop_front(dmg_builder* b, const bin* n) {
     float z = 0.5f * n->depth, h = n->height, t = n->wall, lean = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, 0.1f, 0.6f),
           top = z - h * tanf(lean), inner = n->width - 2.1f * t;
@@ -137,7 +137,7 @@ static void draw_bent_lid(dmg_builder* b, const bin* n) {
     dmg_use(b, 0);
 }
 
-/* What looks like a flap and is none: a front that goes up in grooves, or one that pulls its tray out. */
+/* Draws what looks like a flap and is none: a front that goes up in grooves, or one that pulls its tray out. */
 static void draw_pulled_front(dmg_builder* b, const bin* n) {
     float z = 0.5f * n->depth, t = n->wall, inner = n->width - 2.1f * t, h = n->height;
     bin square = *n;

@@ -9,7 +9,7 @@ typedef struct half {
     int kind; /* boards, a solid, rounded all over, rounded in outline, an open sheet, a bevelled shell */
 } half;
 
-/* A bevelled or bowed shell: an outline that shrinks towards its back. Opening at z = 0, back at z = -depth. */
+/* Draws a bevelled or bowed shell: an outline that shrinks towards its back. Opening at z = 0, back at z = -depth. */
 static void draw_bevelled(dmg_builder* b, const half* h) {
     float shrink = dmg_range(b, 0.6f, 0.95f), round = dmg_range(b, 0.3f, 0.9f) * h->depth, x = 0.5f * h->width,
           y = 0.5f * h->height;
@@ -49,7 +49,7 @@ static void draw_half(dmg_builder* b, const half* h) {
                 v3(0.04f * h->width, 0.8f * h->height, 0.06f * h->depth));
 }
 
-/* What lies in an open half: a tray, straps, things. */
+/* Draws what lies in an open half: a tray, straps, things. */
 static void draw_contents(dmg_builder* b, const half* h) {
     int kind = dmg_int(b, 0, 3);
     float w = 0.85f * h->width, t = 0.85f * h->height;
@@ -78,7 +78,7 @@ static dmg_xy pick_seam_line(dmg_builder* b, const half* front) {
     }
 }
 
-/* A handle between two lugs at y = 0, its line along X through the lugs' middle; upright at rest. */
+/* Draws a handle between two lugs at y = 0, its line along X through the lugs' middle; upright at rest. */
 static void draw_lug_handle(dmg_builder* b, float width, float depth) {
     float length = width * dmg_range(b, 0.15f, 0.45f), bar = width * dmg_range(b, 0.012f, 0.04f),
           rise = length * dmg_range(b, 0.15f, 0.45f), up = bar * dmg_range(b, 0.3f, 1.2f);
@@ -112,7 +112,7 @@ static void draw_lug_handle(dmg_builder* b, float width, float depth) {
     dmg_use(b, 0);
 }
 
-/* A latch over the seam on the side that opens, hung on the body half or on the other one. */
+/* Draws a latch over the seam on the side that opens, hung on the body half or on the other one. */
 static void draw_latch(dmg_builder* b, float x, float width, float depth, uint32_t carrier) {
     float t = width * dmg_range(b, 0.01f, 0.03f), w = width * dmg_range(b, 0.04f, 0.14f),
           d = depth * dmg_range(b, 0.25f, 0.6f), s = carrier ? 1.0f : -1.0f;
@@ -288,7 +288,7 @@ void dmg_build_lidded_bin(dmg_builder* b) {
 
 /* ---- a flag on the side of a box or post ---- */
 
-/* An arm with a plate at its end, flat in the plane x = 0, its pivot near the arm's root at the origin. */
+/* Draws an arm with a plate at its end, flat in the plane x = 0, its pivot near the arm's root at the origin. */
 static void draw_flag(dmg_builder* b, float length, float wide, float t) {
     float root = wide * (dmg_chance(b, 0.6f) ? 0.5f : dmg_range(b, 0.0f, 1.5f)),
           plate = length * dmg_range(b, 0.15f, 0.5f), drop = wide * dmg_range(b, 0.0f, 3.0f), end = length - root;

@@ -18,7 +18,7 @@ static void draw_half_shell(dmg_builder* b, int kind, float width, float height,
     }
 }
 
-/* A clasp over the seam on the side x = edge, hung on the half behind it. */
+/* Draws a clasp over the seam on the side x = edge, hung on the half behind it. */
 static void draw_clasp(dmg_builder* b, float edge, float y, float size, uint32_t carrier) {
     float t = 0.25f * size;
     dmg_hinge(b, carrier, "clasp", v3(edge + 0.5f * t, y, -size), v3(0, 1, 0), 0.0f, dmg_range(b, 1.0f, 2.6f));
@@ -26,7 +26,7 @@ static void draw_clasp(dmg_builder* b, float edge, float y, float size, uint32_t
     dmg_use(b, 0);
 }
 
-/* A bail on the side facing +X at x = edge: folded against it, it stands out when lifted. */
+/* Draws a bail on the side facing +X at x = edge: folded against it, it stands out when lifted. */
 static void draw_side_bail(dmg_builder* b, float edge, float span, float z) {
     float wire = span * dmg_range(b, 0.04f, 0.1f), reach = span * dmg_range(b, 0.25f, 0.5f), x = edge + wire;
     if (dmg_chance(b, 0.7f)) dmg_hinge(b, 0, "handle", v3(x, 0, z), v3(0, -1, 0), -1.4f, 1.4f);
@@ -139,7 +139,7 @@ void dmg_build_waffle_iron(dmg_builder* b) {
 
 /* ---- a box with a door: sunk in a frame, laid on, or a pair ---- */
 
-/* A door whose outside, window and lining are shapes of their own; front at z = 0. */
+/* Draws a door whose outside, window and lining are shapes of their own; front at z = 0. */
 static void draw_layered_door(dmg_builder* b, float width, float height, float t) {
     int kind = dmg_int(b, 0, 4);
     float w = width * dmg_range(b, 0.4f, 0.85f), h = height * dmg_range(b, 0.4f, 0.85f), thin = 0.15f * t;
@@ -159,7 +159,7 @@ static void draw_layered_door(dmg_builder* b, float width, float height, float t
     if (kind != 1 && dmg_chance(b, 0.5f)) dmg_box(b, v3(0, 0, 0), v3(w, h, 0.1f * thin));
 }
 
-/* What opens it: a bar, a knob, a lever, a hand wheel's hub, or nothing. At the free edge, which is at +X. */
+/* Draws what opens it: a bar, a knob, a lever, a hand wheel's hub, or nothing. At the free edge, which is at +X. */
 static void draw_door_grip(dmg_builder* b, uint32_t door, float width, float height) {
     int kind = dmg_int(b, 0, 4);
     dmg_save(b);
@@ -252,7 +252,7 @@ void dmg_build_door_box(dmg_builder* b) {
 
 /* ---- a bin with flaps that swing both ways ---- */
 
-/* A flap about X through the origin, reaching `down` below and `over` above its line. */
+/* Draws a flap about X through the origin, reaching `down` below and `over` above its line. */
 static void draw_swing_flap(dmg_builder* b, float width, float down, float over, float t, float way) {
     dmg_hinge(b, 0, "flap", v3(0, 0, 0), v3(1, 0, 0), -way, way);
     if (dmg_chance(b, 0.5f))
@@ -314,7 +314,7 @@ void dmg_build_swing_bin(dmg_builder* b) {
 
 /* ---- a pot whose handles drop on pivots ---- */
 
-/* A loop at x = 0 that reaches towards +X; its ears are on the wall. */
+/* Draws a loop at x = 0 that reaches towards +X; its ears are on the wall. */
 static void draw_drop_loop(dmg_builder* b, float span, float reach, float tube) {
     enum { POINTS = 7 };
     dmg_vec path[POINTS];

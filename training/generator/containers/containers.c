@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* An upright case, open above: y = 0 … height. */
+/* Draws an upright case, open above: y = 0 … height. */
 static void draw_open_box(dmg_builder* b, float width, float height, float depth, float wall) {
     dmg_save(b);
     dmg_move(b, 0, height, 0);
@@ -11,7 +11,7 @@ static void draw_open_box(dmg_builder* b, float width, float height, float depth
     dmg_restore(b);
 }
 
-/* An upright round vessel with a wall. */
+/* Draws an upright round vessel with a wall. */
 static void draw_round_vessel(dmg_builder* b, float foot, float rim, float height, float wall) {
     const dmg_xy thick[] = {{0, 0}, {foot, 0}, {rim, height}, {rim - wall, height}, {foot - wall, wall}, {0, wall}};
     const dmg_xy thin[] = {{0, 0}, {foot, 0}, {rim, height}};
@@ -21,7 +21,7 @@ static void draw_round_vessel(dmg_builder* b, float foot, float rim, float heigh
         dmg_lathe(b, v3(0, 0, 0), v3(0, 1, 0), thin, 3);
 }
 
-/* A round lid on y = 0. */
+/* Draws a round lid on y = 0. */
 static void draw_round_lid(dmg_builder* b, int kind, float radius, float rise) {
     if (kind == 0) dmg_rod(b, v3(0, 0, 0), v3(0, rise, 0), radius);
     if (kind == 1) dmg_dome(b, v3(0, 0, 0), v3(radius, rise, radius));
@@ -35,7 +35,7 @@ static void draw_round_lid(dmg_builder* b, int kind, float radius, float rise) {
 
 /* ---- trash can ---- */
 
-/* A lid that turns about a line at the back of the rim or, swinging, about its own middle. */
+/* Draws a lid that turns about a line at the back of the rim or, swinging, about its own middle. */
 static void draw_bin_lid(dmg_builder* b, bool round, float width, float depth, float height, bool swings) {
     float rise = height * dmg_range(b, 0.03f, 0.2f), over = dmg_range(b, 0.98f, 1.05f),
           in = dmg_range(b, -0.06f, 0.06f) * depth;
@@ -133,7 +133,7 @@ static void draw_flaps(dmg_builder* b, float width, float height, float depth, f
     dmg_use(b, 0);
 }
 
-/* A lid that goes straight up, or forwards in grooves. */
+/* Draws a lid that goes straight up, or forwards in grooves. */
 static void draw_sliding_lid(dmg_builder* b, float width, float height, float depth, float wall, bool lifts) {
     if (lifts) {
         float skirt = height * dmg_range(b, 0.1f, 0.9f), w = width + 2.2f * wall, d = depth + 2.2f * wall;
@@ -151,7 +151,7 @@ static void draw_sliding_lid(dmg_builder* b, float width, float height, float de
     dmg_use(b, 0);
 }
 
-/* A tray in a sleeve: matches, sliding drawers of cardboard. */
+/* Draws a tray in a sleeve: matches, sliding drawers of cardboard. */
 static void draw_sleeve(dmg_builder* b, float width, float height, float depth, float wall) {
     float x = 0.5f * width, y = 0.5f * height, xi = x - wall, yi = y - wall;
     const dmg_xy outer[] = {{-x, -y}, {x, -y}, {x, y}, {-x, y}}, inner[] = {{-xi, -yi}, {xi, -yi}, {xi, yi}, {-xi, yi}};
@@ -164,7 +164,7 @@ static void draw_sleeve(dmg_builder* b, float width, float height, float depth, 
     dmg_use(b, 0);
 }
 
-/* Two lids that open like wings, with trays under them sometimes: tool boxes. */
+/* Draws two lids that open like wings, with trays under them sometimes: tool boxes. */
 static void draw_wings(dmg_builder* b, float width, float height, float depth, float wall) {
     float rise = 0.12f * height;
     for (int s = -1; s <= 1; s += 2) {
@@ -216,7 +216,7 @@ static void draw_pot_handles(dmg_builder* b, float radius, float height, bool pa
     }
 }
 
-/* A spout towards +X and a bail or a grip: kettles and teapots. */
+/* Draws a spout towards +X and a bail or a grip: kettles and teapots. */
 static void draw_kettle(dmg_builder* b, float radius, float height) {
     const dmg_vec spout[] = {
         {0.85f * radius, 0.35f * height, 0}, {1.3f * radius, 0.55f * height, 0}, {1.5f * radius, 0.95f * height, 0}};
@@ -370,7 +370,7 @@ void dmg_build_toilet(dmg_builder* b) {
 
 /* ---- suitcase ---- */
 
-/* One half shell, its opening at z = 0. */
+/* Draws one half shell, its opening at z = 0. */
 static void draw_shell(dmg_builder* b, int kind, float width, float height, float depth) {
     if (kind == 0) dmg_case_draw(b, dmg_case_pick(b), width, height, depth, 0.03f * depth + 0.004f);
     if (kind == 1) dmg_rounded_plate(b, width, height, depth, 0.12f * width);

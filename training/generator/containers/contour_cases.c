@@ -47,7 +47,7 @@ static void pick_contour(dmg_builder* b, contour* c) {
     c->rim = dmg_chance(b, 0.4f) ? dmg_range(b, 0.03f, 0.12f) : 0.0f;
 }
 
-/* One half, open or closed at z = 0, reaching up to `high`. */
+/* Draws one half, open or closed at z = 0, reaching up to `high`. */
 static void draw_contour_half(dmg_builder* b, const contour* c, float high) {
     dmg_xy outer[OUTLINE], inner[OUTLINE];
     contour_outline(c, 1.0f, outer);
@@ -71,7 +71,7 @@ static void draw_contour_half(dmg_builder* b, const contour* c, float high) {
     }
 }
 
-/* A clasp over the seam in front, hung on either half. */
+/* Draws a clasp over the seam in front, hung on either half. */
 static void draw_front_clasp(dmg_builder* b, const contour* c, uint32_t lid, float at, float size) {
     int i = (int)(at * (ALONG - 1));
     float x = c->length * (2.0f * at - 1.0f), share = at * (ALONG - 1) - (float)i,
@@ -85,7 +85,7 @@ static void draw_front_clasp(dmg_builder* b, const contour* c, uint32_t lid, flo
     dmg_use(b, 0);
 }
 
-/* A bail in front of the lower half, hanging or lifted. */
+/* Draws a bail in front of the lower half, hanging or lifted. */
 static void draw_front_bail(dmg_builder* b, const contour* c) {
     float span = c->length * dmg_range(b, 0.12f, 0.3f), wire = fminf(0.08f * span, 0.15f * c->low),
           reach = span * dmg_range(b, 0.4f, 0.8f), y = -c->width * c->front[ALONG / 2] * (1.0f + c->rim) - wire,
@@ -122,7 +122,7 @@ static void draw_contour_hinges(dmg_builder* b, const contour* c, dmg_vec line, 
     dmg_use(b, 0);
 }
 
-/* A little box with a lid of its own inside the lower half. */
+/* Draws a little box with a lid of its own inside the lower half. */
 static void draw_inner_box(dmg_builder* b, const contour* c) {
     float x = c->length * dmg_range(b, 0.1f, 0.3f), w = 0.3f * c->length, d = 0.5f * c->width, high = 0.6f * c->low,
           y = -0.1f * d;

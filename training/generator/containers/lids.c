@@ -71,7 +71,7 @@ static void draw_chest_fittings(dmg_builder* b, float width, float height, float
     }
 }
 
-/* A hasp on the lid's front edge (a part of the lid that swings up), or a plain grip. */
+/* Draws a hasp on the lid's front edge (a part of the lid that swings up), or a plain grip. */
 static void draw_lid_front(dmg_builder* b, uint32_t lid, float width, float z, float wall) {
     int kind = dmg_int(b, 0, 3);
     dmg_save(b);
@@ -130,7 +130,7 @@ void dmg_build_chest(dmg_builder* b) {
 
 /* ---- vessels ---- */
 
-/* A round or box-shaped vessel, y = 0 … height, open above; returns its half width at the rim along X. */
+/* Draws a round or box-shaped vessel, y = 0 … height, open above; returns its half width at the rim along X. */
 static float draw_vessel(dmg_builder* b, float radius, float height) {
     float taper = dmg_range(b, 0.65f, 1.05f), wall = radius * dmg_range(b, 0.015f, 0.06f);
     if (dmg_chance(b, 0.2f)) {
@@ -154,7 +154,7 @@ static float draw_vessel(dmg_builder* b, float radius, float height) {
     return radius;
 }
 
-/* A bail over the vessel, ends at (+-half, 0, 0), lying along +Y. */
+/* Draws a bail over the vessel, ends at (+-half, 0, 0), lying along +Y. */
 static void draw_bail(dmg_builder* b, float half, float rise, float tube) {
     enum { POINTS = 13 };
     dmg_vec path[POINTS];

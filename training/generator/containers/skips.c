@@ -52,8 +52,8 @@ static void draw_hull(dmg_builder* b, const hull* h) {
     dmg_restore(b);
 }
 
-/* A lid from the line z = 0 to z = length, its underside on y = 0: a plate, a ribbed one, one with a folded rim, a
- * shallow dome. */
+/* Draws a lid from the line z = 0 to z = length, its underside on y = 0: a plate, a ribbed one, one with a folded rim,
+ * a shallow dome. */
 static void draw_lid_plate(dmg_builder* b, int kind, float width, float length, float t) {
     if (kind == 3) {
         const dmg_xy bow[] = {{0, 0.5f * t}, {0.2f * length, 2 * t}, {0.8f * length, 2 * t}, {length, 0.5f * t}};
@@ -104,7 +104,7 @@ static void draw_lids(dmg_builder* b, const hull* h, float slope) {
     dmg_use(b, 0);
 }
 
-/* A door in one end, outside the sheet, on rails above and below; or hung at the side. */
+/* Draws a door in one end, outside the sheet, on rails above and below; or hung at the side. */
 static void draw_end_door(dmg_builder* b, const hull* h, float side) {
     float x = side * 0.5f * h->width, t = 0.7f * h->t, low = 0.3f * h->front, high = 0.85f * h->front,
           wide = 0.3f * (h->deep - h->toe - h->heel), z0 = 0.5f * (h->toe > 0 ? -h->toe : 0.0f), way = 1.05f * wide;
@@ -126,7 +126,7 @@ static void draw_end_door(dmg_builder* b, const hull* h, float side) {
     dmg_use(b, 0);
 }
 
-/* A bar that lies over the lids on two arms; it swings away to the front. */
+/* Draws a bar that lies over the lids on two arms; it swings away to the front. */
 static void draw_lock_bar(dmg_builder* b, const hull* h) {
     float t = h->t, x = 0.5f * h->width + 1.2f * t, z = 0.5f * h->deep - 0.12f * h->deep, y = 0.8f * h->front,
           top = h->front + 0.2f * (h->high - h->front) + 4.5f * t;
@@ -198,7 +198,7 @@ static void draw_wings(dmg_builder* b, float length, float width, float t) {
     }
 }
 
-/* The upright end at x = 0, facing +X, hinged at its foot; hooks at its sides hold it. */
+/* Draws the upright end at x = 0, facing +X, hinged at its foot; hooks at its sides hold it. */
 static void draw_drop_end(dmg_builder* b, float width, float high, float t) {
     float line = t * dmg_range(b, 0.0f, 2.0f), swing = dmg_range(b, 1.2f, 2.9f);
     uint32_t end = dmg_hinge(b, 0, "drop_end", v3(line, t, 0), v3(0, 0, -1), 0.0f, swing);
@@ -256,7 +256,7 @@ static void draw_skip(dmg_builder* b) {
 
 /* ---- a roll-off box: rear doors with their bars, rollers under its rails ---- */
 
-/* An upright bar on a door's outside at z = 0, turned by its handle, with a cam at each end. */
+/* Draws an upright bar on a door's outside at z = 0, turned by its handle, with a cam at each end. */
 static void draw_door_bar(dmg_builder* b, uint32_t door, float x, float high, float reach, float r) {
     dmg_use(b, door);
     for (int k = 0; k < 3; ++k) dmg_box(b, v3(x, high * (0.2f + 0.3f * (float)k), r), v3(5 * r, 2 * r, 1.2f * r));
@@ -270,7 +270,7 @@ static void draw_door_bar(dmg_builder* b, uint32_t door, float x, float high, fl
     if (dmg_chance(b, 0.2f)) dmg_rest(b, bar, 1.0f);
 }
 
-/* Two leaves, one, or a flap hung at the top, in the mouth at z = 0. */
+/* Draws two leaves, one, or a flap hung at the top, in the mouth at z = 0. */
 static void draw_rear(dmg_builder* b, float width, float high, float t) {
     int kind = dmg_weighted(b, (const float[]){3, 1, 1.3f}, 3), leaves = kind == 0 ? 2 : 1, ribs = dmg_int(b, 0, 4);
     float r = dmg_range(b, 0.015f, 0.03f), swing = kind == 2 ? dmg_range(b, 0.9f, 1.6f) : dmg_range(b, 1.4f, 4.2f);
@@ -347,7 +347,8 @@ static void draw_roll_off(dmg_builder* b) {
 
 /* ---- a bottle bank: flaps before its holes, a rod on top that lets its floor fall ---- */
 
-/* A ring about z at the origin with a round flap hung at its top: in its mouth, opening inwards, or outside it. */
+/* Draws a ring about z at the origin with a round flap hung at its top: in its mouth, opening inwards, or outside it.
+ */
 static void draw_port(dmg_builder* b, float r) {
     bool outward = dmg_chance(b, 0.35f);
     float swing = dmg_range(b, 0.6f, 1.4f),

@@ -8,7 +8,7 @@ typedef struct lock {
     uint32_t door;
 } lock;
 
-/* Two to five boxes in a row or a column: lettering, a badge, a display. */
+/* Draws two to five boxes in a row or a column: lettering, a badge, a display. */
 static void draw_badge(dmg_builder* b, float size) {
     int count = dmg_int(b, 1, 5);
     float w = size * dmg_range(b, 0.04f, 0.12f), h = size * dmg_range(b, 0.04f, 0.12f), t = 0.01f * size;
@@ -19,7 +19,7 @@ static void draw_badge(dmg_builder* b, float size) {
     }
 }
 
-/* A hub with spokes, straight or ending in balls, with a rim sometimes; turned by hand. */
+/* Draws a hub with spokes, straight or ending in balls, with a rim sometimes; turned by hand. */
 static void draw_spokes(dmg_builder* b, const lock* l) {
     float r = l->size * dmg_range(b, 0.08f, 0.3f), out = r * dmg_range(b, 0.15f, 0.7f),
           bar = r * dmg_range(b, 0.06f, 0.18f);
@@ -72,7 +72,7 @@ static void draw_keypad(dmg_builder* b, const lock* l) {
                 v3(key, key, 0.3f * key));
 }
 
-/* What a safe's door carries, mostly towards its free edge, which lies at `way` * X. */
+/* Draws what a safe's door carries, mostly towards its free edge, which lies at `way` * X. */
 static void draw_lockwork(dmg_builder* b, const lock* l, float width, float height, float way) {
     static const float weights[] = {3, 3, 1.5f, 2, 1.5f};
     int count = dmg_int(b, 1, 3);
@@ -92,7 +92,7 @@ static void draw_lockwork(dmg_builder* b, const lock* l, float width, float heig
     }
 }
 
-/* A door of a safe: a sheet, a plate, a rounded plate or a stepped one; front at z = 0. */
+/* Draws a door of a safe: a sheet, a plate, a rounded plate or a stepped one; front at z = 0. */
 static void draw_safe_door(dmg_builder* b, float width, float height, float t) {
     int kind = dmg_int(b, 0, 3);
     dmg_vec centre = {0, 0, -0.5f * t}, size = {width, height, t};
@@ -105,7 +105,7 @@ static void draw_safe_door(dmg_builder* b, float width, float height, float t) {
     }
 }
 
-/* The block that a door of width x height closes, its front at z = 0: plain, or with a rim round the door. */
+/* Draws the block that a door of width x height closes, its front at z = 0: plain, or with a rim round the door. */
 static void draw_block(dmg_builder* b, float width, float height, float depth, float rim, float border) {
     dmg_box(b, v3(0, 0, -0.5f * depth), v3(width, height, depth));
     if (rim <= 0.0f) return;
@@ -115,7 +115,7 @@ static void draw_block(dmg_builder* b, float width, float height, float depth, f
     dmg_restore(b);
 }
 
-/* One door before the block; the frame is at the middle of its place, z = 0 on the block. */
+/* Draws one door before the block; the frame is at the middle of its place, z = 0 on the block. */
 static void hang_safe_door(dmg_builder* b, float width, float height) {
     float small = fminf(width, height), t = small * dmg_scale_range(b, 0.008f, 0.09f), way = dmg_sign(b);
     dmg_leaf line = dmg_leaf_pick(b, small);
@@ -157,7 +157,7 @@ void dmg_build_strongbox(dmg_builder* b) {
 
 /* ---- an oven for the counter ---- */
 
-/* A door that is one sheet of the front, with a window's box behind it or before it. Front at z = 0. */
+/* Draws a door that is one sheet of the front, with a window's box behind it or before it. Front at z = 0. */
 static void draw_pane_door(dmg_builder* b, float width, float height, float t) {
     int kind = dmg_int(b, 0, 3);
     float w = width * dmg_range(b, 0.5f, 0.85f), h = height * dmg_range(b, 0.5f, 0.85f),
@@ -216,7 +216,7 @@ void dmg_build_counter_oven(dmg_builder* b) {
 
 /* ---- a cooler ---- */
 
-/* A fat door, round at its edges or bowed, with a liner and bins that reach into the cavity. */
+/* Draws a fat door, round at its edges or bowed, with a liner and bins that reach into the cavity. */
 static void draw_fat_door(dmg_builder* b, float width, float height, float t, float wall) {
     int kind = dmg_int(b, 0, 3);
     dmg_vec centre = {0, 0, -0.5f * t}, size = {width, height, t};

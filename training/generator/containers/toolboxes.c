@@ -14,7 +14,7 @@ typedef struct crate {
     float far;
 } crate;
 
-/* The line inside the rear wall, near its top: the open lid stands behind the box. */
+/* Draws the line inside the rear wall, near its top: the open lid stands behind the box. */
 static void hang_behind(dmg_builder* b, crate* c) {
     float in = c->depth * dmg_range(b, 0.0f, 0.1f), drop = c->height * dmg_range(b, 0.03f, 0.2f);
     c->far = dmg_range(b, 1.5f, 2.0f);
@@ -25,7 +25,7 @@ static void hang_behind(dmg_builder* b, crate* c) {
     c->up = c->under - clear * dmg_range(b, 1.0f, 1.4f) - c->pin;
 }
 
-/* The line on a rod behind the rim, which lugs of the lid reach. */
+/* Draws the line on a rod behind the rim, which lugs of the lid reach. */
 static void hang_on_rod(dmg_builder* b, crate* c) {
     float out = c->depth * dmg_range(b, 0.01f, 0.12f);
     c->far = dmg_range(b, 1.4f, 3.8f);
@@ -76,7 +76,7 @@ static void draw_crate_body(dmg_builder* b, const crate* c, float taper) {
                 v3(0.04f * c->width, 0.5f * c->height, 0.02f * c->depth));
 }
 
-/* The lid: a plate, a dished one with a skirt inside, or a shell that rises in the middle. */
+/* Draws the lid: a plate, a dished one with a skirt inside, or a shell that rises in the middle. */
 static void draw_crate_lid(dmg_builder* b, const crate* c) {
     int kind = dmg_int(b, 0, 3);
     float over = dmg_range(b, 0.0f, 0.04f) * c->depth, length = 0.5f * c->depth + over - c->rear,
@@ -142,8 +142,8 @@ void dmg_build_toolbox(dmg_builder* b) {
 
 /* ---- a casement in a wall ---- */
 
-/* A sash of bars round panes, its hung edge at x = 0, its middle plane z = 0: one pane, panes side by side, or louvres.
- */
+/* Draws a sash of bars round panes, its hung edge at x = 0, its middle plane z = 0: one pane, panes side by side, or
+ * louvres. */
 static void draw_wall_sash(dmg_builder* b, float width, float height, float t) {
     float bar = fminf(width, height) * dmg_range(b, 0.04f, 0.14f), pane = t * dmg_range(b, 0.05f, 0.4f);
     int columns = dmg_int(b, 1, 3), rows = dmg_int(b, 1, 3);

@@ -6,7 +6,7 @@
 
 /* ---- handles of doors ---- */
 
-/* A lever or a knob that turns in the leaf, on the leaf's front z = 0; it points along -X for `side` 1. */
+/* Draws a lever or a knob that turns in the leaf, on the leaf's front z = 0; it points along -X for `side` 1. */
 static void draw_lever_handle(dmg_builder* b, uint32_t leaf, float reach, float side) {
     float t = reach * dmg_range(b, 0.08f, 0.16f), out = reach * dmg_range(b, 0.2f, 0.5f);
     int kind = dmg_int(b, 0, 4), rose = dmg_int(b, 0, 2);
@@ -30,7 +30,7 @@ static void draw_lever_handle(dmg_builder* b, uint32_t leaf, float reach, float 
     dmg_use(b, leaf);
 }
 
-/* A leaf in a frame, on its edge or in a hole, with a lever, a pull or a knob. */
+/* Draws a leaf in a frame, on its edge or in a hole, with a lever, a pull or a knob. */
 static void draw_door_task(dmg_builder* b, float w, float h) {
     float t = fminf(w, h) * dmg_range(b, 0.04f, 0.15f), post = fminf(w, h) * dmg_range(b, 0.06f, 0.2f),
           side = dmg_sign(b), deep = t * dmg_range(b, 1.0f, 2.5f), x = w - post, y = h - post,
@@ -62,7 +62,7 @@ static void draw_door_task(dmg_builder* b, float w, float h) {
 
 /* ---- what slides ---- */
 
-/* A pane that slides behind or before its frame, pushed by a post or a bar that stands out of it. */
+/* Draws a pane that slides behind or before its frame, pushed by a post or a bar that stands out of it. */
 static void draw_window_task(dmg_builder* b, float w, float h) {
     float t = fminf(w, h) * dmg_range(b, 0.05f, 0.12f), grip = t * dmg_range(b, 0.6f, 1.6f),
           out = t * dmg_range(b, 1.5f, 5.0f), side = dmg_sign(b);
@@ -114,7 +114,7 @@ static void draw_drawer_task(dmg_builder* b, float w, float h) {
     dmg_use(b, 0);
 }
 
-/* A grip on a carriage in a slot, on two rails or on a strip. */
+/* Draws a grip on a carriage in a slot, on two rails or on a strip. */
 static void draw_slider_task(dmg_builder* b, float w, float h) {
     bool upright = h > w;
     float longer = fmaxf(w, h), t = longer * dmg_range(b, 0.03f, 0.1f), grip = longer * dmg_range(b, 0.08f, 0.25f),
@@ -197,7 +197,7 @@ static void draw_bolt_task(dmg_builder* b, float w, float h) {
 
 /* ---- what turns ---- */
 
-/* A lever beside or on a block that goes up and down, or round in the board's plane. */
+/* Draws a lever beside or on a block that goes up and down, or round in the board's plane. */
 static void draw_lever_task(dmg_builder* b, float w, float h) {
     float s = fminf(w, h), t = s * dmg_range(b, 0.06f, 0.18f), reach = s * dmg_range(b, 0.6f, 1.5f),
           swing = dmg_range(b, 0.4f, 1.4f);
@@ -340,7 +340,7 @@ static void draw_task(dmg_builder* b, float w, float h) {
     dmg_restore(b);
 }
 
-/* A grid of tasks on a board whose front is z = 0, centred. */
+/* Draws a grid of tasks on a board whose front is z = 0, centred. */
 static void draw_task_grid(dmg_builder* b, int columns, int rows, float w, float h, float t) {
     dmg_box(b, v3(0, 0, -0.5f * t), v3(2 * w, 2 * h, t));
     float cell_w = w / (float)columns, cell_h = h / (float)rows, fill = dmg_range(b, 0.65f, 0.97f);
@@ -353,7 +353,7 @@ static void draw_task_grid(dmg_builder* b, int columns, int rows, float w, float
     }
 }
 
-/* A board that stands on feet, leans on a stay, lies on legs or on the ground. */
+/* Draws a board that stands on feet, leans on a stay, lies on legs or on the ground. */
 static void draw_board(dmg_builder* b, float size) {
     int columns = dmg_int(b, 1, 4), rows = dmg_int(b, 1, 3), pose = dmg_int(b, 0, 2);
     float w = size, h = size * (float)rows / (float)columns * dmg_range(b, 0.7f, 1.3f),
@@ -388,7 +388,7 @@ static void draw_board(dmg_builder* b, float size) {
     draw_task_grid(b, columns, rows, w, h, t);
 }
 
-/* A cube with a task on some of its faces; at least one. */
+/* Draws a cube with a task on some of its faces; at least one. */
 static void draw_busy_cube(dmg_builder* b, float size) {
     float stretch = dmg_range(b, 0.7f, 1.4f), share = dmg_range(b, 0.3f, 1.0f);
     int must = dmg_int(b, 0, 4);

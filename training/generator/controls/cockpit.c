@@ -47,7 +47,7 @@ void dmg_build_control_panel(dmg_builder* b) {
 
 /* ---- radios and displays ---- */
 
-/* The housing behind the face; its back is often missing. */
+/* Draws the housing behind the face; its back is often missing. */
 static void draw_face(dmg_builder* b, float width, float height, float depth) {
     int shape = dmg_int(b, 0, 5);
     float thin = 0.03f * width;
@@ -85,7 +85,8 @@ static void draw_screen(dmg_builder* b, float width, float height) {
                       v3(0.6f * pitch, 0.5f * height, 0), DMG_FACE_FRONT);
 }
 
-/* A row or two of controls in a field of the given size; `upright` runs it along Y, and what flips, flips across it. */
+/* Draws a row or two of controls in a field of the given size; `upright` runs it along Y, and what flips, flips across
+ * it. */
 static void draw_field(dmg_builder* b, float width, float height, const float weights[DMG_CONTROL_KINDS]) {
     bool upright = height > width;
     float length = fmaxf(width, height), across = fminf(width, height);
@@ -129,7 +130,7 @@ static void draw_radio_row(dmg_builder* b, float width, float height) {
     }
 }
 
-/* A display with controls along its edges and knobs in the corners. */
+/* Draws a display with controls along its edges and knobs in the corners. */
 static void draw_radio_edges(dmg_builder* b, float width, float height) {
     float edge = fminf(width, height) * dmg_range(b, 0.1f, 0.25f), x = 0.5f * (width - edge),
           y = 0.5f * (height - edge);
@@ -156,7 +157,7 @@ static void draw_radio_edges(dmg_builder* b, float width, float height) {
     }
 }
 
-/* A round set: a disc, perhaps on a square plate, with controls round its rim. */
+/* Draws a round set: a disc, perhaps on a square plate, with controls round its rim. */
 static void draw_radio_disc(dmg_builder* b, float size, float depth) {
     float radius = 0.5f * size, thin = 0.06f * radius;
     if (dmg_chance(b, 0.5f)) dmg_box(b, v3(0, 0, -0.5f * thin), v3(size, size, thin));

@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A housing whose front is centred at the origin of z = 0; returns with the frame unchanged. */
+/* Draws a housing whose front is centred at the origin of z = 0; returns with the frame unchanged. */
 static void draw_housing(dmg_builder* b, float width, float height, float depth) {
     switch (dmg_int(b, 0, 4)) {
     case 0:
@@ -24,7 +24,7 @@ static void draw_housing(dmg_builder* b, float width, float height, float depth)
     }
 }
 
-/* Screws and a display on the front; moves to the middle of the room left below and answers its height. */
+/* Screws and a display on the front; moves to the middle of the room left below and returns its height. */
 static float draw_front_details(dmg_builder* b, float width, float height) {
     float small = fminf(width, height);
     if (dmg_chance(b, 0.3f)) {
@@ -142,7 +142,7 @@ void dmg_build_button(dmg_builder* b) {
 
 /* ---- faucet ---- */
 
-/* A bent tube from the origin: up, over and down towards +Z. */
+/* Draws a bent tube from the origin: up, over and down towards +Z. */
 static void draw_spout(dmg_builder* b, float radius, float rise, float reach) {
     enum { POINTS = 12 };
     dmg_vec path[POINTS];
@@ -159,7 +159,7 @@ static void draw_spout(dmg_builder* b, float radius, float rise, float reach) {
     dmg_sweep(b, path, POINTS, radius, radius, false);
 }
 
-/* A tap's handle about +Y at the origin, pointing to +Z. */
+/* Draws a tap's handle about +Y at the origin, pointing to +Z. */
 static void draw_tap_handle(dmg_builder* b, int kind, float radius, float length) {
     float body = radius * dmg_range(b, 0.8f, 1.8f), thick = radius * dmg_range(b, 0.3f, 0.8f),
           lift = dmg_range(b, 0.0f, 0.5f);
@@ -191,7 +191,7 @@ static void draw_tap_handle(dmg_builder* b, int kind, float radius, float length
     }
 }
 
-/* One lever on top, on the side, or two handles beside the spout. */
+/* Draws one lever on top, on the side, or two handles beside the spout. */
 static void draw_tap_handles(dmg_builder* b, float radius, float top, float reach) {
     int layout = dmg_int(b, 0, 2), kind = dmg_int(b, 0, 3);
     float length = reach * dmg_range(b, 0.3f, 0.8f), sides = reach * dmg_range(b, 0.4f, 0.7f);

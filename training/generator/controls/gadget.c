@@ -98,7 +98,7 @@ static void to_place(dmg_builder* b, const place* p) {
 
 /* ---- fittings on z = 0 within half sizes w, h ---- */
 
-/* A lid, hatch or door over the place. */
+/* Draws a lid, hatch or door over the place. */
 static void fit_leaf(dmg_builder* b, float w, float h) {
     dmg_leaf leaf = dmg_leaf_pick(b, dmg_range(b, 0.3f, 1.0f) * fminf(w, h));
     leaf.width = 2 * w;
@@ -111,7 +111,7 @@ static void fit_leaf(dmg_builder* b, float w, float h) {
     dmg_leaf_draw(b, 0, "cover", &leaf);
 }
 
-/* A plate or block that slides across the place, or a drawer out of it. */
+/* Draws a plate or block that slides across the place, or a drawer out of it. */
 static void fit_slide(dmg_builder* b, float w, float h) {
     bool along = w > h;
     float travel = (along ? w : h) * dmg_range(b, 0.3f, 1.2f), t = fminf(w, h) * dmg_range(b, 0.05f, 0.6f),
@@ -149,7 +149,7 @@ static void fit_drawer(dmg_builder* b, float w, float h) {
     dmg_drawer_draw(b, 0, "tray", &drawer);
 }
 
-/* A rod that comes straight out, thin or thick, with a head or none. */
+/* Draws a rod that comes straight out, thin or thick, with a head or none. */
 static void fit_rod(dmg_builder* b, float w, float h) {
     float radius = fminf(w, h) * dmg_range(b, 0.1f, 0.7f), length = radius * dmg_range(b, 1, 8);
     if (dmg_chance(b, 0.4f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.5f * radius), 1.2f * radius);
@@ -190,7 +190,7 @@ static void fit_knob(dmg_builder* b, float w, float h) {
     }
 }
 
-/* An arm on a pin between lugs, or from a hole: lies along the place or stands off it. */
+/* Draws an arm on a pin between lugs, or from a hole: lies along the place or stands off it. */
 static void fit_arm(dmg_builder* b, float w, float h) {
     float length = fmaxf(w, h) * dmg_range(b, 0.4f, 1.8f), t = fminf(w, h) * dmg_range(b, 0.05f, 0.2f),
           off = t * dmg_range(b, 0.0f, 2.0f), rest = dmg_range(b, 0.0f, 1.5f);
@@ -213,7 +213,7 @@ static void fit_arm(dmg_builder* b, float w, float h) {
     if (dmg_chance(b, 0.4f)) dmg_ellipsoid(b, end, v3(1.5f * t, 1.5f * t, 1.5f * t));
 }
 
-/* A bail: both ends on the place, folds about the line between them. */
+/* Draws a bail: both ends on the place, folds about the line between them. */
 static void fit_bail(dmg_builder* b, float w, float h) {
     enum { POINTS = 7 };
     dmg_vec path[POINTS];
@@ -240,7 +240,7 @@ static void fit_buttons(dmg_builder* b, float w, float h) {
     dmg_buttons_draw(b, 0, &set);
 }
 
-/* A disc standing half out of the place. */
+/* Draws a disc standing half out of the place. */
 static void fit_roller(dmg_builder* b, float w, float h) {
     float radius = fminf(w, h) * dmg_range(b, 0.3f, 0.9f), wide = radius * dmg_range(b, 0.1f, 1.0f),
           up = radius * dmg_range(b, -0.3f, 1.2f);
@@ -253,7 +253,7 @@ static void fit_roller(dmg_builder* b, float w, float h) {
     dmg_wheel_draw(b, dmg_int(b, 0, DMG_WHEEL_KINDS - 1), radius, wide, 5);
 }
 
-/* A whole block on a pivot: turns about the place's normal, like a head on a neck. */
+/* Draws a whole block on a pivot: turns about the place's normal, like a head on a neck. */
 static void fit_head(dmg_builder* b, float w, float h) {
     float size = fminf(w, h) * dmg_range(b, 0.6f, 1.8f), neck = size * dmg_range(b, 0.0f, 0.5f),
           x = size * dmg_range(b, 0.4f, 1.5f), y = size * dmg_range(b, 0.4f, 1.5f), z = size * dmg_range(b, 0.3f, 1.0f),

@@ -5,7 +5,7 @@
 
 /* ---- gates: the plate is z = 0, the slot runs along Y ---- */
 
-/* What a hand holds, on z = 0 towards +Z; its line across is X. */
+/* Draws what a hand holds, on z = 0 towards +Z; its line across is X. */
 static void draw_grip(dmg_builder* b, int kind, float r) {
     const dmg_xy wing[] = {{-1.3f * r, -0.3f * r}, {1.3f * r, 0}, {-1.3f * r, 0.3f * r}};
     if (kind == 0) dmg_ellipsoid(b, v3(0, 0, 0.8f * r), v3(r, r, r));
@@ -27,7 +27,7 @@ typedef struct gate {
     int shape;
 } gate;
 
-/* A flat plate with a slot through it, notched sometimes, on a box or on two cheeks. */
+/* Draws a flat plate with a slot through it, notched sometimes, on a box or on two cheeks. */
 static void draw_flat_gate(dmg_builder* b, const gate* g, float high) {
     float side = 0.5f * (g->wide - g->slot), end = 0.5f * g->long_ * 0.16f, inner = g->long_ - 2 * end;
     for (int i = -1; i <= 1; i += 2) {
@@ -48,7 +48,7 @@ static void draw_flat_gate(dmg_builder* b, const gate* g, float high) {
     }
 }
 
-/* Two sectors beside the lever, their rims round about its own line. */
+/* Draws two sectors beside the lever, their rims round about its own line. */
 static void draw_sector_gate(dmg_builder* b, const gate* g, float high) {
     enum { STEPS = 9 };
     dmg_xy side[STEPS + 2];
@@ -70,7 +70,7 @@ static void draw_sector_gate(dmg_builder* b, const gate* g, float high) {
     dmg_box(b, v3(0, 0, -g->deep - high), v3(g->wide, 1.5f * r, g->t));
 }
 
-/* A collar to lift, a button on the end, a trigger under the grip: what must be moved before the lever may. */
+/* Draws a collar to lift, a button on the end, a trigger under the grip: what must be moved before the lever may. */
 static void draw_catch(dmg_builder* b, uint32_t lever, float out, float r) {
     int kind = dmg_int(b, 0, 2);
     if (kind == 0) {
@@ -112,7 +112,7 @@ static void draw_gate_lever(dmg_builder* b, const gate* g, int grip, bool slides
     dmg_use(b, 0);
 }
 
-/* A shift lever on a ball: one turn carries the other; a boot or a plate with an H. */
+/* Draws a shift lever on a ball: one turn carries the other; a boot or a plate with an H. */
 static void draw_shifter(dmg_builder* b, const gate* g, int grip) {
     float r = 0.3f * g->wide, wide = 1.3f * g->wide;
     dmg_box(b, v3(0, 0, -0.5f * g->deep), v3(1.5f * wide, g->long_, g->deep));
@@ -185,7 +185,7 @@ static void draw_column(dmg_builder* b, float high, float r) {
     if (kind == 2) dmg_cone(b, v3(0, 0, 0), v3(0, high, 0), 1.2f * r, 0.7f * r);
 }
 
-/* A drum on its side, a dial on each end; handles ride round its rim about the drum's own line. */
+/* Draws a drum on its side, a dial on each end; handles ride round its rim about the drum's own line. */
 static void draw_telegraph(dmg_builder* b, float r) {
     float half = r * dmg_range(b, 0.3f, 0.7f), high = r * dmg_range(b, 2.5f, 5.0f), swing = dmg_range(b, 0.8f, 1.4f);
     int handles = dmg_int(b, 1, 2);
@@ -218,7 +218,7 @@ static void draw_telegraph(dmg_builder* b, float r) {
     }
 }
 
-/* A thruster's head: turns about the upright line, its handle tips about a line across, in it. */
+/* Draws a thruster's head: turns about the upright line, its handle tips about a line across, in it. */
 static void draw_thruster(dmg_builder* b, float r) {
     float high = r * dmg_range(b, 0.3f, 3.0f), tall = r * dmg_range(b, 0.8f, 1.6f);
     int count = dmg_int(b, 1, 2), shape = dmg_int(b, 0, 1);
@@ -247,7 +247,7 @@ static void draw_thruster(dmg_builder* b, float r) {
     }
 }
 
-/* A compass in two rings on a column: each ring tips about its own line, the card floats in the bowl. */
+/* Draws a compass in two rings on a column: each ring tips about its own line, the card floats in the bowl. */
 static void draw_binnacle(dmg_builder* b, float r) {
     float high = r * dmg_range(b, 2.0f, 4.5f), t = 0.06f * r;
     bool hood = dmg_chance(b, 0.5f), gimbal = dmg_chance(b, 0.7f), balls = dmg_chance(b, 0.6f);

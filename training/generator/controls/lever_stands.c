@@ -18,7 +18,7 @@ static void draw_grip(dmg_builder* b, dmg_vec from, dmg_vec to, float thin) {
     if (kind == 3) dmg_beam(b, v3_lerp(from, to, 0.5f), v3_lerp(from, to, 1.1f), 3 * thin, 2.5f * thin);
 }
 
-/* A housing whose front has an upright slot: two halves of a front, or a case that is open there. */
+/* Draws a housing whose front has an upright slot: two halves of a front, or a case that is open there. */
 static void draw_slotted(dmg_builder* b, float width, float height, float depth, float slot, bool curved) {
     float side = 0.5f * (width - slot);
     for (int s = -1; s <= 1; s += 2) {
@@ -34,7 +34,7 @@ static void draw_slotted(dmg_builder* b, float width, float height, float depth,
             v3(width, curved ? 0.2f * height : height, 0.2f * depth));
 }
 
-/* A handle out of a slot in a flat front: pressed down or pulled up. */
+/* Draws a handle out of a slot in a flat front: pressed down or pulled up. */
 static void draw_sliding_handle(dmg_builder* b) {
     float height = dmg_range(b, 0.1f, 0.4f), width = height * dmg_range(b, 0.3f, 1.2f),
           depth = height * dmg_range(b, 0.3f, 1.2f), thin = width * dmg_range(b, 0.04f, 0.12f),
@@ -60,7 +60,7 @@ static void draw_sliding_handle(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A handle out of a round housing, about the housing's own line. */
+/* Draws a handle out of a round housing, about the housing's own line. */
 static void draw_arc_handle(dmg_builder* b) {
     float depth = dmg_range(b, 0.05f, 0.2f), height = depth * dmg_range(b, 0.3f, 2.0f),
           width = depth * dmg_range(b, 0.5f, 1.8f), thin = width * dmg_range(b, 0.04f, 0.12f),
@@ -94,7 +94,7 @@ static void draw_cheek_lever(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A hub on the side of a post, an arm from it. */
+/* Draws a hub on the side of a post, an arm from it. */
 static void draw_post_lever(dmg_builder* b) {
     float high = dmg_range(b, 0.15f, 0.6f), wide = high * dmg_range(b, 0.2f, 0.6f),
           deep = wide * dmg_range(b, 0.3f, 1.2f), hub = wide * dmg_range(b, 0.15f, 0.45f),
@@ -114,7 +114,7 @@ static void draw_post_lever(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A large rocker in a frame, what it works hidden behind it: lugs and terminals. */
+/* Draws a large rocker in a frame, what it works hidden behind it: lugs and terminals. */
 static void draw_rocker_switch(dmg_builder* b) {
     float high = dmg_range(b, 0.02f, 0.1f), wide = high * dmg_range(b, 0.3f, 1.2f),
           rise = high * dmg_range(b, 0.05f, 0.25f), deep = high * dmg_range(b, 0.15f, 0.6f),

@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A plate or block for a control, front centred at the origin of z = 0. */
+/* Draws a plate or block for a control, front centred at the origin of z = 0. */
 static void draw_mount(dmg_builder* b, float width, float height, float depth) {
     int kind = dmg_int(b, 0, 3);
     if (kind == 0) dmg_rounded_plate(b, width, height, depth, 0.15f * fminf(width, height));
@@ -21,7 +21,7 @@ static void face_somewhere(dmg_builder* b, float size) {
     if (how == 2) dmg_turn(b, v3(1, 0, 0), -dmg_range(b, 0.3f, 1.2f));
 }
 
-/* What the hand holds at a lever's end. */
+/* Draws what the hand holds at a lever's end. */
 static void draw_grip(dmg_builder* b, int kind, dmg_vec at, dmg_vec along, float size) {
     if (kind == 0) dmg_ellipsoid(b, at, v3(size, size, size));
     if (kind == 1) dmg_rod(b, v3_mad(at, along, -1.5f * size), v3_mad(at, along, 1.5f * size), 0.7f * size);
@@ -35,7 +35,7 @@ static void draw_grip(dmg_builder* b, int kind, dmg_vec at, dmg_vec along, float
 
 /* ---- lever ---- */
 
-/* A stick on z = 0 that rocks about X in its slot. */
+/* Draws a stick on z = 0 that rocks about X in its slot. */
 static void draw_stick(dmg_builder* b, float length, float radius, float swing) {
     float below = length * dmg_range(b, 0.0f, 0.25f);
     bool slot = dmg_chance(b, 0.6f);
@@ -55,7 +55,7 @@ static void draw_stick(dmg_builder* b, float length, float radius, float swing) 
     dmg_use(b, 0);
 }
 
-/* A lever on the side of a box, turning about the axle that sticks out of it: slot machines, signals. */
+/* Draws a lever on the side of a box, turning about the axle that sticks out of it: slot machines, signals. */
 static void draw_side_lever(dmg_builder* b, float length, float radius) {
     float side = dmg_sign(b), x = side * 2.2f * radius, rested = dmg_range(b, -0.3f, 0.9f);
     dmg_save(b);
@@ -70,7 +70,7 @@ static void draw_side_lever(dmg_builder* b, float length, float radius) {
     dmg_restore(b);
 }
 
-/* A handle on a rose, as of a door or a valve: turns about Z. */
+/* Draws a handle on a rose, as of a door or a valve: turns about Z. */
 static void draw_turning_lever(dmg_builder* b, float length, float radius) {
     float out = radius * dmg_range(b, 2, 5), far = dmg_range(b, 0.6f, 1.7f), slant = dmg_range(b, -DMG_PI, DMG_PI);
     dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.3f * out), 2.2f * radius);
@@ -232,7 +232,7 @@ void dmg_build_slider(dmg_builder* b) {
 
 /* ---- crank ---- */
 
-/* A crank about Z in the part in use: arm along +X at z, grip towards +Z. The grip may turn on its own. */
+/* Draws a crank about Z in the part in use: arm along +X at z, grip towards +Z. The grip may turn on its own. */
 static void draw_crank_arm(dmg_builder* b, uint32_t crank, float arm, float z, float radius) {
     bool bent = dmg_chance(b, 0.3f), both = dmg_chance(b, 0.1f);
     float grip = arm * dmg_range(b, 0.3f, 0.8f);
@@ -280,7 +280,7 @@ void dmg_build_crank(dmg_builder* b) {
 
 /* ---- valve ---- */
 
-/* A pipe along X with flanges, and the bonnet the stem comes out of at y = 0 upwards. */
+/* Draws a pipe along X with flanges, and the bonnet the stem comes out of at y = 0 upwards. */
 static void draw_pipe(dmg_builder* b, float radius) {
     float length = radius * dmg_range(b, 4, 10), y = -radius * dmg_range(b, 1.2f, 2.0f);
     int shape = dmg_int(b, 0, 2);
@@ -384,7 +384,7 @@ void dmg_build_joystick(dmg_builder* b) {
 
 /* ---- game controller ---- */
 
-/* A thumb stick on z = 0: turns about a line under its cap; may be pressed too. */
+/* Draws a thumb stick on z = 0: turns about a line under its cap; may be pressed too. */
 static void draw_thumb_stick(dmg_builder* b, float radius) {
     float rise = radius * dmg_range(b, 0.6f, 1.2f), pivot = -radius * dmg_range(b, 0, 0.6f),
           swing = dmg_range(b, 0.25f, 0.5f);
@@ -412,7 +412,7 @@ static void draw_trigger(dmg_builder* b, uint32_t parent, const char* name, floa
     dmg_use(b, parent);
 }
 
-/* Two horns and a bridge: thumbs on top, fingers behind. */
+/* Draws two horns and a bridge: thumbs on top, fingers behind. */
 static void draw_gamepad(dmg_builder* b, float width) {
     float body = 0.4f * width, thick = 0.18f * width;
     dmg_rounded_box(b, v3(0, 0, -0.5f * thick), v3(width, body, thick), 0.45f * thick);
@@ -450,7 +450,7 @@ static void draw_gamepad(dmg_builder* b, float width) {
     }
 }
 
-/* A grip with a ring or a head: trackers for one hand. */
+/* Draws a grip with a ring or a head: trackers for one hand. */
 static void draw_hand_controller(dmg_builder* b, float length) {
     float radius = 0.15f * length;
     dmg_save(b);

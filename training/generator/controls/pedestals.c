@@ -61,7 +61,7 @@ static void draw_levers(dmg_builder* b, const pedestal* p) {
     dmg_restore(b);
 }
 
-/* A trim wheel on the flank, its rim often standing above the top. */
+/* Draws a trim wheel on the flank, its rim often standing above the top. */
 static void draw_trim_wheel(dmg_builder* b, const pedestal* p, float side) {
     float radius = p->depth * dmg_range(b, 0.15f, 0.35f), thick = p->width * dmg_range(b, 0.04f, 0.15f),
           x = side * (0.5f * p->width + 0.6f * thick), y = p->height - radius * dmg_range(b, -0.1f, 0.8f);

@@ -6,8 +6,8 @@
 
 /* ---- push buttons: on z = 0, +Z out ---- */
 
-/* A plunger on a stem: flanges, a mushroom, a plain pin. What shows above the collar may all go in, or a tenth of it.
- */
+/* Draws a plunger on a stem: flanges, a mushroom, a plain pin. What shows above the collar may all go in, or a tenth of
+ * it. */
 static void draw_plunger(dmg_builder* b, float radius) {
     float out = radius * dmg_range(b, 0.4f, 3.0f), head = out * dmg_range(b, 0.15f, 0.6f),
           stem = radius * dmg_range(b, 0.35f, 0.95f), room = out - head;
@@ -34,7 +34,7 @@ static void draw_plunger(dmg_builder* b, float radius) {
     dmg_use(b, 0);
 }
 
-/* A disc in a ring of its own: proud, flush or let in; domed, flat or dished. */
+/* Draws a disc in a ring of its own: proud, flush or let in; domed, flat or dished. */
 static void draw_bezel_button(dmg_builder* b, float radius) {
     float wall = radius * dmg_range(b, 0.08f, 0.5f), high = radius * dmg_range(b, 0.1f, 0.8f),
           slope = dmg_range(b, 0.6f, 1.0f), deep = radius * dmg_range(b, 0.1f, 1.0f),
@@ -51,7 +51,7 @@ static void draw_bezel_button(dmg_builder* b, float radius) {
     dmg_use(b, 0);
 }
 
-/* A block that fills a frame: a lift's, a bell's, a keypad's key. */
+/* Draws a block that fills a frame: a lift's, a bell's, a keypad's key. */
 static void draw_framed_button(dmg_builder* b, float radius) {
     float w = 2 * radius, h = w * dmg_range(b, 0.5f, 1.6f), high = radius * dmg_range(b, 0.05f, 0.5f),
           border = radius * dmg_range(b, 0.1f, 0.4f), deep = radius * dmg_range(b, 0.0f, 0.8f),
@@ -66,7 +66,7 @@ static void draw_framed_button(dmg_builder* b, float radius) {
     dmg_use(b, 0);
 }
 
-/* The box, drum or plate they are on; without one each stands in its own bezel. */
+/* Draws the box, drum or plate they are on; without one each stands in its own bezel. */
 static void draw_button_base(dmg_builder* b, float width, float height, float depth) {
     int kind = dmg_int(b, 0, 4);
     if (kind == 0) dmg_box(b, v3(0, 0, -0.5f * depth), v3(width, height, depth));
@@ -131,7 +131,7 @@ static void draw_rocker_block(dmg_builder* b, float width, float length, float r
     dmg_restore(b);
 }
 
-/* What is behind the flange of a switch that snaps into a hole: a case, springs at its sides, blades. */
+/* Draws what is behind the flange of a switch that snaps into a hole: a case, springs at its sides, blades. */
 static void draw_snap_case(dmg_builder* b, float width, float length, float depth) {
     dmg_case_draw(b, dmg_chance(b, 0.5f) ? DMG_CASE_BOARDS : DMG_CASE_SHEET, width, length, depth, 0.05f * width);
     for (int s = -1; s <= 1 && dmg_chance(b, 0.6f); s += 2) {
@@ -181,8 +181,8 @@ void dmg_build_rocker_switch(dmg_builder* b) {
 
 /* ---- toaster ---- */
 
-/* What one pushes down: a block, a lying or a standing roller, a paddle, a spoon; from z = 0 outwards, `wide` along X.
- */
+/* Draws what one pushes down: a block, a lying or a standing roller, a paddle, a spoon; from z = 0 outwards, `wide`
+ * along X. */
 static void draw_pusher(dmg_builder* b, float wide, float out) {
     float high = wide * dmg_range(b, 0.15f, 1.2f), gap = out * dmg_range(b, 0.0f, 0.5f);
     int shape = dmg_int(b, 0, 4);

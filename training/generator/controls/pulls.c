@@ -39,7 +39,7 @@ static void draw_nut(dmg_builder* b, float radius, float height) {
     dmg_extrude(b, hexagon, 6, -0.1f * height, height);
 }
 
-/* A rod out of the panel: goes in as far as it shows, or comes out as far as it reaches back. */
+/* Draws a rod out of the panel: goes in as far as it shows, or comes out as far as it reaches back. */
 static uint32_t draw_rod(dmg_builder* b, float thin, float travel, float nut) {
     bool whole = dmg_chance(b, 0.6f);
     float shown = whole ? nut : nut + travel;
@@ -72,7 +72,7 @@ static void draw_plunger(dmg_builder* b, int head, float r) {
     dmg_use(b, 0);
 }
 
-/* The same head with no rod to see: a skirt with a mark on it, figures round it on the panel. */
+/* Draws the same head with no rod to see: a skirt with a mark on it, figures round it on the panel. */
 static void draw_turner(dmg_builder* b, int head, float r) {
     float skirt = r * dmg_range(b, 1.05f, 1.4f), thick = r * dmg_range(b, 0.1f, 0.4f), upper = dmg_range(b, 1.0f, 5.0f);
     int figures = dmg_chance(b, 0.5f) ? dmg_int(b, 3, 10) : 0;
@@ -92,7 +92,7 @@ static void draw_turner(dmg_builder* b, int head, float r) {
     dmg_use(b, 0);
 }
 
-/* A bar across a rod with notches that is pulled, or across a thick boss between stops that is turned. */
+/* Draws a bar across a rod with notches that is pulled, or across a thick boss between stops that is turned. */
 static void draw_tee(dmg_builder* b, float r) {
     float bar = r * dmg_range(b, 1.2f, 2.2f), thick = 0.35f * r, thin = r * dmg_range(b, 0.15f, 0.25f);
     bool pulls = dmg_chance(b, 0.5f), upright = dmg_chance(b, 0.3f);
@@ -123,7 +123,7 @@ static void draw_tee(dmg_builder* b, float r) {
     dmg_use(b, 0);
 }
 
-/* A pistol grip on a rod out of a tube under the panel: the umbrella brake. */
+/* Draws a pistol grip on a rod out of a tube under the panel: the umbrella brake. */
 static void draw_umbrella(dmg_builder* b, float r) {
     float thin = 0.22f * r, travel = r * dmg_range(b, 1.0f, 3.0f), drop = r * dmg_range(b, 1.0f, 2.0f);
     dmg_rod(b, v3(0, 0, -travel), v3(0, 0, 0.6f * r), 1.6f * thin);
@@ -136,7 +136,7 @@ static void draw_umbrella(dmg_builder* b, float r) {
     dmg_use(b, 0);
 }
 
-/* A lock in its plate; the key's bow lies in the plane through the line, a ring hangs through it. */
+/* Draws a lock in its plate; the key's bow lies in the plane through the line, a ring hangs through it. */
 static void draw_ignition(dmg_builder* b, float r) {
     float core = 0.55f * r, rise = r * dmg_range(b, 0.05f, 0.5f), bow = r * dmg_range(b, 0.4f, 0.8f), thin = 0.08f * r;
     dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.08f * r), r);
@@ -164,7 +164,7 @@ static void draw_ignition(dmg_builder* b, float r) {
     dmg_use(b, 0);
 }
 
-/* A handle that points: long on one side of the line, on a round plate with its figures. */
+/* Draws a handle that points: long on one side of the line, on a round plate with its figures. */
 static void draw_selector(dmg_builder* b, float r) {
     float nose = r * dmg_range(b, 1.2f, 2.0f), tail = r * dmg_range(b, 0.2f, 0.9f), wide = 0.35f * r, lift = 0.5f * r;
     float swing = dmg_range(b, 0.7f, 2.4f);
@@ -218,7 +218,7 @@ void dmg_build_push_pull_panel(dmg_builder* b) {
 
 /* ---- wheels half sunk ---- */
 
-/* What shows of a wheel on z = 0, its line along X below the surface: a rim with ribs, or the cap above alone. */
+/* Draws what shows of a wheel on z = 0, its line along X below the surface: a rim with ribs, or the cap above alone. */
 static void draw_rim(dmg_builder* b, float radius, float width, float sink, int kind) {
     enum { STEPS = 9 };
     dmg_save(b);
@@ -306,7 +306,7 @@ static void draw_sliding_block(dmg_builder* b, float radius, float width) {
     dmg_use(b, 0);
 }
 
-/* A dial let into a dish: a rim round it, finger holes or a bar on it. */
+/* Draws a dial let into a dish: a rim round it, finger holes or a bar on it. */
 static void draw_dished_dial(dmg_builder* b, float r) {
     const dmg_xy dish[] = {{1.1f * r, -0.1f * r},
                            {1.3f * r, -0.1f * r},

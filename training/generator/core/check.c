@@ -30,7 +30,7 @@ static float face_area(const dmg_object* o, uint32_t face) {
     return 0.5f * v3_length(v3_cross(v3_sub(vertex(o, face, 1), a), v3_sub(vertex(o, face, 2), a)));
 }
 
-/* Points spread evenly over the faces of those that move with the part, or of those that do not. */
+/* Samples points evenly over the faces that move with the part, or over those that do not. */
 static void take_sample(const dmg_object* o, uint32_t part, bool moving, sample* out) {
     float area = 0.0f, done = 0.0f;
     for (uint32_t f = 0; f < o->face_count; ++f) {
@@ -53,7 +53,7 @@ static void take_sample(const dmg_object* o, uint32_t part, bool moving, sample*
     }
 }
 
-/* 1 inside a closed shell of the body, 0 outside, more inside several. */
+/* Returns the winding number of the body: 1 inside a closed shell, 0 outside, more inside several. */
 static float body_winding(const dmg_object* o, dmg_vec p) {
     float sum = 0.0f;
     for (uint32_t f = 0; f < o->face_count; ++f) {
@@ -66,7 +66,7 @@ static float body_winding(const dmg_object* o, dmg_vec p) {
     return sum / (4.0f * DMG_PI);
 }
 
-/* Squared distance of a point to a triangle: to its plane inside it, else to an edge. */
+/* Returns the squared distance of a point to a triangle. */
 static float triangle_distance(dmg_vec p, dmg_vec a, dmg_vec b, dmg_vec c) {
     const dmg_vec corners[3] = {a, b, c};
     dmg_vec n = v3_cross(v3_sub(b, a), v3_sub(c, a));
@@ -92,7 +92,8 @@ static float surface_distance(const dmg_object* o, uint32_t part, bool moving, b
     return sqrtf(best);
 }
 
-/* Smallest distance between samples of the moved part and the rest, and of the rest and the part moved back. */
+/* Returns the smallest distance between samples of the moved part and the rest, and of the rest and the part moved
+ * back. */
 static float part_gap(const dmg_object* o, uint32_t part, const sample* moving, const sample* still,
                       const dmg_frame* there, const dmg_frame* back) {
     float best = FLT_MAX;
@@ -107,7 +108,7 @@ static float part_gap(const dmg_object* o, uint32_t part, const sample* moving, 
     return best;
 }
 
-/* How deep the deepest of the moved points lies in the body. */
+/* Returns how deep the deepest of the moved points lies in the body. */
 static float deepest(const dmg_object* o, uint32_t part, const sample* moving, const dmg_frame* there) {
     float depth = 0.0f;
     for (uint32_t i = 0; i < moving->count; ++i) {
@@ -130,7 +131,7 @@ static float object_size(const dmg_object* o) {
     return size;
 }
 
-/* The joint's value at a stop of the way. */
+/* Returns the joint's value at a stop of its range. */
 static float stop_value(const dmg_joint* joint, int stop) {
     float share = (float)stop / (STOPS - 1);
     if (joint->type == DM_JOINT_CONTINUOUS) return 2.0f * DMG_PI * share;

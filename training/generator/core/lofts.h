@@ -27,7 +27,7 @@ typedef struct dmg_bent {
     int window_count;
 } dmg_bent;
 
-/* A plain one with the given ends, bowed aside in the middle. */
+/* Returns a body with the given ends, bowed aside in the middle. */
 dmg_bent dmg_bent_between(dmg_vec from, dmg_vec to, dmg_vec bow, dmg_vec side, float wide, float deep);
 dmg_vec dmg_bent_middle(const dmg_bent* n, float s);
 dmg_vec dmg_bent_point(const dmg_bent* n, float s, float angle, float out);
@@ -35,11 +35,12 @@ dmg_vec dmg_bent_point(const dmg_bent* n, float s, float angle, float out);
 void dmg_bent_stand(dmg_builder* b, const dmg_bent* n, float s, float angle, float out);
 /* An opening with a well below it, about an angle; on the grid's nearest lines. Before the shell is drawn. */
 dmg_window dmg_bent_open(dmg_bent* n, float s, float angle, float length, float arc, float depth);
-/* The place of its middle, for what comes out of it. */
+/* Returns the place of the opening's middle. */
 void dmg_window_middle(const dmg_bent* n, const dmg_window* w, float* s, float* angle);
 void dmg_bent_draw(dmg_builder* b, const dmg_bent* n);
 
-/* How what fills an opening moves: straight in, about the line across its first or last end, about its middle. */
+/* How the part that fills an opening moves: straight in, about the line across its first or last end, about its middle.
+ */
 typedef enum dmg_key_motion {
     DMG_KEY_PRESS,
     DMG_KEY_FIRST,
@@ -48,7 +49,7 @@ typedef enum dmg_key_motion {
     DMG_KEY_ROCK_ASIDE
 } dmg_key_motion;
 
-/* Leaves `parent` in use. */
+/* Adds the part that fills an opening. Leaves `parent` in use. */
 void dmg_bent_key_draw(dmg_builder* b, const dmg_bent* n, const dmg_window* w, uint32_t parent, const char* name,
                        dmg_key_motion motion);
 
@@ -61,7 +62,7 @@ void dmg_aim(dmg_builder* b, dmg_vec at, dmg_vec out, dmg_vec up);
 /* ---- on z = 0, +Z out of the surface; `parent` is in use afterwards ---- */
 
 /* What a finger pulls: it hangs along -Y from the origin, its face +Z goes in; the pin is inside, behind the root.
- * Answers the part. */
+ * Returns the part. */
 uint32_t dmg_finger_lever_draw(dmg_builder* b, uint32_t parent, const char* name, float wide, float length);
 /* A bat, a paddle or a ball-ended rod that leans along Y about a pin below the surface. */
 void dmg_bat_draw(dmg_builder* b, uint32_t parent, const char* name, float size);

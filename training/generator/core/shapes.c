@@ -31,7 +31,7 @@ void dmg_box_span(dmg_builder* b, dmg_vec low, dmg_vec high) {
     dmg_box(b, v3_lerp(low, high, 0.5f), v3_sub(high, low));
 }
 
-/* A band of quads between two rows of equally many vertices; `from` below, counter-clockwise seen from above. */
+/* Draws a band of quads between two rows of equally many vertices; `from` below, counter-clockwise seen from above. */
 static void band(dmg_builder* b, uint32_t from, uint32_t to, int count, bool closed) {
     for (int i = 0; i + (closed ? 0 : 1) < count; ++i) {
         uint32_t next = (uint32_t)((i + 1) % count), here = (uint32_t)i;
@@ -273,7 +273,7 @@ static void cap(dmg_builder* b, const dmg_xy* polygon, int count, uint32_t low, 
     }
 }
 
-/* One row of vertices: an outline at height z. */
+/* Draws one row of vertices: an outline at height z. */
 static uint32_t outline(dmg_builder* b, const dmg_xy* polygon, int count, float z) {
     uint32_t first = b->vertex_count;
     for (int i = 0; i < count; ++i) dmg_vertex(b, v3(polygon[i].x, polygon[i].y, z));

@@ -16,7 +16,7 @@ static int skin_steps(const dmg_builder* b, float arc) {
     return steps < 2 ? 2 : (steps > STEP_LIMIT ? STEP_LIMIT : steps);
 }
 
-/* One layer's vertices, column by column; returns the first. */
+/* Draws one layer's vertices, column by column; returns the first. */
 static uint32_t add_layer(dmg_builder* b, const dmg_skin* s, int columns, int steps, float inset) {
     uint32_t first = b->vertex_count;
     for (int i = 0; i < columns; ++i) {
@@ -64,7 +64,7 @@ void dmg_skin_cone(dmg_builder* b, dmg_xy back, dmg_xy front, float from, float 
     dmg_skin_draw(b, &skin);
 }
 
-/* A flat plate on the chord of the arc. */
+/* Draws a flat plate on the chord of the arc. */
 static void draw_plate(dmg_builder* b, const dmg_band* d, float middle, float half) {
     float flat = cosf(half), width = 2 * sinf(half) * fminf(d->back.x, d->front.x), t = fmaxf(d->t, 0.01f * d->front.x);
     dmg_vec tangent = dmg_skin_tangent(middle), from = dmg_skin_point(d->front.x * flat, middle, d->front.y),

@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A pad with soft edges or square ones, one look an object. */
+/* Draws a pad with soft edges or square ones, one look an object. */
 static void draw_pad(dmg_builder* b, bool soft, dmg_vec low, dmg_vec high) {
     dmg_vec size = v3_sub(high, low);
     if (soft)
@@ -20,7 +20,7 @@ typedef struct chair {
     uint32_t carrier; /* of the seat */
 } chair;
 
-/* A foot, and a column that lengthens, turns or both, or an arm that lifts; the seat's underside at `seat`. */
+/* Draws a foot, and a column that lengthens, turns or both, or an arm that lifts; the seat's underside at `seat`. */
 static void draw_column(dmg_builder* b, chair* c) {
     float r = c->width * dmg_range(b, 0.1f, 0.2f), foot = c->width * dmg_range(b, 0.35f, 0.6f), thick = 0.08f * c->seat;
     int kind = dmg_int(b, 0, 3);
@@ -232,7 +232,7 @@ static void draw_bed_base(dmg_builder* b, bed* d) {
     if (lifts) dmg_box_span(b, v3(-0.42f * d->width, top, -d->t), v3(0.42f * d->width, d->high, d->t));
 }
 
-/* One section from z0 to z1: a plate, and a mattress on it. */
+/* Draws one section from z0 to z1: a plate, and a mattress on it. */
 static void draw_section(dmg_builder* b, const bed* d, float z0, float z1) {
     float x = 0.46f * d->width;
     dmg_box_span(b, v3(-x, d->high + 0.1f * d->t, z0), v3(x, d->high + 0.5f * d->t, z1));

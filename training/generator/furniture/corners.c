@@ -13,7 +13,7 @@ typedef struct corner {
     float open;
 } corner;
 
-/* The plan's outline on the floor, between two heights. */
+/* Draws the plan's outline on the floor, between two heights. */
 static void draw_slab(dmg_builder* b, const corner* k, float low, float high, float over) {
     float s = k->side, d = k->deep + over;
     const dmg_xy bent[] = {{0, 0}, {s, 0}, {s, d}, {d, d}, {d, s}, {0, s}},
@@ -36,7 +36,7 @@ static void draw_walls(dmg_builder* b, const corner* k, float low, float high, b
 
 /* ---- carousels ---- */
 
-/* A round shelf, three quarters of one, or a kidney: about the origin, its notch towards +X +Z. */
+/* Draws a round shelf, three quarters of one, or a kidney: about the origin, its notch towards +X +Z. */
 static void draw_shelf(dmg_builder* b, int kind, float radius, float thick, float rim) {
     enum { POINTS = 20 };
     dmg_xy outline[POINTS + 2];
@@ -110,7 +110,7 @@ static bend pick_bend(dmg_builder* b, const corner* k) {
     return f;
 }
 
-/* The plate before the wing along x, or the other one; its handle near the end of the wing or near the corner. */
+/* Draws the plate before the wing along x, or the other one; its handle near the end of the wing or near the corner. */
 static void draw_bend_plate(dmg_builder* b, const corner* k, const bend* f, bool other, float grip) {
     float middle = f->from + 0.5f * f->width;
     dmg_save(b);

@@ -17,7 +17,7 @@ static void rest_open(dmg_builder* b, const cot* c, uint32_t part, float far) {
     dmg_use(b, c->carrier);
 }
 
-/* A side w x h about the origin of z = 0: rails with bars, slats, laths along it, or closed. */
+/* Draws a side w x h about the origin of z = 0: rails with bars, slats, laths along it, or closed. */
 static void draw_fence(dmg_builder* b, const cot* c, float w, float h) {
     float r = fminf(c->rail, 0.2f * h), t = 0.8f * c->rail;
     int count = (int)(w / c->length * (float)c->bars) + 1;
@@ -119,7 +119,7 @@ static void draw_fold_side(dmg_builder* b, const cot* c) {
     rest_open(b, c, side, far);
 }
 
-/* A gate between fixed pieces, hung on one of them. */
+/* Draws a gate between fixed pieces, hung on one of them. */
 static void draw_gate_side(dmg_builder* b, const cot* c) {
     float h = c->high - c->low, z = 0.5f * c->width, w = c->length - 1.05f * c->post, share = dmg_range(b, 0.3f, 0.6f),
           x = w * (0.5f - 0.5f * share) * dmg_range(b, -1.0f, 1.0f), half = 0.5f * share * w,
@@ -248,7 +248,7 @@ static void draw_hood(dmg_builder* b, const cot* c) {
     rest_open(b, c, hood, far);
 }
 
-/* A tray across the sides, which is pushed along them, or is hung on the rear one and lifts. */
+/* Draws a tray across the sides, which is pushed along them, or is hung on the rear one and lifts. */
 static void draw_changer(dmg_builder* b, const cot* c) {
     float w = c->length * dmg_range(b, 0.35f, 0.5f), x = 0.5f * c->length - 0.5f * w - 0.1f * c->length,
           z = 0.5f * c->width + 0.7f * c->post, y = c->high + 0.15f * c->post;
@@ -305,7 +305,7 @@ static void draw_cot_castors(dmg_builder* b, const cot* c, float r) {
     dmg_use(b, 0);
 }
 
-/* Two uprights with the pins that a cradle hangs on. */
+/* Draws two uprights with the pins that a cradle hangs on. */
 static void draw_stand(dmg_builder* b, cot* c, float pin) {
     float x = 0.5f * c->length + 1.6f * c->post, z = 0.5f * c->width * dmg_range(b, 0.8f, 1.2f),
           far = dmg_range(b, 0.15f, 0.4f);

@@ -20,7 +20,7 @@ typedef struct flush {
 
 /* ---- fronts ---- */
 
-/* A section in x and z carried along y: what bevels and hooks are. */
+/* Draws a section in x and z carried along y: what bevels and hooks are. */
 static void extrude_section(dmg_builder* b, const dmg_xy* section, int count, float height) {
     dmg_save(b);
     dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI);
@@ -117,7 +117,7 @@ static void draw_rails(dmg_builder* b, const flush* k, const place* p, uint32_t 
     }
 }
 
-/* What stands in the box: partitions along or across, or hanging files. */
+/* Draws what stands in the box: partitions along or across, or hanging files. */
 static void draw_partitions(dmg_builder* b, float w, float h, float deep, float wall) {
     int kind = dmg_int(b, 0, 4), count = dmg_int(b, 1, 4);
     for (int i = 1; i <= count; ++i) {
@@ -224,7 +224,7 @@ static void draw_door_bins(dmg_builder* b, const flush* k, float w, float h) {
     }
 }
 
-/* The line's place: across from the hung edge, behind the face. */
+/* Draws the line's place: across from the hung edge, behind the face. */
 static dmg_vec pick_line(dmg_builder* b, const flush* k) {
     static const float through[] = {0.0f, 0.5f, 1.0f};
     float in = dmg_range(b, 0.3f, 2.0f);
@@ -233,7 +233,7 @@ static dmg_vec pick_line(dmg_builder* b, const flush* k) {
     return v3(0, 0, -k->t * through[k->inset ? 0 : dmg_int(b, 0, 2)]);
 }
 
-/* A leaf hung at its side towards -X before a cell w x h. */
+/* Draws a leaf hung at its side towards -X before a cell w x h. */
 static uint32_t draw_flush_leaf(dmg_builder* b, const flush* k, const char* name, const place* p, float w, float h) {
     float far = dmg_range(b, 1.4f, 2.0f), x = -0.5f * w;
     dmg_vec line = pick_line(b, k);
@@ -305,7 +305,7 @@ static void draw_flush_flap(dmg_builder* b, const flush* k, float w, float h, bo
     dmg_restore(b);
 }
 
-/* Two leaves on tracks behind each other, on strips above and below them. */
+/* Draws two leaves on tracks behind each other, on strips above and below them. */
 static void draw_sliders(dmg_builder* b, const flush* k, float w, float h) {
     place p = place_of(k, w, h);
     float leaf = 0.52f * p.w, strip = fminf(0.04f * h, k->t), first = dmg_sign(b), z = k->inset ? 0 : 2.2f * k->t;
@@ -398,7 +398,7 @@ static flush pick_flush(dmg_builder* b, float small, float large, float depth) {
     return k;
 }
 
-/* A shallow well with a lid on the top, as on tool chests; the frame is at the top's middle. */
+/* Draws a shallow well with a lid on the top, as on tool chests; the frame is at the top's middle. */
 static void draw_lidded_well(dmg_builder* b, const flush* k, float w) {
     float high = w * dmg_range(b, 0.06f, 0.2f), d = k->depth, t = k->t, far = dmg_range(b, 1.2f, 1.7f);
     dmg_save(b);

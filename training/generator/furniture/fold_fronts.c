@@ -23,7 +23,7 @@ static void draw_front_grip(dmg_builder* b, float y, float hand, float room) {
 
 /* ---- fronts that tilt out ---- */
 
-/* What hangs behind a tilting front: a floor and a rear leaf between cheeks, or a shelf on its back. */
+/* Draws what hangs behind a tilting front: a floor and a rear leaf between cheeks, or a shelf on its back. */
 static void draw_tilted_bucket(dmg_builder* b, float w, float deep, float high, float t) {
     int kind = dmg_int(b, 0, 2);
     const dmg_xy cheek[] = {{0, 0}, {0, high}, {-0.85f * deep, high}, {-deep, 0.75f * high}, {-deep, 0}};
@@ -50,7 +50,7 @@ typedef struct tilt {
     dmg_handle grip;
 } tilt;
 
-/* One front, its place centred at the origin; z = 0 is where the boards end. */
+/* Draws one front, its place centred at the origin; z = 0 is where the boards end. */
 static void draw_tilt(dmg_builder* b, const tilt* f, float wall) {
     float h = 0.98f * f->height, w = f->inside ? f->width - 2.2f * wall : 0.99f * f->width,
           face = f->inside ? 0.0f : 1.02f * f->t, low = -0.5f * h;
@@ -116,7 +116,8 @@ static void draw_shoe_cabinet(dmg_builder* b) {
     }
 }
 
-/* A mirror on a thin door before a shallow case; its line is beside, on or behind the slab, as its hinges are made. */
+/* Draws a mirror on a thin door before a shallow case; its line is beside, on or behind the slab, as its hinges are
+ * made. */
 static void draw_mirror_door(dmg_builder* b, float w, float h, float t, float depth) {
     int hung = dmg_int(b, 0, 3);
     float in = 0.0f, behind = t, far = dmg_range(b, 1.5f, 1.9f); /* the slab's inner edge */
@@ -306,7 +307,7 @@ static void draw_desk_drawers(dmg_builder* b, const secretary* k, float high) {
     dmg_restore(b);
 }
 
-/* What the flap closes: a case with its front at z = 0, or half as deep with cheeks that slope to z = d / 2. */
+/* Draws what the flap closes: a case with its front at z = 0, or half as deep with cheeks that slope to z = d / 2. */
 static void draw_desk_top(dmg_builder* b, const secretary* k) {
     float deep = k->slopes ? 0.5f * k->d : k->d;
     dmg_save(b);
@@ -350,7 +351,7 @@ static void draw_desk_flap(dmg_builder* b, const secretary* k) {
     dmg_use(b, 0);
 }
 
-/* A case with a front that falls to be written on, perhaps on lopers that pull out below it. */
+/* Draws a case with a front that falls to be written on, perhaps on lopers that pull out below it. */
 static void draw_secretary(dmg_builder* b) {
     secretary k = {.w = dmg_range(b, 0.4f, 1.0f)};
     k.h = k.w * dmg_range(b, 0.4f, 1.0f);
@@ -378,8 +379,8 @@ static void draw_secretary(dmg_builder* b) {
     }
 }
 
-/* A leaf that hangs flat below a shelf on the wall and is lifted level; brackets swing out to hold it, or a leg does.
- */
+/* Draws a leaf that hangs flat below a shelf on the wall and is lifted level; brackets swing out to hold it, or a leg
+ * does. */
 static void draw_wall_flap(dmg_builder* b) {
     float w = dmg_range(b, 0.4f, 1.2f), reach = w * dmg_range(b, 0.3f, 0.7f), t = w * dmg_range(b, 0.02f, 0.05f),
           shelf = w * dmg_range(b, 0.05f, 0.25f), up = reach * dmg_range(b, 1.1f, 1.8f);

@@ -54,7 +54,7 @@ static void draw_apron_drawers(dmg_builder* b, float width, float depth, float h
     dmg_use(b, 0);
 }
 
-/* A case on the floor with drawers over each other, front at z = 0. */
+/* Draws a case on the floor with drawers over each other, front at z = 0. */
 static void draw_pedestal(dmg_builder* b, float width, float depth, float height) {
     int rows = dmg_int(b, 1, 4);
     bool door = dmg_chance(b, 0.25f), left = dmg_chance(b, 0.5f);

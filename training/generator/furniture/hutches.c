@@ -43,7 +43,7 @@ static slabs pick_slabs(dmg_builder* b, float small, float depth) {
     return s;
 }
 
-/* A case of width x height with its front at z = 0, centred; fronts lie before it. */
+/* Draws a case of width x height with its front at z = 0, centred; fronts lie before it. */
 static void draw_module(dmg_builder* b, const slabs* s, float width, float height) {
     dmg_use(b, 0);
     dmg_case_draw(b, s->shell, width, height, s->depth, s->wall);
@@ -63,7 +63,7 @@ static void draw_slab_door(dmg_builder* b, const slabs* s, float width, float he
     dmg_use(b, 0);
 }
 
-/* A slab that slides along the front: `way` is 1 to the right, -1 to the left. */
+/* Draws a slab that slides along the front: `way` is 1 to the right, -1 to the left. */
 static void draw_slider(dmg_builder* b, const slabs* s, float width, float height, float way, float travel) {
     float w = width - 2 * s->margin, h = height - 2 * s->margin;
     dmg_save(b);
@@ -137,7 +137,7 @@ void dmg_build_slab_cabinet(dmg_builder* b) {
     }
 }
 
-/* A front twice as wide as its slab, which slides from before one half to before the other. */
+/* Draws a front twice as wide as its slab, which slides from before one half to before the other. */
 static void draw_half_closed(dmg_builder* b, const slabs* s, float width, float height) {
     float way = dmg_sign(b), share = dmg_range(b, 0.4f, 0.6f), slab = share * width;
     bool partition = dmg_chance(b, 0.5f), closed_half = s->shell != DMG_CASE_SOLID && dmg_chance(b, 0.4f);
@@ -279,7 +279,7 @@ static void draw_joined_drawer(dmg_builder* b, float width, float height, float 
     dmg_use(b, 0);
 }
 
-/* The frame that the drawers run in: cheeks, a back, rails before and between; any of them may be missing. */
+/* Draws the frame that the drawers run in: cheeks, a back, rails before and between; any of them may be missing. */
 static void draw_drawer_frame(dmg_builder* b, float width, float height, float depth, float leg) {
     float board = leg * dmg_range(b, 0.2f, 0.6f);
     bool cheeks = dmg_chance(b, 0.75f), back = dmg_chance(b, 0.7f), floor = dmg_chance(b, 0.4f);

@@ -74,7 +74,7 @@ static void draw_star(dmg_builder* b, float reach, float hub, float top, bool ro
 
 /* ---- seats ---- */
 
-/* A shell of one sheet bent from the front edge over the seat up the back. */
+/* Draws a shell of one sheet bent from the front edge over the seat up the back. */
 static void draw_shell(dmg_builder* b, float width, float seat, float deep, float back, float t) {
     const dmg_xy line[] = {{0.55f * deep, seat - 0.05f * deep},
                            {0.4f * deep, seat},

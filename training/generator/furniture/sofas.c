@@ -40,7 +40,8 @@ static void draw_laths(dmg_builder* b, float w, float h, float t) {
     }
 }
 
-/* What carries the seats: a box or rails, on legs. It ends at the seat's rear, so that backs can lie down behind. */
+/* Draws what carries the seats: a box or rails, on legs. It ends at the seat's rear, so that backs can lie down behind.
+ */
 static void draw_sofa_base(dmg_builder* b, const sofa* s, bool hollow) {
     float w = s->width * (float)s->seats, low = s->seat - s->cushion - s->base, z = 0.5f * s->deep, t = 0.025f;
     float high = s->seat - s->cushion;
@@ -85,7 +86,7 @@ static void draw_chest_seat(dmg_builder* b, const sofa* s, float x0, float x1, f
     dmg_use(b, 0);
 }
 
-/* Two layers: the upper one turns over the front edge and lies before the lower one, on a leg that folds out. */
+/* Draws two layers: the upper one turns over the front edge and lies before the lower one, on a leg that folds out. */
 static void draw_turn_over_seat(dmg_builder* b, const sofa* s, float x0, float x1) {
     float z = 0.5f * s->deep, middle = s->seat - 0.5f * s->cushion, half = 0.5f * s->cushion,
           far = dmg_range(b, 2.9f, 3.14f);
@@ -280,7 +281,7 @@ static sofa pick_sofa(dmg_builder* b) {
     return s;
 }
 
-/* The seats, which all have one way of moving, or each its own, and what is behind them. */
+/* Draws the seats, which all have one way of moving, or each its own, and what is behind them. */
 static void draw_seats_and_backs(dmg_builder* b, const sofa* s, bool trundle) {
     bool alike = dmg_chance(b, 0.5f);
     int seat = dmg_int(b, 0, 4), back = dmg_int(b, 0, 3);

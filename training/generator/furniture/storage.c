@@ -118,7 +118,7 @@ static void draw_niche(dmg_builder* b, const fittings* f, float w, float h) {
     }
 }
 
-/* What suits the cell's shape: tall ones get doors, low ones drawers and flaps. */
+/* Draws what suits the cell's shape: tall ones get doors, low ones drawers and flaps. */
 static int kind_for(dmg_builder* b, const fittings* f, float w, float h) {
     float low = w / h;
     const float weights[] = {f->drawer * (low > 1.2f ? 3.0f : 0.3f), f->door * (low < 1.6f ? 2.0f : 0.3f),

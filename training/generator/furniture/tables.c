@@ -15,7 +15,8 @@ static void rest_table(dmg_builder* b, const table* k, uint32_t part, float far)
     dmg_use(b, 0);
 }
 
-/* A piece of the top from x0 to x1, its upper side at y. Where it reaches the top's ends it follows the outline. */
+/* Draws a piece of the top from x0 to x1, its upper side at y. Where it reaches the top's ends it follows the outline.
+ */
 static void draw_piece(dmg_builder* b, const table* k, float x0, float x1, float y) {
     enum { HALF = 12, MOST = 4 * HALF };
     dmg_xy outline[MOST];
@@ -230,7 +231,7 @@ static void draw_aside_top(dmg_builder* b, const table* k, float from) {
     rest_table(b, k, top, far);
 }
 
-/* A lid about its rear edge, perhaps with a strut. */
+/* Draws a lid about its rear edge, perhaps with a strut. */
 static void draw_tipping_top(dmg_builder* b, const table* k, float from) {
     float half = 0.5f * k->length, c = 0.5f * k->width, far = dmg_range(b, 0.7f, 1.6f);
     float y = k->high - (dmg_chance(b, 0.5f) ? 0.0f : k->t);
@@ -241,7 +242,7 @@ static void draw_tipping_top(dmg_builder* b, const table* k, float from) {
         draw_lid_strut(b, k, top, half - 0.06f * k->length, 0.6f * c, dmg_range(b, 0.6f, 1.0f) * c);
 }
 
-/* Two lids that meet, each about its own end; beside a fixed part one of them is fixed too. */
+/* Draws two lids that meet, each about its own end; beside a fixed part one of them is fixed too. */
 static void draw_lid_pair(dmg_builder* b, const table* k, float from) {
     float half = 0.5f * k->length, mid = 0.5f * (from + half), far = dmg_range(b, 1.2f, 1.7f),
           y = k->high - k->t * dmg_range(b, 0.0f, 1.0f);

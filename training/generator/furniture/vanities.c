@@ -89,7 +89,7 @@ static void draw_tilting(dmg_builder* b, const vanity* v, float w, float h, floa
     dmg_use(b, 0);
 }
 
-/* A fixed one in the middle, one on hinges at each of its sides. */
+/* Draws a fixed one in the middle, one on hinges at each of its sides. */
 static void draw_winged(dmg_builder* b, const vanity* v, float w, float h, float z) {
     float t = dmg_range(b, 0.6f, 1.3f) * v->t, share = dmg_range(b, 0.4f, 0.62f), middle = share * w,
           wing = fminf(0.5f * (w - middle), 0.98f * middle), foot = dmg_range(b, 0.0f, 0.1f) * h,
@@ -151,7 +151,7 @@ static void draw_sliding(dmg_builder* b, const vanity* v, float w, float h, floa
     dmg_use(b, 0);
 }
 
-/* A round one on an arm that turns about a post; a second joint tilts it. */
+/* Draws a round one on an arm that turns about a post; a second joint tilts it. */
 static void draw_on_arm(dmg_builder* b, const vanity* v, float w, float h) {
     float x = 0.25f * dmg_sign(b) * v->w, r = 0.5f * fminf(0.5f * w, 0.6f * h), rod = 0.25f * v->t + 0.04f * r,
           reach = dmg_range(b, 0.1f, 0.8f) * v->d, tall = r * dmg_range(b, 1.4f, 2.2f), far = dmg_range(b, 0.4f, 1.2f);
@@ -238,7 +238,7 @@ static void draw_pivot_stack(dmg_builder* b, const vanity* v, float w, float h, 
     }
 }
 
-/* One side of a kneehole: drawers, a door or trays on a post. Its top's middle is at the origin of z = 0. */
+/* Draws one side of a kneehole: drawers, a door or trays on a post. Its top's middle is at the origin of z = 0. */
 static void draw_pedestal(dmg_builder* b, const vanity* v, float w, float h, float deep, bool right) {
     int kind = dmg_int(b, 0, 3), rows = dmg_int(b, 1, 4);
     dmg_save(b);

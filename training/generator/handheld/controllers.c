@@ -57,7 +57,7 @@ static void draw_grip(dmg_builder* b, const hand_set* h) {
     dmg_loft(b, outline, SECTION, rows, STATIONS);
 }
 
-/* The head: a thick disc, or a flattened ball, below the thumb's face z = 0. */
+/* Draws the head: a thick disc, or a flattened ball, below the thumb's face z = 0. */
 static void draw_head(dmg_builder* b, const hand_set* h) {
     float r = h->head, t = h->thick;
     int kind = h->wand ? 1 : dmg_int(b, 0, 2);
@@ -70,7 +70,7 @@ static void draw_head(dmg_builder* b, const hand_set* h) {
     if (kind == 2) dmg_rounded_box(b, v3(0, 0, -0.5f * t), v3(1.8f * r, 2 * r, t), 0.45f * t);
 }
 
-/* A ring for the cameras: above the face, round it or under the hand, whole or a bow. */
+/* Draws a ring for the cameras: above the face, round it or under the hand, whole or a bow. */
 static void draw_halo(dmg_builder* b, const hand_set* h) {
     float radius = h->head * dmg_range(b, 1.4f, 2.8f), tube = radius * dmg_range(b, 0.05f, 0.2f),
           flat = dmg_range(b, 0.4f, 3.0f), lean = dmg_range(b, -0.5f, 1.6f);
@@ -92,7 +92,7 @@ static void draw_halo(dmg_builder* b, const hand_set* h) {
     dmg_restore(b);
 }
 
-/* A stick or a pad, or both, keys round them; on z = 0 within radius r. */
+/* Draws a stick or a pad, or both, keys round them; on z = 0 within radius r. */
 static void draw_face(dmg_builder* b, float r) {
     int layout = dmg_int(b, 0, 4), keys = dmg_int(b, 1, 4);
     float turn = dmg_range(b, 0, 2.0f * DMG_PI), small = r * dmg_range(b, 0.12f, 0.2f),
@@ -116,7 +116,7 @@ static void draw_face(dmg_builder* b, float r) {
     }
 }
 
-/* The fingers' side: a trigger under the front of the head; before it a crescent that slides in, in some. */
+/* Draws the fingers' side: a trigger under the front of the head; before it a crescent that slides in, in some. */
 static void draw_finger_side(dmg_builder* b, const hand_set* h) {
     float wide = h->head * dmg_range(b, 0.8f, 1.7f), reach = h->head * dmg_range(b, 0.6f, 1.25f);
     bool bumper = dmg_chance(b, 0.25f);
@@ -192,7 +192,7 @@ typedef struct pad_set {
     float width, height, thick;
 } pad_set;
 
-/* A plate, a lens, a dumb-bell; horns of any splay. Answers where its far edge is, behind the index fingers. */
+/* Draws a plate, a lens, a dumb-bell; horns of any splay. Returns where its far edge is, behind the index fingers. */
 static float draw_pad_body(dmg_builder* b, const pad_set* p) {
     int shape = dmg_int(b, 0, 3);
     float w = p->width, h = p->height, t = p->thick;
@@ -217,7 +217,7 @@ static float draw_pad_body(dmg_builder* b, const pad_set* p) {
     return fmaxf(edge, 0.54f * h);
 }
 
-/* A cross that rocks about its ball, or four arrows pressed by themselves. */
+/* Draws a cross that rocks about its ball, or four arrows pressed by themselves. */
 static void draw_cross(dmg_builder* b, float size) {
     float arm = size * dmg_range(b, 0.25f, 0.38f), rise = size * dmg_range(b, 0.05f, 0.2f),
           swing = dmg_range(b, 0.05f, 0.2f), deep = size * dmg_range(b, 0.0f, 0.3f);

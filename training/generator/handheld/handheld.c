@@ -56,7 +56,7 @@ static void draw_shell(dmg_builder* b, const shell* s) {
     dmg_loft(b, outline, OUTLINE, rows, ROWS);
 }
 
-/* A tracking ring about the head, or a bumper in front of it. */
+/* Draws a tracking ring about the head, or a bumper in front of it. */
 static void draw_ring(dmg_builder* b, const shell* s) {
     float radius = s->width * dmg_range(b, 1.5f, 3.2f), tube = radius * dmg_range(b, 0.06f, 0.2f),
           lean = dmg_range(b, -0.6f, 1.6f);

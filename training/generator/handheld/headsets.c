@@ -33,9 +33,8 @@ static void draw_crown(dmg_builder* b, const head_set* h, bool across, float thi
     dmg_sweep(b, path, BAND, thick, 0.4f * h->strap, false);
 }
 
-/* The display's box before the eyes: its back at the face, curved or straight; with lenses, a nose, cameras, keys
- * below.
- */
+/* Draws the display's box before the eyes: its back at the face, curved or straight; with lenses, a nose, cameras, keys
+ * below. */
 static void draw_visor_box(dmg_builder* b, const head_set* h, uint32_t parent, float front) {
     float w = 1.9f * h->wide, t = h->deep * dmg_range(b, 0.35f, 0.8f),
           round = fminf(t, h->high) * dmg_range(b, 0.1f, 0.45f);
@@ -65,7 +64,7 @@ static void draw_visor_box(dmg_builder* b, const head_set* h, uint32_t parent, f
     dmg_restore(b);
 }
 
-/* The wheel at the back of the strap, or the drum round it. */
+/* Draws the wheel at the back of the strap, or the drum round it. */
 static void draw_strap_wheel(dmg_builder* b, const head_set* h) {
     float radius = h->strap * dmg_range(b, 0.5f, 1.2f), thick = h->deep * dmg_range(b, 0.08f, 0.25f);
     dmg_save(b);
@@ -104,7 +103,7 @@ static void draw_ear_cups(dmg_builder* b, const head_set* h, float y) {
     }
 }
 
-/* A boom before the mouth, pinned at the ear. */
+/* Draws a boom before the mouth, pinned at the ear. */
 static void draw_microphone(dmg_builder* b, const head_set* h) {
     float side = dmg_sign(b), x = side * 1.25f * h->wide, reach = h->deep * dmg_range(b, 0.8f, 1.3f),
           thin = 0.04f * h->deep;

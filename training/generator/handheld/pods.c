@@ -148,7 +148,7 @@ static void draw_lever(dmg_builder* b, const pod* p, const mouth* m, const lever
                   DMG_ROWS_ROUND | DMG_ROWS_CAP_FIRST | (l->closed ? DMG_ROWS_CAP_LAST : 0));
 }
 
-/* The pin runs across the root, in the shell's wall or under it; deeper in, or nearer to the middle, in some. Answers
+/* The pin runs across the root, in the shell's wall or under it; deeper in, or nearer to the middle, in some. Returns
  * how deep the tip goes, as a share of the length. */
 static float hinge_lever(dmg_builder* b, const pod* p, const mouth* m, const char* name, float most) {
     dmg_vec root = v3_sub(pod_point(p, mouth_way(m, 0.5f * DMG_PI, 1)), m->centre);
@@ -173,7 +173,7 @@ static float slide_lever(dmg_builder* b, const mouth* m, const lever* l, const c
     return way;
 }
 
-/* The pod, its opening and what fills it; the well leaves the lever its way where the pod is thick enough. */
+/* Draws the pod, its opening and what fills it; the well leaves the lever its way where the pod is thick enough. */
 static void draw_lever_pod(dmg_builder* b, const pod* p, const mouth* m, const char* name, bool turns) {
     lever l = pick_lever(b);
     opening kind = pick_opening(b);
@@ -224,7 +224,7 @@ static pod pick_handle(dmg_builder* b, float length) {
     return p;
 }
 
-/* A lever under the fingers: along the handle, at the side, round the corner or in front of them. */
+/* Draws a lever under the fingers: along the handle, at the side, round the corner or in front of them. */
 static void draw_grip(dmg_builder* b, const pod* p, float lever_chance, const char* name) {
     if (!dmg_chance(b, lever_chance)) {
         draw_plain_pod(b, p);

@@ -31,7 +31,7 @@ static float slab_width(const slab* s, float along) {
     return s->half_width * round * (1.0f + s->egg * along) * (1.0f - s->waist * (1.0f - a * a));
 }
 
-/* The layers between heights `low` and `high`, both shares of the thickness below the face. */
+/* Draws the layers between heights `low` and `high`, both shares of the thickness below the face. */
 static void draw_slab(dmg_builder* b, const slab* s, float low, float high) {
     dmg_vec at[LAYERS * ROUND];
     for (int r = 0; r < LAYERS; ++r) {
@@ -48,7 +48,7 @@ static void draw_slab(dmg_builder* b, const slab* s, float low, float high) {
     dmg_rows_draw(b, at, LAYERS, ROUND, DMG_ROWS_TUBE);
 }
 
-/* One shell, two halves with a seam between, or a body with a face plate let in. */
+/* Draws one shell, two halves with a seam between, or a body with a face plate let in. */
 static void draw_body(dmg_builder* b, const slab* s) {
     int kind = dmg_int(b, 0, 2);
     float seam = dmg_range(b, 0.35f, 0.65f), gap = dmg_range(b, 0.0f, 0.03f);
@@ -137,7 +137,7 @@ static void draw_bumpers(dmg_builder* b, const slab* s) {
 
 /* ---- what a thumb moves, on the face ---- */
 
-/* A cross that tips about one of its lines, or four keys round a point. */
+/* Draws a cross that tips about one of its lines, or four keys round a point. */
 static void draw_cross(dmg_builder* b, float radius) {
     float rise = radius * dmg_range(b, 0.15f, 0.4f), arm = radius * dmg_range(b, 0.25f, 0.4f);
     if (dmg_chance(b, 0.4f)) {
@@ -160,7 +160,7 @@ static void draw_cross(dmg_builder* b, float radius) {
     dmg_use(b, 0);
 }
 
-/* A row of things along the face from front to rear, as much as there is room for. */
+/* Draws a row of things along the face from front to rear, as much as there is room for. */
 static void draw_face(dmg_builder* b, const slab* s) {
     float y = 0.7f * s->half_length, end = -0.8f * s->half_length;
     for (int i = 0; i < 5 && y > end; ++i) {
@@ -206,7 +206,7 @@ static void draw_grip_key(dmg_builder* b, float half_width, float y, float thick
 
 /* ---- styles ---- */
 
-/* The lid over the batteries, slid off to the rear or swung about its front edge. */
+/* Draws the lid over the batteries, slid off to the rear or swung about its front edge. */
 static void draw_battery_lid(dmg_builder* b, const slab* s) {
     float width = 1.3f * s->half_width * (1.0f - s->waist), length = s->half_length * dmg_range(b, 0.4f, 0.8f),
           t = 0.08f * s->thick, y = -0.8f * s->half_length;
@@ -240,7 +240,7 @@ static void draw_pebble(dmg_builder* b, float size) {
               v3(0, sinf(lean), cosf(lean)), r, tube);
 }
 
-/* A tube with a ball, a crystal or a star at its end; keys along its top, a trigger below. */
+/* Draws a tube with a ball, a crystal or a star at its end; keys along its top, a trigger below. */
 static void draw_wand(dmg_builder* b, float size) {
     float r = size * dmg_range(b, 0.06f, 0.1f), front = 0.45f * size, rear = -0.55f * size,
           tip = r * dmg_range(b, 0.8f, 1.6f);
@@ -273,7 +273,7 @@ static void draw_wand(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A hoop to look through, held by a spoke across it or by a handle under it. */
+/* Draws a hoop to look through, held by a spoke across it or by a handle under it. */
 static void draw_hoop(dmg_builder* b, float size) {
     float r = 0.4f * size, tube = r * dmg_range(b, 0.08f, 0.18f), lean = dmg_range(b, -0.4f, 0.8f);
     dmg_vec axis = {0, cosf(lean), sinf(lean)};
@@ -338,7 +338,7 @@ static void draw_light_gun(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* Two halves on a bar or a band, each with a stick or keys; a half slides off its rail. */
+/* Draws two halves on a bar or a band, each with a stick or keys; a half slides off its rail. */
 static void draw_halves(dmg_builder* b, float size) {
     slab s = pick_slab(b, 0.6f * size);
     s.egg = 0;

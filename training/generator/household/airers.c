@@ -29,7 +29,7 @@ static void bar(dmg_builder* b, const airer* a, dmg_vec from, dmg_vec to, float 
         dmg_beam(b, from, to, 1.8f * r, 1.8f * r);
 }
 
-/* A frame of bars in the plane y = 0 from x = `from` to x = `to`, `half` to either side in z. */
+/* Draws a frame of bars in the plane y = 0 from x = `from` to x = `to`, `half` to either side in z. */
 static void draw_rack(dmg_builder* b, const airer* a, float from, float to, float half) {
     bar(b, a, v3(from, 0, -half), v3(to, 0, -half), a->r);
     bar(b, a, v3(from, 0, half), v3(to, 0, half), a->r);
@@ -44,7 +44,7 @@ static void draw_rack(dmg_builder* b, const airer* a, float from, float to, floa
     }
 }
 
-/* A leg frame from the line x = 0, y = 0 down to (x, y): two tubes and what joins them. */
+/* Draws a leg frame from the line x = 0, y = 0 down to (x, y): two tubes and what joins them. */
 static void draw_leg_frame(dmg_builder* b, const airer* a, float x, float y, float half) {
     for (int s = -1; s <= 1; s += 2) bar(b, a, v3(0, 0, (float)s * half), v3(x, y, (float)s * half), a->r);
     bar(b, a, v3(x, y, -half), v3(x, y, half), a->r);
@@ -54,7 +54,7 @@ static void draw_leg_frame(dmg_builder* b, const airer* a, float x, float y, flo
             dmg_rod(b, v3(x, y, (float)s * half - 2 * a->r), v3(x, y, (float)s * half + 2 * a->r), 1.7f * a->r);
 }
 
-/* A wing beside the line x = 0, level when at 0: it hangs, lies level or stands up; a stay below it sometimes. */
+/* Draws a wing beside the line x = 0, level when at 0: it hangs, lies level or stands up; a stay below it sometimes. */
 static void draw_wing(dmg_builder* b, const airer* a, uint32_t parent, float reach, float half, float hang) {
     float lift = dmg_chance(b, 0.5f) ? 0.05f : dmg_range(b, 0.2f, 1.2f);
     uint32_t wing = dmg_hinge(b, parent, "wing", v3(0, 0, 0), v3(0, 0, 1), -hang, lift);
@@ -127,7 +127,8 @@ static void draw_tower_foot(dmg_builder* b, const airer* a, float x) {
     dmg_use(b, 0);
 }
 
-/* One level's rack, at the front or at the rear; its own x points there. It folds up against the uprights, or down. */
+/* Draws one level's rack, at the front or at the rear; its own x points there. It folds up against the uprights, or
+ * down. */
 static void draw_tower_rack(dmg_builder* b, const airer* a, float y, bool front, bool up, float reach) {
     dmg_save(b);
     dmg_move(b, 0, y, 0);

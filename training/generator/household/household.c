@@ -196,7 +196,7 @@ void dmg_build_folding_panel(dmg_builder* b) {
 
 /* ---- kitchen counter ---- */
 
-/* One unit of a counter: doors, drawers, an oven, a dishwasher, a sink's flap or nothing. */
+/* Draws one unit of a counter: doors, drawers, an oven, a dishwasher, a sink's flap or nothing. */
 static void draw_unit(dmg_builder* b, float width, float height, float depth, float t, const dmg_leaf* style,
                       const dmg_drawer* box) {
     static const float weights[] = {3, 3, 1, 1, 1, 0.7f};

@@ -117,7 +117,8 @@ static void draw_head(dmg_builder* b, const light* l) {
 
 /* ---- before the lens ---- */
 
-/* One leaf: its line is X through the origin, outwards +Y; drawn straight ahead, it folds in over the lens or out. */
+/* Draws one leaf: its line is X through the origin, outwards +Y; drawn straight ahead, it folds in over the lens or
+ * out. */
 static uint32_t draw_leaf(dmg_builder* b, uint32_t carrier, const char* name, dmg_vec size, float taper, float rest) {
     float wide = size.x, reach = size.y, t = size.z, in = dmg_range(b, 1.0f, 1.5f), out = dmg_range(b, 0.8f, 2.2f);
     uint32_t leaf = dmg_hinge(b, carrier, name, v3(0, 0, 0), v3(-1, 0, 0), -in, out);
@@ -159,7 +160,8 @@ static void draw_barn_doors(dmg_builder* b, uint32_t carrier, float x, float y) 
     dmg_use(b, carrier);
 }
 
-/* A frame with a hole, on z = 0: it turns about the beam, or sits fast. Answers the part that carries the doors. */
+/* Draws a frame with a hole, on z = 0: it turns about the beam, or sits fast. Returns the part that carries the doors.
+ */
 static uint32_t draw_turning_frame(dmg_builder* b, uint32_t head, float x, float t, float mouth) {
     uint32_t frame = head;
     if (dmg_chance(b, 0.6f)) frame = dmg_spin(b, head, "frame", v3(0, 0, 0), v3(0, 0, 1));
@@ -221,7 +223,7 @@ static void draw_front(dmg_builder* b, const light* l, uint32_t head) {
 
 /* ---- what the operator moves on the head ---- */
 
-/* A knob in a slot along the beam, below or at a side: it slides, to focus. */
+/* Draws a knob in a slot along the beam, below or at a side: it slides, to focus. */
 static void draw_focus(dmg_builder* b, const light* l, uint32_t head) {
     float r = l->half.x, knob = r * dmg_range(b, 0.06f, 0.14f), z = l->kind == HEAD_TUBE ? 0.15f * l->half.z : 0.0f;
     float way = (l->kind == HEAD_TUBE ? 0.3f : 0.5f) * l->half.z, reach = l->kind == HEAD_BELL ? 0.6f * r : r;
@@ -244,7 +246,7 @@ static void draw_focus(dmg_builder* b, const light* l, uint32_t head) {
     dmg_restore(b);
 }
 
-/* Four blades that are pushed in across the beam, each by its handle. */
+/* Draws four blades that are pushed in across the beam, each by its handle. */
 static void draw_shutters(dmg_builder* b, const light* l, uint32_t head) {
     float r = l->half.x, z = l->kind == HEAD_TUBE ? 0.3f * l->half.z : 0.5f * l->half.z, t = 0.03f * r,
           way = r * dmg_range(b, 0.25f, 0.5f), out = r * dmg_range(b, 0.3f, 0.5f), wide = r * dmg_range(b, 0.2f, 0.5f);
@@ -333,7 +335,7 @@ static void draw_locks(dmg_builder* b, const light* l, uint32_t yoke) {
 
 /* ---- what it stands on or hangs from; the yoke's bar is at y = `bar` ---- */
 
-/* A hook or a half coupler over a pipe along X, its wing screw below or before. */
+/* Draws a hook or a half coupler over a pipe along X, its wing screw below or before. */
 static void draw_clamp(dmg_builder* b, const light* l, float bar) {
     float r = l->half.x, pipe = r * dmg_range(b, 0.14f, 0.3f), wide = pipe * dmg_range(b, 0.6f, 1.6f),
           y = bar + l->thick + pipe * dmg_range(b, 1.8f, 3.0f), reach = r * dmg_range(b, 1.5f, 4.0f);
@@ -359,7 +361,7 @@ static void draw_clamp(dmg_builder* b, const light* l, float bar) {
     dmg_use(b, 0);
 }
 
-/* A tripod or a round foot, and in some a tube drawn out of another. Answers the part that carries the yoke. */
+/* Draws a tripod or a round foot, and in some a tube drawn out of another. Returns the part that carries the yoke. */
 static uint32_t draw_stand(dmg_builder* b, const light* l, float bar) {
     float r = l->half.x, tall = r * dmg_range(b, 2.5f, 9.0f), tube = r * dmg_range(b, 0.05f, 0.14f), foot = bar - tall;
     int legs = dmg_chance(b, 0.75f) ? dmg_int(b, 3, 4) : 0;
@@ -415,7 +417,7 @@ static void draw_base(dmg_builder* b, const light* l, float bar) {
     }
 }
 
-/* A second strap about the same bolts: the two spread on the floor. */
+/* Draws a second strap about the same bolts: the two spread on the floor. */
 static void draw_second_strap(dmg_builder* b, const light* l) {
     light outer = *l;
     outer.play = l->play + 2.5f * l->thick;
@@ -426,7 +428,7 @@ static void draw_second_strap(dmg_builder* b, const light* l) {
     dmg_use(b, 0);
 }
 
-/* The yoke and what it turns on. Answers its part. */
+/* Draws the yoke and what it turns on. Returns its part. */
 static uint32_t draw_carrier(dmg_builder* b, const light* l) {
     float bar = l->up * l->arm, sweep = dmg_range(b, 1.2f, 4.7f);
     uint32_t yoke = 0;

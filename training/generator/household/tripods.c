@@ -209,7 +209,7 @@ static void draw_head(dmg_builder* b, uint32_t carrier, float r) {
     draw_plate(b, top, w, line + 0.6f * w);
 }
 
-/* A tube through the shoulder, raised by hand or by a crank. */
+/* Draws a tube through the shoulder, raised by hand or by a crank. */
 static uint32_t draw_column(dmg_builder* b, const tripod* t) {
     float below = t->leg * dmg_range(b, 0.2f, 0.6f);
     uint32_t column = 0;

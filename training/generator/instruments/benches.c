@@ -29,7 +29,7 @@ static void draw_field(dmg_builder* b, float width, float height) {
     }
 }
 
-/* A bail about two bosses on the sides: over the set it carries, before its feet it props. */
+/* Draws a bail about two bosses on the sides: over the set it carries, before its feet it props. */
 static void draw_bail(dmg_builder* b, const set* s) {
     float z = -s->depth * dmg_range(b, 0.25f, 0.6f), x = 0.5f * s->width, t = 0.03f * s->width, rest = 0.0f,
           reach = fmaxf(0.55f * s->height, 0.55f * s->depth) * dmg_range(b, 1.1f, 1.5f);
@@ -50,7 +50,7 @@ static void draw_bail(dmg_builder* b, const set* s) {
     dmg_use(b, 0);
 }
 
-/* Two legs or one wire under the front edge that fold back; a strap that lifts; a lid before the front. */
+/* Draws two legs or one wire under the front edge that fold back; a strap that lifts; a lid before the front. */
 static void draw_extras(dmg_builder* b, const set* s) {
     float low = -0.5f * s->height, t = 0.03f * s->height, leg = s->depth * dmg_range(b, 0.15f, 0.3f);
     if (dmg_chance(b, 0.5f)) {
@@ -102,7 +102,8 @@ static void draw_plug_ins(dmg_builder* b, float width, float height, float depth
     }
 }
 
-/* Three drawers of a rack, each the whole front of a set: the screws stay, the chassis comes out with its knobs. */
+/* Draws three drawers of a rack, each the whole front of a set: the screws stay, the chassis comes out with its knobs.
+ */
 static void draw_rack(dmg_builder* b, const set* s) {
     int units = dmg_int(b, 2, 4);
     float unit = s->height / (float)units, t = 0.04f * s->width;

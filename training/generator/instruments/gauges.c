@@ -66,7 +66,7 @@ void dmg_build_instrument(dmg_builder* b) {
 
 /* ---- gauges with a deep dial ---- */
 
-/* A pointer along +Y on z = 0, pivot at the origin; `tail` reaches behind it, or is negative where it floats. */
+/* Draws a pointer along +Y on z = 0, pivot at the origin; `tail` reaches behind it, or is negative where it floats. */
 static void draw_pointer(dmg_builder* b, float length, float tail, float width) {
     int kind = dmg_int(b, 0, 5);
     float thin = 0.2f * width, half = 0.5f * width, middle = 0.5f * (length - tail), whole = length + tail;
@@ -89,7 +89,7 @@ static void draw_pointer(dmg_builder* b, float length, float tail, float width) 
     if (tail > 0.0f && dmg_chance(b, 0.4f)) dmg_rod(b, v3(0, 0, 0), v3(0, 0, 2 * thin), 0.9f * width);    /* a hub */
 }
 
-/* One to three pointers on one pivot, each shorter than the one before, at their own angles or aligned. */
+/* Draws one to three pointers on one pivot, each shorter than the one before, at their own angles or aligned. */
 static void draw_pointers(dmg_builder* b, float radius) {
     int count = dmg_int(b, 1, 3);
     bool aligned = dmg_chance(b, 0.4f), endless = dmg_chance(b, 0.6f);
@@ -114,7 +114,7 @@ static void draw_pointers(dmg_builder* b, float radius) {
     }
 }
 
-/* What turns about the dial's middle besides needles: a card, a ring of figures, a bug at the rim. */
+/* Draws what turns about the dial's middle besides needles: a card, a ring of figures, a bug at the rim. */
 static void draw_card(dmg_builder* b, float radius) {
     int kind = dmg_int(b, 0, 2);
     float thin = 0.01f * radius, outer = radius * dmg_range(b, 0.6f, 0.97f), inner = outer * dmg_range(b, 0.5f, 0.85f);
@@ -137,8 +137,8 @@ static void draw_card(dmg_builder* b, float radius) {
     dmg_use(b, 0);
 }
 
-/* The bezel, its front at z = 0: a plate, one with its corners cut, a flange; the case behind it. Answers how far out
- * in x and y its corners offer room. */
+/* Draws the bezel, its front at z = 0: a plate, one with its corners cut, a flange; the case behind it. Returns how far
+ * out in x and y its corners offer room. */
 static float draw_bezel(dmg_builder* b, float radius, float half, float depth) {
     int kind = dmg_int(b, 0, 3);
     float thin = radius * dmg_range(b, 0.02f, 0.15f), cut = half * dmg_range(b, 0.45f, 0.8f);
@@ -175,7 +175,8 @@ static void draw_corner(dmg_builder* b, float radius) {
     dmg_dial_draw(b, &dial, size);
 }
 
-/* What watches have at their rim: a crown that turns about a line through the middle, keys that are pressed inwards. */
+/* Draws what watches have at their rim: a crown that turns about a line through the middle, keys that are pressed
+ * inwards. */
 static void draw_crown(dmg_builder* b, float radius, float depth) {
     float angle = dmg_range(b, 0, 2.0f * DMG_PI), size = fminf(0.4f * depth, radius * dmg_range(b, 0.06f, 0.16f));
     int kinds[] = {DMG_CONTROL_DIAL, DMG_CONTROL_DIAL, DMG_CONTROL_KEY, DMG_CONTROL_PLUNGER};
@@ -187,7 +188,7 @@ static void draw_crown(dmg_builder* b, float radius, float depth) {
     dmg_restore(b);
 }
 
-/* The ring round the glass; some turn. */
+/* Draws the ring round the glass; some turn. */
 static void draw_rim(dmg_builder* b, float radius, float wall) {
     const dmg_xy ring[] = {
         {0.93f * radius, 0}, {radius, 0}, {radius, wall}, {0.93f * radius, wall}, {0.93f * radius, 0}};
@@ -234,7 +235,7 @@ void dmg_build_gauge(dmg_builder* b) {
 
 /* ---- clusters ---- */
 
-/* A window with a needle whose pivot lies at its lower edge or below it. */
+/* Draws a window with a needle whose pivot lies at its lower edge or below it. */
 static void draw_meter(dmg_builder* b, float radius) {
     float width = radius * dmg_range(b, 1.2f, 1.9f), height = radius * dmg_range(b, 0.8f, 1.6f),
           below = height * dmg_range(b, -0.1f, 0.3f), swing = dmg_range(b, 0.4f, 0.9f), thin = 0.03f * radius,

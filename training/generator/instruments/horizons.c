@@ -40,7 +40,7 @@ static void draw_ring(dmg_builder* b, float inner, float outer, float z, float t
     dmg_lathe(b, v3(0, 0, z), v3(0, 0, 1), ring, 5);
 }
 
-/* The aeroplane that does not move, before what does. */
+/* Draws the aeroplane that does not move, before what does. */
 static void draw_symbol(dmg_builder* b, float r) {
     float t = 0.05f * r, z = -0.02f * r;
     for (int i = -1; i <= 1; i += 2) {
@@ -195,7 +195,7 @@ static void draw_bars(dmg_builder* b, const face* f) {
     }
 }
 
-/* A little plate with its word, on an arm whose pin is off at the rim. */
+/* Draws a little plate with its word, on an arm whose pin is off at the rim. */
 static void draw_flag(dmg_builder* b, const face* f) {
     float r = f->r, angle = dmg_range(b, 0, 2.0f * DMG_PI), side = dmg_sign(b), z = -0.05f * r;
     dmg_save(b);

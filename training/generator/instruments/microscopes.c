@@ -69,7 +69,7 @@ static void draw_focus(dmg_builder* b, const scope* s, uint32_t parent, float y)
     dmg_use(b, parent);
 }
 
-/* The holder that two slides carry, clips that turn about their screws, an iris' lever, a condenser. */
+/* Draws the holder that two slides carry, clips that turn about their screws, an iris' lever, a condenser. */
 static void draw_stage(dmg_builder* b, const scope* s, uint32_t parent) {
     float wide = s->size * dmg_range(b, 0.12f, 0.2f), deep = fminf(0.8f * s->reach, wide), t = 0.025f * s->size,
           lift = 0.25f * (s->nose - s->stage);
@@ -121,7 +121,7 @@ static void draw_stage(dmg_builder* b, const scope* s, uint32_t parent) {
     dmg_use(b, parent);
 }
 
-/* One eyepiece tube along +Y from the origin; what is at its end pulls out, turns, or is a part of it. */
+/* Draws one eyepiece tube along +Y from the origin; what is at its end pulls out, turns, or is a part of it. */
 static void draw_eyepiece(dmg_builder* b, uint32_t parent, float radius, float length) {
     dmg_rod(b, v3(0, -0.5f * radius, 0), v3(0, length, 0), radius);
     int way = dmg_int(b, 0, 2);
@@ -134,7 +134,7 @@ static void draw_eyepiece(dmg_builder* b, uint32_t parent, float radius, float l
     dmg_use(b, parent);
 }
 
-/* A head that turns about the optical axis, its eyepieces leaning towards `side`. */
+/* Draws a head that turns about the optical axis, its eyepieces leaning towards `side`. */
 static void draw_head(dmg_builder* b, const scope* s, uint32_t parent, float side) {
     float r = s->size * dmg_range(b, 0.05f, 0.08f), lean = dmg_range(b, 0.5f, 1.0f), tube = 0.45f * r,
           length = r * dmg_range(b, 1.5f, 3.0f);
@@ -170,7 +170,7 @@ static void draw_head(dmg_builder* b, const scope* s, uint32_t parent, float sid
 
 /* ---- stands ---- */
 
-/* A laboratory's: foot, column and arm of one piece, as boxes, as one outline, or round. */
+/* Draws a laboratory's: foot, column and arm of one piece, as boxes, as one outline, or round. */
 static void draw_stand(dmg_builder* b, const scope* s) {
     float a = s->arm, foot = 0.4f * s->stage, front = 0.7f * s->reach, back = -s->reach - a, t = 0.5f * a;
     int kind = dmg_int(b, 0, 2);
@@ -200,7 +200,7 @@ static void draw_stand(dmg_builder* b, const scope* s) {
     dmg_rod(b, v3(0, foot, 0), v3(0, 1.15f * foot, 0), 0.8f * a); /* the lamp */
 }
 
-/* A student's: a horseshoe and a pillar, a limb that leans about the pillar's pin, a tube that runs along it. */
+/* Draws a student's: a horseshoe and a pillar, a limb that leans about the pillar's pin, a tube that runs along it. */
 static void draw_leaning(dmg_builder* b, scope* s) {
     float a = s->arm, foot = 0.05f * s->size, pin = s->stage * dmg_range(b, 0.75f, 0.95f), tube = 0.05f * s->size;
     for (int i = -1; i <= 1; i += 2) {
@@ -241,7 +241,8 @@ static void draw_leaning(dmg_builder* b, scope* s) {
     dmg_use(b, 0);
 }
 
-/* Two eyepieces over a work piece: a boom that slides and turns on a post, a head that tips and a block that runs. */
+/* Draws two eyepieces over a work piece: a boom that slides and turns on a post, a head that tips and a block that
+ * runs. */
 static void draw_stereo(dmg_builder* b, const scope* s) {
     float a = 1.6f * s->arm, post = 0.3f * a, high = s->size * dmg_range(b, 0.75f, 1.0f), reach = s->reach * 1.8f,
           y = s->nose;

@@ -10,7 +10,7 @@ typedef struct station {
     float barrel, fore, aft;
 } station;
 
-/* Three screws between two plates; the frame moves up to the upper plate's face. */
+/* Draws three screws between two plates; the frame moves up to the upper plate's face. */
 static void draw_tribrach(dmg_builder* b, float r) {
     float low = 0.12f * r, gap = r * dmg_range(b, 0.25f, 0.5f), knob = r * dmg_range(b, 0.16f, 0.28f);
     bool threaded = dmg_chance(b, 0.5f), round = dmg_chance(b, 0.5f);
@@ -65,7 +65,7 @@ static void draw_tripod(dmg_builder* b, float r) {
     dmg_move(b, 0, 0.3f * r, 0);
 }
 
-/* What stands at both sides of the telescope and carries its pins. */
+/* Draws what stands at both sides of the telescope and carries its pins. */
 static void draw_standards(dmg_builder* b, const station* s, uint32_t alidade) {
     int kind = dmg_int(b, 0, 3), first = kind == 3 ? 1 : -1;
     float t = s->r * dmg_range(b, 0.12f, 0.35f), deep = s->r * dmg_range(b, 0.4f, 0.9f),
@@ -103,7 +103,8 @@ static void draw_standards(dmg_builder* b, const station* s, uint32_t alidade) {
     dmg_use(b, alidade);
 }
 
-/* The telescope on its pins, its objective towards +Z: rings that turn, an eyepiece that draws out, the circle. */
+/* Draws the telescope on its pins, its objective towards +Z: rings that turn, an eyepiece that draws out, the circle.
+ */
 static void draw_telescope(dmg_builder* b, const station* s, uint32_t alidade) {
     bool plunges = 1.05f * s->fore < s->trunn && s->aft < 0.9f * s->trunn;
     float tip = asinf(fminf(0.95f, 0.8f * s->trunn / fmaxf(s->fore, s->aft))), r = s->barrel;
@@ -234,7 +235,7 @@ static void draw_frame(dmg_builder* b, const sextant* s) {
     }
 }
 
-/* The arm from the apex down to the limb, before the frame; a drum, a clamp or a lens on its end. */
+/* Draws the arm from the apex down to the limb, before the frame; a drum, a clamp or a lens on its end. */
 static void draw_index_arm(dmg_builder* b, const sextant* s) {
     float r = s->radius, z = 0.55f * s->t, thin = 0.5f * s->t, wide = r * dmg_range(b, 0.05f, 0.1f),
           reach = r * dmg_range(b, 1.0f, 1.12f), play = 0.85f * s->half;
@@ -294,7 +295,7 @@ static void draw_shades(dmg_builder* b, const sextant* s, dmg_vec at, dmg_vec si
     }
 }
 
-/* The telescope in its collar on one radius, the half silvered glass on the other: the line of sight between. */
+/* Draws the telescope in its collar on one radius, the half silvered glass on the other: the line of sight between. */
 static void draw_optics(dmg_builder* b, const sextant* s) {
     float r = s->radius, height = r * dmg_range(b, 0.08f, 0.14f), tube = r * dmg_range(b, 0.035f, 0.07f),
           length = r * dmg_range(b, 0.25f, 0.6f), side = dmg_sign(b);

@@ -76,7 +76,7 @@ static void draw_lattice(dmg_builder* b, float high, float half, float thick) {
     }
 }
 
-/* A floor with a railing round it. */
+/* Draws a floor with a railing round it. */
 static void draw_platform(dmg_builder* b, float y, float half, float thick) {
     dmg_box(b, v3(0, y, 0), v3(2 * half, thick, 2 * half));
     if (!dmg_chance(b, 0.6f)) return;
@@ -165,7 +165,7 @@ void dmg_build_dish(dmg_builder* b) {
 
 /* ---- radar on a tower ---- */
 
-/* A piece of a paraboloid or a cylinder, sides at ±width / 2, above `low`: one sheet, thick behind. */
+/* Draws a piece of a paraboloid or a cylinder, sides at ±width / 2, above `low`: one sheet, thick behind. */
 static void draw_reflector(dmg_builder* b, float width, float low, float high, float bow, bool round) {
     enum { COLUMNS = 6, ROWS = 4 };
     for (int side = 0; side < 2; ++side) {

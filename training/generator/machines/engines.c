@@ -253,7 +253,7 @@ static void draw_star_engine(dmg_builder* b) {
 
 /* ---- engines with a crosshead ---- */
 
-/* The crosshead's block between its bars, its rod into a cylinder lying beyond. */
+/* Draws the crosshead's block between its bars, its rod into a cylinder lying beyond. */
 static float draw_crosshead(dmg_builder* b, const dmg_crank* c, const cylinder* y, uint32_t slider) {
     float at = dmg_crank_at(c, c->angle), t = c->t, s = 0.8f * t, in = c->rod - c->throw, out = c->rod + c->throw,
           from = out + 2.0f * t + s, end = from + 2.0f * c->throw +y->head + 2 * t, middle = from + (at - in) + t;
@@ -271,7 +271,7 @@ static float draw_crosshead(dmg_builder* b, const dmg_crank* c, const cylinder* 
     return end;
 }
 
-/* A spindle with two balls that swing out on arms. */
+/* Draws a spindle with two balls that swing out on arms. */
 static void draw_governor(dmg_builder* b, float high, float t) {
     dmg_rod(b, v3(0, 0, 0), v3(0, 0.4f * high, 0), t);
     uint32_t spindle = dmg_spin(b, 0, "governor", v3(0, 0, 0), v3(0, dmg_sign(b), 0));
@@ -331,7 +331,7 @@ static void draw_mill_engine(dmg_builder* b) {
 
 /* ---- beam engines ---- */
 
-/* What hangs from an end of the beam: its own part, its joint on the beam. */
+/* Draws what hangs from an end of the beam: its own part, its joint on the beam. */
 static void draw_hanger(dmg_builder* b, uint32_t beam, const dmg_crank* c, const char* name, dmg_vec from, dmg_vec to) {
     dmg_hinge(b, beam, name, from, v3(0, 0, dmg_sign(b)), -0.35f, 0.35f);
     dmg_link_draw(b, c, from, to);

@@ -106,7 +106,7 @@ static void draw_headstock(dmg_builder* b, const lathe* l) {
     if (dmg_chance(b, 0.3f)) draw_chuck_guard(b, l);
 }
 
-/* The post: a block with tools that turns, locked by a lever; lower, a rest of the turner's tool. */
+/* Draws the post: a block with tools that turns, locked by a lever; lower, a rest of the turner's tool. */
 static void draw_tool_post(dmg_builder* b, uint32_t carrier, float room, float wide) {
     float post = fminf(0.55f * room, 0.6f * wide);
     uint32_t turret = dmg_chance(b, 0.6f) ? dmg_spin(b, carrier, "tool_post", v3(0, 0, 0), v3(0, 1, 0)) : carrier;
@@ -163,7 +163,7 @@ static void draw_carriage(dmg_builder* b, const lathe* l, float from, float to) 
     dmg_use(b, 0);
 }
 
-/* A turner's rest: a foot along the bed, a post in it that turns and rises, a bar on top. */
+/* Draws a turner's rest: a foot along the bed, a post in it that turns and rises, a bar on top. */
 static void draw_rest(dmg_builder* b, const lathe* l, float at, float way) {
     float s = l->swing, long_side = s * dmg_range(b, 0.8f, 2.0f), z = l->half * dmg_range(b, 0.9f, 1.4f);
     uint32_t foot = dmg_slide(b, 0, "rest_base", v3(1, 0, 0), -0.5f * way, 0.5f * way);
@@ -204,7 +204,7 @@ static void draw_tailstock(dmg_builder* b, const lathe* l, float at, float way) 
     dmg_use(b, 0);
 }
 
-/* A turret of stations that indexes about Z on a slide behind the spindle. */
+/* Draws a turret of stations that indexes about Z on a slide behind the spindle. */
 static void draw_turret(dmg_builder* b, const lathe* l) {
     float s = l->swing, r = 0.6f * s, x = 0.55f * l->length;
     uint32_t slide = dmg_slide(b, 0, "slide", v3(dmg_sign(b), 0, 0), -0.25f * l->length, 0.25f * l->length);

@@ -275,7 +275,7 @@ void dmg_build_vending_machine(dmg_builder* b) {
 
 /* ---- figure ---- */
 
-/* A limb of links downwards (or along `way`) from a joint, each bending about X or Z. */
+/* Draws a limb of links downwards (or along `way`) from a joint, each bending about X or Z. */
 static void draw_limb(dmg_builder* b, uint32_t carrier, dmg_vec at, dmg_vec way, int links, float length, float thick,
                       int style) {
     for (int i = 0; i < links; ++i) {

@@ -26,7 +26,7 @@ static void lay_board(dmg_builder* b, float half) {
     if (dmg_chance(b, 0.4f)) dmg_face_up(b);
 }
 
-/* The crank with its pin up to z = top: a web, a disc, a hand wheel; a knob to turn it by. */
+/* Draws the crank with its pin up to z = top: a web, a disc, a hand wheel; a knob to turn it by. */
 static uint32_t draw_driver(dmg_builder* b, const dmg_crank* c, float top) {
     int web = dmg_int(b, 0, 3), wheel = dmg_int(b, 0, 3);
     float t = c->t;
@@ -46,7 +46,7 @@ static uint32_t draw_driver(dmg_builder* b, const dmg_crank* c, float top) {
     return crank;
 }
 
-/* A block on a rail or between two, driven by a rod that is the block's or the crank's. */
+/* Draws a block on a rail or between two, driven by a rod that is the block's or the crank's. */
 static void draw_slider_crank(dmg_builder* b) {
     dmg_crank c = dmg_crank_pick(b, dmg_scale_range(b, 0.02f, 0.4f));
     float t = c.t, s = t * dmg_range(b, 1.2f, 2.2f), in = c.rod - c.throw -s, out = c.rod + c.throw +s, z = 1.4f * t;
@@ -88,7 +88,7 @@ static void draw_slider_crank(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* The pin in a yoke's slot: what holds the slot slides, straight as the rod it is on. */
+/* Draws the pin in a yoke's slot: what holds the slot slides, straight as the rod it is on. */
 static void draw_scotch_yoke(dmg_builder* b) {
     dmg_crank c = dmg_crank_pick(b, dmg_scale_range(b, 0.02f, 0.4f));
     float t = c.t, r = c.throw, half = r + 1.2f * t, at = r * cosf(c.angle), z = 1.5f * t,
@@ -113,7 +113,7 @@ static void draw_scotch_yoke(dmg_builder* b) {
     }
 }
 
-/* The pin in a slotted lever that turns about its own pin below and pushes a ram above: a shaper's drive. */
+/* Draws the pin in a slotted lever that turns about its own pin below and pushes a ram above: a shaper's drive. */
 static void draw_quick_return(dmg_builder* b) {
     dmg_crank c = dmg_crank_pick(b, dmg_scale_range(b, 0.02f, 0.4f));
     float t = c.t, r = c.throw, below = r * dmg_range(b, 1.6f, 2.4f), top = r * dmg_range(b, 1.6f, 2.2f), z = 1.5f * t,
@@ -185,7 +185,7 @@ static void cam_span(const cam* c, float* low, float* high) {
     }
 }
 
-/* What a follower carries up through the deck: a knob, a block, a puppet, a bird, nothing. */
+/* Draws what a follower carries up through the deck: a knob, a block, a puppet, a bird, nothing. */
 static void draw_figure_top(dmg_builder* b, float x, float s) {
     int kind = dmg_int(b, 0, 4);
     if (kind == 1) dmg_rod(b, v3(x, 0, 0), v3(x + 0.6f * s, 0, 0), 0.6f * s);

@@ -10,7 +10,7 @@ typedef struct mill {
     float unit, half, deep, high; /* of the column: width, depth, height */
 } mill;
 
-/* The tool below the origin: a chuck, a collet with a cutter, a face mill. */
+/* Draws the tool below the origin: a chuck, a collet with a cutter, a face mill. */
 static void draw_tool(dmg_builder* b, float r) {
     int kind = dmg_int(b, 0, 2);
     if (kind == 0) {
@@ -31,7 +31,7 @@ static void draw_tool(dmg_builder* b, float r) {
         dmg_rod(b, v3(0, -3.2f * r, 0), v3(0, -1.2f * r, 0), r * 0.25f);
 }
 
-/* A quill that comes down out of the origin with the spindle that turns in it; `room` is free below. */
+/* Draws a quill that comes down out of the origin with the spindle that turns in it; `room` is free below. */
 static void draw_quill(dmg_builder* b, uint32_t head, float r, float way) {
     float out = r * dmg_range(b, 0.4f, 2.0f), thin = dmg_range(b, 0.5f, 0.8f);
     uint32_t quill = head;
@@ -47,7 +47,7 @@ static void draw_quill(dmg_builder* b, uint32_t head, float r, float way) {
     dmg_use(b, head);
 }
 
-/* A slab with T-slots, a vice or a plate on it; its top at y = 0. */
+/* Draws a slab with T-slots, a vice or a plate on it; its top at y = 0. */
 static void draw_table(dmg_builder* b, uint32_t table, float half, float deep, float t) {
     int slots = dmg_int(b, 0, 4), load = dmg_int(b, 0, 3);
     dmg_box(b, v3(0, -0.5f * t, 0), v3(2 * half, t, deep));
@@ -96,7 +96,7 @@ static void draw_knee(dmg_builder* b, const mill* m, float top, float way) {
     dmg_use(b, 0);
 }
 
-/* A head before the column or a ram's end, its spindle's nose at the origin; motor on top, lever at the side. */
+/* Draws a head before the column or a ram's end, its spindle's nose at the origin; motor on top, lever at the side. */
 static void draw_mill_head(dmg_builder* b, uint32_t head, float u, float way) {
     float r = u * dmg_range(b, 0.12f, 0.22f), h = u * dmg_range(b, 0.9f, 1.5f), w = u * dmg_range(b, 0.25f, 0.4f);
     bool round = dmg_chance(b, 0.4f), motor = dmg_chance(b, 0.7f);
@@ -112,7 +112,7 @@ static void draw_mill_head(dmg_builder* b, uint32_t head, float u, float way) {
     dmg_restore(b);
 }
 
-/* A column, knee and table before it, a ram over them with a head that tilts. */
+/* Draws a column, knee and table before it, a ram over them with a head that tilts. */
 static void draw_knee_mill(dmg_builder* b) {
     float u = dmg_scale_range(b, 0.08f, 0.6f);
     mill m = {.unit = u, .half = u * dmg_range(b, 1.0f, 2.2f)};
@@ -163,7 +163,7 @@ static void draw_drill_table(dmg_builder* b, float u, float reach, float at, flo
     dmg_use(b, 0);
 }
 
-/* A belt's cover that lifts at its back, a switch box, the motor behind. */
+/* Draws a belt's cover that lifts at its back, a switch box, the motor behind. */
 static void draw_drill_head(dmg_builder* b, float u, float reach) {
     float w = u * dmg_range(b, 0.35f, 0.5f), h = u * dmg_range(b, 0.8f, 1.2f), back = -0.9f * u,
           front = reach + 1.1f * w, lid = u * dmg_range(b, 0.2f, 0.4f);

@@ -21,7 +21,7 @@ static rig pick_rig(dmg_builder* b, float low, float high) {
     return r;
 }
 
-/* Two ears with a pin, a block under it, or a ball of a mount; down from `at` to y = floor. */
+/* Draws two ears with a pin, a block under it, or a ball of a mount; down from `at` to y = floor. */
 static void draw_lugs(dmg_builder* b, const rig* r, dmg_vec at, float floor) {
     float t = r->t, h = at.y - floor;
     dmg_rod(b, v3_add(at, v3(0, 0, -t)), v3_add(at, v3(0, 0, t)), 0.3f * t);
@@ -78,7 +78,7 @@ static void draw_cylinder(dmg_builder* b, const rig* r, uint32_t carrier, dmg_ve
     dmg_rod(b, v3_add(eye, v3(0, 0, -0.6f * t)), v3_add(eye, v3(0, 0, 0.6f * t)), 0.5f * t);
 }
 
-/* A bucket, fork, hook, platform or nothing at an arm's end. */
+/* Draws a bucket, fork, hook, platform or nothing at an arm's end. */
 static void draw_load(dmg_builder* b, const rig* r, dmg_vec at, float lean) {
     float s = 3 * r->t;
     int kind = dmg_int(b, 0, 4);
@@ -93,7 +93,7 @@ static void draw_load(dmg_builder* b, const rig* r, dmg_vec at, float lean) {
     dmg_restore(b);
 }
 
-/* A boom on lugs, raised by a cylinder; perhaps a second arm with a cylinder of its own. */
+/* Draws a boom on lugs, raised by a cylinder; perhaps a second arm with a cylinder of its own. */
 static void draw_boom(dmg_builder* b) {
     rig r = pick_rig(b, 0.08f, 2.0f);
     float s = r.size, t = r.t, lean = dmg_range(b, -0.1f, 0.9f), at = dmg_range(b, 0.35f, 0.65f),
@@ -129,7 +129,7 @@ static void draw_boom(dmg_builder* b) {
 
 /* ---- clamps ---- */
 
-/* A bar over a base held down by a handle with a link between; or a plunger that a handle pushes. */
+/* Draws a bar over a base held down by a handle with a link between; or a plunger that a handle pushes. */
 static void draw_clamp(dmg_builder* b) {
     rig r = pick_rig(b, 0.04f, 0.3f);
     float s = r.size, t = r.t, h = 2.2f * t, open = dmg_range(b, 0.8f, 1.7f);
@@ -203,7 +203,8 @@ static void draw_tongs(dmg_builder* b) {
 
 /* ---- current collectors ---- */
 
-/* A frame on insulators, a lower arm, an upper arm that folds the other way, a head kept level with its strips. */
+/* Draws a frame on insulators, a lower arm, an upper arm that folds the other way, a head kept level with its strips.
+ */
 static void draw_collector(dmg_builder* b) {
     rig r = pick_rig(b, 0.15f, 1.6f);
     float s = r.size, t = 0.7f * r.t, wide = s * dmg_range(b, 0.25f, 0.5f), a = dmg_range(b, 0.25f, 0.8f),

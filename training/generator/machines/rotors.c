@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A rotor about Z at the origin, facing +Z: hub and blades. */
+/* Draws a rotor about Z at the origin, facing +Z: hub and blades. */
 static uint32_t draw_rotor(dmg_builder* b, uint32_t parent, const char* name, float radius, float chord) {
     int kind = dmg_int(b, 0, DMG_BLADE_KINDS - 1), count = dmg_int(b, 2, 6);
     float hub = radius * dmg_range(b, 0.05f, 0.18f), twist = dmg_range(b, 0.0f, 0.7f);
@@ -17,7 +17,7 @@ static uint32_t draw_rotor(dmg_builder* b, uint32_t parent, const char* name, fl
     return rotor;
 }
 
-/* A cage of rings and wires about Z. */
+/* Draws a cage of rings and wires about Z. */
 static void draw_cage(dmg_builder* b, float radius, float depth) {
     float wire = 0.012f * radius;
     int rings = dmg_int(b, 1, 4), spokes = dmg_int(b, 4, 12);
@@ -112,7 +112,7 @@ void dmg_build_propeller(dmg_builder* b) {
 
 /* ---- wind turbine ---- */
 
-/* A lattice or a tube up to y = height. */
+/* Draws a lattice or a tube up to y = height. */
 static void draw_mast(dmg_builder* b, float height, float radius) {
     if (dmg_chance(b, 0.65f)) {
         dmg_cone(b, v3(0, 0, 0), v3(0, height, 0), radius, 0.6f * radius);

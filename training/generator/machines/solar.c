@@ -61,7 +61,7 @@ static fold_style pick_fold(dmg_builder* b) {
     return f;
 }
 
-/* A leaf along +X, hung on `carrier` at the origin; sign: which face it folds towards. Returns the part. */
+/* Draws a leaf along +X, hung on `carrier` at the origin; sign: which face it folds towards. Returns the part. */
 static uint32_t draw_chain_leaf(dmg_builder* b, uint32_t carrier, const leaf_style* s, const fold_style* f,
                                 float sign) {
     float z = f->place == 0 ? sign * 0.5f * s->thick : 0.0f;
@@ -145,7 +145,8 @@ static void draw_case_handle(dmg_builder* b, float width, float top, float t) {
     dmg_sweep(b, path, 4, 0.4f * t, 0.4f * t, false);
 }
 
-/* A second leaf, as big as the first or half of it, lies on the first one's front and folds over an edge of it. */
+/* Draws a second leaf, as big as the first or half of it, lies on the first one's front and folds over an edge of it.
+ */
 static uint32_t draw_folded_leaf(dmg_builder* b, uint32_t carrier, const leaf_style* s, int edge, float layer) {
     float t = s->thick, x = 0.5f * s->width, y = 0.5f * s->height, z = (layer + 0.5f) * t;
     const dmg_vec at[4] = {{x, 0, z}, {-x, 0, z}, {0, y, z}, {0, -y, z}},

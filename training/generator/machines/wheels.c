@@ -13,7 +13,7 @@ static wheel_set pick_wheels(dmg_builder* b, float radius) {
     return wheels;
 }
 
-/* A wheel part at the current origin, axle along X. */
+/* Draws a wheel part at the current origin, axle along X. */
 static void draw_axle_wheel(dmg_builder* b, const wheel_set* wheels, uint32_t parent) {
     dmg_save(b);
     dmg_turn(b, v3(0, 1, 0), 0.5f * DMG_PI);
@@ -23,7 +23,7 @@ static void draw_axle_wheel(dmg_builder* b, const wheel_set* wheels, uint32_t pa
     dmg_use(b, parent);
 }
 
-/* A cart: a body on two axles. */
+/* Draws a cart: a body on two axles. */
 static void draw_cart(dmg_builder* b, const wheel_set* wheels) {
     float width = wheels->radius * dmg_range(b, 2.0f, 5.0f), length = wheels->radius * dmg_range(b, 4.0f, 10.0f),
           height = wheels->radius * dmg_range(b, 0.6f, 3.0f);
@@ -53,7 +53,7 @@ static void draw_cart(dmg_builder* b, const wheel_set* wheels) {
     }
 }
 
-/* A barrow or trolley: wheels in forks, a handle bar. */
+/* Draws a barrow or trolley: wheels in forks, a handle bar. */
 static void draw_fork(dmg_builder* b, const wheel_set* wheels) {
     float r = wheels->radius, half = 0.6f * wheels->width + 0.05f * r, arm = r * dmg_range(b, 1.5f, 5.0f),
           lean = dmg_range(b, -0.5f, 0.8f);

@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A blade along +X from the hub, about Z: wide near its root, thin at the tip, twisted. */
+/* Draws a blade along +X from the hub, about Z: wide near its root, thin at the tip, twisted. */
 static void draw_slender_blade(dmg_builder* b, float hub, float radius, float chord, float twist, bool flat) {
     enum { STATIONS = 5 };
     static const float along[STATIONS] = {0.0f, 0.2f, 0.5f, 0.8f, 1.0f},
@@ -63,7 +63,7 @@ void dmg_build_power_turbine(dmg_builder* b) {
 
 /* ---- mills ---- */
 
-/* Four sails of lattice, or a wheel of many small blades. */
+/* Draws four sails of lattice, or a wheel of many small blades. */
 static void draw_sails(dmg_builder* b, float radius, int count) {
     float wide = radius * dmg_range(b, 0.12f, 0.3f), t = 0.015f * radius;
     int bars = dmg_int(b, 3, 7);
@@ -150,7 +150,7 @@ static void draw_cups(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* An arrow, a plate or a bird that looks into the wind. */
+/* Draws an arrow, a plate or a bird that looks into the wind. */
 static void draw_vane(dmg_builder* b, float size) {
     float tail = size * dmg_range(b, 0.5f, 1.2f), high = size * dmg_range(b, 0.3f, 0.9f);
     dmg_spin(b, 0, "vane", v3(0, 0, 0), v3(0, 1, 0));

@@ -39,7 +39,7 @@ static void draw_bell(dmg_builder* b, dmg_vec at, const brass* w) {
     dmg_lathe(b, at, v3(0, 0, 1), flare, 9);
 }
 
-/* A key on a bow: a lever about a pin across, its cork below, held shut by a spring. */
+/* Draws a key on a bow: a lever about a pin across, its cork below, held shut by a spring. */
 static void draw_water_key(dmg_builder* b, uint32_t carrier, dmg_vec at, float r, float way) {
     dmg_use(b, carrier);
     dmg_box(b, v3_add(at, v3(0, -0.3f * r, 0)), v3(0.9f * r, 0.9f * r, 0.5f * r));
@@ -51,7 +51,7 @@ static void draw_water_key(dmg_builder* b, uint32_t carrier, dmg_vec at, float r
     dmg_use(b, carrier);
 }
 
-/* A bow with two legs that draws out of its sleeves along Z: `way` is 1 to the front. The sleeves end at `at`. */
+/* Draws a bow with two legs that draws out of its sleeves along Z: `way` is 1 to the front. The sleeves end at `at`. */
 static uint32_t draw_slide(dmg_builder* b, const char* name, dmg_vec at, float radius, float way, float travel,
                            const brass* w) {
     float r = w->bore, leg = travel * 1.2f;
@@ -136,7 +136,7 @@ static void draw_mouthpiece(dmg_builder* b, dmg_vec at, float r) {
     dmg_use(b, 0);
 }
 
-/* A trumpet's wrap: the mouth pipe above ends in the tuning slide in front, the bell's tube turns behind. */
+/* Draws a trumpet's wrap: the mouth pipe above ends in the tuning slide in front, the bell's tube turns behind. */
 static void draw_wrapped(dmg_builder* b, const brass* w) {
     float r = w->bore, h = w->high, l = w->reach, x = 2.4f * r, tall = h * dmg_range(b, 1.0f, 1.6f),
           pull = l * dmg_range(b, 0.1f, 0.4f);
@@ -172,7 +172,7 @@ static void draw_wrapped(dmg_builder* b, const brass* w) {
     }
 }
 
-/* A trombone: the long slide in front of the player, the bell beside it, its tuning slide behind. */
+/* Draws a trombone: the long slide in front of the player, the bell beside it, its tuning slide behind. */
 static void draw_trombone(dmg_builder* b, const brass* w) {
     float r = w->bore, h = w->high, l = 2.5f * w->reach, way = l * dmg_range(b, 0.6f, 0.85f), x = 5 * r,
           back = 0.7f * l;
@@ -238,7 +238,8 @@ static float pipe_radius(const pipe* p, float y) {
     return p->r0 + (p->r1 - p->r0) * (y - p->low) / (p->high - p->low);
 }
 
-/* A cup over its hole on +Z at height y, an arm to a rod along Y beside the pipe; the rod may run on to a touch. */
+/* Draws a cup over its hole on +Z at height y, an arm to a rod along Y beside the pipe; the rod may run on to a touch.
+ */
 static void draw_cup_key(dmg_builder* b, const pipe* p, float y, float reach) {
     float r = pipe_radius(p, y), cup = r * p->cup, t = 0.15f * r, px = -0.95f * r, pz = 0.85f * r,
           lift = dmg_range(b, 0.12f, 0.4f);
@@ -260,7 +261,7 @@ static void draw_cup_key(dmg_builder* b, const pipe* p, float y, float reach) {
     dmg_use(b, 0);
 }
 
-/* A lever along the pipe on a saddle: a pad at one end, a touch at the other; it rocks about a pin across. */
+/* Draws a lever along the pipe on a saddle: a pad at one end, a touch at the other; it rocks about a pin across. */
 static void draw_lever_key(dmg_builder* b, const pipe* p, float y, float length) {
     float r = pipe_radius(p, y), t = 0.15f * r, z = 1.45f * r, tilt = dmg_range(b, 0.08f, 0.2f),
           cup = 0.7f * r * p->cup;

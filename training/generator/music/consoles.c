@@ -27,7 +27,7 @@ static cap pick_cap(dmg_builder* b) {
     return c;
 }
 
-/* A slot along Y and the cap that runs in it; `size` is the room across. */
+/* Draws a slot along Y and the cap that runs in it; `size` is the room across. */
 static void draw_fader(dmg_builder* b, uint32_t carrier, const char* name, const cap* c, float way, float size) {
     float w = c->wide * size, l = fminf(c->long_ * size, 0.4f * way), h = c->high * size, run = way - l;
     dmg_box(b, v3(0, 0, 0), v3(0.12f * size, way, 0.06f * size));
@@ -89,7 +89,7 @@ static void draw_key_grid(dmg_builder* b, uint32_t carrier, const char* name, fl
     dmg_buttons_draw(b, carrier, &keys);
 }
 
-/* A screen: let in, or hung by its far edge and raised. */
+/* Draws a screen: let in, or hung by its far edge and raised. */
 static void draw_screen(dmg_builder* b, uint32_t carrier, float w, float h) {
     float t = 0.06f * fminf(w, h);
     if (dmg_chance(b, 0.5f)) {
@@ -102,7 +102,7 @@ static void draw_screen(dmg_builder* b, uint32_t carrier, float w, float h) {
     dmg_use(b, carrier);
 }
 
-/* A disc for the whole hand, with a dimple or a rim of grips. */
+/* Draws a disc for the whole hand, with a dimple or a rim of grips. */
 static void draw_jog(dmg_builder* b, uint32_t carrier, float r) {
     float h = r * dmg_range(b, 0.08f, 0.35f), top = dmg_range(b, 0.75f, 0.97f) * r;
     const dmg_xy disc[] = {{0, 0}, {r, 0}, {r, 0.6f * h}, {top, h}, {0, h}};
@@ -365,7 +365,7 @@ static void draw_desk_extras(dmg_builder* b, const wedge* w) {
     }
 }
 
-/* Two jog wheels, a mixer's strip between them. */
+/* Draws two jog wheels, a mixer's strip between them. */
 static void draw_player_face(dmg_builder* b, const wedge* w) {
     float h = w->face, side = 0.36f * w->wide, r = fminf(0.26f * h, 0.12f * w->wide), small = 0.05f * h;
     cap c = pick_cap(b);
@@ -394,8 +394,8 @@ static void draw_player_face(dmg_builder* b, const wedge* w) {
     dmg_restore(b);
 }
 
-/* A box for a foot: knobs, and a button that sinks, a plate hung behind the knobs, or a treadle on a pin in its middle.
- */
+/* Draws a box for a foot: knobs, and a button that sinks, a plate hung behind the knobs, or a treadle on a pin in its
+ * middle. */
 static void draw_stomp_box(dmg_builder* b, float w, float h, float t) {
     int kind = dmg_int(b, 0, 2);
     dmg_box_span(b, v3(-0.5f * w, -0.5f * h, 0), v3(0.5f * w, 0.5f * h, t));

@@ -75,7 +75,7 @@ static piano pick_piano(dmg_builder* b, float floor, float top, float deep) {
     return p;
 }
 
-/* The bed, the slip before the keys, the cheeks beside them. */
+/* Draws the bed, the slip before the keys, the cheeks beside them. */
 static void draw_key_case(dmg_builder* b, const piano* p) {
     const dmg_manual* m = &p->keys;
     float bed = m->thick + 1.3f * m->dip, low = -bed - 2 * m->thick, slip = 0.6f * m->pitch, z = 1.15f * slip;
@@ -182,7 +182,7 @@ static void draw_stool(dmg_builder* b, float pitch, float seat) {
     dmg_use(b, 0);
 }
 
-/* A ledge or frame for the music, on z = 0 leaning back on a board; its line is X through the origin. */
+/* Draws a ledge or frame for the music, on z = 0 leaning back on a board; its line is X through the origin. */
 static void draw_desk(dmg_builder* b, float wide, float tall, float t) {
     uint32_t desk = dmg_hinge(b, 0, "music_desk", v3(0, 0, 0.5f * t), v3(1, 0, 0), 0.0f, dmg_range(b, 0.3f, 1.2f));
     if (dmg_chance(b, 0.5f)) {
@@ -200,7 +200,7 @@ static void draw_desk(dmg_builder* b, float wide, float tall, float t) {
 
 /* ---- uprights ---- */
 
-/* The lid over the case: hung behind, folded in its middle, or hung at an end. */
+/* Draws the lid over the case: hung behind, folded in its middle, or hung at an end. */
 static void draw_top_lid(dmg_builder* b, const piano* p, float front, float rear) {
     float x = p->x + 1.2f * p->wall, t = 0.8f * p->wall, y = p->top, over = 0.3f * p->wall;
     int way = dmg_weighted(b, (const float[]){3, 2, 1}, 3);
@@ -310,7 +310,7 @@ static void draw_rim(dmg_builder* b, const piano* p, float tail, float low, floa
     dmg_extrude(b, inner, BEND + 2, low + 0.1f * (high - low), low + 0.35f * (high - low));
 }
 
-/* The lid on the spine, its front leaf folded back on it; the prop that holds it. */
+/* Draws the lid on the spine, its front leaf folded back on it; the prop that holds it. */
 static void draw_grand_lid(dmg_builder* b, const piano* p, float tail, float high) {
     float x = p->x + p->wall, t = 0.4f * p->wall, flap = p->deep * dmg_range(b, 0.15f, 0.3f),
           swing = dmg_range(b, 0.45f, 0.8f);

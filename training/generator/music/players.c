@@ -122,7 +122,7 @@ static void draw_tube(dmg_builder* b, const tonearm* a, float y) {
         dmg_sweep(b, path, STEPS + 1, a->tube, a->tube, false);
 }
 
-/* The weight behind, in some screwed along its tail. */
+/* Draws the weight behind, in some screwed along its tail. */
 static void draw_counterweight(dmg_builder* b, const deck* d, const tonearm* a, uint32_t arm, float y) {
     float r = d->r * dmg_range(b, 0.07f, 0.13f), l = a->tail * dmg_range(b, 0.4f, 0.7f);
     dmg_rod(b, v3(0, y, -a->tail), v3(0, y, 0), 0.8f * a->tube);
@@ -288,7 +288,7 @@ static void draw_plinth(dmg_builder* b, const deck* d) {
     if (kind != 3 && dmg_chance(b, 0.7f)) draw_shell_lid(b, d, 0.0f, d->over + r * dmg_range(b, 0.1f, 0.3f), 0.0f);
 }
 
-/* A lower half with the deck let in, the lid its other half; a handle and latches in front. */
+/* Draws a lower half with the deck let in, the lid its other half; a handle and latches in front. */
 static void draw_suitcase(dmg_builder* b, const deck* d) {
     float w = 2 * d->wide, l = 2 * d->deep, h = d->box + d->over, r = d->r, rim = d->over * dmg_range(b, 0.0f, 0.9f);
     float wall = 0.05f * r, grip = r * dmg_range(b, 0.5f, 0.9f), y = rim - 0.25f * h, z = d->deep + wall;
@@ -318,7 +318,7 @@ static void draw_suitcase(dmg_builder* b, const deck* d) {
     }
 }
 
-/* A piece of furniture: the deck sunk below its top's lid, on its front knobs, flaps or doors. */
+/* Draws a piece of furniture: the deck sunk below its top's lid, on its front knobs, flaps or doors. */
 static void draw_cabinet(dmg_builder* b, const deck* d) {
     float r = d->r, wall = 0.08f * r, rim = d->over + 0.08f * r, x = d->wide + wall, z = d->deep + wall, h = d->box,
           legs = r * dmg_range(b, 0.3f, 1.5f), side = dmg_chance(b, 0.5f) ? r * dmg_range(b, 0.8f, 2.5f) : 0.0f;
@@ -352,7 +352,7 @@ static void draw_cabinet(dmg_builder* b, const deck* d) {
     dmg_use(b, 0);
 }
 
-/* A flower of tin on an elbow behind: it turns in its bracket. */
+/* Draws a flower of tin on an elbow behind: it turns in its bracket. */
 static void draw_horn(dmg_builder* b, const deck* d) {
     float r = d->r, tall = r * dmg_range(b, 0.5f, 1.2f), mouth = r * dmg_range(b, 0.6f, 1.3f),
           long_ = r * dmg_range(b, 1.2f, 2.4f), lift = dmg_range(b, 0.2f, 0.9f), neck = 0.1f * r, z = -d->deep - neck,

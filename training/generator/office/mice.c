@@ -59,7 +59,8 @@ static mouse pick_mouse(dmg_builder* b) {
     return m;
 }
 
-/* A piece of the shell as a plate: its top, its underside and its rim. Rows go to the front, columns to the right. */
+/* Draws a piece of the shell as a plate: its top, its underside and its rim. Rows go to the front, columns to the
+ * right. */
 static void draw_patch(dmg_builder* b, const mouse* m, float a0, float a1, float s0, float s1) {
     enum { LIMIT = 10 };
     dmg_vec top[LIMIT * LIMIT], under[LIMIT * LIMIT], rim[8 * LIMIT];
@@ -92,7 +93,7 @@ static void draw_patch(dmg_builder* b, const mouse* m, float a0, float a1, float
     dmg_rows_draw(b, rim, 2, around, DMG_ROWS_ROUND);
 }
 
-/* The shell, one piece, let in where plates lie on it. */
+/* Draws the shell, one piece, let in where plates lie on it. */
 static void draw_shell(dmg_builder* b, const mouse* m) {
     float sides[SIDE_LIMIT], ends[ROW_LIMIT];
     int columns = 0, rows = 0, half = m->columns > 5 ? 4 : 2;
@@ -114,7 +115,7 @@ static void draw_shell(dmg_builder* b, const mouse* m) {
 
 /* ---- what moves on top ---- */
 
-/* Two keys, or one over the whole width: they bend about their rear edge or a line behind it, or sink. */
+/* Draws two keys, or one over the whole width: they bend about their rear edge or a line behind it, or sink. */
 static void draw_keys(dmg_builder* b, const mouse* m, int keys) {
     bool sinks = dmg_chance(b, 0.15f);
     float room = (m->recess - m->plate) * dmg_range(b, 0.5f, 0.9f), reach = (0.985f - m->seam) * m->length;
@@ -181,7 +182,7 @@ static void draw_mouse_wheel(dmg_builder* b, const mouse* m, float half) {
     dmg_use(b, 0);
 }
 
-/* The palm's shell over the battery: swings up about its rear or its front edge, slides off, or lifts off. */
+/* Draws the palm's shell over the battery: swings up about its rear or its front edge, slides off, or lifts off. */
 static void draw_cover(dmg_builder* b, const mouse* m) {
     int way = dmg_int(b, 0, 3);
     dmg_vec rear = skin(m, 0.02f, 0, m->plate), front = skin(m, m->seam - 0.01f, 0, m->plate);
@@ -196,7 +197,7 @@ static void draw_cover(dmg_builder* b, const mouse* m) {
 
 /* ---- at its sides and below ---- */
 
-/* One to three keys in a row at the thumb's side: they sink, or tip about their rear edge. */
+/* Draws one to three keys in a row at the thumb's side: they sink, or tip about their rear edge. */
 static void draw_thumb_keys(dmg_builder* b, const mouse* m) {
     int count = dmg_int(b, 1, 3);
     float side = dmg_chance(b, 0.8f) ? -1.0f : 1.0f, s = side * fminf(0.97f, m->side + dmg_range(b, 0.05f, 0.1f));

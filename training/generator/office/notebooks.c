@@ -12,7 +12,7 @@ typedef struct notebook {
     float far;                     /* the widest opening */
 } notebook;
 
-/* A round barrel on the hinge line, drawn onto the lid, onto the base or half and half. */
+/* Draws a round barrel on the hinge line, drawn onto the lid, onto the base or half and half. */
 static void draw_barrels(dmg_builder* b, const notebook* n, uint32_t lid) {
     int kind = dmg_int(b, 0, 4), owner = dmg_int(b, 0, 2); /* across, two, one, ends of both; lid, base, both */
     float span = n->width * (kind == 1 ? dmg_range(b, 0.05f, 0.25f) : dmg_range(b, 0.3f, 1.0f));
@@ -31,7 +31,7 @@ static void draw_barrels(dmg_builder* b, const notebook* n, uint32_t lid) {
     dmg_use(b, lid);
 }
 
-/* The base in profile: a box, a wedge, or with a slope behind the line. */
+/* Draws the base in profile: a box, a wedge, or with a slope behind the line. */
 static void draw_base(dmg_builder* b, const notebook* n, int profile) {
     float z = 0.5f * n->depth, h = n->base;
     if (profile == 0) {
@@ -74,7 +74,7 @@ static void draw_deck(dmg_builder* b, const notebook* n, float room) {
     if (dmg_chance(b, 0.6f)) dmg_box(b, v3(0, n->base, front - 0.17f * room), v3(0.28f * n->width, rise, 0.2f * room));
 }
 
-/* The lid lying closed, its hung end at z = rear. */
+/* Draws the lid lying closed, its hung end at z = rear. */
 static void draw_lid(dmg_builder* b, const notebook* n, float length) {
     int style = dmg_int(b, 0, 3);
     float width = n->width * (dmg_chance(b, 0.6f) ? 1.0f : dmg_range(b, 0.86f, 1.03f)), t = n->lid;
@@ -108,7 +108,7 @@ static void draw_arms(dmg_builder* b, const notebook* n) {
     }
 }
 
-/* The line on a barrel that rises over the base: the lid grows out of it, in its middle or tangent to it. */
+/* Draws the line on a barrel that rises over the base: the lid grows out of it, in its middle or tangent to it. */
 static void hang_raised(dmg_builder* b, notebook* n) {
     float z = 0.5f * n->depth;
     n->radius = n->lid * dmg_range(b, 0.4f, 1.4f);
@@ -119,7 +119,7 @@ static void hang_raised(dmg_builder* b, notebook* n) {
     n->far = dmg_range(b, 2.0f, 2.9f);
 }
 
-/* The line inside the base's rear edge: the lid overhangs behind and sinks below the deck when it opens. */
+/* Draws the line inside the base's rear edge: the lid overhangs behind and sinks below the deck when it opens. */
 static void hang_dropped(dmg_builder* b, notebook* n) {
     float in = n->base * dmg_range(b, -0.1f, 0.5f), drop = n->base * dmg_range(b, 0.1f, 1.0f);
     n->back = in - 0.5f * n->depth;
@@ -132,7 +132,7 @@ static void hang_dropped(dmg_builder* b, notebook* n) {
     n->radius = n->base * dmg_range(b, 0.12f, 0.4f);
 }
 
-/* The line at the lid's own lower edge, on the deck: at the base's edge or far in front of it. */
+/* Draws the line at the lid's own lower edge, on the deck: at the base's edge or far in front of it. */
 static void hang_on_edge(dmg_builder* b, notebook* n) {
     float in = dmg_chance(b, 0.5f) ? n->lid * dmg_range(b, -0.3f, 0.8f) : n->depth * dmg_range(b, 0.02f, 0.2f);
     static const float through[] = {0.0f, 0.0f, 0.5f, 1.0f};

@@ -4,7 +4,7 @@
 
 /* ---- printer ---- */
 
-/* A scanner lid over the housing's top at y = 0, hinged at the back; a feeder on it sometimes. */
+/* Draws a scanner lid over the housing's top at y = 0, hinged at the back; a feeder on it sometimes. */
 static void draw_scanner(dmg_builder* b, float width, float depth, float height) {
     float t = height * dmg_range(b, 0.1f, 0.25f), back = -0.5f * depth;
     float up = dmg_range(b, 0, 1) * t, in = dmg_range(b, -0.3f, 0.8f) * t, far = dmg_range(b, 1.0f, 1.7f);
@@ -18,7 +18,7 @@ static void draw_scanner(dmg_builder* b, float width, float depth, float height)
     dmg_use(b, 0);
 }
 
-/* A flap on the front z = 0 or back, its hinge along its lower edge. */
+/* Draws a flap on the front z = 0 or back, its hinge along its lower edge. */
 static void draw_feed_flap(dmg_builder* b, const char* name, float width, float height, float t) {
     dmg_leaf flap = dmg_leaf_pick(b, 0.1f);
     flap.width = width;
@@ -215,7 +215,7 @@ void dmg_build_remote(dmg_builder* b) {
 
 /* ---- keyboard ---- */
 
-/* One row of keys of different widths; what is left over goes to the longest. */
+/* Draws one row of keys of different widths; what is left over goes to the longest. */
 static void draw_key_row(dmg_builder* b, float width, float pitch, float rise, float way, int kind, bool space) {
     float left = width, x = -0.5f * width;
     while (left > 0.5f * pitch && b->part_count < 70) {
@@ -233,7 +233,7 @@ static void draw_key_row(dmg_builder* b, float width, float pitch, float rise, f
     }
 }
 
-/* A piano's keys: pivots far behind. */
+/* Draws a piano's keys: pivots far behind. */
 static void draw_piano(dmg_builder* b, float width, float depth, float rise) {
     int keys = dmg_int(b, 8, 24);
     float pitch = width / (float)keys;

@@ -39,7 +39,7 @@ static void draw_screen(dmg_builder* b, const screen* s) {
     if (dmg_chance(b, 0.15f)) dmg_box(b, v3(0, 0.52f * h, -0.4f * t), v3(0.12f * h, 0.06f * h, 0.5f * t));
 }
 
-/* A foot on y = 0 about the origin. */
+/* Draws a foot on y = 0 about the origin. */
 static void draw_foot(dmg_builder* b, float width, float depth, float thick) {
     int kind = dmg_int(b, 0, 3);
     if (kind == 0) dmg_box(b, v3(0, 0.5f * thick, 0), v3(width, thick, depth));
@@ -52,7 +52,7 @@ static void draw_foot(dmg_builder* b, float width, float depth, float thick) {
 
 /* ---- stands ---- */
 
-/* The head on its tilting line: `at` in the screen's frame. Between the two may be a plate on which it rolls. */
+/* Draws the head on its tilting line: `at` in the screen's frame. Between the two may be a plate on which it rolls. */
 static void hang_screen(dmg_builder* b, const screen* s, uint32_t carrier, dmg_vec at, float fore, bool rolls) {
     float barrel = s->height * dmg_range(b, 0.01f, 0.035f), half = s->width * dmg_range(b, 0.05f, 0.25f),
           plate = s->height * dmg_range(b, 0.12f, 0.3f);
@@ -159,7 +159,7 @@ static void draw_edge_stand(dmg_builder* b, const screen* s) {
     draw_screen(b, s);
 }
 
-/* A leg on the back of what leans: a narrow strut, a wide flap or a bent wire, folded flat at 0. */
+/* Draws a leg on the back of what leans: a narrow strut, a wide flap or a bent wire, folded flat at 0. */
 static void draw_back_leg(dmg_builder* b, uint32_t parent, const screen* s, float at, float open) {
     float length = 0.5f * s->height + at,
           w = s->width * (dmg_chance(b, 0.5f) ? dmg_range(b, 0.1f, 0.3f) : dmg_range(b, 0.6f, 0.98f)),
@@ -185,7 +185,7 @@ static void draw_back_leg(dmg_builder* b, uint32_t parent, const screen* s, floa
     dmg_use(b, parent);
 }
 
-/* A frame or a panel that leans back on a leg. */
+/* Draws a frame or a panel that leans back on a leg. */
 static void draw_easel(dmg_builder* b, const screen* s) {
     float lean = dmg_range(b, 0.1f, 0.5f);
     if (dmg_chance(b, 0.7f)) dmg_turn(b, v3(1, 0, 0), -lean);
@@ -195,7 +195,7 @@ static void draw_easel(dmg_builder* b, const screen* s) {
     draw_back_leg(b, 0, s, at, open);
 }
 
-/* A deep box with a tube behind, on a bowl whose middle is somewhere inside it. */
+/* Draws a deep box with a tube behind, on a bowl whose middle is somewhere inside it. */
 static void draw_tube_set(dmg_builder* b, const screen* s) {
     float w = s->width, h = s->height, deep = h * dmg_range(b, 0.5f, 1.1f), foot = 0.05f * h,
           bowl = h * dmg_range(b, 0.2f, 0.4f), front = 0.3f * deep, sink = dmg_range(b, 0.3f, 0.7f) * bowl;
@@ -265,7 +265,7 @@ void dmg_build_monitor(dmg_builder* b) {
 
 /* ---- portable computers ---- */
 
-/* One half, lying on y = 0 … t, from z = -depth to 0. */
+/* Draws one half, lying on y = 0 … t, from z = -depth to 0. */
 static void draw_half(dmg_builder* b, int shape, float width, float depth, float t) {
     dmg_save(b);
     dmg_move(b, 0, 0.5f * t, -0.5f * depth);
@@ -279,7 +279,7 @@ static void draw_half(dmg_builder* b, int shape, float width, float depth, float
     dmg_restore(b);
 }
 
-/* Two lines, one in each half, and a bar that joins them behind. The frame: front edges at z = 0. */
+/* Draws two lines, one in each half, and a bar that joins them behind. The frame: front edges at z = 0. */
 static void draw_two_lines(dmg_builder* b, const screen* s, float base, int shape) {
     float rear = -s->height, t = s->t, low = 0.5f * base, high = base + 0.5f * t, r = 0.4f * fminf(base, t),
           out = rear - r * dmg_range(b, 0.0f, 1.3f), bar = s->width * dmg_range(b, 0.08f, 0.9f);
@@ -307,7 +307,7 @@ static void draw_two_lines(dmg_builder* b, const screen* s, float base, int shap
     dmg_use(b, 0);
 }
 
-/* A pillar in the middle of the rear edge: it lies down with the screen, and the screen turns about on it. */
+/* Draws a pillar in the middle of the rear edge: it lies down with the screen, and the screen turns about on it. */
 static void draw_turning_screen(dmg_builder* b, const screen* s, float base, int shape) {
     float rear = -s->height, post = s->width * dmg_range(b, 0.05f, 0.14f), r = fmaxf(0.5f * s->t, 0.25f * post),
           up = base + r, open = dmg_range(b, 1.5f, 1.9f);
@@ -361,7 +361,7 @@ static void draw_held_screen(dmg_builder* b, const screen* s, float base, int sh
     dmg_use(b, 0);
 }
 
-/* A tablet that leans on its leg, and a thin cover with keys that hangs on its lower edge. */
+/* Draws a tablet that leans on its leg, and a thin cover with keys that hangs on its lower edge. */
 static void draw_tablet(dmg_builder* b, const screen* s) {
     float lean = dmg_range(b, 0.15f, 0.7f), thin = s->t * dmg_range(b, 0.3f, 0.9f),
           depth = s->height * dmg_range(b, 0.7f, 1.0f);
@@ -390,7 +390,7 @@ static void draw_tablet(dmg_builder* b, const screen* s) {
     dmg_use(b, 0);
 }
 
-/* A box to carry: its front is the keyboard, which comes down about its lower edge; a grip on top. */
+/* Draws a box to carry: its front is the keyboard, which comes down about its lower edge; a grip on top. */
 static void draw_portable(dmg_builder* b, const screen* s) {
     float w = s->width, h = s->height, deep = h * dmg_range(b, 0.25f, 1.2f), t = h * dmg_range(b, 0.06f, 0.2f),
           in = dmg_chance(b, 0.5f) ? 0.0f : t * dmg_range(b, 0.1f, 0.9f);
@@ -424,7 +424,7 @@ static void draw_portable(dmg_builder* b, const screen* s) {
     dmg_use(b, 0);
 }
 
-/* Two slabs on rails: the upper one slides off the keys, away from the player or to a side. */
+/* Draws two slabs on rails: the upper one slides off the keys, away from the player or to a side. */
 static void draw_sliding_screen(dmg_builder* b, const screen* s, float base, int shape) {
     float rail = 0.25f * s->t, way = s->height * dmg_range(b, 0.35f, 0.6f);
     bool aside = dmg_chance(b, 0.3f);

@@ -22,7 +22,7 @@ static void draw_keys(dmg_builder* b, float width, float depth, float rise, bool
     }
 }
 
-/* A half of a laptop, lying on y = 0 … thick. */
+/* Draws a half of a laptop, lying on y = 0 … thick. */
 static void draw_half(dmg_builder* b, int style, float width, float depth, float thick) {
     dmg_save(b);
     dmg_move(b, 0, thick, 0);
@@ -36,7 +36,7 @@ static void draw_half(dmg_builder* b, int style, float width, float depth, float
     dmg_restore(b);
 }
 
-/* The screen half, lying closed on y = 0 … thick, hinge line along X at z = -depth / 2. */
+/* Draws the screen half, lying closed on y = 0 … thick, hinge line along X at z = -depth / 2. */
 static void draw_screen(dmg_builder* b, int style, float width, float depth, float thick) {
     float bezel = 0.05f * width;
     draw_half(b, style, width, depth, thick);
@@ -90,7 +90,7 @@ static void draw_phone_keys(dmg_builder* b, uint32_t parent, float width, float 
     dmg_buttons_draw(b, parent, &keys);
 }
 
-/* Two plates about a line, or one over the other on rails. */
+/* Draws two plates about a line, or one over the other on rails. */
 static void draw_folding_phone(dmg_builder* b, float width, float length, float thick) {
     int kind = dmg_int(b, 0, 2); /* flip, book, slider */
     float t = 0.5f * thick, gap = 0.02f * thick;
@@ -122,7 +122,7 @@ static void draw_folding_phone(dmg_builder* b, float width, float length, float 
     dmg_use(b, 0);
 }
 
-/* A plate with keys along its edges. */
+/* Draws a plate with keys along its edges. */
 static void draw_plate_phone(dmg_builder* b, float width, float length, float thick) {
     dmg_move(b, 0, thick, 0);
     dmg_face_up(b);
@@ -152,7 +152,7 @@ static void draw_plate_phone(dmg_builder* b, float width, float length, float th
     }
 }
 
-/* A handset on its cradle. */
+/* Draws a handset on its cradle. */
 static void draw_desk_phone(dmg_builder* b, float width, float depth, float height) {
     const dmg_xy wedge[] = {
         {-0.5f * depth, 0}, {0.5f * depth, 0}, {0.5f * depth, 0.35f * height}, {-0.5f * depth, height}};

@@ -9,7 +9,7 @@ typedef struct board {
     float edge;              /* x of the line it cuts along */
 } board;
 
-/* A knife on a pin at the far end of the edge, the grip at its near end. */
+/* Draws a knife on a pin at the far end of the edge, the grip at its near end. */
 static void draw_swung_knife(dmg_builder* b, const board* o) {
     float far = -0.5f * o->deep - 0.04f * o->wide, reach = o->deep * dmg_range(b, 0.95f, 1.2f),
           tall = o->wide * dmg_range(b, 0.06f, 0.14f);
@@ -52,7 +52,7 @@ static void draw_swung_knife(dmg_builder* b, const board* o) {
     dmg_use(b, 0);
 }
 
-/* A rail over the edge, hung at one end so that paper goes under it; a head with a round blade runs along it. */
+/* Draws a rail over the edge, hung at one end so that paper goes under it; a head with a round blade runs along it. */
 static void draw_rail_knife(dmg_builder* b, const board* o) {
     float high = o->wide * dmg_range(b, 0.03f, 0.07f), w = o->wide * dmg_range(b, 0.03f, 0.07f), half = 0.5f * o->deep;
     float size = w * dmg_range(b, 1.2f, 2.5f), at = dmg_chance(b, 0.5f) ? 1.0f : dmg_range(b, -0.8f, 0.8f),
@@ -91,7 +91,7 @@ static void draw_rail_knife(dmg_builder* b, const board* o) {
     dmg_use(b, 0);
 }
 
-/* What holds the paper: a bar that presses, a stop that slides, an arm that turns out. */
+/* Draws what holds the paper: a bar that presses, a stop that slides, an arm that turns out. */
 static void draw_guides(dmg_builder* b, const board* o) {
     float t = 0.015f * o->wide, y = o->thick, left = -0.5f * o->wide;
     if (dmg_chance(b, 0.6f)) { /* a stop that slides along the board */
@@ -176,7 +176,7 @@ static void draw_pins(dmg_builder* b, const punch* p, bool slide, float z) {
     dmg_use(b, 0);
 }
 
-/* What the lever's pin runs in: posts at both sides, lugs near the middle, or cheeks that reach forward. */
+/* Draws what the lever's pin runs in: posts at both sides, lugs near the middle, or cheeks that reach forward. */
 static void draw_bearings(dmg_builder* b, const punch* p, float half, float t) {
     int kind = dmg_int(b, 0, 2);
     float rear = p->line - 2 * t, near = p->line + 2 * t, ahead = p->deep * dmg_range(b, 0.2f, 0.6f);
@@ -245,7 +245,7 @@ static void draw_chips(dmg_builder* b, const punch* p, float foot) {
     dmg_use(b, 0);
 }
 
-/* A ruler in the base that is drawn out at a side until its stop sits right for the paper. */
+/* Draws a ruler in the base that is drawn out at a side until its stop sits right for the paper. */
 static void draw_paper_guide(dmg_builder* b, const punch* p) {
     float t = 0.2f * p->base, z = 0.35f * p->deep, way = p->wide * dmg_range(b, 0.3f, 0.8f);
     uint32_t ruler = dmg_slide(b, 0, "guide", v3(-1, 0, 0), 0.0f, way);

@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A hall, open in front at z = 0: flat, gabled or round roof. */
+/* Draws a hall, open in front at z = 0: flat, gabled or round roof. */
 static void draw_hall(dmg_builder* b, int roof, float width, float height, float depth, float wall) {
     float x = 0.5f * width;
     dmg_box_span(b, v3(-x, 0, -depth), v3(-x + wall, height, 0));
@@ -84,7 +84,7 @@ static void draw_leaf_row(dmg_builder* b, float width, float height, float t) {
     dmg_use(b, 0);
 }
 
-/* A gate that falls outwards about the floor, its outline that of the hall's mouth. */
+/* Draws a gate that falls outwards about the floor, its outline that of the hall's mouth. */
 static void draw_falling_gate(dmg_builder* b, float width, float height, float t) {
     float x = 0.5f * width, y = 0.5f * height, corner = dmg_range(b, 0.1f, 0.9f) * x,
           low = dmg_range(b, -0.2f, 0.6f) * y;
@@ -97,7 +97,7 @@ static void draw_falling_gate(dmg_builder* b, float width, float height, float t
     dmg_use(b, 0);
 }
 
-/* Two quarters of a dome before the mouth, which slide apart. */
+/* Draws two quarters of a dome before the mouth, which slide apart. */
 static void draw_shell_doors(dmg_builder* b, float width, float height) {
     float radius = 0.5f * width, squash = 2.0f * height / width, t = 0.03f * radius;
     for (int s = -1; s <= 1; s += 2) {
@@ -202,7 +202,7 @@ void dmg_build_garage_door(dmg_builder* b) {
 
 /* ---- drawbridge ---- */
 
-/* A gatehouse whose bridge is its door: it lies open or stands closed. */
+/* Draws a gatehouse whose bridge is its door: it lies open or stands closed. */
 static void draw_castle_bridge(dmg_builder* b) {
     float width = dmg_range(b, 2.5f, 5.0f), height = width * dmg_range(b, 1.0f, 1.6f),
           tower = width * dmg_range(b, 0.4f, 0.8f), t = 0.05f * width;

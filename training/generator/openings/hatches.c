@@ -51,7 +51,7 @@ static void draw_slab(dmg_builder* b, const hatch* h, float border, float low, f
     dmg_extrude(b, at, RIM, low, high);
 }
 
-/* A coaming alone, one in a plate, one at the end of a trunk with its flange. */
+/* Draws a coaming alone, one in a plate, one at the end of a trunk with its flange. */
 static void draw_coaming(dmg_builder* b, const hatch* h, int kind) {
     draw_ring(b, h, 0, h->rim, -h->deep, 0);
     float t = 0.4f * h->rim, wide = h->rim + h->size * dmg_range(b, 0.3f, 0.8f);
@@ -116,7 +116,7 @@ static uint32_t hang_leaf(dmg_builder* b, const hatch* h, const char* name) {
     return leaf;
 }
 
-/* A crane: an arm pinned beside the coaming, its other end over the leaf's middle, where the leaf turns on it. */
+/* Draws a crane: an arm pinned beside the coaming, its other end over the leaf's middle, where the leaf turns on it. */
 static uint32_t hang_on_crane(dmg_builder* b, const hatch* h) {
     float pin = h->side * (h->x + 2.0f * h->rim), z = h->t + 0.25f * h->size, r = 0.08f * h->size,
           tall = h->y * dmg_range(b, 0.3f, 0.8f);
@@ -239,7 +239,7 @@ static void draw_bolts(dmg_builder* b, const hatch* h, uint32_t leaf, dmg_vec fo
     dmg_use(b, leaf);
 }
 
-/* A beam across the leaf, pinned on the coaming, whose screw in the middle presses the leaf shut. */
+/* Draws a beam across the leaf, pinned on the coaming, whose screw in the middle presses the leaf shut. */
 static void draw_strongback(dmg_builder* b, const hatch* h, uint32_t leaf) {
     float z = h->t + 0.2f * h->size, r = 0.07f * h->size, pin = h->y + 1.5f * h->rim, end = -h->y - 1.2f * h->rim;
     dmg_use(b, 0);
@@ -260,7 +260,7 @@ static void draw_strongback(dmg_builder* b, const hatch* h, uint32_t leaf) {
     dmg_use(b, leaf);
 }
 
-/* A lever on a shaft through the leaf, or a grab rail. */
+/* Draws a lever on a shaft through the leaf, or a grab rail. */
 static void draw_leaf_lever(dmg_builder* b, const hatch* h, uint32_t leaf, float y) {
     float x = -0.4f * h->side * h->x, length = h->size * dmg_range(b, 0.3f, 0.6f), r = 0.04f * h->size;
     dmg_use(b, leaf);
@@ -275,7 +275,7 @@ static void draw_leaf_lever(dmg_builder* b, const hatch* h, uint32_t leaf, float
     dmg_use(b, leaf);
 }
 
-/* A small cover over a glass that turns aside or up. */
+/* Draws a small cover over a glass that turns aside or up. */
 static void draw_deadlight(dmg_builder* b, const hatch* h, uint32_t leaf, float y) {
     float r = 0.22f * h->size, z = 1.3f * h->t;
     dmg_use(b, leaf);
@@ -317,7 +317,7 @@ static void draw_hatch(dmg_builder* b, hatch* h, int coaming, bool flat) {
 
 /* ---- where it is ---- */
 
-/* A tank or chamber along -Z behind the hatch, lying on saddles. */
+/* Draws a tank or chamber along -Z behind the hatch, lying on saddles. */
 static void draw_chamber(dmg_builder* b, const hatch* h, float length) {
     float wall = 0.6f * h->rim;
     draw_ring(b, h, 0.2f * h->rim, 0.2f * h->rim + wall, -h->deep - length, -h->deep);

@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A wall round an opening of width x height whose sill is at y = 0, front at z = 0. */
+/* Draws a wall round an opening of width x height whose sill is at y = 0, front at z = 0. */
 static void draw_wall(dmg_builder* b, float width, float height, float sill, float thickness) {
     float side = width * dmg_range(b, 0.2f, 1.2f), above = height * dmg_range(b, 0.1f, 0.4f);
     float x = 0.5f * width, z = -thickness;
@@ -12,7 +12,7 @@ static void draw_wall(dmg_builder* b, float width, float height, float sill, flo
     if (sill > 0.0f) dmg_box_span(b, v3(-x, -sill, z), v3(x, 0, 0));
 }
 
-/* A lever or knob pair that turns, on both faces of a leaf in use; part of the leaf or a part of its own. */
+/* Draws a lever or knob pair that turns, on both faces of a leaf in use; part of the leaf or a part of its own. */
 static void draw_door_furniture(dmg_builder* b, uint32_t leaf, float thickness, float towards_hinge) {
     int kind = dmg_int(b, 0, 3);
     float length = dmg_range(b, 0.09f, 0.14f), radius = dmg_range(b, 0.007f, 0.012f), out = dmg_range(b, 0.04f, 0.06f);
@@ -164,7 +164,7 @@ static void draw_casement(dmg_builder* b, float width, float height, float t, dm
     dmg_use(b, 0);
 }
 
-/* A pane turning about its own middle. */
+/* Draws a pane turning about its own middle. */
 static void draw_pivot_window(dmg_builder* b, float width, float height, float t) {
     bool upright = dmg_chance(b, 0.4f);
     float off = dmg_chance(b, 0.6f) ? 0.0f : dmg_range(b, -0.2f, 0.2f), far = dmg_range(b, 0.5f, 1.6f);
@@ -385,7 +385,8 @@ void dmg_build_barrier(dmg_builder* b) {
 
 /* ---- a door between two posts ---- */
 
-/* Two posts and what joins them, round an opening of width x height on y = 0; the middle of the thickness is z = 0. */
+/* Draws two posts and what joins them, round an opening of width x height on y = 0; the middle of the thickness is z =
+ * 0. */
 static void draw_posts(dmg_builder* b, float width, float height, float post, float thick, bool round) {
     bool lintel = dmg_chance(b, 0.6f), sill = dmg_chance(b, 0.3f);
     float x = 0.5f * (width + post), top = height + (lintel ? 0.0f : dmg_range(b, 0.0f, 0.1f) * height);
@@ -418,7 +419,7 @@ static dmg_xy pick_post_line(dmg_builder* b, float width, float gap, float post,
     }
 }
 
-/* The leaf: a slab, perhaps with round stiles, its hung edge at x = 0. */
+/* Draws the leaf: a slab, perhaps with round stiles, its hung edge at x = 0. */
 static void draw_post_leaf(dmg_builder* b, float width, float height, float t) {
     bool stiles = dmg_chance(b, 0.25f);
     float bar = stiles ? t * dmg_range(b, 0.8f, 1.6f) : 0.0f;

@@ -109,7 +109,7 @@ static portal pick_portal(dmg_builder* b) {
     return p;
 }
 
-/* A plate with the opening in it, its outside the opening's own shape grown or made square. */
+/* Draws a plate with the opening in it, its outside the opening's own shape grown or made square. */
 static void draw_plate(dmg_builder* b, const portal* p, float low, float high, bool square) {
     outline outer = grow_outline(&p->hole, p->reach, p->reach);
     for (int i = 0; i < outer.count && square; ++i) {
@@ -138,7 +138,7 @@ static void draw_wall(dmg_builder* b, const portal* p) {
 
 /* ---- leaves ---- */
 
-/* A field raised or let through, a band across, or nothing; it stays clear of the wall it runs behind. */
+/* Draws a field raised or let through, a band across, or nothing; it stays clear of the wall it runs behind. */
 static void draw_leaf(dmg_builder* b, const portal* p, const outline* o, int dress) {
     float half = 0.5f * p->leaf, rise = 0.6f * p->gap;
     dmg_xy middle = middle_of(o);
@@ -156,7 +156,7 @@ static void draw_leaf(dmg_builder* b, const portal* p, const outline* o, int dre
     if (dress == 3) extrude_outline(b, &field, -0.3f * half, 0.3f * half);
 }
 
-/* A part for every leaf. Across the seam it goes by its own size; `way` need not be across. */
+/* Draws a part for every leaf. Across the seam it goes by its own size; `way` need not be across. */
 static void slide_leaf(dmg_builder* b, const portal* p, const outline* o, dmg_vec way, float travel, int dress) {
     way = v3_normalize(way);
     dmg_slide(b, 0, "leaf", way, 0.0f, travel);
@@ -164,7 +164,7 @@ static void slide_leaf(dmg_builder* b, const portal* p, const outline* o, dmg_ve
     dmg_use(b, 0);
 }
 
-/* Two halves; the seam stands, lies or slants, and they go across it or along x or y all the same. */
+/* Draws two halves; the seam stands, lies or slants, and they go across it or along x or y all the same. */
 static void draw_halves(dmg_builder* b, const portal* p, int dress) {
     float seam = 0.5f * DMG_PI * (float)dmg_int(b, 0, 1), slant = dmg_chance(b, 0.5f) ? 0.0f : dmg_range(b, 0.2f, 0.7f),
           off = dmg_chance(b, 0.7f) ? 0.0f : dmg_range(b, -0.3f, 0.3f), gap = 0.004f * p->x;
@@ -232,7 +232,7 @@ static float span_of(const outline* o, dmg_vec way) {
     return most - least;
 }
 
-/* Three or four leaves that draw back from the middle, into the corners or along x and y in turn. */
+/* Draws three or four leaves that draw back from the middle, into the corners or along x and y in turn. */
 static void draw_sectors(dmg_builder* b, const portal* p, int dress) {
     int count = dmg_int(b, 3, 4);
     float start = dmg_chance(b, 0.5f) ? 0.0f : DMG_PI / (float)count, gap = 0.004f * p->x,
@@ -245,7 +245,7 @@ static void draw_sectors(dmg_builder* b, const portal* p, int dress) {
     }
 }
 
-/* The blades of an iris that each slide along their neighbour's edge. */
+/* Draws the blades of an iris that each slide along their neighbour's edge. */
 static void draw_sliding_iris(dmg_builder* b, const portal* p, int dress) {
     int count = dmg_int(b, 5, MOST_SECTORS);
     float share = dmg_range(b, 0.5f, 0.8f), step = 2.0f * DMG_PI / (float)count, hand = dmg_sign(b);
@@ -421,7 +421,7 @@ static void draw_leaves(dmg_builder* b, portal* p) {
     }
 }
 
-/* One portal, its middle at the origin; answers how far it reaches down. */
+/* Draws one portal, its middle at the origin; returns how far it reaches down. */
 static float draw_portal(dmg_builder* b, portal* p) {
     draw_leaves(b, p);
     draw_wall(b, p);

@@ -202,7 +202,7 @@ static void draw_pressure_plate(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* One or two of them beside the opening. */
+/* Draws one or two of them beside the opening. */
 static void draw_triggers(dmg_builder* b, const site* s, float side) {
     float x = side * (s->x + 0.5f * s->wing), size = fminf(1.1f * s->wing, s->x);
     int kind = dmg_int(b, 0, 4);
@@ -290,7 +290,7 @@ static void build_turning_wall(dmg_builder* b, const site* s) {
     dmg_use(b, 0);
 }
 
-/* A stone the size of the opening, or a few in it, that draw back, sink, rise or go aside behind the wall. */
+/* Draws a stone the size of the opening, or a few in it, that draw back, sink, rise or go aside behind the wall. */
 static void build_stones(dmg_builder* b, const site* s) {
     site wall = *s;
     wall.stones = 1;
@@ -319,7 +319,8 @@ static void build_stones(dmg_builder* b, const site* s) {
     }
 }
 
-/* A slab on the floor over a pit with stairs: pushed aside, swung on a corner, or the statue on it goes with it. */
+/* Draws a slab on the floor over a pit with stairs: pushed aside, swung on a corner, or the statue on it goes with it.
+ */
 static void build_slab(dmg_builder* b, const site* s) {
     float x = s->x, z = s->x * dmg_range(b, 1.0f, 2.0f), rim = 0.3f * x, deep = s->x * dmg_range(b, 0.5f, 1.2f),
           t = 0.15f * x;

@@ -58,7 +58,7 @@ static void draw_shed(dmg_builder* b, const outline* o, float depth, float wall)
 
 /* ---- doors ---- */
 
-/* The whole end wall, hung on the ground, at the ridge or at one side. */
+/* Draws the whole end wall, hung on the ground, at the ridge or at one side. */
 static void draw_whole_door(dmg_builder* b, const outline* o, float share, float t) {
     dmg_xy polygon[FULL_POINTS + 2];
     int count = full_outline(o, share, polygon), side = dmg_int(b, 0, 3);
@@ -74,7 +74,7 @@ static void draw_whole_door(dmg_builder* b, const outline* o, float share, float
     dmg_use(b, 0);
 }
 
-/* Two halves that part in the middle: sliding aside, perhaps as deep as a box, or swinging. */
+/* Draws two halves that part in the middle: sliding aside, perhaps as deep as a box, or swinging. */
 static void draw_halves(dmg_builder* b, const outline* o, float share, float t) {
     dmg_xy polygon[HALF_POINTS + 2];
     int count = 0, kind = dmg_int(b, 0, 2);
@@ -121,7 +121,7 @@ static void draw_row(dmg_builder* b, float width, float high, float t) {
     dmg_use(b, 0);
 }
 
-/* Two leaves above each other that fold outwards, or leaves side by side that fold like a screen. */
+/* Draws two leaves above each other that fold outwards, or leaves side by side that fold like a screen. */
 static void draw_folding(dmg_builder* b, float width, float high, float t) {
     bool upward = dmg_chance(b, 0.4f);
     int leaves = upward ? 2 : 2 * dmg_int(b, 1, 2);
@@ -145,7 +145,7 @@ static void draw_folding(dmg_builder* b, float width, float high, float t) {
     dmg_use(b, 0);
 }
 
-/* A wide front with one opening: the leaf goes up, or aside, and is small beside the house. */
+/* Draws a wide front with one opening: the leaf goes up, or aside, and is small beside the house. */
 static void draw_front(dmg_builder* b, const outline* o, float t) {
     float width = o->half[0].x * dmg_range(b, 0.3f, 1.4f), high = o->ridge * dmg_range(b, 0.3f, 0.6f);
     int kind = dmg_int(b, 0, 2);

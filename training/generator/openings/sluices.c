@@ -6,7 +6,7 @@
 
 /* ---- what they share ---- */
 
-/* A hand wheel about y at the origin, on its boss: rim and spokes, a plain disc, a bar with two arms. */
+/* Draws a hand wheel about y at the origin, on its boss: rim and spokes, a plain disc, a bar with two arms. */
 static void draw_hand_wheel(dmg_builder* b, float r, int kind) {
     float t = r * dmg_range(b, 0.1f, 0.25f);
     int spokes = dmg_int(b, 2, 6), knob = dmg_int(b, 0, 2);
@@ -22,7 +22,7 @@ static void draw_hand_wheel(dmg_builder* b, float r, int kind) {
     if (knob == 0) dmg_rod(b, v3(0.9f * r, 0, 0), v3(0.9f * r, 0.6f * r, 0), 0.07f * r);
 }
 
-/* A screw's thread as rings, or a plain stem, along y. */
+/* Draws a screw's thread as rings, or a plain stem, along y. */
 static void draw_stem(dmg_builder* b, float low, float high, float r, bool thread) {
     dmg_rod(b, v3(0, low, 0), v3(0, high, 0), r);
     int rings = (int)fminf(14.0f, (high - low) / (4.0f * r));
@@ -32,7 +32,7 @@ static void draw_stem(dmg_builder* b, float low, float high, float r, bool threa
     }
 }
 
-/* A crank on its shaft along `side` x from the origin. */
+/* Draws a crank on its shaft along `side` x from the origin. */
 static void draw_crank(dmg_builder* b, uint32_t parent, float side, float arm, float r) {
     float out = arm * dmg_range(b, 0.15f, 0.5f), grip = arm * dmg_range(b, 0.3f, 0.6f);
     dmg_spin(b, parent, "crank", v3(0, 0, 0), v3(side, 0, 0));
@@ -75,7 +75,7 @@ static void draw_leaf(dmg_builder* b, const frame* f, int kind) {
     }
 }
 
-/* Two posts with grooves for the leaf, a sill and a yoke across the top. */
+/* Draws two posts with grooves for the leaf, a sill and a yoke across the top. */
 static void draw_gate_frame(dmg_builder* b, const frame* f, bool groove) {
     float p = f->post, x = 0.5f * f->width, g = 0.6f * f->t;
     for (int s = -1; s <= 1; s += 2) {
@@ -110,7 +110,8 @@ static void draw_channel(dmg_builder* b, const frame* f) {
 
 /* ---- hoists ---- */
 
-/* A wheel on a pedestal over the stem: it turns and the stem comes up through it, or it climbs the thread itself. */
+/* Draws a wheel on a pedestal over the stem: it turns and the stem comes up through it, or it climbs the thread itself.
+ */
 static void draw_wheel_hoist(dmg_builder* b, const frame* f, uint32_t leaf, float x) {
     float y = f->top + 0.8f * f->post, r = fminf(0.45f * f->width, f->high) * dmg_range(b, 0.35f, 0.7f),
           stem = 0.05f * r + 0.08f * f->t, rise = f->post * dmg_range(b, 0.2f, 2.5f);
@@ -142,7 +143,7 @@ static void draw_wheel_hoist(dmg_builder* b, const frame* f, uint32_t leaf, floa
     dmg_use(b, 0);
 }
 
-/* A toothed bar on the leaf, past a box with a crank on its shaft and a pawl. */
+/* Draws a toothed bar on the leaf, past a box with a crank on its shaft and a pawl. */
 static void draw_rack_hoist(dmg_builder* b, const frame* f, uint32_t leaf, float x) {
     float y = f->top + 0.8f * f->post, w = 0.5f * f->t + 0.02f * f->width, box = 3 * w,
           high = f->top + f->lift * dmg_range(b, 0.2f, 0.6f), side = dmg_sign(b);
@@ -172,7 +173,7 @@ static void draw_rack_hoist(dmg_builder* b, const frame* f, uint32_t leaf, float
     dmg_use(b, 0);
 }
 
-/* A gate in its grooves: lifted by a wheel or two, a rack, or a bare bar pulled by hand and pinned. */
+/* Draws a gate in its grooves: lifted by a wheel or two, a rack, or a bare bar pulled by hand and pinned. */
 static void draw_lift_gate(dmg_builder* b) {
     frame f = {.width = dmg_scale_range(b, 0.3f, 3.0f)};
     f.high = f.width * dmg_range(b, 0.5f, 1.6f);
@@ -207,7 +208,7 @@ static void draw_lift_gate(dmg_builder* b) {
 
 /* ---- gates that turn ---- */
 
-/* A leaf that leans on its sill: drawn up upright by chains from the walls' drums, let down downstream. */
+/* Draws a leaf that leans on its sill: drawn up upright by chains from the walls' drums, let down downstream. */
 static void draw_tilting_weir(dmg_builder* b) {
     float width = dmg_scale_range(b, 0.5f, 4.0f), high = width * dmg_range(b, 0.3f, 0.9f),
           t = high * dmg_range(b, 0.05f, 0.12f), wall = width * dmg_range(b, 0.06f, 0.2f), x = 0.5f * width,
@@ -249,7 +250,7 @@ static void draw_tilting_weir(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A curved skin on arms to trunnions downstream: it turns upwards between its piers. */
+/* Draws a curved skin on arms to trunnions downstream: it turns upwards between its piers. */
 static void draw_radial_gate(dmg_builder* b) {
     float r = dmg_scale_range(b, 1.0f, 6.0f), width = r * dmg_range(b, 0.7f, 1.8f), wall = 0.12f * r, t = 0.03f * r,
           x = 0.5f * width, low = -dmg_range(b, 0.15f, 0.5f), high = dmg_range(b, 0.2f, 0.5f),
@@ -341,7 +342,8 @@ static void draw_lock_gates(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A flap over the end of a pipe or culvert: hung above its mouth, with links or lugs; a valve before it sometimes. */
+/* Draws a flap over the end of a pipe or culvert: hung above its mouth, with links or lugs; a valve before it
+ * sometimes. */
 static void draw_flap_valve(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.1f, 0.9f), t = r * dmg_range(b, 0.06f, 0.15f), length = r * dmg_range(b, 0.8f, 3.0f),
           lean = dmg_range(b, 0.0f, 0.25f), swing = dmg_range(b, 0.7f, 1.6f), up = r * dmg_range(b, 1.1f, 1.35f);

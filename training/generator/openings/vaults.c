@@ -31,7 +31,7 @@ static coffin pick_coffin(dmg_builder* b) {
     return c;
 }
 
-/* The frame whose x, y are the object's x, z and whose +Z is down; so heights are written negative. */
+/* Draws the frame whose x, y are the object's x, z and whose +Z is down; so heights are written negative. */
 static void lay_down(dmg_builder* b) {
     dmg_turn(b, v3(1, 0, 0), 0.5f * DMG_PI);
 }
@@ -73,7 +73,7 @@ static void draw_coffin(dmg_builder* b, const coffin* c) {
     }
 }
 
-/* A slab, a stepped or roof-shaped lid, a figure lying on it. Its underside at y = high. */
+/* Draws a slab, a stepped or roof-shaped lid, a figure lying on it. Its underside at y = high. */
 static void draw_lid(dmg_builder* b, const coffin* c, float y, float scale, int kind) {
     float t = c->wall * dmg_range(b, 0.6f, 1.5f), over = dmg_range(b, 0.0f, 0.06f);
     draw_outline(b, c, scale + over, scale + 0.5f * over, y, y + t);
@@ -154,7 +154,7 @@ void dmg_build_sarcophagus(dmg_builder* b) {
 
 /* ---- well ---- */
 
-/* A ring of masonry: turned, or stone by stone; or a frame of boards. Rim at y = high. */
+/* Draws a ring of masonry: turned, or stone by stone; or a frame of boards. Rim at y = high. */
 static void draw_curb(dmg_builder* b, float radius, float high, float wall) {
     int kind = dmg_int(b, 0, 2);
     const dmg_xy ring[] = {{radius, 0}, {radius, high}, {radius - wall, high}, {radius - wall, 0}, {radius, 0}};
@@ -179,7 +179,7 @@ static void draw_curb(dmg_builder* b, float radius, float high, float wall) {
     }
 }
 
-/* Two posts with a roof or a lintel on them. */
+/* Draws two posts with a roof or a lintel on them. */
 static void draw_well_head(dmg_builder* b, float x, float high, float top, float t, float radius) {
     for (int s = -1; s <= 1; s += 2)
         dmg_box_span(b, v3((float)s * x - t, 0.3f * high, -t), v3((float)s * x + t, top, t));
@@ -277,7 +277,7 @@ static void draw_grille(dmg_builder* b, float width, float low, float high, floa
     }
 }
 
-/* Two piers with grooves and a lintel over them, or towers. */
+/* Draws two piers with grooves and a lintel over them, or towers. */
 static void draw_gateway(dmg_builder* b, float width, float high, float top, float deep, float groove) {
     float pier = width * dmg_range(b, 0.15f, 0.5f), x = 0.5f * width;
     bool round = dmg_chance(b, 0.3f);
@@ -324,7 +324,7 @@ static void draw_portcullis(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* What a cell's door has: a bolt that slides, a hatch for food, a shutter before a spyhole, a ring. */
+/* Draws what a cell's door has: a bolt that slides, a hatch for food, a shutter before a spyhole, a ring. */
 static void draw_door_iron(dmg_builder* b, uint32_t door, float width, float high, float front, float t,
                            float hinge_side) {
     float free = -hinge_side * 0.5f * width, y = high * dmg_range(b, 0.45f, 0.6f);

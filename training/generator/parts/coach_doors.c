@@ -31,7 +31,8 @@ static void draw_leaf(dmg_builder* b, const dmg_doorway* d, float z0, float z1, 
     dmg_restore(b);
 }
 
-/* A pair from the jamb at z = end / 2 of the width inwards: the first leaf on the jamb, the second on the first. */
+/* Draws a pair from the jamb at z = end / 2 of the width inwards: the first leaf on the jamb, the second on the first.
+ */
 static void draw_fold(dmg_builder* b, const dmg_doorway* d, float end, float way, float grip) {
     float from = 0.5f * end * d->wide, each = d->wide * (d->twin ? 0.25f : 0.5f), most = dmg_range(b, 1.2f, 1.5f);
     float face = -0.3f * d->wall, outer = face, inner = face - d->t, knee = from - end * each;
@@ -70,7 +71,7 @@ static void draw_hinged(dmg_builder* b, const dmg_doorway* d, float end, float g
     dmg_use(b, 0);
 }
 
-/* The carriage, a bar inside over the door, goes out; the leaf hangs on it and goes along. Shown stepped out. */
+/* Draws the carriage, a bar inside over the door, goes out; the leaf hangs on it and goes along. Shown stepped out. */
 static void draw_plug(dmg_builder* b, const dmg_doorway* d, float end, float grip) {
     float middle = d->twin ? 0.0f : -0.5f * end * d->wide, jamb = 0.5f * end * d->wide, leaf = fabsf(jamb - middle);
     float out = d->wall + d->t * dmg_range(b, 1.2f, 2.0f), back = -d->wall - out - 3 * d->t, y = 0.95f * d->high;
@@ -89,7 +90,8 @@ static void draw_plug(dmg_builder* b, const dmg_doorway* d, float end, float gri
     dmg_use(b, 0);
 }
 
-/* A post from floor to lintel that turns, two arms to the leaf; inwards, or outwards with the leaf turning back. */
+/* Draws a post from floor to lintel that turns, two arms to the leaf; inwards, or outwards with the leaf turning back.
+ */
 static void draw_post_leaf(dmg_builder* b, const dmg_doorway* d, float end, bool outward, float grip) {
     float jamb = 0.5f * end * d->wide, middle = d->twin ? 0.0f : -jamb, leaf = fabsf(jamb - middle), r = 0.6f * d->t;
     float x = -d->wall - 1.3f * r, face = -0.2f * d->wall, inset = outward ? face - x + 0.5f * d->t : 1.2f * r;

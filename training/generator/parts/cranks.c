@@ -61,7 +61,7 @@ void dmg_tube_draw(dmg_builder* b, dmg_vec at, dmg_vec axis, float length, float
     dmg_lathe(b, at, axis, profile, 5);
 }
 
-/* An arm from the shaft to the pin with a counterweight behind. */
+/* Draws an arm from the shaft to the pin with a counterweight behind. */
 static void draw_arm_web(dmg_builder* b, const dmg_crank* c, float thick, bool weight) {
     float w = 1.1f * c->t, r = c->throw, wide = 0.75f * r;
     const dmg_xy arm[] = {{-w, -w}, {r + w, -0.8f * w}, {r + w, 0.8f * w}, {-w, w}};

@@ -1,8 +1,8 @@
 /* Implements doors, flaps, drawers and buttons on a front: the parts that furniture, appliances and panels share. */
 #include "parts/hardware.h"
 
-/* Where modellers put a leaf's line: often no hardware tells, and each has one of a few habits, all of them drawn alike
- * often. */
+/* Draws where modellers put a leaf's hinge line: often no hardware tells, and each has one of a few habits, all of them
+ * drawn alike often. */
 static void pick_line(dmg_builder* b, float* inset, float* depth) {
     float across = dmg_range(b, 0.0f, 1.0f), through = dmg_range(b, 0.0f, 1.0f);
     *inset = 0.0f;

@@ -45,7 +45,7 @@ static void draw_arch(dmg_builder* b, const dmg_handle* handle, float length) {
               false);
 }
 
-/* A quarter of a shell, open below: fingers reach in from there. Its long side lies along Y, so "below" is -X. */
+/* Draws a quarter of a shell, open below: fingers reach in from there. Its long side lies along Y, so "below" is -X. */
 static void draw_cup(dmg_builder* b, const dmg_handle* handle, float length) {
     enum { COLUMNS = 9, ROWS = 4 };
     uint32_t previous = 0;

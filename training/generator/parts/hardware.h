@@ -29,11 +29,11 @@ typedef struct dmg_handle {
     float post;      /* where the posts sit: fraction of half the length */
 } dmg_handle;
 
-/* hand: the length of a usual handle on such an object (a cupboard: 0.15). */
+/* Picks a handle. hand: the length of a usual handle on such an object, metres (a cupboard: 0.15). */
 dmg_handle dmg_handle_pick(dmg_builder* b, float hand);
-/* One of the kinds one reaches for on a heavy door: bars and the like. */
+/* Picks one of the kinds used on heavy doors: bars and similar. */
 dmg_handle dmg_handle_pick_bar(dmg_builder* b, float hand);
-/* room: how long it may be. */
+/* Draws a handle. room: the largest length, metres. */
 void dmg_handle_draw(dmg_builder* b, const dmg_handle* handle, float room);
 
 /* A knob on z = 0, axis +Z: what turns on panels, taps and doors. Its pointer, if any, points to +Y. */
@@ -136,9 +136,9 @@ typedef struct dmg_leaf {
     dmg_hinge_style hinge;
 } dmg_leaf;
 
-/* A usual leaf with everything but size and side filled in. */
+/* Returns a usual leaf with everything but size and side filled in. */
 dmg_leaf dmg_leaf_pick(dmg_builder* b, float hand);
-/* Its line anew, by one of the habits of modellers. */
+/* Draws the hinge line again, by one of several conventions of modellers. */
 void dmg_leaf_pick_line(dmg_builder* b, dmg_leaf* leaf);
 /* Adds the part, draws it, leaves it in use. */
 uint32_t dmg_leaf_draw(dmg_builder* b, uint32_t parent, const char* name, const dmg_leaf* leaf);
@@ -178,7 +178,8 @@ typedef struct dmg_buttons {
     int kind; /* 0 box, 1 round, 2 rounded box, 3 domed */
 } dmg_buttons;
 
-/* How far one sinks that stands out by `rise`: most of it, or a small share, as a switch under a key allows. */
+/* Returns the travel of a button that stands out by `rise`: most of it, or a small share, as a switch under a key
+ * allows. */
 float dmg_button_way(dmg_builder* b, float rise);
 void dmg_buttons_draw(dmg_builder* b, uint32_t parent, const dmg_buttons* buttons);
 

@@ -11,7 +11,7 @@ dmg_running dmg_running_pick(dmg_builder* b, float r) {
     return n;
 }
 
-/* A tread with its flange inside; a plate or spokes within. */
+/* Draws a tread with its flange inside; a plate or spokes within. */
 static void draw_rail_wheel(dmg_builder* b, const dmg_running* n, float side, float z) {
     float r = n->r, in = n->wheel == 0 ? 0.0f : 0.8f * r;
     const dmg_xy rim[] = {{in, -0.09f},       {r, -0.09f}, {r, -0.05f}, {0.94f * r, -0.04f},

@@ -3,7 +3,7 @@
 
 #include "parts/hardware.h"
 
-/* A hand wheel or crank on a shaft that comes out of z = 0 along +Z. */
+/* Draws a hand wheel or crank on a shaft that comes out of z = 0 along +Z. */
 static void draw_handwheel(dmg_builder* b, uint32_t parent, const char* name, float r) {
     int kind = dmg_int(b, 0, 4);
     float t = 0.18f * r, out = r * dmg_range(b, 0.3f, 0.7f);
@@ -24,7 +24,7 @@ static void draw_handwheel(dmg_builder* b, uint32_t parent, const char* name, fl
     dmg_use(b, parent);
 }
 
-/* A lever on a boss on z = 0 that turns about Z. */
+/* Draws a lever on a boss on z = 0 that turns about Z. */
 static void draw_lever(dmg_builder* b, uint32_t parent, const char* name, float length) {
     float t = 0.07f * length, swing = dmg_range(b, 0.3f, 1.2f), lean = dmg_range(b, -0.4f, 0.4f);
     dmg_rod(b, v3(0, 0, -t), v3(0, 0, 0.8f * t), 2.2f * t);
@@ -103,7 +103,7 @@ void dmg_enclosure_draw(dmg_builder* b, dmg_vec room, float t) {
     }
 }
 
-/* Below a machine: a cabinet, two pedestals with doors or drawers, legs, nothing. Top at y = 0; answers its height. */
+/* Below a machine: a cabinet, two pedestals with doors or drawers, legs, nothing. Top at y = 0; returns its height. */
 float dmg_machine_stand_draw(dmg_builder* b, float low_x, float high_x, float deep, float unit) {
     int kind = dmg_int(b, 0, 3);
     float high = unit * dmg_range(b, 1.5f, 3.5f),

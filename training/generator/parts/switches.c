@@ -8,7 +8,7 @@
 
 enum { KNOB_KNURLED = DMG_KNOB_KINDS, KNOB_SLEEVE, KNOB_ARROW, KNOB_MARKED, KNOB_LEVER, KNOB_KINDS };
 
-/* A rim of fine teeth. */
+/* Draws a rim of fine teeth. */
 static void draw_knurled(dmg_builder* b, float radius, float height) {
     enum { MOST = 72 };
     dmg_xy outline[MOST];
@@ -22,7 +22,7 @@ static void draw_knurled(dmg_builder* b, float radius, float height) {
     if (dmg_chance(b, 0.4f)) dmg_rod(b, v3(0, 0, height), v3(0, 0, 1.12f * height), 0.75f * radius);
 }
 
-/* A house-shaped pointer, its tip farther from the axis than its back. */
+/* Draws a house-shaped pointer, its tip farther from the axis than its back. */
 static void draw_arrow(dmg_builder* b, float radius, float height) {
     float half = radius * dmg_range(b, 0.35f, 0.7f), back = radius * dmg_range(b, 0.5f, 0.9f),
           neck = radius * dmg_range(b, 0.1f, 0.6f);
@@ -76,7 +76,7 @@ dmg_dial dmg_dial_pick(dmg_builder* b) {
     return dial;
 }
 
-/* The knob's joint on `parent`: clockwise is on. */
+/* Draws the knob's joint on `parent`: clockwise is on. */
 static uint32_t add_dial(dmg_builder* b, const dmg_dial* dial, uint32_t parent, const char* name, float height) {
     if (dial->pulled) return dmg_slide(b, parent, name, v3(0, 0, dmg_sign(b)), 0.0f, 0.15f * height);
     if (dial->endless) return dmg_spin(b, parent, name, v3(0, 0, 0), v3(0, 0, -1));
@@ -263,7 +263,7 @@ void dmg_breaker_draw(dmg_builder* b, float radius) {
     dmg_use(b, 0);
 }
 
-/* What tells it from a knob that turns is the rod between it and the panel. */
+/* Differs from a knob that turns by the rod between it and the panel. */
 void dmg_plunger_draw(dmg_builder* b, float radius) {
     float thin = radius * dmg_range(b, 0.12f, 0.3f), knob = radius * dmg_range(b, 0.45f, 0.9f),
           out = knob * dmg_scale_range(b, 0.5f, 4.0f), height = knob * dmg_range(b, 0.3f, 1.4f),
@@ -332,7 +332,7 @@ void dmg_ornament_draw(dmg_builder* b, float radius) {
 
 /* ---- rows ---- */
 
-/* What a row's places share. */
+/* Properties that the controls of a row share. */
 typedef struct row_style {
     dmg_dial dial;
     dmg_key key;

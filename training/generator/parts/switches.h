@@ -5,7 +5,7 @@
 
 #include "core/build.h"
 
-/* What a knob is: one draw makes all knobs of a row alike. */
+/* Properties of a knob, drawn once for all knobs of a row. */
 typedef struct dmg_dial {
     int kind;
     float height; /* over the diameter */
@@ -19,7 +19,7 @@ void dmg_dial_draw(dmg_builder* b, const dmg_dial* dial, float radius);
 /* Two or three knobs on one axis, the upper ones smaller. */
 void dmg_dial_stack_draw(dmg_builder* b, float radius);
 
-/* A key that is pressed: low, and seldom round when it is not. */
+/* Draws a key that is pressed: low, and seldom round when it is not low. */
 typedef struct dmg_key {
     int kind;
     float width, height; /* of a radius of 1 */
@@ -56,7 +56,7 @@ void dmg_plunger_draw(dmg_builder* b, float radius);     /* a knob or a T on a t
 void dmg_key_switch_draw(dmg_builder* b, float radius);  /* a lock with its key */
 void dmg_thumb_wheel_draw(dmg_builder* b, float radius); /* its rim stands out of a slot */
 void dmg_fader_draw(dmg_builder* b, float radius);       /* slides along Y in a slot */
-/* Screens, labels, lamps, screws: they do nothing. */
+/* Draws fixed things: screens, labels, lamps, screws. */
 void dmg_ornament_draw(dmg_builder* b, float radius);
 
 typedef enum dmg_control_kind {

@@ -23,7 +23,7 @@ void dmg_rows_draw(dmg_builder* b, const dmg_vec* at, int rows, int columns, uns
 
 /* ---- sticks ---- */
 
-/* A cap on a stem, concave, flat, domed or ribbed; from z = low to z = high. */
+/* Draws a cap on a stem, concave, flat, domed or ribbed; from z = low to z = high. */
 static void draw_cap(dmg_builder* b, float radius, float low, float high) {
     float stem = radius * dmg_range(b, 0.3f, 0.65f), rim = (high - low) * dmg_range(b, 0.25f, 0.5f),
           dish = rim * dmg_range(b, -0.5f, 0.7f), waist = dmg_range(b, 0.7f, 1.0f);
@@ -50,7 +50,7 @@ static void draw_stick_rim(dmg_builder* b, float radius) {
     if (kind == 1) dmg_torus(b, v3(0, 0, 0), v3(0, 0, 1), 1.15f * radius, thick);
 }
 
-/* A stick is a ball joint in life: its skirt is a piece of a sphere that hides the hole whichever way it leans, and the
+/* Real sticks are ball joints: the skirt is a piece of a sphere that hides the hole whichever way it leans, and the
  * pivot is that sphere's centre, below the face. Here it has one of its three motions; the drag tells which. */
 void dmg_thumb_stick_draw(dmg_builder* b, uint32_t parent, float radius) {
     float ball = radius * dmg_range(b, 0.75f, 1.5f), top = radius * dmg_range(b, -0.1f, 0.45f), centre = top - ball,
@@ -141,7 +141,7 @@ static dmg_vec trigger_point(const trigger_shape* t, float s, float u, float inw
     return v3(wide * sinf(angle) / sinf(t->wrap) * (1.0f - 0.3f * inward), -t->length * s, z - inward * t->depth);
 }
 
-/* A shell that wraps the finger's side of the housing, open behind or closed by a flat back. */
+/* Draws a shell that wraps the finger's side of the housing, open behind or closed by a flat back. */
 static void draw_trigger_shell(dmg_builder* b, const trigger_shape* t, bool closed) {
     dmg_vec at[(TRIGGER_ROWS + 1) * (TRIGGER_COLUMNS + 2)];
     int count = 0;

@@ -119,7 +119,7 @@ static void draw_cab_shell(dmg_builder* b, const dmg_cab* c) {
     }
 }
 
-/* A slab over the side, from behind the screen to the rear; hung at its front edge or rear edge. */
+/* Draws a slab over the side, from behind the screen to the rear; hung at its front edge or rear edge. */
 static void draw_cab_door(dmg_builder* b, const dmg_cab* c, uint32_t parent, float side) {
     float high = c->high.y - c->low.y, deep = c->high.z - c->low.z, t = 0.03f * deep;
     float x = side > 0 ? c->high.x : c->low.x, z1 = c->high.z - fmaxf(c->slope, 0.08f) * deep,

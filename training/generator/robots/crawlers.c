@@ -29,7 +29,7 @@ static void draw_axle_wheel(dmg_builder* b, int kind, dmg_vec at, float radius, 
     dmg_restore(b);
 }
 
-/* A track about the wheels at `from` and `to`, (z, y), its middle at x = 0, `wide` across; onto `carrier`. */
+/* Draws a track about the wheels at `from` and `to`, (z, y), its middle at x = 0, `wide` across; onto `carrier`. */
 static void draw_track(dmg_builder* b, const track* t, uint32_t carrier, dmg_xy from, float r0, dmg_xy to, float r1,
                        float wide) {
     enum { HALF = 5 };
@@ -66,7 +66,7 @@ static void draw_track(dmg_builder* b, const track* t, uint32_t carrier, dmg_xy 
     }
 }
 
-/* An arm of two or three links from the deck, folded or raised, with two fingers or a camera. */
+/* Draws an arm of two or three links from the deck, folded or raised, with two fingers or a camera. */
 static void draw_deck_arm(dmg_builder* b, float size) {
     float t = size * dmg_range(b, 0.05f, 0.12f), lean = dmg_range(b, 0.2f, 2.6f);
     uint32_t carrier = 0;
@@ -94,7 +94,7 @@ static void draw_deck_arm(dmg_builder* b, float size) {
     }
 }
 
-/* What is on the deck besides: a mast that folds, a scanner that spins, a lid. */
+/* Draws what is on the deck besides: a mast that folds, a scanner that spins, a lid. */
 static void draw_deck(dmg_builder* b, float wide, float length) {
     if (dmg_chance(b, 0.5f)) {
         dmg_save(b);
@@ -216,7 +216,7 @@ static void draw_bar(dmg_builder* b, int kind, dmg_vec from, dmg_vec to, float t
     if (kind == 3) dmg_cone(b, from, to, 0.7f * t, 0.4f * t);
 }
 
-/* A wheel below or beside `at` on a carrier; when it steers, on an upright with a fork's one leg. */
+/* Draws a wheel below or beside `at` on a carrier; when it steers, on an upright with a fork's one leg. */
 static void draw_rover_wheel(dmg_builder* b, const rover* r, uint32_t carrier, dmg_vec at, bool steers) {
     float t = r->bar, x = 0.5f * r->width + 0.8f * t;
     dmg_vec hub = v3_add(at, v3(x, 0, 0));
@@ -233,7 +233,7 @@ static void draw_rover_wheel(dmg_builder* b, const rover* r, uint32_t carrier, d
     dmg_use(b, 0);
 }
 
-/* One side of a rocker-bogie: the rocker turns at the body, the bogie at the rocker's end. Out is +X. */
+/* Draws one side of a rocker-bogie: the rocker turns at the body, the bogie at the rocker's end. Out is +X. */
 static void draw_rocker_bogie(dmg_builder* b, const rover* r, float pivot) {
     float t = r->bar, side = dmg_sign(b), axle = r->radius - pivot, up = r->steers ? r->radius + 1.5f * t : 0.0f;
     dmg_vec front = {0.5f * t, axle + up, side * r->half}, joint = {0.5f * t, 0.45f * axle, -side * 0.45f * r->half};
@@ -255,7 +255,7 @@ static void draw_rocker_bogie(dmg_builder* b, const rover* r, float pivot) {
     }
 }
 
-/* An arm with a wheel at its end, straight or with a knee; the wheel may be a star of legs. Out is +X. */
+/* Draws an arm with a wheel at its end, straight or with a knee; the wheel may be a star of legs. Out is +X. */
 static void draw_wheel_arm(dmg_builder* b, const rover* r, float pivot, float lean, bool knee, float swing) {
     float t = r->bar, drop = pivot - r->radius, first = knee ? 0.6f : 1.0f;
     dmg_vec hip = {0.7f * t, 0, 0}, foot = {0.7f * t, -drop, drop * tanf(lean)},
@@ -271,7 +271,7 @@ static void draw_wheel_arm(dmg_builder* b, const rover* r, float pivot, float le
     draw_rover_wheel(b, r, arm, foot, false);
 }
 
-/* Three to six bent legs instead of a wheel. */
+/* Draws three to six bent legs instead of a wheel. */
 static void draw_wheg(dmg_builder* b, const rover* r) {
     int legs = dmg_int(b, 1, 5);
     float t = r->bar;

@@ -54,7 +54,8 @@ static void draw_cuff(dmg_builder* b, const exo* e, dmg_vec at, float radius) {
     if (e->cuff == 3) dmg_torus(b, v3(middle.x, at.y, at.z), v3(0, 1, 0), radius, t);
 }
 
-/* A bar that ends at a joint, in two pieces that slide when it is adjustable. Returns the part that carries the end. */
+/* Draws a bar that ends at a joint, in two pieces that slide when it is adjustable. Returns the part that carries the
+ * end. */
 static uint32_t draw_limb(dmg_builder* b, const exo* e, uint32_t carrier, dmg_vec from, dmg_vec to) {
     if (!e->telescopes) {
         draw_strut(b, e, from, to);
@@ -100,7 +101,7 @@ static void draw_exo_leg(dmg_builder* b, const exo* e, uint32_t belt, dmg_vec hi
                 v3(fabsf(ankle.x - sole.x) + e->t, 0.15f * foot, 0.3f * foot));
 }
 
-/* A shoulder of two drums, an upper arm, a forearm with a grip. */
+/* Draws a shoulder of two drums, an upper arm, a forearm with a grip. */
 static void draw_exo_arm(dmg_builder* b, const exo* e, uint32_t back, dmg_vec root) {
     float upper = 0.75f * e->thigh, lower = 0.65f * e->thigh, lean = dmg_range(b, -0.2f, 0.6f),
           radius = 0.14f * e->thigh;

@@ -47,7 +47,7 @@ static void draw_bone(dmg_builder* b, const digit* d, dmg_vec from, dmg_vec to) 
                 v3(0.3f * t, 0.8f * w, 0.35f * v3_length(v3_sub(to, from))));
 }
 
-/* A finger at the origin: its joints turn about Y, the tip inwards. */
+/* Draws a finger at the origin: its joints turn about Y, the tip inwards. */
 static void draw_digit(dmg_builder* b, const digit* d, uint32_t carrier, const char* name) {
     float lean = dmg_chance(b, 0.5f) ? 0.4f * d->bend : 0.0f, each = d->length / (float)d->links;
     dmg_vec at = {0, 0, 0};
@@ -65,7 +65,7 @@ static void draw_digit(dmg_builder* b, const digit* d, uint32_t carrier, const c
     }
 }
 
-/* The forearm behind, the palm before it; standing, lying or hanging. Returns what the fingers are carried by. */
+/* Draws the forearm behind, the palm before it; standing, lying or hanging. Returns what the fingers are carried by. */
 static uint32_t draw_wrist(dmg_builder* b, float palm) {
     float back = palm * dmg_range(b, 0.6f, 2.5f), r = palm * dmg_range(b, 0.25f, 0.45f);
     int pose = dmg_int(b, 0, 2), wrist = dmg_int(b, 0, 3);
@@ -87,7 +87,7 @@ static uint32_t draw_wrist(dmg_builder* b, float palm) {
     return part;
 }
 
-/* Two fingers that swing round the palm's edge and one that does not; or all three alike. */
+/* Draws two fingers that swing round the palm's edge and one that does not; or all three alike. */
 static void draw_three(dmg_builder* b, uint32_t palm_part, float palm) {
     digit d = pick_digit(b, palm);
     int shell = dmg_int(b, 0, 2), count = dmg_chance(b, 0.8f) ? 3 : 4;
@@ -117,7 +117,7 @@ static void draw_three(dmg_builder* b, uint32_t palm_part, float palm) {
     }
 }
 
-/* A palm, four fingers of one or two links side by side, a thumb that swings across. */
+/* Draws a palm, four fingers of one or two links side by side, a thumb that swings across. */
 static void draw_prosthesis(dmg_builder* b, uint32_t palm_part, float palm) {
     digit d = pick_digit(b, palm);
     d.links = dmg_int(b, 1, 2);
@@ -155,7 +155,8 @@ static void draw_prosthesis(dmg_builder* b, uint32_t palm_part, float palm) {
     draw_digit(b, &d, thumb, "thumb");
 }
 
-/* A split hook: one half stays, the other turns at its root; or a scoop with a lid; or suction cups on springs. */
+/* Draws a split hook: one half stays, the other turns at its root; or a scoop with a lid; or suction cups on springs.
+ */
 static void draw_hook(dmg_builder* b, uint32_t palm_part, float palm) {
     enum { POINTS = 7 };
     float t = 0.1f * palm, reach = palm * dmg_range(b, 0.8f, 1.6f), curl = dmg_range(b, 1.2f, 3.0f),

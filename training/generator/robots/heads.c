@@ -24,7 +24,7 @@ static void draw_camera_mount(dmg_builder* b, float s) {
     if (kind == 3) dmg_box(b, v3(0, 0.5f * t, 0), v3(2.2f * s, t, 2.2f * s));
 }
 
-/* A housing that turns under its mount, with an eye in it that tips. */
+/* Draws a housing that turns under its mount, with an eye in it that tips. */
 static void draw_dome_camera(dmg_builder* b) {
     float s = dmg_scale_range(b, 0.03f, 0.3f), high = s * dmg_range(b, 0.4f, 1.3f),
           r = fminf(high, s * dmg_range(b, 0.6f, 0.95f));
@@ -67,7 +67,7 @@ static void draw_dome_camera(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A tube with a lens on a ball or an elbow, on a plate: turned once, when it was put up. */
+/* Draws a tube with a lens on a ball or an elbow, on a plate: turned once, when it was put up. */
 static void draw_bullet_camera(dmg_builder* b) {
     float s = dmg_scale_range(b, 0.02f, 0.2f), arm = s * dmg_range(b, 0.8f, 2.5f),
           length = s * dmg_range(b, 2.0f, 4.0f);
@@ -99,7 +99,7 @@ static void draw_bullet_camera(dmg_builder* b) {
 
 /* ---- scanners ---- */
 
-/* A drum on a drum: the upper one spins, plain, notched, with a window or a mirror; on a bracket or legs. */
+/* Draws a drum on a drum: the upper one spins, plain, notched, with a window or a mirror; on a bracket or legs. */
 static void draw_scanner(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.02f, 0.3f), base = r * dmg_range(b, 0.2f, 1.2f), high = r * dmg_range(b, 0.4f, 1.8f),
           up = dmg_chance(b, 0.5f) ? r * dmg_range(b, 0.5f, 4.0f) : 0.0f;
@@ -142,7 +142,7 @@ static void draw_scanner(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A scanner in a yoke that nods, driven from one side. */
+/* Draws a scanner in a yoke that nods, driven from one side. */
 static void draw_nodder(dmg_builder* b) {
     float s = dmg_scale_range(b, 0.03f, 0.3f), t = s * dmg_range(b, 0.08f, 0.2f), y = s * dmg_range(b, 0.8f, 1.4f);
     int load = dmg_int(b, 0, 2);
@@ -165,7 +165,7 @@ static void draw_nodder(dmg_builder* b) {
 
 /* ---- heads ---- */
 
-/* An eyeball in its socket that looks left and right or up and down, with lids before it that shut. */
+/* Draws an eyeball in its socket that looks left and right or up and down, with lids before it that shut. */
 static void draw_eye(dmg_builder* b, uint32_t head, float r, bool lids) {
     bool nods = dmg_chance(b, 0.3f);
     dmg_use(b, head);
@@ -209,7 +209,7 @@ static void draw_face(dmg_builder* b, uint32_t head, float s) {
     }
 }
 
-/* A head on a neck: a bar with two cameras, a screen, or a face with eyes, brows and a jaw. */
+/* Draws a head on a neck: a bar with two cameras, a screen, or a face with eyes, brows and a jaw. */
 static void draw_head(dmg_builder* b) {
     float s = dmg_scale_range(b, 0.05f, 0.5f), neck = s * dmg_range(b, 0.3f, 1.5f), t = 0.15f * s,
           turn = dmg_range(b, 0.7f, 2.0f);

@@ -9,7 +9,7 @@ typedef struct lift {
     float travel;
 } lift;
 
-/* What stands on the ground: a plate, a cabinet, a frame, a cart on wheels. Returns its height. */
+/* Draws what stands on the ground: a plate, a cabinet, a frame, a cart on wheels. Returns its height. */
 static float draw_lift_base(dmg_builder* b, const lift* l) {
     int kind = dmg_int(b, 0, 3);
     float high = l->t * dmg_range(b, 1.0f, 3.0f), wheel = kind == 3 ? l->half * dmg_range(b, 0.1f, 0.3f) : 0.0f;
@@ -36,7 +36,7 @@ static float draw_lift_base(dmg_builder* b, const lift* l) {
     return high + wheel;
 }
 
-/* A platform with its underside at y = 0; a rail round it, a gate in the rail, a box or nothing on it. */
+/* Draws a platform with its underside at y = 0; a rail round it, a gate in the rail, a box or nothing on it. */
 static void draw_platform(dmg_builder* b, uint32_t platform, const lift* l) {
     float x = l->half * dmg_range(b, 0.8f, 1.05f), z = 0.5f * l->deep * dmg_range(b, 0.8f, 1.05f), t = l->t,
           rail = l->half * dmg_range(b, 0.4f, 1.0f), rod = 0.3f * t;
@@ -136,7 +136,7 @@ static void draw_torso(dmg_builder* b, uint32_t torso, float size) {
     }
 }
 
-/* A mast of one, two or four profiles with a carriage before it: a torso, a fork, a table, a hook. */
+/* Draws a mast of one, two or four profiles with a carriage before it: a torso, a fork, a table, a hook. */
 static void draw_mast_lift(dmg_builder* b, const lift* l) {
     float base = draw_lift_base(b, l), high = l->half * dmg_range(b, 2.0f, 6.0f), t = l->t * dmg_range(b, 0.6f, 1.5f),
           car = l->half * dmg_range(b, 0.4f, 0.9f), gap = l->half * dmg_range(b, 0.25f, 0.8f),
@@ -195,7 +195,8 @@ typedef struct axis_style {
     bool motor;
 } axis_style;
 
-/* One linear axis along +X about the origin, its carriage on +Y. Returns the carriage, leaves the frame on its top. */
+/* Draws one linear axis along +X about the origin, its carriage on +Y. Returns the carriage, leaves the frame on its
+ * top. */
 static uint32_t draw_axis(dmg_builder* b, const axis_style* s, uint32_t carrier, float length, float w) {
     float h = 0.6f * w, car = fminf(w * dmg_range(b, 0.8f, 1.8f), 0.5f * length), t = 0.25f * w;
     dmg_use(b, carrier);
@@ -280,7 +281,7 @@ static void draw_stack(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A cylinder hung at its eye between lugs, its rod out or in, an eye at the rod's end. */
+/* Draws a cylinder hung at its eye between lugs, its rod out or in, an eye at the rod's end. */
 static void draw_actuator(dmg_builder* b) {
     float length = dmg_scale_range(b, 0.1f, 1.5f), r = length * dmg_range(b, 0.04f, 0.14f),
           eye = r * dmg_range(b, 0.7f, 1.2f), lean = dmg_range(b, 0.1f, 1.5f), out = length * dmg_range(b, 0.05f, 0.7f);

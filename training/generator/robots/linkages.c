@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A straight link: box, rod, tapered, rounded box, open channel. It reaches beyond both pivots by `over`. */
+/* Draws a straight link: box, rod, tapered, rounded box, open channel. It reaches beyond both pivots by `over`. */
 static void draw_bar(dmg_builder* b, int kind, dmg_vec from, dmg_vec to, float wide, float deep, float over) {
     dmg_vec along = v3_normalize(v3_sub(to, from));
     dmg_vec start = v3_mad(from, along, -over), end = v3_mad(to, along, over);
@@ -133,7 +133,7 @@ void dmg_build_claw(dmg_builder* b) {
 
 /* ---- legs of plain bars ---- */
 
-/* Two discs side by side drive a thigh each; the shins meet at the foot. out: to the body's side is +X. */
+/* Draws two discs side by side drive a thigh each; the shins meet at the foot. out: to the body's side is +X. */
 static void draw_bar_leg(dmg_builder* b, int bar, float disc, float thigh, float shin, float t, float bend, int pair) {
     bool endless = dmg_chance(b, 0.5f);
     for (int k = 0; k < pair; ++k) {
@@ -231,7 +231,7 @@ void dmg_build_humanoid(dmg_builder* b) {
 
 /* ---- brackets ---- */
 
-/* What sticks to a table, a wall or a screen. */
+/* Draws what sticks to a table, a wall or a screen. */
 static void draw_bracket_foot(dmg_builder* b, float size) {
     int kind = dmg_int(b, 0, 4);
     if (kind == 0) dmg_dome(b, v3(0, 0, 0), v3(size, dmg_range(b, 0.2f, 0.5f) * size, size)); /* a sucker */
@@ -247,7 +247,7 @@ static void draw_bracket_foot(dmg_builder* b, float size) {
     if (kind == 4) dmg_cone(b, v3(0, 0, 0), v3(0, 0.6f * size, 0), 0.8f * size, 0.25f * size);
 }
 
-/* A sheet bent into a profile and as wide as what it holds. */
+/* Draws a sheet bent into a profile and as wide as what it holds. */
 static void draw_cradle(dmg_builder* b, float size, float wide) {
     int kind = dmg_int(b, 0, 3);
     float t = size * dmg_range(b, 0.05f, 0.15f), h = size * dmg_range(b, 0.6f, 1.4f),

@@ -5,7 +5,7 @@
 
 /* ---- arms of housings ---- */
 
-/* A drum about `axis` whose two ends lie at `half` from its middle, with lids that may stand out. */
+/* Draws a drum about `axis` whose two ends lie at `half` from its middle, with lids that may stand out. */
 static void draw_housing(dmg_builder* b, dmg_vec at, dmg_vec axis, float radius, float half, float lid) {
     dmg_rod(b, v3_mad(at, axis, -half), v3_mad(at, axis, half), radius);
     if (lid > 0) dmg_rod(b, v3_mad(at, axis, half), v3_mad(at, axis, half + lid), 0.85f * radius);
@@ -29,8 +29,8 @@ static void draw_tube(dmg_builder* b, const cobot* c, dmg_vec from, dmg_vec to) 
     }
 }
 
-/* One tilting joint: a housing about X on the carrier's side, the moving link's own housing beside it, and a tube from
- * there upwards. Leaves the frame at the tube's end, shifted back or not. */
+/* Draws one tilting joint: a housing about X on the carrier's side, the moving link's own housing beside it, and a tube
+ * from there upwards. Leaves the frame at the tube's end, shifted back or not. */
 static uint32_t draw_tilt(dmg_builder* b, cobot* c, uint32_t carrier, float length, float side, float swing) {
     float r = c->radius, half = r * dmg_range(b, 0.6f, 1.0f), lid = c->lid * r;
     draw_housing(b, v3(0, 0, 0), v3(-side, 0, 0), r, half, lid);
@@ -43,7 +43,7 @@ static uint32_t draw_tilt(dmg_builder* b, cobot* c, uint32_t carrier, float leng
     return link;
 }
 
-/* A rolling joint: a collar about the direction of the tube. */
+/* Draws a rolling joint: a collar about the direction of the tube. */
 static uint32_t draw_roll(dmg_builder* b, const cobot* c, uint32_t carrier) {
     float r = c->radius, high = r * dmg_range(b, 0.8f, 2.0f);
     dmg_vec up = {0, 1, 0};
@@ -55,7 +55,7 @@ static uint32_t draw_roll(dmg_builder* b, const cobot* c, uint32_t carrier) {
     return link;
 }
 
-/* The last flange, and a tool that shows how it turns: a plate, a nozzle, a cup on a pipe. */
+/* Draws the last flange, and a tool that shows how it turns: a plate, a nozzle, a cup on a pipe. */
 static void draw_tool(dmg_builder* b, const cobot* c) {
     float r = c->radius;
     int kind = dmg_int(b, 0, 3);
@@ -104,7 +104,7 @@ void dmg_build_cobot_arm(dmg_builder* b) {
 
 /* ---- SCARA ---- */
 
-/* An arm in plan from the origin along +X, boss to boss, `high` thick upwards from y = 0. */
+/* Draws an arm in plan from the origin along +X, boss to boss, `high` thick upwards from y = 0. */
 static void draw_flat_arm(dmg_builder* b, int kind, float length, float wide, float high) {
     if (kind != 1) dmg_rod(b, v3(0, 0, 0), v3(0, high, 0), 0.5f * wide);
     if (kind != 2) dmg_rod(b, v3(length, 0, 0), v3(length, high, 0), 0.42f * wide);
@@ -224,7 +224,7 @@ void dmg_build_gantry(dmg_builder* b) {
 
 /* ---- jaws on guides ---- */
 
-/* A finger on a carriage of its own: straight, stepped in, cranked out, or with a pad. Root on z = 0. */
+/* Draws a finger on a carriage of its own: straight, stepped in, cranked out, or with a pad. Root on z = 0. */
 static void draw_jaw(dmg_builder* b, int kind, float x, float length, float thick, float wide) {
     dmg_box(b, v3(x, 0, 0.5f * thick), v3(2 * thick, wide, thick));
     if (kind == 0) dmg_box(b, v3(x, 0, 0.5f * length), v3(thick, 0.8f * wide, length));

@@ -34,7 +34,7 @@ static void draw_link(dmg_builder* b, const bare* s, dmg_vec from, dmg_vec to) {
     }
 }
 
-/* A link that turns about `axis` at its beginning; no swing: without end. */
+/* Draws a link that turns about `axis` at its beginning; no swing: without end. */
 static uint32_t draw_swinging(dmg_builder* b, const bare* s, uint32_t carrier, const char* name, dmg_vec at, dmg_vec to,
                               dmg_vec axis, float swing) {
     float t = s->thick;
@@ -154,7 +154,8 @@ static void draw_pendulum(dmg_builder* b) {
 
 /* ---- what balances ---- */
 
-/* A ball on a beam or a plate that tips one way or both; the ball is a part that rolls along it, or belongs to it. */
+/* Draws a ball on a beam or a plate that tips one way or both; the ball is a part that rolls along it, or belongs to
+ * it. */
 static void draw_balancer(dmg_builder* b) {
     float size = dmg_scale_range(b, 0.1f, 1.2f), t = size * dmg_range(b, 0.02f, 0.08f),
           wide = size * dmg_range(b, 0.1f, 1.0f), high = size * dmg_range(b, 0.2f, 0.7f),
@@ -266,7 +267,7 @@ static void draw_creature(dmg_builder* b) {
 
 /* ---- one shape beside another ---- */
 
-/* A flap beside a board: turns about the edge, or slides away from it. */
+/* Draws a flap beside a board: turns about the edge, or slides away from it. */
 static void draw_flap(dmg_builder* b, float size, float wide, float t, float gap) {
     float edge = 0.25f * wide + 0.5f * gap;
     if (dmg_chance(b, 0.7f))
@@ -276,7 +277,7 @@ static void draw_flap(dmg_builder* b, float size, float wide, float t, float gap
     dmg_box(b, v3(edge + 0.5f * gap + 0.5f * size, 0, -gap - 0.5f * t), v3(size, wide * dmg_range(b, 0.5f, 1.0f), t));
 }
 
-/* A plunger out of a block, or a shaft with a fin that turns. */
+/* Draws a plunger out of a block, or a shaft with a fin that turns. */
 static void draw_plunger(dmg_builder* b, float size, float across) {
     if (dmg_chance(b, 0.5f))
         dmg_slide(b, 0, "plunger", v3(0, 0, 1), 0.0f, dmg_range(b, 0.2f, 0.8f) * size);
@@ -288,7 +289,7 @@ static void draw_plunger(dmg_builder* b, float size, float across) {
     draw_link(b, &rod, v3(0, 0, 0), v3(0, 0, 0.6f * size));
 }
 
-/* Two or three shapes that show a joint and nothing else, a gap between them or none. */
+/* Draws two or three shapes that show a joint and nothing else, a gap between them or none. */
 static void draw_pair(dmg_builder* b) {
     float size = dmg_scale_range(b, 0.05f, 1.5f), t = size * dmg_range(b, 0.04f, 0.2f),
           wide = size * dmg_range(b, 0.3f, 1.0f), gap = dmg_chance(b, 0.5f) ? 0.0f : size * dmg_range(b, 0.005f, 0.05f),

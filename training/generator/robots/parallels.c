@@ -118,7 +118,7 @@ static void draw_hexapod(dmg_builder* b, const parallel* p) {
     dmg_use(b, 0);
 }
 
-/* Two motors on a bar, two arms, two forearms that meet; lying or upright. */
+/* Draws two motors on a bar, two arms, two forearms that meet; lying or upright. */
 static void draw_five_bar(dmg_builder* b, const parallel* p) {
     float arm = p->base * dmg_range(b, 0.7f, 1.1f), gap = 0.5f * p->base, t = p->t, out = dmg_range(b, 0.3f, 1.1f);
     bool upright = dmg_chance(b, 0.4f);

@@ -18,7 +18,7 @@ static prim pick_prim(dmg_builder* b) {
     return p;
 }
 
-/* A link from joint to joint, `wide` thick. */
+/* Draws a link from joint to joint, `wide` thick. */
 static void draw_limb(dmg_builder* b, const prim* p, dmg_vec from, dmg_vec to, float wide) {
     dmg_vec start = v3_lerp(from, to, p->gap), end = v3_lerp(to, from, p->gap), along = v3_sub(end, start);
     if (p->ball) dmg_ellipsoid(b, from, v3(0.6f * wide, 0.6f * wide, 0.6f * wide));
@@ -32,7 +32,7 @@ static void draw_limb(dmg_builder* b, const prim* p, dmg_vec from, dmg_vec to, f
     }
 }
 
-/* The torso of a robot. */
+/* Draws the torso of a robot. */
 static void draw_trunk(dmg_builder* b, const prim* p, dmg_vec centre, dmg_vec size) {
     if (p->shape == 1) dmg_box(b, centre, size);
     if (p->shape == 3) dmg_ellipsoid(b, centre, v3_scale(size, 0.55f));
@@ -43,7 +43,7 @@ static void draw_trunk(dmg_builder* b, const prim* p, dmg_vec centre, dmg_vec si
     if (p->shape == 2) dmg_rod(b, v3_mad(centre, along, -half - r), v3_mad(centre, along, half + r), r);
 }
 
-/* Two links and an end, all about axes across the limb. */
+/* Draws two links and an end, all about axes across the limb. */
 static void draw_jointed(dmg_builder* b, const prim* p, uint32_t carrier, const char* const names[3],
                          const dmg_vec at[4], float wide, dmg_vec axis, float swing) {
     for (int i = 0; i < 3 && names[i]; ++i) {
@@ -114,7 +114,7 @@ static void draw_quadruped(dmg_builder* b, float s) {
 
 /* ---- vehicles ---- */
 
-/* A box, a drum or a board on cylinders; casters are balls, or turn. */
+/* Draws a box, a drum or a board on cylinders; casters are balls, or turn. */
 static void draw_base(dmg_builder* b, float s) {
     float r = s * dmg_range(b, 0.1f, 0.3f), thin = r * dmg_range(b, 0.2f, 0.8f), high = s * dmg_range(b, 0.15f, 0.5f),
           wide = 0.5f * s, length = s * dmg_range(b, 0.8f, 1.6f),

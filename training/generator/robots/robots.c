@@ -18,7 +18,7 @@ static link_style pick_links(dmg_builder* b, float thick) {
     return style;
 }
 
-/* What surrounds a joint's axis. */
+/* Draws what surrounds a joint's axis. */
 static void draw_hub(dmg_builder* b, const link_style* s, dmg_vec at, dmg_vec axis, float half) {
     dmg_vec along = v3_scale(v3_normalize(axis), half);
     if (s->hub == 0) dmg_rod(b, v3_sub(at, along), v3_add(at, along), s->hub_radius);
@@ -46,7 +46,7 @@ static void draw_link(dmg_builder* b, const link_style* s, dmg_vec from, dmg_vec
     }
 }
 
-/* A pedestal, a rail block or nothing below y = 0 … height. */
+/* Draws a pedestal, a rail block or nothing below y = 0 … height. */
 static void draw_pedestal(dmg_builder* b, float radius, float height) {
     int kind = dmg_int(b, 0, 3);
     if (kind == 0) dmg_rod(b, v3(0, 0, 0), v3(0, height, 0), radius);
@@ -74,7 +74,7 @@ static grip_style pick_grip(dmg_builder* b, float palm) {
     return g;
 }
 
-/* One finger at +X; the frame turns round for the others. */
+/* Draws one finger at +X; the frame turns round for the others. */
 static void draw_finger(dmg_builder* b, uint32_t palm, const grip_style* g, bool both_ways) {
     float x = 0.42f * g->palm, t = g->thick, mid = 0.5f * g->length, wide = 2 * t;
     if (g->kind == 0) {
@@ -183,7 +183,7 @@ void dmg_build_robot_arm(dmg_builder* b) {
 
 /* ---- legs ---- */
 
-/* A leg from a hip at the origin, body towards -X: out, then thigh and shin. */
+/* Draws a leg from a hip at the origin, body towards -X: out, then thigh and shin. */
 static void draw_leg(dmg_builder* b, const link_style* s, float thigh, float shin, float bend, bool out, bool motor) {
     uint32_t carrier = 0;
     float t = s->thick;
@@ -243,7 +243,7 @@ void dmg_build_legged_robot(dmg_builder* b) {
 
 /* ---- pan and tilt ---- */
 
-/* What is aimed: looks to +Z, its middle at the origin. */
+/* Draws what is aimed: looks to +Z, its middle at the origin. */
 static void draw_aimed(dmg_builder* b, int kind, float size) {
     if (kind == 0) { /* camera */
         dmg_box(b, v3(0, 0, 0), v3(0.7f * size, 0.6f * size, size));
@@ -278,7 +278,8 @@ static void draw_aimed(dmg_builder* b, int kind, float size) {
     }
 }
 
-/* A fork that holds both sides, an arm that holds one, or a neck from below; up to y = arm, where the tilt axis is. */
+/* Draws a fork that holds both sides, an arm that holds one, or a neck from below; up to y = arm, where the tilt axis
+ * is. */
 static void draw_yoke(dmg_builder* b, int kind, float half, float arm, float thick) {
     if (kind == 0) {
         dmg_box(b, v3(0, 0.5f * thick, 0), v3(2 * half + 2 * thick, thick, 2 * thick));

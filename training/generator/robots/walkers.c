@@ -4,7 +4,7 @@
 
 /* ---- legs ---- */
 
-/* A plate in the plane of Y and Z from joint to joint, round at both ends, its inner face at x = 0. */
+/* Draws a plate in the plane of Y and Z from joint to joint, round at both ends, its inner face at x = 0. */
 static void draw_plate(dmg_builder* b, dmg_vec from, dmg_vec to, float wide, float narrow, float thick) {
     enum { HALF = 5 };
     dmg_xy outline[2 * HALF];
@@ -124,7 +124,7 @@ void dmg_build_plate_legs(dmg_builder* b) {
 
 /* ---- insects ---- */
 
-/* A leg out along +X: hip about the upright, then two links about Z. */
+/* Draws a leg out along +X: hip about the upright, then two links about Z. */
 static void draw_insect_leg(dmg_builder* b, int style, float reach, float thick, float rise) {
     float first = 0.2f * reach, second = 0.4f * reach, third = 0.65f * reach;
     if (style == 2) dmg_box(b, v3(0, 0, 0), v3(1.6f * thick, 1.4f * thick, 2 * thick)); /* the servo in the body */

@@ -14,7 +14,7 @@ static void draw_round_button(dmg_builder* b, uint32_t parent, float r) {
     dmg_use(b, parent);
 }
 
-/* A ball, a bat or a grip on a shaft that leans about its pivot below the panel, to the side or to and fro. */
+/* Draws a ball, a bat or a grip on a shaft that leans about its pivot below the panel, to the side or to and fro. */
 static void draw_stick(dmg_builder* b, uint32_t parent, float r) {
     float tall = r * dmg_range(b, 2.5f, 4.5f), pivot = r * dmg_range(b, 0.0f, 1.5f), lean = dmg_range(b, 0.2f, 0.45f);
     if (dmg_chance(b, 0.7f)) dmg_cone(b, v3(0, 0, 0), v3(0, 0, 0.15f * r), 1.3f * r, 1.1f * r);
@@ -27,7 +27,7 @@ static void draw_stick(dmg_builder* b, uint32_t parent, float r) {
     dmg_use(b, parent);
 }
 
-/* A door for the coins on its side hinge, in it slots, keys that give coins back, and a flap over the tray. */
+/* Draws a door for the coins on its side hinge, in it slots, keys that give coins back, and a flap over the tray. */
 static void draw_coin_door(dmg_builder* b, float width, float high) {
     float t = 0.05f * width, side = dmg_sign(b), x = side * 0.5f * width;
     dmg_save(b);
@@ -57,7 +57,7 @@ static void draw_coin_door(dmg_builder* b, float width, float high) {
 
 /* ---- arcade cabinet ---- */
 
-/* A player's place about the origin of the panel: stick and keys, a ball to roll, a wheel or a dial to turn. */
+/* Draws a player's place about the origin of the panel: stick and keys, a ball to roll, a wheel or a dial to turn. */
 static void draw_player(dmg_builder* b, float room) {
     int kind = dmg_weighted(b, (const float[]){3, 0.7f, 0.6f, 0.6f}, 4), keys = dmg_int(b, 1, 6);
     float r = 0.07f * room;
@@ -291,7 +291,7 @@ static void draw_winder(dmg_builder* b, dmg_vec at, dmg_vec out, float size) {
     dmg_use(b, 0);
 }
 
-/* A dancer, a horse's pole or a tree on a disc that turns. */
+/* Draws a dancer, a horse's pole or a tree on a disc that turns. */
 static void draw_dancer(dmg_builder* b, float x, float y, float z, float r, float tall) {
     dmg_spin(b, 0, "dancer", v3(x, y, z), v3(0, 1, 0));
     dmg_rod(b, v3(x, y, z), v3(x, y + 0.08f * tall, z), r);

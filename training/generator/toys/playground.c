@@ -4,7 +4,7 @@
 
 /* ---- what they share ---- */
 
-/* A seat whose top is y = 0, its rider facing +Z: a board, a dish, a saddle, a seat with a back. */
+/* Draws a seat whose top is y = 0, its rider facing +Z: a board, a dish, a saddle, a seat with a back. */
 static void draw_seat(dmg_builder* b, int kind, float w) {
     if (kind == 0) dmg_box(b, v3(0, -0.08f * w, 0), v3(w, 0.16f * w, w));
     if (kind == 1) dmg_cone(b, v3(0, -0.25f * w, 0), v3(0, 0, 0), 0.3f * w, 0.55f * w);
@@ -15,7 +15,7 @@ static void draw_seat(dmg_builder* b, int kind, float w) {
     }
 }
 
-/* What the rider holds, from y = 0 upwards, across x: a T, a hoop, two pegs through a post. */
+/* Draws what the rider holds, from y = 0 upwards, across x: a T, a hoop, two pegs through a post. */
 static void draw_grip_bar(dmg_builder* b, int kind, float w, float high, float r) {
     if (kind == 0) {
         dmg_rod(b, v3(0, 0, 0), v3(0, high, 0), r);
@@ -34,7 +34,8 @@ static void draw_grip_bar(dmg_builder* b, int kind, float w, float high, float r
 
 /* ---- see-saws ---- */
 
-/* What the beam lies on: legs spread like an A, posts at both sides, a block, a coil. The axle is at y, along x. */
+/* Draws what the beam lies on: legs spread like an A, posts at both sides, a block, a coil. The axle is at y, along x.
+ */
 static void draw_trestle(dmg_builder* b, int kind, float y, float half, float r) {
     for (int s = -1; s <= 1; s += 2) {
         float x = (float)s * (half + 1.5f * r);
@@ -55,7 +56,7 @@ static void draw_trestle(dmg_builder* b, int kind, float y, float half, float r)
     if (kind < 3) dmg_rod(b, v3(-half - 3 * r, y, 0), v3(half + 3 * r, y, 0), 0.8f * r);
 }
 
-/* One beam on the axle at the origin, along z: seats, grips and buffers at its ends. */
+/* Draws one beam on the axle at the origin, along z: seats, grips and buffers at its ends. */
 static void draw_see_saw_beam(dmg_builder* b, uint32_t parent, float reach, float t, float y, int pairs) {
     int seat = dmg_int(b, 0, 3), grip = dmg_int(b, 0, 2), shape = dmg_int(b, 0, 2);
     float above = t * dmg_range(b, 0.3f, 1.2f), w = dmg_range(b, 0.22f, 0.36f), low = y - 0.35f * t;
@@ -171,7 +172,7 @@ static void draw_cups(dmg_builder* b, uint32_t deck, float r, float y, int count
     }
 }
 
-/* A disc on a low bearing; a dish that leans; a mast with a net or pegs; a spider of seats on arms. */
+/* Draws a disc on a low bearing; a dish that leans; a mast with a net or pegs; a spider of seats on arms. */
 static void draw_roundabout(dmg_builder* b) {
     float r = dmg_range(b, 0.6f, 1.6f), y = dmg_range(b, 0.12f, 0.35f), t = dmg_range(b, 0.03f, 0.08f),
           lean = dmg_chance(b, 0.25f) ? dmg_range(b, 0.1f, 0.4f) : 0.0f;
@@ -307,7 +308,7 @@ static void draw_springer(dmg_builder* b) {
 
 /* ---- swings ---- */
 
-/* One seat under the beam at the origin, hung `drop` deep: chains as rods. */
+/* Draws one seat under the beam at the origin, hung `drop` deep: chains as rods. */
 static void draw_swing_seat(dmg_builder* b, int kind, float drop, float w) {
     float swing = dmg_range(b, 0.5f, 1.1f), r = 0.012f;
     uint32_t part = dmg_hinge(b, 0, "swing", v3(0, 0, 0), v3(1, 0, 0), -swing, swing);

@@ -84,7 +84,7 @@ static void draw_ladder(dmg_builder* b, float half, float length, float t, int r
     }
 }
 
-/* A basket on the end, kept level: its floor before the pin at the origin. */
+/* Draws a basket on the end, kept level: its floor before the pin at the origin. */
 static void draw_cage(dmg_builder* b, uint32_t carrier, float size, float level) {
     float half = size * dmg_range(b, 0.7f, 1.2f), deep = size * dmg_range(b, 0.7f, 1.2f), t = 0.05f * size;
     uint32_t cage = dmg_chance(b, 0.7f) ? dmg_hinge_across(b, carrier, "cage", v3(0, 0, 0), -0.7f, 0.7f) : carrier;
@@ -139,7 +139,7 @@ static void draw_stages(dmg_builder* b, uint32_t carrier, float length, float ha
     if (dmg_chance(b, 0.7f)) draw_cage(b, carrier, half * dmg_range(b, 1.3f, 2.2f), level);
 }
 
-/* A lower boom that goes up and back, an upper one above it that comes forward. */
+/* Draws a lower boom that goes up and back, an upper one above it that comes forward. */
 static void draw_knee(dmg_builder* b, uint32_t carrier, float length, float half, float up) {
     float w = 0.5f * half;
     dmg_box_span(b, v3(-w, -w, 0), v3(w, w, length));

@@ -15,7 +15,7 @@ static void draw_lid(dmg_builder* b, float r, float t, bool round) {
     if (dmg_chance(b, 0.3f)) dmg_rod(b, v3(0, t, 0.3f * r), v3(0, 2.2f * t, 0.3f * r), 0.18f * r);
 }
 
-/* One leaf that swings up, swivels on a pin or slides, or two that part. */
+/* Draws one leaf that swings up, swivels on a pin or slides, or two that part. */
 static void draw_roof_hatch(dmg_builder* b, uint32_t parent, const char* name, float r) {
     float t = r * dmg_range(b, 0.1f, 0.3f), y = r * dmg_range(b, 0.05f, 0.3f), turn = dmg_range(b, 0, 2 * DMG_PI);
     int kind = dmg_weighted(b, (const float[]){4, 2, 1, 2}, 4);
@@ -106,7 +106,7 @@ static uint32_t draw_gun(dmg_builder* b, uint32_t parent, const gun* g, float lo
     return mount;
 }
 
-/* A machine gun on a pintle that turns on what carries it, and rises. */
+/* Draws a machine gun on a pintle that turns on what carries it, and rises. */
 static void draw_pintle(dmg_builder* b, uint32_t parent, float size) {
     float y = 0.25f * size, r = 0.025f * size;
     dmg_use(b, parent);
@@ -153,7 +153,7 @@ static void draw_turret_shell(dmg_builder* b, const turret* t) {
     if (t->shape == 4) dmg_box_span(b, v3(-0.8f * r, 0, -r), v3(0.8f * r, h, 0.9f * r));
 }
 
-/* What stands on its roof and its sides. */
+/* Draws what stands on its roof and its sides. */
 static void draw_turret_things(dmg_builder* b, const turret* t, uint32_t id) {
     float r = t->r, hatch = r * dmg_range(b, 0.18f, 0.28f), side = dmg_sign(b), x = side * 0.38f * r, z = -0.15f * r;
     bool cupola = dmg_chance(b, 0.4f);
@@ -230,7 +230,7 @@ typedef struct hull {
     float track, high;              /* width and height of a track */
 } hull;
 
-/* A loop of track round wheels that turn; drawn for one side. */
+/* Draws a loop of track round wheels that turn; drawn for one side. */
 static void draw_track(dmg_builder* b, const hull* h, float side) {
     float a = 0.5f * h->length, t = 0.06f * h->high + 0.004f * h->length, mid = 0.5f * h->high,
           up = dmg_range(b, 0.75f, 0.9f), x = side * (h->half - 0.5f * h->track);
@@ -359,7 +359,7 @@ static void draw_stern(dmg_builder* b, const hull* h) {
     dmg_use(b, 0);
 }
 
-/* A shield of earth movers before the nose, on arms. */
+/* Draws a shield of earth movers before the nose, on arms. */
 static void draw_blade(dmg_builder* b, const hull* h) {
     float y = 0.55f * h->high, pin = 0.35f * h->nose, out = h->nose + 0.16f * h->length, x = h->half + 0.04f * h->half,
           t = 0.05f * h->half;

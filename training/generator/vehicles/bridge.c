@@ -11,7 +11,7 @@ typedef struct bridge {
     uint32_t carrier;
 } bridge;
 
-/* A tunnel's part about the current origin, from z0 to z1. */
+/* Draws a tunnel's part about the current origin, from z0 to z1. */
 static void draw_tube(dmg_builder* b, int skin, float width, float high, float z0, float z1) {
     dmg_vec middle = {0, 0, 0.5f * (z0 + z1)}, size = {width, high, z1 - z0};
     if (skin == 0) dmg_box(b, middle, size);
@@ -25,7 +25,7 @@ static void draw_tube(dmg_builder* b, int skin, float width, float high, float z
     }
 }
 
-/* The frame with wheels under a tunnel: legs, a crossbeam, a bogie that steers or legs that lengthen. */
+/* Draws the frame with wheels under a tunnel: legs, a crossbeam, a bogie that steers or legs that lengthen. */
 static void draw_undercarriage(dmg_builder* b, const bridge* s, float z, float drop) {
     float x = 0.62f * s->width, t = 0.1f * s->width, wheel = s->width * dmg_range(b, 0.12f, 0.25f);
     int kind = dmg_int(b, 0, 2);
@@ -48,7 +48,7 @@ static void draw_undercarriage(dmg_builder* b, const bridge* s, float z, float d
     dmg_use(b, s->carrier);
 }
 
-/* What never moves: the terminal's wall, a walk on columns. */
+/* Draws what never moves: the terminal's wall, a walk on columns. */
 static void draw_fixed_walk(dmg_builder* b, const bridge* s) {
     float length = s->width * dmg_range(b, 0.5f, 8.0f), mid = s->floor + 0.5f * s->high;
     dmg_use(b, 0);
@@ -100,7 +100,7 @@ static void draw_cab(dmg_builder* b, bridge* s, float width, float high) {
     dmg_restore(b);
 }
 
-/* One tunnel after another from the drum on; leaves the frame at the end of the last. */
+/* Draws one tunnel after another from the drum on; leaves the frame at the end of the last. */
 static void draw_tunnels(dmg_builder* b, bridge* s, float* width, float* high) {
     float at = 0.0f, drop = s->floor, grow = s->outwards ? 1.0f / 0.9f : 0.9f;
     for (int i = 0; i < s->tunnels; ++i) {

@@ -49,7 +49,7 @@ static void draw_running_gear(dmg_builder* b, const cart* c) {
     dmg_use(b, 0);
 }
 
-/* Two beams, buffers, a hook to couple by, a brake's lever. */
+/* Draws two beams, buffers, a hook to couple by, a brake's lever. */
 static void draw_frame(dmg_builder* b, const cart* c) {
     float t = 0.14f * c->half, y = c->deck - t, end = 0.5f * c->length, side = dmg_sign(b);
     for (int s = -1; s <= 1; s += 2) {
@@ -77,7 +77,7 @@ static void draw_frame(dmg_builder* b, const cart* c) {
     dmg_use(b, 0);
 }
 
-/* A trough along Z, its floor's middle at the origin; ends may be left open (bit 1 ahead, bit 2 behind). */
+/* Draws a trough along Z, its floor's middle at the origin; ends may be left open (bit 1 ahead, bit 2 behind). */
 static void draw_tub(dmg_builder* b, float floor, float top, float high, float length, float t, int open) {
     const dmg_xy line[] = {{top, high}, {floor, 0}, {-floor, 0}, {-top, high}};
     const dmg_xy end[] = {{floor, 0}, {top, high}, {-top, high}, {-floor, 0}};
@@ -125,7 +125,7 @@ static void build_side_tipper(dmg_builder* b, const cart* c) {
     dmg_use(b, 0);
 }
 
-/* A box that tips ahead on an axle at the frame's end, its gate hung from above or below. */
+/* Draws a box that tips ahead on an axle at the frame's end, its gate hung from above or below. */
 static void build_end_tipper(dmg_builder* b, const cart* c) {
     float high = c->half * dmg_range(b, 0.7f, 1.4f), top = c->half * dmg_range(b, 0.9f, 1.3f),
           floor = top * dmg_range(b, 0.7f, 1.0f), t = 0.07f * c->half, y = c->deck + 2.2f * t,
@@ -159,7 +159,7 @@ static void build_end_tipper(dmg_builder* b, const cart* c) {
     dmg_use(b, 0);
 }
 
-/* A box on the frame whose sides are flaps: hung above, below, or doors. */
+/* Draws a box on the frame whose sides are flaps: hung above, below, or doors. */
 static void build_side_gates(dmg_builder* b, const cart* c) {
     float high = c->half * dmg_range(b, 0.8f, 1.7f), x = c->half * dmg_range(b, 0.9f, 1.3f), t = 0.07f * c->half,
           y = c->deck, end = 0.48f * c->length;
@@ -191,7 +191,7 @@ static void build_side_gates(dmg_builder* b, const cart* c) {
     dmg_box_span(b, v3(0.95f * x, y + high, -end), v3(x, y + high + 0.5f * t, end));
 }
 
-/* A flat trolley with a see-saw to pump. */
+/* Draws a flat trolley with a see-saw to pump. */
 static void build_pump_trolley(dmg_builder* b, const cart* c) {
     float t = 0.08f * c->half, y = c->deck, high = c->half * dmg_range(b, 1.0f, 1.8f), reach = 0.48f * c->length,
           x = 0.5f * c->half;
@@ -234,7 +234,7 @@ typedef struct shaft {
     float t;
 } shaft;
 
-/* The gate of a car or landing across z: swings, slides aside, goes up, folds in two. */
+/* Draws the gate of a car or landing across z: swings, slides aside, goes up, folds in two. */
 static void draw_gate(dmg_builder* b, uint32_t parent, const shaft* s, float z, float y, float high) {
     int kind = dmg_int(b, 0, 3), bars = dmg_int(b, 2, 7);
     float side = dmg_sign(b), x = 0.94f * s->x, t = 0.6f * s->t, swing = dmg_range(b, 1.0f, 1.9f);
@@ -336,7 +336,7 @@ static void build_cage(dmg_builder* b, const shaft* s) {
                      v3((float)i * 0.6f * s->x + 0.4f * t, top, z + 0.5f * t));
 }
 
-/* A deck with rails that goes up a mast behind it. */
+/* Draws a deck with rails that goes up a mast behind it. */
 static void build_platform(dmg_builder* b, const shaft* s) {
     float t = s->t, top = s->rise + 0.8f * s->high, back = -s->z - 2.2f * t, rail = 0.35f * s->high,
           wide = s->x * dmg_range(b, 0.2f, 0.6f);
@@ -382,7 +382,7 @@ static void build_platform(dmg_builder* b, const shaft* s) {
     dmg_use(b, 0);
 }
 
-/* A cupboard over two floors with a box on a rope, doors at both, a wheel to pull it by. */
+/* Draws a cupboard over two floors with a box on a rope, doors at both, a wheel to pull it by. */
 static void build_dumb_waiter(dmg_builder* b, const shaft* s) {
     float t = s->t, high = 2 * s->x * dmg_range(b, 0.8f, 1.2f), top = 2.6f * high, x = s->x + 1.5f * t,
           z = s->z + 1.5f * t;

@@ -40,7 +40,7 @@ static void draw_wheels(dmg_builder* b, const cart* c) {
     }
 }
 
-/* Two bars to push it by, or one bow, at a side. */
+/* Draws two bars to push it by, or one bow, at a side. */
 static void draw_push_bar(dmg_builder* b, const cart* c) {
     float r = 0.3f * c->wall, y = c->floor + 0.6f * (c->top - c->floor), x = 0.5f * c->width,
           out = x + 0.25f * c->width;
@@ -94,7 +94,7 @@ static void draw_shade(dmg_builder* b, const cart* c) {
     }
 }
 
-/* A leaf along the street or at an end, hung at the top's edge: down, or out level as a counter. */
+/* Draws a leaf along the street or at an end, hung at the top's edge: down, or out level as a counter. */
 static void draw_counter(dmg_builder* b, const cart* c, int where) {
     float angle = 0.5f * DMG_PI * (float)where, half = 0.5f * (where % 2 ? c->width : c->deep),
           wide = 0.95f * (where % 2 ? c->deep : c->width);

@@ -56,7 +56,7 @@ static void draw_tread(dmg_builder* b, const corner* c) {
     dmg_restore(b);
 }
 
-/* The part that carries the wheel; 0 where the wheel itself is the part that moves so, or hangs on the body. in:
+/* Draws the part that carries the wheel; 0 where the wheel itself is the part that moves so, or hangs on the body. in:
  * towards the middle of the car, -1 or 1. */
 static uint32_t draw_carrier(dmg_builder* b, const corner* c, float in) {
     float r = c->radius, x = in * (0.5f * c->width + 0.12f * r);
@@ -143,7 +143,7 @@ static void draw_pedals(dmg_builder* b, float size) {
     dmg_box(b, v3(0, -0.1f * size, 1.7f * size), v3(1.2f * size, 0.9f * size, 0.05f * size));
 }
 
-/* A hand brake, a gear stick or a switch beside the seat: a thin lever, its foot hidden or not. */
+/* Draws a hand brake, a gear stick or a switch beside the seat: a thin lever, its foot hidden or not. */
 static void draw_hand_lever(dmg_builder* b, float size, float x) {
     float length = size * dmg_range(b, 0.15f, 0.6f), lean = dmg_range(b, -0.3f, 1.2f);
     dmg_vec foot = {x, 0.05f * size, 0.6f * size}, along = {0, cosf(lean), sinf(lean)};
@@ -216,7 +216,7 @@ static void draw_chassis_body(dmg_builder* b, const chassis* c) {
     }
 }
 
-/* A bed behind that tips, a bonnet, or a lid over the engine. */
+/* Draws a bed behind that tips, a bonnet, or a lid over the engine. */
 static void draw_chassis_lids(dmg_builder* b, const chassis* c) {
     float top = c->floor + c->high, t = 0.02f * c->length;
     if (c->body != 0 && c->body != 3) return;
@@ -299,7 +299,7 @@ static void draw_small_caster(dmg_builder* b, float x, float z, float wheel, flo
     dmg_use(b, 0);
 }
 
-/* A leg rest in front of the seat that swings aside or up, its plate folding up at the foot. */
+/* Draws a leg rest in front of the seat that swings aside or up, its plate folding up at the foot. */
 static void draw_leg_rest(dmg_builder* b, float x, float z, float seat, float t) {
     float side = x < 0 ? -1.0f : 1.0f, foot = seat * dmg_range(b, 0.2f, 0.35f), wide = fabsf(x) * 0.75f;
     bool aside = dmg_chance(b, 0.5f);

@@ -99,7 +99,7 @@ static void draw_ends(dmg_builder* b, const coach* c) {
     }
 }
 
-/* A block; its nose and tail perhaps tapered; panes laid on. */
+/* Draws a block; its nose and tail perhaps tapered; panes laid on. */
 static void draw_block(dmg_builder* b, const coach* c, const side* s) {
     float z = 0.5f * c->length, low = c->low, high = c->roof - low, r = dmg_range(b, 0.1f, 0.3f);
     const dmg_xy outline[] = {{-c->half, 0},       {c->half, 0},        {c->half, high - r},
@@ -275,7 +275,7 @@ static void draw_hatches(dmg_builder* b, const coach* c, float top) {
     }
 }
 
-/* The head over the arms: bars across, horns at their ends. It stands level by itself. */
+/* Draws the head over the arms: bars across, horns at their ends. It stands level by itself. */
 static void draw_collector(dmg_builder* b, uint32_t arm, dmg_vec at, float half) {
     if (dmg_chance(b, 0.7f)) dmg_hinge(b, arm, "collector", at, v3(1, 0, 0), -0.3f, 0.3f);
     dmg_rod(b, v3(-0.5f * half, at.y, at.z), v3(0.5f * half, at.y, at.z), 0.025f);
@@ -321,7 +321,7 @@ static void draw_pantograph(dmg_builder* b, const coach* c, float top, float z) 
     }
 }
 
-/* Two poles that turn and tip on their feet. */
+/* Draws two poles that turn and tip on their feet. */
 static void draw_poles(dmg_builder* b, const coach* c, float top) {
     for (int s = -1; s <= 1; s += 2) {
         float x = (float)s * 0.3f * c->half, long_ = 0.4f * c->length;

@@ -44,7 +44,7 @@ static dmg_vec beside(dmg_vec at, float x) {
 
 /* ---- on the bars: the grip's end at x = reach, on the side of +X ---- */
 
-/* A lever before the grip, on a clamp; pulled towards it. */
+/* Draws a lever before the grip, on a clamp; pulled towards it. */
 static void draw_brake_lever(dmg_builder* b, uint32_t bars, dmg_vec grip, float reach, float tube) {
     float length = dmg_range(b, 0.1f, 0.17f), root = reach - 0.13f - 0.4f * length, out = dmg_range(b, 0.035f, 0.06f);
     dmg_vec clamp = v3(root, grip.y, grip.z), pin = v3_add(clamp, v3(0.008f, -0.006f, out));
@@ -62,7 +62,7 @@ static void draw_brake_lever(dmg_builder* b, uint32_t bars, dmg_vec grip, float 
     dmg_use(b, bars);
 }
 
-/* A grip that twists, or is still; a small lever or twist for the gears; a mirror; a bell's lever. */
+/* Draws a grip that twists, or is still; a small lever or twist for the gears; a mirror; a bell's lever. */
 static void draw_bar_end(dmg_builder* b, const cycle* c, uint32_t bars, dmg_vec at, float reach) {
     float tube = 0.8f * c->tube;
     dmg_vec from = v3(reach - 0.12f, at.y, at.z), end = v3(reach, at.y, at.z);
@@ -249,7 +249,7 @@ static void draw_pegs(dmg_builder* b, const cycle* c) {
     dmg_use(b, 0);
 }
 
-/* One leg at the side, or two under the middle; down, they turn back and up. */
+/* Draws one leg at the side, or two under the middle; down, they turn back and up. */
 static void draw_stand(dmg_builder* b, const cycle* c) {
     bool both = dmg_chance(b, 0.35f);
     float x = 0.06f + (c->motor ? 0.09f : 0.0f), z = c->bottom.z - (c->motor ? 0.02f : 0.1f),
@@ -309,7 +309,7 @@ static void draw_motor_saddle(dmg_builder* b, const cycle* c) {
     dmg_use(b, 0);
 }
 
-/* A box on the rack behind the saddle, or one on each side of the wheel; lids on one edge. */
+/* Draws a box on the rack behind the saddle, or one on each side of the wheel; lids on one edge. */
 static void draw_boxes(dmg_builder* b, const cycle* c) {
     bool sides = dmg_chance(b, 0.5f);
     float high = dmg_range(b, 0.15f, 0.3f), deep = dmg_range(b, 0.22f, 0.36f),

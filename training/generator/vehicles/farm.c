@@ -10,7 +10,7 @@ typedef struct farm {
 
 /* ---- tools: the headstock's plane is z = 0, they trail to -Z; y = 0 is the lower pins ---- */
 
-/* A frame across with wings that fold up, or back; tines, discs or nozzles under it. */
+/* Draws a frame across with wings that fold up, or back; tines, discs or nozzles under it. */
 static void draw_winged_tool(dmg_builder* b, const farm* f, uint32_t carrier) {
     float half = f->half * dmg_range(b, 0.7f, 1.0f), wing = f->size * dmg_range(b, 0.4f, 1.0f), r = 0.03f * f->size;
     float z = -0.25f * f->size, low = -dmg_range(b, 0.12f, 0.22f) * f->size, most = dmg_range(b, 1.2f, 1.8f);
@@ -249,8 +249,8 @@ static void draw_header(dmg_builder* b, const farm* f, float z) {
     dmg_use(b, 0);
 }
 
-/* What opens on its body: the pipe swings out, tank flaps on the roof, panels at the sides, the hood behind, a ladder.
- */
+/* Draws what opens on its body: the pipe swings out, tank flaps on the roof, panels at the sides, the hood behind, a
+ * ladder. */
 static void draw_combine_parts(dmg_builder* b, const farm* f, float z0, float z1, float top) {
     float x = f->half, r = 0.06f * f->size, t = 0.025f * f->size;
     dmg_vec foot = {x + 1.4f * r, top - 0.2f * f->size, z1 - 0.3f * f->size};

@@ -26,7 +26,7 @@ static cabin pick_cabin(dmg_builder* b) {
 
 /* ---- the dash: face at z = 0 ---- */
 
-/* A lid before the opening from x0 to x1, y0 to y1; its bin comes with it, or is a hole, or it is a drawer. */
+/* Draws a lid before the opening from x0 to x1, y0 to y1; its bin comes with it, or is a hole, or it is a drawer. */
 static void draw_glove_box(dmg_builder* b, const cabin* c, float x0, float x1, float y0, float y1) {
     float wide = x1 - x0, high = y1 - y0, deep = fminf(0.7f * c->deep, 0.8f * high), mid = 0.5f * (x0 + x1), t = c->t;
     int kind = dmg_weighted(b, (const float[]){4, 2, 1.5f, 1.5f}, 4);
@@ -218,8 +218,8 @@ static void draw_dash(dmg_builder* b, const cabin* c) {
 
 /* ---- between the seats ---- */
 
-/* A stick that tips over its foot, or a selector that slides in a slot: the boot of one is round, the other's gate
- * long. */
+/* Draws a stick that tips over its foot, or a selector that slides in a slot: the boot of one is round, the other's
+ * gate long. */
 static void draw_gear_lever(dmg_builder* b, const cabin* c, float z) {
     float y = c->console, tall = dmg_range(b, 0.08f, 0.25f), knob = dmg_range(b, 0.015f, 0.028f),
           lean = dmg_range(b, -0.2f, 0.3f);
@@ -255,7 +255,7 @@ static void draw_gear_lever(dmg_builder* b, const cabin* c, float z) {
     dmg_use(b, 0);
 }
 
-/* A lever between the seats, its button in its end; or a pull handle under the dash that comes straight out. */
+/* Draws a lever between the seats, its button in its end; or a pull handle under the dash that comes straight out. */
 static void draw_hand_brake(dmg_builder* b, const cabin* c, float z) {
     if (dmg_chance(b, 0.25f)) {
         dmg_vec at = {-0.1f - 0.05f, c->face - 0.03f, -0.1f};
@@ -279,7 +279,7 @@ static void draw_hand_brake(dmg_builder* b, const cabin* c, float z) {
     dmg_use(b, 0);
 }
 
-/* A box with a lid to rest the arm on, hinged behind or aside, or a shutter that slides back. */
+/* Draws a box with a lid to rest the arm on, hinged behind or aside, or a shutter that slides back. */
 static void draw_arm_box(dmg_builder* b, const cabin* c, float z0, float z1) {
     float x = 0.09f, y = c->console, high = dmg_range(b, 0.06f, 0.18f), t = 0.025f;
     int kind = dmg_int(b, 0, 3);

@@ -263,7 +263,7 @@ static void build_stacker(dmg_builder* b, float size) {
     draw_mast(b, &m, carrier);
 }
 
-/* A pump on forks: the forks and what the tiller stands on are one frame that rises, or the forks alone do. */
+/* Draws a pump on forks: the forks and what the tiller stands on are one frame that rises, or the forks alone do. */
 static void build_pallet_truck(dmg_builder* b, float size) {
     float at = size * dmg_range(b, 0.15f, 0.22f), wide = size * dmg_range(b, 0.1f, 0.16f),
           fork = size * dmg_range(b, 0.9f, 1.4f), y = 0.16f * size, t = 0.05f * size;

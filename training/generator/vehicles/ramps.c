@@ -164,7 +164,7 @@ static void draw_side_rails(dmg_builder* b, const belt* d, uint32_t frame) {
     }
 }
 
-/* Two pairs of crossed bars under the frame: each turns about its foot. */
+/* Draws two pairs of crossed bars under the frame: each turns about its foot. */
 static void draw_props(dmg_builder* b, const base* c, const belt* d, float lift) {
     float z = 0.3f * c->length, x = 0.8f * d->half, t = 0.1f * d->high;
     bool moves = dmg_chance(b, 0.6f);
@@ -268,7 +268,7 @@ static void draw_flight(dmg_builder* b, const flight* f, float x) {
         dmg_beam(b, v3((float)s * x, 0, 0), v3((float)s * x, f->rise, f->run), 0.6f * f->t, 2 * f->t);
 }
 
-/* A landing at the head, from z = 0 ahead: sides that are pushed forward, a flap in front, a gate. */
+/* Draws a landing at the head, from z = 0 ahead: sides that are pushed forward, a flap in front, a gate. */
 static void draw_landing(dmg_builder* b, const flight* f, uint32_t carrier, float deep, float tall, bool canopy) {
     float x = f->half, t = f->t;
     dmg_use(b, carrier);

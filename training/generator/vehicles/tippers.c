@@ -136,7 +136,7 @@ static void draw_bed_shell(dmg_builder* b, const bed* d) {
     if (d->kind == 1) draw_board_ribs(b, d);
 }
 
-/* What closes it behind: hung at its top, at its bottom, two leaves, or one that is lifted out. */
+/* Draws what closes it behind: hung at its top, at its bottom, two leaves, or one that is lifted out. */
 static void draw_tailgate(dmg_builder* b, const bed* d, uint32_t carrier) {
     float z = -d->over, h = d->half, t = d->t;
     int kind = dmg_weighted(b, (const float[]){4, 3, 1.5f, 1.5f}, 4);

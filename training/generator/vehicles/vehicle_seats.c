@@ -21,7 +21,7 @@ dmg_seat dmg_seat_pick(dmg_builder* b) {
     return s;
 }
 
-/* What carries it; returns the part that the cushion is on. */
+/* Draws what carries it; returns the part that the cushion is on. */
 static uint32_t draw_base(dmg_builder* b, const dmg_seat* s) {
     float x = 0.4f * s->wide, under = s->seat - s->thick, front = -s->deep, rail = 0.03f;
     uint32_t carrier = 0;

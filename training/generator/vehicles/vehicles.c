@@ -61,7 +61,7 @@ static car pick_car(dmg_builder* b) {
     return c;
 }
 
-/* A prism along X from an outline in z, y. */
+/* Draws a prism along X from an outline in z, y. */
 static void draw_profile(dmg_builder* b, const dmg_xy* outline, int count, float width) {
     dmg_save(b);
     dmg_turn(b, v3(0, 1, 0), -0.5f * DMG_PI); /* the outline's x becomes z */
@@ -96,7 +96,7 @@ static void draw_car_body(dmg_builder* b, const car* c) {
     }
 }
 
-/* What opens at the back: a tailgate, a bed that tips, a boot. low: the lower edge of the doors. */
+/* Draws what opens at the back: a tailgate, a bed that tips, a boot. low: the lower edge of the doors. */
 static void draw_car_back(dmg_builder* b, const car* c, float low) {
     float t = 0.012f * c->length;
     if (c->cabin == 1) { /* a door at the back: upwards, or to the side */
@@ -165,7 +165,7 @@ static void draw_car_panels(dmg_builder* b, const car* c) {
     draw_car_back(b, c, low);
 }
 
-/* What hands and feet move in an open car. */
+/* Draws what hands and feet move in an open car. */
 static void draw_car_controls(dmg_builder* b, const car* c) {
     float radius = 0.1f * c->width, lean = dmg_range(b, 0.3f, 1.0f);
     dmg_save(b);
@@ -277,7 +277,7 @@ void dmg_build_two_wheeler(dmg_builder* b) {
 
 /* ---- small robots and trolleys on wheels ---- */
 
-/* A wheel behind an upright pin. */
+/* Draws a wheel behind an upright pin. */
 static void draw_caster(dmg_builder* b, float x, float z, float wheel, float top) {
     float turn = dmg_range(b, 0, 6.2f), trail = wheel * dmg_range(b, 0.0f, 0.7f), half = 0.45f * wheel;
     int cover = dmg_int(b, 0, 2);

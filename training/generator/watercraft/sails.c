@@ -204,7 +204,7 @@ static void draw_sail_boom(dmg_builder* b, uint32_t mast, float l, float high, f
     dmg_use(b, mast);
 }
 
-/* A derrick: its heel turns on the mast, the boom rises on the heel; a block hangs from its end. */
+/* Draws a derrick: its heel turns on the mast, the boom rises on the heel; a block hangs from its end. */
 static void draw_derrick(dmg_builder* b, uint32_t mast, float l, float r) {
     float y = l * dmg_range(b, 0.06f, 0.14f), reach = l * dmg_range(b, 0.25f, 0.4f), up = dmg_range(b, 0.2f, 1.2f),
           side = dmg_chance(b, 0.8f) ? 1.0f : -1.0f;
@@ -305,7 +305,7 @@ static void draw_winches(dmg_builder* b, const hull* h) {
     }
 }
 
-/* A windlass on the foredeck; an anchor on its roller at the stem. */
+/* Draws a windlass on the foredeck; an anchor on its roller at the stem. */
 static void draw_ground_tackle(dmg_builder* b, const hull* h) {
     float l = h->length, r = 0.02f * l, z = 0.3f * l, y = 1.4f * r;
     if (dmg_chance(b, 0.6f)) {
@@ -337,7 +337,7 @@ static void draw_ground_tackle(dmg_builder* b, const hull* h) {
     }
 }
 
-/* A cabin with what closes it: a hatch that slides forward over the way in, boards pulled up, doors; one on the
+/* Draws a cabin with what closes it: a hatch that slides forward over the way in, boards pulled up, doors; one on the
  * foredeck that is hinged; ports in the sides hinged above. */
 static void draw_cabin(dmg_builder* b, const hull* h, bool tall) {
     float l = h->length, high = h->high * (tall ? dmg_range(b, 1.2f, 2.0f) : dmg_range(b, 0.3f, 0.6f)),

@@ -5,7 +5,7 @@
 
 /* ---- what they share ---- */
 
-/* An outline in (z, y) from x = -half to half. */
+/* Draws an outline in (z, y) from x = -half to half. */
 static void draw_side(dmg_builder* b, const dmg_xy* outline, int count, float half) {
     dmg_save(b);
     dmg_turn(b, v3(0, 1, 0), -0.5f * DMG_PI);
@@ -13,7 +13,7 @@ static void draw_side(dmg_builder* b, const dmg_xy* outline, int count, float ha
     dmg_restore(b);
 }
 
-/* A blade curved to the front under its pin, in a guard or bare. */
+/* Draws a blade curved to the front under its pin, in a guard or bare. */
 static void draw_trigger(dmg_builder* b, uint32_t parent, dmg_vec pin, float length, float half, bool guard) {
     dmg_use(b, parent);
     if (guard) {
@@ -62,7 +62,7 @@ static void draw_hammer(dmg_builder* b, uint32_t parent, dmg_vec foot, float len
     dmg_use(b, parent);
 }
 
-/* A grip for one hand, raked to the rear, its top at (z, y). */
+/* Draws a grip for one hand, raked to the rear, its top at (z, y). */
 static void draw_grip(dmg_builder* b, float z, float y, float length, float deep, float half) {
     float rake = dmg_range(b, 0.1f, 0.5f) * length, flare = deep * dmg_range(b, 0.9f, 1.5f);
     const dmg_xy side[] = {{z - rake - 0.6f * flare, y - length},
@@ -74,7 +74,7 @@ static void draw_grip(dmg_builder* b, float z, float y, float length, float deep
     draw_side(b, side, 6, half);
 }
 
-/* A butt for the shoulder from z rearwards, of wood in one piece or with a thin wrist. */
+/* Draws a butt for the shoulder from z rearwards, of wood in one piece or with a thin wrist. */
 static void draw_butt(dmg_builder* b, float z, float y, float length, float high, float half) {
     float drop = length * dmg_range(b, 0.08f, 0.22f), end = z - length, wrist = high * dmg_range(b, 0.5f, 0.9f);
     const dmg_xy side[] = {{end, y - drop - 1.3f * high},
@@ -271,7 +271,7 @@ static void draw_break_gun(dmg_builder* b, float size) {
         draw_hammer(b, 0, v3((float)s * 1.15f * half, -r, -0.03f * size), 2.6f * r, 0.13f * half);
 }
 
-/* A flint's jaw that snaps to the front on a steel that tips; a ramrod under the barrel. */
+/* Draws a flint's jaw that snaps to the front on a steel that tips; a ramrod under the barrel. */
 static void draw_flintlock(dmg_builder* b, float size) {
     float r = size * dmg_range(b, 0.018f, 0.03f), barrel = size * dmg_range(b, 0.35f, 0.7f), half = 1.2f * r,
           side = 1.15f * half;

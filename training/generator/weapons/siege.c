@@ -5,7 +5,7 @@
 
 /* ---- what they share ---- */
 
-/* A wheel with its axle stub at (x, radius, z), turning about X. */
+/* Draws a wheel with its axle stub at (x, radius, z), turning about X. */
 static void draw_cart_wheel(dmg_builder* b, int kind, float x, float z, float radius, float width) {
     dmg_use(b, 0);
     dmg_spin(b, 0, "wheel", v3(x, radius, z), v3(1, 0, 0));
@@ -33,7 +33,7 @@ static void draw_cart_wheel(dmg_builder* b, int kind, float x, float z, float ra
     dmg_use(b, 0);
 }
 
-/* Two or four wheels under a frame, on axles of the body. */
+/* Draws two or four wheels under a frame, on axles of the body. */
 static void draw_running_gear(dmg_builder* b, float half_width, float front, float rear, float radius) {
     int kind = dmg_chance(b, 0.5f) ? 7 : dmg_int(b, 0, 2);
     float width = radius * dmg_range(b, 0.15f, 0.4f), x = half_width + 0.8f * width;
@@ -45,7 +45,8 @@ static void draw_running_gear(dmg_builder* b, float half_width, float front, flo
     }
 }
 
-/* A drum across the frame that turns about X: handspikes, cranks or wheels at its ends; a rope round its middle. */
+/* Draws a drum across the frame that turns about X: handspikes, cranks or wheels at its ends; a rope round its middle.
+ */
 static void draw_windlass(dmg_builder* b, uint32_t parent, dmg_vec at, float half, float radius) {
     int kind = dmg_int(b, 0, 3), spikes = dmg_int(b, 2, 6);
     float reach = radius * dmg_range(b, 2.5f, 5.0f), thin = radius * dmg_range(b, 0.2f, 0.4f);
@@ -107,7 +108,8 @@ static void draw_barrel(dmg_builder* b, float length, float radius, float half) 
     }
 }
 
-/* Two cheeks on wheels with a trail, a low box on trucks, or a slide that turns on a pivot. Trunnions at `high`. */
+/* Draws two cheeks on wheels with a trail, a low box on trucks, or a slide that turns on a pivot. Trunnions at `high`.
+ */
 static uint32_t draw_carriage(dmg_builder* b, int style, float length, float high, float half, float t) {
     float rear = -length * dmg_range(b, 0.5f, 1.3f), nose = length * dmg_range(b, 0.1f, 0.25f), wheel = 0.9f * high;
     uint32_t carrier = 0;
@@ -245,7 +247,7 @@ static void draw_ballista(dmg_builder* b) {
 
 /* ---- catapults and trebuchets: an arm about X between two frames ---- */
 
-/* A spoon, a bucket or a sling's hook at its end. */
+/* Draws a spoon, a bucket or a sling's hook at its end. */
 static void draw_arm_end(dmg_builder* b, dmg_vec at, float t) {
     int kind = dmg_int(b, 0, 2);
     const dmg_xy cup[] = {

@@ -163,7 +163,7 @@ static void draw_slim_hood(dmg_builder* b, hood* h) {
     dmg_restore(b);
 }
 
-/* A leaning front whose large pane opens upwards; a second one below it. */
+/* Draws a leaning front whose large pane opens upwards; a second one below it. */
 static void draw_leaning_hood(dmg_builder* b, hood* h) {
     float tall = dmg_range(b, 0.4f, 0.7f), deep = dmg_range(b, 0.25f, 0.45f), x = 0.5f * h->w, t = 0.01f,
           split = dmg_range(b, 0.4f, 0.9f), lean = atan2f(deep - 0.1f, tall), length = tall / cosf(lean);

@@ -116,7 +116,7 @@ static void draw_cistern(dmg_builder* b, const closet* c) {
     dmg_use(b, 0);
 }
 
-/* A bidet: taps on its rear, or one lever; a plug's rod. */
+/* Draws a bidet: taps on its rear, or one lever; a plug's rod. */
 static void draw_bidet_taps(dmg_builder* b, const closet* c) {
     float z = 0.1f * c->length, y = c->rim, tall = dmg_range(b, 0.05f, 0.12f);
     const dmg_vec spout[] = {{0, y, z}, {0, y + tall, z}, {0, y + tall, z + 0.05f}, {0, y + 0.7f * tall, z + 0.1f}};
@@ -182,7 +182,7 @@ typedef struct cooker {
     int columns, rows;
 } cooker;
 
-/* Answers how high the grates stand. */
+/* Returns how high the grates stand. */
 static float draw_burners(dmg_builder* b, const cooker* c, bool lifts) {
     int grates = dmg_chance(b, 0.5f) ? c->columns : c->columns * c->rows;
     float cell_w = c->w / (float)c->columns, cell_d = 0.78f * c->d / (float)c->rows,

@@ -23,7 +23,7 @@ static void draw_bow(dmg_builder* b, dmg_vec from, dmg_vec to, dmg_vec out, floa
     dmg_sweep(b, path, POINTS, thick, thick, false);
 }
 
-/* A turned pot on y = 0, open on top. */
+/* Draws a turned pot on y = 0, open on top. */
 static void draw_pot_shell(dmg_builder* b, float foot, float rim, float high, float wall) {
     float bend = 0.12f * high;
     const dmg_xy rows[] = {
@@ -31,7 +31,7 @@ static void draw_pot_shell(dmg_builder* b, float foot, float rim, float high, fl
     dmg_lathe(b, v3(0, 0, 0), v3(0, 1, 0), rows, 7);
 }
 
-/* A knob on a lid's top: turned, a ball on a neck, or a bow. */
+/* Draws a knob on a lid's top: turned, a ball on a neck, or a bow. */
 static void draw_lid_grip(dmg_builder* b, float y, float size) {
     int kind = dmg_int(b, 0, 2), knob = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
     dmg_save(b);
@@ -55,7 +55,8 @@ typedef struct fryer {
     float seam, wall;       /* the drawer reaches up to the seam */
 } fryer;
 
-/* What one pulls on, at z = 0: a stick with a foot, a bow upright or across, a block. A release button on the stick. */
+/* Draws what one pulls on, at z = 0: a stick with a foot, a bow upright or across, a block. A release button on the
+ * stick. */
 static void draw_drawer_grip(dmg_builder* b, uint32_t drawer, float size) {
     int kind = dmg_int(b, 0, 3);
     float t = size * dmg_range(b, 0.12f, 0.2f), out = size * dmg_range(b, 0.6f, 1.2f);
@@ -74,7 +75,7 @@ static void draw_drawer_grip(dmg_builder* b, uint32_t drawer, float size) {
     dmg_use(b, 0);
 }
 
-/* A drum whose front below the seam is the drawer's. */
+/* Draws a drum whose front below the seam is the drawer's. */
 static void draw_round_fryer(dmg_builder* b, const fryer* f) {
     float r = f->half, a = dmg_range(b, 0.95f, 1.35f), top = r * dmg_range(b, 0.3f, 0.85f),
           way = r * dmg_range(b, 1.0f, 2.0f), belly = r * dmg_range(b, 1.0f, 1.08f),
@@ -103,7 +104,7 @@ static void draw_round_fryer(dmg_builder* b, const fryer* f) {
     dmg_restore(b);
 }
 
-/* A box with one drawer or two, side by side or one above the other. */
+/* Draws a box with one drawer or two, side by side or one above the other. */
 static void draw_box_fryer(dmg_builder* b, const fryer* f) {
     int kind = dmg_int(b, 0, 2), count = kind == 0 ? 1 : 2;
     float w = 2 * f->half - 2 * f->wall, h = f->seam - f->wall, shoulder = dmg_range(b, 0.1f, 0.45f),
@@ -132,7 +133,7 @@ static void draw_box_fryer(dmg_builder* b, const fryer* f) {
     dmg_rounded_box(b, v3(0, 0.5f * (f->seam + f->high), 0), v3(2 * f->half, high, 2 * f->deep), round);
 }
 
-/* A pot with a deep lid on a rear hinge; the basket in it is lifted by its bail when the lid stands open. */
+/* Draws a pot with a deep lid on a rear hinge; the basket in it is lifted by its bail when the lid stands open. */
 static void draw_lidded_fryer(dmg_builder* b, const fryer* f) {
     float r = f->half, rim = f->high * dmg_range(b, 0.5f, 0.75f), lid = f->high - rim, t = 0.08f * r,
           swing = dmg_range(b, 1.1f, 1.7f), top = r * dmg_range(b, 0.5f, 0.95f);
@@ -163,7 +164,7 @@ static void draw_lidded_fryer(dmg_builder* b, const fryer* f) {
     dmg_use(b, 0);
 }
 
-/* A small oven: door below or at the side, a spit that turns, a rack. */
+/* Draws a small oven: door below or at the side, a spit that turns, a rack. */
 static void draw_oven_fryer(dmg_builder* b, const fryer* f) {
     float strip = f->high * dmg_range(b, 0.12f, 0.25f), w = 2 * f->half - 2 * f->wall, h = f->high - strip - f->wall;
     dmg_leaf leaf = dmg_leaf_pick_appliance(b, w, h, 0.6f * f->wall);
@@ -191,7 +192,7 @@ static void draw_oven_fryer(dmg_builder* b, const fryer* f) {
     dmg_restore(b);
 }
 
-/* A dial or keys on the slope or the top of the head. */
+/* Draws a dial or keys on the slope or the top of the head. */
 static void draw_fryer_controls(dmg_builder* b, const fryer* f, bool round) {
     float r = f->half * dmg_range(b, 0.15f, 0.3f), gap = 0.5f * (f->high - f->seam);
     int kind = dmg_int(b, 0, 2);
@@ -237,7 +238,7 @@ void dmg_build_air_fryer(dmg_builder* b) {
 
 /* ---- cookers ---- */
 
-/* A lever that goes down to cook, a dial, or keys, on the belly at z = 0. */
+/* Draws a lever that goes down to cook, a dial, or keys, on the belly at z = 0. */
 static void draw_cooker_switch(dmg_builder* b, float size) {
     int kind = dmg_int(b, 0, 2);
     dmg_box(b, v3(0, 0, 0), v3(2.2f * size, 1.5f * size, 0.5f * size));
@@ -257,7 +258,7 @@ static void draw_cooker_switch(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A bail from flank to flank; shown upright, laid back or anywhere between. */
+/* Draws a bail from flank to flank; shown upright, laid back or anywhere between. */
 static void draw_bail(dmg_builder* b, float r, float y, float over, float t) {
     float rest = dmg_range(b, -1.2f, 1.2f);
     for (int s = -1; s <= 1; s += 2) dmg_rod(b, v3((float)s * 0.95f * r, y, 0), v3((float)s * (r + t), y, 0), 1.6f * t);
@@ -323,7 +324,7 @@ static void draw_hinged_cooker(dmg_builder* b, float r, float high) {
     dmg_restore(b);
 }
 
-/* A pot with a lid that is lifted, round or oval, two ears; wire clips hold the lid of some. */
+/* Draws a pot with a lid that is lifted, round or oval, two ears; wire clips hold the lid of some. */
 static void draw_open_cooker(dmg_builder* b, float r, float high) {
     float oval = dmg_chance(b, 0.5f) ? 1.0f : dmg_range(b, 0.65f, 0.9f), lid = r * dmg_range(b, 0.12f, 0.4f),
           t = 0.06f * r, way = r * dmg_range(b, 0.5f, 2.0f), ear = dmg_range(b, 0.5f, 0.85f) * high;
@@ -367,7 +368,8 @@ static void draw_open_cooker(dmg_builder* b, float r, float high) {
         dmg_rod(b, v3((float)s * 0.9f * r, 0.8f * high, 0), v3((float)s * 1.12f * r, 0.8f * high, 0), 0.03f * r);
 }
 
-/* A lid that is turned off its lugs or is lifted once it is; long handles one above the other, a weight on a vent. */
+/* Draws a lid that is turned off its lugs or is lifted once it is; long handles one above the other, a weight on a
+ * vent. */
 static void draw_pressure_cooker(dmg_builder* b, float r, float high) {
     float lid = r * dmg_range(b, 0.15f, 0.35f), t = 0.05f * r, reach = r * dmg_range(b, 1.0f, 1.8f),
           turn = dmg_range(b, 0.3f, 0.9f), way = r * dmg_range(b, 0.3f, 1.2f);
@@ -413,7 +415,7 @@ void dmg_build_rice_cooker(dmg_builder* b) {
 
 /* ---- salad spinner ---- */
 
-/* A crank on the lid: an arm or a disc sunk in it, with a knob that turns on its pin. */
+/* Draws a crank on the lid: an arm or a disc sunk in it, with a knob that turns on its pin. */
 static void draw_spinner_crank(dmg_builder* b, uint32_t lid, float r, float y) {
     float arm = r * dmg_range(b, 0.35f, 0.75f), t = 0.05f * r;
     bool disc = dmg_chance(b, 0.35f), turns = dmg_chance(b, 0.5f);
@@ -427,7 +429,7 @@ static void draw_spinner_crank(dmg_builder* b, uint32_t lid, float r, float y) {
     dmg_cone(b, v3(arm, y + 3.02f * t, 0), v3(arm, y + 3 * t + 0.3f * r, 0), 0.08f * r, 0.11f * r);
 }
 
-/* What makes it go round: a crank, a knob pumped down, a cord pulled out at the side, a lever. */
+/* Draws what makes it go round: a crank, a knob pumped down, a cord pulled out at the side, a lever. */
 static void draw_spinner_drive(dmg_builder* b, uint32_t lid, float r, float y) {
     int kind = dmg_weighted(b, (const float[]){3, 3, 2, 1}, 4);
     float way = r * dmg_range(b, 0.2f, 0.5f), wide = r * dmg_range(b, 0.15f, 0.3f);

@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A crank on a vertical shaft at y: an arm straight, cranked up or curved, a knob at its end that may turn. */
+/* Draws a crank on a vertical shaft at y: an arm straight, cranked up or curved, a knob at its end that may turn. */
 static void draw_mill_crank(dmg_builder* b, uint32_t parent, float y, float arm, float t) {
     float rise = arm * dmg_range(b, 0.0f, 0.4f), knob = t * dmg_range(b, 1.5f, 3.0f),
           tall = knob * dmg_range(b, 1.2f, 3.0f);
@@ -31,7 +31,7 @@ static void draw_mill_crank(dmg_builder* b, uint32_t parent, float y, float arm,
     dmg_use(b, parent);
 }
 
-/* A turned column whose head goes round, with a nut on top; or one with a crank. */
+/* Draws a turned column whose head goes round, with a nut on top; or one with a crank. */
 static void draw_pepper_mill(dmg_builder* b) {
     float r = dmg_range(b, 0.022f, 0.035f), high = r * dmg_range(b, 3.0f, 10.0f), waist = r * dmg_range(b, 0.5f, 1.0f),
           seam = high * dmg_range(b, 0.6f, 0.8f), neck = r * dmg_range(b, 0.6f, 1.0f),
@@ -72,7 +72,7 @@ static void draw_pepper_mill(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A wooden or tin box with a drawer for what falls down, a funnel on top, with a flap or none. */
+/* Draws a wooden or tin box with a drawer for what falls down, a funnel on top, with a flap or none. */
 static void draw_box_mill(dmg_builder* b) {
     float w = dmg_range(b, 0.09f, 0.16f), h = w * dmg_range(b, 0.8f, 1.5f), wall = 0.07f * w,
           r = w * dmg_range(b, 0.25f, 0.42f), low = h * dmg_range(b, 0.3f, 0.5f), dome = r * dmg_range(b, 0.4f, 1.1f);
@@ -116,7 +116,7 @@ static void draw_box_mill(dmg_builder* b) {
     draw_mill_crank(b, 0, dome, w * dmg_range(b, 0.5f, 1.1f), 0.035f * w);
 }
 
-/* A slim tube with a jar below that is screwed off, a crank that is lifted off above. */
+/* Draws a slim tube with a jar below that is screwed off, a crank that is lifted off above. */
 static void draw_tube_mill(dmg_builder* b) {
     float r = dmg_range(b, 0.022f, 0.035f), high = r * dmg_range(b, 3.5f, 6.5f), seam = high * dmg_range(b, 0.3f, 0.5f),
           jar = r * dmg_range(b, 0.85f, 1.25f), t = 0.1f * r, arm = r * dmg_range(b, 1.8f, 4.0f);

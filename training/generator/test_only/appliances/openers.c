@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* The worm of a corkscrew along -Y from the origin. */
+/* Draws the worm of a corkscrew along -Y from the origin. */
 static void draw_worm(dmg_builder* b, float length, float radius, float t) {
     enum { POINTS = 41 };
     dmg_vec path[POINTS];
@@ -17,7 +17,7 @@ static void draw_worm(dmg_builder* b, float length, float radius, float t) {
 
 /* ---- corkscrew ---- */
 
-/* One arm, hanging from its gear at the origin to the side +X of the frame. */
+/* Draws one arm, hanging from its gear at the origin to the side +X of the frame. */
 static void draw_wing(dmg_builder* b, float length, float t, int kind) {
     float lean = 0.25f * length;
     dmg_rod(b, v3(0, 0, -t), v3(0, 0, t), 2 * t);
@@ -37,7 +37,7 @@ static void draw_wing(dmg_builder* b, float length, float t, int kind) {
     }
 }
 
-/* What the hand turns: a loop, a bar, a butterfly. */
+/* Draws what the hand turns: a loop, a bar, a butterfly. */
 static void draw_cork_handle(dmg_builder* b, float y, float size) {
     int kind = dmg_int(b, 0, 2);
     dmg_rod(b, v3(0, y, 0), v3(0, y + 0.6f * size, 0), 0.25f * size);
@@ -48,7 +48,7 @@ static void draw_cork_handle(dmg_builder* b, float y, float size) {
         dmg_ellipsoid(b, v3((float)s * size, y + 0.9f * size, 0), v3(0.9f * size, 0.6f * size, 0.25f * size));
 }
 
-/* A bell on the bottle's neck, a rack that both wings drive, the worm turning in it. */
+/* Draws a bell on the bottle's neck, a rack that both wings drive, the worm turning in it. */
 static void draw_winged(dmg_builder* b) {
     float high = dmg_range(b, 0.08f, 0.12f), t = high * dmg_range(b, 0.035f, 0.055f),
           bell = high * dmg_range(b, 0.16f, 0.22f), length = high * dmg_range(b, 0.7f, 0.95f),
@@ -124,7 +124,7 @@ static void draw_lever_corkscrew(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A pocket tool: worm, blade and the lever that rests on the bottle's rim fold out of its handle. */
+/* Draws a pocket tool: worm, blade and the lever that rests on the bottle's rim fold out of its handle. */
 static void draw_waiter(dmg_builder* b) {
     float l = dmg_range(b, 0.1f, 0.13f), h = l * dmg_range(b, 0.09f, 0.13f), t = 0.02f * l, half = 2.2f * t,
           worm_rest = dmg_range(b, 0.0f, 1.7f), lever_rest = dmg_range(b, 0.0f, 2.6f),
@@ -172,7 +172,7 @@ void dmg_build_corkscrew(dmg_builder* b) {
 
 /* ---- tin opener ---- */
 
-/* A key on the shaft along +Z: two wings, a bar or a crank with a knob. */
+/* Draws a key on the shaft along +Z: two wings, a bar or a crank with a knob. */
 static void draw_opener_key(dmg_builder* b, uint32_t parent, dmg_vec at, float size) {
     int kind = dmg_int(b, 0, 2);
     dmg_save(b);
@@ -192,7 +192,7 @@ static void draw_opener_key(dmg_builder* b, uint32_t parent, dmg_vec at, float s
     dmg_use(b, parent);
 }
 
-/* Two handles about a pin; the wheel below one bites into the tin, the key turns the cog on the other. */
+/* Draws two handles about a pin; the wheel below one bites into the tin, the key turns the cog on the other. */
 static void draw_hand_opener(dmg_builder* b) {
     float l = dmg_range(b, 0.15f, 0.2f), t = l * dmg_range(b, 0.02f, 0.035f), spread = l * dmg_range(b, 0.03f, 0.08f),
           swing = dmg_range(b, 0.3f, 0.9f), size = l * dmg_range(b, 0.08f, 0.14f);
@@ -218,7 +218,8 @@ static void draw_hand_opener(dmg_builder* b) {
     draw_opener_key(b, 0, v3(-0.02f * l, -0.01f * l, 1.1f * t), size);
 }
 
-/* A post on the counter or a plate on the wall: the arm with the wheel goes up, the crank or a motor turns the tin. */
+/* Draws a post on the counter or a plate on the wall: the arm with the wheel goes up, the crank or a motor turns the
+ * tin. */
 static void draw_stand_opener(dmg_builder* b, bool wall) {
     float high = dmg_range(b, 0.18f, 0.25f), w = high * dmg_range(b, 0.4f, 0.6f),
           d = wall ? 0.12f * high : high * dmg_range(b, 0.4f, 0.6f), t = 0.04f * high, swing = dmg_range(b, 0.4f, 1.3f),

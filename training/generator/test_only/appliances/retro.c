@@ -17,7 +17,7 @@ static void round_outline(dmg_xy* outline, float w, float h, float y, float r, f
     }
 }
 
-/* A slab of that outline whose front edge is bevelled over its last part. */
+/* Draws a slab of that outline whose front edge is bevelled over its last part. */
 static void draw_soft_slab(dmg_builder* b, float w, float h, float r, float foot, float low, float high, float bevel) {
     dmg_xy outline[ROUND];
     round_outline(outline, w, h, 0, r, foot);
@@ -37,7 +37,7 @@ static void draw_soft_shell(dmg_builder* b, float w, float h, float d, float r, 
     dmg_extrude(b, inner, ROUND, -d, wall - d);
 }
 
-/* A lever across the edge, as old fridges have, or a bar, near the free side `s`. */
+/* Draws a lever across the edge, as old fridges have, or a bar, near the free side `s`. */
 static void draw_latch_handle(dmg_builder* b, uint32_t door, float s, float x, float y, float size, int kind) {
     dmg_save(b);
     dmg_move(b, x, y, 0);
@@ -57,7 +57,7 @@ static void draw_latch_handle(dmg_builder* b, uint32_t door, float s, float x, f
     dmg_restore(b);
 }
 
-/* A door w x h round the origin, hung at side s; the slab is thick and round as the housing. */
+/* Draws a door w x h round the origin, hung at side s; the slab is thick and round as the housing. */
 static uint32_t draw_soft_door(dmg_builder* b, const char* name, float w, float h, float r, float t, float s,
                                int latch) {
     float bevel = fminf(t, r) * dmg_range(b, 0.2f, 0.8f), in = dmg_range(b, 0.0f, 0.5f) * t,
@@ -108,7 +108,7 @@ static void draw_retro_fridge(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A wide window that is the door, bowed out; the panel beside or below it with its buttons. */
+/* Draws a wide window that is the door, bowed out; the panel beside or below it with its buttons. */
 static void draw_curved_microwave(dmg_builder* b) {
     enum { POINTS = 9 };
     float w = dmg_range(b, 0.42f, 0.78f), h = w * dmg_range(b, 0.5f, 0.65f), d = w * dmg_range(b, 0.6f, 0.85f),
@@ -200,7 +200,7 @@ typedef struct laundry {
     float cut, rim;      /* height of the panel; radius of the edges */
 } laundry;
 
-/* A round door in the front, hung on side `s`. */
+/* Draws a round door in the front, hung on side `s`. */
 static void draw_porthole(dmg_builder* b, const laundry* n, float s) {
     float r = n->r, t = n->t;
     draw_soft_slab(b, n->w, n->h, n->rim, 1, -n->d, 0, 0.3f * n->rim);
@@ -218,7 +218,7 @@ static void draw_porthole(dmg_builder* b, const laundry* n, float s) {
     dmg_controls_draw(b, 0, 0.8f * n->w, 0.7f * n->cut);
 }
 
-/* A lid over the tub; the panel stands up behind it. */
+/* Draws a lid over the tub; the panel stands up behind it. */
 static void draw_top_loader(dmg_builder* b, const laundry* n) {
     float w = n->w, h = n->h, d = n->d, t = n->t, cut = n->cut;
     bool window = dmg_chance(b, 0.5f), front = dmg_chance(b, 0.8f);
@@ -248,7 +248,7 @@ static void draw_top_loader(dmg_builder* b, const laundry* n) {
     dmg_controls_draw(b, 0, 0.8f * w, 0.6f * cut);
 }
 
-/* The lower or the upper of two drawers for dishes. */
+/* Draws the lower or the upper of two drawers for dishes. */
 static void draw_dish_drawer(dmg_builder* b, const laundry* n, bool upper) {
     float high = 0.46f * n->h, y = upper ? 0.02f * n->h : -0.47f * n->h;
     dmg_slide(b, 0, "dish_drawer", v3(0, 0, 1), 0.0f, 0.8f * n->d);
@@ -267,7 +267,7 @@ static void draw_dish_drawer(dmg_builder* b, const laundry* n, bool upper) {
     dmg_use(b, 0);
 }
 
-/* A dryer's or washer's body: a round door in its front, or a lid on its top, or drawers for dishes. */
+/* Draws a dryer's or washer's body: a round door in its front, or a lid on its top, or drawers for dishes. */
 static void draw_laundry(dmg_builder* b, int kind) {
     laundry n = {.w = dmg_range(b, 0.5f, 0.7f), .t = 0.03f};
     n.h = n.w * (kind == 2 ? dmg_range(b, 1.2f, 1.5f) : dmg_range(b, 1.3f, 1.7f));
@@ -352,7 +352,7 @@ static void draw_slots(dmg_builder* b) {
                      v3((i & 1 ? 0.48f : -0.45f) * w, 0.11f * h, (i & 2 ? 0.48f : -0.45f) * d));
 }
 
-/* Two plates on a rear hinge: sandwich presses, round irons, egg cookers under a dome. */
+/* Draws two plates on a rear hinge: sandwich presses, round irons, egg cookers under a dome. */
 static void draw_press(dmg_builder* b) {
     int shape = dmg_int(b, 0, 2);
     float w = dmg_range(b, 0.2f, 0.34f), d = shape == 0 ? w * dmg_range(b, 0.7f, 1.1f) : w,

@@ -23,7 +23,7 @@ static void draw_shower_head(dmg_builder* b, uint32_t parent, float r) {
     dmg_use(b, 0);
 }
 
-/* A rod on two feet; what holds the head slides along it, and some turn on it. */
+/* Draws a rod on two feet; what holds the head slides along it, and some turn on it. */
 static void draw_rail(dmg_builder* b, float y, float length) {
     float z = 0.05f, r = 0.01f, low = 0.2f * length, way = 0.7f * length, rest = way * dmg_range(b, 0.3f, 1.0f),
           head = dmg_range(b, 0.035f, 0.07f);
@@ -50,7 +50,7 @@ static void draw_rail(dmg_builder* b, float y, float length) {
     dmg_use(b, 0);
 }
 
-/* One lever on a plate, a bar with a handle at either end, or two cross handles; a spout below some. */
+/* Draws one lever on a plate, a bar with a handle at either end, or two cross handles; a spout below some. */
 static void draw_mixer(dmg_builder* b, float y) {
     int kind = dmg_int(b, 0, 2);
     float r = dmg_range(b, 0.018f, 0.03f), wide = dmg_range(b, 0.1f, 0.16f), z = 0.06f;
@@ -85,7 +85,7 @@ static void draw_mixer(dmg_builder* b, float y) {
     dmg_use(b, 0);
 }
 
-/* An arm out of the wall with a wide head on a ball. */
+/* Draws an arm out of the wall with a wide head on a ball. */
 static void draw_fixed_head(dmg_builder* b, float y) {
     float reach = dmg_range(b, 0.15f, 0.4f), r = dmg_range(b, 0.07f, 0.15f);
     bool turns = dmg_chance(b, 0.5f);
@@ -111,7 +111,7 @@ static void draw_wash_set(dmg_builder* b, float y) {
 
 /* ---- glass ---- */
 
-/* A pane between two x on the plane z = 0, hung at x0: alone, or with a second one folding on it. */
+/* Draws a pane between two x on the plane z = 0, hung at x0: alone, or with a second one folding on it. */
 static void draw_hung_pane(dmg_builder* b, float x0, float x1, float y0, float y1, bool folds) {
     float t = 0.008f, way = x1 > x0 ? 1.0f : -1.0f, end = folds ? 0.5f * (x0 + x1) : x1, pin = x0,
           swing = dmg_range(b, 1.2f, 1.9f);
@@ -187,7 +187,7 @@ static void draw_cabin(dmg_builder* b) {
     draw_hung_pane(b, -side * (x - 0.02f), side * (x - still - 0.004f), tray + 0.015f, h, doors == 1);
 }
 
-/* A tub against the wall with one to three panes in a row on its rim. */
+/* Draws a tub against the wall with one to three panes in a row on its rim. */
 static void draw_bath(dmg_builder* b) {
     float w = dmg_range(b, 1.4f, 1.8f), d = dmg_range(b, 0.65f, 0.8f), h = dmg_range(b, 0.5f, 0.62f), x = 0.5f * w,
           rim = 0.06f, t = 0.006f, tall = dmg_range(b, 1.2f, 1.5f), each;
@@ -243,7 +243,7 @@ static void draw_towel_arms(dmg_builder* b) {
     }
 }
 
-/* A roll on its bar below a flap, or on a pin that lies open at one end. */
+/* Draws a roll on its bar below a flap, or on a pin that lies open at one end. */
 static void draw_paper_holder(dmg_builder* b) {
     float r = dmg_range(b, 0.045f, 0.07f), half = 0.05f, y = r + 0.01f, z = r + 0.015f, t = 0.004f;
     bool flap = dmg_chance(b, 0.65f);

@@ -23,7 +23,7 @@ static squeeze pick_squeeze(dmg_builder* b, float length) {
     return s;
 }
 
-/* One arm from x0 to the end, on the side y > 0 or y < 0: flat, round, bowed, a channel or a loop of wire. */
+/* Draws one arm from x0 to the end, on the side y > 0 or y < 0: flat, round, bowed, a channel or a loop of wire. */
 static void draw_squeeze_arm(dmg_builder* b, const squeeze* s, float side, float x0) {
     dmg_vec from = v3(x0, side * 0.5f * (s->gap + s->t), 0), to = v3(s->length, side * 0.5f * (s->spread + s->t), 0);
     dmg_vec out = v3(0, side * s->bow, 0), half = v3(0, 0, 0.5f * s->wide);
@@ -69,7 +69,7 @@ static uint32_t begin_upper(dmg_builder* b, const squeeze* s, float swing) {
     return upper;
 }
 
-/* A sieve pot below, a stamp above; a cleaning comb sometimes hangs on the far side. */
+/* Draws a sieve pot below, a stamp above; a cleaning comb sometimes hangs on the far side. */
 static void draw_garlic_press(dmg_builder* b) {
     squeeze s = pick_squeeze(b, 0.17f);
     float r = s.length * dmg_range(b, 0.07f, 0.1f), deep = r * dmg_range(b, 1.2f, 2.0f), x = 1.6f * r + s.gap;
@@ -106,7 +106,7 @@ static void draw_garlic_press(dmg_builder* b) {
     }
 }
 
-/* A bowl in a bowl, beyond which the pin lies or before it. */
+/* Draws a bowl in a bowl, beyond which the pin lies or before it. */
 static void draw_lemon_press(dmg_builder* b) {
     squeeze s = pick_squeeze(b, 0.2f);
     float r = s.length * dmg_range(b, 0.15f, 0.2f), x = r + 1.4f * s.gap, flat = dmg_range(b, 0.6f, 1.0f);
@@ -160,7 +160,7 @@ static void draw_cracker(dmg_builder* b, bool tongs) {
     }
 }
 
-/* A lever that crosses the other at the pin: its jaw on -X above, its handle on +X below. */
+/* Draws a lever that crosses the other at the pin: its jaw on -X above, its handle on +X below. */
 static void draw_cross_lever(dmg_builder* b, const squeeze* s, float side, float jaw, int tip, float z) {
     dmg_vec from = v3(-jaw, side * (0.5f * s->gap + 0.5f * s->t), z), to = v3(s->length, -side * s->spread, z);
     dmg_vec neck = v3(0.25f * s->length, -side * 0.45f * s->spread, z), ring = v3(s->length + 1.2f * s->wide, to.y, z);
@@ -195,7 +195,7 @@ static void draw_cross_levers(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A half ball on a handle; the thumb's lever turns a wire round in it. */
+/* Draws a half ball on a handle; the thumb's lever turns a wire round in it. */
 static void draw_scoop(dmg_builder* b) {
     float r = dmg_range(b, 0.022f, 0.034f), t = 0.06f * r, long_ = r * dmg_range(b, 4.5f, 7.0f),
           grip = r * dmg_range(b, 0.28f, 0.42f), far = dmg_range(b, 1.5f, 3.0f), press = dmg_range(b, 0.3f, 0.6f);

@@ -27,7 +27,7 @@ static void draw_safe_wheel(dmg_builder* b, uint32_t door, float r) {
     dmg_use(b, door);
 }
 
-/* What unlocks it: keys in rows, a dial, a lock under a cover that swings aside. */
+/* Draws what unlocks it: keys in rows, a dial, a lock under a cover that swings aside. */
 static void draw_lock(dmg_builder* b, uint32_t door, float r) {
     int kind = dmg_int(b, 0, 3), columns = dmg_int(b, 0, 1) ? 3 : 4;
     if (kind == 0) {
@@ -146,7 +146,7 @@ static void draw_upright_safe(dmg_builder* b) {
     }
 }
 
-/* A depository: a hopper or a drawer above its door. */
+/* Draws a depository: a hopper or a drawer above its door. */
 static void draw_deposit_safe(dmg_builder* b) {
     float w = dmg_range(b, 0.35f, 0.6f), h = w * dmg_range(b, 1.2f, 1.9f), d = w * dmg_range(b, 0.8f, 1.0f),
           wall = 0.07f * w, top = h * dmg_range(b, 0.25f, 0.4f);
@@ -200,7 +200,7 @@ void dmg_build_vault_safe(dmg_builder* b) {
 
 /* ---- luggage ---- */
 
-/* A trolley standing on its wheels: the front half, its pocket, two stages of handle. */
+/* Draws a trolley standing on its wheels: the front half, its pocket, two stages of handle. */
 static void draw_trolley_case(dmg_builder* b) {
     float w = dmg_range(b, 0.32f, 0.55f), h = w * dmg_range(b, 1.3f, 1.7f), d = w * dmg_range(b, 0.45f, 0.7f),
           r = dmg_range(b, 0.02f, 0.035f), low = 2.6f * r,
@@ -288,7 +288,7 @@ static void draw_attache(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A satchel or rucksack: its flap comes over the front from the rear edge of the top; a pocket and a bail. */
+/* Draws a satchel or rucksack: its flap comes over the front from the rear edge of the top; a pocket and a bail. */
 static void draw_bag(dmg_builder* b) {
     float w = dmg_range(b, 0.22f, 0.42f), h = w * dmg_range(b, 0.7f, 1.4f), d = w * dmg_range(b, 0.3f, 0.5f),
           over = h * dmg_range(b, 0.3f, 0.8f), t = 0.006f;

@@ -10,7 +10,7 @@ typedef struct freight {
 
 /* ---- doors with locking bars ---- */
 
-/* An upright bar on z = 0 that turns in brackets, its handle one with it or lifted on a pin of its own. */
+/* Draws an upright bar on z = 0 that turns in brackets, its handle one with it or lifted on a pin of its own. */
 static void draw_lock_bar(dmg_builder* b, uint32_t door, float high, float reach, float handle, float side, int habit) {
     float r = 0.008f * high, z = 2.6f * r, turn = 1.57f;
     for (int i = 0; i < 3; ++i) {
@@ -41,7 +41,7 @@ static void draw_lock_bar(dmg_builder* b, uint32_t door, float high, float reach
     }
 }
 
-/* One leaf of the pair, hung at its -X edge on the corner post. */
+/* Draws one leaf of the pair, hung at its -X edge on the corner post. */
 static void draw_freight_door(dmg_builder* b, const freight* f, const dmg_panel* panel, int bars, int habit,
                               float swing) {
     float w = 0.5f * f->wide, t = 0.06f, handle = -0.12f, reach = 0.55f * w / (float)bars;
@@ -116,7 +116,7 @@ static void draw_side_doors(dmg_builder* b, const freight* f) {
     dmg_restore(b);
 }
 
-/* The cold end: fans behind grilles, a fresh-air disc, panels on screws or hinges, a drawer of controls. */
+/* Draws the cold end: fans behind grilles, a fresh-air disc, panels on screws or hinges, a drawer of controls. */
 static void draw_cold_machine(dmg_builder* b, const freight* f) {
     float w = f->wide, h = f->high, r = 0.16f * w, t = 0.03f;
     int fans = dmg_int(b, 1, 2);
@@ -181,7 +181,7 @@ static void draw_box_container(dmg_builder* b) {
 
 /* ---- waste ---- */
 
-/* A press: a hopper with a flap, a ram that goes to and fro on its floor, a gate behind clamps at the far end. */
+/* Draws a press: a hopper with a flap, a ram that goes to and fro on its floor, a gate behind clamps at the far end. */
 static void draw_compactor(dmg_builder* b) {
     float wide = dmg_range(b, 1.2f, 2.2f), high = wide * dmg_range(b, 0.7f, 1.1f),
           deep = wide * dmg_range(b, 1.5f, 3.0f), t = 0.05f, hop = 0.4f * deep, low = 0.5f * high, foot = 0.12f,

@@ -29,7 +29,7 @@ static slabs slabs_pick(dmg_builder* b, float half, float deep, float low, float
     return s;
 }
 
-/* A slab between two heights, lying. */
+/* Draws a slab between two heights, lying. */
 static void draw_slab(dmg_builder* b, const slabs* s, float y0, float y1) {
     float deep = s->deep - s->rear;
     dmg_vec middle = v3(0, 0.5f * (y0 + y1), s->rear + 0.5f * deep);
@@ -44,7 +44,7 @@ static void draw_slab(dmg_builder* b, const slabs* s, float y0, float y1) {
     dmg_restore(b);
 }
 
-/* The upper slab's part with what it hangs on; the frame's origin is on the hinge line's level z = 0. */
+/* Draws the upper slab's part with what it hangs on; the frame's origin is on the hinge line's level z = 0. */
 static uint32_t add_lid(dmg_builder* b, const slabs* s, const char* name, float upper) {
     float y = s->low + 0.5f * s->gap, third = s->half * dmg_range(b, 0.25f, 0.7f), r = s->r;
     if (s->hinge == 1) { /* the spine turns on the lower slab, the lid on the spine */
@@ -91,7 +91,7 @@ static void go_to_deck(dmg_builder* b, const slabs* s, float x, float z) {
     dmg_face_up(b);
 }
 
-/* The lid with a screen or a mirror inside, and whatever there is on its back. */
+/* Draws the lid with a screen or a mirror inside, and whatever there is on its back. */
 static uint32_t draw_screen_lid(dmg_builder* b, const slabs* s, float upper) {
     float y0 = s->low + s->gap, y1 = y0 + s->high, border = dmg_range(b, 0.6f, 0.92f), mid = 0.5f * (s->rear + s->deep);
     uint32_t lid = add_lid(b, s, "lid", upper);
@@ -111,7 +111,7 @@ static uint32_t draw_screen_lid(dmg_builder* b, const slabs* s, float upper) {
 
 /* ---- what is on the lower slab ---- */
 
-/* A cross that rocks, a disc that slides both ways, or four keys. */
+/* Draws a cross that rocks, a disc that slides both ways, or four keys. */
 static void draw_thumb_place(dmg_builder* b, float r, float rise, int kind) {
     if (kind == 0) {
         dmg_hinge(b, 0, "cross", v3(0, 0, 0), v3(1, 0, 0), -0.08f, 0.08f);
@@ -204,7 +204,7 @@ static void draw_console(dmg_builder* b) {
     draw_edge_things(b, &s);
 }
 
-/* A numeric pad on a telephone, or rows of letters. */
+/* Draws a numeric pad on a telephone, or rows of letters. */
 static void draw_keys(dmg_builder* b, const slabs* s, bool letters, float from) {
     int columns = letters ? dmg_int(b, 8, 11) : 3, rows = letters ? dmg_int(b, 3, 5) : 4;
     float room = (s->deep - s->rear) * (0.93f - from), fill = dmg_range(b, 0.65f, 0.92f), rise = 0.5f * s->gap;
@@ -287,7 +287,7 @@ static void draw_sliding_phone(dmg_builder* b) {
     draw_edge_things(b, &s);
 }
 
-/* A pressed catch at the front; a pan that comes up on a hinge of its own. */
+/* Draws a pressed catch at the front; a pan that comes up on a hinge of its own. */
 static void draw_compact(dmg_builder* b) {
     float half = dmg_scale_range(b, 0.025f, 0.06f), deep = 2 * half * dmg_range(b, 0.7f, 1.1f),
           low = half * dmg_range(b, 0.12f, 0.3f), high = low * dmg_range(b, 0.3f, 1.0f);
@@ -317,7 +317,7 @@ static void draw_compact(dmg_builder* b) {
 
 /* ---- boxes: hollow halves ---- */
 
-/* The lid over a box: a slab, a shallow tray upside down, or a roof bent over the length. */
+/* Draws the lid over a box: a slab, a shallow tray upside down, or a roof bent over the length. */
 static void draw_box_lid(dmg_builder* b, const slabs* s, float t, int kind) {
     enum { STEPS = 7 };
     float y = s->low + s->gap, deep = s->deep - s->rear;
@@ -345,7 +345,7 @@ static void draw_box_lid(dmg_builder* b, const slabs* s, float t, int kind) {
     dmg_restore(b);
 }
 
-/* What holds the lid down in front: a hasp hung on it, a hook on the box, a button. */
+/* Draws what holds the lid down in front: a hasp hung on it, a hook on the box, a button. */
 static void draw_fastener(dmg_builder* b, const slabs* s, uint32_t lid, float t) {
     float y = s->low + 0.5f * s->gap, z = s->deep, w = 0.12f * s->half, drop = fminf(0.5f * s->low, 2 * w);
     switch (dmg_int(b, 0, 3)) {
@@ -376,7 +376,7 @@ static void draw_fastener(dmg_builder* b, const slabs* s, uint32_t lid, float t)
     dmg_use(b, 0);
 }
 
-/* A tray that lifts out of the box, a ring stand that springs up, or compartments. */
+/* Draws a tray that lifts out of the box, a ring stand that springs up, or compartments. */
 static void draw_inside(dmg_builder* b, const slabs* s, float t, float floor) {
     float mid = 0.5f * (s->rear + s->deep), deep = s->deep - s->rear - 2.4f * t, wide = 2 * s->half - 2.4f * t;
     int kind = dmg_int(b, 0, 3);
@@ -409,7 +409,7 @@ static void draw_inside(dmg_builder* b, const slabs* s, float t, float floor) {
     dmg_use(b, 0);
 }
 
-/* A storey under the tray with a drawer in it. */
+/* Draws a storey under the tray with a drawer in it. */
 static void draw_box_drawer(dmg_builder* b, const slabs* s, float t, float floor) {
     float y0 = floor + t, y1 = floor + 0.25f * s->low, rear = s->rear;
     dmg_box_span(b, v3(-s->half, floor, rear), v3(s->half, y0, s->deep));
@@ -457,7 +457,7 @@ static void draw_jewel_box(dmg_builder* b) {
     draw_fastener(b, &s, lid, t);
 }
 
-/* Two long half shells. */
+/* Draws two long half shells. */
 static void draw_spectacle_case(dmg_builder* b) {
     enum { STEPS = 9 };
     float half = dmg_range(b, 0.07f, 0.09f), deep = half * dmg_range(b, 0.6f, 0.9f),

@@ -23,7 +23,7 @@ static void draw_shell(dmg_builder* b, const bin* n, float low, float taper) {
     dmg_restore(b);
 }
 
-/* A disc, dome or board over the mouth, hung behind, with the pedal that lifts it. */
+/* Draws a disc, dome or board over the mouth, hung behind, with the pedal that lifts it. */
 static void draw_pedal_bin(dmg_builder* b, bin* n) {
     float taper = dmg_range(b, 0.75f, 1.0f), swing = dmg_range(b, 1.0f, 1.6f), t = 0.015f, z = n->d;
     int lid = dmg_int(b, 0, 2);
@@ -65,7 +65,7 @@ static void draw_pedal_bin(dmg_builder* b, bin* n) {
     dmg_cone(b, v3(0, 0.06f, 0), v3(0, n->h - 0.03f, 0), 0.95f * in, in);
 }
 
-/* A flap in a hood over the bin: it swings both ways about its middle, or is pushed in at the top. */
+/* Draws a flap in a hood over the bin: it swings both ways about its middle, or is pushed in at the top. */
 static void draw_swing_bin(dmg_builder* b, bin* n) {
     float t = 0.01f, high = n->r * dmg_range(b, 0.5f, 1.0f), half = 0.8f * n->r, slope = dmg_range(b, 0.3f, 1.0f);
     bool push = dmg_chance(b, 0.4f), lifts = dmg_chance(b, 0.4f);
@@ -139,7 +139,7 @@ static void draw_wheeled_bin(dmg_builder* b, bin* n) {
     }
 }
 
-/* A box or cupboard whose fronts tilt out about their lower edges with a bucket, or draw out. */
+/* Draws a box or cupboard whose fronts tilt out about their lower edges with a bucket, or draw out. */
 static void draw_recycling(dmg_builder* b, const bin* n) {
     int count = dmg_int(b, 1, 3);
     bool stacked = dmg_chance(b, 0.5f), tilts = dmg_chance(b, 0.65f);

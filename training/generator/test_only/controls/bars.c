@@ -11,7 +11,7 @@ typedef struct bar {
     bool motor;
 } bar;
 
-/* A clamp with a perch ahead, the lever on a hidden pin in it, curved along the grip. */
+/* Draws a clamp with a perch ahead, the lever on a hidden pin in it, curved along the grip. */
 static void draw_brake(dmg_builder* b, const bar* c, const char* name) {
     float r = c->r, x = -dmg_range(b, 1.0f, 3.0f) * r, ahead = r * dmg_range(b, 2.2f, 3.2f),
           reach = r * dmg_range(b, 3.2f, 4.6f),
@@ -37,7 +37,7 @@ static void draw_brake(dmg_builder* b, const bar* c, const char* name) {
     dmg_restore(b);
 }
 
-/* What turns about the bar: the whole grip, or a ring at its inner end. */
+/* Draws what turns about the bar: the whole grip, or a ring at its inner end. */
 static void draw_grips(dmg_builder* b, const bar* c, bool twists) {
     float r = 1.35f * c->r, collar = r * dmg_range(b, 1.2f, 1.5f), ring = c->grip * dmg_range(b, 0.2f, 0.4f),
           turn = dmg_range(b, 0.8f, 1.8f);
@@ -89,7 +89,7 @@ static void draw_shifter(dmg_builder* b, const bar* c, const char* name, bool ab
     dmg_restore(b);
 }
 
-/* A dome on a clamp; struck by a little hammer, or its cap is turned. */
+/* Draws a dome on a clamp; struck by a little hammer, or its cap is turned. */
 static void draw_bell(dmg_builder* b, const bar* c, float x) {
     float r = c->r * dmg_range(b, 1.6f, 2.6f), base = 1.5f * c->r, lean = dmg_range(b, -0.6f, 0.6f);
     bool turned = dmg_chance(b, 0.3f);
@@ -112,7 +112,7 @@ static void draw_bell(dmg_builder* b, const bar* c, float x) {
     dmg_restore(b);
 }
 
-/* A pod round the bar with rockers and buttons to the thumb, a choke lever below. */
+/* Draws a pod round the bar with rockers and buttons to the thumb, a choke lever below. */
 static void draw_switch_pod(dmg_builder* b, const bar* c, bool right) {
     float r = c->r, from = -5.5f * r, to = -1.5f * r, fat = r * dmg_range(b, 1.8f, 2.3f);
     const float rear = DMG_PI; /* the angle to the rider */
@@ -137,7 +137,7 @@ static void draw_switch_pod(dmg_builder* b, const bar* c, bool right) {
     dmg_use(b, 0);
 }
 
-/* One half, drawn as the right one. */
+/* Draws one half, drawn as the right one. */
 static void draw_half(dmg_builder* b, const bar* c, bool right) {
     bool shifts = dmg_chance(b, 0.6f), above = dmg_chance(b, 0.3f);
     draw_brake(b, c, right || !c->motor ? "brake" : "clutch");

@@ -28,7 +28,7 @@ static void draw_cup_key(dmg_builder* b, float r, dmg_vec rod, float x, float al
     dmg_use(b, 0);
 }
 
-/* A long lever on a saddle: its line runs across the tube. At an angle round it. */
+/* Draws a long lever on a saddle: its line runs across the tube. At an angle round it. */
 static void draw_side_key(dmg_builder* b, float r, float x, float turn, float long_way) {
     float t = 0.1f * r, tip = dmg_range(b, 0.08f, 0.2f), share = dmg_range(b, 0.35f, 0.65f), lift = 0.35f * r;
     dmg_save(b);
@@ -214,7 +214,7 @@ void dmg_build_key_stack(dmg_builder* b) {
 
 enum { SWITCH_KINDS = 12 };
 
-/* A T or a ring on a rod that comes straight out; turned when it is out, in some. */
+/* Draws a T or a ring on a rod that comes straight out; turned when it is out, in some. */
 static void draw_pull(dmg_builder* b, float size) {
     float way = size * dmg_range(b, 0.3f, 0.9f), r = 0.08f * size;
     bool turns = dmg_chance(b, 0.5f), bar = dmg_chance(b, 0.6f);
@@ -229,7 +229,7 @@ static void draw_pull(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A lock: its key turns. */
+/* Draws a lock: its key turns. */
 static void draw_key_switch(dmg_builder* b, float size) {
     float r = 0.28f * size, turn = dmg_range(b, 0.7f, 1.6f), t = 0.07f * size;
     dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.1f * size), r);

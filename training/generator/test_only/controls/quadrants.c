@@ -24,7 +24,7 @@ static void draw_lever_knob(dmg_builder* b, int kind, float r) {
     }
 }
 
-/* One lever about the shaft along X through the origin; from: where it leaves the housing. */
+/* Draws one lever about the shaft along X through the origin; from: where it leaves the housing. */
 static void draw_quadrant_lever(dmg_builder* b, const char* name, int kind, float from, float length, float swing) {
     float r = length * dmg_range(b, 0.07f, 0.11f), t = r * dmg_range(b, 0.2f, 0.35f),
           crook = length * dmg_range(b, -0.12f, 0.12f), rest = dmg_range(b, -1.0f, 1.0f),
@@ -116,7 +116,7 @@ void dmg_build_throttle_quadrant(dmg_builder* b) {
 
 /* ---- a wheel for racing ---- */
 
-/* The rim in the plane z = 0, its spokes, the hub with keys; paddles behind, all on `wheel`. */
+/* Draws the rim in the plane z = 0, its spokes, the hub with keys; paddles behind, all on `wheel`. */
 static void draw_race_wheel(dmg_builder* b, uint32_t wheel, float r) {
     float rim = r * dmg_range(b, 0.07f, 0.12f), oval = dmg_range(b, 0.75f, 1.0f), hub = r * dmg_range(b, 0.25f, 0.4f),
           t = r * dmg_range(b, 0.06f, 0.12f), plane = dmg_range(b, 0.02f, 0.15f) * r;
@@ -193,7 +193,7 @@ static void draw_race_pedals(dmg_builder* b, float wide) {
     }
 }
 
-/* A box with a gate at its top, out of which a stick comes; or a brake's lever. Top at y = 0. */
+/* Draws a box with a gate at its top, out of which a stick comes; or a brake's lever. Top at y = 0. */
 static void draw_side_lever(dmg_builder* b, float size, bool brake) {
     float high = size * dmg_range(b, 1.2f, 2.0f), swing = dmg_range(b, 0.2f, 0.4f);
     dmg_rounded_box(b, v3(0, -0.3f * size, 0), v3(0.6f * size, 0.6f * size, size), 0.1f * size);
@@ -268,7 +268,7 @@ static void draw_foot_board(dmg_builder* b, float wide, float l) {
     dmg_bent_draw(b, &n);
 }
 
-/* The board on a heel plate, an axle between posts, a beater on it. */
+/* Draws the board on a heel plate, an axle between posts, a beater on it. */
 static void draw_bass_pedal(dmg_builder* b, float l) {
     float wide = 0.36f * l, rise = dmg_range(b, 0.25f, 0.4f), high = l * dmg_range(b, 0.55f, 0.75f),
           stem = l * dmg_range(b, 0.5f, 0.8f), t = 0.035f * l, z = -1.02f * l;
@@ -332,7 +332,7 @@ static void draw_hat_pedal(dmg_builder* b, float l) {
     dmg_use(b, 0);
 }
 
-/* A treadle on a wedge: it tips about a line below its middle; or about its heel, against a spring. */
+/* Draws a treadle on a wedge: it tips about a line below its middle; or about its heel, against a spring. */
 static void draw_treadle(dmg_builder* b, float l) {
     float wide = l * dmg_range(b, 0.35f, 0.8f), high = l * dmg_range(b, 0.15f, 0.3f),
           swing = dmg_range(b, 0.12f, 0.25f), at = dmg_range(b, 0.35f, 0.6f), lean = dmg_range(b, 0.0f, 0.25f);
@@ -364,7 +364,7 @@ static void draw_treadle(dmg_builder* b, float l) {
     dmg_restore(b);
 }
 
-/* A sloped box with foot switches, knobs at its far end; a long plate to tread on in some. */
+/* Draws a sloped box with foot switches, knobs at its far end; a long plate to tread on in some. */
 static void draw_stomp_box(dmg_builder* b, float l) {
     float wide = l * dmg_range(b, 0.55f, 1.6f), high = l * dmg_range(b, 0.3f, 0.45f),
           low = high * dmg_range(b, 0.5f, 0.95f), slope = atanf((high - low) / l);

@@ -91,7 +91,7 @@ static void draw_cornice(dmg_builder* b, const carcass* c) {
 
 /* ---- fronts ---- */
 
-/* An opening of w x h, centred at (x, y), with a rail round it left by the caller. */
+/* Draws an opening of w x h, centred at (x, y), with a rail round it left by the caller. */
 static void draw_old_drawer(dmg_builder* b, const carcass* c, float x, float y, float w, float h) {
     dmg_drawer drawer = dmg_drawer_pick(b, 0.6f * fminf(w, h));
     drawer.width = 0.985f * w;
@@ -112,7 +112,7 @@ static void draw_old_drawer(dmg_builder* b, const carcass* c, float x, float y, 
     dmg_use(b, 0);
 }
 
-/* A leaf from its hung side x = 0 to x = w with its top arched over itself alone or over a pair. */
+/* Draws a leaf from its hung side x = 0 to x = w with its top arched over itself alone or over a pair. */
 static void draw_arched_leaf(dmg_builder* b, const carcass* c, float w, float h, float rise, bool pair) {
     enum { POINTS = 9 };
     dmg_xy outline[POINTS + 2] = {{0, 0}, {w, 0}}, field[POINTS + 2];
@@ -209,7 +209,7 @@ static void draw_apothecary(dmg_builder* b, const carcass* c) {
     }
 }
 
-/* A chest whose sides and drawers swell: each drawer's front is a slice of the same curve. */
+/* Draws a chest whose sides and drawers swell: each drawer's front is a slice of the same curve. */
 static void draw_bombe(dmg_builder* b, const carcass* c) {
     enum { STEPS = 5 };
     int count = dmg_int(b, 2, 4);
@@ -239,7 +239,7 @@ static void draw_bombe(dmg_builder* b, const carcass* c) {
     }
 }
 
-/* A desk with a slanted or upright flap that comes down onto lopers, drawers below it. */
+/* Draws a desk with a slanted or upright flap that comes down onto lopers, drawers below it. */
 static void draw_secretaire(dmg_builder* b, const carcass* c) {
     float slant = dmg_chance(b, 0.55f) ? dmg_range(b, 0.3f, 0.8f) : 0.0f, h = c->top - c->leg,
           flap = fminf(h * dmg_range(b, 0.3f, 0.45f), 0.85f * c->d / fmaxf(0.2f, tanf(slant))), low = c->top - flap,
@@ -277,7 +277,7 @@ static void draw_secretaire(dmg_builder* b, const carcass* c) {
         draw_old_drawer(b, c, 0, c->leg + each * ((float)i + 0.5f), 0.96f * c->w, each);
 }
 
-/* An upright plate about the axis of the room's corner. */
+/* Draws an upright plate about the axis of the room's corner. */
 static void draw_bow(dmg_builder* b, float r, float t, float from, float to, float h) {
     enum { STEPS = 8 };
     dmg_xy outline[2 * STEPS];
@@ -292,7 +292,7 @@ static void draw_bow(dmg_builder* b, float r, float t, float from, float to, flo
     dmg_restore(b);
 }
 
-/* A sector of a circle standing in a corner, its round front two doors or one. */
+/* Draws a sector of a circle standing in a corner, its round front two doors or one. */
 static void draw_round_corner(dmg_builder* b, const carcass* c) {
     float r = c->w * dmg_range(b, 0.7f, 1.0f), wide = dmg_range(b, 0.9f, 1.5f), rim = dmg_range(b, 0.03f, 0.15f),
           h = c->top - c->leg, side = dmg_sign(b);

@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* Two frames crossed on a pin: one stays, the other folds onto it. The seat hangs between their upper rails. */
+/* Draws two frames crossed on a pin: one stays, the other folds onto it. The seat hangs between their upper rails. */
 static void draw_crossed_stool(dmg_builder* b) {
     float h = dmg_range(b, 0.3f, 0.5f), x = h * dmg_range(b, 0.35f, 0.55f), d = dmg_range(b, 0.25f, 0.45f), r = 0.011f,
           z = 0.5f * d, sag = dmg_range(b, 0.03f, 0.07f), back = dmg_range(b, 0.3f, 0.5f),
@@ -29,7 +29,7 @@ static void draw_crossed_stool(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A top on two hoops that fold in under it. */
+/* Draws a top on two hoops that fold in under it. */
 static void draw_camp_table(dmg_builder* b) {
     float w = dmg_range(b, 0.5f, 1.2f), d = w * dmg_range(b, 0.5f, 0.75f), h = dmg_range(b, 0.3f, 0.7f), r = 0.011f,
           z = 0.42f * d, t = 0.02f, y = h - t - r;
@@ -47,7 +47,7 @@ static void draw_camp_table(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A box with a lid hung behind; or a hood with a way in, closed by a flap that swings both ways. */
+/* Draws a box with a lid hung behind; or a hood with a way in, closed by a flap that swings both ways. */
 static void draw_lidded_box(dmg_builder* b, bool litter) {
     float w = dmg_range(b, 0.35f, 0.55f), d = w * dmg_range(b, 0.7f, 1.2f),
           h = litter ? 0.8f * w : w * dmg_range(b, 1.0f, 1.7f), t = 0.008f, x = 0.5f * w, z = 0.5f * d,

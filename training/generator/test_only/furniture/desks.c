@@ -127,7 +127,7 @@ static void draw_slide_projector(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* Two reels on arms that fold, a lens, a lamp house with a door, a crank or a knob to thread the film. */
+/* Draws two reels on arms that fold, a lens, a lamp house with a door, a crank or a knob to thread the film. */
 static void draw_film_projector(dmg_builder* b) {
     float y = dmg_range(b, 0.2f, 0.4f), x = 0.25f * y, z = 0.4f * y, reel = y * dmg_range(b, 0.35f, 0.55f),
           arm = reel * dmg_range(b, 0.9f, 1.2f), t = 0.03f * y, up = 0.7f;
@@ -187,8 +187,8 @@ void dmg_build_projector(dmg_builder* b) {
 
 /* ---- drafting tables ---- */
 
-/* What lies on the board: a bar that runs down it, or a head on two arms with rules that turn; a pencil ledge, a lamp.
- */
+/* Draws what lies on the board: a bar that runs down it, or a head on two arms with rules that turn; a pencil ledge, a
+ * lamp. */
 static void draw_board(dmg_builder* b, uint32_t board, float wide, float deep, float t) {
     float z = 0.5f * deep, bar = dmg_range(b, 0.03f, 0.06f);
     int tool = dmg_int(b, 0, 2);
@@ -277,7 +277,7 @@ static void draw_drafting_desk(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* An easel: two front legs, a mast whose clamp slides, a ledge, a rear leg that swings out. */
+/* Draws an easel: two front legs, a mast whose clamp slides, a ledge, a rear leg that swings out. */
 static void draw_easel(dmg_builder* b) {
     float tall = dmg_range(b, 1.2f, 1.9f), x = tall * dmg_range(b, 0.16f, 0.25f), t = 0.025f,
           lean = dmg_range(b, 0.08f, 0.2f), y = 0.4f * tall, spread = dmg_range(b, 0.25f, 0.5f);
@@ -325,7 +325,7 @@ static void draw_handset(dmg_builder* b, float length) {
     dmg_sweep(b, grip, 5, 0.35f * r, 0.5f * r, false);
 }
 
-/* A dial with finger holes, or keys, on z = 0 facing +Z. */
+/* Draws a dial with finger holes, or keys, on z = 0 facing +Z. */
 static void draw_calling(dmg_builder* b, float r, bool dial) {
     if (!dial) {
         dmg_buttons keys = {.name = "key",
@@ -353,7 +353,7 @@ static void draw_calling(dmg_builder* b, float r, bool dial) {
     dmg_box(b, v3(0.97f * r, -0.7f * r, 0.12f * r), v3(0.08f * r, 0.1f * r, 0.25f * r));
 }
 
-/* A sloped case; the handset lies across its top on a cradle or along its left side. */
+/* Draws a sloped case; the handset lies across its top on a cradle or along its left side. */
 static void draw_sloped_phone(dmg_builder* b) {
     float x = dmg_range(b, 0.09f, 0.14f), z = x * dmg_range(b, 0.8f, 1.1f), front = 0.25f * x,
           high = x * dmg_range(b, 0.6f, 1.1f), back = -0.25f * z, lean = atanf((high - front) / (z - back));
@@ -392,7 +392,7 @@ static void draw_sloped_phone(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A flat set with keys and a screen that tilts, on a stand that folds out; the handset at the left. */
+/* Draws a flat set with keys and a screen that tilts, on a stand that folds out; the handset at the left. */
 static void draw_desk_set(dmg_builder* b) {
     float x = dmg_range(b, 0.09f, 0.14f), z = x * dmg_range(b, 0.8f, 1.0f), t = 0.25f * x,
           lean = dmg_range(b, 0.1f, 0.4f), screen = 0.35f * z;
@@ -432,7 +432,7 @@ static void draw_desk_set(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* An upright stick: the receiver hangs on a hook that turns, the dial in the foot, the mouthpiece tilts. */
+/* Draws an upright stick: the receiver hangs on a hook that turns, the dial in the foot, the mouthpiece tilts. */
 static void draw_candlestick(dmg_builder* b) {
     float tall = dmg_range(b, 0.25f, 0.34f), r = tall * dmg_range(b, 0.2f, 0.27f), pole = 0.05f * tall,
           y = 0.78f * tall;

@@ -19,7 +19,7 @@ static void draw_unit_body(dmg_builder* b, const unit* u) {
         dmg_box_span(b, v3(-0.48f * u->w, 0, 0.05f * u->d - u->d), v3(0.48f * u->w, u->base, -0.1f * u->d));
 }
 
-/* A slab between two heights and two sides; its upper edge may be cut for the fingers. */
+/* Draws a slab between two heights and two sides; its upper edge may be cut for the fingers. */
 static void draw_front(dmg_builder* b, const unit* u, float x0, float x1, float y0, float y1, int grip) {
     float lip = grip == 1 ? fminf(0.03f, 0.3f * (y1 - y0)) : 0.0f;
     dmg_box_span(b, v3(x0, y0, 0.05f * u->t), v3(x1, y1 - lip, u->t));
@@ -36,7 +36,7 @@ static void draw_box_behind(dmg_builder* b, const unit* u, float x0, float x1, f
     dmg_restore(b);
 }
 
-/* A tall front that takes several shelves out with it, or a narrow one for bottles. */
+/* Draws a tall front that takes several shelves out with it, or a narrow one for bottles. */
 static void draw_larder(dmg_builder* b, unit* u) {
     int columns = dmg_int(b, 1, 3), shelves = dmg_int(b, 2, 5), grip = dmg_int(b, 0, 2);
     float deep = 0.92f * u->d, way = deep * dmg_range(b, 0.7f, 0.95f), high = dmg_range(b, 0.06f, 0.14f);
@@ -53,7 +53,7 @@ static void draw_larder(dmg_builder* b, unit* u) {
     }
 }
 
-/* A wall unit whose front swings up about its upper edge, folds in two, or goes up in front of the wall. */
+/* Draws a wall unit whose front swings up about its upper edge, folds in two, or goes up in front of the wall. */
 static void draw_lift_front(dmg_builder* b, unit* u) {
     int rows = dmg_int(b, 1, 2), kind = dmg_int(b, 0, 2), grip = dmg_int(b, 0, 1);
     float swing = dmg_range(b, 1.2f, 1.9f), x = 0.5f * u->w - u->gap;
@@ -115,7 +115,7 @@ static void draw_bench(dmg_builder* b, unit* u) {
     }
 }
 
-/* A bed: drawers in its frame, the slatted base rising on its hinges at the head. */
+/* Draws a bed: drawers in its frame, the slatted base rising on its hinges at the head. */
 static void draw_bed(dmg_builder* b, unit* u) {
     float wide = dmg_range(b, 0.8f, 1.8f), length = dmg_range(b, 1.9f, 2.1f), high = dmg_range(b, 0.25f, 0.4f),
           t = 0.02f, head = high + dmg_range(b, 0.2f, 0.8f), thick = dmg_range(b, 0.12f, 0.25f);
@@ -163,7 +163,8 @@ void dmg_build_modern_unit(dmg_builder* b) {
 
 /* ---- cases of glass ---- */
 
-/* A leaf of bare glass on pins near its corners: side -1 is hung at its left. The frame is at its lower middle. */
+/* Draws a leaf of bare glass on pins near its corners: side -1 is hung at its left. The frame is at its lower middle.
+ */
 static void draw_glass_leaf(dmg_builder* b, float w, float h, float t, float side, int hold) {
     float x = 0.5f * w, pin = fminf(0.03f, 0.08f * w), tall = fminf(0.03f, 0.05f * h);
     dmg_save(b);
@@ -236,7 +237,7 @@ static void draw_upright_case(dmg_builder* b, unit* u, bool slides) {
     dmg_use(b, 0);
 }
 
-/* A low case or a tank on legs or a cupboard; the top is a lid of glass, whole or in two, or a hood. */
+/* Draws a low case or a tank on legs or a cupboard; the top is a lid of glass, whole or in two, or a hood. */
 static void draw_top_case(dmg_builder* b, unit* u) {
     float high = dmg_range(b, 0.12f, 0.5f), y = dmg_range(b, 0.5f, 0.9f), x = 0.5f * u->w, t = 0.012f,
           slope = dmg_chance(b, 0.4f) ? dmg_range(b, 0.1f, 0.35f) : 0.0f;

@@ -23,7 +23,7 @@ static void draw_board(dmg_builder* b, float half, float wide, float nose, float
     dmg_restore(b);
 }
 
-/* A frame of two tubes and their bars from a line under the board at `from` to the floor at `to`. */
+/* Draws a frame of two tubes and their bars from a line under the board at `from` to the floor at `to`. */
 static void draw_iron_legs(dmg_builder* b, const ironing* g, float from, float to, float half, float r) {
     float top = g->high - g->t - 1.2f * r, foot = fmaxf(0.5f * g->wide, half);
     for (int s = -1; s <= 1; s += 2) dmg_rod(b, v3(from, top, (float)s * half), v3(to, r, (float)s * half), r);
@@ -183,7 +183,7 @@ static void draw_canopy(dmg_builder* b, const parasol* p, bool valance, bool squ
     }
 }
 
-/* The bare frame: each rib turns down about the crown, the runner slides with its stays. */
+/* Draws the bare frame: each rib turns down about the crown, the runner slides with its stays. */
 static void draw_rib_frame(dmg_builder* b, const parasol* p, uint32_t parent, bool cloth) {
     float t = 0.008f * p->radius, slope = atan2f(p->drop, p->radius),
           fold = (1.45f - slope) * dmg_range(b, 0.7f, 0.98f), hub = 1.8f * p->pole, long_ = hypotf(p->radius, p->drop),
@@ -228,7 +228,7 @@ static void draw_parasol_base(dmg_builder* b, const parasol* p) {
     dmg_use(b, 0);
 }
 
-/* A crank in its case at y, on the side +Z of the pole. */
+/* Draws a crank in its case at y, on the side +Z of the pole. */
 static void draw_parasol_crank(dmg_builder* b, uint32_t parent, float y, float pole) {
     float arm = pole * dmg_range(b, 2.0f, 4.0f), z = 2.2f * pole;
     dmg_rounded_box(b, v3(0, y, 0.3f * pole), v3(3 * pole, 5 * pole, 3.6f * pole), 0.5f * pole);
@@ -239,7 +239,7 @@ static void draw_parasol_crank(dmg_builder* b, uint32_t parent, float y, float p
     dmg_use(b, parent);
 }
 
-/* The pole in the middle; its upper part tilts at a joint. */
+/* Draws the pole in the middle; its upper part tilts at a joint. */
 static void draw_centre_parasol(dmg_builder* b, const parasol* p) {
     float joint = p->top - p->drop - 0.12f * p->radius - 4 * p->pole, far = dmg_range(b, 0.4f, 0.9f);
     bool tilts = dmg_chance(b, 0.65f), crank = dmg_chance(b, 0.5f), frame = dmg_chance(b, 0.4f),
@@ -268,7 +268,7 @@ static void draw_centre_parasol(dmg_builder* b, const parasol* p) {
     dmg_use(b, 0);
 }
 
-/* The mast beside it on a turning foot, a boom, the canopy hung from its end. */
+/* Draws the mast beside it on a turning foot, a boom, the canopy hung from its end. */
 static void draw_boom_parasol(dmg_builder* b, const parasol* p) {
     float side = 1.05f * p->radius, mast = p->top - 0.1f * p->radius, far = dmg_range(b, 0.3f, 0.9f),
           tilt = dmg_range(b, 0.3f, 0.7f);

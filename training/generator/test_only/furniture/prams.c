@@ -12,7 +12,7 @@ typedef struct pram {
     int wheel, spokes;
 } pram;
 
-/* A wheel about X at a place of the part in use. */
+/* Draws a wheel about X at a place of the part in use. */
 static void draw_pram_wheel(dmg_builder* b, const pram* p, uint32_t parent, dmg_vec at, float radius) {
     dmg_save(b);
     dmg_move(b, at.x, at.y, at.z);
@@ -23,7 +23,7 @@ static void draw_pram_wheel(dmg_builder* b, const pram* p, uint32_t parent, dmg_
     dmg_use(b, parent);
 }
 
-/* A fork below its upright pin, the axle trailing behind it. */
+/* Draws a fork below its upright pin, the axle trailing behind it. */
 static void draw_swivel(dmg_builder* b, const pram* p, float x) {
     float r = p->small, trail = r * dmg_range(b, 0.2f, 0.7f), t = p->tube, top = 2.1f * r + t;
     float clear = 0.15f * r + 0.005f + 0.6f * t, swing = dmg_range(b, 0.8f, 3.1f);
@@ -121,7 +121,7 @@ static void draw_hood(dmg_builder* b, uint32_t parent, dmg_vec at, float half, f
     dmg_use(b, parent);
 }
 
-/* A seat whose back reclines, with a leg rest, a bar across and a hood. */
+/* Draws a seat whose back reclines, with a leg rest, a bar across and a hood. */
 static void draw_pram_seat(dmg_builder* b, const pram* p) {
     float half = p->half - 1.5f * p->tube, y = p->seat, deep = 0.24f, z0 = -0.1f, z1 = z0 + deep, t = 0.03f,
           back = dmg_range(b, 0.4f, 0.5f), lean = dmg_range(b, 0.15f, 0.5f), far = dmg_range(b, 0.4f, 1.2f),
@@ -160,7 +160,7 @@ static void draw_pram_seat(dmg_builder* b, const pram* p) {
     if (dmg_chance(b, 0.8f)) draw_hood(b, 0, v3(0, arm + 0.03f, z0 + 0.06f), half + 0.035f, 0.33f);
 }
 
-/* A tub to lie in, with a hood at its head and a cover. */
+/* Draws a tub to lie in, with a hood at its head and a cover. */
 static void draw_pram_tub(dmg_builder* b, const pram* p) {
     float half = p->half - 0.5f * p->tube, long_ = 0.4f, deep = dmg_range(b, 0.18f, 0.26f), y = p->seat + deep,
           t = 0.02f;
@@ -240,7 +240,7 @@ static void draw_chair_tray(dmg_builder* b, const high_chair* c) {
     dmg_use(b, 0);
 }
 
-/* Four legs, two frames that fold at a pin, or a column on a foot along which the seat is set. */
+/* Draws four legs, two frames that fold at a pin, or a column on a foot along which the seat is set. */
 static void draw_chair_legs(dmg_builder* b, const high_chair* c, int kind) {
     float splay = dmg_range(b, 0.02f, 0.12f), r = dmg_range(b, 0.012f, 0.02f), x = c->half + splay,
           z = 0.5f * c->deep + splay, under = c->seat - c->t;

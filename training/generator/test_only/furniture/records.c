@@ -153,7 +153,7 @@ void dmg_build_filing_cabinet(dmg_builder* b) {
 
 /* ---- computers ---- */
 
-/* What shows once the side is off: board, cards, supply, a cooler whose fan turns. */
+/* Draws what shows once the side is off: board, cards, supply, a cooler whose fan turns. */
 static void draw_innards(dmg_builder* b, dmg_vec size) {
     float x = -0.45f * size.x, y = size.y, z = size.z;
     int cards = dmg_int(b, 1, 4);
@@ -173,7 +173,7 @@ static void draw_innards(dmg_builder* b, dmg_vec size) {
     dmg_use(b, 0);
 }
 
-/* The side panel: hung behind or in front like a door, below like a flap, or pulled back off its rails. */
+/* Draws the side panel: hung behind or in front like a door, below like a flap, or pulled back off its rails. */
 static void draw_side_panel(dmg_builder* b, dmg_vec size, float t) {
     float x = 0.5f * size.x + t, z = size.z, y = size.y;
     dmg_panel panel = dmg_chance(b, 0.5f) ? dmg_panel_pick_window(b) : dmg_panel_pick(b);
@@ -276,7 +276,7 @@ static void draw_tower(dmg_builder* b) {
     dmg_box_span(b, v3(-0.4f * size.x, size.y, -0.29f * size.z), v3(0.4f * size.x, size.y + t, -0.08f * size.z));
 }
 
-/* One before, one or two behind. */
+/* Draws one before, one or two behind. */
 static void draw_rack_doors(dmg_builder* b, float wide, float high, float deep) {
     bool door = dmg_chance(b, 0.7f), rear = dmg_chance(b, 0.4f), split = dmg_chance(b, 0.3f);
     dmg_leaf leaf = dmg_leaf_pick(b, 0.15f);

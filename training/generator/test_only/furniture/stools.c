@@ -4,7 +4,7 @@
 
 /* ---- lamps ---- */
 
-/* A shade about the origin, its mouth towards -Y: a cone, a bowl, a tube or a flat panel. */
+/* Draws a shade about the origin, its mouth towards -Y: a cone, a bowl, a tube or a flat panel. */
 static void draw_shade(dmg_builder* b, int kind, float r) {
     const dmg_xy cone[] = {{r, -0.9f * r},       {0.45f * r, 0.35f * r}, {0, 0.4f * r},
                            {0.4f * r, 0.3f * r}, {0.95f * r, -0.9f * r}, {r, -0.9f * r}};
@@ -50,7 +50,7 @@ static void draw_jointed_lamp(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A pole on a foot or three legs: the shade tilts, the pole grows, a chain, a pedal or a dimmer switches. */
+/* Draws a pole on a foot or three legs: the shade tilts, the pole grows, a chain, a pedal or a dimmer switches. */
 static void draw_standing_lamp(dmg_builder* b, float size) {
     float h = size * dmg_range(b, 0.75f, 1.1f), t = size * dmg_range(b, 0.006f, 0.012f),
           r = size * dmg_range(b, 0.1f, 0.17f), spread = size * dmg_range(b, 0.15f, 0.25f),
@@ -111,7 +111,7 @@ void dmg_build_lamp_stand(dmg_builder* b) {
 
 /* ---- seats ---- */
 
-/* A bar stool: the seat turns on a column that rises; a ring for the feet, a low back, a lever below. */
+/* Draws a bar stool: the seat turns on a column that rises; a ring for the feet, a low back, a lever below. */
 static void draw_bar_stool(dmg_builder* b) {
     float h = dmg_range(b, 0.55f, 0.85f), r = dmg_range(b, 0.16f, 0.24f), base = dmg_range(b, 0.18f, 0.26f), t = 0.025f,
           thick = dmg_range(b, 0.03f, 0.09f), rise = dmg_range(b, 0.1f, 0.25f);
@@ -151,7 +151,7 @@ static void draw_bar_stool(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* Runners on the floor; what stands on them turns about the middle of their circle. Answers its part. */
+/* Runners on the floor; what stands on them turns about the middle of their circle. Returns its part. */
 static uint32_t draw_rockers(dmg_builder* b, float w, float y, float d) {
     float radius = 1.3f * y + 0.3f, x = 0.5f * w;
     dmg_move(b, 0, 0.02f, 0);
@@ -172,7 +172,7 @@ static uint32_t draw_rockers(dmg_builder* b, float w, float y, float d) {
     return chair;
 }
 
-/* A star foot, a column that rises and a seat that turns on it. Answers the seat. */
+/* Draws a star foot, a column that rises and a seat that turns on it. Returns the seat. */
 static uint32_t draw_star_foot(dmg_builder* b, float y) {
     for (int i = 0; i < 5; ++i) {
         float a = 2 * DMG_PI * (float)i / 5.0f;
@@ -187,7 +187,7 @@ static uint32_t draw_star_foot(dmg_builder* b, float y) {
     return seat;
 }
 
-/* An armchair on casters or rockers: back and arm rests tilt, a foot rest swings out from under it. */
+/* Draws an armchair on casters or rockers: back and arm rests tilt, a foot rest swings out from under it. */
 static void draw_lounging_chair(dmg_builder* b) {
     float w = dmg_range(b, 0.46f, 0.6f), y = dmg_range(b, 0.38f, 0.48f), d = dmg_range(b, 0.44f, 0.55f),
           t = dmg_range(b, 0.05f, 0.12f), tall = dmg_range(b, 0.5f, 0.85f), x = 0.5f * w,

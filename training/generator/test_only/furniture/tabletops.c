@@ -53,7 +53,7 @@ static void draw_stand_top(dmg_builder* b, const stand* s) {
 
 /* ---- drawers ---- */
 
-/* A bail or a ring that hangs from the front z = 0 and swings up in the hand. */
+/* Draws a bail or a ring that hangs from the front z = 0 and swings up in the hand. */
 static void draw_hung_pull(dmg_builder* b, uint32_t drawer, float half, float drop, bool ring) {
     float r = 0.09f * drop, z = 2.5f * r;
     if (ring) half = 0.0f;
@@ -131,7 +131,7 @@ static void draw_apron(dmg_builder* b, const stand* s, int count, float width) {
 
 /* ---- desks ---- */
 
-/* A board on runners between the pedestals; its mouse wing turns out from under it. */
+/* Draws a board on runners between the pedestals; its mouse wing turns out from under it. */
 static void draw_keyboard_tray(dmg_builder* b, const stand* s, float x, float w) {
     float y = s->h - s->t - 0.09f, deep = 0.55f * s->d, t = 0.6f * s->t, z = 0.42f * s->d,
           way = deep * dmg_range(b, 0.5f, 0.8f);
@@ -174,7 +174,7 @@ static void draw_desk(dmg_builder* b, stand* s) {
 
 /* ---- coffee tables ---- */
 
-/* A box whose lid rises at the side, in two halves, or slides open over drawers. */
+/* Draws a box whose lid rises at the side, in two halves, or slides open over drawers. */
 static void draw_lift_table(dmg_builder* b, stand* s) {
     s->w = dmg_range(b, 0.7f, 1.3f);
     s->d = dmg_range(b, 0.45f, 0.8f);
@@ -253,7 +253,7 @@ static void draw_gate_leg(dmg_builder* b, stand* s) {
     }
 }
 
-/* A card table: the top turns a quarter on its frame and opens like a book. */
+/* Draws a card table: the top turns a quarter on its frame and opens like a book. */
 static void draw_card_table(dmg_builder* b, stand* s) {
     s->w = dmg_range(b, 0.75f, 1.0f);
     s->d = 0.5f * s->w;
@@ -368,7 +368,7 @@ static void draw_dressing_table(dmg_builder* b, stand* s) {
 
 /* ---- benches ---- */
 
-/* A jaw on a screw in front of z = 0, below the top at y = 0; its bar slides through the screw's head. */
+/* Draws a jaw on a screw in front of z = 0, below the top at y = 0; its bar slides through the screw's head. */
 static void draw_bench_vise(dmg_builder* b, float wide, float tall, float t, float way) {
     float r = 0.12f * tall, y = -0.55f * tall, z = t;
     bool turns = dmg_chance(b, 0.7f);

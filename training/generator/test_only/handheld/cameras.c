@@ -24,7 +24,7 @@ static void draw_ring(dmg_builder* b, float r, float z0, float z1, int ribs) {
     }
 }
 
-/* A barrel of rings one before the other: some turn, the front may screw out; a hood, a cap. */
+/* Draws a barrel of rings one before the other: some turn, the front may screw out; a hood, a cap. */
 static void draw_lens(dmg_builder* b, float r, float length) {
     static const char* const names[] = {"aperture_ring", "zoom_ring", "focus_ring"};
     int rings = dmg_int(b, 1, 3);
@@ -78,7 +78,8 @@ static void draw_dial(dmg_builder* b, const char* name, float r, float high, boo
     dmg_use(b, 0);
 }
 
-/* The release, in a collar that switches; the wind lever that swings out to the rear; the rewind crank that folds. */
+/* Draws the release, in a collar that switches; the wind lever that swings out to the rear; the rewind crank that
+ * folds. */
 static void draw_deck(dmg_builder* b, const camera* c) {
     float r = 0.1f * c->high * dmg_range(b, 0.9f, 1.3f), x = -0.38f * c->wide, lean = dmg_range(b, 0.0f, 0.35f);
     bool collar = dmg_chance(b, 0.5f), wind = dmg_chance(b, 0.5f), crank = dmg_chance(b, 0.5f);
@@ -120,7 +121,7 @@ static void draw_deck(dmg_builder* b, const camera* c) {
     }
 }
 
-/* The finder's hump; in it a flash that rises about its rear edge, or a shoe on it. */
+/* Draws the finder's hump; in it a flash that rises about its rear edge, or a shoe on it. */
 static void draw_hump(dmg_builder* b, const camera* c) {
     float w = c->wide * dmg_range(b, 0.12f, 0.18f), h = c->high * dmg_range(b, 0.15f, 0.3f), y = c->top;
     bool flash = dmg_chance(b, 0.5f);
@@ -170,7 +171,7 @@ static void draw_back(dmg_builder* b, const camera* c) {
     }
 }
 
-/* A plate below with the lever that clamps it. */
+/* Draws a plate below with the lever that clamps it. */
 static void draw_mount(dmg_builder* b, const camera* c) {
     float s = 0.5f * c->deep, t = 0.15f * s;
     dmg_rounded_box(b, v3(0, -1.2f * t, 0), v3(1.8f * s, 1.6f * t, 1.8f * s), 0.4f * t);
@@ -216,7 +217,7 @@ static void draw_still_camera(dmg_builder* b, camera* c) {
     if (mount) draw_mount(b, c);
 }
 
-/* Two lenses one above the other; the finder's four-winged hood on top, a crank at the side. */
+/* Draws two lenses one above the other; the finder's four-winged hood on top, a crank at the side. */
 static void draw_twin_lens(dmg_builder* b, const camera* c) {
     float w = 0.4f * c->wide, h = 1.5f * c->high, d = 0.42f * c->wide, t = 0.03f * w, r = 0.5f * w,
           swing = dmg_range(b, 1.0f, 1.7f);

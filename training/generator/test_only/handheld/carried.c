@@ -10,7 +10,7 @@ typedef struct glass {
     int shape;                   /* 0 straight, 1 with a prism housing, 2 a cone */
 } glass;
 
-/* One barrel about the axis through (0, 0): what is fixed, then cups, rings and caps that move. */
+/* Draws one barrel about the axis through (0, 0): what is fixed, then cups, rings and caps that move. */
 static void draw_barrel(dmg_builder* b, const glass* g, uint32_t parent, int cups, bool cap) {
     float back = -0.5f * g->length, front = 0.5f * g->length, cup = 0.16f * g->length, thread = 0.05f * g->eye;
     const dmg_xy straight[] = {{0, back},
@@ -46,7 +46,7 @@ static void draw_barrel(dmg_builder* b, const glass* g, uint32_t parent, int cup
     dmg_use(b, parent);
 }
 
-/* What joins the barrels: arms round a tube. The wheel turns on the tube, the right barrel about it. */
+/* Draws what joins the barrels: arms round a tube. The wheel turns on the tube, the right barrel about it. */
 static void draw_field_glass(dmg_builder* b, const glass* g) {
     float tube = 0.2f * g->apart, fold = dmg_range(b, 0.3f, 0.7f), rest = fold * dmg_range(b, -1.0f, 1.0f),
           drop = g->apart * dmg_range(b, 0.0f, 0.2f);
@@ -86,7 +86,7 @@ static void draw_field_glass(dmg_builder* b, const glass* g) {
     dmg_use(b, 0);
 }
 
-/* Two bridges, a wheel between them that drives the eyepieces, a handle that folds under. */
+/* Draws two bridges, a wheel between them that drives the eyepieces, a handle that folds under. */
 static void draw_opera_glass(dmg_builder* b, const glass* g) {
     float t = 0.06f * g->length, way = 0.25f * g->length, grip = g->length * dmg_range(b, 1.2f, 2.0f);
     dmg_rod(b, v3(0, 0, -0.35f * g->length), v3(0, 0, 0.3f * g->length), 0.8f * t);
@@ -164,7 +164,7 @@ void dmg_build_binoculars(dmg_builder* b) {
 
 /* ---- lantern ---- */
 
-/* A bow of wire over the top: its ends turn in eyes at ±x, it drops to either side. */
+/* Draws a bow of wire over the top: its ends turn in eyes at ±x, it drops to either side. */
 static void draw_bail(dmg_builder* b, float x, float y, float reach, float wire) {
     enum { POINTS = 9 };
     dmg_vec path[POINTS];
@@ -182,7 +182,7 @@ static void draw_bail(dmg_builder* b, float x, float y, float reach, float wire)
     dmg_use(b, 0);
 }
 
-/* A tank with the burner on it, a globe in a cradle, two side tubes up to the chimney. */
+/* Draws a tank with the burner on it, a globe in a cradle, two side tubes up to the chimney. */
 static void draw_oil_lantern(dmg_builder* b) {
     float r = dmg_range(b, 0.05f, 0.09f), tank = r * dmg_range(b, 0.5f, 0.9f), high = r * dmg_range(b, 3.0f, 4.2f),
           g = r * dmg_range(b, 0.6f, 0.8f), t = 0.06f * r, x = 1.15f * r;
@@ -268,7 +268,7 @@ static void draw_pane_lantern(dmg_builder* b) {
     }
 }
 
-/* A tube: head, switch and tail all move; the head may lie across, or tilt. */
+/* Draws a tube: head, switch and tail all move; the head may lie across, or tilt. */
 static void draw_torch(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.011f, 0.03f), length = r * dmg_range(b, 5.0f, 11.0f),
           bell = r * dmg_range(b, 1.0f, 2.0f), deep = bell * dmg_range(b, 0.8f, 1.8f), t = 0.15f * r;

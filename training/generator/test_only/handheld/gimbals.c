@@ -7,7 +7,7 @@
 
 /* ---- what is let into the face ---- */
 
-/* A cradle on pins along X, the stick in it on pins along Y; both below the face, in a well `r` wide. */
+/* Draws a cradle on pins along X, the stick in it on pins along Y; both below the face, in a well `r` wide. */
 static void draw_gimbal(dmg_builder* b, float r) {
     float swing = dmg_range(b, 0.3f, 0.5f), low = -r * dmg_range(b, 0.2f, 0.5f), ball = r * dmg_range(b, 0.4f, 0.6f),
           high = r * dmg_range(b, 0.9f, 1.8f), tip = r * dmg_range(b, 0.12f, 0.22f), rest = dmg_range(b, -1.0f, 1.0f);
@@ -34,7 +34,7 @@ static void draw_gimbal(dmg_builder* b, float r) {
     dmg_use(b, 0);
 }
 
-/* A slider in a short slot, along X. */
+/* Draws a slider in a short slot, along X. */
 static void draw_trim(dmg_builder* b, float size) {
     float way = 0.3f * size;
     dmg_save(b);
@@ -52,7 +52,7 @@ static void stand(dmg_builder* b, const dmg_bent* n, float s, float angle, float
     dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI);
 }
 
-/* An aerial on a base that turns; it folds, its end is drawn out. */
+/* Draws an aerial on a base that turns; it folds, its end is drawn out. */
 static void draw_aerial(dmg_builder* b, float size) {
     float l = size * dmg_range(b, 0.5f, 1.4f), r = size * dmg_range(b, 0.02f, 0.05f), fold = dmg_range(b, 1.2f, 1.6f);
     bool turns = dmg_chance(b, 0.5f), drawn = dmg_chance(b, 0.4f);
@@ -116,7 +116,7 @@ static void draw_middle(dmg_builder* b, const dmg_bent* n, float size) {
     dmg_restore(b);
 }
 
-/* A bail over the top, folded back about its ends. */
+/* Draws a bail over the top, folded back about its ends. */
 static void draw_bail(dmg_builder* b, float size, float high, float deep) {
     float w = 0.3f * size, t = 0.02f * size, rise = high * dmg_range(b, 0.2f, 0.4f);
     const dmg_vec path[] = {{-w, 0.4f * high, -deep - t},        {-w, high + 0.7f * rise, -deep - t},

@@ -91,7 +91,7 @@ static void draw_hoop(dmg_builder* b, float r, float deep) {
     dmg_restore(b);
 }
 
-/* The handle from its lower end up to the face at the origin. */
+/* Draws the handle from its lower end up to the face at the origin. */
 static void draw_grip(dmg_builder* b, float length, float r) {
     float droop = dmg_range(b, 0.1f, 0.9f), lean = dmg_range(b, -0.15f, 0.15f) * length,
           bow = length * dmg_range(b, -0.2f, 0.12f), wide = r * dmg_range(b, 0.5f, 0.8f),
@@ -159,7 +159,7 @@ static dmg_bent pick_pebble(dmg_builder* b, float* length) {
     return n;
 }
 
-/* A small grip in a slot that slides along the shell. */
+/* Draws a small grip in a slot that slides along the shell. */
 static void draw_slide_switch(dmg_builder* b, const dmg_bent* n, float s, float angle, float size) {
     dmg_bent_stand(b, n, s, angle, 0);
     dmg_frame_draw(b, 0.8f * size, 2 * size, 0.2f * size, 0.08f * size);
@@ -212,7 +212,7 @@ void dmg_build_puck_controller(dmg_builder* b) {
 
 /* ---- a stick for flying ---- */
 
-/* The base, and on it what does not belong to the stick; answers its height. */
+/* Draws the base, and on it what does not belong to the stick; returns its height. */
 static float draw_stick_base(dmg_builder* b, float size) {
     float r = size * dmg_range(b, 0.4f, 0.6f), high = size * dmg_range(b, 0.15f, 0.4f),
           slope = dmg_range(b, 0.6f, 0.95f);
@@ -245,7 +245,7 @@ static float draw_stick_base(dmg_builder* b, float size) {
     return high;
 }
 
-/* What fingers find on the grip `n`, which is on `part`; r: of the head, whose frame is in use. */
+/* Draws what fingers find on the grip `n`, which is on `part`; r: of the head, whose frame is in use. */
 static void draw_stick_head(dmg_builder* b, uint32_t part, float r) {
     dmg_save(b);
     dmg_move(b, 0, 0.35f * r, 0);
@@ -350,7 +350,7 @@ static void draw_gun_top(dmg_builder* b, float length, float half, float top, bo
     dmg_use(b, 0);
 }
 
-/* The grip down from the frame: a release, a safety, a magazine drawn out of its foot. */
+/* Draws the grip down from the frame: a release, a safety, a magazine drawn out of its foot. */
 static void draw_gun_grip(dmg_builder* b, float length, float half, float lean) {
     float down = length * dmg_range(b, 0.5f, 0.7f), deep = half * dmg_range(b, 1.4f, 2.0f), z = -0.3f * length;
     dmg_vec foot = v3(0, -down * cosf(lean), z - down * sinf(lean));

@@ -16,7 +16,7 @@ static dmg_bent pick_arm(dmg_builder* b, dmg_vec from, dmg_vec to, dmg_vec bow, 
     return n;
 }
 
-/* Two handles that part from a coil at the top; one has a dial for the spring. */
+/* Draws two handles that part from a coil at the top; one has a dial for the spring. */
 static void draw_trainer(dmg_builder* b, float l) {
     float spread = l * dmg_range(b, 0.25f, 0.4f), r = l * dmg_range(b, 0.07f, 0.1f),
           coil = l * dmg_range(b, 0.09f, 0.14f), bow = l * dmg_range(b, -0.05f, 0.15f);
@@ -71,7 +71,7 @@ static void draw_shears(dmg_builder* b, float l) {
     dmg_use(b, 0);
 }
 
-/* A long smooth body, the lever on top, hung ahead or behind; staples in a drawer below. */
+/* Draws a long smooth body, the lever on top, hung ahead or behind; staples in a drawer below. */
 static void draw_staple_gun(dmg_builder* b, float l) {
     float high = l * dmg_range(b, 0.3f, 0.4f), w = l * dmg_range(b, 0.06f, 0.09f), rise = dmg_range(b, 0.25f, 0.5f);
     bool front = dmg_chance(b, 0.5f), drawer = dmg_chance(b, 0.7f), lock = dmg_chance(b, 0.5f);
@@ -102,7 +102,7 @@ static void draw_staple_gun(dmg_builder* b, float l) {
     dmg_use(b, 0);
 }
 
-/* A bottle; on its screwed collar a beaked head with a trigger before the neck. */
+/* Draws a bottle; on its screwed collar a beaked head with a trigger before the neck. */
 static void draw_sprayer(dmg_builder* b, float l) {
     float r = l * dmg_range(b, 0.18f, 0.28f), neck = l * dmg_range(b, 0.07f, 0.1f), w = neck * dmg_range(b, 0.9f, 1.3f),
           y = 0.78f * l, waist = r * dmg_range(b, 0.75f, 1.05f);
@@ -130,7 +130,7 @@ static void draw_sprayer(dmg_builder* b, float l) {
     dmg_use(b, 0);
 }
 
-/* A bent barrel: the lever before or behind the grip, a head that turns, a ring that keeps it open. */
+/* Draws a bent barrel: the lever before or behind the grip, a head that turns, a ring that keeps it open. */
 static void draw_gun_nozzle(dmg_builder* b, float l, bool glue) {
     float w = l * dmg_range(b, 0.09f, 0.13f), down = l * dmg_range(b, 0.55f, 0.8f),
           lean = l * dmg_range(b, 0.15f, 0.4f), reach = l * dmg_range(b, 0.28f, 0.4f);

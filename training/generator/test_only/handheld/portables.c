@@ -18,7 +18,7 @@ static void draw_unit(dmg_builder* b, const unit* u) {
         dmg_box(b, v3(0, 0.5f * u->high, 0), size);
 }
 
-/* A whip that turns on its foot, comes up, and draws out; it lies along -X from `at`. */
+/* Draws a whip that turns on its foot, comes up, and draws out; it lies along -X from `at`. */
 static void draw_whip(dmg_builder* b, dmg_vec at, float length, float r) {
     bool turns = dmg_chance(b, 0.6f);
     int joints = dmg_int(b, 0, 3);
@@ -42,7 +42,7 @@ static void draw_whip(dmg_builder* b, dmg_vec at, float length, float r) {
     dmg_use(b, 0);
 }
 
-/* A lid before z = 0 over a compartment, hung at one side of four, sometimes with a window. */
+/* Draws a lid before z = 0 over a compartment, hung at one side of four, sometimes with a window. */
 static void draw_flap(dmg_builder* b, const char* name, float wide, float high, float t, int side) {
     float x = side == 2 ? -0.5f * wide : 0.5f * wide, y = side == 0 ? -0.5f * high : 0.5f * high;
     bool upright = side > 1, window = dmg_chance(b, 0.5f), lip = dmg_chance(b, 0.4f);
@@ -59,7 +59,7 @@ static void draw_flap(dmg_builder* b, const char* name, float wide, float high, 
     dmg_use(b, 0);
 }
 
-/* A row of knobs that slide in slots. */
+/* Draws a row of knobs that slide in slots. */
 static void draw_faders(dmg_builder* b, int count, float wide, float high, float t) {
     bool across = dmg_chance(b, 0.3f);
     for (int i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ static void draw_faders(dmg_builder* b, int count, float wide, float high, float
     }
 }
 
-/* A row of keys on top, pressed. */
+/* Draws a row of keys on top, pressed. */
 static void draw_top_keys(dmg_builder* b, const unit* u, float x, float wide, int count) {
     float rise = 0.03f * u->high;
     dmg_buttons keys = {.name = "key", .columns = count, .rows = 1, .rise = rise};
@@ -96,7 +96,7 @@ static void draw_top_keys(dmg_builder* b, const unit* u, float x, float wide, in
 
 /* ---- radio ---- */
 
-/* A bow from side to side, its pins near the top: it folds to the front and the back. */
+/* Draws a bow from side to side, its pins near the top: it folds to the front and the back. */
 static void draw_bow(dmg_builder* b, const unit* u) {
     float pin = u->high * dmg_range(b, 0.75f, 0.92f), t = 0.04f * u->high, x = u->half + 0.7f * t,
           reach = hypotf(u->high - pin, u->deep) + t * dmg_range(b, 1.5f, 5.0f);
@@ -123,7 +123,7 @@ static void draw_speaker(dmg_builder* b, float r) {
             dmg_box(b, v3(0, 0.25f * r * (float)i, 0), v3(1.6f * r * cosf(0.3f * (float)i), 0.08f * r, 2 * t));
 }
 
-/* Two speakers, one or two cassette decks between them, the dial with its pointer above. */
+/* Draws two speakers, one or two cassette decks between them, the dial with its pointer above. */
 static void draw_boombox(dmg_builder* b) {
     unit u = {.half = dmg_scale_range(b, 0.12f, 0.35f)};
     u.high = u.half * dmg_range(b, 0.8f, 1.3f);
@@ -164,7 +164,7 @@ static void draw_boombox(dmg_builder* b) {
     if (dmg_chance(b, 0.85f)) draw_whip(b, v3(0.85f * u.half, u.high, -0.6f * u.deep), length, 0.014f * u.half);
 }
 
-/* The clip for a belt: its lower end leaves the case. */
+/* Draws the clip for a belt: its lower end leaves the case. */
 static void draw_clip(dmg_builder* b, const unit* u, float t) {
     dmg_vec pin = {0, 0.8f * u->high, -u->deep - t};
     dmg_box(b, v3(0, pin.y, -u->deep - 0.4f * t), v3(0.5f * u->half, 2 * t, t));
@@ -172,7 +172,7 @@ static void draw_clip(dmg_builder* b, const unit* u, float t) {
     dmg_box_span(b, v3(-0.3f * u->half, 0.35f * u->high, pin.z - 0.8f * t), v3(0.3f * u->half, pin.y + 3 * t, pin.z));
 }
 
-/* A key at the side that the thumb holds down; knobs and the aerial on top. */
+/* Draws a key at the side that the thumb holds down; knobs and the aerial on top. */
 static void draw_walkie_talkie(dmg_builder* b) {
     unit u = {.half = dmg_range(b, 0.022f, 0.04f)};
     u.high = u.half * dmg_range(b, 3.4f, 5.0f);
@@ -218,7 +218,7 @@ static void draw_walkie_talkie(dmg_builder* b) {
     if (dmg_chance(b, 0.6f)) draw_clip(b, &u, t);
 }
 
-/* A box with a dial: by the bed, or of wood on a shelf. */
+/* Draws a box with a dial: by the bed, or of wood on a shelf. */
 static void draw_table_radio(dmg_builder* b) {
     unit u = {.half = dmg_scale_range(b, 0.08f, 0.25f)};
     u.high = u.half * dmg_range(b, 0.5f, 1.4f);

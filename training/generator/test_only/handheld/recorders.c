@@ -5,7 +5,7 @@
 
 /* ---- what they share ---- */
 
-/* A plate before z = 0 on a hinge below, above, or at a side (0 … 3); sides 0 and 1 may also fall inwards. */
+/* Draws a plate before z = 0 on a hinge below, above, or at a side (0 … 3); sides 0 and 1 may also fall inwards. */
 static uint32_t draw_door(dmg_builder* b, const char* name, float wide, float high, float t, int side, float swing) {
     float x = side == 2 ? -0.5f * wide : 0.5f * wide, y = side == 0 ? -0.5f * high : 0.5f * high;
     bool upright = side > 1, grip = dmg_chance(b, 0.5f);
@@ -29,7 +29,7 @@ static void draw_round_key(dmg_builder* b, const char* name, float r, float rise
     dmg_use(b, 0);
 }
 
-/* A spool with three windows. */
+/* Draws a spool with three windows. */
 static void draw_reel(dmg_builder* b, const char* name, float r, float t) {
     int arms = dmg_int(b, 3, 5);
     bool full = dmg_chance(b, 0.5f);
@@ -146,7 +146,7 @@ static void draw_camcorder(dmg_builder* b) {
 
 /* ---- tape ---- */
 
-/* A short pointer that chooses how fast the tape runs, at (x, y). */
+/* Draws a short pointer that chooses how fast the tape runs, at (x, y). */
 static void draw_selector(dmg_builder* b, float x, float y, float t) {
     dmg_hinge(b, 0, "selector", v3(x, y, 0), v3(0, 0, -1), -0.8f, 0.8f);
     dmg_rod(b, v3(x, y, 0), v3(x, y, t), 1.2f * t);
@@ -154,7 +154,7 @@ static void draw_selector(dmg_builder* b, float x, float y, float t) {
     dmg_use(b, 0);
 }
 
-/* Two reels on a deck that lies or stands, heads under a cover between them. */
+/* Draws two reels on a deck that lies or stands, heads under a cover between them. */
 static void draw_reel_machine(dmg_builder* b) {
     float half = dmg_scale_range(b, 0.12f, 0.28f), high = half * dmg_range(b, 1.8f, 2.4f),
           deep = half * dmg_range(b, 0.4f, 0.8f), r = half * dmg_range(b, 0.36f, 0.46f), t = 0.06f * half;
@@ -228,7 +228,8 @@ static void draw_cassette_player(dmg_builder* b) {
     dmg_box_span(b, v3(-1.5f * r, 0.35f * high, -deep - 1.6f * t), v3(1.5f * r, 0.9f * high, -deep - t));
 }
 
-/* A flat box: a flap that the cassette pushes in, a panel that comes down over the small keys, a wheel to search. */
+/* Draws a flat box: a flap that the cassette pushes in, a panel that comes down over the small keys, a wheel to search.
+ */
 static void draw_video_recorder(dmg_builder* b) {
     float half = dmg_range(b, 0.15f, 0.24f), high = half * dmg_range(b, 0.35f, 0.6f),
           deep = half * dmg_range(b, 0.7f, 0.9f), t = 0.05f * high, at = dmg_sign(b) * 0.45f * half,
@@ -277,7 +278,7 @@ typedef struct game_box {
     float half, high, deep, t;
 } game_box;
 
-/* A lid over the disc, round or square, hung behind; the disc lies under it on its spindle. */
+/* Draws a lid over the disc, round or square, hung behind; the disc lies under it on its spindle. */
 static void draw_disc_lid(dmg_builder* b, const game_box* g) {
     float r = fminf(0.62f * g->deep, 0.8f * g->half) * dmg_range(b, 0.8f, 1.0f), t = g->t,
           x = (g->half - r) * dmg_range(b, -0.8f, 0.8f), z = 0.15f * g->deep, swing = dmg_range(b, 0.6f, 1.4f),
@@ -300,7 +301,7 @@ static void draw_disc_lid(dmg_builder* b, const game_box* g) {
     dmg_use(b, 0);
 }
 
-/* Two flaps that a cartridge pushes in, or one that lifts off its slot. */
+/* Draws two flaps that a cartridge pushes in, or one that lifts off its slot. */
 static void draw_cartridge_slot(dmg_builder* b, const game_box* g) {
     float wide = 0.7f * g->half, deep = 0.16f * g->deep, y = g->high, t = 0.5f * g->t, z = -0.1f * g->deep;
     bool pair = dmg_chance(b, 0.5f);

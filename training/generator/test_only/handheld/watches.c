@@ -88,7 +88,7 @@ static void draw_crown(dmg_builder* b, const watch* w, int pushers) {
     dmg_use(b, 0);
 }
 
-/* A half of the strap from the lugs at +Y: one piece, or links that each bend; answers the last part. */
+/* Draws a half of the strap from the lugs at +Y: one piece, or links that each bend; returns the last part. */
 static uint32_t draw_strap(dmg_builder* b, const watch* w, int links, float length, float wide, float* end) {
     float z = -0.55f * w->deep, t = 0.5f * w->t, y = w->r + 0.9f * t, each = length / (float)links,
           bend = links > 1 ? 0.7f : 1.5f;
@@ -112,7 +112,7 @@ static uint32_t draw_strap(dmg_builder* b, const watch* w, int links, float leng
     return last;
 }
 
-/* A frame and a tongue on one bar at the strap's end. */
+/* Draws a frame and a tongue on one bar at the strap's end. */
 static void draw_buckle(dmg_builder* b, const watch* w, uint32_t strap, float y, float wide) {
     float z = -0.55f * w->deep, t = 0.5f * w->t, out = 0.4f * wide;
     dmg_hinge(b, strap, "buckle", v3(0, y + 0.5f * t, z), v3(1, 0, 0), -0.6f, 1.5f);
@@ -128,7 +128,7 @@ static void draw_buckle(dmg_builder* b, const watch* w, uint32_t strap, float y,
     dmg_use(b, 0);
 }
 
-/* Two leaves of bent sheet that fold on each other behind the bracelet's end. */
+/* Draws two leaves of bent sheet that fold on each other behind the bracelet's end. */
 static void draw_folding_clasp(dmg_builder* b, const watch* w, uint32_t strap, float y, float wide) {
     float z = -0.55f * w->deep, t = 0.5f * w->t, reach = wide * dmg_range(b, 0.8f, 1.2f);
     uint32_t leaf = dmg_hinge(b, strap, "clasp", v3(0, y + 0.5f * t, z), v3(1, 0, 0), 0.0f, 2.8f);

@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A link from the origin along +Y that turns about Z: a rod, a bar, a capsule, with a weight at its end. */
+/* Draws a link from the origin along +Y that turns about Z: a rod, a bar, a capsule, with a weight at its end. */
 static void draw_link(dmg_builder* b, float length, float t) {
     int kind = dmg_int(b, 0, 2), weight = dmg_int(b, 0, 2);
     if (kind == 0) dmg_rod(b, v3(0, 0, 0), v3(0, length, 0), 0.5f * t);
@@ -68,7 +68,7 @@ static void draw_pendulums(dmg_builder* b) {
     draw_chain(b, 0, dmg_int(b, 1, 3), length, t, true);
 }
 
-/* An arm that turns level, the pendulum on its end turning about the arm's own line. */
+/* Draws an arm that turns level, the pendulum on its end turning about the arm's own line. */
 static void draw_furuta(dmg_builder* b) {
     float high = dmg_range(b, 0.15f, 0.8f), r = high * dmg_range(b, 0.12f, 0.35f),
           arm = high * dmg_range(b, 0.5f, 1.1f), t = 0.06f * high;
@@ -88,7 +88,7 @@ static void draw_furuta(dmg_builder* b) {
     draw_chain(b, turn, links, length, t, true);
 }
 
-/* A beam on a pivot in its middle or at an end; the ball runs along it, a crank may lift it. */
+/* Draws a beam on a pivot in its middle or at an end; the ball runs along it, a crank may lift it. */
 static void draw_ball_beam(dmg_builder* b) {
     float length = dmg_range(b, 0.4f, 1.4f), high = length * dmg_range(b, 0.2f, 0.5f), t = 0.04f * length,
           r = length * dmg_range(b, 0.03f, 0.06f), swing = 0.3f;
@@ -110,7 +110,7 @@ static void draw_ball_beam(dmg_builder* b) {
     dmg_ellipsoid(b, v3(0, high + 0.4f * t + r, 0), v3(r, r, r));
 }
 
-/* A body on two wheels; it leans by them, some have a stick to steer with. */
+/* Draws a body on two wheels; it leans by them, some have a stick to steer with. */
 static void draw_two_wheels(dmg_builder* b) {
     float r = dmg_range(b, 0.04f, 0.25f), half = r * dmg_range(b, 0.7f, 1.5f), high = r * dmg_range(b, 1.5f, 5.0f),
           deep = r * dmg_range(b, 0.4f, 1.2f), w = r * dmg_range(b, 0.15f, 0.4f);

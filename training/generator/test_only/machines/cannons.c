@@ -28,7 +28,7 @@ static void draw_cannon_head(dmg_builder* b, uint32_t head, float s) {
     dmg_restore(b);
 }
 
-/* A drum with a glass before it; slats that shutter it, or a glass that hinges open; a lid behind. */
+/* Draws a drum with a glass before it; slats that shutter it, or a glass that hinges open; a lid behind. */
 static void draw_lamp_head(dmg_builder* b, uint32_t head, float s) {
     float r = s * dmg_range(b, 0.7f, 1.0f), l = s * dmg_range(b, 0.6f, 1.3f), t = 0.04f * s;
     int front = dmg_int(b, 0, 2), slats = dmg_int(b, 4, 9);
@@ -61,7 +61,7 @@ static void draw_lamp_head(dmg_builder* b, uint32_t head, float s) {
     dmg_use(b, head);
 }
 
-/* A lens and a lamp going round in a glazed lantern with a door. */
+/* Draws a lens and a lamp going round in a glazed lantern with a door. */
 static void draw_beacon(dmg_builder* b, float s) {
     float base = s * dmg_range(b, 0.5f, 4.0f), r = s, high = s * dmg_range(b, 1.6f, 2.4f);
     int posts = dmg_int(b, 5, 9), lenses = dmg_int(b, 1, 4);

@@ -5,8 +5,8 @@
 
 /* ---- clamps, drawn upright in x, y; the work lies between their jaws ---- */
 
-/* A spindle along Y through `nut`, its pad at the height `low`; out of the work as it turns positive. The head of the
- * spindle carries a bar that slides through it, wings, a turned grip, or a knob. */
+/* Draws a spindle along Y through `nut`, its pad at the height `low`; out of the work as it turns positive. The head of
+ * the spindle carries a bar that slides through it, wings, a turned grip, or a knob. */
 static void draw_spindle(dmg_builder* b, uint32_t parent, dmg_vec nut, float low, float way, float r) {
     float head = nut.y + way * dmg_range(b, 0.08f, 0.3f) + 3 * r, bar = r * dmg_range(b, 4.0f, 8.0f),
           turns = dmg_range(b, 15.0f, 38.0f);
@@ -62,7 +62,8 @@ static void draw_g_clamp(dmg_builder* b, float gap) {
     draw_spindle(b, 0, v3(throat, t + gap + 1.5f * arm, 0), t + 0.03f * gap, 0.8f * gap, r);
 }
 
-/* A bar with one jaw fixed and one that slides; the latter closes by its screw or by a trigger that steps it on. */
+/* Draws a bar with one jaw fixed and one that slides; the latter closes by its screw or by a trigger that steps it on.
+ */
 static void draw_bar_clamp(dmg_builder* b, float span) {
     float t = span * dmg_range(b, 0.03f, 0.06f), reach = span * dmg_range(b, 0.15f, 0.35f), z = 0.5f * t,
           low = span * dmg_range(b, 0.25f, 0.6f), r = 0.35f * t, rest = dmg_unit(b);
@@ -90,7 +91,7 @@ static void draw_bar_clamp(dmg_builder* b, float span) {
     dmg_use(b, 0);
 }
 
-/* A long bar on feet: the head's screw pushes a shoe along it, the tail is pinned or bites where it is set. */
+/* Draws a long bar on feet: the head's screw pushes a shoe along it, the tail is pinned or bites where it is set. */
 static void draw_sash_clamp(dmg_builder* b, float span) {
     float t = span * dmg_range(b, 0.012f, 0.025f), tall = t * dmg_range(b, 2.5f, 4.0f), y = 2 * t, x = 0.5f * span,
           r = 0.5f * t, way = 0.12f * span;
@@ -161,7 +162,7 @@ static void draw_toggle_clamp(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* Two jaws on one pin with a spring round it, pads on their tips. */
+/* Draws two jaws on one pin with a spring round it, pads on their tips. */
 static void draw_spring_clamp(dmg_builder* b, float size) {
     float t = size * dmg_range(b, 0.05f, 0.09f), wide = size * dmg_range(b, 0.12f, 0.25f),
           open = dmg_range(b, 0.3f, 0.7f), tip = size * dmg_range(b, 0.35f, 0.55f);
@@ -219,7 +220,7 @@ void dmg_build_clamp(dmg_builder* b) {
 
 /* ---- measuring ---- */
 
-/* A knurled screw out of z = 0. */
+/* Draws a knurled screw out of z = 0. */
 static void draw_lock_screw(dmg_builder* b, uint32_t parent, dmg_vec at, float r) {
     dmg_spin(b, parent, "lock_screw", at, v3(0, 0, 1));
     dmg_rod(b, at, v3_add(at, v3(0, 0, r)), 0.4f * r);
@@ -274,7 +275,7 @@ static void draw_caliper(dmg_builder* b, float span) {
     dmg_use(b, 0);
 }
 
-/* A bow with an anvil; thimble and spindle screw out of the sleeve, the ratchet turns at their end. */
+/* Draws a bow with an anvil; thimble and spindle screw out of the sleeve, the ratchet turns at their end. */
 static void draw_micrometer(dmg_builder* b, float gap) {
     float r = gap * dmg_range(b, 0.5f, 0.7f), t = 0.35f * r, s = 0.09f * r + 0.0015f, way = gap * 0.9f,
           sleeve = way + 5 * s, turns = 38.0f;
@@ -328,7 +329,7 @@ static void draw_dial(dmg_builder* b, uint32_t parent, float r) {
     dmg_use(b, parent);
 }
 
-/* A dial on a magnetic foot: post, arms that turn on it and on each other, the foot's switch. */
+/* Draws a dial on a magnetic foot: post, arms that turn on it and on each other, the foot's switch. */
 static void draw_dial_stand(dmg_builder* b, float tall) {
     float foot = tall * dmg_range(b, 0.16f, 0.22f), r = tall * dmg_range(b, 0.09f, 0.14f), rod = 0.02f * tall,
           y = tall * dmg_range(b, 0.6f, 0.85f), reach = tall * dmg_range(b, 0.25f, 0.45f),
@@ -360,7 +361,7 @@ static void draw_dial_stand(dmg_builder* b, float tall) {
     dmg_use(b, 0);
 }
 
-/* A column on a lapped foot, the slider with its scriber, a fine adjustment above. */
+/* Draws a column on a lapped foot, the slider with its scriber, a fine adjustment above. */
 static void draw_height_gauge(dmg_builder* b, float tall) {
     float foot = tall * dmg_range(b, 0.1f, 0.15f), w = tall * dmg_range(b, 0.025f, 0.045f), low = foot + 0.02f * tall,
           t = 0.5f * w, body = tall * 0.16f;

@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A flap on z = 0, hung below or at its side, `at` its middle. */
+/* Draws a flap on z = 0, hung below or at its side, `at` its middle. */
 static void draw_flap(dmg_builder* b, const char* name, dmg_vec at, float wide, float high, float t, dmg_side side) {
     dmg_leaf leaf = dmg_leaf_pick(b, 0.06f);
     leaf.width = wide;
@@ -23,7 +23,7 @@ typedef struct copier {
     float x, z, foot, deck, glass; /* half sizes; heights: below the cassettes, above them, of the glass */
 } copier;
 
-/* A panel before the glass that tilts on its rear edge or on its front one. */
+/* Draws a panel before the glass that tilts on its rear edge or on its front one. */
 static void draw_copier_panel(dmg_builder* b, const copier* c) {
     float wide = 2 * c->x * dmg_range(b, 0.45f, 0.95f), deep = dmg_range(b, 0.12f, 0.2f), t = 0.03f,
           lean = dmg_range(b, 0.0f, 0.5f);
@@ -52,7 +52,7 @@ static void draw_copier_panel(dmg_builder* b, const copier* c) {
     dmg_use(b, 0);
 }
 
-/* The lid over the glass; a feeder on it has its own cover and a tray that folds up. */
+/* Draws the lid over the glass; a feeder on it has its own cover and a tray that folds up. */
 static void draw_copier_lid(dmg_builder* b, const copier* c) {
     bool feeder = dmg_chance(b, 0.6f);
     float t = feeder ? dmg_range(b, 0.08f, 0.14f) : dmg_range(b, 0.02f, 0.05f), y = c->glass + 0.004f,
@@ -163,7 +163,7 @@ static void draw_key_field(dmg_builder* b, uint32_t parent, int columns, int row
     dmg_buttons_draw(b, parent, &keys);
 }
 
-/* A drawer under a sloped housing: keys, printer lid, displays for clerk and customer, a lock. */
+/* Draws a drawer under a sloped housing: keys, printer lid, displays for clerk and customer, a lock. */
 static void draw_register(dmg_builder* b) {
     float x = dmg_range(b, 0.16f, 0.24f), z = x * dmg_range(b, 0.9f, 1.15f), low = dmg_range(b, 0.08f, 0.13f),
           front = low + dmg_range(b, 0.04f, 0.08f), high = front + dmg_range(b, 0.08f, 0.16f),
@@ -221,7 +221,7 @@ static void draw_register(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A terminal in the hand or in a cradle that turns and tilts: keys, a paper lid, a card that is pushed in. */
+/* Draws a terminal in the hand or in a cradle that turns and tilts: keys, a paper lid, a card that is pushed in. */
 static void draw_card_terminal(dmg_builder* b) {
     float x = dmg_range(b, 0.035f, 0.05f), z = x * dmg_range(b, 2.0f, 2.6f), t = dmg_range(b, 0.025f, 0.05f),
           tilt = dmg_range(b, 0.3f, 0.8f);
@@ -250,7 +250,7 @@ static void draw_card_terminal(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A cash dispenser: keys, screen, a shutter over the notes, the door of the safe below, a hood that lifts. */
+/* Draws a cash dispenser: keys, screen, a shutter over the notes, the door of the safe below, a hood that lifts. */
 static void draw_cash_dispenser(dmg_builder* b) {
     float x = dmg_range(b, 0.24f, 0.4f), z = x * dmg_range(b, 1.0f, 1.4f), shelf = dmg_range(b, 0.8f, 0.95f),
           high = dmg_range(b, 1.35f, 1.7f), deep = dmg_range(b, 0.1f, 0.2f), t = 0.02f;

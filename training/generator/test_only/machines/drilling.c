@@ -14,7 +14,7 @@ typedef struct drill {
 
 /* ---- what turns in the quill ---- */
 
-/* A keyed or keyless chuck with its bit, its upper end at `at`. */
+/* Draws a keyed or keyless chuck with its bit, its upper end at `at`. */
 static void draw_chuck(dmg_builder* b, uint32_t parent, dmg_vec at, float r, bool endless) {
     int kind = dmg_int(b, 0, 2);
     float high = r * dmg_range(b, 1.8f, 3.0f), bit = r * dmg_range(b, 1.0f, 4.0f);
@@ -36,7 +36,7 @@ static void draw_chuck(dmg_builder* b, uint32_t parent, dmg_vec at, float r, boo
     dmg_use(b, parent);
 }
 
-/* Three arms with balls, a wheel, or one lever, on the shaft out of `at` along +X; a positive turn feeds. */
+/* Draws three arms with balls, a wheel, or one lever, on the shaft out of `at` along +X; a positive turn feeds. */
 static void draw_capstan(dmg_builder* b, uint32_t parent, dmg_vec at, float r, float turn) {
     int arms = dmg_int(b, 1, 4), knob = dmg_int(b, 0, 2);
     float out = r * dmg_range(b, 0.15f, 0.4f), lean = dmg_range(b, 0.0f, 0.35f) * r, start = dmg_range(b, 0.0f, 6.28f),
@@ -93,7 +93,7 @@ static void draw_belt_lid(dmg_builder* b, const drill* d, float z0, float z1) {
     dmg_use(b, d->head);
 }
 
-/* The motor behind, on a plate that pivots to slacken the belt or bolted on. */
+/* Draws the motor behind, on a plate that pivots to slacken the belt or bolted on. */
 static void draw_motor(dmg_builder* b, const drill* d) {
     float r = d->half * dmg_range(b, 0.5f, 0.8f), z = -d->rc - 1.4f * r, y = 0.5f * (d->head0 + d->head1);
     bool swings = dmg_chance(b, 0.4f);
@@ -106,7 +106,7 @@ static void draw_motor(dmg_builder* b, const drill* d) {
     dmg_use(b, d->head);
 }
 
-/* The shield before the chuck: it swings up about a line across, or aside about an upright one. */
+/* Draws the shield before the chuck: it swings up about a line across, or aside about an upright one. */
 static void draw_shield(dmg_builder* b, const drill* d) {
     float r = 2.2f * d->chuck, y = d->head0 - 0.4f * d->chuck, t = 0.08f * r, low = d->chuck * dmg_range(b, 2.0f, 4.0f);
     bool aside = dmg_chance(b, 0.5f);
@@ -254,7 +254,7 @@ static void draw_pillar_drill(dmg_builder* b, bool head_slides) {
     if (!head_slides && dmg_chance(b, 0.9f)) draw_table(b, &d, base);
 }
 
-/* A block that clings to steel, a dovetail before it on which the motor goes down, the feed at its side. */
+/* Draws a block that clings to steel, a dovetail before it on which the motor goes down, the feed at its side. */
 static void draw_magnet_drill(dmg_builder* b) {
     float tall = dmg_scale_range(b, 0.3f, 0.6f), half = tall * dmg_range(b, 0.11f, 0.16f),
           deep = tall * dmg_range(b, 0.4f, 0.55f), magnet = tall * dmg_range(b, 0.1f, 0.16f),
@@ -352,7 +352,8 @@ static void draw_eggbeater(dmg_builder* b, float tall) {
     draw_chuck(b, 0, v3(0, low - 0.5f * r, 0), 0.75f * r, true);
 }
 
-/* A bow turned about the line through its head and its chuck; the sleeve on it spins, the ratchet's ring turns. */
+/* Draws a bow turned about the line through its head and its chuck; the sleeve on it spins, the ratchet's ring turns.
+ */
 static void draw_brace(dmg_builder* b, float tall) {
     float r = tall * dmg_range(b, 0.025f, 0.035f), sweep = tall * dmg_range(b, 0.28f, 0.42f), y0 = 0.28f * tall,
           y1 = 0.85f * tall;
@@ -377,7 +378,7 @@ static void draw_brace(dmg_builder* b, float tall) {
     dmg_use(b, 0);
 }
 
-/* A handle with a slider on a spiral shaft, or a plain screwdriver whose cap or shank turns. */
+/* Draws a handle with a slider on a spiral shaft, or a plain screwdriver whose cap or shank turns. */
 static void draw_pump_driver(dmg_builder* b, float tall) {
     float r = tall * dmg_range(b, 0.045f, 0.075f), grip = tall * dmg_range(b, 0.35f, 0.5f), way = 0.3f * tall;
     bool pumps = dmg_chance(b, 0.5f), cap = dmg_chance(b, 0.5f), ring = dmg_chance(b, 0.6f);
@@ -405,7 +406,7 @@ static void draw_pump_driver(dmg_builder* b, float tall) {
     dmg_use(b, 0);
 }
 
-/* A spinning tool held like a pen: collet with a disc or burr, lock button, switch that slides, hanging ring. */
+/* Draws a spinning tool held like a pen: collet with a disc or burr, lock button, switch that slides, hanging ring. */
 static void draw_rotary(dmg_builder* b, float tall) {
     float r = tall * dmg_range(b, 0.09f, 0.13f), neck = tall * 0.3f, disc = r * dmg_range(b, 0.4f, 1.3f);
     bool bail = dmg_chance(b, 0.5f), slides = dmg_chance(b, 0.5f), wheel = dmg_chance(b, 0.5f);

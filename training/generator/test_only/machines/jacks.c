@@ -6,7 +6,7 @@
 
 /* ---- jacks ---- */
 
-/* Four arms in a rhombus, a screw across its waist with an eye or a crank at its end. */
+/* Draws four arms in a rhombus, a screw across its waist with an eye or a crank at its end. */
 static void draw_rhombus_jack(dmg_builder* b, float size) {
     float angle = dmg_range(b, 0.35f, 0.9f), arm = 0.5f * size, t = 0.03f * size,
           half = size * dmg_range(b, 0.08f, 0.13f), y0 = 2 * t, x0 = 0.06f * size, play = dmg_range(b, 0.12f, 0.25f);
@@ -46,7 +46,7 @@ static void draw_rhombus_jack(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A ram in a cylinder, a screw in the ram, a pump with a socket for its lever, a valve. */
+/* Draws a ram in a cylinder, a screw in the ram, a pump with a socket for its lever, a valve. */
 static void draw_bottle_jack(dmg_builder* b, float tall) {
     float r = tall * dmg_range(b, 0.16f, 0.25f), base = 0.08f * tall, top = 0.85f * tall,
           z = r * dmg_range(b, 1.4f, 1.8f), pump = 0.22f * r, lever = tall * dmg_range(b, 0.8f, 2.2f),
@@ -87,7 +87,7 @@ static void draw_bottle_jack(dmg_builder* b, float tall) {
     dmg_use(b, 0);
 }
 
-/* A wheel under a fork that swivels about the upright line through `at`, whose y is the mount. */
+/* Draws a wheel under a fork that swivels about the upright line through `at`, whose y is the mount. */
 static void draw_castor(dmg_builder* b, uint32_t parent, dmg_vec at, float r) {
     float trail = r * dmg_range(b, 0.3f, 0.6f);
     uint32_t fork = dmg_spin(b, parent, "castor", at, v3(0, 1, 0));
@@ -149,7 +149,7 @@ static void draw_trolley_jack(dmg_builder* b, float span) {
     dmg_use(b, 0);
 }
 
-/* A hook with its latch, hanging below `at`; it swivels and swings there. */
+/* Draws a hook with its latch, hanging below `at`; it swivels and swings there. */
 static void draw_hook(dmg_builder* b, uint32_t parent, dmg_vec at, float r, bool turns) {
     uint32_t hook = parent;
     if (turns && dmg_chance(b, 0.7f))
@@ -168,7 +168,7 @@ static void draw_hook(dmg_builder* b, uint32_t parent, dmg_vec at, float r, bool
     dmg_use(b, parent);
 }
 
-/* A mast on two long legs, a boom with an extension and a chain, a ram below it; the legs fold up. */
+/* Draws a mast on two long legs, a boom with an extension and a chain, a ram below it; the legs fold up. */
 static void draw_engine_hoist(dmg_builder* b) {
     float tall = dmg_range(b, 1.3f, 1.7f), t = 0.07f, r = dmg_range(b, 0.05f, 0.09f), half = dmg_range(b, 0.3f, 0.45f),
           legs = dmg_range(b, 1.1f, 1.6f), reach = dmg_range(b, 0.8f, 1.2f), lift = dmg_range(b, 0.4f, 0.8f),
@@ -240,7 +240,7 @@ static void draw_drum(dmg_builder* b, dmg_vec at, float r, float half, bool rope
     }
 }
 
-/* A crank on a shaft out along +X from `at`: its grip turns, or it folds. */
+/* Draws a crank on a shaft out along +X from `at`: its grip turns, or it folds. */
 static void draw_winch_crank(dmg_builder* b, uint32_t parent, dmg_vec at, float arm, float t) {
     float start = dmg_range(b, 0.0f, 6.28f);
     bool loose = dmg_chance(b, 0.5f), alone = parent == 0;
@@ -343,8 +343,8 @@ static void draw_chain_block(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A deck windlass: an upright capstan with its bars, or a level drum with warping ends, band brakes and dog clutches.
- */
+/* Draws a deck windlass: an upright capstan with its bars, or a level drum with warping ends, band brakes and dog
+ * clutches. */
 static void draw_windlass(dmg_builder* b, float size) {
     bool upright = dmg_chance(b, 0.45f), gypsy = dmg_chance(b, 0.6f);
     float r = 0.3f * size, y = 0.55f * size, half = 0.35f * size, t = 0.05f * size;

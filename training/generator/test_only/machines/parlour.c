@@ -69,7 +69,7 @@ static void draw_table_football(dmg_builder* b) {
 
 /* ---- luck ---- */
 
-/* A bowl, in it the wheel with its pockets, on that a turret with four arms. */
+/* Draws a bowl, in it the wheel with its pockets, on that a turret with four arms. */
 static void draw_roulette(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.12f, 0.45f), deep = r * dmg_range(b, 0.2f, 0.35f), t = 0.05f * r;
     int pockets = dmg_int(b, 18, 37), arms = dmg_int(b, 3, 5);
@@ -104,7 +104,7 @@ static void draw_roulette(dmg_builder* b) {
     }
 }
 
-/* The lever at the right side, its boss at the height `pin`. */
+/* Draws the lever at the right side, its boss at the height `pin`. */
 static void draw_arm(dmg_builder* b, float half, float pin, float arm, float swing, float t) {
     dmg_rod(b, v3(half, pin, 0), v3(half + 1.5f * t, pin, 0), 3 * t);
     dmg_hinge(b, 0, "lever", v3(half + 2.5f * t, pin, 0), v3(1, 0, 0), 0.0f, swing);
@@ -223,7 +223,7 @@ static void draw_basket(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* Two halves that come up about lines beside the net; legs that fold under them. */
+/* Draws two halves that come up about lines beside the net; legs that fold under them. */
 static void draw_table_tennis(dmg_builder* b) {
     float scale = dmg_chance(b, 0.5f) ? 1.0f : dmg_range(b, 0.3f, 0.8f), t = 0.025f, y = 0.76f, half = 0.76f,
           length = 1.37f;

@@ -47,7 +47,7 @@ static void draw_skates(dmg_builder* b, const conveyor* c, float x0, float x1) {
     }
 }
 
-/* A belt about a drum at either end: the whole loop, or the upper run alone on its bed. */
+/* Draws a belt about a drum at either end: the whole loop, or the upper run alone on its bed. */
 static void draw_belt(dmg_builder* b, const conveyor* c, float x0, float x1) {
     enum { BEND = 7 };
     dmg_xy loop[2 * BEND + 2];
@@ -239,7 +239,7 @@ void dmg_build_roll_conveyor(dmg_builder* b) {
 
 /* ---- a boiler ---- */
 
-/* A dial on z = 0 facing +Z. */
+/* Draws a dial on z = 0 facing +Z. */
 static void draw_dial(dmg_builder* b, uint32_t parent, float r) {
     dmg_rod(b, v3(0, 0, -0.3f * r), v3(0, 0, 0.2f * r), r);
     uint32_t hand = dmg_hinge(b, parent, "gauge_hand", v3(0, 0, 0), v3(0, 0, -1), -2.3f, 2.3f);
@@ -249,7 +249,7 @@ static void draw_dial(dmg_builder* b, uint32_t parent, float r) {
     dmg_use(b, parent);
 }
 
-/* A disc over a hole, pushed aside about a pin above it. */
+/* Draws a disc over a hole, pushed aside about a pin above it. */
 static void draw_peep_hole(dmg_builder* b, uint32_t parent, float r) {
     float pin = r * dmg_range(b, 1.0f, 1.6f), swing = dmg_range(b, 1.0f, 2.4f);
     dmg_rod(b, v3(0, 0, -0.2f * r), v3(0, 0, 0.2f * r), 0.8f * r);
@@ -304,7 +304,7 @@ static void draw_rim_bolts(dmg_builder* b, uint32_t door, float r, float t) {
     dmg_use(b, door);
 }
 
-/* A ring about the door that locks it by a short turn; handles on it. */
+/* Draws a ring about the door that locks it by a short turn; handles on it. */
 static void draw_lock_ring(dmg_builder* b, float r, float t) {
     int handles = dmg_int(b, 2, 6);
     float turn = dmg_range(b, 0.2f, 0.6f);
@@ -324,7 +324,7 @@ static void draw_lock_ring(dmg_builder* b, float r, float t) {
     dmg_use(b, 0);
 }
 
-/* The round door on z = 0: on a hinge beside it, or on an arm from a post. */
+/* Draws the round door on z = 0: on a hinge beside it, or on an arm from a post. */
 static void draw_round_door(dmg_builder* b, float r) {
     float t = r * dmg_range(b, 0.1f, 0.25f), bulge = r * dmg_range(b, 0.0f, 0.3f), swing = dmg_range(b, 1.4f, 2.2f),
           off = r * dmg_range(b, 1.24f, 1.6f), arm = 0.08f * r;
@@ -391,7 +391,7 @@ static void draw_mountings(dmg_builder* b, float r, float deep, float y) {
     }
 }
 
-/* A lying cylinder on saddles, or one that stands in a square case; the door at its front. */
+/* Draws a lying cylinder on saddles, or one that stands in a square case; the door at its front. */
 static void draw_pressure_vessel(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.2f, 1.1f), deep = r * dmg_range(b, 1.5f, 5.0f), y = r * dmg_range(b, 1.35f, 2.2f);
     bool cased = dmg_chance(b, 0.25f);
@@ -407,7 +407,7 @@ static void draw_pressure_vessel(dmg_builder* b) {
     draw_round_door(b, r);
 }
 
-/* A pipe up from the top with a damper's lever on its side. */
+/* Draws a pipe up from the top with a damper's lever on its side. */
 static void draw_flue(dmg_builder* b, float r, float high) {
     float y = high * dmg_range(b, 0.3f, 0.7f), reach = fminf(2.2f * r, 1.3f * y);
     bool weight = dmg_chance(b, 0.4f);
@@ -463,7 +463,7 @@ static void draw_fronts(dmg_builder* b, float wide, float y0, float y1, float fi
     dmg_restore(b);
 }
 
-/* A furnace in a house or a workshop: a case whose front has an opening, a flue, a lid for fuel. */
+/* Draws a furnace in a house or a workshop: a case whose front has an opening, a flue, a lid for fuel. */
 static void draw_furnace(dmg_builder* b) {
     float wide = dmg_range(b, 0.4f, 0.9f), high = wide * dmg_range(b, 1.3f, 2.4f),
           deep = wide * dmg_range(b, 0.8f, 1.5f), w = 0.06f * wide, fire = wide * dmg_range(b, 0.5f, 0.75f),
@@ -498,7 +498,7 @@ static void draw_furnace(dmg_builder* b) {
                                 0.35f * wide);
 }
 
-/* A kiln of many sides filled from the top, plugs in its spy holes. */
+/* Draws a kiln of many sides filled from the top, plugs in its spy holes. */
 static void draw_kiln(dmg_builder* b) {
     enum { MOST = 12 };
     dmg_xy outer[MOST], inner[MOST];
@@ -542,7 +542,7 @@ static void draw_kiln(dmg_builder* b) {
     dmg_restore(b);
 }
 
-/* A row of ovens with tall doors, each on an arm that swings from a post; screws hold it shut. */
+/* Draws a row of ovens with tall doors, each on an arm that swings from a post; screws hold it shut. */
 static void draw_retorts(dmg_builder* b) {
     int count = dmg_int(b, 1, 3);
     float wide = dmg_range(b, 0.4f, 1.0f), high = wide * dmg_range(b, 0.8f, 2.0f),

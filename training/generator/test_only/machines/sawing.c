@@ -5,7 +5,7 @@
 #include "parts/hardware.h"
 #include "parts/shop.h"
 
-/* A toothed disc about X. */
+/* Draws a toothed disc about X. */
 static void draw_saw_blade(dmg_builder* b, dmg_vec at, float r, float t) {
     dmg_save(b);
     dmg_move(b, at.x, at.y, at.z);
@@ -15,7 +15,7 @@ static void draw_saw_blade(dmg_builder* b, dmg_vec at, float r, float t) {
     dmg_restore(b);
 }
 
-/* Two cheeks and a rim about X through `at`. */
+/* Draws two cheeks and a rim about X through `at`. */
 static void draw_blade_guard(dmg_builder* b, dmg_vec at, float r, float from, float to, float half, float t) {
     dmg_save(b);
     dmg_move(b, at.x, at.y, at.z);
@@ -71,7 +71,7 @@ static void draw_mitre_bed(dmg_builder* b, const mitre* m) {
     dmg_use(b, 0);
 }
 
-/* What comes down: arm, upper guard, motor, grip; on it the blade and the guard that gives way. */
+/* Draws what comes down: arm, upper guard, motor, grip; on it the blade and the guard that gives way. */
 static void draw_mitre_head(dmg_builder* b, const mitre* m, uint32_t carrier) {
     float drop = dmg_range(b, 0.45f, 0.8f), t = 0.02f * m->r, half = 0.09f * m->r;
     dmg_vec low = v3(0, m->top + 0.96f * m->r, 0.25f * m->r);
@@ -171,7 +171,7 @@ static void draw_slotted_top(dmg_builder* b, const bench* e) {
     }
 }
 
-/* The blade with what rises with it: splitter, guard. It rises, tilts, or both. */
+/* Draws the blade with what rises with it: splitter, guard. It rises, tilts, or both. */
 static void draw_arbor(dmg_builder* b, const bench* e, float r) {
     bool rises = dmg_chance(b, 0.75f), guard = dmg_chance(b, 0.5f), spins = dmg_chance(b, 0.75f);
     float centre = rises ? e->top - 0.9f * r : e->top - 0.35f * r, up = 0.6f * r, t = 0.1f * e->slit,
@@ -205,7 +205,7 @@ static void draw_arbor(dmg_builder* b, const bench* e, float r) {
     dmg_use(b, 0);
 }
 
-/* The fence on rails along both edges, or held at the front alone; a lever at its head. */
+/* Draws the fence on rails along both edges, or held at the front alone; a lever at its head. */
 static void draw_rip_fence(dmg_builder* b, const bench* e) {
     float x = 0.5f * e->wide, z = 0.5f * e->deep, t = 0.6f * e->t, tall = e->deep * dmg_range(b, 0.08f, 0.14f),
           half = 0.03f * e->wide, at = e->groove + 3 * e->slot + 2 * half, w = 2 * half;
@@ -225,7 +225,7 @@ static void draw_rip_fence(dmg_builder* b, const bench* e) {
     dmg_use(b, 0);
 }
 
-/* A bar in the left groove, on it a half disc that turns, with a knob on top. */
+/* Draws a bar in the left groove, on it a half disc that turns, with a knob on top. */
 static void draw_mitre_gauge(dmg_builder* b, const bench* e) {
     float r = e->wide * dmg_range(b, 0.07f, 0.1f), z = 0.2f * e->deep, way = 0.25f * e->deep, t = 0.4f * e->t,
           s = 0.9f * e->slot;
@@ -337,7 +337,7 @@ typedef struct frame_saw {
     float blade;             /* x */
 } frame_saw;
 
-/* The door over a wheel: hung at the column's side or at the blade's, or in one piece for both. */
+/* Draws the door over a wheel: hung at the column's side or at the blade's, or in one piece for both. */
 static void draw_wheel_door(dmg_builder* b, const frame_saw* f, const char* name, float y, float high, bool left) {
     float t = 0.12f * f->deep, gap = 0.01f * f->wide;
     dmg_leaf leaf = dmg_leaf_pick(b, 0.12f);
@@ -381,7 +381,7 @@ static void draw_saw_frame(dmg_builder* b, const frame_saw* f) {
             v3(0.004f * f->wide, f->high - f->low - 1.9f * box, 0.06f * f->deep));
 }
 
-/* The table with the rail of its fence; it tilts about a line along the feed. */
+/* Draws the table with the rail of its fence; it tilts about a line along the feed. */
 static void draw_band_table(dmg_builder* b, const frame_saw* f, float y) {
     float half = 0.32f * f->wide, t = 0.03f * f->wide, z = half * dmg_range(b, 0.9f, 1.2f), tall = 0.12f * f->wide,
           c = f->blade;
@@ -403,7 +403,7 @@ static void draw_band_table(dmg_builder* b, const frame_saw* f, float y) {
     dmg_use(b, 0);
 }
 
-/* The post that brings the guides down to the work, with its crank; the wheel that tightens the band. */
+/* Draws the post that brings the guides down to the work, with its crank; the wheel that tightens the band. */
 static void draw_band_guides(dmg_builder* b, const frame_saw* f, float table) {
     float low = f->high - 1.15f * f->wheel, space = low - table, r = 0.02f * f->wide, stub = 0.12f * space,
           z = -0.12f * f->deep, half = 0.5f * f->wide, y = f->high + 1.15f * f->wheel,

@@ -2,7 +2,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A tube that slides in one that stands; a pin beside it holds it. Leaves the slider in use. */
+/* Draws a tube that slides in one that stands; a pin beside it holds it. Leaves the slider in use. */
 static uint32_t draw_post(dmg_builder* b, const char* name, dmg_vec foot, float sleeve, float length, float r) {
     dmg_rod(b, foot, v3(foot.x, foot.y + sleeve, foot.z), 1.3f * r);
     dmg_slide(b, 0, "pop_pin", v3(0, 0, -1), 0.0f, 0.8f * r);
@@ -91,7 +91,8 @@ static void draw_stack(dmg_builder* b, float x, float z, float high) {
     dmg_box(b, v3(x, 0.5f * low, z), v3(0.28f, low, 0.1f));
 }
 
-/* An arm that the legs or the arms push: up from the knee, in from the sides, down from above, away on a carriage. */
+/* Draws an arm that the legs or the arms push: up from the knee, in from the sides, down from above, away on a
+ * carriage. */
 static void draw_moved_arm(dmg_builder* b, float seat, float high) {
     float reach = dmg_range(b, 0.35f, 0.5f), z = 0.5f, t = 0.03f;
     switch (dmg_int(b, 0, 2)) {
@@ -188,7 +189,7 @@ static void draw_bench(dmg_builder* b) {
     dmg_rod(b, v3(-0.2f, 0.12f, z + 0.03f), v3(0.2f, 0.12f, z + 0.03f), 0.05f);
 }
 
-/* A seat on a rail; a fan in its cage; plates for the feet; the bar on its cord. */
+/* Draws a seat on a rail; a fan in its cage; plates for the feet; the bar on its cord. */
 static void draw_rower(dmg_builder* b) {
     float length = dmg_range(b, 1.2f, 1.5f), y = dmg_range(b, 0.3f, 0.45f), r = dmg_range(b, 0.2f, 0.26f), z = 0.45f,
           way = 0.75f * length, rest = way * dmg_unit(b);

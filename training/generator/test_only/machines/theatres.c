@@ -3,7 +3,7 @@
 #include "categories.h"
 #include "parts/hardware.h"
 
-/* A fork on a stem that turns, a wheel in it; the stem's top is at the origin, the ground `high` below. */
+/* Draws a fork on a stem that turns, a wheel in it; the stem's top is at the origin, the ground `high` below. */
 static void draw_caster(dmg_builder* b, float high) {
     float r = 0.36f * high, w = 0.3f * r;
     uint32_t fork = dmg_spin(b, 0, "caster", v3(0, 0, 0), v3(0, 1, 0));
@@ -99,7 +99,7 @@ static void draw_mobile_c(dmg_builder* b) {
     dmg_rod(b, v3(x - 0.06f, top + 0.6f, back - 0.1f), v3(x + 0.06f, top + 0.6f, back - 0.1f), 0.02f);
 }
 
-/* A table whose top floats: lifted, run lengthwise and across. */
+/* Draws a table whose top floats: lifted, run lengthwise and across. */
 static void draw_patient_table(dmg_builder* b, float z) {
     float high = dmg_range(b, 0.7f, 0.95f), wide = dmg_range(b, 0.5f, 0.7f), length = dmg_range(b, 1.8f, 2.2f);
     bool tilts = dmg_chance(b, 0.5f);
@@ -119,7 +119,7 @@ static void draw_patient_table(dmg_builder* b, float z) {
     dmg_use(b, 0);
 }
 
-/* A tube that hangs from a carriage on rails, its column in lengths one in another. */
+/* Draws a tube that hangs from a carriage on rails, its column in lengths one in another. */
 static void draw_ceiling_tube(dmg_builder* b) {
     float span = dmg_range(b, 1.6f, 3.0f), deep = dmg_range(b, 1.4f, 2.4f), high = dmg_range(b, 2.4f, 2.9f),
           col = dmg_range(b, 0.07f, 0.12f), each = dmg_range(b, 0.25f, 0.38f);
@@ -175,7 +175,7 @@ void dmg_build_c_arm(dmg_builder* b) {
 
 /* ---- lamps ---- */
 
-/* The head below the origin, shining down: a dome, a flat disc, a ring, pods like petals. */
+/* Draws the head below the origin, shining down: a dome, a flat disc, a ring, pods like petals. */
 static void draw_lamp_head(dmg_builder* b, uint32_t head, float r) {
     int kind = dmg_int(b, 0, 3), pods = dmg_int(b, 3, 6), grip = dmg_int(b, 0, 2);
     float t = r * dmg_range(b, 0.1f, 0.3f);

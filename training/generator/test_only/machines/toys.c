@@ -35,7 +35,7 @@ static void draw_toy_chassis(dmg_builder* b, const toy* t) {
                      v3(0.3f * (float)s * t->w + 0.08f * t->w, t->floor - 0.1f * t->r, 0.4f * t->l));
 }
 
-/* A cab in front, its doors hung at their front edges. */
+/* Draws a cab in front, its doors hung at their front edges. */
 static void draw_toy_cab(dmg_builder* b, const toy* t, float z0, float z1) {
     float h = t->w * dmg_range(b, 0.7f, 1.0f), x = 0.46f * t->w, y = t->floor;
     bool doors = dmg_chance(b, 0.6f);
@@ -67,7 +67,7 @@ static void draw_toy_tipper(dmg_builder* b, const toy* t) {
     dmg_use(b, 0);
 }
 
-/* A house that turns, its boom up and out; a crank at its side, a hook below its end. */
+/* Draws a house that turns, its boom up and out; a crank at its side, a hook below its end. */
 static void draw_toy_crane(dmg_builder* b, const toy* t) {
     float y = t->floor + 0.01f * t->w, h = 0.7f * t->w, z = -0.2f * t->l, x = 0.4f * t->w, r = 0.07f * t->w,
           length = t->l * dmg_range(b, 0.5f, 0.8f), lean = dmg_range(b, 0.5f, 0.9f);
@@ -92,7 +92,7 @@ static void draw_toy_crane(dmg_builder* b, const toy* t) {
     dmg_use(b, 0);
 }
 
-/* A round back with a key in it: turned about the line it stands on. */
+/* Draws a round back with a key in it: turned about the line it stands on. */
 static void draw_toy_key(dmg_builder* b, dmg_vec at, float r) {
     dmg_spin(b, 0, "key", at, v3(0, 1, 0));
     dmg_rod(b, at, v3(at.x, at.y + 1.6f * r, at.z), 0.2f * r);
@@ -101,7 +101,7 @@ static void draw_toy_key(dmg_builder* b, dmg_vec at, float r) {
     dmg_use(b, 0);
 }
 
-/* A car: bonnet and boot on a low body, a key on some. */
+/* Draws a car: bonnet and boot on a low body, a key on some. */
 static void draw_toy_car(dmg_builder* b, const toy* t) {
     float y = t->floor, h = 0.28f * t->w, x = 0.44f * t->w, thick = 0.05f * t->w;
     bool front = dmg_chance(b, 0.4f), key = dmg_chance(b, 0.4f);
@@ -119,7 +119,7 @@ static void draw_toy_car(dmg_builder* b, const toy* t) {
     if (key) draw_toy_key(b, v3(0, y + 0.6f * t->w, -0.04f * t->l), 0.14f * t->w);
 }
 
-/* An animal on wheels: head and tail wag, the jaw drops. */
+/* Draws an animal on wheels: head and tail wag, the jaw drops. */
 static void draw_toy_animal(dmg_builder* b, const toy* t) {
     float y = t->floor + 0.4f * t->w, rise = 0.5f * t->w, z = 0.52f * t->l;
     dmg_ellipsoid(b, v3(0, y, 0), v3(0.45f * t->w, rise, 0.52f * t->l));

@@ -137,7 +137,7 @@ static void draw_baby_incubator(dmg_builder* b) {
     dmg_restore(b);
 }
 
-/* A chamber with a window that lifts, glove ports in it, a lock with two doors at its end. */
+/* Draws a chamber with a window that lifts, glove ports in it, a lock with two doors at its end. */
 static void draw_isolator(dmg_builder* b) {
     float wide = dmg_range(b, 0.9f, 1.8f), deep = dmg_range(b, 0.5f, 0.75f), up = dmg_range(b, 0.6f, 0.9f),
           high = dmg_range(b, 0.75f, 0.95f), t = 0.02f, r = dmg_range(b, 0.08f, 0.12f),

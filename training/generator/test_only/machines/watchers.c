@@ -19,7 +19,7 @@ static lens pick_lens(dmg_builder* b, float r) {
     return l;
 }
 
-/* A long body about z = 0, a shade over it that slides, a ring that focuses. */
+/* Draws a long body about z = 0, a shade over it that slides, a ring that focuses. */
 static void draw_bullet_body(dmg_builder* b, const lens* l, uint32_t head) {
     float front = 0.55f * l->length, back = -0.45f * l->length, t = 0.06f * l->r;
     if (l->round)
@@ -48,7 +48,7 @@ static void draw_bullet_body(dmg_builder* b, const lens* l, uint32_t head) {
     }
 }
 
-/* What it is fixed to lies behind z = 0: brings +Z up, down or leaves it, and answers which. */
+/* Orients the frame for what the camera is fixed to, behind z = 0: turns +Z up, down or leaves it; returns which. */
 static int face_surface(dmg_builder* b, float height, float plate) {
     int kind = dmg_int(b, 0, 2);
     bool wide = dmg_chance(b, 0.5f), round = dmg_chance(b, 0.5f);
@@ -89,7 +89,7 @@ static void draw_jointed_bullet(dmg_builder* b) {
     draw_bullet_body(b, &l, head);
 }
 
-/* The older bracket: an arm out of the wall or a post, the head on top of it or hung below. */
+/* Draws the older bracket: an arm out of the wall or a post, the head on top of it or hung below. */
 static void draw_arm_bullet(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.03f, 0.08f);
     lens l = pick_lens(b, r);
@@ -120,7 +120,7 @@ static void draw_arm_bullet(dmg_builder* b) {
 
 /* ---- domes ---- */
 
-/* A ball or a small camera on a turning ring in a round housing; perhaps under a clear cover that swings away. */
+/* Draws a ball or a small camera on a turning ring in a round housing; perhaps under a clear cover that swings away. */
 static void draw_dome(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.04f, 0.12f), deep = r * dmg_range(b, 0.4f, 0.9f),
           ball = r * dmg_range(b, 0.55f, 0.72f);
@@ -163,7 +163,7 @@ static void draw_dome(dmg_builder* b) {
 
 /* ---- heads that go round without end ---- */
 
-/* Two ears on a column, the head between them; a wiper on its window, lamps at its sides. */
+/* Draws two ears on a column, the head between them; a wiper on its window, lamps at its sides. */
 static void draw_yoke_head(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.05f, 0.14f), half = r * dmg_range(b, 0.8f, 1.2f),
           deep = r * dmg_range(b, 0.8f, 1.5f);
@@ -197,7 +197,7 @@ static void draw_yoke_head(dmg_builder* b) {
                  v3(0.5f * half + 0.04f * r, foot + 1.3f * high, z + 0.05f * r));
 }
 
-/* A bell on a bent arm or under the ceiling; a ball below it pans, in its slot the eye tilts. */
+/* Draws a bell on a bent arm or under the ceiling; a ball below it pans, in its slot the eye tilts. */
 static void draw_speed_dome(dmg_builder* b) {
     float r = dmg_scale_range(b, 0.06f, 0.13f), bell = r * dmg_range(b, 1.2f, 2.4f), y = r * 8;
     bool arm = dmg_chance(b, 0.6f), rim = dmg_chance(b, 0.6f);
@@ -238,7 +238,7 @@ static void draw_speed_dome(dmg_builder* b) {
 
 /* ---- carried and pushed ---- */
 
-/* A camera with its screen to the left, lens to the front, standing on y = 0. */
+/* Draws a camera with its screen to the left, lens to the front, standing on y = 0. */
 static void draw_film_camera(dmg_builder* b, uint32_t on, float size) {
     float wide = size * dmg_range(b, 0.4f, 1.2f), high = size * dmg_range(b, 0.55f, 0.8f),
           deep = size * dmg_range(b, 0.4f, 0.9f), r = 0.35f * high;
@@ -321,7 +321,7 @@ static void draw_slider(dmg_builder* b) {
     draw_film_camera(b, on, size);
 }
 
-/* A grip with a thumb stick; on it the motors of yaw, roll and tilt, each with the arm that reaches the next. */
+/* Draws a grip with a thumb stick; on it the motors of yaw, roll and tilt, each with the arm that reaches the next. */
 static void draw_gimbal(dmg_builder* b) {
     float s = dmg_scale_range(b, 0.05f, 0.12f), grip = s * dmg_range(b, 2.0f, 3.5f), r = 0.22f * s;
     bool feet = dmg_chance(b, 0.5f), stick = dmg_chance(b, 0.6f), phone = dmg_chance(b, 0.4f);

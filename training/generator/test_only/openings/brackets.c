@@ -5,7 +5,7 @@
 
 /* ---- wall arm ---- */
 
-/* What the arm holds, at the origin of its tilting head, facing +Z: a screen, a round mirror, a lamp, a tray. */
+/* Draws what the arm holds, at the origin of its tilting head, facing +Z: a screen, a round mirror, a lamp, a tray. */
 static void draw_held(dmg_builder* b, int kind, float size) {
     float t = 0.06f * size, high = size * dmg_range(b, 0.5f, 0.7f);
     bool portrait = dmg_chance(b, 0.1f);
@@ -31,7 +31,7 @@ static void draw_held(dmg_builder* b, int kind, float size) {
     dmg_restore(b);
 }
 
-/* A head at the end: it may swivel, then tilt, then turn in its plane. */
+/* Draws a head at the end: it may swivel, then tilt, then turn in its plane. */
 static void draw_arm_head(dmg_builder* b, uint32_t arm, dmg_vec at, int held, float size) {
     float swivel = dmg_range(b, 0.5f, 1.5f), tilt = dmg_range(b, 0.2f, 1.0f), t = 0.05f * size;
     bool swivels = dmg_chance(b, 0.6f), rolls = dmg_chance(b, 0.25f), fork = dmg_chance(b, 0.3f);
@@ -55,7 +55,7 @@ static void draw_arm_head(dmg_builder* b, uint32_t arm, dmg_vec at, int held, fl
     dmg_use(b, 0);
 }
 
-/* Two or three links that swing about upright pins; the last may lift as a parallelogram's arm does. */
+/* Draws two or three links that swing about upright pins; the last may lift as a parallelogram's arm does. */
 static void draw_links(dmg_builder* b, int held, float size) {
     int count = dmg_int(b, 1, 3), shape = dmg_int(b, 0, 2);
     float reach = size * dmg_range(b, 0.8f, 1.8f), t = size * dmg_range(b, 0.03f, 0.06f),
@@ -130,7 +130,7 @@ typedef struct crate {
     float pitch;
 } crate;
 
-/* A grid of wires in x, y about the origin. */
+/* Draws a grid of wires in x, y about the origin. */
 static void draw_grid(dmg_builder* b, const crate* c, float w, float h) {
     int columns = (int)(w / c->pitch) + 2, rows = (int)(h / (3 * c->pitch)) + 2;
     for (int i = 0; i < columns; ++i) {
@@ -143,7 +143,8 @@ static void draw_grid(dmg_builder* b, const crate* c, float w, float h) {
     }
 }
 
-/* A door in a front w x h about the origin of z = 0, a bolt with its handle on it; the rest of the front stays. */
+/* Draws a door in a front w x h about the origin of z = 0, a bolt with its handle on it; the rest of the front stays.
+ */
 static void draw_wire_door(dmg_builder* b, const crate* c, float w, float h) {
     float half = w * dmg_range(b, 0.25f, 0.4f), high = h * dmg_range(b, 0.6f, 0.85f), swing = dmg_range(b, 1.4f, 2.8f),
           x = (0.45f * w - half) * dmg_range(b, -1.0f, 1.0f), y = (0.46f * h - 0.5f * high) * dmg_range(b, -1.0f, 0.5f);
@@ -201,7 +202,7 @@ static void draw_wire_crate(dmg_builder* b, const crate* c) {
     dmg_use(b, 0);
 }
 
-/* Two shells of plastic, a grid in front, a handle and a hatch on top, latches on the seam. */
+/* Draws two shells of plastic, a grid in front, a handle and a hatch on top, latches on the seam. */
 static void draw_carrier(dmg_builder* b, const crate* c) {
     float h = c->high, t = 0.03f * c->half, seam = h * dmg_range(b, 0.4f, 0.6f), r = 0.1f * c->half;
     int latches = dmg_int(b, 0, 2);

@@ -6,7 +6,7 @@
 
 /* ---- each centred at the origin, `size` about a hand's breadth; the door's free edge at -X ---- */
 
-/* A shield below: round, long, or of free outline. Answers how thick it is. */
+/* Draws a shield below: round, long, or of free outline. Returns how thick it is. */
 static float draw_shield(dmg_builder* b, float size, bool high) {
     float t = size * dmg_range(b, 0.03f, 0.1f), wide = size * dmg_range(b, 0.3f, 0.42f),
           tall = high ? size * dmg_range(b, 1.2f, 2.0f) : wide;
@@ -21,7 +21,7 @@ static float draw_shield(dmg_builder* b, float size, bool high) {
     return t;
 }
 
-/* A bent grip on a neck; it turns down, springs back. */
+/* Draws a bent grip on a neck; it turns down, springs back. */
 static void draw_door_lever(dmg_builder* b, float size) {
     bool high = dmg_chance(b, 0.5f), turned = dmg_chance(b, 0.4f);
     float t = draw_shield(b, size, high), neck = size * dmg_range(b, 0.07f, 0.12f),
@@ -79,7 +79,7 @@ static void draw_thumb_turn(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A rod in its loops, shot past the edge; its knob may have to be turned out of a notch first. */
+/* Draws a rod in its loops, shot past the edge; its knob may have to be turned out of a notch first. */
 static void draw_bolt(dmg_builder* b, float size) {
     float r = size * dmg_range(b, 0.06f, 0.1f), l = size * dmg_range(b, 0.8f, 1.5f), way = l * dmg_range(b, 0.2f, 0.4f),
           t = 0.05f * size, y = 1.3f * r + t;
@@ -106,7 +106,7 @@ static void draw_bolt(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A bar that drops into a catch on the frame. */
+/* Draws a bar that drops into a catch on the frame. */
 static void draw_bar_latch(dmg_builder* b, float size) {
     float l = size * dmg_range(b, 0.9f, 1.5f), t = 0.06f * size, lift = dmg_range(b, 0.3f, 0.7f);
     bool curl = dmg_chance(b, 0.5f);
@@ -158,7 +158,7 @@ static void draw_key_cover(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A slot behind a flap hung at its top, inside a frame or over it. */
+/* Draws a slot behind a flap hung at its top, inside a frame or over it. */
 static void draw_letter_flap(dmg_builder* b, float size) {
     float w = size * dmg_range(b, 1.4f, 2.0f), h = size * dmg_range(b, 0.35f, 0.55f), t = 0.05f * size,
           swing = dmg_range(b, 0.7f, 1.5f);
@@ -180,7 +180,7 @@ static void draw_letter_flap(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A ring, a stirrup or a drop from a boss; it strikes a stud. */
+/* Draws a ring, a stirrup or a drop from a boss; it strikes a stud. */
 static void draw_knocker(dmg_builder* b, float size) {
     float r = size * dmg_range(b, 0.3f, 0.5f), tube = size * dmg_range(b, 0.04f, 0.07f),
           out = size * dmg_range(b, 0.1f, 0.18f);
@@ -208,7 +208,7 @@ static void draw_knocker(dmg_builder* b, float size) {
     dmg_use(b, 0);
 }
 
-/* A slider in a track, links on it that hang. */
+/* Draws a slider in a track, links on it that hang. */
 static void draw_chain(dmg_builder* b, float size) {
     float l = size * dmg_range(b, 0.8f, 1.2f), t = 0.05f * size, way = 0.75f * l;
     int links = dmg_int(b, 3, 6);

@@ -11,7 +11,7 @@ typedef struct drum {
     int wings;
 } drum;
 
-/* The curved walls at both sides, floor and canopy; angles of skins, whose Y looks backwards here. */
+/* Draws the curved walls at both sides, floor and canopy; angles of skins, whose Y looks backwards here. */
 static void draw_drum(dmg_builder* b, const drum* d) {
     float canopy = dmg_range(b, 0.08f, 0.5f), over = d->r + dmg_range(b, 3.0f, 5.0f) * d->t,
           open = 0.5f * DMG_PI - d->gate;
@@ -213,7 +213,7 @@ static void draw_lift_panels(dmg_builder* b, const landing* l, uint32_t parent, 
     }
 }
 
-/* The car: floor, roof and walls, its front at z = 0, guides beside it where it travels. */
+/* Draws the car: floor, roof and walls, its front at z = 0, guides beside it where it travels. */
 static uint32_t draw_lift_car(dmg_builder* b, const landing* l) {
     float deep = l->wide * dmg_range(b, 0.8f, 1.6f), wide = l->wide + 2.0f * fminf(l->pocket, 0.3f) - 0.04f, w = 0.03f;
     uint32_t car = 0;
@@ -308,7 +308,7 @@ static void draw_call_panel(dmg_builder* b, const landing* l) {
     dmg_use(b, 0);
 }
 
-/* A door to walk up to and pull, behind it a gate. */
+/* Draws a door to walk up to and pull, behind it a gate. */
 static void draw_old_landing(dmg_builder* b, const landing* l) {
     bool gate = dmg_chance(b, 0.6f);
     float shift = dmg_range(b, 0.06f, 0.2f);

@@ -6,7 +6,7 @@
 
 /* ---- a hydrant ---- */
 
-/* A nut of five sides or a wheel's square on z = 0, as caps and spindles have them. */
+/* Draws a nut of five sides or a wheel's square on z = 0, as caps and spindles have them. */
 static void draw_nut(dmg_builder* b, float r, float high) {
     dmg_xy outline[5];
     for (int i = 0; i < 5; ++i) {
@@ -16,7 +16,7 @@ static void draw_nut(dmg_builder* b, float r, float high) {
     dmg_extrude(b, outline, 5, 0, high);
 }
 
-/* An outlet from z = 0 along +Z, its cap screwed on; a chain hangs from the body. */
+/* Draws an outlet from z = 0 along +Z, its cap screwed on; a chain hangs from the body. */
 static void draw_outlet(dmg_builder* b, float r, float out) {
     int grip = dmg_int(b, 0, 2);
     bool flap = dmg_chance(b, 0.15f), chain = dmg_chance(b, 0.4f);
@@ -54,7 +54,7 @@ static void draw_outlet_at(dmg_builder* b, float y, float turn, float from, floa
     dmg_restore(b);
 }
 
-/* A barrel with a bonnet, the spindle's nut on top, two hose outlets and a pumper's. */
+/* Draws a barrel with a bonnet, the spindle's nut on top, two hose outlets and a pumper's. */
 static void draw_barrel(dmg_builder* b) {
     float high = dmg_range(b, 0.5f, 0.95f), r = high * dmg_range(b, 0.12f, 0.19f),
           y = high * dmg_range(b, 0.62f, 0.75f), out = r * dmg_range(b, 0.3f, 0.7f),
@@ -117,7 +117,7 @@ static void draw_pillar(dmg_builder* b) {
     }
 }
 
-/* A cabinet on the wall, its reel on an arm that swings out, a valve beside it. */
+/* Draws a cabinet on the wall, its reel on an arm that swings out, a valve beside it. */
 static void draw_hose_cabinet(dmg_builder* b) {
     float wide = dmg_range(b, 0.55f, 0.9f), high = wide * dmg_range(b, 0.9f, 1.3f), deep = dmg_range(b, 0.2f, 0.35f),
           t = 0.02f, r = 0.38f * wide, w = 0.5f * deep;
@@ -216,7 +216,7 @@ static void draw_knife_switch(dmg_builder* b, const meter_case* c) {
     }
 }
 
-/* A meter: dials with hands, or a disc that turns behind a window. */
+/* Draws a meter: dials with hands, or a disc that turns behind a window. */
 static void draw_meter(dmg_builder* b, const meter_case* c) {
     float r = 0.3f * fminf(c->wide, c->high), z = -0.9f * c->deep, front = -0.35f * c->deep;
     int dials = dmg_int(b, 2, 5);
@@ -250,7 +250,8 @@ static void draw_meter(dmg_builder* b, const meter_case* c) {
     }
 }
 
-/* What is on the door: an isolator's handle, a window flap, a lock's lever, or a hasp that folds over a staple. */
+/* Draws what is on the door: an isolator's handle, a window flap, a lock's lever, or a hasp that folds over a staple.
+ */
 static void draw_door_fittings(dmg_builder* b, const meter_case* c, uint32_t door, float side, float z) {
     int kind = dmg_int(b, 0, 3);
     float unit = 0.1f * fminf(c->wide, c->high), turn = dmg_chance(b, 0.5f) ? 1.57f : 0.8f;

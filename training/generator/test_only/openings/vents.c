@@ -4,7 +4,7 @@
 #include "parts/hardware.h"
 #include "parts/shop.h"
 
-/* Four walls round an opening in the plane y = 0, up to `high`. */
+/* Draws four walls round an opening in the plane y = 0, up to `high`. */
 static void draw_curb(dmg_builder* b, float wide, float deep, float high, float t) {
     for (int s = -1; s <= 1; s += 2) {
         dmg_box(b, v3((float)s * 0.5f * (wide - t), 0.5f * high, 0), v3(t, high, deep));
@@ -49,7 +49,7 @@ static void draw_skylight(dmg_builder* b) {
     dmg_use(b, sash);
 }
 
-/* Two flaps on a curb, hung at its sides, with the rams that throw them open. */
+/* Draws two flaps on a curb, hung at its sides, with the rams that throw them open. */
 static void draw_smoke_vent(dmg_builder* b) {
     float wide = dmg_range(b, 0.9f, 2.2f), deep = wide * dmg_range(b, 0.6f, 1.8f), high = dmg_range(b, 0.2f, 0.6f),
           t = dmg_range(b, 0.03f, 0.08f), swing = dmg_range(b, 1.2f, 2.4f), rest = dmg_chance(b, 0.3f) ? swing : 0.0f,
@@ -84,7 +84,7 @@ static void draw_smoke_vent(dmg_builder* b) {
     }
 }
 
-/* A house of glass with vents along the ridge, a door and slats in its wall. */
+/* Draws a house of glass with vents along the ridge, a door and slats in its wall. */
 static void draw_greenhouse(dmg_builder* b) {
     float wide = dmg_range(b, 1.6f, 3.0f), deep = wide * dmg_range(b, 0.8f, 2.0f), eaves = dmg_range(b, 1.2f, 1.9f),
           rise = wide * dmg_range(b, 0.18f, 0.4f), p = 0.04f, x = 0.5f * wide, z = 0.5f * deep, slope = atan2f(rise, x),

@@ -11,7 +11,7 @@ typedef struct deck {
 
 /* ---- lifting gear ---- */
 
-/* A hook on a length of wire under the origin; it is let down. */
+/* Draws a hook on a length of wire under the origin; it is let down. */
 static void draw_hook(dmg_builder* b, uint32_t boom, dmg_vec at, float size) {
     float wire = size * dmg_range(b, 1.0f, 3.0f), way = size * dmg_range(b, 1.0f, 2.5f);
     dmg_slide(b, boom, "hook", v3(0, -1, 0), 0.0f, way);
@@ -24,7 +24,7 @@ static void draw_hook(dmg_builder* b, uint32_t boom, dmg_vec at, float size) {
     dmg_sweep(b, bend, 4, 0.06f * size, 0.06f * size, false);
 }
 
-/* A boom on a gooseneck at the foot of a mast: it slews with the neck and is topped about the pin. */
+/* Draws a boom on a gooseneck at the foot of a mast: it slews with the neck and is topped about the pin. */
 static void draw_derrick(dmg_builder* b, dmg_vec foot, float reach, float turn) {
     float mast = reach * dmg_range(b, 0.8f, 1.3f), r = reach * dmg_range(b, 0.018f, 0.04f),
           neck = reach * dmg_range(b, 0.08f, 0.2f), slant = dmg_range(b, 0.25f, 1.0f);
@@ -51,7 +51,7 @@ static void draw_derrick(dmg_builder* b, dmg_vec foot, float reach, float turn) 
     dmg_use(b, 0);
 }
 
-/* A pedestal, a house that slews, a jib that luffs. */
+/* Draws a pedestal, a house that slews, a jib that luffs. */
 static void draw_crane(dmg_builder* b, dmg_vec foot, float reach, float turn) {
     float column = reach * dmg_range(b, 0.15f, 0.4f), wide = reach * dmg_range(b, 0.1f, 0.2f),
           high = wide * dmg_range(b, 1.0f, 2.2f), slant = dmg_range(b, 0.1f, 0.7f), swing = dmg_range(b, 1.5f, 3.1f);
@@ -163,7 +163,7 @@ static void draw_cover(dmg_builder* b, float x0, float x1, float y, float t, flo
     }
 }
 
-/* One end's pair of leaves: the outer folds onto the inner, both stand up at the end; `s` tells which end. */
+/* Draws one end's pair of leaves: the outer folds onto the inner, both stand up at the end; `s` tells which end. */
 static void draw_fold_pair(dmg_builder* b, float half, float y, float t, float end, float leaf, float s) {
     float up = dmg_range(b, 1.2f, 1.7f), over = dmg_range(b, 1.5f, 3.1f);
     uint32_t inner = dmg_hinge(b, 0, "hatch_leaf", v3(0, y + 0.5f * t, end), v3(s, 0, 0), 0.0f, up);
@@ -370,7 +370,8 @@ static void draw_tight_door(dmg_builder* b, float wide, float high) {
     dmg_use(b, 0);
 }
 
-/* A block across the deck from z0 to z1, doors in the wall that faces along `s`, another block on top at times. */
+/* Draws a block across the deck from z0 to z1, doors in the wall that faces along `s`, another block on top at times.
+ */
 static void draw_house(dmg_builder* b, const deck* d, float z0, float z1, float s) {
     float half = d->half * dmg_range(b, 0.5f, 0.85f), door = d->unit * dmg_range(b, 0.3f, 0.4f),
           high = door * dmg_range(b, 2.3f, 2.9f), deep = z1 - z0;
@@ -414,7 +415,7 @@ static void draw_house(dmg_builder* b, const deck* d, float z0, float z1, float 
 
 /* ---- hull and its ends ---- */
 
-/* The plan of the bow beyond its shoulder, as outlines (x, -z). */
+/* Draws the plan of the bow beyond its shoulder, as outlines (x, -z). */
 static void draw_bow(dmg_builder* b, const deck* d, float length, float wall) {
     float h = d->half, z = d->bow, low = 0.35f * d->y, swing = dmg_range(b, 0.6f, 1.2f);
     int kind = dmg_int(b, 0, 3); /* fixed twice, a visor, doors that part */
@@ -470,7 +471,7 @@ static void draw_stern_ramp(dmg_builder* b, const deck* d, float deep) {
     dmg_use(b, 0);
 }
 
-/* The deck between two places along the ship. */
+/* Draws the deck between two places along the ship. */
 static void draw_hold(dmg_builder* b, const deck* d, float z0, float z1, int kind) {
     float length = z1 - z0, edge = 0.14f * length;
     if (kind < 4) draw_hatch(b, d, z0 + edge, z1 - edge);

@@ -5,7 +5,7 @@
 
 /* ---- what they share ---- */
 
-/* A curved blade about x = 0 whose back is at z, on the part in use; an edge below, plates at its ends. */
+/* Draws a curved blade about x = 0 whose back is at z, on the part in use; an edge below, plates at its ends. */
 static void draw_blade_sheet(dmg_builder* b, float z, float low, float high, float width, bool ends) {
     float bulge = 0.16f * (high - low), t = 0.04f * (high - low);
     const dmg_xy line[] = {{z + bulge, low},
@@ -105,7 +105,7 @@ static void draw_engine_house(dmg_builder* b, uint32_t parent, dmg_vec low, dmg_
     dmg_use(b, parent);
 }
 
-/* A ripper behind: a beam that swings down, shanks in it; some slide up and down. */
+/* Draws a ripper behind: a beam that swings down, shanks in it; some slide up and down. */
 static void draw_ripper(dmg_builder* b, float half, float y, float z, float size) {
     int shanks = dmg_int(b, 1, 3);
     bool slides = dmg_chance(b, 0.4f);
@@ -168,7 +168,7 @@ static void draw_dozer(dmg_builder* b) {
     if (dmg_chance(b, 0.6f)) draw_ripper(b, body, r, z0 - 0.5f * r, 1.1f);
 }
 
-/* A long nose over a ring that turns the blade; the front wheels steer and lean; the middle may bend. */
+/* Draws a long nose over a ring that turns the blade; the front wheels steer and lean; the middle may bend. */
 static void draw_grader(dmg_builder* b) {
     dmg_tyre tyre = dmg_tyre_pick(b, dmg_range(b, 0.5f, 0.7f));
     tyre.width = fminf(tyre.width, 0.4f);
@@ -214,7 +214,7 @@ static void draw_grader(dmg_builder* b) {
     }
 }
 
-/* A drum in a yoke; fixed in the frame, or the yoke steers. */
+/* Draws a drum in a yoke; fixed in the frame, or the yoke steers. */
 static void draw_drum(dmg_builder* b, uint32_t parent, float half, float r, float z, bool split, bool padded) {
     dmg_use(b, parent);
     for (int k = -1; k <= 1; k += 2) {

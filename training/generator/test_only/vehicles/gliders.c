@@ -83,7 +83,7 @@ static void draw_airbrake(dmg_builder* b, const dmg_wing* w, int kind, float s, 
     dmg_use(b, 0);
 }
 
-/* One wing, to the right. */
+/* Draws one wing, to the right. */
 static void draw_glider_wing(dmg_builder* b, const dmg_wing* w, const trailing* t, int count, int brake, float s,
                              float wide, float high, bool below, bool winglet) {
     draw_cut_wing(b, w, 0, t, count, false);
@@ -206,7 +206,7 @@ static void draw_glider_canopy(dmg_builder* b, const sailplane* p, float z0, flo
     dmg_use(b, 0);
 }
 
-/* The wheel: fixed, swung back into its well between doors, or let down on a leg. */
+/* Draws the wheel: fixed, swung back into its well between doors, or let down on a leg. */
 static void draw_glider_wheel(dmg_builder* b, const sailplane* p, float z) {
     float r = p->r * dmg_range(b, 0.4f, 0.6f), y = p->high - 1.25f * p->r;
     bool folds = dmg_chance(b, 0.7f), doors = dmg_chance(b, 0.7f);
@@ -262,7 +262,7 @@ static void draw_sailplane(dmg_builder* b) {
     }
 }
 
-/* A long box on an axle: the lid lifts at its front end or along one side, a ramp door lets the hull out. */
+/* Draws a long box on an axle: the lid lifts at its front end or along one side, a ramp door lets the hull out. */
 static void draw_trailer(dmg_builder* b) {
     float l = dmg_range(b, 7.0f, 9.5f), half = dmg_range(b, 0.5f, 0.8f), low = 0.45f,
           high = low + dmg_range(b, 0.4f, 0.7f), top = high + dmg_range(b, 0.4f, 0.7f), t = 0.03f;

@@ -5,7 +5,7 @@
 
 /* ---- what hangs on the rope ---- */
 
-/* A clamp on the rope at y: a jaw that opens, wheels beside it, a hanger swinging below. Returns the hanger. */
+/* Draws a clamp on the rope at y: a jaw that opens, wheels beside it, a hanger swinging below. Returns the hanger. */
 static uint32_t draw_grip(dmg_builder* b, float y, float drop, float arm) {
     float s = dmg_range(b, 0.15f, 0.3f), r = 0.35f * s, side = dmg_sign(b);
     bool along = dmg_chance(b, 0.3f), wheels = dmg_chance(b, 0.6f);
@@ -33,7 +33,7 @@ static uint32_t draw_grip(dmg_builder* b, float y, float drop, float arm) {
     return hanger;
 }
 
-/* Two leaves in the wall facing +X: they slide apart outside the wall, or swing. */
+/* Draws two leaves in the wall facing +X: they slide apart outside the wall, or swing. */
 static void draw_cabin_doors(dmg_builder* b, uint32_t cabin, float x, float y, float wide, float high) {
     int kind = dmg_int(b, 0, 2);
     float each = 0.5f * wide, t = 0.04f;
@@ -97,7 +97,7 @@ static void draw_cabin(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A bench for two to six: the bar comes down from behind with its foot rest, the bubble over it. */
+/* Draws a bench for two to six: the bar comes down from behind with its foot rest, the bubble over it. */
 static void draw_chair(dmg_builder* b) {
     float half = 0.28f * (float)dmg_int(b, 2, 6), drop = dmg_range(b, 1.6f, 2.4f), seat = dmg_range(b, 0.5f, 0.9f),
           t = 0.04f, deep = 0.5f, back = 0.6f;
@@ -153,7 +153,7 @@ static void draw_chair(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* The big wheel at the end of the rope, on a carriage that a weight pulls back; the brake on its rim. */
+/* Draws the big wheel at the end of the rope, on a carriage that a weight pulls back; the brake on its rim. */
 static void draw_bull_wheel(dmg_builder* b) {
     float r = dmg_range(b, 1.5f, 3.0f), y = dmg_range(b, 3.0f, 4.5f), t = 0.08f * r, way = dmg_range(b, 0.5f, 1.5f);
     int spokes = dmg_int(b, 5, 10);

@@ -76,7 +76,7 @@ static void draw_mixer_back(dmg_builder* b, const dmg_truck* t, float size) {
 
 /* ---- refuse ---- */
 
-/* A comb behind that takes a bin by its rim and throws it over; the bin hangs on it. */
+/* Draws a comb behind that takes a bin by its rim and throws it over; the bin hangs on it. */
 static void draw_bin_lift(dmg_builder* b, uint32_t parent, float half, float y, float z, float size) {
     int lifts = dmg_int(b, 1, 2);
     bool bin = dmg_chance(b, 0.6f);
@@ -176,7 +176,7 @@ void dmg_build_mixer_truck(dmg_builder* b) {
 
 /* ---- fire engine ---- */
 
-/* A barrel on a base that pans and tilts. */
+/* Draws a barrel on a base that pans and tilts. */
 static void draw_monitor(dmg_builder* b, uint32_t parent, dmg_vec at, float size) {
     dmg_use(b, parent);
     dmg_rod(b, at, v3_add(at, v3(0, 0.3f * size, 0)), 0.2f * size);

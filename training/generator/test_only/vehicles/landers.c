@@ -9,7 +9,8 @@ typedef struct craft {
     int legs;
 } craft;
 
-/* A leg hung at the body's lower edge; it swings out and down from beside the body, or stands with a pad that tips. */
+/* Draws a leg hung at the body's lower edge; it swings out and down from beside the body, or stands with a pad that
+ * tips. */
 static void draw_leg(dmg_builder* b, const craft* c, float reach, bool folds, bool slides, bool strut) {
     float t = 0.04f * c->r, top = 0.5f * (c->low + c->high), foot = c->r + reach;
     dmg_box(b, v3(c->r * 0.98f, top, 0), v3(3 * t, 3 * t, 4 * t));
@@ -59,7 +60,7 @@ static void draw_petals(dmg_builder* b, const craft* c) {
     }
 }
 
-/* A bell in two rings: each turns about its own line. */
+/* Draws a bell in two rings: each turns about its own line. */
 static void draw_gimbal(dmg_builder* b, dmg_vec at, float r) {
     int rings = dmg_int(b, 1, 2);
     float swing = dmg_range(b, 0.1f, 0.3f);
@@ -75,7 +76,7 @@ static void draw_gimbal(dmg_builder* b, dmg_vec at, float r) {
     dmg_use(b, 0);
 }
 
-/* A dish or a paddle on a mast: pans, tilts. */
+/* Draws a dish or a paddle on a mast: pans, tilts. */
 static void draw_pointing(dmg_builder* b, dmg_vec at, float r, bool dish) {
     dmg_rod(b, v3_add(at, v3(0, -0.1f * r, 0)), v3_add(at, v3(0, r, 0)), 0.08f * r);
     dmg_vec head = v3_add(at, v3(0, 1.2f * r, 0));

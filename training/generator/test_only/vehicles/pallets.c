@@ -6,7 +6,8 @@
 
 /* ---- steering ---- */
 
-/* A bar with a grip, from its pin forward (-Z) and up; in the grip a lever, thumb wheels on it where it is driven. */
+/* Draws a bar with a grip, from its pin forward (-Z) and up; in the grip a lever, thumb wheels on it where it is
+ * driven. */
 static void draw_drawbar(dmg_builder* b, uint32_t parent, dmg_vec pin, float length) {
     float swing = dmg_range(b, 0.9f, 1.4f), r = length * dmg_range(b, 0.012f, 0.022f),
           wide = length * dmg_range(b, 0.12f, 0.2f);
@@ -157,7 +158,7 @@ static void draw_hand_truck(dmg_builder* b) {
     dmg_box_span(b, v3(0.03f, 2.1f * r - 0.008f, z - 0.17f), v3(0.06f, 2.1f * r + 0.008f, z - 0.05f));
 }
 
-/* Two posts, within them two that rise, a carriage with forks; legs beside or below the forks. */
+/* Draws two posts, within them two that rise, a carriage with forks; legs beside or below the forks. */
 static void draw_mast(dmg_builder* b, const fork_pair* f, float high, bool two, bool straddle) {
     float half = f->half * dmg_range(b, 0.8f, 1.2f), t = dmg_range(b, 0.05f, 0.08f), way = high - 0.45f,
           rest = dmg_unit(b) * way;
@@ -306,13 +307,13 @@ static void draw_rider(dmg_builder* b) {
 
 /* ---- docks and tables ---- */
 
-/* A share of the way up, whichever sign the axis has. */
+/* Draws a share of the way up, whichever sign the axis has. */
 static void rest_across(dmg_builder* b, uint32_t part, float share) {
     const dmg_joint* joint = &b->parts[part - 1].joint;
     dmg_rest(b, part, share * (joint->lower + joint->upper)); /* one of them is 0 */
 }
 
-/* A deck hung at the rear of its pit, its lip hanging at the front, or pushed out of it. */
+/* Draws a deck hung at the rear of its pit, its lip hanging at the front, or pushed out of it. */
 static void draw_leveller(dmg_builder* b) {
     float half = dmg_range(b, 0.8f, 1.1f), deep = dmg_range(b, 1.6f, 3.0f), y = dmg_range(b, 0.5f, 1.2f),
           t = dmg_range(b, 0.04f, 0.1f);
@@ -358,7 +359,7 @@ static void draw_leveller(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* Two that follow and two that steer, under a table at y. */
+/* Draws two that follow and two that steer, under a table at y. */
 static void draw_table_wheels(dmg_builder* b, float half, float deep, float r, float y, int kind) {
     for (int i = 0; i < 4; ++i) {
         float x = (i & 1 ? 0.85f : -0.85f) * half, z = i & 2 ? 0.85f * deep : -0.85f * deep;
@@ -399,7 +400,7 @@ static void draw_scissors(dmg_builder* b, float half, float deep, float y, float
     }
 }
 
-/* A bar to push by and the pedal that pumps. */
+/* Draws a bar to push by and the pedal that pumps. */
 static void draw_push_handle(dmg_builder* b, float half, float deep, float y, float bar) {
     for (int s = -1; s <= 1; s += 2)
         dmg_rod(b, v3((float)s * 0.8f * half, y + 0.02f, -deep - 0.05f),
@@ -410,7 +411,7 @@ static void draw_push_handle(dmg_builder* b, float half, float deep, float y, fl
     dmg_box_span(b, v3(0.15f * half, y + 0.01f, -deep - 0.25f), v3(0.15f * half + 0.06f, y + 0.03f, -deep - 0.071f));
 }
 
-/* A table over its scissors: the arms turn on the pins of the base, the inner ones on the outer; or a skirt hides
+/* Draws a table over its scissors: the arms turn on the pins of the base, the inner ones on the outer; or a skirt hides
  * them. On wheels with a push bar and a pedal, or bolted down. */
 static void draw_lift_table(dmg_builder* b) {
     float half = dmg_range(b, 0.25f, 0.7f), deep = half * dmg_range(b, 1.2f, 2.6f), r = dmg_range(b, 0.05f, 0.09f),

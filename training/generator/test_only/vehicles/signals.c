@@ -5,7 +5,7 @@
 
 /* ---- arms on a mast ---- */
 
-/* An arm with its spectacle on the near side of the mast; it rises or falls, or hangs from its middle. */
+/* Draws an arm with its spectacle on the near side of the mast; it rises or falls, or hangs from its middle. */
 static void draw_arm(dmg_builder* b, float y, float z, float dir, float length) {
     float high = length * dmg_range(b, 0.12f, 0.22f), t = 0.02f * length, swing = dmg_range(b, 0.7f, 1.5f);
     bool rises = dmg_chance(b, 0.5f), forked = dmg_chance(b, 0.4f);
@@ -170,7 +170,7 @@ static void draw_lever_frame(dmg_builder* b) {
     }
 }
 
-/* A pair of blades that bend to one side, a bar between them, a lever with a weight, a lamp that turns. */
+/* Draws a pair of blades that bend to one side, a bar between them, a lever with a weight, a lamp that turns. */
 static void draw_points(dmg_builder* b) {
     float length = dmg_range(b, 2.5f, 5.0f), gauge = 0.7f, high = 0.16f, angle = dmg_range(b, 0.03f, 0.06f),
           way = angle * length, z = -0.5f * length;
@@ -259,7 +259,7 @@ static void draw_rail_turntable(dmg_builder* b) {
     dmg_use(b, 0);
 }
 
-/* A column whose arm swings over the tender, a leather bag at its end, a wheel on the valve. */
+/* Draws a column whose arm swings over the tender, a leather bag at its end, a wheel on the valve. */
 static void draw_water_crane(dmg_builder* b) {
     float high = dmg_range(b, 2.6f, 3.8f), r = dmg_range(b, 0.08f, 0.16f), reach = dmg_range(b, 1.5f, 3.0f),
           drop = dmg_range(b, 0.4f, 1.3f);

@@ -222,7 +222,7 @@ static void draw_steam_engine(dmg_builder* b) {
 
 /* ---- diesel ---- */
 
-/* A row of doors along both sides of a hood. */
+/* Draws a row of doors along both sides of a hood. */
 static void draw_hood_doors(dmg_builder* b, float half, float low, float high, float z0, float z1) {
     int count = dmg_int(b, 2, 6);
     float each = (z1 - z0) / (float)count, fill = dmg_range(b, 0.7f, 0.95f);
