@@ -131,7 +131,7 @@ shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
 
 -- The procedural generator, and the library through which training sees the sdk's own samplers.
 local generator = "training/generator"
-library("dragmesh_generator", { "training/generator/*.c" },
+library("dragmesh_generator", { "training/generator/**.c" },
     { api, generator, include_folder("dragmesh_generator", "sdk", { "base", "math", "mesh" }) })
 
 shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },

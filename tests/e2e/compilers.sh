@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 flags="-std=c17 -D_GNU_SOURCE -O1 -Iplugin_api/include -Isdk -Itraining/generator"
 for compiler in gcc clang; do
     mkdir "$work/$compiler"
-    printf '%s\0' training/generator/*.c tests/e2e/generated_sums.c sdk/base/*.c |
+    find training/generator sdk/base tests/e2e/generated_sums.c -name '*.c' -print0 |
         xargs -0 -P "$(nproc)" -I{} sh -c "$compiler $flags -c {} -o $work/$compiler/\$(basename {} .c).o"
     "$compiler" "$work/$compiler"/*.o -lm -o "$work/$compiler/sums"
     "$work/$compiler/sums" > "$work/$compiler.txt"

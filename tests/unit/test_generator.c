@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "build.h"
-#include "check.h"
+#include "core/build.h"
+#include "core/check.h"
 #include "generator.h"
 
 enum { SEEDS = 20, FEW_SEEDS = 4 };
@@ -98,6 +98,51 @@ static void categories_have_names(void** state) {
     assert_int_equal(dmg_category_find("no such thing"), -1);
     dmg_object object;
     assert_int_not_equal(dmg_make(dmg_category_count(), 0, 0, &object), 0);
+}
+
+/* Ids are unique, lead back to their rows, and end at the limit. */
+static void category_ids_are_unique(void** state) {
+    (void)state;
+    const uint32_t count = dmg_category_count(), limit = dmg_category_id_limit();
+    uint8_t* seen = calloc(limit, 1);
+    for (uint32_t row = 0; row < count; ++row) {
+        const uint32_t id = dmg_category_id(row);
+        assert_true(id < limit);
+        assert_int_equal(seen[id]++, 0);
+        assert_int_equal(dmg_category_with_id(id), row);
+    }
+    assert_int_equal(seen[limit - 1], 1);
+    assert_int_equal(dmg_category_with_id(limit), -1);
+    assert_int_equal(dmg_category_id(count), UINT32_MAX);
+    free(seen);
+}
+
+/* The categories of today stay in the sets that the shipped weights were trained and tested by. */
+static void category_sets_are_as_trained(void** state) {
+    (void)state;
+    enum { IDS = 388 };
+    uint32_t sizes[3] = {0};
+    for (uint32_t id = 0; id < IDS; ++id) {
+        const int32_t set = dmg_category_set((uint32_t)dmg_category_with_id(id));
+        assert_in_range(set, DMG_SET_FIRST, DMG_SET_TEST_ONLY);
+        ++sizes[set];
+    }
+    assert_int_equal(sizes[DMG_SET_FIRST], 195);
+    assert_int_equal(sizes[DMG_SET_FIRST] + sizes[DMG_SET_TRAINED], 293);
+    assert_int_equal(sizes[DMG_SET_TEST_ONLY], 95);
+    assert_int_equal(dmg_category_set(dmg_category_count()), -1);
+}
+
+/* Of 20 seeds one is for validation and one for test. */
+static void splits_have_their_shares(void** state) {
+    (void)state;
+    enum { COUNT = 2000 };
+    for (uint32_t row = 0; row < dmg_category_count(); ++row) {
+        uint32_t sizes[3] = {0};
+        for (uint64_t seed = 0; seed < COUNT; ++seed) ++sizes[dmg_split(row, seed)];
+        assert_in_range(sizes[DMG_SPLIT_VALIDATION], COUNT / 30, COUNT / 12);
+        assert_in_range(sizes[DMG_SPLIT_TEST], COUNT / 30, COUNT / 12);
+    }
 }
 
 static void same_seed_same_bits(void** state) {
@@ -366,8 +411,8 @@ static void motions_are_free(void** state) {
         fail_msg("of %u parts %u run into something, %u come off", parts, deep, loose);
 }
 
-/* Mess moves joints with what they move: the hinge lines of messy doors still run along their doors. */
-static void labels_survive_mess(void** state) {
+/* Augmentation moves joints with their parts: the hinge lines of messy doors still run along their doors. */
+static void labels_survive_augmentation(void** state) {
     (void)state;
     static const char* const names[] = {"door", "chest", "microwave", "book", "gate"};
     uint32_t parts = 0, loose = 0;
@@ -385,9 +430,9 @@ static void labels_survive_mess(void** state) {
     assert_true(loose == 0);
 }
 
-/* A door made snug may be larger, lie elsewhere and have more body round it: its hinge goes with it, its faces stay,
- * and what is added is no part's. */
-static void snug_parts_keep_their_hinges(void** state) {
+/* dmg_augment_fit may enlarge and shift a door and add body round it: the hinge moves with the door, the door keeps its
+ * faces, and what is added belongs to the body. */
+static void fitted_parts_keep_their_hinges(void** state) {
     (void)state;
     uint32_t moved = 0, more = 0;
     for (uint64_t seed = 0; seed < 60; ++seed) {
@@ -396,7 +441,7 @@ static void snug_parts_keep_their_hinges(void** state) {
         dmg_box(&b, v3(0, 0.5f, -0.3f), v3(1, 1, 0.58f));
         uint32_t door = dmg_hinge(&b, 0, "door", v3(-0.5f, 0.5f, 0), v3(0, 1, 0), 0, 1.5f), body = b.face_count;
         dmg_box(&b, v3(0, 0.5f, 0), v3(1, 1, 0.02f));
-        dmg_snug(&b);
+        dmg_augment_fit(&b);
         assert_false(b.failed);
         assert_int_equal(door, 1);
         dmg_bounds of_door = dmg_bounds_none();
@@ -435,10 +480,10 @@ static float leaning(const dmg_joint* a, const dmg_joint* b) {
     return v3_length(v3_cross(u, w));
 }
 
-/* People place joints by eye: a button may lean by degrees, a door may not, and both end where they should, nearly. */
+/* dmg_augment_joints may tilt a button by degrees but not a door, and both end nearly where they should. */
 static void joints_are_as_exact_as_people_see(void** state) {
     (void)state;
-    uint32_t loosened = 0, leaning_buttons = 0;
+    uint32_t inexact = 0, leaning_buttons = 0;
     for (uint64_t seed = 0; seed < 60; ++seed) {
         dmg_builder b;
         dmg_builder_init(&b, seed, true);
@@ -448,18 +493,18 @@ static void joints_are_as_exact_as_people_see(void** state) {
         dmg_slide(&b, 0, "button", v3(0, 0, -1), 0, 0.01f);
         dmg_box(&b, v3(0, 1.1f, 0), v3(0.05f, 0.05f, 0.02f));
         const dmg_joint door = b.parts[0].joint, button = b.parts[1].joint;
-        dmg_loosen(&b, 1);
+        dmg_augment_joints(&b, 1);
         const float door_leans = leaning(&door, &b.parts[0].joint), leans = leaning(&button, &b.parts[1].joint);
         assert_true(door_leans < 0.02f && leans < 0.5f);
         assert_true(ends_apart(&b, 1, &door) < 0.03f && ends_apart(&b, 2, &button) < 0.005f);
-        loosened += leans > 0;
+        inexact += leans > 0;
         leaning_buttons += leans > 0.03f;
         dmg_builder_free(&b);
     }
-    assert_true(loosened > 10 && loosened < 40 && leaning_buttons > 5);
+    assert_true(inexact > 10 && inexact < 40 && leaning_buttons > 5);
 }
 
-/* Stems go down, tops stay, ways change, and nothing but a button is touched. */
+/* dmg_augment_buttons lengthens stems downwards and changes travels, keeps tops, and changes nothing but buttons. */
 static void buttons_go_deep(void** state) {
     (void)state;
     uint32_t deeper = 0, other_ways = 0;
@@ -473,7 +518,7 @@ static void buttons_go_deep(void** state) {
         dmg_slide(&b, 0, "drawer", v3(0, 0, 1), 0, 0.4f);
         dmg_box(&b, v3(0, 0.7f, -0.2f), v3(0.2f, 0.2f, 0.4f));
         const dmg_joint drawer = b.parts[1].joint;
-        dmg_sink_buttons(&b, 1);
+        dmg_augment_buttons(&b, 1);
         dmg_bounds box = dmg_bounds_none();
         for (uint32_t v = b.pieces[1].first_vertex; v < dmg_piece_end(&b, 1); ++v) dmg_bounds_grow(&box, b.vertices[v]);
         assert_float_equal(box.high.z, drawn.high.z, 1e-6f);
@@ -509,6 +554,9 @@ static void kitchen_cabinet_is_stable(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(categories_have_names),
+        cmocka_unit_test(category_ids_are_unique),
+        cmocka_unit_test(category_sets_are_as_trained),
+        cmocka_unit_test(splits_have_their_shares),
         cmocka_unit_test(same_seed_same_bits),
         cmocka_unit_test(every_object_is_sound),
         cmocka_unit_test(drags_follow_the_motion),
@@ -517,8 +565,8 @@ int main(void) {
         cmocka_unit_test(open_parts_show),
         cmocka_unit_test(wrong_joints_are_found),
         cmocka_unit_test(motions_are_free),
-        cmocka_unit_test(labels_survive_mess),
-        cmocka_unit_test(snug_parts_keep_their_hinges),
+        cmocka_unit_test(labels_survive_augmentation),
+        cmocka_unit_test(fitted_parts_keep_their_hinges),
         cmocka_unit_test(joints_are_as_exact_as_people_see),
         cmocka_unit_test(buttons_go_deep),
         cmocka_unit_test(kitchen_cabinet_is_stable),

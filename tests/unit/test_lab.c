@@ -21,6 +21,7 @@ static dm_result (*kpp_batch)(const dm_lab_options*, const dm_lab_kpp*);
 static dm_result (*vae_batch)(const dm_lab_options*, const dm_lab_vae*);
 static uint32_t (*category_count)(void);
 static const char* (*category_name)(uint32_t);
+static uint32_t (*category_id)(uint32_t);
 
 static struct {
     float global_points[COUNT][DMI_KPP_GLOBAL_GROUPS][16][17], global_centres[COUNT][DMI_KPP_GLOBAL_GROUPS][3];
@@ -92,8 +93,8 @@ static int load_lab(void** state) {
     *(void**)&vae_batch = dlsym(lab, "dm_lab_vae_batch");
     *(void**)&category_count = dlsym(lab, "dm_lab_category_count");
     *(void**)&category_name = dlsym(lab, "dm_lab_category_name");
-    memset(everything, 1, sizeof everything);
-    return 0;
+    *(void**)&category_id = dlsym(lab, "dm_lab_category_id");
+    return test_every_category(lab, everything, sizeof everything) ? 0 : -1;
 }
 
 static float dot(const float a[3], const float b[3]) {
@@ -237,6 +238,18 @@ static void no_category_is_an_error(void** state) {
     assert_int_equal(fill_vae(&options), DM_ERROR_INVALID_ARGUMENT);
 }
 
+/* One category alone, by its id: all cases are of it. */
+static void cases_are_of_the_ids_chosen(void** state) {
+    (void)state;
+    uint8_t one[sizeof everything] = {0};
+    dm_lab_options options = exact(4);
+    const uint32_t id = category_id(category_count() / 2);
+    one[id] = 3;
+    options.categories = one;
+    assert_int_equal(fill_kpp(&options, &kpp), DM_OK);
+    for (int i = 0; i < COUNT; i++) assert_int_equal(kpp.category[i], id);
+}
+
 static void categories_have_names(void** state) {
     (void)state;
     assert_true(category_count() > 0 && category_count() <= sizeof everything);
@@ -248,7 +261,8 @@ int main(void) {
         cmocka_unit_test(kpp_axis_is_signed_by_the_drag),  cmocka_unit_test(kpp_labels_are_sound),
         cmocka_unit_test(origin_is_not_in_the_frame),      cmocka_unit_test(batches_repeat),
         cmocka_unit_test(vae_targets_agree_with_the_path), cmocka_unit_test(vae_noise_is_in_the_input_alone),
-        cmocka_unit_test(no_category_is_an_error),         cmocka_unit_test(categories_have_names),
+        cmocka_unit_test(no_category_is_an_error),         cmocka_unit_test(cases_are_of_the_ids_chosen),
+        cmocka_unit_test(categories_have_names),
     };
     return cmocka_run_group_tests(tests, load_lab, NULL);
 }

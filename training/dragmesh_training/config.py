@@ -5,22 +5,23 @@ from dataclasses import asdict, dataclass, field, fields, replace
 # nothing like it was ranked before.
 HELD_OUT = ("sliding_window", "mailbox", "stapler", "drawbridge", "crane", "vise", "kettle", "step_ladder",
             "folding_knife", "yoke")
-# So many kinds, in the order of training/generator/categories.h, are trained on. The later ones never are, nor validated on
-# during training: the scores of kinds that nobody knows are of them. Training on them too was tried and brought nothing
-# (docs/decisions.md, 33).
-KNOWN = 293
 # The kinds that draw the 23 categories of the paper's data; storage furniture is the first four.
 PAPER = ("kitchen_cabinet", "cabinet", "drawers", "wardrobe", "table", "toilet", "trash_can", "remote", "coffee_machine",
          "dishwasher", "refrigerator", "camera", "safe", "printer", "box", "pot", "toaster", "washing_machine", "microwave",
          "phone", "door", "suitcase", "bucket", "keyboard", "oven", "laptop")
 
 
-def kinds_of(names, which):
-    """Of the generator's kinds, in its order: those trained on, of these the ones that HELD_OUT names or that draw the paper's
-    categories, or the later ones."""
-    trained = names[:KNOWN]
-    return {"trained": trained, "held": [n for n in trained if n in HELD_OUT], "paper": [n for n in trained if n in PAPER],
-            "later": names[KNOWN:]}[which]
+def kinds_of(kinds, which):
+    """Names of the generator's kinds (dragmesh.lab.Kind) that are chosen by `which`: "trained", all that are trained on; of these
+    "first", the set of that name, "held", those that HELD_OUT names, or "paper", those that draw the paper's categories; or
+    "test_only" (also "later"): those that are never trained on, nor validated on during training. Training on these too was tried
+    and brought nothing (docs/decisions.md, 33)."""
+    trained = [kind for kind in kinds if kind.set != "test_only"]
+    chosen = {"trained": trained, "first": [kind for kind in trained if kind.set == "first"],
+              "held": [kind for kind in trained if kind.name in HELD_OUT],
+              "paper": [kind for kind in trained if kind.name in PAPER],
+              "test_only": [kind for kind in kinds if kind.set == "test_only"]}
+    return [kind.name for kind in chosen["test_only" if which == "later" else which]]
 
 
 # Shares of dm_lab_options (training/lab/dragmesh_lab.h).

@@ -4,25 +4,21 @@ The k-th chunk of a stream depends on the seed and k alone, and chunks enter the
 is the same however fast the workers are.
 """
 import multiprocessing
-import os
-import sys
 
 import numpy as np
 import torch
 
 from . import config
+from .lab import VAE_FEATURES, Lab
 from .loaders.batches import Loaded
 from .losses import PRISMATIC, SCREW
 from .networks import KPP_CHANNELS, KPP_DIRECTIONS
-
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "bindings", "python"))
-from dragmesh.lab import VAE_FEATURES, Lab  # noqa: E402
 
 CHUNK = 256
 
 
 def trained_categories(lab):
-    return config.kinds_of(lab.categories, "trained")
+    return config.kinds_of(lab.kinds, "trained")
 
 
 def make_batch(lab, network, seed, count, categories, split, mix=None):

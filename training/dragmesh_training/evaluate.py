@@ -1,4 +1,4 @@
-"""Scores of both networks on generated objects (paper.md §C): categories that were trained on and later ones apart.
+"""Scores of both networks on generated objects (paper.md §C): categories that were trained on and test-only ones apart.
 
 `python -m dragmesh_training.evaluate kpp|vae WEIGHTS [--split test] [--count N] [--json]` scores exported weights.
 """
@@ -212,11 +212,11 @@ def load_model(network, path):
 
 
 def full_scores(network, model, split, count, seed=11):
-    """Trained and later categories apart, as in training and clean: for KPP-Net objects, masks and drags without mistakes, for
+    """Trained and test-only categories apart, as in training and clean: for KPP-Net objects, masks and drags without mistakes, for
     the VAE a steady hand and the exact joint. For KPP-Net as the paper has it, too: its categories, clean, always with a drag. For
     the VAE screws apart."""
     lab = data.Lab()
-    groups = {which: config.kinds_of(lab.categories, which) for which in ("trained", "later")}
+    groups = {which: config.kinds_of(lab.kinds, which) for which in ("trained", "test_only")}
     clean = {**config.MIX, "mask_noise": 0.0, "drag_noise_degrees": 0.0}
     clean.update({"messy": 0.0} if network == "kpp" else {"joint_noise": 0.0, "hand_noise": 0.0})
     mixes = {"": config.MIX, "_clean": clean}
@@ -227,7 +227,7 @@ def full_scores(network, model, split, count, seed=11):
                 arrays = data.make_batch(lab, network, seed, count, categories, split, mix)
                 result[group + name] = score(network, model, arrays)
     if network == "kpp":
-        paper = config.kinds_of(lab.categories, "paper")
+        paper = config.kinds_of(lab.kinds, "paper")
         arrays = data.make_batch(lab, network, seed, count, paper, split, {**clean, "with_drag": 1.0})
         result["paper_clean_drag"] = score(network, model, arrays)
     if network == "vae":

@@ -5,6 +5,7 @@ import struct
 import subprocess
 import sys
 
+import numpy as np
 import torch
 
 ARCHITECTURES = {"kpp": "dragmesh-kpp-net", "vae": "dragmesh-dq-vae"}
@@ -28,6 +29,14 @@ def save_safetensors(path, tensors, metadata):
     """float16 tensors in order of name: half the bytes, and outputs that differ by about 1e-3 of what training had."""
     write_safetensors(path, {name: tensors[name].detach().cpu().half().contiguous().numpy() for name in sorted(tensors)},
                       metadata)
+
+
+def write_ranker_tensors(path, tensors, metadata):
+    """Arrays of the ranker's file: the matrices of the forest and of the limits' networks, which are most of it, as float16,
+    everything else as float32."""
+    halves = {name for name, array in tensors.items() if array.ndim == 2 and name.startswith(("forest.", "limits."))}
+    write_safetensors(path, {name: np.ascontiguousarray(array, np.float16 if name in halves else np.float32)
+                             for name, array in tensors.items()}, metadata)
 
 
 def load_safetensors(path):

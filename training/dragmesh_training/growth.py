@@ -16,8 +16,8 @@ import time
 import numpy as np
 import torch
 
-from . import ranker
-from .config import HELD_OUT, kinds_of
+from .config import HELD_OUT
+from .lab import Options, category_weights, chosen_kinds, kinds, open_lab
 
 BATCH = 50  # cases
 CAPACITY = 200000  # pieces of a batch
@@ -50,7 +50,7 @@ class Choice(ctypes.Structure):
 
 
 def cases(seed, first, count, mask, messy):
-    return ranker.Options(seed * 1000003 + first, count, 0, mask.ctypes.data, messy, 0, 1, 1, 8, 0, 0)
+    return Options(seed * 1000003 + first, count, 0, mask.ctypes.data, messy, 0, 1, 1, 8, 0, 0)
 
 
 def make_pieces(lab, seed, first, count, mask, messy):
@@ -83,7 +83,7 @@ def make_proposals(lab, model, seed, first, count, mask, messy):
 
 def gather(lab, folder, name, count, make, messy=0.6):
     """Arrays of `count` cases, in batches that are kept in the folder when there is one."""
-    mask = ranker.category_weights(lab, kinds_of(ranker.category_names(lab), "trained"))
+    mask = category_weights(lab, chosen_kinds(lab, "trained"))
     parts, start = [], time.time()
     for first in range(0, count, BATCH):
         path = folder and os.path.join(folder, f"{name}_{first}.npz")
@@ -223,8 +223,8 @@ def main():
     options = parser.parse_args()
     torch.manual_seed(options.seed)
     torch.set_num_threads(1)
-    lab = ranker.open_lab(options.lab)
-    held = [i for i, name in enumerate(ranker.category_names(lab)) if name in HELD_OUT]
+    lab = open_lab(options.lab)
+    held = [kind.id for kind in kinds(lab) if kind.name in HELD_OUT]
 
     pieces = gather(lab, options.cache, "pieces", options.count, functools.partial(make_pieces, lab, options.seed))
     new = np.isin(pieces[3], held)

@@ -1,7 +1,7 @@
 """The limits' networks (sdk/kinematics/limit_net.c): what a sweep tells of generated joints, and the evidence they are ranked
 by, in; their weights out.
 
-    python -m dragmesh_training.limits make OUT.npz --weights KPP --sieve SIEVE --seed 5 --count 8000 [--split 1]
+    python -m dragmesh_training.limits make OUT.npz --weights KPP --sieve SIEVE --seed 5 --count 8000 [--split 1] [--only first]
     python -m dragmesh_training.limits fit A.npz B.npz --validate V.npz -o limits.safetensors
 
 They learn how probable each range is; the library answers with the range whose expected overlap with the true one is largest.
@@ -10,20 +10,20 @@ the kinds it was shown and no others. Several that chance alone makes different 
 """
 import argparse
 import ctypes
-import os
 
 import numpy as np
 import torch
 
-from .config import KNOWN
+from .cases import case_file, load
 from .descent import descend
-from .ranker import case_file, category_names, export, load, open_lab, options_of
+from .export import write_ranker_tensors
+from .lab import LAB, chosen_kinds, names_by_id, open_lab, options_of
 
 ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32), ("pose", np.float32),
           ("has_drag", np.int32))
-# Of what ships. Half of the cases are of the kinds up to here: the later ones are machines and robots for the most part, whose
-# ranges would say too much about a kitchen's.
-SEEDS, VALIDATION_SEED, CASES, STEPS, FIRST_KINDS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000, 20000, 195
+# Of what ships. Half of the cases are of the first kinds alone (DMG_SET_FIRST): the others that are trained on are machines and
+# robots for the most part, whose ranges would say too much about a kitchen's.
+SEEDS, VALIDATION_SEED, CASES, STEPS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000, 20000
 # Sizes of either side of a range, in rad or in the part's extent along the slide: in rad, the round angles are among them.
 SIZES = np.array([0, .01, .02, .035, .055, .08, .12, .175, .262, .349, .436, .524, .65, .785, .9, 1.047, 1.2, 1.38, 1.571,
                   1.833, 2.094, 2.5, 3.142, 4.2, 6.283], np.float32)
@@ -161,18 +161,19 @@ def fit(data, validation, steps, seed):
 def run_make(arguments):
     lab = open_lab(arguments.lab)
     kinematics, sieve = (open(path, "rb").read() for path in (arguments.weights, arguments.sieve))
-    names = category_names(lab)
+    chosen = chosen_kinds(lab, arguments.only)
     parts = [make(lab, kinematics, sieve, arguments.seed * 1000003 + first, min(AT_ONCE, arguments.count - first),
-                  arguments.split, names[arguments.from_kind:arguments.kinds])
+                  arguments.split, chosen)
              for first in range(0, arguments.count, AT_ONCE)]
-    np.savez(arguments.out, names=np.array(names), **{name: np.concatenate([part[name] for part in parts]) for name in parts[0]})
+    np.savez(arguments.out, names=np.array(names_by_id(lab)),
+             **{name: np.concatenate([part[name] for part in parts]) for name in parts[0]})
 
 
 def run_fit(arguments):
     torch.set_num_threads(1)
     data = load(arguments.data)
     tensors = fit(data, load([arguments.validate]), arguments.steps, arguments.seed)
-    export(arguments.out, tensors, {"architecture": "dragmesh-limits", "version": "2", "seed": str(arguments.seed),
+    write_ranker_tensors(arguments.out, tensors, {"architecture": "dragmesh-limits", "version": "2", "seed": str(arguments.seed),
                                     "trained": f"{len(data['free'])} generated cases"})
 
 
@@ -182,7 +183,7 @@ def ship(folder, kinematics, sieve, out, some=str):
         return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--sieve", sieve, "--count", some(count), *more)
 
     validation = made("validation", VALIDATION_SEED, CASES // 2, "--split", "1")
-    files = [made("first", seed, CASES, "--kinds", str(FIRST_KINDS)) for seed in SEEDS]
+    files = [made("first", seed, CASES, "--only", "first") for seed in SEEDS]
     files += [made("all", seed, CASES) for seed in SEEDS]
     run(["fit", *files, "--validate", validation, "--steps", some(STEPS), "-o", out])
 
@@ -192,15 +193,13 @@ def run(words=None):
     commands = parser.add_subparsers(required=True)
     one = commands.add_parser("make")
     one.add_argument("out")
-    one.add_argument("--lab", default=os.path.join(os.path.dirname(__file__), "..", "..", "build", "release",
-                                                   "libdragmesh_lab.so"))
+    one.add_argument("--lab", default=LAB)
     one.add_argument("--weights", required=True, help="the KPP-Net that ships")
     one.add_argument("--sieve", required=True, help="the sieve that ships")
     one.add_argument("--seed", type=int, default=5)
     one.add_argument("--count", type=int, default=CASES)
     one.add_argument("--split", type=int, default=0)
-    one.add_argument("--kinds", type=int, default=KNOWN, help="only the first so many kinds of objects")
-    one.add_argument("--from-kind", type=int, default=0, help="and of them none before this one")
+    one.add_argument("--only", choices=("trained", "first"), default="trained", help="kinds of objects (config.kinds_of)")
     one.set_defaults(run=run_make)
     two = commands.add_parser("fit")
     two.add_argument("data", nargs="+")

@@ -1,6 +1,6 @@
 """The ranker of candidate joints: evidence of generated cases in, sdk/models/ranker.safetensors out.
 
-    python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split train] [--only held|trained]
+    python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split 0] [--only trained|held|test_only]
     python -m dragmesh_training.ranker train A.npz B.npz --forest A.npz C.npz --validate V.npz --sieve SIEVE --limits LIMITS
         -o ranker.safetensors
 
@@ -20,10 +20,13 @@ import time
 
 import numpy as np
 
-from . import forest
-from .config import HELD_OUT, kinds_of
-KEPT_BEST = 8  # as in lab_ranker.c
+from . import forest, sieve
+from .cases import GROUPS, KEPT_BEST, NETWORK, SLIDES, case_file, costs, load, log_weights, make
+from .config import HELD_OUT
+from .lab import LAB, chosen_kinds, names_by_id, open_lab, options_of
+
 GOOD = 0.02
+ONLY = ("trained", "first", "held", "paper", "test_only", "later")  # of config.kinds_of
 # What ships is trained on so many cases of each seed: with the evidence of an earlier KPP-Net (EARLIER_COMMIT), and with
 # the shipped one's.
 CASES, STEPS, LEAST = 6000, 9000, 20
@@ -38,103 +41,23 @@ NETWORK_SEEDS = (101, 103, 211), (102, 104)
 FOREST_SEEDS = (101, 103, 301, 302, 305, 306, 307, 308), (102, 104, 303, 304, 315, 316, 317, 318)
 SIEVE_SEEDS, SIEVE_CASES = (301, 302), 6000  # of the one network and of the other
 SAMPLED, FOREST_SAMPLED = 96, 56  # rows of a case in a training step, and for the forest
-SLIDES, NETWORK = 0, np.r_[86:98, 108, 124, 171:177]  # columns of sdk/kinematics/evidence.h
-# The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
-GROUPS = [slice(first, last) for first, last in (
-    (1, 2), (2, 9), (9, 16), (16, 23), (23, 37), (37, 42), (42, 54), (54, 65), (65, 68), (68, 72), (72, 75), (98, 109),
-    (109, 125), (125, 149), (149, 153), (153, 157), (157, 165), (165, 171), (171, 177), (177, 190), (190, 202))]
-
-
-class Options(ctypes.Structure):
-    _fields_ = [("seed", ctypes.c_uint64), ("count", ctypes.c_uint32), ("split", ctypes.c_int32),
-                ("categories", ctypes.c_void_p)] + [
-        (name, ctypes.c_float) for name in ("messy", "mask_noise", "rotated", "with_drag", "drag_noise_degrees",
-                                            "joint_noise", "hand_noise")]
-
-
-ARRAYS = (("pose", np.float32, True), ("used", np.int32, False), ("total", np.int32, False), ("type", np.int32, False),
-          ("has_drag", np.int32, False), ("category", np.int32, False), ("best", np.float32, False),
-          ("axis_error", np.float32, True), ("line_error", np.float32, True))
-
-
-class Batch(ctypes.Structure):
-    _fields_ = [("rows", ctypes.c_uint32), ("evidence", ctypes.c_void_p)] + [
-        (name, ctypes.c_void_p) for name, _, _ in ARRAYS]
-
-
-def open_lab(path):
-    lab = ctypes.CDLL(path)
-    lab.dm_lab_category_name.restype = ctypes.c_char_p
-    return lab
-
-
-def category_names(lab):
-    return [lab.dm_lab_category_name(i).decode() for i in range(lab.dm_lab_category_count())]
-
-
-def category_weights(lab, chosen):
-    """Every kind of joint gets its share: a category is drawn the more often the more kinds it has."""
-    return np.array([2 + min(lab.dm_lab_category_kinds(i), 12) if name in chosen else 0
-                     for i, name in enumerate(category_names(lab))], np.uint8)
-
-
-def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, sieve=None, with_drag=0.7, mask_noise=0.3):
-    """Evidence and labels of `count` cases drawn from the chosen categories."""
-    columns = lab.dm_lab_ranker_columns()
-    mask = category_weights(lab, chosen)
-    data = {"evidence": np.zeros((count, rows, columns), np.float32)}
-    for name, dtype, each_row in ARRAYS:
-        data[name] = np.zeros((count, rows) if each_row else count, dtype)
-    options = Options(seed, count, split, mask.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0)
-    batch = Batch(rows, *[data[name].ctypes.data for name in ("evidence", *[a[0] for a in ARRAYS])])
-    sizes = [ctypes.c_size_t(len(data) if data else 0) for data in (weights, sieve)]
-    result = lab.dm_lab_ranker_batch(ctypes.byref(options), weights, sizes[0], sieve, sizes[1], ctypes.byref(batch))
-    if result != 0:
-        raise RuntimeError(f"dm_lab_ranker_batch: {result}")
-    return data
 
 
 def run_make(arguments):
     lab = open_lab(arguments.lab)
-    names = category_names(lab)
-    chosen = kinds_of(names, arguments.only)
-    weights, sieve = (open(path, "rb").read() if path else None for path in (arguments.weights, arguments.sieve))
+    chosen = chosen_kinds(lab, arguments.only)
+    weights, sieve_weights = (open(path, "rb").read() if path else None for path in (arguments.weights, arguments.sieve))
     start, parts = time.time(), []
     for first in range(0, arguments.count, 100):
         count = min(100, arguments.count - first)
         part = make(lab, arguments.seed * 1000003 + first, count, arguments.rows, arguments.split, chosen,
-                    arguments.noise, weights, sieve)
+                    arguments.noise, weights, sieve_weights)
         part["evidence"] = part["evidence"].astype(np.float16)
         parts.append(part)
     data = {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
-    np.savez(arguments.out, names=np.array(names), **data)
+    np.savez(arguments.out, names=np.array(names_by_id(lab)), **data)
     print(f"{arguments.count} cases in {time.time() - start:.0f} s; best candidate under 2 %: "
           f"{(data['best'] < GOOD).mean():.3f}; candidates {data['total'].mean():.0f}")
-
-
-def load(paths, without=()):
-    """Cases of all files, those of the categories `without` left out."""
-    parts = [np.load(path) for path in paths]
-    kept = [~np.isin(part["names"][part["category"]], without) for part in parts]
-    return {name: np.concatenate([part[name][keep] for part, keep in zip(parts, kept)])
-            for name in parts[0].files if name != "names"}
-
-
-def costs(data):
-    """Of each row: the pose error in hundredths of the size, a wrong type, axis and line errors in tolerances."""
-    slides = np.stack([data["evidence"][:, row, SLIDES] for row in range(data["pose"].shape[1])], 1) > 0.5
-    wrong_type = slides != (data["type"][:, None] == 1)
-    pose = np.minimum(np.nan_to_num(data["pose"], nan=9) / 0.01, 6)
-    axis, line = np.minimum(data["axis_error"] / 0.02, 3), np.minimum(data["line_error"] / 0.01, 3)
-    return (pose + 6 * wrong_type + axis + line).astype(np.float32)
-
-
-def log_weights(rows, used, total):
-    """Rows after the best few are a sample: each stands for several. rows: (cases, k) indices."""
-    sampled = np.maximum(np.minimum(used, rows.shape[1]) - KEPT_BEST, 1)
-    weight = np.log(np.maximum(total - KEPT_BEST, 1) / sampled)
-    out = np.where(rows < KEPT_BEST, 0, weight[:, None])
-    return np.where(rows < used[:, None], out, -1e9).astype(np.float32)
 
 
 def build(columns, hidden, dropout):
@@ -249,24 +172,8 @@ def calibrate(good, trust):
     return np.array([max(w[0], LEAST_SLOPE), w[1]])
 
 
-def export(path, tensors, metadata):
-    """The forest and the matrices of the limits' networks, which are most of it, as float16, everything else as float32."""
-    from .export import write_safetensors
-    halves = {name for name, array in tensors.items() if array.ndim == 2 and name.startswith(("forest.", "limits."))}
-    write_safetensors(path, {name: np.ascontiguousarray(array, np.float16 if name in halves else np.float32)
-                             for name, array in tensors.items()}, metadata)
-
-
 ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type", np.int32), ("axis_error", np.float32),
                  ("line_error", np.float32), ("has_drag", np.int32), ("category", np.int32))
-
-
-def options_of(lab, seed, count, split, chosen, clean=False):
-    """Cases as `make` draws them, or clean ones: no mess, masks and drags without mistakes. The weights of the categories must
-    live as long as the options."""
-    weights = category_weights(lab, chosen)
-    messy, mask_noise, noise_degrees = (0, 0, 0) if clean else (0.5, 0.3, 8.0)
-    return Options(seed, count, split, weights.ctypes.data, messy, mask_noise, 1.0, 0.7, noise_degrees, 0, 0), weights
 
 
 def answers(lab, kinematics, ranker, seed, count, split, chosen, clean=False):
@@ -285,7 +192,8 @@ def answers(lab, kinematics, ranker, seed, count, split, chosen, clean=False):
 def own_calibration(lab, kinematics, tensors, metadata, path, count):
     """Of a ranker that knows no held-out kind, on those kinds: real objects are none that any network has seen either. A line
     between log odds without a drag, and one with a drag."""
-    export(path, {**tensors, "calibration": np.array([[1, 0], [1, 0]], np.float32)}, metadata)
+    from .export import write_ranker_tensors
+    write_ranker_tensors(path, {**tensors, "calibration": np.array([[1, 0], [1, 0]], np.float32)}, metadata)
     with open(path, "rb") as file:
         ranker = file.read()
     found = answers(lab, kinematics, ranker, 77, count, 1, HELD_OUT)
@@ -295,7 +203,7 @@ def own_calibration(lab, kinematics, tensors, metadata, path, count):
 
 
 def run_train(arguments):
-    from .export import commit, load_safetensors
+    from .export import commit, load_safetensors, write_ranker_tensors
     lab = open_lab(arguments.lab)
     names = np.load(arguments.data[0])["names"]
     left_out = HELD_OUT if arguments.hold_out else ()
@@ -319,11 +227,11 @@ def run_train(arguments):
         calibration = load_safetensors(arguments.calibration_of)[0]["calibration"].numpy()
     else:
         calibration = own_calibration(lab, kinematics, tensors, metadata, arguments.out, arguments.calibration_cases)
-    export(arguments.out, {**tensors, "calibration": calibration}, metadata)
+    write_ranker_tensors(arguments.out, {**tensors, "calibration": calibration}, metadata)
     with open(arguments.out, "rb") as file:
-        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, kinds_of(category_names(lab), "trained"))
+        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, chosen_kinds(lab, "trained"))
     print(f"whole library, validation: type {found['right_type'].mean():.3f} "
-          f"{summary(found['pose'] < GOOD, found, np.array(category_names(lab)))}; "
+          f"{summary(found['pose'] < GOOD, found, np.array(names_by_id(lab)))}; "
           f"confidence = sigmoid(a logit(mass) + b), none, drag: {calibration.round(3).tolist()}", flush=True)
 
 
@@ -331,7 +239,7 @@ def run_answer(arguments):
     lab = open_lab(arguments.lab)
     kinematics, ranker = (open(path, "rb").read() for path in (arguments.weights, arguments.ranker))
     found = answers(lab, kinematics, ranker, arguments.seed, arguments.count, 1,
-                    kinds_of(category_names(lab), arguments.only), arguments.clean)
+                    chosen_kinds(lab, arguments.only), arguments.clean)
     for name, mask in (("with a drag", found["has_drag"] != 0), ("without", found["has_drag"] == 0)):
         right = mask & (found["right_type"] != 0)
         axis, line = 1000 * found["axis_error"][right], 1000 * found["line_error"][right & (found["line_error"] >= 0)]
@@ -351,23 +259,13 @@ def committed_network(folder, name, commit):
     return path
 
 
-def case_file(command, folder, name, kinematics, seed, *more):
-    """The file of that name, made unless it is there by the `make` of a module's `run`."""
-    path = os.path.join(folder, name + ".npz")
-    if not os.path.exists(path):
-        command(["make", path + ".part.npz", "--weights", kinematics, "--seed", str(seed), *more])
-        os.rename(path + ".part.npz", path)
-    return path
-
-
 def ship(folder, models, out, share):
     """What the ranker of the folder `out` is made by, for the KPP-Net in `models`; goes on where it was stopped. About an hour
     of one core. First the sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved.
     Its twin has not seen the held-out kinds (nor have the sieve and the KPP-Net that it is asked with): it says how well kinds
     are answered that nothing knows, and what the probabilities of such answers are worth. share: of the cases and the steps,
     less than 1 for a try."""
-    from .limits import ship as fit_limits
-    from .sieve import STEPS as SIEVE_STEPS, run as fit_sieve
+    from . import limits
 
     def some(count, least=LEAST):
         return str(max(round(share * count), least))
@@ -376,19 +274,19 @@ def ship(folder, models, out, share):
     shipped = os.path.join(models, "kpp_net.safetensors")
     earlier = committed_network(folder, "kpp_earlier", EARLIER_COMMIT)
     unknowing = committed_network(folder, "kpp_unknowing", UNKNOWING_COMMIT)
-    sieve, limits = (os.path.join(folder, name + ".safetensors") for name in ("sieve", "limits"))
-    if not os.path.exists(sieve):
+    sieve_file, limits_file = (os.path.join(folder, name + ".safetensors") for name in ("sieve", "limits"))
+    if not os.path.exists(sieve_file):
         every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", some(SIEVE_CASES))
                  for seed, kinematics in zip(SIEVE_SEEDS, (earlier, shipped))]
-        fit_sieve([*every, "--steps", some(SIEVE_STEPS), "-o", sieve])
+        sieve.run([*every, "--steps", some(sieve.STEPS), "-o", sieve_file])
     of_network, of_forest = (
-        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", some(CASES), "--sieve", sieve)
+        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", some(CASES), "--sieve", sieve_file)
          for kinematics, of_one in zip((earlier, shipped), seeds) for seed in of_one]
         for seeds in (NETWORK_SEEDS, FOREST_SEEDS))
-    fit_limits(folder, shipped, sieve, limits, some)
-    validation = case_file(run, folder, "validation", shipped, 105, "--count", some(1500), "--split", "1", "--sieve", sieve)
+    limits.ship(folder, shipped, sieve_file, limits_file, some)
+    validation = case_file(run, folder, "validation", shipped, 105, "--count", some(1500), "--split", "1", "--sieve", sieve_file)
     common = ["train", *of_network, "--forest", *of_forest, "--validate", validation,
-              "--sieve", sieve, "--limits", limits, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
+              "--sieve", sieve_file, "--limits", limits_file, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
     twin = os.path.join(folder, "twin.safetensors")
     run([*common, "--weights", unknowing, "--hold-out", "-o", twin])
     run([*common, "--weights", shipped, "--calibration-of", twin, "-o", os.path.join(out, "ranker.safetensors")])
@@ -397,16 +295,15 @@ def ship(folder, models, out, share):
 def run(words):
     parser = argparse.ArgumentParser(description=__doc__)
     commands = parser.add_subparsers(required=True)
-    default_lab = os.path.join(os.path.dirname(__file__), "..", "..", "build", "release", "libdragmesh_lab.so")
     one = commands.add_parser("make")
     one.add_argument("out")
-    one.add_argument("--lab", default=default_lab)
+    one.add_argument("--lab", default=LAB)
     one.add_argument("--seed", type=int, default=1)
     one.add_argument("--count", type=int, default=2000)
     one.add_argument("--rows", type=int, default=112)
     one.add_argument("--split", type=int, default=0)
     one.add_argument("--noise", type=float, default=14.0)
-    one.add_argument("--only", choices=("trained", "held", "later"), default="trained")
+    one.add_argument("--only", choices=ONLY, default="trained")
     one.add_argument("--weights")
     one.add_argument("--sieve", help="weights of the sieve; without them all candidates are judged")
     one.set_defaults(run=run_make)
@@ -414,7 +311,7 @@ def run(words):
     two.add_argument("data", nargs="+")
     two.add_argument("--forest", nargs="+", required=True, help="cases that the forest is grown on")
     two.add_argument("--validate", required=True)
-    two.add_argument("--lab", default=default_lab)
+    two.add_argument("--lab", default=LAB)
     two.add_argument("--weights", required=True, help="the KPP-Net that answers are asked with")
     two.add_argument("--sieve", required=True, help="what the cases were made with")
     two.add_argument("--limits", required=True, help="weights of the limits' network (limits.py)")
@@ -433,10 +330,10 @@ def run(words):
     two.set_defaults(run=run_train)
     models = os.path.join(os.path.dirname(__file__), "..", "..", "sdk", "models")
     three = commands.add_parser("answer", help="what the whole library answers on fresh cases of the validation split")
-    three.add_argument("--lab", default=default_lab)
+    three.add_argument("--lab", default=LAB)
     three.add_argument("--weights", default=os.path.join(models, "kpp_net.safetensors"))
     three.add_argument("--ranker", default=os.path.join(models, "ranker.safetensors"))
-    three.add_argument("--only", choices=("trained", "held", "paper", "later"), default="later")
+    three.add_argument("--only", choices=ONLY, default="test_only")
     three.add_argument("--clean", action="store_true", help="no mess, masks and drags without mistakes")
     three.add_argument("--count", type=int, default=4000)
     three.add_argument("--seed", type=int, default=91)

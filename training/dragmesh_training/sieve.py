@@ -8,13 +8,13 @@ joints are among the best.
 """
 import argparse
 import ctypes
-import os
 import time
 
 import numpy as np
 
+from .cases import KEPT_BEST, NETWORK, costs, load, log_weights
 from .config import HELD_OUT
-from .ranker import KEPT_BEST, NETWORK, costs, export, load, log_weights, open_lab
+from .lab import LAB, open_lab
 
 HIDDEN, KEPT = 16, 256  # as in sieve.h
 STEPS = 2500
@@ -80,14 +80,14 @@ def report(net, mean, scale, data, what):
 def run(words=None):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("data", nargs="+")
-    parser.add_argument("--lab", default=os.path.join(os.path.dirname(__file__), "..", "..", "build", "release",
-                                                      "libdragmesh_lab.so"))
+    parser.add_argument("--lab", default=LAB)
     parser.add_argument("--steps", type=int, default=STEPS)
     parser.add_argument("--batch", type=int, default=64)
     parser.add_argument("--rate", type=float, default=3e-3)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("-o", "--out", required=True)
     arguments = parser.parse_args(words)
+    from .export import write_ranker_tensors
     columns, start = glance_columns(open_lab(arguments.lab)), time.time()
     everything, names = load(arguments.data), np.load(arguments.data[0])["names"]
     everything["evidence"] = everything["evidence"][:, :, columns]  # the first is the type, as before
@@ -101,7 +101,7 @@ def run(words=None):
     state = net.state_dict()
     tensors = {"mean": mean, "scale": scale, "0.weight": state["0.weight"], "0.bias": state["0.bias"],
                "2.weight": state["2.weight"]}
-    export(arguments.out, {f"sieve.{name}": tensor.numpy() for name, tensor in tensors.items()},
+    write_ranker_tensors(arguments.out, {f"sieve.{name}": tensor.numpy() for name, tensor in tensors.items()},
            {"architecture": "dragmesh-sieve", "version": "1", "seed": str(arguments.seed),
             "trained": f"{len(part['trained']['used'])} generated cases"})
     print(f"{time.time() - start:.0f} s", flush=True)

@@ -1,4 +1,4 @@
-/* How fast objects are made: every category's own figure, and the mean as training sees it. */
+/* Measures how fast objects are made: per category, and the mean over all in turn, as training makes them. */
 #include "bench.h"
 
 #include <stdio.h>
@@ -6,7 +6,7 @@
 
 #include "generator.h"
 
-/* Processor time, in seconds. */
+/* Returns the processor time in seconds. */
 static double now(void) {
     return (double)clock() / CLOCKS_PER_SEC;
 }

@@ -1,4 +1,4 @@
-/* How fast objects are made. */
+/* Declares the benchmark of the generator. */
 #ifndef GENERATE_BENCH_H
 #define GENERATE_BENCH_H
 

@@ -1,14 +1,14 @@
-/* The generator's checks over many objects: a line a category, and the worst cases by name. */
+/* Runs the generator's checks over many objects: prints a line per category, and the worst cases by name. */
 #include "check_all.h"
 
 #include <stdio.h>
 
-#include "check.h"
+#include "core/check.h"
 #include "generator.h"
 
-#define DEEP 0.02f /* more than the interpenetration that untidy objects have on purpose */
-#define MOST_PARTS 6
-#define LOOSE 0.08f /* more than the play of a joint */
+#define DEEP 0.02f   /* of the object's size: more than the interpenetration that objects have on purpose; by hand */
+#define LOOSE 0.08f  /* of the object's size: more than the play of a joint; by hand */
+#define MOST_PARTS 6 /* checked of an object */
 
 typedef struct tally {
     uint32_t parts, deep, loose;
@@ -18,7 +18,7 @@ static int check_object(uint32_t category, uint64_t seed, int verbose, tally* ou
     dmg_object object;
     if (dmg_make(category, seed, 0, &object) != 0) return -1;
     int result = 0;
-    /* A keyboard's keys are all alike: a few parts from all over the object do. */
+    /* Many parts are alike, such as a keyboard's keys: checks a few spread over the object. */
     const uint32_t step = 1 + object.joint_count / MOST_PARTS;
     for (uint32_t part = 1; part <= object.joint_count && result == 0; part += step) {
         const dmg_joint* joint = &object.joints[part - 1];

@@ -1,5 +1,5 @@
-/* dragmesh_generate: writes one generated object as object.glb and joints.json, draws contact sheets of many, measures
- * how fast they are made.
+/* dragmesh_generate: writes one generated object as object.glb and joints.json, draws contact sheets of many, checks
+ * them, and measures how fast they are made.
  * joints.json: the object's fields, then for every joint its line, limits, moving nodes and three exact drags. */
 #include <cjson/cJSON.h>
 #include <errno.h>

@@ -1,4 +1,4 @@
-/* Contact sheets by a small rasteriser: a depth buffer, flat shading, four samples a pixel; parts in colour. */
+/* Draws contact sheets by a small rasteriser: a depth buffer, flat shading, four samples a pixel; parts in colour. */
 #include "sheet.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 
 enum { SIDE = 104, SAMPLES = 2, FINE = SIDE * SAMPLES };
 
-/* One picture of one object, twice as fine as it ends up. */
+/* The picture of one object, at twice the resolution of the sheet. */
 typedef struct tile {
     float depth[FINE * FINE];
     unsigned char rgb[FINE * FINE][3];
@@ -26,7 +26,7 @@ static float dot3(const float* a, const float* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* x at the joint's value. */
+/* Moves x to where the joint's value takes it. */
 static void move(const dmg_joint* joint, float value, const float x[3], float out[3]) {
     const float turn = joint->type == DM_JOINT_PRISMATIC ? 0.0f : value, *a = joint->axis;
     const float advance =
@@ -38,7 +38,7 @@ static void move(const dmg_joint* joint, float value, const float x[3], float ou
     for (int k = 0; k < 3; ++k) out[k] = joint->origin[k] + r[k] * c + side[k] * s + a[k] * (along + advance);
 }
 
-/* How far a part is opened for the second picture. */
+/* Returns the value to which a part is opened for the second picture. */
 static float open_value(const dmg_joint* joint) {
     if (joint->type == DM_JOINT_CONTINUOUS) return 0.7f;
     const float most = joint->opens > 0 ? joint->upper : joint->lower;
@@ -89,7 +89,7 @@ static void project(const view* v, const float* p, float out[3]) {
     out[2] = dot3(v->out, p);
 }
 
-/* Light from the upper left, the same from both sides of a face. */
+/* Computes the shade: light from the upper left, the same on both sides of a face. */
 static float shade(const float* a, const float* b, const float* c) {
     static const float light[3] = {-0.35f, 0.8f, 0.49f};
     float u[3], w[3];
@@ -147,8 +147,8 @@ static void draw_object(tile* t, const dmg_object* object, const float* points, 
     }
 }
 
-/* The tile, averaged and in 32 shades a channel, which halves the file, into the sheet at pixel column `left`, row
- * `top`. */
+/* Copies the tile, averaged and in 32 shades a channel, which halves the file, into the sheet at pixel column `left`,
+ * row `top`. */
 static void paste(const tile* t, unsigned char* sheet, uint32_t width, uint32_t left, uint32_t top) {
     for (uint32_t y = 0; y < SIDE; ++y) {
         for (uint32_t x = 0; x < SIDE; ++x) {
@@ -163,7 +163,7 @@ static void paste(const tile* t, unsigned char* sheet, uint32_t width, uint32_t 
     }
 }
 
-/* At rest and open, side by side, in one scale. */
+/* Draws the object at rest and open, side by side, in one scale. */
 static int draw_pair(tile* t, uint32_t category, uint64_t seed, uint32_t flags, unsigned char* sheet, uint32_t width,
                      uint32_t left, uint32_t top) {
     dmg_object object;

@@ -1,596 +1,599 @@
-/* Every category: one function that draws it, one row here that names it. */
+/* The table of categories: a row for each, with the function dmg_build_<name> that draws it.
+ *
+ *     X(name, id, set)
+ *
+ * id: seeds the category's objects and deals them to the splits (dmg_make, dmg_split). It is given once, stays with the
+ *     category, and is never used again; a new category takes the next free one. Rows may stand in any order:
+ *     tests/e2e/category_ids.sh checks that neither order nor new rows change other categories' objects.
+ * set: FIRST, TRAINED or TEST_ONLY, a DMG_SET_* of generator.h. */
 #ifndef DMG_CATEGORIES_H
 #define DMG_CATEGORIES_H
 
-#include "build.h"
+#include "core/build.h"
 
 #define DMG_CATEGORIES(X)                                                                                              \
-    /* storage.c */                                                                                                    \
-    X(kitchen_cabinet)                                                                                                 \
-    X(cabinet)                                                                                                         \
-    X(drawers)                                                                                                         \
-    /* furniture.c */                                                                                                  \
-    X(table)                                                                                                           \
-    X(wardrobe)                                                                                                        \
-    X(folding_chair)                                                                                                   \
-    X(swivel_chair)                                                                                                    \
-    /* appliances.c */                                                                                                 \
-    X(microwave)                                                                                                       \
-    X(oven)                                                                                                            \
-    X(toaster)                                                                                                         \
-    X(coffee_machine)                                                                                                  \
-    /* cold.c */                                                                                                       \
-    X(refrigerator)                                                                                                    \
-    X(dishwasher)                                                                                                      \
-    X(washing_machine)                                                                                                 \
-    X(safe)                                                                                                            \
-    /* office.c */                                                                                                     \
-    X(printer)                                                                                                         \
-    X(camera)                                                                                                          \
-    X(remote)                                                                                                          \
-    X(keyboard)                                                                                                        \
-    /* lids.c */                                                                                                       \
-    X(chest)                                                                                                           \
-    X(bucket)                                                                                                          \
-    /* containers.c */                                                                                                 \
-    X(trash_can)                                                                                                       \
-    X(box)                                                                                                             \
-    X(pot)                                                                                                             \
-    X(toilet)                                                                                                          \
-    X(suitcase)                                                                                                        \
-    X(mailbox)                                                                                                         \
-    /* slabs.c */                                                                                                      \
-    X(laptop)                                                                                                          \
-    X(phone)                                                                                                           \
-    X(stapler)                                                                                                         \
-    X(scissors)                                                                                                        \
-    X(pliers)                                                                                                          \
-    X(lighter)                                                                                                         \
-    X(book)                                                                                                            \
-    /* openings.c */                                                                                                   \
-    X(door)                                                                                                            \
-    X(sliding_window)                                                                                                  \
-    X(window)                                                                                                          \
-    X(gate)                                                                                                            \
-    X(sliding_door)                                                                                                    \
-    X(trapdoor)                                                                                                        \
-    X(barrier)                                                                                                         \
-    /* buildings.c */                                                                                                  \
-    X(hangar_door)                                                                                                     \
-    X(garage_door)                                                                                                     \
-    X(drawbridge)                                                                                                      \
-    /* controls.c */                                                                                                   \
-    X(knob)                                                                                                            \
-    X(faucet)                                                                                                          \
-    X(button)                                                                                                          \
-    /* levers.c */                                                                                                     \
-    X(lever)                                                                                                           \
-    X(switch)                                                                                                          \
-    X(slider)                                                                                                          \
-    X(crank)                                                                                                           \
-    X(valve)                                                                                                           \
-    X(joystick)                                                                                                        \
-    X(game_controller)                                                                                                 \
-    X(pedal)                                                                                                           \
-    /* wheels.c */                                                                                                     \
-    X(wheel)                                                                                                           \
-    /* rotors.c */                                                                                                     \
-    X(fan)                                                                                                             \
-    X(propeller)                                                                                                       \
-    X(wind_turbine)                                                                                                    \
-    X(globe)                                                                                                           \
-    X(clock)                                                                                                           \
-    X(turntable)                                                                                                       \
-    X(radar)                                                                                                           \
-    /* handheld.c */                                                                                                   \
-    X(motion_controller)                                                                                               \
-    X(pistol)                                                                                                          \
-    /* aircraft.c */                                                                                                   \
-    X(aeroplane)                                                                                                       \
-    X(helicopter)                                                                                                      \
-    X(drone)                                                                                                           \
-    X(windsock)                                                                                                        \
-    /* robots.c */                                                                                                     \
-    X(gripper)                                                                                                         \
-    X(robot_arm)                                                                                                       \
-    X(legged_robot)                                                                                                    \
-    X(pan_tilt)                                                                                                        \
-    X(rail)                                                                                                            \
-    X(jetway)                                                                                                          \
-    X(crane)                                                                                                           \
-    /* cockpit.c */                                                                                                    \
-    X(control_panel)                                                                                                   \
-    X(instrument)                                                                                                      \
-    X(yoke)                                                                                                            \
-    X(throttle)                                                                                                        \
-    /* gadget.c */                                                                                                     \
-    X(gadget)                                                                                                          \
-    /* vehicles.c */                                                                                                   \
-    X(car)                                                                                                             \
-    X(two_wheeler)                                                                                                     \
-    X(mobile_robot)                                                                                                    \
-    X(trolley)                                                                                                         \
-    /* small.c */                                                                                                      \
-    X(bottle)                                                                                                          \
-    X(jar)                                                                                                             \
-    X(dispenser)                                                                                                       \
-    X(syringe)                                                                                                         \
-    X(pen)                                                                                                             \
-    X(usb_stick)                                                                                                       \
-    X(folding_knife)                                                                                                   \
-    X(eyeglasses)                                                                                                      \
-    X(padlock)                                                                                                         \
-    /* household.c */                                                                                                  \
-    X(desk_lamp)                                                                                                       \
-    X(kettle)                                                                                                          \
-    X(latch)                                                                                                           \
-    X(folding_panel)                                                                                                   \
-    X(kitchen_counter)                                                                                                 \
-    X(step_ladder)                                                                                                     \
-    X(swing)                                                                                                           \
-    X(vise)                                                                                                            \
-    /* machines.c */                                                                                                   \
-    X(roll_top)                                                                                                        \
-    X(pivot_panel)                                                                                                     \
-    X(telescope)                                                                                                       \
-    X(gyroscope)                                                                                                       \
-    X(turnstile)                                                                                                       \
-    X(vending_machine)                                                                                                 \
-    X(figure)                                                                                                          \
-    X(gear_train)                                                                                                      \
-    X(fairground_wheel)                                                                                                \
-    X(mixer)                                                                                                           \
-    X(power_tool)                                                                                                      \
-    X(press)                                                                                                           \
-    X(balance)                                                                                                         \
-    X(slats)                                                                                                           \
-    /* notebooks.c */                                                                                                  \
-    X(notebook)                                                                                                        \
-    /* hutches.c */                                                                                                    \
-    X(slab_cabinet)                                                                                                    \
-    X(sliding_cabinet)                                                                                                 \
-    X(desk_hutch)                                                                                                      \
-    X(nightstand)                                                                                                      \
-    X(showcase)                                                                                                        \
-    /* strongboxes.c */                                                                                                \
-    X(strongbox)                                                                                                       \
-    X(counter_oven)                                                                                                    \
-    X(cooler)                                                                                                          \
-    /* openings.c */                                                                                                   \
-    X(post_door)                                                                                                       \
-    /* cases.c */                                                                                                      \
-    X(hard_case)                                                                                                       \
-    X(pail)                                                                                                            \
-    X(lidded_bin)                                                                                                      \
-    X(flag_box)                                                                                                        \
-    /* toolboxes.c */                                                                                                  \
-    X(toolbox)                                                                                                         \
-    X(casement)                                                                                                        \
-    /* aircraft.c */                                                                                                   \
-    X(submarine)                                                                                                       \
-    /* jet.c */                                                                                                        \
-    X(jet)                                                                                                             \
-    /* chassis.c */                                                                                                    \
-    X(chassis)                                                                                                         \
-    X(wheelchair)                                                                                                      \
-    /* cockpit.c */                                                                                                    \
-    X(avionics)                                                                                                        \
-    X(switchboard)                                                                                                     \
-    /* gauges.c */                                                                                                     \
-    X(gauge)                                                                                                           \
-    /* controllers.c */                                                                                                \
-    X(vr_controller)                                                                                                   \
-    X(gamepad)                                                                                                         \
-    /* solar.c */                                                                                                      \
-    X(satellite)                                                                                                       \
-    X(solar_case)                                                                                                      \
-    X(solar_tracker)                                                                                                   \
-    /* dishes.c */                                                                                                     \
-    X(dish)                                                                                                            \
-    X(radar_tower)                                                                                                     \
-    /* linkages.c */                                                                                                   \
-    X(claw)                                                                                                            \
-    X(bar_legs)                                                                                                        \
-    X(humanoid)                                                                                                        \
-    X(bracket)                                                                                                         \
-    /* taps.c */                                                                                                       \
-    X(tap)                                                                                                             \
-    /* stoves.c */                                                                                                     \
-    X(stove)                                                                                                           \
-    /* lever_stands.c */                                                                                               \
-    X(lever_stand)                                                                                                     \
-    /* shelter.c */                                                                                                    \
-    X(shelter)                                                                                                         \
-    /* bridge.c */                                                                                                     \
-    X(passenger_bridge)                                                                                                \
-    /* presses.c */                                                                                                    \
-    X(push_button)                                                                                                     \
-    X(rocker_switch)                                                                                                   \
-    X(pop_up_toaster)                                                                                                  \
-    /* brewers.c */                                                                                                    \
-    X(blender)                                                                                                         \
-    X(coffee_maker)                                                                                                    \
-    /* pedestals.c */                                                                                                  \
-    X(pedestal)                                                                                                        \
-    /* seats.c */                                                                                                      \
-    X(office_chair)                                                                                                    \
-    /* vessels.c */                                                                                                    \
-    X(rov)                                                                                                             \
-    X(torpedo)                                                                                                         \
-    X(boat)                                                                                                            \
-    /* gauges.c */                                                                                                     \
-    X(dashboard)                                                                                                       \
-    /* headsets.c */                                                                                                   \
-    X(headset)                                                                                                         \
-    /* winds.c */                                                                                                      \
-    X(power_turbine)                                                                                                   \
-    X(windmill)                                                                                                        \
-    X(wind_mast)                                                                                                       \
-    /* pods.c */                                                                                                       \
-    X(finger_controller)                                                                                               \
-    X(trigger_tool)                                                                                                    \
-    X(squeeze_handle)                                                                                                  \
-    /* clams.c */                                                                                                      \
-    X(shell_case)                                                                                                      \
-    X(waffle_iron)                                                                                                     \
-    X(door_box)                                                                                                        \
-    X(swing_bin)                                                                                                       \
-    X(drop_pot)                                                                                                        \
-    /* stands.c */                                                                                                     \
-    X(recliner)                                                                                                        \
-    X(flat_cart)                                                                                                       \
-    X(folding_table)                                                                                                   \
-    /* airframes.c */                                                                                                  \
-    X(airframe)                                                                                                        \
-    X(slotted_wing)                                                                                                    \
-    /* gear.c */                                                                                                       \
-    X(gear_leg)                                                                                                        \
-    X(hull_bay)                                                                                                        \
-    X(canopy)                                                                                                          \
-    /* holds.c */                                                                                                      \
-    X(rotor_head)                                                                                                      \
-    X(cargo_hold)                                                                                                      \
-    /* manipulators.c */                                                                                               \
-    X(cobot_arm)                                                                                                       \
-    X(scara)                                                                                                           \
-    X(gantry)                                                                                                          \
-    X(jaw_gripper)                                                                                                     \
-    /* walkers.c */                                                                                                    \
-    X(plate_legs)                                                                                                      \
-    X(insect_robot)                                                                                                    \
-    X(robot_hand)                                                                                                      \
-    /* models.c */                                                                                                     \
-    X(bare_model)                                                                                                      \
-    /* boards.c */                                                                                                     \
-    X(task_board)                                                                                                      \
-    /* lifts.c */                                                                                                      \
-    X(lift_column)                                                                                                     \
-    X(stacked_axes)                                                                                                    \
-    /* screens.c */                                                                                                    \
-    X(monitor)                                                                                                         \
-    X(convertible)                                                                                                     \
-    /* microscopes.c */                                                                                                \
-    X(microscope)                                                                                                      \
-    /* sights.c */                                                                                                     \
-    X(theodolite)                                                                                                      \
-    X(sextant)                                                                                                         \
-    /* crawlers.c */                                                                                                   \
-    X(flipper_robot)                                                                                                   \
-    X(rover)                                                                                                           \
-    /* exoskeletons.c */                                                                                               \
-    X(exoskeleton)                                                                                                     \
-    /* parallels.c */                                                                                                  \
-    X(parallel_robot)                                                                                                  \
-    /* thrusters.c */                                                                                                  \
-    X(tilt_rotor)                                                                                                      \
-    /* heads.c */                                                                                                      \
-    X(sensor_head)                                                                                                     \
-    /* siege.c */                                                                                                      \
-    X(siege_engine)                                                                                                    \
-    /* arms.c */                                                                                                       \
-    X(firearm)                                                                                                         \
-    X(crossbow)                                                                                                        \
-    /* wands.c */                                                                                                      \
-    X(wand_controller)                                                                                                 \
-    /* vaults.c */                                                                                                     \
-    X(sarcophagus)                                                                                                     \
-    X(well)                                                                                                            \
-    X(dungeon_gate)                                                                                                    \
-    /* hoods.c */                                                                                                      \
-    X(grill)                                                                                                           \
-    /* bread_bins.c */                                                                                                 \
-    X(bread_bin)                                                                                                       \
-    /* primitives.c */                                                                                                 \
-    X(collision_model)                                                                                                 \
-    /* hands.c */                                                                                                      \
-    X(finger_hand)                                                                                                     \
-    /* diggers.c */                                                                                                    \
-    X(excavator)                                                                                                       \
-    /* lifters.c */                                                                                                    \
-    X(forklift)                                                                                                        \
-    /* tippers.c */                                                                                                    \
-    X(tipper)                                                                                                          \
-    /* aerials.c */                                                                                                    \
-    X(service_truck)                                                                                                   \
-    /* pulls.c */                                                                                                      \
-    X(push_pull_panel)                                                                                                 \
-    X(sunk_wheels)                                                                                                     \
-    /* gates.c */                                                                                                      \
-    X(gate_lever)                                                                                                      \
-    X(ship_control)                                                                                                    \
-    /* horizons.c */                                                                                                   \
-    X(horizon_gauge)                                                                                                   \
-    /* benches.c */                                                                                                    \
-    X(bench_set)                                                                                                       \
-    X(centrifuge)                                                                                                      \
-    /* fold_fronts.c */                                                                                                \
-    X(tilt_cabinet)                                                                                                    \
-    X(wall_bed)                                                                                                        \
-    X(fold_desk)                                                                                                       \
-    /* contour_cases.c */                                                                                              \
-    X(contour_case)                                                                                                    \
-    /* clinic.c */                                                                                                     \
-    X(treatment_chair)                                                                                                 \
-    X(hospital_bed)                                                                                                    \
-    /* amusements.c */                                                                                                 \
-    X(arcade_cabinet)                                                                                                  \
-    X(pinball_table)                                                                                                   \
-    X(music_box)                                                                                                       \
-    /* carts.c */                                                                                                      \
-    X(market_cart)                                                                                                     \
-    /* ramps.c */                                                                                                      \
-    X(belt_loader)                                                                                                     \
-    X(airstairs)                                                                                                       \
-    /* sails.c */                                                                                                      \
-    X(sailing_boat)                                                                                                    \
-    /* mice.c */                                                                                                       \
-    X(computer_mouse)                                                                                                  \
-    /* tripods.c */                                                                                                    \
-    X(tripod)                                                                                                          \
-    /* nacelles.c */                                                                                                   \
-    X(thrust_reverser)                                                                                                 \
-    X(jet_nozzle)                                                                                                      \
-    /* skips.c */                                                                                                      \
-    X(dumpster)                                                                                                        \
-    /* sluices.c */                                                                                                    \
-    X(sluice_gate)                                                                                                     \
-    /* flush.c */                                                                                                      \
-    X(flush_cabinet)                                                                                                   \
-    /* corners.c */                                                                                                    \
-    X(corner_cabinet)                                                                                                  \
-    /* vanities.c */                                                                                                   \
-    X(vanity)                                                                                                          \
-    /* portals.c */                                                                                                    \
-    X(scifi_door)                                                                                                      \
-    /* hatches.c */                                                                                                    \
-    X(pressure_hatch)                                                                                                  \
-    /* armour.c */                                                                                                     \
-    X(gun_vehicle)                                                                                                     \
-    /* stage.c */                                                                                                      \
-    X(stage_light)                                                                                                     \
-    /* players.c */                                                                                                    \
-    X(record_player)                                                                                                   \
-    /* engines.c */                                                                                                    \
-    X(piston_engine)                                                                                                   \
-    /* cabins.c */                                                                                                     \
-    X(cabin_door)                                                                                                      \
-    X(cabin_seat)                                                                                                      \
-    /* sofas.c */                                                                                                      \
-    X(sofa_bed)                                                                                                        \
-    /* lathes.c */                                                                                                     \
-    X(lathe)                                                                                                           \
-    /* playground.c */                                                                                                 \
-    X(playground_piece)                                                                                                \
-    /* play_panels.c */                                                                                                \
-    X(play_panel)                                                                                                      \
-    /* secrets.c */                                                                                                    \
-    X(secret_wall)                                                                                                     \
-    /* starships.c */                                                                                                  \
-    X(starship)                                                                                                        \
-    /* pianos.c */                                                                                                     \
-    X(piano)                                                                                                           \
-    /* sewing.c */                                                                                                     \
-    X(sewing_machine)                                                                                                  \
-    /* trimmers.c */                                                                                                   \
-    X(paper_cutter)                                                                                                    \
-    X(hole_punch)                                                                                                      \
-    /* airers.c */                                                                                                     \
-    X(clothes_airer)                                                                                                   \
-    /* mills.c */                                                                                                      \
-    X(milling_machine)                                                                                                 \
-    /* cots.c */                                                                                                       \
-    X(cot)                                                                                                             \
-    /* cowlings.c */                                                                                                   \
-    X(cowling)                                                                                                         \
-    /* tables.c */                                                                                                     \
-    X(extending_table)                                                                                                 \
-    /* consoles.c */                                                                                                   \
-    X(synthesizer)                                                                                                     \
-    X(sound_desk)                                                                                                      \
-    /* forecourt.c */                                                                                                  \
-    X(fuel_pump)                                                                                                       \
-    X(ticket_machine)                                                                                                  \
-    /* cages.c */                                                                                                      \
-    X(mine_cart)                                                                                                       \
-    X(lift_cage)                                                                                                       \
-    /* extruders.c */                                                                                                  \
-    X(solid_printer)                                                                                                   \
-    /* coaches.c */                                                                                                    \
-    X(bus)                                                                                                             \
-    /* interiors.c */                                                                                                  \
-    X(car_interior)                                                                                                    \
-    /* vehicle_seats.c */                                                                                              \
-    X(car_seat)                                                                                                        \
-    /* brass.c */                                                                                                      \
-    X(wind_instrument)                                                                                                 \
-    /* mechanisms.c */                                                                                                 \
-    X(crank_bench)                                                                                                     \
-    /* cycles.c */                                                                                                     \
-    X(cycle)                                                                                                           \
-    /* airships.c */                                                                                                   \
-    X(airship)                                                                                                         \
-    /* rigs.c */                                                                                                       \
-    X(link_rig)                                                                                                        \
-    /* farm.c */                                                                                                       \
-    X(farm_machine)                                                                                                    \
-    /* pocket.c */                                                                                                     \
-    X(clamshell)                                                                                                       \
-    /* portables.c */                                                                                                  \
-    X(radio)                                                                                                           \
-    /* recorders.c */                                                                                                  \
-    X(recorder)                                                                                                        \
-    X(game_console)                                                                                                    \
-    /* watches.c */                                                                                                    \
-    X(wrist_watch)                                                                                                     \
-    X(metronome)                                                                                                       \
-    /* carried.c */                                                                                                    \
-    X(binoculars)                                                                                                      \
-    X(lantern)                                                                                                         \
-    /* sports.c */                                                                                                     \
-    X(gym_machine)                                                                                                     \
-    /* parlour.c */                                                                                                    \
-    X(ball_game)                                                                                                       \
-    /* antiques.c */                                                                                                   \
-    X(period_cabinet)                                                                                                  \
-    /* moderns.c */                                                                                                    \
-    X(modern_unit)                                                                                                     \
-    X(glass_case)                                                                                                      \
-    /* retro.c */                                                                                                      \
-    X(curved_appliance)                                                                                                \
-    X(slot_toaster)                                                                                                    \
-    /* coffers.c */                                                                                                    \
-    X(vault_safe)                                                                                                      \
-    X(soft_luggage)                                                                                                    \
-    /* fixtures.c */                                                                                                   \
-    X(toilet_suite)                                                                                                    \
-    X(gas_hob)                                                                                                         \
-    /* stools.c */                                                                                                     \
-    X(lamp_stand)                                                                                                      \
-    X(stool_chair)                                                                                                     \
-    /* wastebins.c */                                                                                                  \
-    X(hinged_bin)                                                                                                      \
-    /* fryers.c */                                                                                                     \
-    X(air_fryer)                                                                                                       \
-    X(rice_cooker)                                                                                                     \
-    X(salad_spinner)                                                                                                   \
-    /* grinders.c */                                                                                                   \
-    X(hand_mill)                                                                                                       \
-    /* squeezers.c */                                                                                                  \
-    X(hand_squeezer)                                                                                                   \
-    /* openers.c */                                                                                                    \
-    X(corkscrew)                                                                                                       \
-    X(can_opener)                                                                                                      \
-    /* prams.c */                                                                                                      \
-    X(pushchair)                                                                                                       \
-    X(high_chair)                                                                                                      \
-    /* parasols.c */                                                                                                   \
-    X(ironing_board)                                                                                                   \
-    X(parasol)                                                                                                         \
-    /* brackets.c */                                                                                                   \
-    X(wall_arm)                                                                                                        \
-    X(pet_crate)                                                                                                       \
-    /* trains.c */                                                                                                     \
-    X(locomotive)                                                                                                      \
-    /* wagons.c */                                                                                                     \
-    X(rail_wagon)                                                                                                      \
-    /* signals.c */                                                                                                    \
-    X(rail_signal)                                                                                                     \
-    /* dozers.c */                                                                                                     \
-    X(bulldozer)                                                                                                       \
-    /* gliders.c */                                                                                                    \
-    X(glider)                                                                                                          \
-    /* haulers.c */                                                                                                    \
-    X(mixer_truck)                                                                                                     \
-    X(fire_engine)                                                                                                     \
-    /* gondolas.c */                                                                                                   \
-    X(cable_car)                                                                                                       \
-    /* landers.c */                                                                                                    \
-    X(lander)                                                                                                          \
-    /* cannons.c */                                                                                                    \
-    X(water_cannon)                                                                                                    \
-    /* drilling.c */                                                                                                   \
-    X(drill_press)                                                                                                     \
-    X(hand_drill)                                                                                                      \
-    /* sawing.c */                                                                                                     \
-    X(mitre_saw)                                                                                                       \
-    X(table_saw)                                                                                                       \
-    X(band_saw)                                                                                                        \
-    /* clamping.c */                                                                                                   \
-    X(clamp)                                                                                                           \
-    X(measuring_tool)                                                                                                  \
-    /* jacks.c */                                                                                                      \
-    X(scissor_jack)                                                                                                    \
-    X(winch)                                                                                                           \
-    /* records.c */                                                                                                    \
-    X(filing_cabinet)                                                                                                  \
-    X(computer_tower)                                                                                                  \
-    /* copiers.c */                                                                                                    \
-    X(photocopier)                                                                                                     \
-    X(cash_register)                                                                                                   \
-    /* desks.c */                                                                                                      \
-    X(projector)                                                                                                       \
-    X(drafting_table)                                                                                                  \
-    X(desk_phone)                                                                                                      \
-    /* lobbies.c */                                                                                                    \
-    X(revolving_door)                                                                                                  \
-    X(lift_doors)                                                                                                      \
-    /* plants.c */                                                                                                     \
-    X(roll_conveyor)                                                                                                   \
-    X(boiler)                                                                                                          \
-    /* streets.c */                                                                                                    \
-    X(hydrant)                                                                                                         \
-    X(meter_box)                                                                                                       \
-    /* freight.c */                                                                                                    \
-    X(shipping_container)                                                                                              \
-    /* vents.c */                                                                                                      \
-    X(roof_vent)                                                                                                       \
-    /* theatres.c */                                                                                                   \
-    X(c_arm)                                                                                                           \
-    X(operating_lamp)                                                                                                  \
-    /* wards.c */                                                                                                      \
-    X(incubator)                                                                                                       \
-    /* balances.c */                                                                                                   \
-    X(cart_pole)                                                                                                       \
-    /* grips.c */                                                                                                      \
-    X(ring_controller)                                                                                                 \
-    X(puck_controller)                                                                                                 \
-    X(flight_stick)                                                                                                    \
-    X(pistol_controller)                                                                                               \
-    /* quadrants.c */                                                                                                  \
-    X(throttle_quadrant)                                                                                               \
-    X(racing_wheel)                                                                                                    \
-    X(drum_pedal)                                                                                                      \
-    /* bars.c */                                                                                                       \
-    X(bike_controls)                                                                                                   \
-    /* keyworks.c */                                                                                                   \
-    X(key_stack)                                                                                                       \
-    X(switch_panel)                                                                                                    \
-    /* escutcheons.c */                                                                                                \
-    X(door_furniture)                                                                                                  \
-    /* cameras.c */                                                                                                    \
-    X(camera_body)                                                                                                     \
-    /* gimbals.c */                                                                                                    \
-    X(stick_box)                                                                                                       \
-    /* hand_levers.c */                                                                                                \
-    X(hand_exerciser)                                                                                                  \
-    /* watchers.c */                                                                                                   \
-    X(security_camera)                                                                                                 \
-    /* pallets.c */                                                                                                    \
-    X(pallet_truck)                                                                                                    \
-    /* tabletops.c */                                                                                                  \
-    X(drawer_table)                                                                                                    \
-    /* extractors.c */                                                                                                 \
-    X(range_hood)                                                                                                      \
-    /* showers.c */                                                                                                    \
-    X(shower)                                                                                                          \
-    /* toys.c */                                                                                                       \
-    X(toy_vehicle)                                                                                                     \
-    /* campware.c */                                                                                                   \
-    X(folding_stool)                                                                                                   \
-    /* decks.c */                                                                                                      \
-    X(ship_deck)
+    /* furniture/storage.c */                                                                                          \
+    X(kitchen_cabinet, 0, FIRST)                                                                                       \
+    X(cabinet, 1, FIRST)                                                                                               \
+    X(drawers, 2, FIRST)                                                                                               \
+    /* furniture/furniture.c */                                                                                        \
+    X(table, 3, FIRST)                                                                                                 \
+    X(wardrobe, 4, FIRST)                                                                                              \
+    X(folding_chair, 5, FIRST)                                                                                         \
+    X(swivel_chair, 6, FIRST)                                                                                          \
+    /* furniture/hutches.c */                                                                                          \
+    X(slab_cabinet, 117, FIRST)                                                                                        \
+    X(sliding_cabinet, 118, FIRST)                                                                                     \
+    X(desk_hutch, 119, FIRST)                                                                                          \
+    X(nightstand, 120, FIRST)                                                                                          \
+    X(showcase, 121, FIRST)                                                                                            \
+    /* furniture/seats.c */                                                                                            \
+    X(office_chair, 161, FIRST)                                                                                        \
+    /* furniture/stands.c */                                                                                           \
+    X(recliner, 178, FIRST)                                                                                            \
+    X(flat_cart, 179, FIRST)                                                                                           \
+    X(folding_table, 180, FIRST)                                                                                       \
+    /* furniture/fold_fronts.c */                                                                                      \
+    X(tilt_cabinet, 232, TRAINED)                                                                                      \
+    X(wall_bed, 233, TRAINED)                                                                                          \
+    X(fold_desk, 234, TRAINED)                                                                                         \
+    /* furniture/clinic.c */                                                                                           \
+    X(treatment_chair, 236, TRAINED)                                                                                   \
+    X(hospital_bed, 237, TRAINED)                                                                                      \
+    /* furniture/flush.c */                                                                                            \
+    X(flush_cabinet, 251, TRAINED)                                                                                     \
+    /* furniture/corners.c */                                                                                          \
+    X(corner_cabinet, 252, TRAINED)                                                                                    \
+    /* furniture/vanities.c */                                                                                         \
+    X(vanity, 253, TRAINED)                                                                                            \
+    /* furniture/sofas.c */                                                                                            \
+    X(sofa_bed, 262, TRAINED)                                                                                          \
+    /* furniture/cots.c */                                                                                             \
+    X(cot, 274, TRAINED)                                                                                               \
+    /* furniture/tables.c */                                                                                           \
+    X(extending_table, 276, TRAINED)                                                                                   \
+    /* appliances/appliances.c */                                                                                      \
+    X(microwave, 7, FIRST)                                                                                             \
+    X(oven, 8, FIRST)                                                                                                  \
+    X(toaster, 9, FIRST)                                                                                               \
+    X(coffee_machine, 10, FIRST)                                                                                       \
+    /* appliances/cold.c */                                                                                            \
+    X(refrigerator, 11, FIRST)                                                                                         \
+    X(dishwasher, 12, FIRST)                                                                                           \
+    X(washing_machine, 13, FIRST)                                                                                      \
+    X(safe, 14, FIRST)                                                                                                 \
+    /* appliances/taps.c */                                                                                            \
+    X(tap, 150, FIRST)                                                                                                 \
+    /* appliances/stoves.c */                                                                                          \
+    X(stove, 151, FIRST)                                                                                               \
+    /* appliances/brewers.c */                                                                                         \
+    X(blender, 158, FIRST)                                                                                             \
+    X(coffee_maker, 159, FIRST)                                                                                        \
+    /* appliances/hoods.c */                                                                                           \
+    X(grill, 217, TRAINED)                                                                                             \
+    /* appliances/sewing.c */                                                                                          \
+    X(sewing_machine, 269, TRAINED)                                                                                    \
+    /* appliances/forecourt.c */                                                                                       \
+    X(fuel_pump, 279, TRAINED)                                                                                         \
+    X(ticket_machine, 280, TRAINED)                                                                                    \
+    /* appliances/extruders.c */                                                                                       \
+    X(solid_printer, 283, TRAINED)                                                                                     \
+    /* containers/lids.c */                                                                                            \
+    X(chest, 19, FIRST)                                                                                                \
+    X(bucket, 20, FIRST)                                                                                               \
+    /* containers/containers.c */                                                                                      \
+    X(trash_can, 21, FIRST)                                                                                            \
+    X(box, 22, FIRST)                                                                                                  \
+    X(pot, 23, FIRST)                                                                                                  \
+    X(toilet, 24, FIRST)                                                                                               \
+    X(suitcase, 25, FIRST)                                                                                             \
+    X(mailbox, 26, FIRST)                                                                                              \
+    /* containers/small.c */                                                                                           \
+    X(bottle, 85, FIRST)                                                                                               \
+    X(jar, 86, FIRST)                                                                                                  \
+    X(dispenser, 87, FIRST)                                                                                            \
+    X(syringe, 88, FIRST)                                                                                              \
+    X(pen, 89, FIRST)                                                                                                  \
+    X(usb_stick, 90, FIRST)                                                                                            \
+    X(folding_knife, 91, FIRST)                                                                                        \
+    X(eyeglasses, 92, FIRST)                                                                                           \
+    X(padlock, 93, FIRST)                                                                                              \
+    /* containers/strongboxes.c */                                                                                     \
+    X(strongbox, 122, FIRST)                                                                                           \
+    X(counter_oven, 123, FIRST)                                                                                        \
+    X(cooler, 124, FIRST)                                                                                              \
+    /* containers/cases.c */                                                                                           \
+    X(hard_case, 126, FIRST)                                                                                           \
+    X(pail, 127, FIRST)                                                                                                \
+    X(lidded_bin, 128, FIRST)                                                                                          \
+    X(flag_box, 129, FIRST)                                                                                            \
+    /* containers/toolboxes.c */                                                                                       \
+    X(toolbox, 130, FIRST)                                                                                             \
+    X(casement, 131, FIRST)                                                                                            \
+    /* containers/clams.c */                                                                                           \
+    X(shell_case, 173, FIRST)                                                                                          \
+    X(waffle_iron, 174, FIRST)                                                                                         \
+    X(door_box, 175, FIRST)                                                                                            \
+    X(swing_bin, 176, FIRST)                                                                                           \
+    X(drop_pot, 177, FIRST)                                                                                            \
+    /* containers/bread_bins.c */                                                                                      \
+    X(bread_bin, 218, TRAINED)                                                                                         \
+    /* containers/contour_cases.c */                                                                                   \
+    X(contour_case, 235, TRAINED)                                                                                      \
+    /* containers/skips.c */                                                                                           \
+    X(dumpster, 249, TRAINED)                                                                                          \
+    /* household/household.c */                                                                                        \
+    X(desk_lamp, 94, FIRST)                                                                                            \
+    X(kettle, 95, FIRST)                                                                                               \
+    X(latch, 96, FIRST)                                                                                                \
+    X(folding_panel, 97, FIRST)                                                                                        \
+    X(kitchen_counter, 98, FIRST)                                                                                      \
+    X(step_ladder, 99, FIRST)                                                                                          \
+    X(swing, 100, FIRST)                                                                                               \
+    X(vise, 101, FIRST)                                                                                                \
+    /* household/tripods.c */                                                                                          \
+    X(tripod, 246, TRAINED)                                                                                            \
+    /* household/stage.c */                                                                                            \
+    X(stage_light, 257, TRAINED)                                                                                       \
+    /* household/airers.c */                                                                                           \
+    X(clothes_airer, 272, TRAINED)                                                                                     \
+    /* office/office.c */                                                                                              \
+    X(printer, 15, FIRST)                                                                                              \
+    X(camera, 16, FIRST)                                                                                               \
+    X(remote, 17, FIRST)                                                                                               \
+    X(keyboard, 18, FIRST)                                                                                             \
+    /* office/slabs.c */                                                                                               \
+    X(laptop, 27, FIRST)                                                                                               \
+    X(phone, 28, FIRST)                                                                                                \
+    X(stapler, 29, FIRST)                                                                                              \
+    X(scissors, 30, FIRST)                                                                                             \
+    X(pliers, 31, FIRST)                                                                                               \
+    X(lighter, 32, FIRST)                                                                                              \
+    X(book, 33, FIRST)                                                                                                 \
+    /* office/notebooks.c */                                                                                           \
+    X(notebook, 116, FIRST)                                                                                            \
+    /* office/screens.c */                                                                                             \
+    X(monitor, 199, TRAINED)                                                                                           \
+    X(convertible, 200, TRAINED)                                                                                       \
+    /* office/mice.c */                                                                                                \
+    X(computer_mouse, 245, TRAINED)                                                                                    \
+    /* office/trimmers.c */                                                                                            \
+    X(paper_cutter, 270, TRAINED)                                                                                      \
+    X(hole_punch, 271, TRAINED)                                                                                        \
+    /* handheld/handheld.c */                                                                                          \
+    X(motion_controller, 63, FIRST)                                                                                    \
+    X(pistol, 64, FIRST)                                                                                               \
+    /* handheld/controllers.c */                                                                                       \
+    X(vr_controller, 139, FIRST)                                                                                       \
+    X(gamepad, 140, FIRST)                                                                                             \
+    /* handheld/headsets.c */                                                                                          \
+    X(headset, 166, FIRST)                                                                                             \
+    /* handheld/pods.c */                                                                                              \
+    X(finger_controller, 170, FIRST)                                                                                   \
+    X(trigger_tool, 171, FIRST)                                                                                        \
+    X(squeeze_handle, 172, FIRST)                                                                                      \
+    /* handheld/wands.c */                                                                                             \
+    X(wand_controller, 213, TRAINED)                                                                                   \
+    /* openings/openings.c */                                                                                          \
+    X(door, 34, FIRST)                                                                                                 \
+    X(sliding_window, 35, FIRST)                                                                                       \
+    X(window, 36, FIRST)                                                                                               \
+    X(gate, 37, FIRST)                                                                                                 \
+    X(sliding_door, 38, FIRST)                                                                                         \
+    X(trapdoor, 39, FIRST)                                                                                             \
+    X(barrier, 40, FIRST)                                                                                              \
+    X(post_door, 125, FIRST)                                                                                           \
+    /* openings/buildings.c */                                                                                         \
+    X(hangar_door, 41, FIRST)                                                                                          \
+    X(garage_door, 42, FIRST)                                                                                          \
+    X(drawbridge, 43, FIRST)                                                                                           \
+    /* openings/shelter.c */                                                                                           \
+    X(shelter, 153, FIRST)                                                                                             \
+    /* openings/vaults.c */                                                                                            \
+    X(sarcophagus, 214, TRAINED)                                                                                       \
+    X(well, 215, TRAINED)                                                                                              \
+    X(dungeon_gate, 216, TRAINED)                                                                                      \
+    /* openings/sluices.c */                                                                                           \
+    X(sluice_gate, 250, TRAINED)                                                                                       \
+    /* openings/portals.c */                                                                                           \
+    X(scifi_door, 254, TRAINED)                                                                                        \
+    /* openings/hatches.c */                                                                                           \
+    X(pressure_hatch, 255, TRAINED)                                                                                    \
+    /* openings/secrets.c */                                                                                           \
+    X(secret_wall, 266, TRAINED)                                                                                       \
+    /* controls/controls.c */                                                                                          \
+    X(knob, 44, FIRST)                                                                                                 \
+    X(faucet, 45, FIRST)                                                                                               \
+    X(button, 46, FIRST)                                                                                               \
+    /* controls/levers.c */                                                                                            \
+    X(lever, 47, FIRST)                                                                                                \
+    X(switch, 48, FIRST)                                                                                               \
+    X(slider, 49, FIRST)                                                                                               \
+    X(crank, 50, FIRST)                                                                                                \
+    X(valve, 51, FIRST)                                                                                                \
+    X(joystick, 52, FIRST)                                                                                             \
+    X(game_controller, 53, FIRST)                                                                                      \
+    X(pedal, 54, FIRST)                                                                                                \
+    /* controls/cockpit.c */                                                                                           \
+    X(control_panel, 76, FIRST)                                                                                        \
+    X(yoke, 78, FIRST)                                                                                                 \
+    X(throttle, 79, FIRST)                                                                                             \
+    X(avionics, 136, FIRST)                                                                                            \
+    X(switchboard, 137, FIRST)                                                                                         \
+    /* controls/gadget.c */                                                                                            \
+    X(gadget, 80, FIRST)                                                                                               \
+    /* controls/lever_stands.c */                                                                                      \
+    X(lever_stand, 152, FIRST)                                                                                         \
+    /* controls/presses.c */                                                                                           \
+    X(push_button, 155, FIRST)                                                                                         \
+    X(rocker_switch, 156, FIRST)                                                                                       \
+    X(pop_up_toaster, 157, FIRST)                                                                                      \
+    /* controls/pedestals.c */                                                                                         \
+    X(pedestal, 160, FIRST)                                                                                            \
+    /* controls/boards.c */                                                                                            \
+    X(task_board, 196, TRAINED)                                                                                        \
+    /* controls/pulls.c */                                                                                             \
+    X(push_pull_panel, 225, TRAINED)                                                                                   \
+    X(sunk_wheels, 226, TRAINED)                                                                                       \
+    /* controls/gates.c */                                                                                             \
+    X(gate_lever, 227, TRAINED)                                                                                        \
+    X(ship_control, 228, TRAINED)                                                                                      \
+    /* instruments/gauges.c */                                                                                         \
+    X(instrument, 77, FIRST)                                                                                           \
+    X(gauge, 138, FIRST)                                                                                               \
+    X(dashboard, 165, FIRST)                                                                                           \
+    /* instruments/microscopes.c */                                                                                    \
+    X(microscope, 201, TRAINED)                                                                                        \
+    /* instruments/sights.c */                                                                                         \
+    X(theodolite, 202, TRAINED)                                                                                        \
+    X(sextant, 203, TRAINED)                                                                                           \
+    /* instruments/horizons.c */                                                                                       \
+    X(horizon_gauge, 229, TRAINED)                                                                                     \
+    /* instruments/benches.c */                                                                                        \
+    X(bench_set, 230, TRAINED)                                                                                         \
+    X(centrifuge, 231, TRAINED)                                                                                        \
+    /* music/players.c */                                                                                              \
+    X(record_player, 258, TRAINED)                                                                                     \
+    /* music/pianos.c */                                                                                               \
+    X(piano, 268, TRAINED)                                                                                             \
+    /* music/consoles.c */                                                                                             \
+    X(synthesizer, 277, TRAINED)                                                                                       \
+    X(sound_desk, 278, TRAINED)                                                                                        \
+    /* music/brass.c */                                                                                                \
+    X(wind_instrument, 287, TRAINED)                                                                                   \
+    /* vehicles/vehicles.c */                                                                                          \
+    X(car, 81, FIRST)                                                                                                  \
+    X(two_wheeler, 82, FIRST)                                                                                          \
+    X(mobile_robot, 83, FIRST)                                                                                         \
+    X(trolley, 84, FIRST)                                                                                              \
+    /* vehicles/chassis.c */                                                                                           \
+    X(chassis, 134, FIRST)                                                                                             \
+    X(wheelchair, 135, FIRST)                                                                                          \
+    /* vehicles/bridge.c */                                                                                            \
+    X(passenger_bridge, 154, FIRST)                                                                                    \
+    /* vehicles/diggers.c */                                                                                           \
+    X(excavator, 221, TRAINED)                                                                                         \
+    /* vehicles/lifters.c */                                                                                           \
+    X(forklift, 222, TRAINED)                                                                                          \
+    /* vehicles/tippers.c */                                                                                           \
+    X(tipper, 223, TRAINED)                                                                                            \
+    /* vehicles/aerials.c */                                                                                           \
+    X(service_truck, 224, TRAINED)                                                                                     \
+    /* vehicles/carts.c */                                                                                             \
+    X(market_cart, 241, TRAINED)                                                                                       \
+    /* vehicles/ramps.c */                                                                                             \
+    X(belt_loader, 242, TRAINED)                                                                                       \
+    X(airstairs, 243, TRAINED)                                                                                         \
+    /* vehicles/armour.c */                                                                                            \
+    X(gun_vehicle, 256, TRAINED)                                                                                       \
+    /* vehicles/cages.c */                                                                                             \
+    X(mine_cart, 281, TRAINED)                                                                                         \
+    X(lift_cage, 282, TRAINED)                                                                                         \
+    /* vehicles/coaches.c */                                                                                           \
+    X(bus, 284, TRAINED)                                                                                               \
+    /* vehicles/interiors.c */                                                                                         \
+    X(car_interior, 285, TRAINED)                                                                                      \
+    /* vehicles/vehicle_seats.c */                                                                                     \
+    X(car_seat, 286, TRAINED)                                                                                          \
+    /* vehicles/cycles.c */                                                                                            \
+    X(cycle, 289, TRAINED)                                                                                             \
+    /* vehicles/farm.c */                                                                                              \
+    X(farm_machine, 292, TRAINED)                                                                                      \
+    /* aircraft/aircraft.c */                                                                                          \
+    X(aeroplane, 65, FIRST)                                                                                            \
+    X(helicopter, 66, FIRST)                                                                                           \
+    X(drone, 67, FIRST)                                                                                                \
+    X(windsock, 68, FIRST)                                                                                             \
+    X(submarine, 132, FIRST)                                                                                           \
+    /* aircraft/jet.c */                                                                                               \
+    X(jet, 133, FIRST)                                                                                                 \
+    /* aircraft/airframes.c */                                                                                         \
+    X(airframe, 181, FIRST)                                                                                            \
+    X(slotted_wing, 182, FIRST)                                                                                        \
+    /* aircraft/gear.c */                                                                                              \
+    X(gear_leg, 183, FIRST)                                                                                            \
+    X(hull_bay, 184, FIRST)                                                                                            \
+    X(canopy, 185, FIRST)                                                                                              \
+    /* aircraft/holds.c */                                                                                             \
+    X(rotor_head, 186, FIRST)                                                                                          \
+    X(cargo_hold, 187, FIRST)                                                                                          \
+    /* aircraft/thrusters.c */                                                                                         \
+    X(tilt_rotor, 208, TRAINED)                                                                                        \
+    /* aircraft/nacelles.c */                                                                                          \
+    X(thrust_reverser, 247, TRAINED)                                                                                   \
+    X(jet_nozzle, 248, TRAINED)                                                                                        \
+    /* aircraft/cabins.c */                                                                                            \
+    X(cabin_door, 260, TRAINED)                                                                                        \
+    X(cabin_seat, 261, TRAINED)                                                                                        \
+    /* aircraft/starships.c */                                                                                         \
+    X(starship, 267, TRAINED)                                                                                          \
+    /* aircraft/cowlings.c */                                                                                          \
+    X(cowling, 275, TRAINED)                                                                                           \
+    /* aircraft/airships.c */                                                                                          \
+    X(airship, 290, TRAINED)                                                                                           \
+    /* watercraft/vessels.c */                                                                                         \
+    X(rov, 162, FIRST)                                                                                                 \
+    X(torpedo, 163, FIRST)                                                                                             \
+    X(boat, 164, FIRST)                                                                                                \
+    /* watercraft/sails.c */                                                                                           \
+    X(sailing_boat, 244, TRAINED)                                                                                      \
+    /* robots/robots.c */                                                                                              \
+    X(gripper, 69, FIRST)                                                                                              \
+    X(robot_arm, 70, FIRST)                                                                                            \
+    X(legged_robot, 71, FIRST)                                                                                         \
+    X(pan_tilt, 72, FIRST)                                                                                             \
+    X(rail, 73, FIRST)                                                                                                 \
+    X(jetway, 74, FIRST)                                                                                               \
+    X(crane, 75, FIRST)                                                                                                \
+    /* robots/linkages.c */                                                                                            \
+    X(claw, 146, FIRST)                                                                                                \
+    X(bar_legs, 147, FIRST)                                                                                            \
+    X(humanoid, 148, FIRST)                                                                                            \
+    X(bracket, 149, FIRST)                                                                                             \
+    /* robots/manipulators.c */                                                                                        \
+    X(cobot_arm, 188, FIRST)                                                                                           \
+    X(scara, 189, FIRST)                                                                                               \
+    X(gantry, 190, FIRST)                                                                                              \
+    X(jaw_gripper, 191, FIRST)                                                                                         \
+    /* robots/walkers.c */                                                                                             \
+    X(plate_legs, 192, FIRST)                                                                                          \
+    X(insect_robot, 193, FIRST)                                                                                        \
+    X(robot_hand, 194, FIRST)                                                                                          \
+    /* robots/models.c */                                                                                              \
+    X(bare_model, 195, TRAINED)                                                                                        \
+    /* robots/lifts.c */                                                                                               \
+    X(lift_column, 197, TRAINED)                                                                                       \
+    X(stacked_axes, 198, TRAINED)                                                                                      \
+    /* robots/crawlers.c */                                                                                            \
+    X(flipper_robot, 204, TRAINED)                                                                                     \
+    X(rover, 205, TRAINED)                                                                                             \
+    /* robots/exoskeletons.c */                                                                                        \
+    X(exoskeleton, 206, TRAINED)                                                                                       \
+    /* robots/parallels.c */                                                                                           \
+    X(parallel_robot, 207, TRAINED)                                                                                    \
+    /* robots/heads.c */                                                                                               \
+    X(sensor_head, 209, TRAINED)                                                                                       \
+    /* robots/primitives.c */                                                                                          \
+    X(collision_model, 219, TRAINED)                                                                                   \
+    /* robots/hands.c */                                                                                               \
+    X(finger_hand, 220, TRAINED)                                                                                       \
+    /* machines/wheels.c */                                                                                            \
+    X(wheel, 55, FIRST)                                                                                                \
+    /* machines/rotors.c */                                                                                            \
+    X(fan, 56, FIRST)                                                                                                  \
+    X(propeller, 57, FIRST)                                                                                            \
+    X(wind_turbine, 58, FIRST)                                                                                         \
+    X(globe, 59, FIRST)                                                                                                \
+    X(clock, 60, FIRST)                                                                                                \
+    X(turntable, 61, FIRST)                                                                                            \
+    X(radar, 62, FIRST)                                                                                                \
+    /* machines/machines.c */                                                                                          \
+    X(roll_top, 102, FIRST)                                                                                            \
+    X(pivot_panel, 103, FIRST)                                                                                         \
+    X(telescope, 104, FIRST)                                                                                           \
+    X(gyroscope, 105, FIRST)                                                                                           \
+    X(turnstile, 106, FIRST)                                                                                           \
+    X(vending_machine, 107, FIRST)                                                                                     \
+    X(figure, 108, FIRST)                                                                                              \
+    X(gear_train, 109, FIRST)                                                                                          \
+    X(fairground_wheel, 110, FIRST)                                                                                    \
+    X(mixer, 111, FIRST)                                                                                               \
+    X(power_tool, 112, FIRST)                                                                                          \
+    X(press, 113, FIRST)                                                                                               \
+    X(balance, 114, FIRST)                                                                                             \
+    X(slats, 115, FIRST)                                                                                               \
+    /* machines/solar.c */                                                                                             \
+    X(satellite, 141, FIRST)                                                                                           \
+    X(solar_case, 142, FIRST)                                                                                          \
+    X(solar_tracker, 143, FIRST)                                                                                       \
+    /* machines/dishes.c */                                                                                            \
+    X(dish, 144, FIRST)                                                                                                \
+    X(radar_tower, 145, FIRST)                                                                                         \
+    /* machines/winds.c */                                                                                             \
+    X(power_turbine, 167, FIRST)                                                                                       \
+    X(windmill, 168, FIRST)                                                                                            \
+    X(wind_mast, 169, FIRST)                                                                                           \
+    /* machines/engines.c */                                                                                           \
+    X(piston_engine, 259, TRAINED)                                                                                     \
+    /* machines/lathes.c */                                                                                            \
+    X(lathe, 263, TRAINED)                                                                                             \
+    /* machines/mills.c */                                                                                             \
+    X(milling_machine, 273, TRAINED)                                                                                   \
+    /* machines/mechanisms.c */                                                                                        \
+    X(crank_bench, 288, TRAINED)                                                                                       \
+    /* machines/rigs.c */                                                                                              \
+    X(link_rig, 291, TRAINED)                                                                                          \
+    /* toys/amusements.c */                                                                                            \
+    X(arcade_cabinet, 238, TRAINED)                                                                                    \
+    X(pinball_table, 239, TRAINED)                                                                                     \
+    X(music_box, 240, TRAINED)                                                                                         \
+    /* toys/playground.c */                                                                                            \
+    X(playground_piece, 264, TRAINED)                                                                                  \
+    /* toys/play_panels.c */                                                                                           \
+    X(play_panel, 265, TRAINED)                                                                                        \
+    /* weapons/siege.c */                                                                                              \
+    X(siege_engine, 210, TRAINED)                                                                                      \
+    /* weapons/arms.c */                                                                                               \
+    X(firearm, 211, TRAINED)                                                                                           \
+    X(crossbow, 212, TRAINED)                                                                                          \
+    /* test_only/furniture/antiques.c */                                                                               \
+    X(period_cabinet, 303, TEST_ONLY)                                                                                  \
+    /* test_only/furniture/moderns.c */                                                                                \
+    X(modern_unit, 304, TEST_ONLY)                                                                                     \
+    X(glass_case, 305, TEST_ONLY)                                                                                      \
+    /* test_only/furniture/stools.c */                                                                                 \
+    X(lamp_stand, 312, TEST_ONLY)                                                                                      \
+    X(stool_chair, 313, TEST_ONLY)                                                                                     \
+    /* test_only/furniture/prams.c */                                                                                  \
+    X(pushchair, 322, TEST_ONLY)                                                                                       \
+    X(high_chair, 323, TEST_ONLY)                                                                                      \
+    /* test_only/furniture/parasols.c */                                                                               \
+    X(ironing_board, 324, TEST_ONLY)                                                                                   \
+    X(parasol, 325, TEST_ONLY)                                                                                         \
+    /* test_only/furniture/records.c */                                                                                \
+    X(filing_cabinet, 347, TEST_ONLY)                                                                                  \
+    X(computer_tower, 348, TEST_ONLY)                                                                                  \
+    /* test_only/furniture/desks.c */                                                                                  \
+    X(projector, 351, TEST_ONLY)                                                                                       \
+    X(drafting_table, 352, TEST_ONLY)                                                                                  \
+    X(desk_phone, 353, TEST_ONLY)                                                                                      \
+    /* test_only/furniture/tabletops.c */                                                                              \
+    X(drawer_table, 382, TEST_ONLY)                                                                                    \
+    /* test_only/furniture/campware.c */                                                                               \
+    X(folding_stool, 386, TEST_ONLY)                                                                                   \
+    /* test_only/appliances/retro.c */                                                                                 \
+    X(curved_appliance, 306, TEST_ONLY)                                                                                \
+    X(slot_toaster, 307, TEST_ONLY)                                                                                    \
+    /* test_only/appliances/fixtures.c */                                                                              \
+    X(toilet_suite, 310, TEST_ONLY)                                                                                    \
+    X(gas_hob, 311, TEST_ONLY)                                                                                         \
+    /* test_only/appliances/fryers.c */                                                                                \
+    X(air_fryer, 315, TEST_ONLY)                                                                                       \
+    X(rice_cooker, 316, TEST_ONLY)                                                                                     \
+    X(salad_spinner, 317, TEST_ONLY)                                                                                   \
+    /* test_only/appliances/grinders.c */                                                                              \
+    X(hand_mill, 318, TEST_ONLY)                                                                                       \
+    /* test_only/appliances/squeezers.c */                                                                             \
+    X(hand_squeezer, 319, TEST_ONLY)                                                                                   \
+    /* test_only/appliances/openers.c */                                                                               \
+    X(corkscrew, 320, TEST_ONLY)                                                                                       \
+    X(can_opener, 321, TEST_ONLY)                                                                                      \
+    /* test_only/appliances/extractors.c */                                                                            \
+    X(range_hood, 383, TEST_ONLY)                                                                                      \
+    /* test_only/appliances/showers.c */                                                                               \
+    X(shower, 384, TEST_ONLY)                                                                                          \
+    /* test_only/containers/pocket.c */                                                                                \
+    X(clamshell, 293, TEST_ONLY)                                                                                       \
+    /* test_only/containers/coffers.c */                                                                               \
+    X(vault_safe, 308, TEST_ONLY)                                                                                      \
+    X(soft_luggage, 309, TEST_ONLY)                                                                                    \
+    /* test_only/containers/wastebins.c */                                                                             \
+    X(hinged_bin, 314, TEST_ONLY)                                                                                      \
+    /* test_only/containers/freight.c */                                                                               \
+    X(shipping_container, 360, TEST_ONLY)                                                                              \
+    /* test_only/handheld/portables.c */                                                                               \
+    X(radio, 294, TEST_ONLY)                                                                                           \
+    /* test_only/handheld/recorders.c */                                                                               \
+    X(recorder, 295, TEST_ONLY)                                                                                        \
+    X(game_console, 296, TEST_ONLY)                                                                                    \
+    /* test_only/handheld/watches.c */                                                                                 \
+    X(wrist_watch, 297, TEST_ONLY)                                                                                     \
+    X(metronome, 298, TEST_ONLY)                                                                                       \
+    /* test_only/handheld/carried.c */                                                                                 \
+    X(binoculars, 299, TEST_ONLY)                                                                                      \
+    X(lantern, 300, TEST_ONLY)                                                                                         \
+    /* test_only/handheld/grips.c */                                                                                   \
+    X(ring_controller, 366, TEST_ONLY)                                                                                 \
+    X(puck_controller, 367, TEST_ONLY)                                                                                 \
+    X(flight_stick, 368, TEST_ONLY)                                                                                    \
+    X(pistol_controller, 369, TEST_ONLY)                                                                               \
+    /* test_only/handheld/cameras.c */                                                                                 \
+    X(camera_body, 377, TEST_ONLY)                                                                                     \
+    /* test_only/handheld/gimbals.c */                                                                                 \
+    X(stick_box, 378, TEST_ONLY)                                                                                       \
+    /* test_only/handheld/hand_levers.c */                                                                             \
+    X(hand_exerciser, 379, TEST_ONLY)                                                                                  \
+    /* test_only/openings/brackets.c */                                                                                \
+    X(wall_arm, 326, TEST_ONLY)                                                                                        \
+    X(pet_crate, 327, TEST_ONLY)                                                                                       \
+    /* test_only/openings/lobbies.c */                                                                                 \
+    X(revolving_door, 354, TEST_ONLY)                                                                                  \
+    X(lift_doors, 355, TEST_ONLY)                                                                                      \
+    /* test_only/openings/streets.c */                                                                                 \
+    X(hydrant, 358, TEST_ONLY)                                                                                         \
+    X(meter_box, 359, TEST_ONLY)                                                                                       \
+    /* test_only/openings/vents.c */                                                                                   \
+    X(roof_vent, 361, TEST_ONLY)                                                                                       \
+    /* test_only/openings/escutcheons.c */                                                                             \
+    X(door_furniture, 376, TEST_ONLY)                                                                                  \
+    /* test_only/controls/quadrants.c */                                                                               \
+    X(throttle_quadrant, 370, TEST_ONLY)                                                                               \
+    X(racing_wheel, 371, TEST_ONLY)                                                                                    \
+    X(drum_pedal, 372, TEST_ONLY)                                                                                      \
+    /* test_only/controls/bars.c */                                                                                    \
+    X(bike_controls, 373, TEST_ONLY)                                                                                   \
+    /* test_only/controls/keyworks.c */                                                                                \
+    X(key_stack, 374, TEST_ONLY)                                                                                       \
+    X(switch_panel, 375, TEST_ONLY)                                                                                    \
+    /* test_only/vehicles/trains.c */                                                                                  \
+    X(locomotive, 328, TEST_ONLY)                                                                                      \
+    /* test_only/vehicles/wagons.c */                                                                                  \
+    X(rail_wagon, 329, TEST_ONLY)                                                                                      \
+    /* test_only/vehicles/signals.c */                                                                                 \
+    X(rail_signal, 330, TEST_ONLY)                                                                                     \
+    /* test_only/vehicles/dozers.c */                                                                                  \
+    X(bulldozer, 331, TEST_ONLY)                                                                                       \
+    /* test_only/vehicles/gliders.c */                                                                                 \
+    X(glider, 332, TEST_ONLY)                                                                                          \
+    /* test_only/vehicles/haulers.c */                                                                                 \
+    X(mixer_truck, 333, TEST_ONLY)                                                                                     \
+    X(fire_engine, 334, TEST_ONLY)                                                                                     \
+    /* test_only/vehicles/gondolas.c */                                                                                \
+    X(cable_car, 335, TEST_ONLY)                                                                                       \
+    /* test_only/vehicles/landers.c */                                                                                 \
+    X(lander, 336, TEST_ONLY)                                                                                          \
+    /* test_only/vehicles/pallets.c */                                                                                 \
+    X(pallet_truck, 381, TEST_ONLY)                                                                                    \
+    /* test_only/vehicles/decks.c */                                                                                   \
+    X(ship_deck, 387, TEST_ONLY)                                                                                       \
+    /* test_only/machines/sports.c */                                                                                  \
+    X(gym_machine, 301, TEST_ONLY)                                                                                     \
+    /* test_only/machines/parlour.c */                                                                                 \
+    X(ball_game, 302, TEST_ONLY)                                                                                       \
+    /* test_only/machines/cannons.c */                                                                                 \
+    X(water_cannon, 337, TEST_ONLY)                                                                                    \
+    /* test_only/machines/drilling.c */                                                                                \
+    X(drill_press, 338, TEST_ONLY)                                                                                     \
+    X(hand_drill, 339, TEST_ONLY)                                                                                      \
+    /* test_only/machines/sawing.c */                                                                                  \
+    X(mitre_saw, 340, TEST_ONLY)                                                                                       \
+    X(table_saw, 341, TEST_ONLY)                                                                                       \
+    X(band_saw, 342, TEST_ONLY)                                                                                        \
+    /* test_only/machines/clamping.c */                                                                                \
+    X(clamp, 343, TEST_ONLY)                                                                                           \
+    X(measuring_tool, 344, TEST_ONLY)                                                                                  \
+    /* test_only/machines/jacks.c */                                                                                   \
+    X(scissor_jack, 345, TEST_ONLY)                                                                                    \
+    X(winch, 346, TEST_ONLY)                                                                                           \
+    /* test_only/machines/copiers.c */                                                                                 \
+    X(photocopier, 349, TEST_ONLY)                                                                                     \
+    X(cash_register, 350, TEST_ONLY)                                                                                   \
+    /* test_only/machines/plants.c */                                                                                  \
+    X(roll_conveyor, 356, TEST_ONLY)                                                                                   \
+    X(boiler, 357, TEST_ONLY)                                                                                          \
+    /* test_only/machines/theatres.c */                                                                                \
+    X(c_arm, 362, TEST_ONLY)                                                                                           \
+    X(operating_lamp, 363, TEST_ONLY)                                                                                  \
+    /* test_only/machines/wards.c */                                                                                   \
+    X(incubator, 364, TEST_ONLY)                                                                                       \
+    /* test_only/machines/balances.c */                                                                                \
+    X(cart_pole, 365, TEST_ONLY)                                                                                       \
+    /* test_only/machines/watchers.c */                                                                                \
+    X(security_camera, 380, TEST_ONLY)                                                                                 \
+    /* test_only/machines/toys.c */                                                                                    \
+    X(toy_vehicle, 385, TEST_ONLY)
 
-#define DMG_DECLARE(name) void dmg_build_##name(dmg_builder* b);
+#define DMG_DECLARE(name, id, set) void dmg_build_##name(dmg_builder* b);
 DMG_CATEGORIES(DMG_DECLARE)
 #undef DMG_DECLARE
 

@@ -1,18 +1,20 @@
-/* The generator's public face: makes an object of a category, and drags on it. */
+/* Implements the generator's public interface: makes objects of a category, and drags on them. */
 #include "generator.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "build.h"
 #include "categories.h"
+#include "core/build.h"
 
 typedef struct category {
     const char* name;
+    uint32_t id;
+    int32_t set; /* DMG_SET_* */
     void (*build)(dmg_builder* b);
 } category;
 
-#define DMG_ROW(name) {#name, dmg_build_##name},
+#define DMG_ROW(name, id, set) {#name, id, DMG_SET_##set, dmg_build_##name},
 static const category categories[] = {DMG_CATEGORIES(DMG_ROW)};
 #undef DMG_ROW
 
@@ -22,8 +24,16 @@ uint32_t dmg_category_count(void) {
     return CATEGORY_COUNT;
 }
 
-const char* dmg_category_name(uint32_t index) {
-    return index < CATEGORY_COUNT ? categories[index].name : NULL;
+const char* dmg_category_name(uint32_t row) {
+    return row < CATEGORY_COUNT ? categories[row].name : NULL;
+}
+
+uint32_t dmg_category_id(uint32_t row) {
+    return row < CATEGORY_COUNT ? categories[row].id : UINT32_MAX;
+}
+
+int32_t dmg_category_set(uint32_t row) {
+    return row < CATEGORY_COUNT ? categories[row].set : -1;
 }
 
 int32_t dmg_category_find(const char* name) {
@@ -33,9 +43,33 @@ int32_t dmg_category_find(const char* name) {
     return -1;
 }
 
-/* ---- handing out ---- */
+int32_t dmg_category_with_id(uint32_t id) {
+    for (int32_t i = 0; i < CATEGORY_COUNT; ++i) {
+        if (categories[i].id == id) return i;
+    }
+    return -1;
+}
 
-/* A slide's origin says nothing: the middle of the part's box stands in for it. */
+uint32_t dmg_category_id_limit(void) {
+    uint32_t limit = 0;
+    for (int32_t i = 0; i < CATEGORY_COUNT; ++i) {
+        if (categories[i].id >= limit) limit = categories[i].id + 1;
+    }
+    return limit;
+}
+
+int32_t dmg_split(uint32_t category, uint64_t seed) {
+    /* SplitMix64's finaliser over the seed and the id. */
+    uint64_t x = seed * 0x9e3779b97f4a7c15u + dmg_category_id(category) + 0x2545f4914f6cdd1du;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    const uint64_t slot = (x ^ (x >> 31)) % 20;
+    return slot == 0 ? DMG_SPLIT_VALIDATION : slot == 1 ? DMG_SPLIT_TEST : DMG_SPLIT_TRAIN;
+}
+
+/* ---- making an object ---- */
+
+/* Sets the origin of slides, which have no line of their own, to the centre of the part's box. */
 static void centre_slides(const dmg_builder* b, dmg_object* object) {
     for (uint32_t j = 0; j < object->joint_count; ++j) {
         if (object->joints[j].type != DM_JOINT_PRISMATIC) continue;
@@ -52,7 +86,7 @@ static void centre_slides(const dmg_builder* b, dmg_object* object) {
     }
 }
 
-/* Vertices no face uses stay behind; in a soup every corner gets its own. */
+/* Copies the mesh without unused vertices. soup: every corner gets a vertex of its own. */
 static int copy_mesh(const dmg_builder* b, dmg_object* object, bool soup) {
     uint32_t corners = 3 * b->face_count, capacity = soup ? corners : b->vertex_count;
     uint32_t* remap = malloc((b->vertex_count + 1) * sizeof *remap);
@@ -86,7 +120,7 @@ int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_o
     dmg_builder* b = malloc(sizeof *b);
     if (!b) return 1;
     bool messy = (flags & DMG_MESSY) != 0;
-    dmg_builder_init(b, seed * 0x2545f4914f6cdd1dull + category * 0x9e3779b9ull + flags, messy);
+    dmg_builder_init(b, seed * 0x2545f4914f6cdd1dull + categories[category].id * 0x9e3779b9ull + flags, messy);
     categories[category].build(b);
     dmg_finish(b);
     dmg_object object = {.category = categories[category].name};
@@ -123,7 +157,7 @@ static float face_area(const dmg_object* object, uint32_t face) {
     return 0.5f * v3_length(v3_cross(v3_sub(corner(object, face, 1), a), v3_sub(corner(object, face, 2), a)));
 }
 
-/* A hand that grabs what a part carries moves the part too. */
+/* Returns whether `carrier` is the part or carries it: grabbing what a part carries moves the part too. */
 static bool moves_with(const dmg_object* object, uint32_t part, uint32_t carrier) {
     while (part != 0 && part != carrier) part = object->joints[part - 1].parent;
     return part == carrier;
@@ -148,7 +182,7 @@ static float distance_to_axis(const dmg_joint* joint, dmg_vec p) {
     return v3_length(v3_cross(axis, from));
 }
 
-/* The face in which the running sum of areas passes `target`, and a point on it drawn from `b`. */
+/* Returns a random point of the face in which the running sum of areas passes `target`. */
 static dmg_vec point_at_area(const dmg_object* object, const bool* moves, float target, dmg_builder* b) {
     uint32_t hit = 0;
     for (uint32_t f = 0; f < object->face_count && target >= 0.0f; ++f) {

@@ -1,13 +1,13 @@
-/* The library's whole kinematics on generated cases: what it answers, how sure it is, how wrong it is. */
+/* Runs the library's whole joint inference on generated cases and measures the errors of its answers. */
 #include "answers.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "case.h"
-#include "goal.h"
 #include "kinematics/kinematics.h"
 #include "math/linear3.h"
+#include "pose_error.h"
 
 static void score(const lab_case* made, const dm_joint* truth, const float drag_point[3], const dm_joint* answer,
                   const dm_lab_answers* out, uint32_t at) {
@@ -16,21 +16,21 @@ static void score(const lab_case* made, const dm_joint* truth, const float drag_
     const float true_axis[3] = {truth->axis.x, truth->axis.y, truth->axis.z};
     const float true_origin[3] = {truth->origin.x, truth->origin.y, truth->origin.z};
     const int slides = answer->type == DM_JOINT_PRISMATIC;
-    lab_goal goal;
-    lab_goal_make(&made->cloud, truth, drag_point, &goal);
-    out->pose[at] = lab_goal_error(&goal, slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE, axis, origin);
+    lab_pose_target target;
+    lab_pose_target_make(&made->cloud, truth, drag_point, &target);
+    out->pose[at] = lab_pose_error(&target, slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE, axis, origin);
     out->confidence[at] = answer->confidence;
     out->right_type[at] = slides == (truth->type == DM_JOINT_PRISMATIC);
     out->axis_error[at] = acosf(fminf(fabsf(dmi_dot3(axis, true_axis)), 1));
     out->line_error[at] = slides ? -1 : dmi_line_distance3(origin, true_axis, true_origin);
-    out->category[at] = (int32_t)made->category;
+    out->category[at] = (int32_t)made->category_id;
 }
 
 static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net,
                              const dmi_ranker* ranker, lab_case* made, const dm_lab_answers* out, uint32_t at) {
     dm_joint truth;
     const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &truth);
-    const int with_drag = lab_chance(&made->random, options->with_drag);
+    const int with_drag = lab_random_bool(&made->random, options->with_drag);
     const dmi_kinematics_query query = {.mesh = made->mesh,
                                         .cloud = &made->cloud,
                                         .net = net,

@@ -1,4 +1,4 @@
-/* What the library answers on generated cases, for calibration and scores. */
+/* Declares the evaluation of the library's answers on generated cases, for calibration and scores. */
 #ifndef DM_LAB_ANSWERS_H
 #define DM_LAB_ANSWERS_H
 
@@ -7,15 +7,15 @@
 /* One entry a case. */
 typedef struct dm_lab_answers {
     float* pose;       /* as dm_lab_ranker.pose, of the first hypothesis */
-    float* confidence; /* stated */
+    float* confidence; /* as the library states it */
     int32_t* right_type;
     float* axis_error; /* rad */
     float* line_error; /* object sizes; -1 where a slide is answered */
     int32_t* has_drag;
-    int32_t* category;
+    int32_t* category; /* id */
 } dm_lab_answers;
 
-/* kinematics, ranker: bytes of weights files; NULL: without. */
+/* Infers the joints of options->count cases. kinematics, ranker: bytes of weights files; NULL: without. */
 DM_API dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                                const void* ranker, size_t ranker_size, const dm_lab_answers* out);
 

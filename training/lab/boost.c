@@ -17,7 +17,8 @@ typedef struct slope {
     float first, second;
 } slope;
 
-/* Of many rows. Doubles: a leaf's histogram is what is left of its parent's, millions of rows before. */
+/* Sums of slopes over many rows. In double precision: a leaf's histogram is what is left of its parent's, millions of
+ * rows before. */
 typedef struct slope_sum {
     double first, second;
 } slope_sum;
@@ -67,7 +68,7 @@ static void close_grower(grower* g) {
     free(g->columns), free(g->leaves), free(g->histograms);
 }
 
-/* The slopes of a case's rows; answers its cross entropy. */
+/* Computes the slopes of a case's rows; returns its cross entropy. */
 static double slope_case(grower* g, uint32_t begin, uint32_t end) {
     const dm_lab_rows* rows = g->rows;
     float most = -INFINITY, sum = 0;
@@ -88,7 +89,7 @@ static double slope_all(grower* g) {
     return loss / g->rows->cases;
 }
 
-/* Which cases and columns the next tree sees. */
+/* Draws the cases and columns that the next tree uses. */
 static void draw(grower* g) {
     g->order_count = g->column_count = 0;
     for (uint32_t c = 0; c < g->rows->columns; c++)
@@ -111,7 +112,7 @@ static void fill_histogram(const grower* g, leaf* l) {
     }
 }
 
-/* How much of the loss a leaf of these slopes takes away, twice. */
+/* Returns twice the loss that a leaf of these slopes removes. */
 static double worth(const grower* g, double first, double second) {
     return first * first / (second + g->rule->damping);
 }
@@ -137,7 +138,7 @@ static void find_fork(const grower* g, leaf* l) {
     if (l->gain <= LEAST_GAIN) l->gain = 0;
 }
 
-/* Rows of the left side first, each side in the order it had; answers where the right one begins. */
+/* Moves the rows of the left side first, each side in its order; returns where the right one begins. */
 static uint32_t part_rows(grower* g, const leaf* l) {
     uint32_t middle = l->begin, right = 0;
     for (uint32_t i = l->begin; i < l->end; i++) {
@@ -151,7 +152,7 @@ static uint32_t part_rows(grower* g, const leaf* l) {
     return middle;
 }
 
-/* The histograms of both sides: the smaller one's is filled, the other's is what is left of the parent's. */
+/* Computes the histograms of both sides: sums the smaller one's rows, subtracts it from the parent's for the other. */
 static void share_histogram(const grower* g, leaf* left, leaf* right) {
     leaf* spare = &g->leaves[g->rule->leaves];
     slope_sum* parent = left->histogram;
@@ -166,7 +167,7 @@ static void share_histogram(const grower* g, leaf* left, leaf* right) {
     }
 }
 
-/* The leaf becomes a fork; its left side takes its place. */
+/* Splits the leaf; its left side takes its place in the list. */
 static void fork_leaf(grower* g, leaf* l, const dm_lab_forest* out) {
     leaf* right = &g->leaves[g->leaf_count++];
     const uint32_t middle = part_rows(g, l), node = l->node;

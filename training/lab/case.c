@@ -1,5 +1,5 @@
-/* Makes training cases: draws an object of the right split, disturbs it, and hands it to the library's own front end.
- */
+/* Makes training cases: draws an object of the requested split, augments it, and passes it through the library's own
+ * mesh check and cloud sampler. */
 #include <string.h>
 
 #include "case.h"
@@ -11,7 +11,7 @@
 
 #define TRIES 64
 
-/* SplitMix64's finaliser: one well-mixed number from two. */
+/* Hashes two numbers into one (SplitMix64's finaliser). */
 static uint64_t mix(uint64_t a, uint64_t b) {
     uint64_t x = a * 0x9e3779b97f4a7c15u + b + 0x2545f4914f6cdd1du;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -19,33 +19,30 @@ static uint64_t mix(uint64_t a, uint64_t b) {
     return x ^ (x >> 31);
 }
 
-static int32_t split_of(uint32_t category, uint64_t object_seed) {
-    const uint64_t slot = mix(object_seed, category) % 20;
-    return slot == 0 ? DM_LAB_VALIDATION : slot == 1 ? DM_LAB_TEST : DM_LAB_TRAIN;
-}
-
-/* A category by the weights of the options; -1 when they allow none. */
-static int32_t draw_category(dmi_random* random, const dm_lab_options* options) {
-    const uint32_t count = dmg_category_count();
+/* Draws the id of a category by the weights of the options; -1 when they allow none. Goes through ids in rising order,
+ * so that the order of the generator's rows does not matter. */
+static int32_t draw_category_id(dmi_random* random, const dm_lab_options* options) {
+    const uint32_t limit = dmg_category_id_limit();
     uint32_t total = 0;
-    for (uint32_t c = 0; c < count; c++) total += options->categories[c];
+    for (uint32_t id = 0; id < limit; id++) total += options->categories[id];
     if (total == 0) return -1;
     uint32_t pick = dmi_random_u32(random) % total;
-    for (uint32_t c = 0; c < count; c++) {
-        if (pick < options->categories[c]) return (int32_t)c;
-        pick -= options->categories[c];
+    for (uint32_t id = 0; id < limit; id++) {
+        if (pick < options->categories[id]) return (int32_t)id;
+        pick -= options->categories[id];
     }
     return -1;
 }
 
-static uint64_t draw_object_seed(dmi_random* random, uint32_t category, int32_t split) {
+/* Draws a seed whose object belongs to the split. row: of the generator's category. */
+static uint64_t draw_object_seed(dmi_random* random, uint32_t row, int32_t split) {
     uint64_t seed;
     do seed = dmi_random_u32(random);
-    while (split_of(category, seed) != split);
+    while (dmg_split(row, seed) != split);
     return seed;
 }
 
-/* The library's view of the object: checked mesh, parts with their parents. */
+/* Converts the object to the library's checked mesh, with parts and their parents. */
 static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** out_mesh) {
     const dm_mesh_desc desc = {.struct_size = sizeof desc,
                                .positions = object->positions,
@@ -69,7 +66,7 @@ static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** ou
     return result;
 }
 
-/* Masks as the library would mend them. */
+/* Welds the vertices and repairs the part mask as the library does. */
 static dm_result weld_and_mend(dmi_env* env, lab_case* out) {
     dmi_mesh *mesh = out->mesh, mended;
     out->welded = dmi_alloc(env, mesh->vertex_count * sizeof *out->welded, _Alignof(uint32_t));
@@ -94,7 +91,7 @@ static dm_joint flipped(dm_joint joint) {
     return joint;
 }
 
-/* The true joint in the object-normalised frame, positive opening. */
+/* Returns the true joint in the object-normalised frame, signed so that positive opens. */
 static dm_joint true_joint(const dmi_mesh* mesh, const dmg_joint* source, uint32_t part_index) {
     dm_joint joint = {.type = source->type,
                       .type_confidence = 1.0f,
@@ -112,18 +109,19 @@ static dm_joint true_joint(const dmi_mesh* mesh, const dmg_joint* source, uint32
 
 static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case* out) {
     dmi_random* random = &out->random;
-    const int32_t category = draw_category(random, options);
-    if (category < 0) return DM_ERROR_INVALID_ARGUMENT;
-    out->category = (uint32_t)category;
-    const uint64_t seed = draw_object_seed(random, out->category, options->split);
-    const uint32_t flags = lab_chance(random, options->messy) ? DMG_MESSY : 0;
-    if (dmg_make(out->category, seed, flags, &out->object)) return DM_ERROR_OUT_OF_MEMORY;
+    const int32_t id = draw_category_id(random, options);
+    const int32_t row = id < 0 ? -1 : dmg_category_with_id((uint32_t)id);
+    if (row < 0) return DM_ERROR_INVALID_ARGUMENT;
+    out->category_id = (uint32_t)id;
+    const uint64_t seed = draw_object_seed(random, (uint32_t)row, options->split);
+    const uint32_t flags = lab_random_bool(random, options->messy) ? DMG_MESSY : 0;
+    if (dmg_make((uint32_t)row, seed, flags, &out->object)) return DM_ERROR_OUT_OF_MEMORY;
     if (out->object.joint_count == 0) return DM_ERROR_NOT_FOUND;
     out->part = 1 + dmi_random_u32(random) % out->object.joint_count;
     const dmg_joint* joint = &out->object.joints[out->part - 1];
     if (joint->type < DM_JOINT_REVOLUTE || joint->type > DM_JOINT_CONTINUOUS) return DM_ERROR_NOT_FOUND;
-    if (lab_chance(random, options->rotated)) lab_turn_object(random, &out->object);
-    if (lab_chance(random, options->mask_noise)) lab_disturb_mask(random, &out->object, out->part);
+    if (lab_random_bool(random, options->rotated)) lab_rotate_object(random, &out->object);
+    if (lab_random_bool(random, options->mask_noise)) lab_augment_mask(random, &out->object, out->part);
     dm_result result = make_mesh(env, &out->object, &out->mesh);
     if (result == DM_OK) result = weld_and_mend(env, out);
     if (result != DM_OK) return result;
@@ -177,13 +175,13 @@ void lab_case_release(dmi_env* env, lab_case* made) {
 }
 
 dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_joint) {
-    const float noise = lab_uniform(&made->random, 0.0f, noise_degrees);
+    const float noise = lab_random_uniform(&made->random, 0.0f, noise_degrees);
     float point[3], vector[3];
     dmg_drag(&made->object, made->part, noise, dmi_random_u32(&made->random), point, vector);
     const dm_joint* joint = &made->joint;
     const float range = joint->upper - joint->lower;
     const int closing = joint->type == DM_JOINT_CONTINUOUS || -joint->lower > 0.2f * range;
-    if (closing && lab_chance(&made->random, 0.4f))
+    if (closing && lab_random_bool(&made->random, 0.4f))
         for (int i = 0; i < 3; i++) vector[i] = -vector[i];
     dmi_drag_hint hint;
     dmi_frame_point_in(&made->mesh->frame, (const double[3]){point[0], point[1], point[2]}, hint.point);
@@ -194,9 +192,9 @@ dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_j
 }
 
 dmi_drag_hint lab_given_drag(lab_case* made, const dm_lab_given* given, float noise_degrees, dm_joint* out_joint) {
-    const float degrees = lab_uniform(&made->random, 0.0f, noise_degrees) * dmi_random_normal(&made->random);
+    const float degrees = lab_random_uniform(&made->random, 0.0f, noise_degrees) * dmi_random_normal(&made->random);
     float about[3], rotation[9], vector[3];
-    lab_direction(&made->random, about);
+    lab_random_direction(&made->random, about);
     lab_rotation(about, degrees * 0.01745329f, rotation);
     lab_rotate(rotation, given->drag_vector, vector);
     const double point[3] = {given->drag_point[0], given->drag_point[1], given->drag_point[2]};

@@ -1,4 +1,4 @@
-/* The generator's categories and the layout of the lab's structs, for bindings. */
+/* Gives bindings the generator's categories and the layout of the lab's structs. */
 #include <string.h>
 
 #include "dragmesh_lab.h"
@@ -11,23 +11,35 @@ uint32_t dm_lab_category_count(void) {
     return dmg_category_count();
 }
 
-const char* dm_lab_category_name(uint32_t index) {
-    return dmg_category_name(index);
+const char* dm_lab_category_name(uint32_t row) {
+    return dmg_category_name(row);
 }
 
-/* Length of a joint's name without the number it may end in. */
+uint32_t dm_lab_category_id(uint32_t row) {
+    return dmg_category_id(row);
+}
+
+int32_t dm_lab_category_set(uint32_t row) {
+    return dmg_category_set(row);
+}
+
+uint32_t dm_lab_category_id_limit(void) {
+    return dmg_category_id_limit();
+}
+
+/* Returns the length of a joint's name without its trailing number. */
 static size_t stem(const char* name) {
     size_t length = strlen(name);
     while (length > 0 && (name[length - 1] == '_' || (name[length - 1] >= '0' && name[length - 1] <= '9'))) length--;
     return length;
 }
 
-uint32_t dm_lab_category_kinds(uint32_t index) {
+uint32_t dm_lab_category_kinds(uint32_t row) {
     char kinds[MOST_KINDS][sizeof((dmg_joint*)0)->name];
     uint32_t count = 0;
     for (uint64_t seed = 0; seed < KIND_SEEDS; seed++) {
         dmg_object object;
-        if (dmg_make(index, seed, 0, &object) != 0) continue;
+        if (dmg_make(row, seed, 0, &object) != 0) continue;
         for (uint32_t j = 0; j < object.joint_count; j++) {
             const char* name = object.joints[j].name;
             const size_t length = stem(name);

@@ -1,4 +1,4 @@
-/* What training sees of the library: batches of network inputs and labels, made by the sdk's own code from generated
+/* Declares what training calls: batches of network inputs and labels, made by the sdk's own code from generated
  * objects.
  *
  * Everything is seeded: the same options give the same bits. Arrays belong to the caller and hold `count` cases each.
@@ -11,25 +11,26 @@
 
 #include "dragmesh/dragmesh.h"
 
-/* Which objects: seeds are dealt to the splits by a hash of category and seed (18 : 1 : 1). */
+/* Which objects: seeds are dealt to the splits by a hash of category id and seed, 18 : 1 : 1 (dmg_split). */
 enum { DM_LAB_TRAIN = 0, DM_LAB_VALIDATION = 1, DM_LAB_TEST = 2 };
 
 typedef struct dm_lab_options {
     uint64_t seed;
     uint32_t count;
     int32_t split; /* DM_LAB_* */
-    const uint8_t*
-        categories;           /* dm_lab_category_count() bytes, how often each is drawn against the others; 0 = never */
+    /* Weight of each category id: how often it is drawn against the others, 0 never; dm_lab_category_id_limit() bytes.
+     * Ids of no category need 0. */
+    const uint8_t* categories;
     float messy;              /* share of objects made with DMG_MESSY */
     float mask_noise;         /* share of objects whose part mask loses or leaks patches */
     float rotated;            /* share of objects turned by a random rotation */
     float with_drag;          /* share of cases with a drag (KPP alone: the VAE always has one) */
-    float drag_noise_degrees; /* a case's drag is up to this much off (1 sigma at the most) */
+    float drag_noise_degrees; /* each case's drag error has a sigma between 0 and this many degrees */
     float joint_noise;        /* VAE: share of cases whose given joint is slightly off */
     float hand_noise;         /* VAE: share of cases whose path is drawn by an unsteady hand */
 } dm_lab_options;
 
-/* KPP-Net: its input (docs/networks.md), and labels in the input's frame. */
+/* A batch for KPP-Net: its input (docs/networks.md), and labels in the input's frame. */
 typedef struct dm_lab_kpp {
     float* global_points;  /* x 48 x 16 x 17 */
     float* global_centres; /* x 48 x 3 */
@@ -38,19 +39,20 @@ typedef struct dm_lab_kpp {
     float* shape;          /* x 56 */
     int32_t* type;
     int32_t* has_drag; /* 1: positive motion follows the drag; 0: positive motion opens, the axis' sign is free */
-    int32_t* category;
-    float* axis;   /* x 3 */
-    float* origin; /* x 3: the point of the axis nearest the part's centre */
-    float* limits; /* x 5: turn lower, upper (pi rad), slide lower, upper, pitch (inner units, a radian) */
-    float* size;   /* object-normalised length of one inner unit */
+    int32_t* category; /* id */
+    float* axis;       /* x 3 */
+    float* origin;     /* x 3: the point of the axis nearest the part's centre */
+    float* limits;     /* x 5: turn lower, upper (pi rad), slide lower, upper, pitch (inner units, a radian) */
+    float* size;       /* object-normalised length of one inner unit */
 } dm_lab_kpp;
 
-/* DQ-VAE: its input (docs/networks.md), the true joint values, and the closed-form answer to the same path. */
+/* A batch for the DQ-VAE: its input (docs/networks.md), the true joint values, and the closed-form answer to the path.
+ */
 typedef struct dm_lab_vae {
     float* xyz;  /* x 512 x 3 */
     float* mask; /* x 512 */
     int32_t* type;
-    int32_t* category;
+    int32_t* category;    /* id */
     float* axis;          /* x 3: of the joint the network is given */
     float* origin;        /* x 3 */
     float* pitch;         /* of that joint, not clamped */
@@ -64,15 +66,20 @@ typedef struct dm_lab_vae {
     float* closed_form;   /* x 16: the value nearest to each point of the path, inside the limits */
 } dm_lab_vae;
 
+/* The generator's categories, in rows 0 .. count - 1. Everything else here names a category by its id, which stays the
+ * same when rows are added or moved. */
 DM_API uint32_t dm_lab_category_count(void);
-DM_API const char* dm_lab_category_name(uint32_t index);
-/* How many differently named kinds of joints objects of the category have (among its first seeds): a controller many, a
- * book one. A weight that gives every kind of joint its share. */
-DM_API uint32_t dm_lab_category_kinds(uint32_t index);
-/* Bytes of the two structs and of the options, so that a binding can check its own. */
+DM_API const char* dm_lab_category_name(uint32_t row); /* NULL: no such row */
+DM_API uint32_t dm_lab_category_id(uint32_t row);      /* UINT32_MAX: no such row */
+DM_API int32_t dm_lab_category_set(uint32_t row);      /* DMG_SET_* of generator.h; -1: no such row */
+DM_API uint32_t dm_lab_category_id_limit(void);        /* 1 + the largest id */
+/* Returns how many differently named joints the objects of the category's first seeds have: a controller many, a book
+ * one. Used as a weight, so that every kind of joint gets its share. */
+DM_API uint32_t dm_lab_category_kinds(uint32_t row);
+/* Returns the size in bytes of the options (which = 0), dm_lab_kpp (1) and dm_lab_vae (2), for a binding's check. */
 DM_API uint32_t dm_lab_layout(uint32_t which);
 
-/* DM_OK, or the error that the same kind of object met 64 times in a row. */
+/* Fill a batch. Return DM_OK, or the error of a case whose 64 attempts all failed. */
 DM_API dm_result dm_lab_kpp_batch(const dm_lab_options* options, const dm_lab_kpp* out);
 DM_API dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out);
 

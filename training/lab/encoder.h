@@ -11,7 +11,7 @@
 
 typedef struct dm_lab_encoder dm_lab_encoder;
 
-/* Whether this processor and its operating system have what it takes. */
+/* Returns whether the processor and the operating system support it (AMX tiles of bf16). */
 DM_API int dm_lab_encoder_available(void);
 
 /* tokens: groups of 16 points a case, even and at most 48; layers: at most 3; batch: most cases at a time. NULL: not

@@ -1,4 +1,4 @@
-/* Batches for KPP-Net: inputs by dmi_kpp_input_make, labels in the input's own frame. */
+/* Makes batches for KPP-Net: inputs by dmi_kpp_input_make, labels in the input's own frame. */
 #include <math.h>
 #include <string.h>
 
@@ -40,14 +40,14 @@ static void write_case(const lab_case* made, const dmi_drag_hint* hint, const dm
     memcpy(out->local_centres + i * sizeof input->local_centres / 4, input->local_centres, sizeof input->local_centres);
     memcpy(out->shape + i * DMI_KPP_SHAPE, input->shape, sizeof input->shape);
     out->has_drag[i] = hint != NULL;
-    out->category[i] = (int32_t)made->category;
+    out->category[i] = (int32_t)made->category_id;
     write_labels(joint, &input->frame, out, i);
 }
 
 static void write_generated(lab_case* made, const dm_lab_options* options, dmi_kpp_input* input, const dm_lab_kpp* out,
                             uint32_t i) {
     dm_joint joint = made->joint;
-    const int with_drag = lab_chance(&made->random, options->with_drag);
+    const int with_drag = lab_random_bool(&made->random, options->with_drag);
     dmi_drag_hint hint;
     if (with_drag) hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
     write_case(made, with_drag ? &hint : NULL, &joint, input, out, i);
@@ -79,7 +79,7 @@ dm_result dm_lab_kpp_given(const dm_lab_given* given, const dm_lab_options* opti
     if (result == DM_OK) {
         made->random = dmi_random_make(options->seed, 0);
         dm_joint joint = made->joint;
-        const int with_drag = lab_chance(&made->random, options->with_drag);
+        const int with_drag = lab_random_bool(&made->random, options->with_drag);
         dmi_drag_hint hint;
         if (with_drag) hint = lab_given_drag(made, given, options->drag_noise_degrees, &joint);
         write_case(made, with_drag ? &hint : NULL, &joint, input, out, 0);

@@ -1,16 +1,15 @@
-/* The networks' training on cases that a loader provides (dragmesh_training/loaders): other people's objects. */
+/* Declares network inputs and labels of cases that a loader provides (dragmesh_training/loaders). */
 #ifndef DM_LAB_GIVEN_H
 #define DM_LAB_GIVEN_H
 
 #include "lab_ranker.h"
 
-/* KPP-Net: one case into the first place of `out`. Of the options counts: seed, with_drag, drag_noise_degrees. Equal
- * limits are none; `category` is 0. */
+/* Writes one KPP-Net case into the first place of `out`. Reads only seed, with_drag and drag_noise_degrees of the
+ * options. Equal limits mean none; `category` is 0. */
 DM_API dm_result dm_lab_kpp_given(const dm_lab_given* given, const dm_lab_options* options, const dm_lab_kpp* out);
 
-/* DQ-VAE: options->count strokes of a hand on the part. Of the other options count: seed, drag_noise_degrees,
- * joint_noise, hand_noise. DM_ERROR_NOT_FOUND for a joint that has no limits and is not continuous: no stroke is its.
- */
+/* Writes options->count DQ-VAE strokes on the part. Reads of the other options only seed, drag_noise_degrees,
+ * joint_noise and hand_noise. Returns DM_ERROR_NOT_FOUND for a joint that has no limits and is not continuous. */
 DM_API dm_result dm_lab_vae_given(const dm_lab_given* given, const dm_lab_options* options, const dm_lab_vae* out);
 
 #endif

@@ -1,9 +1,10 @@
-/* Cases for fitting the part finder: grows the true parts of generated objects piece by piece and notes what touched
- * them on the way; lets parts grow by themselves and notes how much of the true part each stage is.
+/* Makes cases for fitting the part finder: grows the true parts of generated objects piece by piece and records the
+ * pieces that touch them at each step; lets parts grow by the network and records each proposal's overlap with the true
+ * part.
  *
  * The generator's objects are many separate shells. Some are taken as if neighbouring shells were one sheet of surface,
- * as in meshes that were modelled, scanned or united in one piece; in some the shells are torn at their creases, as
- * where faces lie double, or more than two meet at an edge. */
+ * as in meshes that were modelled, scanned or united in one piece; in some the shells are split at their creases, as
+ * where faces are doubled, or more than two meet at an edge. The shares below were set by hand. */
 #include "lab_growth.h"
 
 #include <math.h>
@@ -52,7 +53,7 @@ static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
     const dmi_drag_hint hint = lab_case_drag(made, noise_degrees, &joint);
     float length = 0;
     for (int k = 0; k < 3; k++) length += hint.vector[k] * hint.vector[k];
-    const int told = !lab_chance(&made->random, UNDIRECTED) && length > 0;
+    const int told = !lab_random_bool(&made->random, UNDIRECTED) && length > 0;
     for (int k = 0; k < 3; k++) {
         out->point[k] = hint.point[k];
         out->drag[k] = told ? hint.vector[k] / sqrtf(length) : 0;
@@ -60,7 +61,7 @@ static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
     out->face = dmi_part_nearest_face(made->mesh, out->point);
 }
 
-/* United sheets become sheet 0 and one shell, the others follow. */
+/* Renumbers sheets: the united ones become sheet 0 and one shell, the others follow. */
 static dm_result relabel(dmi_arena* arena, const uint8_t* united, dmi_part_sheets* sheets) {
     uint32_t* labels = dmi_arena_push(arena, sheets->count * sizeof *labels);
     if (labels == NULL) return DM_ERROR_OUT_OF_MEMORY;
@@ -78,7 +79,7 @@ static dm_result relabel(dmi_arena* arena, const uint8_t* united, dmi_part_sheet
     return DM_OK;
 }
 
-/* The sheets around the grabbed one, as far as a random share of the whole area, become one. */
+/* Unites the sheets around the grabbed one up to a random share of the whole area. */
 static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t seed, dmi_part_sheets* sheets) {
     dmi_pieces pieces;
     dm_result result = dmi_pieces_make(arena, sheets->mesh, sheets->labels, sheets->count, &pieces);
@@ -86,7 +87,7 @@ static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t see
     if (united == NULL) return result == DM_OK ? DM_ERROR_OUT_OF_MEMORY : result;
     float total = 0, area = pieces.area[seed];
     for (uint32_t p = 0; p < pieces.count; p++) total += pieces.area[p];
-    const float most = lab_uniform(random, 0.2f, 1.2f) * total, eager = lab_uniform(random, 0.02f, 0.5f);
+    const float most = lab_random_uniform(random, 0.2f, 1.2f) * total, eager = lab_random_uniform(random, 0.02f, 0.5f);
     memset(united, 0, sheets->count);
     united[seed] = 1;
     for (int changed = 1; changed && area < most;) {
@@ -94,7 +95,8 @@ static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t see
         for (uint32_t s = 0; s < pieces.first[pieces.count] && area < most; s++) {
             const dmi_piece_sample* sample = &pieces.samples[s];
             for (uint32_t t = 0; t < sample->touch_count && !united[sample->piece]; t++) {
-                if (!united[pieces.samples[sample->touches[t].sample].piece] || !lab_chance(random, eager)) continue;
+                if (!united[pieces.samples[sample->touches[t].sample].piece] || !lab_random_bool(random, eager))
+                    continue;
                 united[sample->piece] = 1;
                 area += pieces.area[sample->piece];
                 changed = 1;
@@ -104,7 +106,7 @@ static dm_result unite_sheets(dmi_arena* arena, dmi_random* random, uint32_t see
     return relabel(arena, united, sheets);
 }
 
-/* A random share of the sheets falls apart into smooth regions. */
+/* Splits a random share of the sheets into smooth regions. */
 static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_sheets* sheets) {
     const uint32_t faces = sheets->mesh->face_count;
     uint32_t* regions = dmi_arena_push(arena, faces * sizeof *regions);
@@ -112,8 +114,8 @@ static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_shee
     uint8_t* torn = dmi_arena_push(arena, sheets->count);
     uint32_t count, labels = sheets->count;
     if (regions == NULL || select == NULL || torn == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    const float share = lab_uniform(random, 0.1f, 1);
-    for (uint32_t p = 0; p < sheets->count; p++) torn[p] = (uint8_t)lab_chance(random, share);
+    const float share = lab_random_uniform(random, 0.1f, 1);
+    for (uint32_t p = 0; p < sheets->count; p++) torn[p] = (uint8_t)lab_random_bool(random, share);
     for (uint32_t f = 0; f < faces; f++) select[f] = torn[sheets->labels[f]];
     dm_result result = dmi_face_regions(arena, sheets->mesh, sheets->welded, select, CREASE_COSINE, regions, &count);
     uint32_t* owners = result == DM_OK ? dmi_arena_push(arena, (count + 1) * sizeof *owners) : NULL;
@@ -135,24 +137,24 @@ static dm_result tear_sheets(dmi_arena* arena, dmi_random* random, dmi_part_shee
     return DM_OK;
 }
 
-/* Sheets of a case, some united or torn. Answers whether the grabbed one was united with others. */
+/* Makes the sheets of a case, some united or split. out_united: whether the grabbed one was united with others. */
 static dm_result make_sheets(dmi_arena* arena, lab_case* made, const dmi_grab* grab, dmi_part_sheets* out,
                              int* out_united) {
     dm_result result = dmi_part_sheets_make(arena, made->mesh, out);
-    if (result == DM_OK && lab_chance(&made->random, TORN)) result = tear_sheets(arena, &made->random, out);
-    *out_united = lab_chance(&made->random, UNITED);
+    if (result == DM_OK && lab_random_bool(&made->random, TORN)) result = tear_sheets(arena, &made->random, out);
+    *out_united = lab_random_bool(&made->random, UNITED);
     if (result != DM_OK || !*out_united || out->count > MOST_SHEETS) return result;
     return unite_sheets(arena, &made->random, out->labels[grab->face], out);
 }
 
-/* A face moves with the case's part. */
+/* Returns whether a face moves with the case's part. */
 static int moves(const lab_case* made, uint32_t part, uint32_t face) {
     return dmi_mesh_moves_with(made->mesh, made->mesh->face_part[face], part);
 }
 
 /* ---- growing ---- */
 
-/* Pieces with more than half of their area on the part. */
+/* Marks the pieces with more than half of their area on the part. */
 static void find_truth(growing* g) {
     const dmi_mesh* mesh = g->made.mesh;
     const dmi_pieces* pieces = &g->level.pieces;
@@ -174,11 +176,11 @@ static void note(const growing* g, const dmi_growth* growth) {
         memcpy(out->features + (size_t)row * DMI_GROWTH_FEATURES, growth->features[piece], sizeof growth->features[0]);
         out->belongs[row] = g->belongs[piece];
         out->weight[row] = 1 / (float)growth->touching_count;
-        out->category[row] = (int32_t)g->made.category;
+        out->category[row] = (int32_t)g->made.category_id;
     }
 }
 
-/* A random one of the touching pieces that belong joins; 0 when none does. */
+/* Adds a random one of the touching pieces that belong; returns 0 when there is none. */
 static int step(growing* g, dmi_growth* growth) {
     uint32_t good[MOST_PIECES], count = 0;
     for (uint32_t i = 0; i < growth->touching_count; i++)
@@ -209,7 +211,7 @@ static dm_result grow_once(dmi_env* env, growing* g) {
     dmi_arena_init(&arena, env, BLOCK);
     int united;
     dm_result result = make_sheets(&arena, &g->made, &grab, &sheets, &united);
-    const int cut = united || lab_chance(&g->made.random, CUT);
+    const int cut = united || lab_random_bool(&g->made.random, CUT);
     if (result == DM_OK)
         result = dmi_part_level_make(&arena, &sheets, cut ? sheets.labels[grab.face] : DMI_PART_NONE, &g->level);
     if (result == DM_OK && g->level.pieces.count == 0)
@@ -269,7 +271,7 @@ static void note_proposals(const lab_case* made, const dmi_proposals* proposals,
                            const dm_lab_choice* out) {
     const uint32_t part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part);
     out->used[row] = (int32_t)proposals->count;
-    out->category[row] = (int32_t)made->category;
+    out->category[row] = (int32_t)made->category_id;
     for (uint32_t i = 0; i < proposals->count; i++) {
         const size_t at = (size_t)row * DMI_PROPOSALS_MOST + i;
         memcpy(out->features + at * DMI_CHOICE_FEATURES, proposals->items[i].features,

@@ -1,5 +1,5 @@
-/* What the part finder is fitted on: pieces that touch a growing part, and whether they belong to it; proposals of the
- * part, and how much of it they are. */
+/* Declares the cases that the part finder is fitted on: pieces that touch a growing part, and whether they belong to
+ * it; proposals of the part, and their overlap with it. */
 #ifndef DM_LAB_GROWTH_H
 #define DM_LAB_GROWTH_H
 
@@ -7,15 +7,15 @@
 
 typedef struct dm_lab_growth {
     uint32_t capacity;
-    float* features; /* x capacity x dm_lab_growth_columns() */
-    float* belongs;  /* x capacity: 0 or 1 */
-    float* weight;   /* x capacity: 1 over the pieces that touched at that step */
-    int32_t* category;
-    uint32_t* count; /* rows written; the batch ends early when the next case might not fit */
+    float* features;   /* x capacity x dm_lab_growth_columns() */
+    float* belongs;    /* x capacity: 0 or 1 */
+    float* weight;     /* x capacity: 1 over the pieces that touched at that step */
+    int32_t* category; /* id */
+    uint32_t* count;   /* rows written; the batch ends early when the next case might not fit */
 } dm_lab_growth;
 
 DM_API uint32_t dm_lab_growth_columns(void);
-/* Of each case a part grows twice, from a random piece of its own, taking random pieces that belong to it. */
+/* Grows the part of each case twice, from a random piece of its own, by random pieces that belong to it. */
 DM_API dm_result dm_lab_growth_batch(const dm_lab_options* options, const dm_lab_growth* out);
 
 /* A network of one hidden layer, as sdk/kinematics/part_growth.h has it. */
@@ -29,12 +29,12 @@ typedef struct dm_lab_choice {
     float* features;   /* x count x dm_lab_choice_most() x dm_lab_choice_columns() */
     float* overlap;    /* x count x dm_lab_choice_most(): with the true part, intersection over union of areas */
     int32_t* used;     /* x count: proposals there were */
-    int32_t* category; /* x count */
+    int32_t* category; /* x count: id */
 } dm_lab_choice;
 
 DM_API uint32_t dm_lab_choice_columns(void);
 DM_API uint32_t dm_lab_choice_most(void);
-/* The proposals that growing by `net` makes of options->count cases. */
+/* Writes the proposals that growing by `net` makes of options->count cases. */
 DM_API dm_result dm_lab_choice_batch(const dm_lab_options* options, const dm_lab_part_net* net,
                                      const dm_lab_choice* out);
 

@@ -1,11 +1,11 @@
-/* What tells the limits of generated joints, and the true ones. A joint is the candidate that is nearest to the true
- * one, as the library would find it. */
+/* Computes the features from which limits are learnt, and the true limits. The joint is the candidate nearest to the
+ * true one, as the library would find it. */
 #include "lab_limits.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "judge.h"
+#include "evaluate_candidates.h"
 #include "kinematics/limits.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -18,8 +18,8 @@ uint32_t dm_lab_limits_evidence(void) {
     return DMI_EVIDENCE_COUNT;
 }
 
-/* The candidate of the joint's type that costs least; one of another type where there is none. */
-static uint32_t nearest_candidate(const lab_judged* work) {
+/* Returns the candidate of the joint's type with the least pose error; the first candidate where there is none. */
+static uint32_t nearest_candidate(const lab_evaluated_case* work) {
     const int slides = work->joint.type == DM_JOINT_PRISMATIC;
     float least = INFINITY;
     uint32_t nearest = 0;
@@ -31,7 +31,7 @@ static uint32_t nearest_candidate(const lab_judged* work) {
     return nearest;
 }
 
-static void write_case(const lab_judged* work, int with_drag, uint32_t at, void* user) {
+static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t at, void* user) {
     const dm_lab_limits* out = user;
     const uint32_t nearest = nearest_candidate(work);
     const dmi_candidate* c = &work->candidates[nearest];
@@ -47,7 +47,7 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
     out->lower[at] = (along ? truth->lower : -truth->upper) / unit;
     out->upper[at] = (along ? truth->upper : -truth->lower) / unit;
     out->free[at] = truth->type == DM_JOINT_CONTINUOUS;
-    out->category[at] = (int32_t)work->made.category;
+    out->category[at] = (int32_t)work->made.category_id;
     out->pose[at] = work->pose[nearest];
     out->has_drag[at] = with_drag;
 }
@@ -55,5 +55,5 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
 dm_result dm_lab_limits_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                               const void* sieve, size_t sieve_size, const dm_lab_limits* out) {
     dm_lab_limits to = *out;
-    return lab_judge_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
+    return lab_evaluate_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
 }

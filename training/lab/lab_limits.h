@@ -1,4 +1,4 @@
-/* What the training of the limits sees. */
+/* Declares the cases that the limits' networks are trained on. */
 #ifndef DM_LAB_LIMITS_H
 #define DM_LAB_LIMITS_H
 
@@ -7,19 +7,19 @@
 /* One entry a case. */
 typedef struct dm_lab_limits {
     float* features; /* x dm_lab_limits_columns() */
-    float* evidence; /* x dm_lab_limits_evidence(): the ranker's, of the same joint */
+    float* evidence; /* x dm_lab_limits_evidence(): of the same joint, as the ranker sees it */
     float* lower;    /* in the features' unit (1 rad, or the part's extent along the slide) */
     float* upper;
-    int32_t* free; /* 1: continuous, the limits mean nothing */
-    int32_t* category;
-    float* pose; /* how far the joint leaves the part from where it should be, over the object's size */
+    int32_t* free;     /* 1: continuous, the limits mean nothing */
+    int32_t* category; /* id */
+    float* pose;       /* pose error, object sizes */
     int32_t* has_drag;
 } dm_lab_limits;
 
 DM_API uint32_t dm_lab_limits_columns(void);
 DM_API uint32_t dm_lab_limits_evidence(void);
-/* Weights as for the ranker. The joints are the candidates nearest to the true ones, signed as the library signs them.
- */
+/* Fills the arrays. Weights as for the ranker. The joints are the candidates nearest to the true ones, signed as the
+ * library signs them. */
 DM_API dm_result dm_lab_limits_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                                      const void* sieve, size_t sieve_size, const dm_lab_limits* out);
 

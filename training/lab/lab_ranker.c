@@ -1,14 +1,14 @@
-/* Candidates of generated cases with their evidence and their true cost, made by the library's own kinematics. */
+/* Writes the candidates of generated cases with their evidence and errors, computed by the library's own code. */
 #include "lab_ranker.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "judge.h"
+#include "evaluate_candidates.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define KEPT_BEST 8
+#define KEPT_BEST 8 /* candidates with the least pose error, which are always written */
 
 uint32_t dm_lab_ranker_columns(void) {
     return DMI_EVIDENCE_COUNT;
@@ -19,8 +19,8 @@ uint32_t dm_lab_sieve_columns(uint8_t* out) {
     return DMI_GLANCE_COLUMNS;
 }
 
-/* The best few first, then the others in random order. */
-static void order_rows(const lab_judged* work, uint32_t order[DMI_CANDIDATES_MAX]) {
+/* Orders candidates: the KEPT_BEST with the least pose error first, then the others at random. */
+static void order_rows(const lab_evaluated_case* work, uint32_t order[DMI_CANDIDATES_MAX]) {
     dmi_random random = work->made.random;
     for (uint32_t i = 0; i < work->count; i++) order[i] = i;
     for (uint32_t i = 0; i < work->count && i < KEPT_BEST; i++)
@@ -35,7 +35,7 @@ static void order_rows(const lab_judged* work, uint32_t order[DMI_CANDIDATES_MAX
     }
 }
 
-static void write_case(const lab_judged* work, int with_drag, uint32_t at, void* user) {
+static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t at, void* user) {
     const dm_lab_ranker* out = user;
     const uint32_t rows = work->count < out->rows ? work->count : out->rows;
     uint32_t order[DMI_CANDIDATES_MAX];
@@ -53,28 +53,28 @@ static void write_case(const lab_judged* work, int with_drag, uint32_t at, void*
     out->total[at] = (int32_t)work->count;
     out->type[at] = work->joint.type - 1;
     out->has_drag[at] = with_drag;
-    out->category[at] = (int32_t)work->made.category;
+    out->category[at] = (int32_t)work->made.category_id;
     out->best[at] = work->pose[order[0]];
 }
 
 dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                               const void* sieve, size_t sieve_size, const dm_lab_ranker* out) {
     dm_lab_ranker to = *out;
-    return lab_judge_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
+    return lab_evaluate_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
 }
 
 dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
                               size_t kinematics_size, const dm_lab_ranker* out) {
-    lab_judge judge;
+    lab_evaluator evaluator;
     dm_lab_ranker to = *out;
-    dm_result result = lab_judge_open(kinematics, kinematics_size, NULL, 0, &judge);
+    dm_result result = lab_evaluator_open(kinematics, kinematics_size, NULL, 0, &evaluator);
     if (result != DM_OK) return result;
-    result = lab_case_given(&judge.env, given, &judge.work->made);
+    result = lab_case_given(&evaluator.env, given, &evaluator.work->made);
     if (result == DM_OK) {
-        judge.work->hint = lab_given_drag(&judge.work->made, given, 0, &judge.work->joint);
-        result = lab_judge_one(&judge, with_drag, 0, write_case, &to);
-        dmi_mesh_destroy(&judge.env, judge.work->made.mesh);
+        evaluator.work->hint = lab_given_drag(&evaluator.work->made, given, 0, &evaluator.work->joint);
+        result = lab_evaluate_case(&evaluator, with_drag, 0, write_case, &to);
+        dmi_mesh_destroy(&evaluator.env, evaluator.work->made.mesh);
     }
-    lab_judge_close(&judge);
+    lab_evaluator_close(&evaluator);
     return result;
 }

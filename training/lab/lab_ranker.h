@@ -1,5 +1,4 @@
-/* What the training of the candidate ranker sees: evidence rows of generated cases, and what each candidate would cost.
- */
+/* Declares the cases that the candidate ranker is trained on: evidence of candidates, and their errors. */
 #ifndef DM_LAB_RANKER_H
 #define DM_LAB_RANKER_H
 
@@ -16,22 +15,22 @@ typedef struct dm_lab_ranker {
     int32_t* total; /* candidates there were; rows from the ninth on stand for total - 8 of them */
     int32_t* type;  /* of the true joint: 0 revolute, 1 prismatic, 2 screw, 3 continuous */
     int32_t* has_drag;
-    int32_t* category;
+    int32_t* category; /* id */
     float* best;       /* least pose of all candidates */
     float* axis_error; /* x rows: rad */
     float* line_error; /* x rows: distance of the axis from the true one at the part's centre; 0 for slides */
 } dm_lab_ranker;
 
 DM_API uint32_t dm_lab_ranker_columns(void);
-/* Those of them that the sieve sees (sdk/kinematics/glance.h), in order; answers how many. out NULL: only the number.
- */
+/* Writes the columns that the sieve sees (sdk/kinematics/glance.h), in order, and returns how many. out NULL: only the
+ * number. */
 DM_API uint32_t dm_lab_sieve_columns(uint8_t* out);
 /* options: as for KPP-Net. kinematics: bytes of a KPP-Net weights file whose answers go into the evidence; NULL: none.
- * sieve: bytes of a file of the sieve's weights, architecture dragmesh-sieve; NULL: all candidates are judged. */
+ * sieve: bytes of a file of the sieve's weights, architecture dragmesh-sieve; NULL: all candidates are kept. */
 DM_API dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                                      const void* sieve, size_t sieve_size, const dm_lab_ranker* out);
 
-/* A case that a loader provides: glTF frame, everything in the object's own unit. */
+/* A case that a loader provides, in the glTF frame and the object's own unit. */
 typedef struct dm_lab_given {
     const float* positions;    /* vertex_count x 3 */
     const uint32_t* indices;   /* face_count x 3 */
@@ -42,8 +41,8 @@ typedef struct dm_lab_given {
     float drag_point[3], drag_vector[3];
 } dm_lab_given;
 
-/* One case, not sieved, into the first place of `out`. with_drag 0: the kinematics does not see the drag, the labels
- * do. */
+/* Writes one case, not sieved, into the first place of `out`. with_drag 0: candidates are made without the drag, labels
+ * with it. */
 DM_API dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
                                      size_t kinematics_size, const dm_lab_ranker* out);
 

@@ -1,4 +1,4 @@
-/* Batches for the DQ-VAE: inputs by dmi_vae_features_make and dmi_vae_neighbours, targets as joint values. */
+/* Makes batches for the DQ-VAE: inputs by dmi_vae_features_make and dmi_vae_neighbours, targets as joint values. */
 #include <math.h>
 #include <string.h>
 
@@ -7,27 +7,27 @@
 #include "math/linear3.h"
 #include "motion/dq_vae.h"
 
-#define STROKES 4      /* of every object: drawing one is much cheaper than making one */
+#define STROKES 4      /* of every object: simulating one is much cheaper than making an object */
 #define THREADED 0.12f /* share of turning joints */
 
-/* Few things have a thread, but the network must move whatever has one: a hinge or an axle of the training split made a
- * screw of either hand, with a drag as a hand on it would make it. The joint stays signed along the drag. */
+/* Turns a revolute or continuous joint into a left- or right-handed screw, with the drag that such a screw would have:
+ * few generated objects have a thread. The joint stays signed along the drag. */
 static void thread(dmi_random* random, dmi_drag_hint* hint, dm_joint* joint) {
     const float pitch = 0.004f * powf(25.0f, dmi_random_unit(random)); /* of the object's size, a radian */
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
     joint->type = DM_JOINT_SCREW;
-    joint->pitch = lab_chance(random, 0.5f) ? pitch : -pitch;
-    joint->upper = lab_uniform(random, 0.5f, 12.0f);
-    joint->lower = lab_chance(random, 0.5f) ? 0.0f : -lab_uniform(random, 0.0f, 6.0f);
+    joint->pitch = lab_random_bool(random, 0.5f) ? pitch : -pitch;
+    joint->upper = lab_random_uniform(random, 0.5f, 12.0f);
+    joint->lower = lab_random_bool(random, 0.5f) ? 0.0f : -lab_random_uniform(random, 0.0f, 6.0f);
     const float lead = joint->pitch / fmaxf(dmi_line_distance3(hint->point, axis, origin), pitch);
     dmi_madd3(hint->vector, lead * dmi_length3(hint->vector), axis, hint->vector);
 }
 
-/* A joint as a network or a person would have found it: a few degrees and a hundredth of the size off. */
+/* Returns the joint with an error: 0.05 rad and a hundredth of the object's size (standard deviations). */
 static dm_joint roughly(dmi_random* random, dm_joint joint) {
     float about[3], rotation[9], axis[3] = {joint.axis.x, joint.axis.y, joint.axis.z};
-    lab_direction(random, about);
+    lab_random_direction(random, about);
     lab_rotation(about, 0.05f * dmi_random_normal(random), rotation);
     lab_rotate(rotation, axis, axis);
     joint.axis = (dm_vec3){axis[0], axis[1], axis[2]};
@@ -69,22 +69,22 @@ static void write_query(const dmi_vae_object* object, const dmi_vae_query* query
     }
 }
 
-/* One stroke of a hand that has taken hold at the hint; joint: signed along it. */
+/* Writes one stroke that starts at the hint. joint: signed along the drag. */
 static void write_stroke(lab_case* made, const dm_lab_options* options, const dmi_vae_object* object,
                          const dmi_drag_hint* hint, const dm_joint* joint, const dm_lab_vae* out, uint32_t i) {
     dmi_random* random = &made->random;
-    const int steady = lab_chance(random, 0.25f);
+    const int steady = lab_random_bool(random, 0.25f);
     lab_stroke stroke;
     dmi_vae_query query = {.joint = *joint};
-    /* The default path follows the joint the library has in hand, right or not. */
-    if (lab_chance(random, options->joint_noise)) query.joint = roughly(random, *joint);
+    /* The default path follows the joint that the network is given, right or not. */
+    if (lab_random_bool(random, options->joint_noise)) query.joint = roughly(random, *joint);
     lab_stroke_make(random, steady ? &query.joint : joint, hint->point, steady,
-                    !steady && lab_chance(random, options->hand_noise), &stroke);
+                    !steady && lab_random_bool(random, options->hand_noise), &stroke);
     memcpy(query.drag_point, hint->point, sizeof query.drag_point);
     memcpy(query.drag_vector, hint->vector, sizeof query.drag_vector);
     memcpy(query.path, stroke.path, sizeof query.path);
     write_query(object, &query, &stroke, out, i);
-    out->category[i] = (int32_t)made->category;
+    out->category[i] = (int32_t)made->category_id;
 }
 
 dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out) {
@@ -101,7 +101,7 @@ dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out)
             dm_joint joint;
             dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
             const int turns = joint.type == DM_JOINT_REVOLUTE || joint.type == DM_JOINT_CONTINUOUS;
-            if (turns && options->split == DM_LAB_TRAIN && lab_chance(&made->random, THREADED))
+            if (turns && options->split == DM_LAB_TRAIN && lab_random_bool(&made->random, THREADED))
                 thread(&made->random, &hint, &joint);
             write_stroke(made, options, object, &hint, &joint, out, i);
         }

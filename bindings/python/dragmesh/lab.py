@@ -4,15 +4,25 @@ Used by training; needs a build of this repository (scripts/build) and numpy.
 """
 import ctypes as c
 import os
+from typing import NamedTuple
 
 import numpy as np
 
 from .library import find_library
 
 SPLITS = {"train": 0, "validation": 1, "test": 2}
+SETS = ("first", "trained", "test_only")  # DMG_SET_* of training/generator/generator.h
 
 
-class _Options(c.Structure):
+class Kind(NamedTuple):
+    """A category of the generator. Its id never changes; the lab's arrays and weights go by it."""
+    name: str
+    id: int
+    set: str  # one of SETS
+
+
+class Options(c.Structure):
+    """dm_lab_options. categories: address of a weight for each id, uint8, as many as dm_lab_category_id_limit says."""
     _fields_ = [("seed", c.c_uint64), ("count", c.c_uint32), ("split", c.c_int32), ("categories", c.c_void_p),
                 ("messy", c.c_float), ("mask_noise", c.c_float), ("rotated", c.c_float), ("with_drag", c.c_float),
                 ("drag_noise_degrees", c.c_float), ("joint_noise", c.c_float), ("hand_noise", c.c_float)]
@@ -35,19 +45,32 @@ VAE_FEATURES = (("joint_scalars", 3), ("rotation_direction", 3), ("mean_velocity
                 ("amplitude", 2), ("path", 80))
 
 
+def load(path):
+    """The lab library with the types of what it returns set."""
+    lib = c.CDLL(path)
+    lib.dm_lab_category_name.restype = c.c_char_p
+    lib.dm_lab_category_id.restype = lib.dm_lab_category_id_limit.restype = c.c_uint32
+    return lib
+
+
+def kinds(lib):
+    """All categories, a Kind each, in the order of the library's rows."""
+    return [Kind(lib.dm_lab_category_name(row).decode(), lib.dm_lab_category_id(row), SETS[lib.dm_lab_category_set(row)])
+            for row in range(lib.dm_lab_category_count())]
+
+
 class Lab:
     """One loaded lab library."""
 
     def __init__(self, path=None):
-        self._lib = c.CDLL(path or os.environ.get("DRAGMESH_LAB") or find_library("libdragmesh_lab.so"))
-        self._lib.dm_lab_category_name.restype = c.c_char_p
-        expected = (c.sizeof(_Options), 8 * len(KPP_ARRAYS), 8 * len(VAE_ARRAYS))
+        self._lib = load(path or os.environ.get("DRAGMESH_LAB") or find_library("libdragmesh_lab.so"))
+        expected = (c.sizeof(Options), 8 * len(KPP_ARRAYS), 8 * len(VAE_ARRAYS))
         for which, size in enumerate(expected):
             if self._lib.dm_lab_layout(which) != size:
                 raise ImportError(f"libdragmesh_lab: struct {which} has {self._lib.dm_lab_layout(which)} bytes, "
                                   f"this binding knows {size}; rebuild")
-        count = self._lib.dm_lab_category_count()
-        self.categories = [self._lib.dm_lab_category_name(i).decode() for i in range(count)]
+        self.kinds = kinds(self._lib)
+        self._ids = {kind.name: kind.id for kind in self.kinds}
 
     def kpp_batch(self, seed, count, categories, split="train", **mix):
         """Arrays of KPP_ARRAYS for `count` cases; categories: names; mix: shares of dm_lab_options."""
@@ -63,7 +86,7 @@ class Lab:
         layout = KPP_ARRAYS if network == "kpp" else VAE_ARRAYS
         function = self._lib.dm_lab_kpp_given if network == "kpp" else self._lib.dm_lab_vae_given
         arrays, pointers = self._arrays(layout, 1 if network == "kpp" else count)
-        options = _Options(seed=seed, count=count, **mix)
+        options = Options(seed=seed, count=count, **mix)
         return arrays if function(c.byref(case), c.byref(options), pointers) == 0 else None
 
     @staticmethod
@@ -72,9 +95,9 @@ class Lab:
         return arrays, (c.c_void_p * len(layout))(*(arrays[name].ctypes.data for name, _, _ in layout))
 
     def _batch(self, function, layout, seed, count, categories, split, mix):
-        allowed = np.zeros(len(self.categories), np.uint8)
-        allowed[[self.categories.index(name) for name in categories]] = 1
-        options = _Options(seed=seed, count=count, split=SPLITS[split], categories=allowed.ctypes.data, **mix)
+        allowed = np.zeros(self._lib.dm_lab_category_id_limit(), np.uint8)
+        allowed[[self._ids[name] for name in categories]] = 1
+        options = Options(seed=seed, count=count, split=SPLITS[split], categories=allowed.ctypes.data, **mix)
         arrays, pointers = self._arrays(layout, count)
         result = function(c.byref(options), pointers)
         if result != 0:

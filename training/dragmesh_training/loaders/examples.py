@@ -8,7 +8,8 @@ import sys
 
 import numpy as np
 
-from .. import ranker
+from .. import cases
+from ..lab import open_lab
 from . import objects
 from .batches import given
 
@@ -16,9 +17,9 @@ from .batches import given
 def make_one(lab, case, drag, rows, with_drag, weights):
     """Evidence and labels of one case; None with the library's error on a case it refuses."""
     data = {"evidence": np.zeros((1, rows, lab.dm_lab_ranker_columns()), np.float32)}
-    for name, dtype, each_row in ranker.ARRAYS:
+    for name, dtype, each_row in cases.ARRAYS:
         data[name] = np.zeros((1, rows) if each_row else 1, dtype)
-    batch = ranker.Batch(rows, *[data[name].ctypes.data for name in ("evidence", *[a[0] for a in ranker.ARRAYS])])
+    batch = cases.Batch(rows, *[data[name].ctypes.data for name in ("evidence", *[a[0] for a in cases.ARRAYS])])
     size = ctypes.c_size_t(len(weights) if weights else 0)
     result = lab.dm_lab_ranker_given(ctypes.byref(given(case, drag)), with_drag, weights, size, ctypes.byref(batch))
     if result != 0:
@@ -55,7 +56,7 @@ def main():
     parser.add_argument("--with-drag", type=float, default=0.7, help="share of the examples")
     options = parser.parse_args()
     weights = open(options.weights, "rb").read() if options.weights else None
-    names, data = make(ranker.open_lab(options.lab), options.folder, options.rows, options.with_drag, weights)
+    names, data = make(open_lab(options.lab), options.folder, options.rows, options.with_drag, weights)
     if not data:
         sys.exit(f"{options.folder}: no joint that the library takes")
     np.savez(options.o, names=np.array(names), **data)
