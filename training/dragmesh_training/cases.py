@@ -8,7 +8,7 @@ import numpy as np
 from .lab import Options, category_weights
 
 KEPT_BEST = 8  # as in lab_ranker.c
-SLIDES, NETWORK = 0, np.r_[86:98, 108, 124, 171:177]  # columns of sdk/kinematics/evidence.h
+SLIDES, NETWORK = 0, np.r_[86:98, 108, 124, 171:177]  # columns of sdk/kinematics/features/candidate_features.h
 # The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
 GROUPS = [slice(first, last) for first, last in (
     (1, 2), (2, 9), (9, 16), (16, 23), (23, 37), (37, 42), (42, 54), (54, 65), (65, 68), (68, 72), (72, 75), (98, 109),

@@ -1,5 +1,5 @@
 """What KPP-Net's choice head is trained on: lines through and beside the part, and how far each one's motion is from the
-true joint's. See networks.Choice; sdk/kinematics/kpp_choice.c has the same numbers of a line."""
+true joint's. See networks.Choice; sdk/kinematics/features/kpp_candidate_scores.c has the same numbers of a line."""
 import torch
 import torch.nn.functional as F
 
@@ -8,7 +8,7 @@ from .losses import PRISMATIC
 
 PROPOSALS = 64  # a case; the first is the truth
 NEAR = 0.05  # share by which the motions of two joints differ: about this much is as good as equal
-CONE = 0.8  # least cosine between the drag and a candidate's motion, as in sdk/kinematics/candidates.c
+CONE = 0.8  # least cosine between the drag and a candidate's motion, as in sdk/kinematics/candidates/candidates.c
 LEAST_SPEED = 0.04  # and least speed of the dragged point
 
 
@@ -80,7 +80,7 @@ def propose(batch):
 
 def differences(slides, axis, origin, points):
     """B x K: by how much candidates move the points otherwise than the first, up to speed and sign: the sine of the angle between
-    the velocities taken over all points (as in sdk/kinematics/kinematics.c); 1 where the type is another."""
+    the velocities taken over all points (as in sdk/kinematics/inference/joint_inference.c); 1 where the type is another."""
     moved = velocity(slides.unsqueeze(-1), axis.unsqueeze(2), origin.unsqueeze(2), points.unsqueeze(1).expand(-1, axis.shape[1], -1, -1))
     truth = moved[:, :1]
     cosine = (moved * truth).sum((-1, -2)) / (moved.pow(2).sum((-1, -2)) * truth.pow(2).sum((-1, -2)) + 1e-12).sqrt()

@@ -1,4 +1,4 @@
-"""The forest beside the ranker's network (sdk/kinematics/forest.c): evidence of generated cases in, its trees out.
+"""The forest beside the ranker's network (sdk/kinematics/ranking/boosted_trees.c): evidence of generated cases in, its trees out.
 
 Trees and a network err on different candidates, so that the mean of both scores errs less than either. The trees learn
 what the network does, to share each case's probability by exp(-cost), and are grown by training/lab/boost.c.

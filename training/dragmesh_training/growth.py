@@ -1,7 +1,7 @@
 """The part finder's two small networks, fitted on generated objects: whether a piece of surface belongs to the part that
 was grabbed, and which of the proposals that growing by it makes is the part.
 
-    PYTHONPATH=training python3 -m dragmesh_training.growth -o sdk/kinematics/part_weights.h
+    PYTHONPATH=training python3 -m dragmesh_training.growth -o sdk/segmentation/part_weights.h
 
 makes weights like the shipped ones from its defaults alone (docs/accuracy.md says what was otherwise then). The categories
 held out (config.py) are not trained on: they are for the score. Cases can be kept between runs (--cache FOLDER).

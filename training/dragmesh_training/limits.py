@@ -1,4 +1,4 @@
-"""The limits' networks (sdk/kinematics/limit_net.c): what a sweep tells of generated joints, and the evidence they are ranked
+"""The limits' networks (sdk/kinematics/limits/limit_network.c): what a sweep tells of generated joints, and the evidence they are ranked
 by, in; their weights out.
 
     python -m dragmesh_training.limits make OUT.npz --weights KPP --sieve SIEVE --seed 5 --count 8000 [--split 1] [--only first]
@@ -93,7 +93,7 @@ def probabilities(outputs):
 
 
 def mean_overlap(probability, lower, upper):
-    """Intersection over union of the ranges answered with the true ones, as sdk/kinematics/limit_net.c answers."""
+    """Intersection over union of the ranges answered with the true ones, as sdk/kinematics/limits/limit_network.c answers."""
     pairs = torch.cartesian_prod(torch.from_numpy(SIZES), torch.from_numpy(SIZES))
     overlap = torch.minimum(pairs[:, None], pairs).sum(2) / (torch.maximum(pairs[:, None], pairs).sum(2) + 1e-4)
     best = pairs[(probability @ overlap).argmax(1)]

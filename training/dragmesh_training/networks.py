@@ -1,6 +1,6 @@
 """KPP-Net and DQ-VAE in PyTorch, module for module and name for name as docs/networks.md specifies them.
 
-The C forward passes (sdk/kinematics/kpp_net.c, sdk/motion/dq_vae.c) read the state_dict of the `game` size;
+The C forward passes (sdk/kinematics/kpp/kpp_net.c, sdk/motion/dq_vae.c) read the state_dict of the `game` size;
 golden tests hold both sides together. `paper` is the size of the paper's own networks.
 """
 from dataclasses import dataclass
@@ -193,7 +193,7 @@ class Choice(nn.Module):
 
 
 class KppNet(nn.Module):
-    """Joint type, turn axis, slide axis, origin and limits from the input that sdk/kinematics/kpp_input.c makes."""
+    """Joint type, turn axis, slide axis, origin and limits from the input that sdk/kinematics/kpp/kpp_input.c makes."""
 
     def __init__(self, config=KPP_SIZES["game"]):
         super().__init__()

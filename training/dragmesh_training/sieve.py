@@ -1,4 +1,4 @@
-"""The sieve before the ranker (sdk/kinematics/sieve.c): evidence of cases whose candidates all were judged in, its weights out.
+"""The sieve before the ranker (sdk/kinematics/ranking/candidate_prefilter.c): evidence of cases whose candidates all were judged in, its weights out.
 
     python -m dragmesh_training.sieve ALL.npz MORE.npz -o sieve.safetensors
 

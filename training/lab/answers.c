@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "case.h"
-#include "kinematics/kinematics.h"
+#include "kinematics/inference/joint_inference.h"
 #include "math/linear3.h"
 #include "pose_error.h"
 
@@ -31,7 +31,7 @@ static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const 
     dm_joint truth;
     const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &truth);
     const int with_drag = lab_random_bool(&made->random, options->with_drag);
-    const dmi_kinematics_query query = {.mesh = made->mesh,
+    const dmi_inference_query query = {.mesh = made->mesh,
                                         .cloud = &made->cloud,
                                         .net = net,
                                         .ranker = ranker,
@@ -39,7 +39,7 @@ static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const 
                                         .welded = made->welded,
                                         .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
     dmi_hypotheses found;
-    const dm_result result = dmi_kinematics_infer(env, &query, &found, NULL);
+    const dm_result result = dmi_joint_inference_run(env, &query, &found, NULL);
     if (result != DM_OK) return result;
     out->has_drag[at] = with_drag;
     score(made, &truth, hint.point, &found.joints[0], out, at);

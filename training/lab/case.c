@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "case.h"
-#include "kinematics/kinematics.h"
-#include "kinematics/study.h"
+#include "kinematics/inference/joint_inference.h"
+#include "kinematics/analysis/part_analysis.h"
 #include "lab_ranker.h"
 #include "mesh/connectivity.h"
-#include "mesh/mend.h"
+#include "mesh/mesh_repair.h"
 
 #define TRIES 64
 
@@ -73,8 +73,8 @@ static dm_result weld_and_mend(dmi_env* env, lab_case* out) {
     if (out->welded == NULL) return DM_ERROR_OUT_OF_MEMORY;
     dmi_arena arena;
     dmi_arena_init(&arena, env, (size_t)1 << 16);
-    dm_result result = dmi_weld_vertices(&arena, mesh, DMI_STUDY_WELD, out->welded);
-    if (result == DM_OK) result = dmi_mesh_mend(&arena, mesh, out->welded, &mended);
+    dm_result result = dmi_weld_vertices(&arena, mesh, DMI_WELD_TOLERANCE, out->welded);
+    if (result == DM_OK) result = dmi_mesh_repair(&arena, mesh, out->welded, &mended);
     if (result == DM_OK && mended.face_part != mesh->face_part) {
         memcpy(mesh->face_part, mended.face_part, mesh->face_count * sizeof *mesh->face_part);
         memcpy(mesh->parts, mended.parts, mesh->part_count * sizeof *mesh->parts);

@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "dragmesh_lab.h"
 #include "generator.h"
-#include "kinematics/kpp_input.h"
+#include "kinematics/kpp/kpp_input.h"
 #include "math/joint.h"
 
 typedef struct lab_case {

@@ -11,7 +11,7 @@ static dm_result open_sieve(lab_evaluator* evaluator, const void* data, size_t s
     const dm_result result = dmi_weights_open(&evaluator->env, data, size, "dragmesh-sieve", SIEVE_VERSION, &weights);
     if (result != DM_OK) return result;
     evaluator->sieve = dmi_alloc(&evaluator->env, sizeof *evaluator->sieve, 64);
-    const int read = evaluator->sieve != NULL && dmi_sieve_read(weights, evaluator->sieve);
+    const int read = evaluator->sieve != NULL && dmi_prefilter_read(weights, evaluator->sieve);
     dmi_weights_close(weights);
     return read ? DM_OK
                 : dmi_fail(&evaluator->env, DM_ERROR_WRONG_MODEL, "lab: no sieve in the file, or no memory for it");
@@ -54,18 +54,18 @@ static dm_result evaluate_case(lab_evaluator* evaluator, dmi_arena* arena, int w
     lab_evaluated_case* w = evaluator->work;
     const dmi_drag_hint* hint = with_drag ? &w->hint : NULL;
     const uint32_t part = (uint32_t)dmi_mesh_find_part(w->made.mesh, w->made.part);
-    const dm_result result = dmi_study_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, &w->study);
+    const dm_result result = dmi_part_analysis_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, &w->study);
     if (result != DM_OK) return dmi_fail(&evaluator->env, result, "lab: a case can't be studied");
     const dmi_isa isa = dmi_cpu_best_isa();
-    const dmi_opinion* opinion = net != NULL ? &w->opinion : NULL;
-    if (net != NULL) dmi_opinion_form(net, isa, &w->made.cloud, hint, evaluator->scratch, &w->opinion);
+    const dmi_kpp_ensemble* opinion = net != NULL ? &w->opinion : NULL;
+    if (net != NULL) dmi_kpp_ensemble_run(net, isa, &w->made.cloud, hint, evaluator->scratch, &w->opinion);
     const dmi_prediction* prediction = net != NULL ? &w->opinion.prediction : NULL;
     w->count = dmi_candidates_make(&w->study, hint, prediction, w->candidates);
     if (evaluator->sieve != NULL)
         w->count =
-            dmi_sieve_keep(evaluator->sieve, &w->study, hint, net, isa, opinion, w->candidates, w->count, w->evidence);
-    if (net != NULL) dmi_opinion_score(net, isa, &w->opinion, w->candidates, w->count, w->score);
-    dmi_evidence_make(&w->study, hint, prediction, net != NULL ? w->score : NULL, w->candidates, w->count, w->evidence);
+            dmi_prefilter_keep(evaluator->sieve, &w->study, hint, net, isa, opinion, w->candidates, w->count, w->evidence);
+    if (net != NULL) dmi_kpp_ensemble_score(net, isa, &w->opinion, w->candidates, w->count, w->score);
+    dmi_candidate_features_make(&w->study, hint, prediction, net != NULL ? w->score : NULL, w->candidates, w->count, w->evidence);
     label(w);
     return DM_OK;
 }

@@ -3,16 +3,16 @@
 #define DM_LAB_EVALUATE_CANDIDATES_H
 
 #include "case.h"
-#include "kinematics/evidence.h"
-#include "kinematics/opinion.h"
-#include "kinematics/sieve.h"
+#include "kinematics/features/candidate_features.h"
+#include "kinematics/features/kpp_ensemble.h"
+#include "kinematics/ranking/candidate_prefilter.h"
 
 typedef struct lab_evaluated_case {
     lab_case made;
-    dmi_study study;
-    dmi_opinion opinion; /* with a network */
+    dmi_part_analysis study;
+    dmi_kpp_ensemble opinion; /* with a network */
     dmi_candidate candidates[DMI_CANDIDATES_MAX];
-    float evidence[DMI_CANDIDATES_MAX][DMI_EVIDENCE_COUNT];
+    float evidence[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
     float score[DMI_CANDIDATES_MAX];
     float pose[DMI_CANDIDATES_MAX]; /* pose error of each candidate, object sizes (pose_error.h) */
     uint32_t count;
@@ -24,7 +24,7 @@ typedef struct lab_evaluated_case {
 typedef struct lab_evaluator {
     dmi_env env;
     dmi_kpp_net* net;
-    dmi_sieve* sieve; /* NULL: all candidates are kept */
+    dmi_prefilter* sieve; /* NULL: all candidates are kept */
     void* scratch;
     size_t scratch_size;
     lab_evaluated_case* work; /* the current case */

@@ -11,8 +11,8 @@
 #include <string.h>
 
 #include "case.h"
-#include "kinematics/part_choice.h"
-#include "kinematics/part_finder.h"
+#include "segmentation/part_choice.h"
+#include "segmentation/part_finder.h"
 #include "mesh/connectivity.h"
 
 #define BLOCK ((size_t)1 << 20)

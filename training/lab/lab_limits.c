@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "evaluate_candidates.h"
-#include "kinematics/limits.h"
+#include "kinematics/limits/limits.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -15,7 +15,7 @@ uint32_t dm_lab_limits_columns(void) {
 }
 
 uint32_t dm_lab_limits_evidence(void) {
-    return DMI_EVIDENCE_COUNT;
+    return DMI_FEATURE_COUNT;
 }
 
 /* Returns the candidate of the joint's type with the least pose error; the first candidate where there is none. */
@@ -41,7 +41,7 @@ static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t a
     if (!with_drag) dmi_limits_face_room(&work->study, &joint);
     const float unit = dmi_limits_features(&work->study, &work->opinion.prediction, with_drag, &joint,
                                            out->features + (size_t)at * DMI_LIMIT_FEATURES);
-    memcpy(out->evidence + (size_t)at * DMI_EVIDENCE_COUNT, work->evidence[nearest], sizeof work->evidence[nearest]);
+    memcpy(out->evidence + (size_t)at * DMI_FEATURE_COUNT, work->evidence[nearest], sizeof work->evidence[nearest]);
     const dm_joint* truth = &work->joint;
     const int along = dmi_dot3(dmi_xyz(truth->axis).v, dmi_xyz(joint.axis).v) >= 0;
     out->lower[at] = (along ? truth->lower : -truth->upper) / unit;

@@ -11,12 +11,12 @@
 #define KEPT_BEST 8 /* candidates with the least pose error, which are always written */
 
 uint32_t dm_lab_ranker_columns(void) {
-    return DMI_EVIDENCE_COUNT;
+    return DMI_FEATURE_COUNT;
 }
 
 uint32_t dm_lab_sieve_columns(uint8_t* out) {
-    if (out != NULL) memcpy(out, dmi_glance_columns, sizeof dmi_glance_columns);
-    return DMI_GLANCE_COLUMNS;
+    if (out != NULL) memcpy(out, dmi_cheap_columns, sizeof dmi_cheap_columns);
+    return DMI_CHEAP_COLUMNS;
 }
 
 /* Orders candidates: the KEPT_BEST with the least pose error first, then the others at random. */
@@ -44,7 +44,7 @@ static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t a
     for (uint32_t i = 0; i < rows; i++) {
         const uint32_t k = order[i], slot = at * out->rows + i;
         const dmi_candidate* c = &work->candidates[k];
-        memcpy(out->evidence + (size_t)slot * DMI_EVIDENCE_COUNT, work->evidence[k], sizeof work->evidence[k]);
+        memcpy(out->evidence + (size_t)slot * DMI_FEATURE_COUNT, work->evidence[k], sizeof work->evidence[k]);
         out->pose[slot] = work->pose[k];
         out->axis_error[slot] = acosf(fminf(fabsf(dmi_dot3(axis.v, c->axis)), 1));
         out->line_error[slot] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_line_distance3(c->origin, axis.v, origin.v);
