@@ -13,8 +13,8 @@ static void normalize(float* scores, uint32_t count) {
 
 /* Every look is at other points of the cloud, every second one with its frame turned. */
 static void look(const dmi_cloud* cloud, uint32_t index, const dmi_drag_hint* hint, dmi_kpp_input* out) {
-    dmi_kpp_input_make(cloud, index % DMI_KPP_QUARTERS, hint, out);
-    if (index % 2 == 1) dmi_kpp_input_turn(out, out);
+    dmi_kpp_input_make(cloud, index % DMI_KPP_SUBSETS, hint, out);
+    if (index % 2 == 1) dmi_kpp_input_flip(out, out);
 }
 
 /* How differently two looks turn the part: an angle, and a distance over the part's radius. */
