@@ -60,11 +60,11 @@ static void assert_same(const float* a, const float* b, size_t count, float tole
 static void quarters_differ(void** state) {
     (void)state;
     dmi_cloud* cloud = malloc(sizeof *cloud);
-    dmi_kpp_input* inputs = malloc(DMI_KPP_QUARTERS * sizeof *inputs);
+    dmi_kpp_input* inputs = malloc(DMI_KPP_SUBSETS * sizeof *inputs);
     const dmi_drag_hint hint = make_hint();
     make_cloud(3, cloud);
-    for (uint32_t q = 0; q < DMI_KPP_QUARTERS; q++) dmi_kpp_input_make(cloud, q, &hint, &inputs[q]);
-    for (uint32_t q = 1; q < DMI_KPP_QUARTERS; q++) {
+    for (uint32_t q = 0; q < DMI_KPP_SUBSETS; q++) dmi_kpp_input_make(cloud, q, &hint, &inputs[q]);
+    for (uint32_t q = 1; q < DMI_KPP_SUBSETS; q++) {
         assert_float_equal(inputs[q].frame.scale / inputs[0].frame.scale, 1, 0.1);
         for (int r = 0; r < 3; r++)
             assert_true(dmi_dot3(inputs[q].frame.rotation + 3 * r, inputs[0].frame.rotation + 3 * r) > 0.98f);
@@ -208,8 +208,8 @@ static void turned_round_is_the_same(void** state) {
     make_cloud(11, cloud);
     dmi_drag_hint hint = make_hint();
     dmi_kpp_input_make(cloud, 0, &hint, &inputs[0]);
-    dmi_kpp_input_turn(&inputs[0], &inputs[1]);
-    dmi_kpp_input_turn(&inputs[1], &inputs[2]);
+    dmi_kpp_input_flip(&inputs[0], &inputs[1]);
+    dmi_kpp_input_flip(&inputs[1], &inputs[2]);
     assert_memory_equal(&inputs[0].frame, &inputs[2].frame, sizeof inputs[0].frame);
     assert_memory_equal(inputs[0].global_points, inputs[2].global_points, sizeof inputs[0].global_points);
     assert_memory_equal(inputs[0].shape, inputs[2].shape, sizeof inputs[0].shape);

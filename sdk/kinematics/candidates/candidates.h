@@ -1,5 +1,5 @@
-/* Joints worth considering: every direction and every point that a part's shape, its contacts, a drag or the network
- * suggests. Choosing among them is the ranker's work. */
+/* Candidate joints: axes along every direction and through every point that a part's shape, its contacts, a drag or the
+ * network suggest. The ranker chooses among them. */
 #ifndef DMI_CANDIDATES_CANDIDATES_H
 #define DMI_CANDIDATES_CANDIDATES_H
 
@@ -7,42 +7,42 @@
 #include "kinematics/kpp/kpp_prediction.h"
 #include "math/linear3.h"
 
-#define DMI_CANDIDATES_MAX 1536
+#define DMI_CANDIDATES_MAX 1536 /* by hand */
 
-/* Where a direction comes from (bits). */
+/* Sources of a direction (bits). */
 enum {
-    DMI_DIRECTION_BOX = 1 << 0,
+    DMI_DIRECTION_BOX = 1 << 0,         /* axes of the part's box */
     DMI_DIRECTION_PART = 1 << 1,        /* principal directions of the part */
-    DMI_DIRECTION_ALL = 1 << 2,         /* of the body near it */
-    DMI_DIRECTION_NORMAL = 1 << 3,      /* a face normal of the part */
-    DMI_DIRECTION_NEAR_NORMAL = 1 << 4, /* of the body near it */
+    DMI_DIRECTION_ALL = 1 << 2,         /* principal directions of the body near it */
+    DMI_DIRECTION_NORMAL = 1 << 3,      /* normal clusters of the part */
+    DMI_DIRECTION_NEAR_NORMAL = 1 << 4, /* normal clusters of the body near it */
     DMI_DIRECTION_CONTACT = 1 << 5,     /* principal directions of a contact region */
     DMI_DIRECTION_SLIP = 1 << 6,        /* slippage of the part or a contact */
     DMI_DIRECTION_PATCH = 1 << 7,       /* axis of a patch of the part */
-    DMI_DIRECTION_NEAR_PATCH = 1 << 8,  /* of the body */
-    DMI_DIRECTION_DRAG = 1 << 9,        /* across the drag and something of the part */
-    DMI_DIRECTION_NETWORK = 1 << 10
+    DMI_DIRECTION_NEAR_PATCH = 1 << 8,  /* axis of a patch of the body */
+    DMI_DIRECTION_DRAG = 1 << 9,        /* perpendicular to the drag, or along it */
+    DMI_DIRECTION_NETWORK = 1 << 10     /* predicted by KPP-Net */
 };
 #define DMI_DIRECTION_FAMILIES 11
 
-/* Where a point of the axis comes from (bits). */
+/* Sources of a point of the axis (bits). */
 enum {
-    DMI_ORIGIN_CENTROID = 1 << 0,
-    DMI_ORIGIN_BOX = 1 << 1,
-    DMI_ORIGIN_CONTACT = 1 << 2,
-    DMI_ORIGIN_CONTACT_CLUSTER = 1 << 3,
-    DMI_ORIGIN_SHELL = 1 << 4,
-    DMI_ORIGIN_PATCH = 1 << 5,
-    DMI_ORIGIN_NEAR_SHELL = 1 << 6,
-    DMI_ORIGIN_NEAR_PATCH = 1 << 7,
-    DMI_ORIGIN_CORNER = 1 << 8, /* edge of the box along the axis */
-    DMI_ORIGIN_SIDE = 1 << 9,   /* middle line of a face of it */
-    DMI_ORIGIN_INSET = 1 << 10, /* half a thickness from a side */
-    DMI_ORIGIN_CONTACT_BOX = 1 << 11,
-    DMI_ORIGIN_SLIP = 1 << 12,
-    DMI_ORIGIN_LINE = 1 << 13, /* axis of a patch of the part */
-    DMI_ORIGIN_NEAR_LINE = 1 << 14,
-    DMI_ORIGIN_NETWORK = 1 << 15
+    DMI_ORIGIN_CENTROID = 1 << 0,        /* mean of the part's points */
+    DMI_ORIGIN_BOX = 1 << 1,             /* centre of the part's box */
+    DMI_ORIGIN_CONTACT = 1 << 2,         /* mean or box centre of a contact region */
+    DMI_ORIGIN_CONTACT_CLUSTER = 1 << 3, /* box centre of a cluster of a contact region */
+    DMI_ORIGIN_SHELL = 1 << 4,           /* centre of a shell of the part */
+    DMI_ORIGIN_PATCH = 1 << 5,           /* centre of a smooth region of the part */
+    DMI_ORIGIN_NEAR_SHELL = 1 << 6,      /* of the body near it */
+    DMI_ORIGIN_NEAR_PATCH = 1 << 7,      /* of the body near it */
+    DMI_ORIGIN_CORNER = 1 << 8,          /* edge of the box along the axis */
+    DMI_ORIGIN_SIDE = 1 << 9,            /* centre line of a face of the box */
+    DMI_ORIGIN_INSET = 1 << 10,          /* half a thickness from a side */
+    DMI_ORIGIN_CONTACT_BOX = 1 << 11,    /* the same of a contact region's box */
+    DMI_ORIGIN_SLIP = 1 << 12,           /* slippage of the part or a contact */
+    DMI_ORIGIN_LINE = 1 << 13,           /* axis of a patch of the part */
+    DMI_ORIGIN_NEAR_LINE = 1 << 14,      /* of the body */
+    DMI_ORIGIN_NETWORK = 1 << 15         /* predicted by KPP-Net */
 };
 #define DMI_ORIGIN_FAMILIES 16
 
@@ -52,7 +52,7 @@ typedef struct dmi_candidate {
     uint32_t direction_families, origin_families;
 } dmi_candidate;
 
-/* Of a point of the part, at unit speed: per radian or per unit of way. */
+/* Computes the velocity of a point of the part per radian (revolute) or per unit of length (prismatic). */
 static inline void dmi_candidate_velocity(const dmi_candidate* c, const float point[3], float out[3]) {
     if (c->type == DM_JOINT_PRISMATIC) {
         dmi_copy3(c->axis, out);
@@ -63,14 +63,14 @@ static inline void dmi_candidate_velocity(const dmi_candidate* c, const float po
     dmi_cross3(c->axis, arm, out);
 }
 
-/* The network's answer as two candidates, a turn and a slide, with its probabilities: the plain KPP-Net. centre: of the
- * part. */
+/* Makes two candidates of KPP-Net's prediction, revolute and prismatic, with their probabilities. centre: the part's.
+ */
 void dmi_prediction_candidates(const dmi_prediction* prediction, const float centre[3], dmi_candidate out[2],
                                float out_probability[2]);
 
-/* hint and prediction may be NULL. Signs follow the drag where there is one. Answers how many, at most
- * DMI_CANDIDATES_MAX; at least one. */
-uint32_t dmi_candidates_make(const dmi_part_analysis* study, const dmi_drag_hint* hint,
+/* Makes the candidates. hint and prediction may be NULL. Axes are signed by the drag if there is one. Returns their
+ * number, 1 .. DMI_CANDIDATES_MAX. */
+uint32_t dmi_candidates_make(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                              const dmi_prediction* prediction, dmi_candidate* out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Makes candidates of KPP-Net's own answer: one turn and one slide. */
+/* Makes candidates of KPP-Net's prediction. */
 #include "kinematics/candidates/candidates.h"
 #include "math/linear3.h"
 

@@ -66,8 +66,8 @@ static dmi_candidate in_frame(const dmi_candidate* c, const dmi_kpp_frame* frame
     dmi_candidate inner = *c;
     float from[3];
     dmi_sub3(c->origin, frame->origin, from);
-    dmi_kpp_turn_in(frame, c->axis, inner.axis);
-    dmi_kpp_turn_in(frame, from, inner.origin);
+    dmi_kpp_frame_rotate(frame, c->axis, inner.axis);
+    dmi_kpp_frame_rotate(frame, from, inner.origin);
     for (int k = 0; k < 3; k++) inner.origin[k] *= frame->scale;
     return inner;
 }

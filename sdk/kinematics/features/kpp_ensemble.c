@@ -15,8 +15,8 @@ static void normalize(float* scores, uint32_t count) {
 
 /* Makes a member's input. Each takes other points of the cloud, every second one a turned frame. */
 static void make_input(const dmi_cloud* cloud, uint32_t index, const dmi_drag_hint* hint, dmi_kpp_input* out) {
-    dmi_kpp_input_make(cloud, index % DMI_KPP_QUARTERS, hint, out);
-    if (index % 2 == 1) dmi_kpp_input_turn(out, out);
+    dmi_kpp_input_make(cloud, index % DMI_KPP_SUBSETS, hint, out);
+    if (index % 2 == 1) dmi_kpp_input_flip(out, out);
 }
 
 /* Returns how differently two members turn the part: an angle in rad plus a distance over the part's radius. */

@@ -1,4 +1,4 @@
-/* Sweeps over all points that vectorise, and a few points that are worth a closer look. */
+/* Finds a bound on the group's distances in a loop that vectorises, then sorts only the points within it. */
 #include "kinematics/kpp/farthest_point_sampling.h"
 
 #include <math.h>
@@ -9,12 +9,12 @@
 
 void dmi_fps_begin(const float* x, const float* y, const float* z, uint32_t count, dmi_fps* out) {
     out->x = x, out->y = y, out->z = z, out->count = count;
-    for (uint32_t i = 0; i < count; i++) out->cover[i] = INFINITY;
+    for (uint32_t i = 0; i < count; i++) out->min_square[i] = INFINITY;
 }
 
-/* Squared distances of LANES points from the centre; the least of each lane. */
-static inline void measure_some(const float* restrict x, const float* restrict y, const float* restrict z,
-                                const float centre[3], float* restrict distance, float* restrict least) {
+/* Computes squared distances of LANES points from the centre, and lowers `least` of each lane to them. */
+static inline void distances_of_lanes(const float* restrict x, const float* restrict y, const float* restrict z,
+                                      const float centre[3], float* restrict distance, float* restrict least) {
     const float a = centre[0], b = centre[1], c = centre[2];
     for (int k = 0; k < LANES; k++) {
         const float dx = x[k] - a, dy = y[k] - b, dz = z[k] - c;
@@ -24,15 +24,16 @@ static inline void measure_some(const float* restrict x, const float* restrict y
     }
 }
 
-static inline void measure(const dmi_fps* g, uint32_t centre, float* distance, float least[LANES]) {
+static inline void squared_distances(const dmi_fps* g, uint32_t centre, float* distance, float least[LANES]) {
     const float from[3] = {g->x[centre], g->y[centre], g->z[centre]};
     for (int k = 0; k < LANES; k++) least[k] = INFINITY;
     for (uint32_t i = 0; i < g->count; i += LANES)
-        measure_some(g->x + i, g->y + i, g->z + i, from, distance + i, least);
+        distances_of_lanes(g->x + i, g->y + i, g->z + i, from, distance + i, least);
 }
 
-/* The DMI_FPS_GROUP-th smallest of the lanes' least distances: at least so many points are within it, and few more. */
-static inline float limit_of(const float least[LANES]) {
+/* Returns the DMI_FPS_GROUP-th smallest of the lanes' least distances: a bound within which at least DMI_FPS_GROUP
+ * points lie, and few more. */
+static inline float bound_of(const float least[LANES]) {
     int32_t smaller[LANES] = {0};
     float limit = 0;
     for (int l = 0; l < LANES; l++)
@@ -47,7 +48,7 @@ static inline int any_within(const float* restrict distance, float limit) {
     return any;
 }
 
-/* Of the points within the limit the DMI_FPS_GROUP nearest, kept in order. */
+/* Finds the DMI_FPS_GROUP nearest points within the limit by insertion sort; `self` comes first. */
 static inline void nearest(const float* distance, uint32_t count, float limit, uint32_t self,
                            uint32_t out[DMI_FPS_GROUP]) {
     float best[DMI_FPS_GROUP];
@@ -65,50 +66,50 @@ static inline void nearest(const float* distance, uint32_t count, float limit, u
     }
 }
 
-/* The cover of LANES points with the new centre; the most of each lane. */
-static inline void cover_some(const float* restrict distance, float* restrict cover, float* restrict most) {
+/* Lowers min_square of LANES points to the distances from the new centre, and raises `most` of each lane to it. */
+static inline void update_some(const float* restrict distance, float* restrict min_square, float* restrict most) {
     for (int k = 0; k < LANES; k++) {
-        const float d = distance[k] < cover[k] ? distance[k] : cover[k];
-        cover[k] = d;
+        const float d = distance[k] < min_square[k] ? distance[k] : min_square[k];
+        min_square[k] = d;
         most[k] = d > most[k] ? d : most[k];
     }
 }
 
-static inline int any_from(const float* restrict cover, float most) {
+static inline int any_from(const float* restrict min_square, float most) {
     int32_t any = 0;
-    for (int k = 0; k < LANES; k++) any |= cover[k] >= most;
+    for (int k = 0; k < LANES; k++) any |= min_square[k] >= most;
     return any;
 }
 
-/* Goes on with the cover; answers the first of the points that are farthest. */
-static inline uint32_t farthest(const float* distance, uint32_t count, float* cover) {
+/* Updates min_square for the new centre. Returns the first of the points that are farthest from all centres. */
+static inline uint32_t farthest(const float* distance, uint32_t count, float* min_square) {
     float most[LANES] = {0};
-    for (uint32_t i = 0; i < count; i += LANES) cover_some(distance + i, cover + i, most);
+    for (uint32_t i = 0; i < count; i += LANES) update_some(distance + i, min_square + i, most);
     for (int k = 1; k < LANES; k++) most[0] = most[k] > most[0] ? most[k] : most[0];
     uint32_t at = 0;
-    while (at + LANES < count && !any_from(cover + at, most[0])) at += LANES;
-    while (at + 1 < count && cover[at] < most[0]) at++;
+    while (at + LANES < count && !any_from(min_square + at, most[0])) at += LANES;
+    while (at + 1 < count && min_square[at] < most[0]) at++;
     return at;
 }
 
 static inline uint32_t next_of(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
     float distance[DMI_FPS_MAX_POINTS], least[LANES];
-    measure(g, centre, distance, least);
-    nearest(distance, g->count, limit_of(least), centre, out_members);
-    return farthest(distance, g->count, g->cover);
+    squared_distances(g, centre, distance, least);
+    nearest(distance, g->count, bound_of(least), centre, out_members);
+    return farthest(distance, g->count, g->min_square);
 }
 
 #if defined(__x86_64__)
-/* The same operations, eight at a time; without FMA, so the same bits. */
+/* Does the same operations with AVX2, without FMA, so that the result has the same bits. */
 __attribute__((target("avx2"), flatten)) static uint32_t next_avx2(dmi_fps* g, uint32_t centre,
                                                                    uint32_t out_members[DMI_FPS_GROUP]) {
     return next_of(g, centre, out_members);
 }
 #endif
 
-uint32_t dmi_fps_next(dmi_fps* grouping, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
+uint32_t dmi_fps_next(dmi_fps* sampling, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
 #if defined(__x86_64__)
-    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) return next_avx2(grouping, centre, out_members);
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) return next_avx2(sampling, centre, out_members);
 #endif
-    return next_of(grouping, centre, out_members);
+    return next_of(sampling, centre, out_members);
 }

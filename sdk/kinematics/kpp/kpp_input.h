@@ -1,38 +1,42 @@
-/* What KPP-Net sees: a cloud in a frame made of the drag and the part, grouped into tokens (docs/networks.md).
- * Training builds its batches with this very code. */
+/* Input of KPP-Net: a cloud in a frame made from the drag and the part, grouped into tokens, and features of the whole
+ * shape (docs/networks.md is the specification). Training builds its batches with this code. */
 #ifndef DMI_KPP_KPP_INPUT_H
 #define DMI_KPP_KPP_INPUT_H
 
 #include "kinematics/kpp/farthest_point_sampling.h"
-#include "math/drag_hint.h"
-#include "math/linear3.h"
-#include "mesh/cloud.h"
+#include "kinematics/kpp/kpp_frame.h"
 
-#define DMI_KPP_GROUP DMI_FPS_GROUP /* points a group */
-#define DMI_KPP_GLOBAL_GROUPS 48
-#define DMI_KPP_LOCAL_GROUPS 24
-#define DMI_KPP_QUARTERS 4 /* of a cloud: each fills the groups with points of its own */
-/* xyz 3, mask 1, drag point 3, drag vector 3 (the paper's 10), offset in group 3, normal 3, nearness of the other side
- * 1
- */
-#define DMI_KPP_CHANNELS 17
-/* The part's own, the body's, the part's principal ones: what a joint may follow exactly. */
-#define DMI_KPP_DIRECTIONS 9
-/* Of the whole: directions, boxes of the part and of the object (centre, half sides), drag point, drag vector, size of
- * the part, how well the directions of part, body and frame fit, where the part touches (mean, spread, share). */
-#define DMI_KPP_SHAPE (3 * DMI_KPP_DIRECTIONS + 6 + 6 + 3 + 3 + 1 + 3 + 7)
+#define DMI_KPP_GROUP DMI_FPS_GROUP /* points of a group */
+#define DMI_KPP_GLOBAL_GROUPS 48    /* of part and body (docs/networks.md) */
+#define DMI_KPP_LOCAL_GROUPS 24     /* of the part (docs/networks.md) */
+#define DMI_KPP_DIRECTIONS 9        /* the part's frame, the body's frame, the part's principal directions */
 
-/* inner = (rotation (x - origin)) * scale, rows of rotation are its axes. */
-typedef struct dmi_kpp_frame {
-    float rotation[9];
-    float origin[3];
-    float scale;
-} dmi_kpp_frame;
+/* Channels of a point, in the frame: the paper's ten (§3.5), then seven more. */
+enum {
+    DMI_KPP_POINT = 0,       /* position */
+    DMI_KPP_MASK = 3,        /* 1: on the part */
+    DMI_KPP_DRAG_POINT = 4,  /* zeros without a drag */
+    DMI_KPP_DRAG_VECTOR = 7, /* unit; zeros without a drag */
+    DMI_KPP_OFFSET = 10,     /* twice the offset from the group's centre */
+    DMI_KPP_NORMAL = 13,     /* unit */
+    DMI_KPP_NEARNESS = 16,   /* of the other side, 0 .. 1 */
+    DMI_KPP_CHANNELS = 17
+};
 
-/* A direction in the frame. */
-static inline void dmi_kpp_turn_in(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
-    for (int r = 0; r < 3; r++) out[r] = dmi_dot3(frame->rotation + 3 * r, v);
-}
+/* Features of the shape, in the frame. */
+enum {
+    DMI_KPP_SHAPE_DIRECTIONS = 0,                                   /* unit, largest component positive */
+    DMI_KPP_SHAPE_PART_BOX = 3 * DMI_KPP_DIRECTIONS,                /* centre, half sides */
+    DMI_KPP_SHAPE_OBJECT_BOX = DMI_KPP_SHAPE_PART_BOX + 3 + 3,      /* the same with ends t replaced by +-ln(1 + |t|) */
+    DMI_KPP_SHAPE_DRAG_POINT = DMI_KPP_SHAPE_OBJECT_BOX + 3 + 3,    /* as of the channels */
+    DMI_KPP_SHAPE_DRAG_VECTOR = DMI_KPP_SHAPE_DRAG_POINT + 3,       /* as of the channels */
+    DMI_KPP_SHAPE_RADIUS = DMI_KPP_SHAPE_DRAG_VECTOR + 3,           /* 0.5 ln(radius) + 1, object-normalised */
+    DMI_KPP_SHAPE_FITS = DMI_KPP_SHAPE_RADIUS + 1,                  /* shares, of the part's frame, the body's, both */
+    DMI_KPP_SHAPE_CONTACT_MEAN = DMI_KPP_SHAPE_FITS + 3,            /* of the part's points in contact with the body */
+    DMI_KPP_SHAPE_CONTACT_SPREAD = DMI_KPP_SHAPE_CONTACT_MEAN + 3,  /* their standard deviation */
+    DMI_KPP_SHAPE_CONTACT_SHARE = DMI_KPP_SHAPE_CONTACT_SPREAD + 3, /* of the part's points */
+    DMI_KPP_SHAPE
+};
 
 typedef struct dmi_kpp_input {
     dmi_kpp_frame frame;
@@ -43,10 +47,10 @@ typedef struct dmi_kpp_input {
     float shape[DMI_KPP_SHAPE];
 } dmi_kpp_input;
 
-/* quarter: which of the cloud's points are looked at, below DMI_KPP_QUARTERS; the network is trained on the first. hint
- * NULL: without a drag. Deterministic; allocates nothing. */
-void dmi_kpp_input_make(const dmi_cloud* cloud, uint32_t quarter, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
-/* The same in a frame whose second and third axis point the other way; out_input may be input. */
-void dmi_kpp_input_turn(const dmi_kpp_input* input, dmi_kpp_input* out_input);
+/* Makes the input from one subset of the cloud's points, below DMI_KPP_SUBSETS; the network is trained on the first.
+ * hint NULL: without a drag. The function is deterministic and allocates nothing. */
+void dmi_kpp_input_make(const dmi_cloud* cloud, uint32_t subset, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
+/* Computes the same input in a frame rotated by 180 degrees about its first axis. out_input may be input. */
+void dmi_kpp_input_flip(const dmi_kpp_input* input, dmi_kpp_input* out_input);
 
 #endif

@@ -1,14 +1,19 @@
-/* Three perpendicular directions fitted to normals: assign every normal to the nearest direction, turn the directions
- * to the assigned normals' means, again. */
+/* Alternates between assigning normals to the nearest axis and rotating the axes to the means of the assigned normals,
+ * as k-means does. */
 #include "kinematics/kpp/manhattan_frame.h"
+
+#include <stdbool.h>
 
 #include "math/linear3.h"
 
-#define ROUNDS 12
-#define NEAR_COSINE 0.8f /* farther normals belong to no direction */
-#define ALONG_COSINE 0.99f
-#define SETTLED 0.9999999f
-#define HOLD 1e-3 /* of the old directions, where a family has no normals */
+#define MAX_ITERATIONS 12           /* docs/networks.md; by hand */
+#define ASSIGNED_COSINE 0.8f        /* |cosine| below which a normal is not assigned (37 degrees); by hand */
+#define PARALLEL_COSINE 0.99f       /* |cosine| of normals that count as along an axis (8 degrees); by hand */
+#define CONVERGED_COSINE 0.9999999f /* between axes before and after an iteration; by hand */
+#define OLD_WEIGHT 1e-3             /* of the old axis in the mean, for axes without normals; by hand */
+#define MIN_EIGENVALUE 1e-12        /* keeps the inverse square root finite */
+#define MAX_LENGTH_ERROR 0.1f       /* of an axis after an iteration, beyond which it is discarded; by hand */
+#define MIN_SECOND_LENGTH 0.1f      /* of the second axis perpendicular to the first, likewise; by hand */
 
 static uint32_t count_of(const dmi_normals* normals) {
     return normals->first_count + normals->second_count;
@@ -28,8 +33,8 @@ void dmi_manhattan_frame_guess(const dmi_normals* normals, float out_axes[3][3])
     dmi_eigen3((const double(*)[3])m, values, out_axes);
 }
 
-/* The direction nearest to a normal as a line, and their signed cosine. */
-static int nearest_direction(const float axes[3][3], const float normal[3], float* out_cosine) {
+/* Returns the axis with the greatest |cosine| to the normal, and the signed cosine. */
+static int nearest_axis(const float axes[3][3], const float normal[3], float* out_cosine) {
     int best = 0;
     *out_cosine = 0;
     for (int k = 0; k < 3; k++) {
@@ -39,25 +44,26 @@ static int nearest_direction(const float axes[3][3], const float normal[3], floa
     return best;
 }
 
-/* Rows: the means of the families, weighed by the square root of their size, so that a thin panel's edges count too. */
-static void family_means(const dmi_normals* normals, const float axes[3][3], double out[3][3]) {
+/* Computes for each axis (row) the mean of its normals times the square root of their number, which gives few normals,
+ * such as those of a thin panel's edges, more weight than a sum does. */
+static void assigned_means(const dmi_normals* normals, const float axes[3][3], double out[3][3]) {
     uint32_t members[3] = {0, 0, 0};
-    memset(out, 0, 9 * sizeof(double));
+    memset(out, 0, 3 * sizeof *out);
     for (uint32_t i = 0; i < count_of(normals); i++) {
         const float* n = normal_at(normals, i);
         float cosine;
-        const int k = nearest_direction(axes, n, &cosine);
-        if (fabsf(cosine) < NEAR_COSINE) continue;
+        const int k = nearest_axis(axes, n, &cosine);
+        if (fabsf(cosine) < ASSIGNED_COSINE) continue;
         members[k]++;
         for (int c = 0; c < 3; c++) out[k][c] += cosine > 0 ? n[c] : -n[c];
     }
     for (int k = 0; k < 3; k++) {
         const double share = members[k] > 0 ? 1 / sqrt((double)members[k]) : 0;
-        for (int c = 0; c < 3; c++) out[k][c] = out[k][c] * share + HOLD * axes[k][c];
+        for (int c = 0; c < 3; c++) out[k][c] = out[k][c] * share + OLD_WEIGHT * axes[k][c];
     }
 }
 
-/* The rotation nearest to m: m (m^T m)^(-1/2). */
+/* Computes the orthogonal matrix closest to m, its polar factor m (m^T m)^(-1/2). */
 static void nearest_rotation(const double m[3][3], float out[3][3]) {
     double square[3][3], values[3], root[3][3] = {{0}};
     float vectors[3][3];
@@ -67,17 +73,19 @@ static void nearest_rotation(const double m[3][3], float out[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int r = 0; r < 3; r++)
             for (int c = 0; c < 3; c++)
-                root[r][c] += (double)vectors[i][r] * vectors[i][c] / sqrt(fmax(values[i], 1e-12));
+                root[r][c] += (double)vectors[i][r] * vectors[i][c] / sqrt(fmax(values[i], MIN_EIGENVALUE));
     for (int r = 0; r < 3; r++)
         for (int c = 0; c < 3; c++)
             out[r][c] = (float)(m[r][0] * root[0][c] + m[r][1] * root[1][c] + m[r][2] * root[2][c]);
 }
 
-/* Float rounding and nearly singular families leave rows that are not quite perpendicular. */
-static void straighten(float axes[3][3], const float before[3][3]) {
+/* Makes the rows perpendicular unit vectors again after rounding errors; restores `before` where the matrix was nearly
+ * singular. */
+static void orthonormalize(float axes[3][3], const float before[3][3]) {
     dmi_reject3(axes[1], axes[0]);
-    const int sound = fabsf(dmi_length3(axes[0]) - 1) < 0.1f && dmi_length3(axes[1]) > 0.1f;
-    if (!sound) memcpy(axes, before, 9 * sizeof(float));
+    const bool is_regular =
+        fabsf(dmi_length3(axes[0]) - 1) < MAX_LENGTH_ERROR && dmi_length3(axes[1]) > MIN_SECOND_LENGTH;
+    if (!is_regular) memcpy(axes, before, 3 * sizeof *axes);
     dmi_normalize3(axes[0]);
     dmi_reject3(axes[1], axes[0]);
     dmi_normalize3(axes[1]);
@@ -88,22 +96,22 @@ static void straighten(float axes[3][3], const float before[3][3]) {
 }
 
 float dmi_manhattan_frame_fit(const dmi_normals* normals, float axes[3][3]) {
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int i = 0; i < MAX_ITERATIONS; i++) {
         double means[3][3];
         float before[3][3];
         memcpy(before, axes, sizeof before);
-        family_means(normals, (const float(*)[3])axes, means);
+        assigned_means(normals, (const float(*)[3])axes, means);
         nearest_rotation((const double(*)[3])means, axes);
-        straighten(axes, (const float(*)[3])before);
-        float least = 1; /* cosine between old and new */
+        orthonormalize(axes, (const float(*)[3])before);
+        float least = 1; /* cosine between an axis before and after */
         for (int k = 0; k < 3; k++) least = dmi_min(least, dmi_dot3(axes[k], before[k]));
-        if (least > SETTLED) break;
+        if (least > CONVERGED_COSINE) break;
     }
     uint32_t along = 0;
     for (uint32_t i = 0; i < count_of(normals); i++) {
         float cosine;
-        nearest_direction((const float(*)[3])axes, normal_at(normals, i), &cosine);
-        along += fabsf(cosine) > ALONG_COSINE;
+        nearest_axis((const float(*)[3])axes, normal_at(normals, i), &cosine);
+        along += fabsf(cosine) > PARALLEL_COSINE;
     }
     return (float)along / (float)(count_of(normals) > 0 ? count_of(normals) : 1);
 }

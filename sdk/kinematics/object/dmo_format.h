@@ -1,8 +1,8 @@
-/* The layout of a .dmo file. Little-endian, every number spelt out byte by byte, nothing of a struct's layout.
+/* The layout of a .dmo file. Little-endian; every number is written byte by byte, independent of the layout of structs.
  *
  *   0  "DMO1"      4  u32 version       8  u32 CRC-32 (IEEE) of all bytes from 12 on
  *  12  u32 number of sections          16  u64 size of the file
- *  24  a table entry a section: u32 tag, u32 zero, u64 offset, u64 size; then the sections
+ *  24  a table entry per section: u32 tag, u32 zero, u64 offset, u64 size; then the sections
  *
  * OBJ  f64 centre[3] size (canonical metres), f32 box min[3] max[3] (object-normalised), u64 vertices triangles seed,
  *      u32 parts (with the body), u32 zero
@@ -15,19 +15,22 @@
  *      (absent without picking)
  *
  * A joint: i32 type, f32 type confidence, confidence, pitch, axis[3], origin[3], lower, upper, i32 source.
- * Joints are object-normalised like all else, so a file serves hosts of any axes and unit. A reader skips tags that it
- * does not know; whatever old readers must not skip raises the version. */
+ * Joints are object-normalised like everything else, so a file is independent of the host's axes and unit. A reader
+ * skips tags that it does not know; a section that old readers must not skip raises the version. */
 #ifndef DMI_OBJECT_DMO_FORMAT_H
 #define DMI_OBJECT_DMO_FORMAT_H
 
 #include "kinematics/object/object.h"
 
 #define DMI_DMO_VERSION 1
-#define DMI_DMO_HEADER_SIZE 24
-#define DMI_DMO_ENTRY_SIZE 24
-#define DMI_DMO_MAX_SECTIONS 64 /* that a file of any version may list */
-#define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4)
-#define DMI_DMO_POINTS_SIZE (DMI_OBJECT_POINTS * 3 * 4)
+#define DMI_DMO_CHECKED_FROM 12                         /* bytes before the checksummed part */
+#define DMI_DMO_HEADER_SIZE 24                          /* bytes */
+#define DMI_DMO_ENTRY_SIZE 24                           /* bytes */
+#define DMI_DMO_MAX_SECTIONS 64                         /* that a file of any version may list; by hand */
+#define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4)          /* bytes of a part in PART */
+#define DMI_DMO_POINTS_SIZE (DMI_OBJECT_POINTS * 3 * 4) /* bytes of a part in PNT */
+#define DMI_DMO_VERTEX_SIZE (3 * 4)                     /* bytes of a vertex in TRI */
+#define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)               /* bytes of a triangle in TRI */
 #define DMI_DMO_TAG(a, b, c, d) ((uint32_t)(a) | (uint32_t)(b) << 8 | (uint32_t)(c) << 16 | (uint32_t)(d) << 24)
 #define DMI_DMO_MAGIC DMI_DMO_TAG('D', 'M', 'O', '1')
 
@@ -44,7 +47,7 @@ static const uint32_t dmi_dmo_tags[DMI_DMO_SECTIONS] = {
     DMI_DMO_TAG('O', 'B', 'J', ' '), DMI_DMO_TAG('P', 'A', 'R', 'T'), DMI_DMO_TAG('J', 'N', 'T', ' '),
     DMI_DMO_TAG('P', 'N', 'T', ' '), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('T', 'R', 'I', ' ')};
 
-/* CRC-32 as of IEEE 802.3, zlib and PNG. */
+/* Returns the CRC-32 of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_dmo_crc(const uint8_t* bytes, size_t size);
 
 #endif

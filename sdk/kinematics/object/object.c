@@ -1,4 +1,4 @@
-/* The prepared object: memory, look-ups, and the check every drag on it goes through. */
+/* The prepared object: memory, queries, and the check of drags. */
 #include "kinematics/object/object.h"
 
 #include <math.h>
@@ -6,12 +6,18 @@
 
 #include "base/ids.h"
 
+#define MAX_DRAG_DISTANCE 0.5f /* object sizes from the part's box to a drag's point; by hand */
+#define MIN_DRAG_LENGTH 1e-12  /* object sizes, of a drag's vector; by hand */
+#define MAX_DRAG_LENGTH 1e12   /* object sizes, of a drag's vector; by hand */
+
+enum { BOX_CORNERS = 8 };
+
 dm_result dmi_object_create(dmi_env* env, uint32_t part_count, dmi_object** out_object) {
     dmi_object* object = dmi_alloc_zeroed(env, sizeof *object, _Alignof(dmi_object));
-    if (!object) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "object: no memory");
+    if (object == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "object: no memory");
     object->part_count = part_count;
     object->parts = dmi_alloc_zeroed(env, part_count * sizeof *object->parts, _Alignof(dmi_object_part));
-    if (!object->parts) {
+    if (object->parts == NULL) {
         dmi_object_destroy(env, object);
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "object: no memory for %u parts", part_count - 1);
     }
@@ -20,15 +26,15 @@ dm_result dmi_object_create(dmi_env* env, uint32_t part_count, dmi_object** out_
 }
 
 void dmi_object_destroy(dmi_env* env, dmi_object* object) {
-    if (!object) return;
+    if (object == NULL) return;
     dmi_object_drop_triangles(env, object);
     dmi_free(env, object->parts, object->part_count * sizeof *object->parts);
     dmi_free(env, object, sizeof *object);
 }
 
 void dmi_object_drop_triangles(dmi_env* env, dmi_object* object) {
-    if (object->bvh) dmi_bvh_destroy(object->bvh);
-    if (object->mesh) dmi_mesh_destroy(env, object->mesh);
+    if (object->bvh != NULL) dmi_bvh_destroy(object->bvh);
+    if (object->mesh != NULL) dmi_mesh_destroy(env, object->mesh);
     object->bvh = NULL;
     object->mesh = NULL;
 }
@@ -37,7 +43,7 @@ int32_t dmi_object_find_part(const dmi_object* object, uint32_t id) {
     return dmi_find_id(&object->parts->shape.id, sizeof *object->parts, object->part_count, id);
 }
 
-int dmi_object_moves_with(const dmi_object* object, uint32_t index, uint32_t ancestor) {
+bool dmi_object_moves_with(const dmi_object* object, uint32_t index, uint32_t ancestor) {
     while (index != ancestor && index != 0) index = object->parts[index].shape.parent;
     return index == ancestor;
 }
@@ -55,9 +61,9 @@ void dmi_object_bound(dmi_object* object) {
 
 void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float max[3], dm_vec3* out_min,
                         dm_vec3* out_max) {
-    for (int corner = 0; corner < 8; corner++) {
-        const float inner[3] = {corner & 1 ? max[0] : min[0], corner & 2 ? max[1] : min[1],
-                                corner & 4 ? max[2] : min[2]};
+    for (int corner = 0; corner < BOX_CORNERS; corner++) {
+        float inner[3];
+        for (int k = 0; k < 3; k++) inner[k] = corner >> k & 1 ? max[k] : min[k];
         float host[3];
         dmi_frame_point_out(frame, inner, host);
         const dm_vec3 p = {host[0], host[1], host[2]};
@@ -67,6 +73,7 @@ void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float 
     }
 }
 
+/* Returns 0 inside the box. */
 static float distance_to_box(const dmi_part* shape, const float point[3]) {
     float square = 0.0f;
     for (int i = 0; i < 3; i++) {
@@ -76,7 +83,7 @@ static float distance_to_box(const dmi_part* shape, const float point[3]) {
     return sqrtf(square);
 }
 
-/* To the nearest box of what moves when the part moves: a door is also pulled by the handle it carries. */
+/* Returns the distance to the nearest box of the part and its descendants: a door is also pulled by its handle. */
 static float distance_to_part(const dmi_object* object, uint32_t part, const float point[3]) {
     float nearest = INFINITY;
     for (uint32_t i = 1; i < object->part_count; i++) {
@@ -102,11 +109,11 @@ dm_result dmi_object_hint(dmi_env* env, const char* what, const dmi_object* obje
     dmi_frame_vector_in(&object->frame, vector, hint.vector);
     double length = sqrt((double)hint.vector[0] * hint.vector[0] + (double)hint.vector[1] * hint.vector[1] +
                          (double)hint.vector[2] * hint.vector[2]);
-    if (!(length > 1e-12 && length < 1e12)) {
+    if (!(length > MIN_DRAG_LENGTH && length < MAX_DRAG_LENGTH)) {
         return dmi_fail(env, DM_ERROR_ZERO_DRAG, "%s.vector is %g object sizes long", what, length);
     }
     float distance = distance_to_part(object, part, hint.point);
-    if (!(distance <= 0.5f)) {
+    if (!(distance <= MAX_DRAG_DISTANCE)) {
         return dmi_fail(env, DM_ERROR_DRAG_OFF_PART, "%s.point (%g, %g, %g) is %g object sizes away from part %u", what,
                         point[0], point[1], point[2], (double)distance, object->parts[part].shape.id);
     }

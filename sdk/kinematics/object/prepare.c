@@ -1,4 +1,4 @@
-/* Prepares an object: mesh -> BVH -> for each part a cloud, the network and the geometry -> joints. */
+/* Prepares an object: mesh -> BVH -> for each part a cloud and joint inference. Parts run on the host's workers. */
 #include "kinematics/object/prepare.h"
 
 #include <stdio.h>
@@ -8,41 +8,45 @@
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
 
-/* Parts between two calls of the progress callback when the host's workers run them. */
-#define BATCH 32
-#define GROUND_BLOCK ((size_t)1 << 16)
-#define SCRATCH_BLOCK ((size_t)1 << 20)
+#define BATCH 32                        /* parts between two calls of the progress callback, with workers; by hand */
+#define MESH_BLOCK ((size_t)1 << 16)    /* bytes, of the shared mesh's arena; by hand */
+#define SCRATCH_BLOCK ((size_t)1 << 20) /* bytes, of the parts' arenas; by hand */
+#define MESH_DONE 0.05f                 /* progress reported when the mesh is checked; by hand */
+#define BVH_DONE 0.1f                   /* progress reported when the BVH is built; by hand */
+#define PARTS_SHARE 0.9f                /* of the progress, for inference; by hand */
+#define PERCENT 100.0f
+#define MAX_FIELD_NAME 64 /* of a field in an error message, with the terminating zero */
 
-/* What one part starts from, gathered before the workers begin. */
-typedef struct plan {
+/* Input and result of one part's inference. */
+typedef struct part_request {
     dmi_drag_hint hint;
-    int has_hint;
+    bool has_hint;
     dm_result result;
-} plan;
+} part_request;
 
-/* What the studies of all parts share of the mesh. */
-typedef struct ground {
-    dmi_mesh mesh; /* with the masks as they were meant */
+/* The mesh that all parts' analyses read. */
+typedef struct shared_mesh {
+    dmi_mesh mesh; /* with repaired part masks */
     const uint32_t* welded;
-} ground;
+} shared_mesh;
 
 typedef struct preparation {
     dmi_env* env;
     const dmi_prepare_desc* desc;
     dmi_object* object;
-    plan* plans; /* one a part, the body's unused */
-    ground ground;
+    part_request* requests; /* one per part; the body's is unused */
+    shared_mesh shared;
     dmi_arena_pool scratch; /* of the parts */
     uint32_t first;         /* part of task 0 */
 } preparation;
 
 static dm_result report(dmi_env* env, const dmi_prepare_desc* desc, float done) {
-    if (!desc->progress || !desc->progress(desc->progress_user, done)) return DM_OK;
+    if (desc->progress == NULL || !desc->progress(desc->progress_user, done)) return DM_OK;
     return dmi_fail(env, DM_ERROR_CANCELLED, "dm_object_prepare: the progress callback asked to stop at %.0f %%",
-                    (double)(done * 100.0f));
+                    (double)(done * PERCENT));
 }
 
-/* The one hypothesis about a part that the host says does not move. */
+/* Returns the only hypothesis for a part that the host declares fixed. */
 static dmi_hypotheses fixed_joint(const dmi_part* shape) {
     const dm_joint joint = {.type = DM_JOINT_FIXED,
                             .type_confidence = 1.0f,
@@ -53,7 +57,8 @@ static dmi_hypotheses fixed_joint(const dmi_part* shape) {
     return (dmi_hypotheses){.joints = {joint}, .count = 1};
 }
 
-static dm_result lay_ground(dmi_arena* arena, const dmi_mesh* mesh, ground* out) {
+/* Welds the vertices and repairs the part masks. */
+static dm_result make_shared_mesh(dmi_arena* arena, const dmi_mesh* mesh, shared_mesh* out) {
     uint32_t* welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *welded);
     if (welded == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to weld %u vertices", mesh->vertex_count);
@@ -62,18 +67,18 @@ static dm_result lay_ground(dmi_arena* arena, const dmi_mesh* mesh, ground* out)
     return result == DM_OK ? dmi_mesh_repair(arena, mesh, welded, &out->mesh) : result;
 }
 
-/* Cloud -> hypotheses; the best one comes into force. `cloud` is scratch, as the arena is. */
+/* Infers the joint of one part; the best hypothesis becomes the joint in use. `cloud` and the arena are scratch. */
 static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index, const dmi_inference_models* models,
-                            const dmi_drag_hint* hint, const ground* ground, dmi_cloud* cloud) {
+                            const dmi_drag_hint* hint, const shared_mesh* shared, dmi_cloud* cloud) {
     dmi_env* env = arena->env;
     dmi_object_part* part = &object->parts[index];
-    dm_result result = dmi_cloud_sample(env, &ground->mesh, index, object->seed, cloud);
+    dm_result result = dmi_cloud_sample(env, &shared->mesh, index, object->seed, cloud);
     if (result != DM_OK) return result;
-    const dmi_inference_query query = {.mesh = &ground->mesh,
+    const dmi_inference_query query = {.mesh = &shared->mesh,
                                        .cloud = cloud,
                                        .models = *models,
                                        .hint = hint,
-                                       .welded = ground->welded,
+                                       .welded = shared->welded,
                                        .scratch = arena,
                                        .part = index,
                                        .given_type = part->given_type,
@@ -92,11 +97,11 @@ static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index
 
 static dm_result prepare_in(dmi_arena* arena, preparation* work, uint32_t index) {
     dmi_object* object = work->object;
-    const plan* own = &work->plans[index];
+    const part_request* own = &work->requests[index];
     dmi_cloud* cloud = dmi_arena_push(arena, sizeof *cloud);
-    if (!cloud) return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for a cloud");
+    if (cloud == NULL) return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for a cloud");
     const dmi_drag_hint* hint = own->has_hint ? &own->hint : NULL;
-    dm_result result = infer_part(arena, object, index, &work->desc->models, hint, &work->ground, cloud);
+    dm_result result = infer_part(arena, object, index, &work->desc->models, hint, &work->shared, cloud);
     if (result == DM_OK) dmi_cloud_thin(cloud, object->parts[index].points);
     return result;
 }
@@ -105,28 +110,30 @@ static void DM_CALL prepare_part(void* data, uint32_t task) {
     preparation* work = data;
     uint32_t index = work->first + task;
     dmi_arena own, *arena = dmi_arena_pool_take(&work->scratch, &own);
-    work->plans[index].result = prepare_in(arena, work, index);
+    work->requests[index].result = prepare_in(arena, work, index);
     dmi_arena_pool_put(&work->scratch, arena);
 }
 
-/* In batches, so that the host hears of progress on its own thread; the part with the lowest index names the error. */
+/* Infers all parts in batches, so that progress is reported on this thread. Returns the error of the part with the
+ * lowest index. */
 static dm_result prepare_parts(preparation* work) {
     dmi_env* env = work->env;
-    uint32_t count = work->object->part_count, batch = env->jobs.parallel_for ? BATCH : 1;
+    uint32_t count = work->object->part_count, batch = env->jobs.parallel_for != NULL ? BATCH : 1;
     for (work->first = 1; work->first < count; work->first += batch) {
         uint32_t tasks = count - work->first < batch ? count - work->first : batch;
         dmi_parallel_for(env, tasks, prepare_part, work);
         for (uint32_t i = work->first; i < work->first + tasks; i++) {
-            if (work->plans[i].result != DM_OK) return work->plans[i].result;
+            if (work->requests[i].result != DM_OK) return work->requests[i].result;
         }
-        dm_result result = report(env, work->desc, 0.1f + 0.9f * (float)(work->first + tasks) / (float)count);
+        dm_result result =
+            report(env, work->desc, BVH_DONE + PARTS_SHARE * (float)(work->first + tasks) / (float)count);
         if (result != DM_OK) return result;
     }
     return DM_OK;
 }
 
 static dm_result ask_type(dmi_env* env, const dmi_prepare_desc* desc, const dmi_object* object, dmi_object_part* part) {
-    if (part->given_type != DM_JOINT_UNKNOWN || !desc->intent) return DM_OK;
+    if (part->given_type != DM_JOINT_UNKNOWN || desc->intent == NULL) return DM_OK;
     dm_vec3 box_min, box_max;
     dmi_object_box_out(&object->frame, part->shape.box_min, part->shape.box_max, &box_min, &box_max);
     part->given_type = desc->intent(desc->intent_user, part->shape.id, box_min, box_max);
@@ -135,22 +142,22 @@ static dm_result ask_type(dmi_env* env, const dmi_prepare_desc* desc, const dmi_
                     part->given_type, part->shape.id);
 }
 
-/* Types and drags of all parts, from the host's descriptors and its callback. */
-static dm_result make_plans(preparation* work) {
+/* Sets types and drags of all parts from the host's descriptors and its callback. */
+static dm_result make_requests(preparation* work) {
     const dmi_prepare_desc* desc = work->desc;
     dmi_object* object = work->object;
-    for (uint32_t i = 0; desc->parts && i < desc->part_count; i++) {
+    for (uint32_t i = 0; desc->parts != NULL && i < desc->part_count; i++) {
         const dm_part_desc* given = &desc->parts[i];
         int32_t index = dmi_object_find_part(object, given->id);
         if (index <= 0) return dmi_fail(work->env, DM_ERROR_INTERNAL, "part %u was lost", given->id);
         object->parts[index].given_type = given->joint_type;
-        if (!given->drag) continue;
-        char what[64];
+        if (given->drag == NULL) continue;
+        char what[MAX_FIELD_NAME];
         snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u].drag", i);
         dm_result result =
-            dmi_object_hint(work->env, what, object, (uint32_t)index, given->drag, &work->plans[index].hint);
+            dmi_object_hint(work->env, what, object, (uint32_t)index, given->drag, &work->requests[index].hint);
         if (result != DM_OK) return result;
-        work->plans[index].has_hint = 1;
+        work->requests[index].has_hint = true;
     }
     for (uint32_t i = 1; i < object->part_count; i++) {
         dm_result result = ask_type(work->env, desc, object, &object->parts[i]);
@@ -159,29 +166,30 @@ static dm_result make_plans(preparation* work) {
     return DM_OK;
 }
 
-/* Lays the ground for all parts once, and prepares them. */
-static dm_result lay_and_run(preparation* work) {
+/* Makes the shared mesh, and infers all parts with it. */
+static dm_result run_requests(preparation* work) {
     dmi_arena arena;
-    dmi_arena_init(&arena, work->env, GROUND_BLOCK);
+    dmi_arena_init(&arena, work->env, MESH_BLOCK);
     dmi_arena_pool_init(&work->scratch, work->env, SCRATCH_BLOCK);
-    dm_result result = lay_ground(&arena, work->object->mesh, &work->ground);
+    dm_result result = make_shared_mesh(&arena, work->object->mesh, &work->shared);
     if (result == DM_OK) result = prepare_parts(work);
     dmi_arena_pool_release(&work->scratch);
     dmi_arena_release(&arena);
     return result;
 }
 
-static dm_result plan_and_run(preparation* work) {
-    size_t size = work->object->part_count * sizeof *work->plans;
-    work->plans = dmi_alloc_zeroed(work->env, size, _Alignof(plan));
-    if (!work->plans) return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for the parts");
-    dm_result result = make_plans(work);
-    if (result == DM_OK) result = lay_and_run(work);
-    dmi_free(work->env, work->plans, size);
+static dm_result infer_joints(preparation* work) {
+    size_t size = work->object->part_count * sizeof *work->requests;
+    work->requests = dmi_alloc_zeroed(work->env, size, _Alignof(part_request));
+    if (work->requests == NULL)
+        return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for the parts");
+    dm_result result = make_requests(work);
+    if (result == DM_OK) result = run_requests(work);
+    dmi_free(work->env, work->requests, size);
     return result;
 }
 
-/* The object's own facts, from its mesh, which it takes over. */
+/* Creates the object of a mesh and takes over the mesh, also on failure. */
 static dm_result adopt_mesh(dmi_env* env, dmi_mesh* mesh, uint64_t seed, dmi_object** out_object) {
     dmi_object* object = NULL;
     dm_result result = dmi_object_create(env, mesh->part_count, &object);
@@ -201,12 +209,12 @@ static dm_result adopt_mesh(dmi_env* env, dmi_mesh* mesh, uint64_t seed, dmi_obj
 }
 
 static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object* object) {
-    dm_result result = report(env, desc, 0.05f);
+    dm_result result = report(env, desc, MESH_DONE);
     if (result == DM_OK && desc->keep_triangles) result = dmi_bvh_create(picker, object->mesh, &object->bvh);
-    if (result == DM_OK) result = report(env, desc, 0.1f);
+    if (result == DM_OK) result = report(env, desc, BVH_DONE);
     if (result != DM_OK) return result;
     preparation work = {.env = env, .desc = desc, .object = object};
-    result = plan_and_run(&work);
+    result = infer_joints(&work);
     if (result == DM_OK && !desc->keep_triangles) dmi_object_drop_triangles(env, object);
     return result;
 }
@@ -233,10 +241,10 @@ dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, con
     dmi_arena arena;
     dmi_arena_init(&arena, env, SCRATCH_BLOCK);
     dmi_cloud* cloud = dmi_arena_push(&arena, sizeof *cloud);
-    ground ground;
-    dm_result result = cloud != NULL ? lay_ground(&arena, object->mesh, &ground)
+    shared_mesh shared;
+    dm_result result = cloud != NULL ? make_shared_mesh(&arena, object->mesh, &shared)
                                      : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
-    if (result == DM_OK) result = infer_part(&arena, object, part, models, hint, &ground, cloud);
+    if (result == DM_OK) result = infer_part(&arena, object, part, models, hint, &shared, cloud);
     dmi_arena_release(&arena);
     return result;
 }

@@ -1,4 +1,4 @@
-/* Prepares an object: mesh -> cloud, network and geometry for each part -> joints. */
+/* Prepares an object: infers the joint of each part of a mesh. */
 #ifndef DMI_OBJECT_PREPARE_H
 #define DMI_OBJECT_PREPARE_H
 
@@ -11,18 +11,19 @@ typedef struct dmi_prepare_desc {
     uint32_t part_count;
     dmi_inference_models models;
     uint64_t seed;
-    int keep_triangles;
-    int network_alone;         /* models.kpp answers, unaided */
+    bool keep_triangles;
+    bool network_alone;        /* joints are inferred by models.kpp alone */
     dm_intent_callback intent; /* NULL: none */
     void* intent_user;
     dm_progress_callback progress; /* NULL: none; called on this thread alone */
     void* progress_user;
 } dmi_prepare_desc;
 
-/* The same bits for any number of workers behind env->jobs. */
+/* Prepares an object. The result has the same bits for any number of workers behind env->jobs. */
 dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object** out_object);
 
-/* One part again, with a drag as evidence; its best hypothesis comes into force. The object keeps its triangles. */
+/* Infers the joint of one part again, with a drag; the best hypothesis becomes the joint in use. The object must have
+ * kept its triangles. */
 dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, const dmi_inference_models* models,
                             const dmi_drag_hint* hint);
 

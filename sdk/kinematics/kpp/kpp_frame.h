@@ -1,0 +1,40 @@
+/* The frame of KPP-Net's input: origin and scale of the part, axes along the Manhattan frame of part and body, ordered
+ * and signed by the drag. */
+#ifndef DMI_KPP_KPP_FRAME_H
+#define DMI_KPP_KPP_FRAME_H
+
+#include "kinematics/kpp/kpp_subset.h"
+#include "math/drag_hint.h"
+#include "math/linear3.h"
+
+/* y = (rotation (x - origin)) * scale. The rows of rotation are the frame's axes; x is object-normalised. */
+typedef struct dmi_kpp_frame {
+    float rotation[3 * 3];
+    float origin[3];
+    float scale;
+} dmi_kpp_frame;
+
+/* What the frame and the shape features are made from; object-normalised. */
+typedef struct dmi_kpp_geometry {
+    float centre[3];       /* mean of the part's points */
+    float near_offset[3];  /* from there to the mean of the near points */
+    float radius;          /* largest distance of a point of the part from the centre */
+    float principal[3][3]; /* directions of the part's points, largest variance first */
+    float part_axes[3][3], body_axes[3][3], all_axes[3][3]; /* Manhattan frames */
+    float part_fit, body_fit, all_fit;                      /* shares, as of dmi_manhattan_frame_fit */
+} dmi_kpp_geometry;
+
+/* Rotates a vector into the frame, without scaling it. */
+static inline void dmi_kpp_frame_rotate(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
+    for (int r = 0; r < 3; r++) out[r] = dmi_dot3(frame->rotation + 3 * r, v);
+}
+
+void dmi_kpp_geometry_make(const dmi_kpp_subset* subset, dmi_kpp_geometry* out);
+/* hint NULL: without a drag. */
+void dmi_kpp_frame_make(const dmi_cloud* cloud, const dmi_kpp_subset* subset, const dmi_drag_hint* hint,
+                        const dmi_kpp_geometry* geometry, dmi_kpp_frame* out);
+/* Transforms a point into the frame. Lengths above 2 are shortened to 2 + ln(length / 2), so that a small part of a
+ * large object keeps its scale. */
+void dmi_kpp_frame_point_in(const dmi_kpp_frame* frame, const float x[3], float out[3]);
+
+#endif

@@ -1,0 +1,122 @@
+/* Converts numbers byte by byte. */
+#include "kinematics/object/dmo_bytes.h"
+
+#include <string.h>
+
+enum { BYTE_BITS = 8 };
+
+/* ---- reader ---- */
+
+static uint64_t get(dmi_dmo_reader* r, uint32_t bytes) {
+    if (r->left < bytes) {
+        r->overrun = true;
+        r->left = 0;
+        return 0;
+    }
+    uint64_t value = 0;
+    for (uint32_t i = 0; i < bytes; i++) value |= (uint64_t)r->at[i] << (BYTE_BITS * i);
+    r->at += bytes;
+    r->left -= bytes;
+    return value;
+}
+
+uint32_t dmi_get_u16(dmi_dmo_reader* r) {
+    return (uint32_t)get(r, sizeof(uint16_t));
+}
+
+uint32_t dmi_get_u32(dmi_dmo_reader* r) {
+    return (uint32_t)get(r, sizeof(uint32_t));
+}
+
+uint64_t dmi_get_u64(dmi_dmo_reader* r) {
+    return get(r, sizeof(uint64_t));
+}
+
+float dmi_get_f32(dmi_dmo_reader* r) {
+    uint32_t bits = dmi_get_u32(r);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+double dmi_get_f64(dmi_dmo_reader* r) {
+    uint64_t bits = dmi_get_u64(r);
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count) {
+    for (size_t i = 0; i < count; i++) out[i] = dmi_get_f32(r);
+}
+
+static dm_vec3 get_vec3(dmi_dmo_reader* r) {
+    float v[3];
+    dmi_get_floats(r, v, 3);
+    return (dm_vec3){v[0], v[1], v[2]};
+}
+
+void dmi_get_joint(dmi_dmo_reader* r, dm_joint* out) {
+    *out = (dm_joint){.type = (int32_t)dmi_get_u32(r)};
+    out->type_confidence = dmi_get_f32(r);
+    out->confidence = dmi_get_f32(r);
+    out->pitch = dmi_get_f32(r);
+    out->axis = get_vec3(r);
+    out->origin = get_vec3(r);
+    out->lower = dmi_get_f32(r);
+    out->upper = dmi_get_f32(r);
+    out->source = (int32_t)dmi_get_u32(r);
+}
+
+/* ---- writer ---- */
+
+static void put(dmi_dmo_writer* w, uint64_t value, size_t bytes) {
+    for (size_t i = 0; w->out != NULL && i < bytes; i++) w->out[w->size + i] = (uint8_t)(value >> (BYTE_BITS * i));
+    w->size += bytes;
+}
+
+void dmi_put_u16(dmi_dmo_writer* w, uint32_t value) {
+    put(w, value, sizeof(uint16_t));
+}
+
+void dmi_put_u32(dmi_dmo_writer* w, uint32_t value) {
+    put(w, value, sizeof value);
+}
+
+void dmi_put_u64(dmi_dmo_writer* w, uint64_t value) {
+    put(w, value, sizeof value);
+}
+
+void dmi_put_f32(dmi_dmo_writer* w, float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    dmi_put_u32(w, bits);
+}
+
+void dmi_put_f64(dmi_dmo_writer* w, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    dmi_put_u64(w, bits);
+}
+
+void dmi_put_floats(dmi_dmo_writer* w, const float* values, size_t count) {
+    for (size_t i = 0; i < count; i++) dmi_put_f32(w, values[i]);
+}
+
+static void put_vec3(dmi_dmo_writer* w, dm_vec3 v) {
+    dmi_put_f32(w, v.x);
+    dmi_put_f32(w, v.y);
+    dmi_put_f32(w, v.z);
+}
+
+void dmi_put_joint(dmi_dmo_writer* w, const dm_joint* joint) {
+    dmi_put_u32(w, (uint32_t)joint->type);
+    dmi_put_f32(w, joint->type_confidence);
+    dmi_put_f32(w, joint->confidence);
+    dmi_put_f32(w, joint->pitch);
+    put_vec3(w, joint->axis);
+    put_vec3(w, joint->origin);
+    dmi_put_f32(w, joint->lower);
+    dmi_put_f32(w, joint->upper);
+    dmi_put_u32(w, (uint32_t)joint->source);
+}

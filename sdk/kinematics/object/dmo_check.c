@@ -1,0 +1,75 @@
+/* Checks numbers read from a .dmo file. */
+#include "kinematics/object/dmo_check.h"
+
+#include <float.h>
+#include <math.h>
+
+#define UNIT_TOLERANCE 1e-3f /* of an axis' squared length; by hand */
+#define MIN_SIZE 1e-18       /* canonical metres, of an object; by hand */
+#define MAX_SIZE 1e18        /* canonical metres, of an object; by hand */
+#define MAX_CENTRE 1e38      /* canonical metres from the origin: within float's range; by hand */
+#define MAX_AREA 1e12f       /* object sizes squared, of a part; by hand */
+
+enum { JOINT_NUMBERS = 6 }; /* of a joint, that need only be finite */
+
+bool dmi_dmo_within(const float* values, size_t count, float limit) {
+    for (size_t i = 0; i < count; i++) {
+        if (!(fabsf(values[i]) <= limit)) return false;
+    }
+    return true;
+}
+
+static bool is_coordinate(const float v[3]) {
+    return dmi_dmo_within(v, 3, DMI_DMO_MAX_COORDINATE);
+}
+
+bool dmi_dmo_valid_object(const dmi_object* object) {
+    bool valid = object->frame.size >= MIN_SIZE && object->frame.size <= MAX_SIZE && is_coordinate(object->box_min) &&
+                 is_coordinate(object->box_max) && object->vertex_count <= DM_MAX_ELEMENTS &&
+                 object->triangle_count <= DM_MAX_ELEMENTS;
+    for (int i = 0; i < 3; i++) valid = valid && fabs(object->frame.centre[i]) <= MAX_CENTRE;
+    return valid;
+}
+
+bool dmi_dmo_valid_shape(const dmi_part* shape) {
+    bool valid = is_coordinate(shape->box_min) && is_coordinate(shape->box_max) && is_coordinate(shape->centre) &&
+                 shape->area >= 0.0f && shape->area <= MAX_AREA;
+    for (int i = 0; i < 3; i++) valid = valid && shape->box_min[i] <= shape->box_max[i];
+    return valid;
+}
+
+bool dmi_dmo_valid_tree(const dmi_object* object) {
+    for (uint32_t i = 0; i < object->part_count; i++) {
+        const dmi_part* shape = &object->parts[i].shape;
+        if (i == 0 ? shape->id != 0 || shape->parent != 0 : shape->id <= object->parts[i - 1].shape.id) return false;
+        if (shape->parent >= object->part_count) return false;
+    }
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        uint32_t steps = 0;
+        for (uint32_t p = i; p != 0; p = object->parts[p].shape.parent) {
+            if (steps++ > object->part_count) return false;
+        }
+    }
+    return true;
+}
+
+bool dmi_dmo_valid_joint(const dm_joint* joint) {
+    const dm_vec3 a = joint->axis;
+    const float numbers[JOINT_NUMBERS] = {joint->origin.x, joint->origin.y, joint->origin.z,
+                                          joint->pitch,    joint->lower,    joint->upper};
+    const float shares[2] = {joint->type_confidence - 0.5f, joint->confidence - 0.5f};
+    return joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_FIXED &&
+           fabsf(a.x * a.x + a.y * a.y + a.z * a.z - 1.0f) <= UNIT_TOLERANCE &&
+           dmi_dmo_within(numbers, JOINT_NUMBERS, FLT_MAX) && joint->lower <= joint->upper &&
+           dmi_dmo_within(shares, 2, 0.5f) && joint->source >= DM_JOINT_FROM_NETWORK &&
+           joint->source <= DM_JOINT_FROM_HOST;
+}
+
+bool dmi_dmo_valid_alternative(const dmi_alternative* alternative) {
+    const int32_t type = alternative->type;
+    const float* a = alternative->axis;
+    const bool known = type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_PRISMATIC;
+    const float square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    return known && fabsf(square - 1.0f) <= UNIT_TOLERANCE && dmi_dmo_within(alternative->origin, 3, FLT_MAX) &&
+           fabsf(alternative->confidence - 0.5f) <= 0.5f;
+}
