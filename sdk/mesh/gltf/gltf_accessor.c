@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_accessor.h"
 
 static uint64_t component_size(int32_t type) {
     switch (type) {

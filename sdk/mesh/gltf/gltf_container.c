@@ -2,7 +2,7 @@
  */
 #include <string.h>
 
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_container.h"
 
 /* Deeper JSON is hostile: tinygltf reads extras by recursion. */
 #define DEEPEST_JSON 128
