@@ -4,7 +4,8 @@
 
 #include "base/env.h"
 
-/* Checks header, chunk sizes and nesting before tinygltf sees the bytes. *out_binary: .glb. */
+/* Checks header, chunk sizes, nesting, and the numbers that address bytes, before tinygltf sees them. *out_binary:
+ * .glb. */
 dm_result dmi_gltf_check_container(dmi_env* env, const uint8_t* data, size_t size, int* out_binary);
 
 #endif
