@@ -8,6 +8,8 @@ workspace "dragmesh"
     cppdialect "C++17"
     warnings "Extra"
     buildoptions { "-Wpedantic", "-Wconversion", "-Wno-sign-conversion", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math" }
+    -- clang 19 warns of 0.5 * WIDTH where an enum without a name holds WIDTH; in C that is an int, and the product exact.
+    buildoptions { "-Wno-enum-float-conversion" }
     fatalwarnings { "All" }
     visibility "Hidden"
     pic "On"

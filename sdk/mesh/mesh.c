@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/ids.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
 
@@ -311,13 +310,4 @@ dm_result dmi_mesh_restore(dmi_env* env, const dmi_frame* frame, uint32_t vertex
     memset(mesh->positions + (size_t)vertex_count * 3, 0, POSITION_PADDING);
     *out_mesh = mesh;
     return DM_OK;
-}
-
-int32_t dmi_mesh_find_part(const dmi_mesh* mesh, uint32_t id) {
-    return dmi_find_id(&mesh->parts->id, sizeof *mesh->parts, mesh->part_count, id);
-}
-
-int dmi_mesh_moves_with(const dmi_mesh* mesh, uint32_t index, uint32_t ancestor) {
-    while (index != ancestor && index != 0) index = mesh->parts[index].parent;
-    return index == ancestor;
 }

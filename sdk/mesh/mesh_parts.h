@@ -2,7 +2,8 @@
 #ifndef DMI_MESH_MESH_PARTS_H
 #define DMI_MESH_MESH_PARTS_H
 
-#include "mesh/mesh.h"
+#include "base/env.h"
+#include "mesh/mesh_data.h"
 #include "mesh/mesh_read.h"
 
 /* Fills mesh->parts (id, parent, face_count), part_count and face_part. The mesh's indices must be there. On an error

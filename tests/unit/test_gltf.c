@@ -269,9 +269,8 @@ typedef struct hostile {
 static const hostile cases[] = {
     {ASSET VIEWS ACCESSOR("\"componentType\":5126,\"count\":9") ONE_MESH, DM_ERROR_BAD_DATA, "leave buffer view 0"},
     {ASSET VIEWS ACCESSOR("\"byteOffset\":18446744073709551608,\"componentType\":5126,\"count\":3") ONE_MESH,
-     DM_ERROR_BAD_DATA, "leave buffer view 0"},
-    {ASSET VIEWS ACCESSOR("\"componentType\":5126,\"count\":18446744073709551615") ONE_MESH, DM_ERROR_TOO_LARGE,
-     "accessor 0"},
+     DM_ERROR_BAD_DATA, "byteOffset 18446744073709551608"},
+    {ASSET VIEWS ACCESSOR("\"componentType\":5126,\"count\":4294967295") ONE_MESH, DM_ERROR_TOO_LARGE, "accessor 0"},
     {ASSET VIEWS ACCESSOR("\"componentType\":5130,\"count\":3") ONE_MESH, DM_ERROR_BAD_DATA, "component type 5130"},
     {ASSET VIEWS ACCESSOR("\"componentType\":5126,\"count\":4") ONE_MESH, DM_ERROR_BAD_DATA, "not a multiple of 3"},
     {ASSET
@@ -312,6 +311,78 @@ static void test_hostile_files_are_named(void** state) {
             fail_msg("case %zu: %d '%s', not %d '%s'", i, o.result, o.t.messages.text, cases[i].result, cases[i].says);
         close_it(&o);
     }
+}
+
+/* ---- numbers that an int or 64 bits can't hold ---- */
+
+/* A document of one sparse accessor, with these values where tinygltf, by version, reads an int or a size_t. */
+enum { VIEW_OFFSET, VIEW_LENGTH, VIEW_BUFFER, OFFSET, VIEW, CHANGES, INDEX_OFFSET, VALUE_OFFSET, VALUE_VIEW, FIELDS };
+
+static void open_fields(opened* o, const char* const fields[FIELDS]) {
+    char json[1024];
+    snprintf(json, sizeof json,
+             ASSET "\"buffers\":[{\"byteLength\":88}],\"bufferViews\":[{\"byteOffset\":%s,\"byteLength\":%s,"
+                   "\"buffer\":%s},{\"buffer\":0,\"byteOffset\":84,\"byteLength\":4}],\"accessors\":[{"
+                   "\"byteOffset\":%s,\"bufferView\":%s,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+                   "\"sparse\":{\"count\":%s,\"indices\":{\"bufferView\":1,\"byteOffset\":%s,"
+                   "\"componentType\":5121},\"values\":{\"byteOffset\":%s,\"bufferView\":%s}}}]," ONE_MESH,
+             fields[VIEW_OFFSET], fields[VIEW_LENGTH], fields[VIEW_BUFFER], fields[OFFSET], fields[VIEW],
+             fields[CHANGES], fields[INDEX_OFFSET], fields[VALUE_OFFSET], fields[VALUE_VIEW]);
+    open_json(o, json, &square, sizeof square);
+}
+
+static void test_large_numbers_never_wrap(void** state) {
+    (void)state;
+    /* The 32 low bits of some are those of a valid number. */
+    const char* const numbers[] = {"2147483647",
+                                   "2147483648",
+                                   "4294967295",
+                                   "4294967296",
+                                   "4294967297",
+                                   "9223372036854775807",
+                                   "9223372036854775808",
+                                   "18446744073709551615",
+                                   "18446744073709551616",
+                                   "18446744073709551617",
+                                   "-1",
+                                   "-4294967296",
+                                   "1e3",
+                                   "0.5"};
+    const char* const valid[FIELDS] = {"0", "72", "0", "0", "0", "1", "0", "0", "0"};
+    opened o;
+    open_fields(&o, valid);
+    assert_int_equal(o.result, DM_OK);
+    close_it(&o);
+    for (int field = 0; field < FIELDS; field++) {
+        for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+            const char* fields[FIELDS];
+            memcpy(fields, valid, sizeof fields);
+            fields[field] = numbers[i];
+            open_fields(&o, fields);
+            const int named = strstr(o.t.messages.text, numbers[i]) || strstr(o.t.messages.text, "does not exist");
+            if (o.result != DM_ERROR_BAD_DATA || !named)
+                fail_msg("field %d, %s: %d '%s'", field, numbers[i], o.result, o.t.messages.text);
+            close_it(&o);
+        }
+    }
+}
+
+static void test_extras_may_hold_any_number(void** state) {
+    (void)state;
+    opened o;
+    open_json(&o,
+              ASSET "\"extras\":{\"count\":-5,\"of\":[{\"byteOffset\":1e300}]}," VIEWS ACCESSORS MESHES NODES(
+                  "{\"mesh\":0,\"extras\":{\"buffer\":99999999999}}"),
+              &square, sizeof square);
+    assert_int_equal(o.result, DM_OK);
+    close_it(&o);
+    open_json(&o,
+              ASSET "\"extras\":{\"count\":-5}," VIEWS ACCESSOR(
+                  "\"byteOffset\":4294967296,\"componentType\":5126,\"count\":3") ONE_MESH,
+              &square, sizeof square);
+    assert_int_equal(o.result, DM_ERROR_BAD_DATA);
+    assert_non_null(strstr(o.t.messages.text, "byteOffset 4294967296"));
+    close_it(&o);
 }
 
 static void test_bad_vertices_and_indices(void** state) {
@@ -448,6 +519,8 @@ int main(void) {
         cmocka_unit_test(test_faces_by_node_name),
         cmocka_unit_test(test_masks),
         cmocka_unit_test(test_hostile_files_are_named),
+        cmocka_unit_test(test_large_numbers_never_wrap),
+        cmocka_unit_test(test_extras_may_hold_any_number),
         cmocka_unit_test(test_bad_vertices_and_indices),
         cmocka_unit_test(test_deep_nesting_is_refused),
         cmocka_unit_test(test_other_containers),

@@ -1,19 +1,8 @@
 /* dm_gltf: opening and closing a file, its nodes and its mesh. */
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "mesh/gltf/gltf.h"
-
-void dmi_gltf_warn(dmi_env* env, const char* format, ...) {
-    if (!env->log.message) return;
-    char text[512];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    env->log.message(env->log.user, DM_LOG_WARNING, DM_OK, text);
-}
+#include "mesh/gltf/gltf_container.h"
+#include "mesh/gltf/gltf_file.h"
+#include "mesh/gltf/gltf_merge.h"
+#include "mesh/gltf/gltf_tree.h"
 
 /* A newer caller may only send zeros where this library knows no field. */
 static dm_result check_desc(dmi_env* env, const dm_gltf_desc* desc) {

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_accessor.h"
 
 static uint64_t component_size(int32_t type) {
     switch (type) {
@@ -52,21 +52,19 @@ static dm_result find_range(dmi_env* env, const dmi_tiny* tiny, int32_t index, u
 static dm_result find_changes(dmi_env* env, const dmi_tiny* tiny, const dmi_tiny_accessor* accessor, uint64_t element,
                               const char* place, dmi_gltf_elements* out) {
     const uint64_t index_size = component_size(accessor->index_type);
-    if (accessor->sparse_count < 0 || (uint64_t)accessor->sparse_count > accessor->count)
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: %d sparse elements of %" PRIu64, place, accessor->sparse_count,
-                        accessor->count);
+    if (accessor->sparse_count > accessor->count)
+        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: %" PRIu64 " sparse elements of %" PRIu64, place,
+                        accessor->sparse_count, accessor->count);
     if (accessor->index_type != DMI_TINY_UBYTE && accessor->index_type != DMI_TINY_USHORT &&
         accessor->index_type != DMI_TINY_UINT)
         return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: sparse indices of component type %d", place, accessor->index_type);
-    if (accessor->index_offset < 0 || accessor->value_offset < 0)
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: a sparse offset is negative", place);
-    out->change_count = (uint64_t)accessor->sparse_count;
+    out->change_count = accessor->sparse_count;
     out->changed_type = accessor->index_type;
-    dm_result result = find_range(env, tiny, accessor->index_view, (uint64_t)accessor->index_offset, out->change_count,
+    dm_result result = find_range(env, tiny, accessor->index_view, accessor->index_offset, out->change_count,
                                   index_size, place, &out->changed, &out->changed_size);
     if (result != DM_OK) return result;
-    result = find_range(env, tiny, accessor->value_view, (uint64_t)accessor->value_offset, out->change_count, element,
-                        place, &out->changes, &out->change_stride);
+    result = find_range(env, tiny, accessor->value_view, accessor->value_offset, out->change_count, element, place,
+                        &out->changes, &out->change_stride);
     if (result != DM_OK) return result;
     for (uint64_t i = 0; i < out->change_count; i++) {
         if (dmi_gltf_changed(out, i) >= out->count)

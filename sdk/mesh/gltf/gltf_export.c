@@ -12,7 +12,8 @@
 #include <math.h>
 
 #include "math/dual_quat.h"
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_file.h"
+#include "mesh/gltf/gltf_write.h"
 
 typedef struct exporter {
     dmi_env* env;

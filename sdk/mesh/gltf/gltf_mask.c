@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_file.h"
 #include "mesh/mask.h"
 
 /* "#12" names node 12 of the file, unless a node is really called so. -1: not of this form, or no such node. */

@@ -1,14 +1,32 @@
 /* The merged mesh: every triangle that the scene shows, node by node, primitive by primitive, in the scene's frame. */
 #include <inttypes.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_accessor.h"
+#include "mesh/gltf/gltf_merge.h"
+
+/* Longest description of a place in a file ("node 3 'door', primitive 0"). */
+#define PLACE_SIZE 192
+
+/* Logs a warning, for what is left out of a file. */
+static void warn(dmi_env* env, const char* format, ...) DMI_PRINTF(2, 3);
+
+static void warn(dmi_env* env, const char* format, ...) {
+    if (!env->log.message) return;
+    char text[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    env->log.message(env->log.user, DM_LOG_WARNING, DM_OK, text);
+}
 
 static void describe(const dm_gltf* gltf, uint32_t node, uint32_t primitive, const char* what, char* out) {
     dmi_tiny_node from;
     dmi_tiny_get_node(gltf->tiny, node, &from);
-    snprintf(out, DMI_GLTF_PLACE, "glTF node %u '%.80s', primitive %u, %s", node, from.name, primitive, what);
+    snprintf(out, PLACE_SIZE, "glTF node %u '%.80s', primitive %u, %s", node, from.name, primitive, what);
 }
 
 /* Triangles of `count` corners; -1 when they don't make whole ones. */
@@ -20,20 +38,19 @@ static int64_t triangle_count(int32_t mode, uint64_t count) {
 /* 1 when the primitive has triangles that this library reads. */
 static int is_readable(dm_gltf* gltf, uint32_t node, uint32_t index, const dmi_tiny_primitive* primitive) {
     if (primitive->mode < DMI_TINY_TRIANGLES || primitive->mode > DMI_TINY_FAN) {
-        dmi_gltf_warn(&gltf->env, "glTF node %u, primitive %u: points and lines are left out", node, index);
+        warn(&gltf->env, "glTF node %u, primitive %u: points and lines are left out", node, index);
         return 0;
     }
     if (primitive->positions < 0) {
-        dmi_gltf_warn(&gltf->env, "glTF node %u, primitive %u: left out, it has no POSITION", node, index);
+        warn(&gltf->env, "glTF node %u, primitive %u: left out, it has no POSITION", node, index);
         return 0;
     }
-    if (primitive->morphs)
-        dmi_gltf_warn(&gltf->env, "glTF node %u, primitive %u: its morph targets are left out", node, index);
+    if (primitive->morphs) warn(&gltf->env, "glTF node %u, primitive %u: its morph targets are left out", node, index);
     return 1;
 }
 
 static dm_result count_piece(dm_gltf* gltf, uint32_t node, const dmi_tiny_primitive* primitive, dmi_gltf_piece* piece) {
-    char place[DMI_GLTF_PLACE];
+    char place[PLACE_SIZE];
     dmi_gltf_elements positions, indices;
     describe(gltf, node, piece->primitive, "POSITION", place);
     dm_result result = dmi_gltf_find_elements(&gltf->env, gltf->tiny, primitive->positions, place, &positions);
@@ -82,9 +99,8 @@ static dm_result enter_node(dm_gltf* gltf, uint32_t index) {
     if (!dmi_tiny_has_mesh(gltf->tiny, from.mesh))
         return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "glTF node %u '%s': mesh %d does not exist", index, from.name,
                         from.mesh);
-    if (from.skin >= 0) dmi_gltf_warn(&gltf->env, "glTF node %u '%s': its skin is left out", index, from.name);
-    if (from.instanced)
-        dmi_gltf_warn(&gltf->env, "glTF node %u '%s': only one of its instances is read", index, from.name);
+    if (from.skin >= 0) warn(&gltf->env, "glTF node %u '%s': its skin is left out", index, from.name);
+    if (from.instanced) warn(&gltf->env, "glTF node %u '%s': only one of its instances is read", index, from.name);
     dm_gltf_node* node = &gltf->nodes[gltf->node_count];
     *node = (dm_gltf_node){.name = from.name,
                            .node = index,
@@ -194,7 +210,7 @@ static dm_result fill_faces(dm_gltf* gltf, const dmi_gltf_piece* piece, int32_t 
 
 static dm_result fill_piece(dm_gltf* gltf, const dmi_gltf_piece* piece) {
     const dm_gltf_node* node = &gltf->nodes[piece->node];
-    char place[DMI_GLTF_PLACE];
+    char place[PLACE_SIZE];
     dmi_tiny_node from;
     dmi_tiny_primitive primitive;
     dmi_gltf_elements positions, indices;

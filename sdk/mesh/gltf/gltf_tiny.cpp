@@ -80,6 +80,25 @@ bool keep_image_bytes(tinygltf::Image* image, int, std::string*, std::string*, i
     return true;
 }
 
+// Gives back what the file says. Counts and offsets of sparse accessors are int, or size_t (offsets since 2.9); an int
+// is negative for 2^31 and more, and dmi_gltf_check_container lets nothing of 2^32 or more through.
+uint64_t widen(int number) {
+    return static_cast<uint32_t>(number);
+}
+
+[[maybe_unused]] uint64_t widen(size_t number) {
+    return number;
+}
+
+// Sets the callback that only tinygltf 2.9 and later has; it takes none of them unless all are there.
+template <typename Callbacks> auto refuse_sizes(Callbacks& callbacks, int) -> decltype(callbacks.GetFileSizeInBytes)* {
+    callbacks.GetFileSizeInBytes = [](size_t*, std::string*, const std::string&, void*) { return false; };
+    return nullptr;
+}
+
+template <typename Callbacks> void refuse_sizes(Callbacks&, ...) {
+}
+
 tinygltf::FsCallbacks no_files() {
     tinygltf::FsCallbacks callbacks = {};
     callbacks.FileExists = [](const std::string&, void*) { return false; };
@@ -90,6 +109,7 @@ tinygltf::FsCallbacks no_files() {
     callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
         return false;
     };
+    refuse_sizes(callbacks, 0);
     return callbacks;
 }
 
@@ -218,12 +238,12 @@ int dmi_tiny_get_accessor(const dmi_tiny* tiny, int32_t index, dmi_tiny_accessor
     out->count = from.count;
     out->sparse = from.sparse.isSparse;
     if (!out->sparse) return 1;
-    out->sparse_count = from.sparse.count;
+    out->sparse_count = widen(from.sparse.count);
     out->index_view = from.sparse.indices.bufferView;
-    out->index_offset = from.sparse.indices.byteOffset;
+    out->index_offset = widen(from.sparse.indices.byteOffset);
     out->index_type = from.sparse.indices.componentType;
     out->value_view = from.sparse.values.bufferView;
-    out->value_offset = from.sparse.values.byteOffset;
+    out->value_offset = widen(from.sparse.values.byteOffset);
     return 1;
 }
 

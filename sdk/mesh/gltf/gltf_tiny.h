@@ -47,7 +47,8 @@ typedef struct dmi_tiny_accessor {
     int32_t view; /* -1: zeros */
     int32_t component_type, components, normalized;
     int32_t sparse; /* non-zero: the fields below count */
-    int32_t sparse_count, index_view, index_offset, index_type, value_view, value_offset;
+    uint64_t sparse_count, index_offset, value_offset;
+    int32_t index_view, index_type, value_view;
 } dmi_tiny_accessor;
 
 typedef struct dmi_tiny_primitive {

@@ -1,5 +1,5 @@
 /* The tree of nodes: who carries whom, which of them the scene shows, and where they are in it. */
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_tree.h"
 
 static void multiply(const double a[16], const double b[16], double out[16]) {
     for (int column = 0; column < 4; column++) {

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh/gltf/gltf.h"
+#include "mesh/gltf/gltf_file.h"
+#include "mesh/gltf/gltf_write.h"
 
 static dm_result check_part(dmi_env* env, const dm_gltf_part* part, uint32_t which) {
     if (!part->positions || !part->indices || part->vertex_count == 0 || part->index_count == 0 ||

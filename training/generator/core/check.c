@@ -40,7 +40,7 @@ static void take_sample(const dmg_object* o, uint32_t part, bool moving, sample*
     for (uint32_t f = 0; f < o->face_count && out->count < POINTS; ++f) {
         if (moves_with(o, o->face_part[f], part) != moving) continue;
         done += face_area(o, f);
-        for (uint32_t k = 0; out->count < POINTS && done > area * ((float)out->count + 0.5f) / POINTS; ++k) {
+        while (out->count < POINTS && done > area * ((float)out->count + 0.5f) / POINTS) {
             /* A low-discrepancy walk over the triangle (Roberts 2018). */
             float n = (float)out->count + 1.0f, u = fmodf(0.7548777f * n, 1.0f), w = fmodf(0.5698403f * n, 1.0f);
             if (u + w > 1.0f) {
