@@ -50,7 +50,7 @@ static void check_gate(const dmi_mesh* mesh, const dmi_part_analysis* study) {
 
 static void knuckles_lie_on_the_hinge(void** state) {
     (void)state;
-    test_with_study(make_gate, check_gate);
+    test_with_analysis(make_gate, check_gate);
 }
 
 /* A plunger in its barrel goes along their common line, and turns about it as well. */
@@ -74,7 +74,7 @@ static void check_plunger(const dmi_mesh* mesh, const dmi_part_analysis* study) 
 
 static void a_plunger_shares_its_line_with_the_barrel(void** state) {
     (void)state;
-    test_with_study(make_plunger, check_plunger);
+    test_with_analysis(make_plunger, check_plunger);
 }
 
 int main(void) {

@@ -26,7 +26,7 @@ static void check_twins(const dmi_mesh* mesh, const dmi_part_analysis* study) {
 
 static void a_doors_twin_is_seen(void** state) {
     (void)state;
-    test_with_study(make_cupboard, check_twins);
+    test_with_analysis(make_cupboard, check_twins);
 }
 
 /* Across a flap's hinge door and cupboard are more their own images than in a mirror that stands askew. */
@@ -49,7 +49,7 @@ static void check_middles(const dmi_mesh* mesh, const dmi_part_analysis* study) 
 
 static void a_door_is_its_own_image_across_its_sides(void** state) {
     (void)state;
-    test_with_study(make_cupboard, check_middles);
+    test_with_analysis(make_cupboard, check_middles);
 }
 
 /* Of the mirrors along a slide, the one in which the part is more its own image comes first. */
@@ -65,7 +65,7 @@ static void check_slide(const dmi_mesh* mesh, const dmi_part_analysis* study) {
 
 static void a_slide_has_its_best_mirror_first(void** state) {
     (void)state;
-    test_with_study(make_cupboard, check_slide);
+    test_with_analysis(make_cupboard, check_slide);
 }
 
 int main(void) {
