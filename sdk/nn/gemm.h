@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #define DMI_PANEL 16
+#define DMI_ROW_ALIGNMENT 64 /* bytes: a cache line, and the widest register */
 
 enum {
     DMI_GEMM_RELU = 1, /* y = max(0, …) */

@@ -1,4 +1,4 @@
-/* Proposals: candidate parts, each a set of pieces that contains the grabbed point, with features that tell which one
+/* Proposals: candidate parts, each a set of pieces that contains the grabbed point, with features that rate which one
  * is the part. */
 #ifndef DMI_SEGMENTATION_PROPOSALS_H
 #define DMI_SEGMENTATION_PROPOSALS_H

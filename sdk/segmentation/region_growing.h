@@ -1,4 +1,4 @@
-/* Region growing: a part grows from a seed piece; features of each neighbouring piece tell whether it belongs to it. */
+/* Region growing: a part grows from a seed piece; features of its neighbours rate whether they belong to it. */
 #ifndef DMI_SEGMENTATION_REGION_GROWING_H
 #define DMI_SEGMENTATION_REGION_GROWING_H
 

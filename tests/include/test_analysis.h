@@ -1,17 +1,17 @@
-/* The study of part 1 of a shape, for tests of what is measured on it. */
-#ifndef DM_TEST_STUDY_H
-#define DM_TEST_STUDY_H
+/* Analyses part 1 of a shape, for tests of features. */
+#ifndef DM_TEST_ANALYSIS_H
+#define DM_TEST_ANALYSIS_H
 
 #include "test_env.h"
 
 #include "kinematics/candidates/candidates.h"
 #include "test_shapes.h"
 
-static inline void test_with_study(void (*make)(test_shape* shape),
-                                   void (*check)(const dmi_mesh* mesh, const dmi_part_analysis* study)) {
+static inline void test_with_analysis(void (*make)(test_shape* shape),
+                                      void (*check)(const dmi_mesh* mesh, const dmi_part_analysis* analysis)) {
     static test_shape shape;
     static dmi_cloud cloud;
-    static dmi_part_analysis study;
+    static dmi_part_analysis analysis;
     test_env t;
     dmi_arena arena;
     dmi_axes axes;
@@ -24,14 +24,14 @@ static inline void test_with_study(void (*make)(test_shape* shape),
     assert_int_equal(dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, &mesh), DM_OK);
     assert_int_equal(dmi_cloud_sample(&t.env, mesh, 1, 3, &cloud), DM_OK);
     dmi_arena_init(&arena, &t.env, (size_t)1 << 20);
-    assert_int_equal(dmi_part_analysis_make(&arena, mesh, &cloud, 1, NULL, &study), DM_OK);
-    check(mesh, &study);
+    assert_int_equal(dmi_part_analysis_make(&arena, mesh, &cloud, 1, NULL, &analysis), DM_OK);
+    check(mesh, &analysis);
     dmi_arena_release(&arena);
     dmi_mesh_destroy(&t.env, mesh);
     test_env_close(&t);
 }
 
-/* axis and origin as the shape's vertices are given. */
+/* Returns a candidate; axis and origin are in the coordinates of the shape's vertices. */
 static inline dmi_candidate test_candidate(const dmi_mesh* mesh, int32_t type, const float axis[3],
                                            const double origin[3]) {
     dmi_candidate c = {.type = type};

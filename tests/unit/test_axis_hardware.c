@@ -29,15 +29,15 @@ static void make_gate(test_shape* shape) {
     add_tube(shape, 0, 0, 0.02f, 0.8f, 0.9f, 1);
 }
 
-static void check_gate(const dmi_mesh* mesh, const dmi_part_analysis* study) {
+static void check_gate(const dmi_mesh* mesh, const dmi_part_analysis* analysis) {
     const float up[3] = {0, 1, 0}, front[3] = {0, 0, 1};
     const dmi_candidate hinge = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0, 0.5, 0});
     const dmi_candidate edge = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0.8, 0.5, 0});
     const dmi_candidate slide = test_candidate(mesh, DM_JOINT_PRISMATIC, front, (const double[]){0.4, 0.5, 0});
     float of_hinge[DMI_FEATURE_COUNT], of_edge[DMI_FEATURE_COUNT], of_slide[DMI_FEATURE_COUNT];
-    dmi_axis_hardware_features(study, &hinge, of_hinge);
-    dmi_axis_hardware_features(study, &edge, of_edge);
-    dmi_axis_hardware_features(study, &slide, of_slide);
+    dmi_axis_hardware_features(analysis, &hinge, of_hinge);
+    dmi_axis_hardware_features(analysis, &edge, of_edge);
+    dmi_axis_hardware_features(analysis, &slide, of_slide);
     assert_true(of_hinge[DMI_FEATURE_ROUND_PART_COUNT] > 1.9f && of_hinge[DMI_FEATURE_ROUND_BODY_COUNT] > 0.9f);
     assert_true(of_hinge[DMI_FEATURE_ROUND_PAIR] > 0.9f);
     assert_true(of_hinge[DMI_FEATURE_CENTRED_PART_COUNT] > 1.9f && of_hinge[DMI_FEATURE_CENTRED_BODY_COUNT] > 0.9f);
@@ -51,7 +51,7 @@ static void check_gate(const dmi_mesh* mesh, const dmi_part_analysis* study) {
 
 static void knuckles_lie_on_the_hinge(void** state) {
     (void)state;
-    test_with_study(make_gate, check_gate);
+    test_with_analysis(make_gate, check_gate);
 }
 
 /* A plunger in its barrel goes along their common line, and turns about it as well. */
@@ -60,22 +60,22 @@ static void make_plunger(test_shape* shape) {
     add_tube(shape, 0, 0, 0.095f, 0.2f, 0.7f, 1);
 }
 
-static void check_plunger(const dmi_mesh* mesh, const dmi_part_analysis* study) {
+static void check_plunger(const dmi_mesh* mesh, const dmi_part_analysis* analysis) {
     const float up[3] = {0, 1, 0}, right[3] = {1, 0, 0};
     const dmi_candidate along = test_candidate(mesh, DM_JOINT_PRISMATIC, up, (const double[]){0, 0.45, 0});
     const dmi_candidate across = test_candidate(mesh, DM_JOINT_PRISMATIC, right, (const double[]){0, 0.45, 0});
     const dmi_candidate turn = test_candidate(mesh, DM_JOINT_CONTINUOUS, up, (const double[]){0, 0.45, 0});
     float of_along[DMI_FEATURE_COUNT], of_across[DMI_FEATURE_COUNT], of_turn[DMI_FEATURE_COUNT];
-    dmi_axis_hardware_features(study, &along, of_along);
-    dmi_axis_hardware_features(study, &across, of_across);
-    dmi_axis_hardware_features(study, &turn, of_turn);
+    dmi_axis_hardware_features(analysis, &along, of_along);
+    dmi_axis_hardware_features(analysis, &across, of_across);
+    dmi_axis_hardware_features(analysis, &turn, of_turn);
     assert_true(of_along[DMI_FEATURE_ROUND_PAIR] > 0.9f && of_turn[DMI_FEATURE_ROUND_PAIR] > 0.9f);
     assert_true(of_across[DMI_FEATURE_ROUND_PAIR] < 0.01f);
 }
 
 static void a_plunger_shares_its_line_with_the_barrel(void** state) {
     (void)state;
-    test_with_study(make_plunger, check_plunger);
+    test_with_analysis(make_plunger, check_plunger);
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-/* Farthest-point groups: the same as by plain loops, on random points, on lattices full of ties, on one point. */
+/* Farthest-point sampling equals brute force on random points, on lattices with many ties, on coincident points. */
 #include "test_env.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static float square_distance(uint32_t a, uint32_t b) {
     return x * x + y * y + z * z;
 }
 
-/* Each member has as many points before it as its place says. */
+/* Checks that the m-th member has exactly m points before it in the order by distance, then index. */
 static void check_members(uint32_t centre, uint32_t count, const uint32_t members[DMI_FPS_GROUP]) {
     assert_int_equal(members[0], centre);
     for (uint32_t m = 1; m < DMI_FPS_GROUP; m++) {
@@ -40,7 +40,7 @@ static uint32_t farthest_from(const uint32_t* centres, uint32_t centre_count, ui
     return best;
 }
 
-static void groups_are_those_of_plain_loops(void** state) {
+static void groups_equal_brute_force(void** state) {
     (void)state;
     static const uint32_t counts[4] = {DMI_FPS_POINT_STEP, 96, 512, DMI_FPS_MAX_POINTS};
     dmi_random random = dmi_random_make(4, 1);
@@ -51,12 +51,12 @@ static void groups_are_those_of_plain_loops(void** state) {
                     const float x = dmi_random_unit(&random);
                     xyz[k][i] = kind == 0 ? x : kind == 1 ? floorf(6 * x) : 0.25f;
                 }
-            dmi_fps grouping;
-            dmi_fps_begin(xyz[0], xyz[1], xyz[2], counts[n], &grouping);
+            dmi_fps sampling;
+            dmi_fps_begin(xyz[0], xyz[1], xyz[2], counts[n], &sampling);
             uint32_t centres[GROUPS + 1] = {0};
             for (uint32_t g = 0; g < GROUPS; g++) {
                 uint32_t members[DMI_FPS_GROUP];
-                centres[g + 1] = dmi_fps_next(&grouping, centres[g], members);
+                centres[g + 1] = dmi_fps_next(&sampling, centres[g], members);
                 check_members(centres[g], counts[n], members);
                 assert_int_equal(centres[g + 1], farthest_from(centres, g + 1, counts[n]));
             }
@@ -64,6 +64,6 @@ static void groups_are_those_of_plain_loops(void** state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(groups_are_those_of_plain_loops)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(groups_equal_brute_force)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* KPP-Net's input: the specification's frame and groups, the same in every pose and at every scale. */
+/* KPP-Net's input: frame and groups of the specification, invariance to pose and scale. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,7 @@
 #include "kinematics/kpp/kpp_input.h"
 #include "math/linear3.h"
 
-/* Normals of a box, somewhat uneven, the body's box turned against the part's. */
+/* Draws a noisy normal of a box; the body's box is rotated by 45 degrees against the part's. */
 static void make_normal(dmi_random* random, int is_part, float out[3]) {
     const uint32_t face = dmi_random_u32(random) % 8; /* the first direction has more faces than the others */
     for (int k = 0; k < 3; k++) out[k] = 0.04f * dmi_random_normal(random);
@@ -23,7 +23,7 @@ static void make_normal(dmi_random* random, int is_part, float out[3]) {
     dmi_normalize3(out);
 }
 
-/* A slab (the part) in front of a lopsided heap (the body). */
+/* Makes a slab (the part) in front of an asymmetric cloud (the body). */
 static void make_cloud(uint64_t seed, dmi_cloud* out) {
     dmi_random random = dmi_random_make(seed, 7);
     for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++) {
@@ -56,8 +56,8 @@ static void assert_same(const float* a, const float* b, size_t count, float tole
     for (size_t i = 0; i < count; i++) assert_float_equal(a[i], b[i], tolerance);
 }
 
-/* Every quarter shows other points of the same thing: a frame about the same, and none of the first one's points. */
-static void quarters_differ(void** state) {
+/* Every subset gives nearly the same frame from other points. */
+static void subsets_differ(void** state) {
     (void)state;
     dmi_cloud* cloud = malloc(sizeof *cloud);
     dmi_kpp_input* inputs = malloc(DMI_KPP_SUBSETS * sizeof *inputs);
@@ -76,7 +76,7 @@ static void quarters_differ(void** state) {
     free(cloud);
 }
 
-/* Where every channel is the same number before and after a rigid motion and a scale, the network can't see either. */
+/* Checks that a rigid motion and a scale do not change any channel. */
 static void check_invariance(const dmi_drag_hint* hint) {
     const float axis[3] = {0.6f, 0.0f, 0.8f}, shift[3] = {0.4f, -1.3f, 0.2f};
     const float angle = 2.1f, scale = 1.7f;
@@ -102,7 +102,7 @@ static void check_invariance(const dmi_drag_hint* hint) {
     assert_same(&before->global_centres[0][0], &after->global_centres[0][0], DMI_KPP_GLOBAL_GROUPS * 3, 1e-4f);
     assert_same(&before->local_centres[0][0], &after->local_centres[0][0], DMI_KPP_LOCAL_GROUPS * 3, 1e-4f);
     assert_float_equal(after->frame.scale * scale, before->frame.scale, 1e-4f);
-    const int size = 3 * DMI_KPP_DIRECTIONS + 18; /* the part's size is what it is for */
+    const int size = DMI_KPP_SHAPE_RADIUS; /* varies with the scale */
     for (int i = 0; i < DMI_KPP_SHAPE; i++)
         if (i != size) assert_float_equal(before->shape[i], after->shape[i], 1e-4f);
     free(cloud), free(before), free(after);
@@ -136,13 +136,13 @@ static void frame_is_a_rotation(void** state) {
             }
         dmi_cross3(r, r + 3, third);
         assert_same(third, r + 6, 3, 1e-5f);
-        for (int i = 0; with && i < 3; i++) /* the direction nearest to the drag comes first */
+        for (int i = 0; with && i < 3; i++) /* the axis closest to the drag comes first */
             assert_true(dmi_dot3(r, hint.vector) >= fabsf(dmi_dot3(r + 3 * i, hint.vector)));
     }
     free(cloud), free(input);
 }
 
-/* Groups start with their centre, go outwards, and say what they are; centres differ. */
+/* Groups start with their centre and are sorted by distance; channels are those of the specification. */
 static void groups_follow_the_specification(void** state) {
     (void)state;
     dmi_cloud* cloud = malloc(sizeof *cloud);
@@ -158,10 +158,11 @@ static void groups_follow_the_specification(void** state) {
             float d = dmi_distance3(c, input->global_centres[g]);
             assert_true(d >= last - 1e-6f);
             last = d;
-            for (int k = 0; k < 3; k++) assert_float_equal(c[10 + k], 2 * (c[k] - input->global_centres[g][k]), 1e-6f);
-            assert_float_equal(dmi_length3(c + 7), 1, 1e-5f);
+            for (int k = 0; k < 3; k++)
+                assert_float_equal(c[DMI_KPP_OFFSET + k], 2 * (c[k] - input->global_centres[g][k]), 1e-6f);
+            assert_float_equal(dmi_length3(c + DMI_KPP_DRAG_VECTOR), 1, 1e-5f);
             assert_true(dmi_length3(c) < 2 + logf(8));
-            masked += c[3] == 1;
+            masked += c[DMI_KPP_MASK] == 1;
         }
         assert_same(input->global_points[g][0], input->global_centres[g], 3, 0);
         for (uint32_t h = 0; h < g; h++)
@@ -169,11 +170,11 @@ static void groups_follow_the_specification(void** state) {
     }
     assert_in_range(masked, 1, DMI_KPP_GLOBAL_GROUPS * DMI_KPP_GROUP - 1);
     for (uint32_t g = 0; g < DMI_KPP_LOCAL_GROUPS; g++)
-        for (uint32_t m = 0; m < DMI_KPP_GROUP; m++) assert_true(input->local_points[g][m][3] == 1);
+        for (uint32_t m = 0; m < DMI_KPP_GROUP; m++) assert_true(input->local_points[g][m][DMI_KPP_MASK] == 1);
     free(cloud), free(input);
 }
 
-/* The part's faces give the frame, however the drag is off; what a joint may follow is in the shape numbers exactly. */
+/* The frame follows the part's faces, not the drag; the body's axes are among the shape features. */
 static void frame_follows_the_faces(void** state) {
     (void)state;
     dmi_cloud* cloud = malloc(sizeof *cloud);
@@ -189,19 +190,19 @@ static void frame_follows_the_faces(void** state) {
     float best = 0;
     for (int d = 3; d < 6; d++) best = fmaxf(best, fabsf(dmi_dot3(input->shape + 3 * d, inner)));
     assert_true(best > 0.999f);
-    const float* half = input->shape + 3 * DMI_KPP_DIRECTIONS + 3;
+    const float* half = input->shape + DMI_KPP_SHAPE_PART_BOX + 3;
     assert_float_equal(half[0] / input->frame.scale, 0.025f, 2e-3f); /* the slab's half thickness */
     free(cloud), free(input);
 }
 
-/* A point of the input where the library has it. */
+/* Rotates a vector out of the frame. */
 static void outer(const dmi_kpp_frame* frame, const float y[3], float out[3]) {
     for (int k = 0; k < 3; k++)
         out[k] = frame->rotation[k] * y[0] + frame->rotation[3 + k] * y[1] + frame->rotation[6 + k] * y[2];
 }
 
-/* The other frame shows the same vectors, and turned twice it is the first again. */
-static void turned_round_is_the_same(void** state) {
+/* The flipped frame has the same vectors outside of it; flipping twice restores the input. */
+static void flipping_twice_restores_the_input(void** state) {
     (void)state;
     dmi_cloud* cloud = malloc(sizeof *cloud);
     dmi_kpp_input* inputs = malloc(3 * sizeof *inputs);
@@ -213,7 +214,8 @@ static void turned_round_is_the_same(void** state) {
     assert_memory_equal(&inputs[0].frame, &inputs[2].frame, sizeof inputs[0].frame);
     assert_memory_equal(inputs[0].global_points, inputs[2].global_points, sizeof inputs[0].global_points);
     assert_memory_equal(inputs[0].shape, inputs[2].shape, sizeof inputs[0].shape);
-    static const int vectors[] = {0, 4, 7, 10, 13}; /* channels */
+    static const int vectors[] = {DMI_KPP_POINT, DMI_KPP_DRAG_POINT, DMI_KPP_DRAG_VECTOR, DMI_KPP_OFFSET,
+                                  DMI_KPP_NORMAL};
     for (int v = 0; v < 5; v++) {
         float a[3], b[3];
         outer(&inputs[0].frame, inputs[0].global_points[5][3] + vectors[v], a);
@@ -233,7 +235,7 @@ static void turned_round_is_the_same(void** state) {
     free(cloud), free(inputs);
 }
 
-/* All points in one place, a drag through the centre, a drag along the principal direction: finite all the same. */
+/* Coincident points, a drag through the centre, a drag along the principal direction give finite numbers. */
 static void degenerate_clouds_stay_finite(void** state) {
     (void)state;
     dmi_cloud* cloud = calloc(1, sizeof *cloud);
@@ -253,14 +255,14 @@ static void degenerate_clouds_stay_finite(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quarters_differ),
+        cmocka_unit_test(subsets_differ),
         cmocka_unit_test(invariant_with_drag),
         cmocka_unit_test(invariant_without_drag),
         cmocka_unit_test(frame_is_a_rotation),
         cmocka_unit_test(groups_follow_the_specification),
         cmocka_unit_test(frame_follows_the_faces),
         cmocka_unit_test(degenerate_clouds_stay_finite),
-        cmocka_unit_test(turned_round_is_the_same),
+        cmocka_unit_test(flipping_twice_restores_the_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

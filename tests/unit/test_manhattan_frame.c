@@ -1,4 +1,4 @@
-/* Directions from normals: found exactly on boxes whatever their pose, and sound for whatever else there is. */
+/* Manhattan frames: exact for boxes in any pose, orthonormal for any normals. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,7 @@
 
 #define COUNT 600
 
-/* A rotation (rows) drawn at random. */
+/* Draws a random rotation (rows). */
 static void random_axes(dmi_random* random, float out[3][3]) {
     for (int k = 0; k < 3; k++) out[0][k] = dmi_random_normal(random), out[1][k] = dmi_random_normal(random);
     dmi_normalize3(out[0]);
@@ -22,19 +22,20 @@ static void random_axes(dmi_random* random, float out[3][3]) {
     dmi_cross3(out[0], out[1], out[2]);
 }
 
-/* Faces of a flat box with the given axes: fewer normals along each axis; `noise` of them anywhere. */
+/* Draws normals of a flat box with the given axes, fewer along each axis than along the one before; a share `noise` of
+ * them has random directions. */
 static void box_normals(dmi_random* random, const float axes[3][3], float noise, float out[COUNT][3]) {
     for (int i = 0; i < COUNT; i++) {
         const int k = i % 10 < 7 ? 0 : i % 10 < 9 ? 1 : 2;
         const float sign = dmi_random_unit(random) < 0.5f ? -1.0f : 1.0f;
-        const int anywhere = dmi_random_unit(random) < noise;
+        const int is_noise = dmi_random_unit(random) < noise;
         for (int c = 0; c < 3; c++)
-            out[i][c] = anywhere ? dmi_random_normal(random) : sign * axes[k][c] + 0.02f * dmi_random_normal(random);
+            out[i][c] = is_noise ? dmi_random_normal(random) : sign * axes[k][c] + 0.02f * dmi_random_normal(random);
         dmi_normalize3(out[i]);
     }
 }
 
-/* Largest angle's cosine between each true axis and the direction nearest to it. */
+/* Returns the least cosine between a true axis and the found axis closest to it. */
 static float worst_match(const float axes[3][3], const float found[3][3]) {
     float worst = 1;
     for (int k = 0; k < 3; k++) {
@@ -67,8 +68,8 @@ static void boxes_give_their_axes(void** state) {
     }
 }
 
-/* A cylinder's side: its axis is the direction that no normal follows. */
-static void a_turned_shape_gives_its_axis_last(void** state) {
+/* The axis of a cylinder is the direction perpendicular to all normals. */
+static void the_axis_of_a_cylinder_comes_last(void** state) {
     (void)state;
     float normals[COUNT][3], found[3][3];
     for (int i = 0; i < COUNT; i++) {
@@ -83,7 +84,7 @@ static void a_turned_shape_gives_its_axis_last(void** state) {
     assert_float_equal(fabsf(found[2][1]), 1, 1e-5f);
 }
 
-static void no_normals_and_equal_normals_are_sound(void** state) {
+static void no_normals_and_equal_normals_give_rotations(void** state) {
     (void)state;
     float zero[COUNT][3], found[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     memset(zero, 0, sizeof zero);
@@ -102,8 +103,8 @@ static void no_normals_and_equal_normals_are_sound(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(boxes_give_their_axes),
-        cmocka_unit_test(a_turned_shape_gives_its_axis_last),
-        cmocka_unit_test(no_normals_and_equal_normals_are_sound),
+        cmocka_unit_test(the_axis_of_a_cylinder_comes_last),
+        cmocka_unit_test(no_normals_and_equal_normals_give_rotations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

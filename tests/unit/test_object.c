@@ -1,4 +1,4 @@
-/* Prepared objects: what prepare finds and reports, joints in force, and what ends with an object. */
+/* Prepared objects: results and errors of prepare, the joint in use, lifetime of dependent handles. */
 #include <math.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@ static void assert_joint_bits(const dm_joint* a, const dm_joint* b) {
     assert_memory_equal(a, b, sizeof *a);
 }
 
-/* A descriptor of the cabinet without a list of parts. */
+/* Descriptor of the cabinet without a list of parts. */
 typedef struct plain_cabinet {
     dm_mesh_desc mesh;
     dm_object_desc desc;
@@ -23,7 +23,7 @@ static void describe(const test_world* w, plain_cabinet* out) {
     out->desc = (dm_object_desc){.struct_size = sizeof out->desc, .mesh = &out->mesh, .model = w->model};
 }
 
-/* ---- facts ---- */
+/* ---- queries ---- */
 
 static void test_info_is_in_host_units(void** state) {
     (void)state;
@@ -57,7 +57,7 @@ static int turns(const dm_joint* joint) {
     return joint->type == DM_JOINT_REVOLUTE || joint->type == DM_JOINT_CONTINUOUS;
 }
 
-static void test_a_door_turns_even_without_weights(void** state) {
+static void test_a_door_is_revolute_without_weights(void** state) {
     (void)state;
     test_world w;
     test_world_init(&w);
@@ -82,7 +82,7 @@ static void test_a_door_turns_even_without_weights(void** state) {
     test_world_close(&w);
 }
 
-/* Speed of the joint's motion at the pull's point, along the pull: positive when a positive step follows it. */
+/* Returns the displacement of the pull's point along the pull for a small positive step of the joint. */
 static float along_pull(const dm_joint* joint) {
     const dm_drag_hint pull = test_pull();
     dm_pose pose;
@@ -112,7 +112,7 @@ static void test_a_drag_signs_the_hypotheses(void** state) {
     test_world_close(&w);
 }
 
-/* ---- what the host says ---- */
+/* ---- types and joints given by the host ---- */
 
 static void test_given_types_are_kept(void** state) {
     (void)state;
@@ -213,16 +213,16 @@ static void test_set_joint(void** state) {
     joint = test_hinge();
     joint.type = DM_JOINT_UNKNOWN;
     assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &joint), DM_ERROR_INVALID_ARGUMENT);
-    joint.type = DM_JOINT_CONTINUOUS; /* has no limits, so whatever stands there is no fault */
+    joint.type = DM_JOINT_CONTINUOUS; /* has no limits: theirs are not checked */
     joint.upper = (float)INFINITY;
     assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &joint), DM_OK);
     assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, NULL), DM_ERROR_INVALID_ARGUMENT);
     test_world_close(&w);
 }
 
-/* ---- bad input of prepare ---- */
+/* ---- invalid input of prepare ---- */
 
-static void test_bad_meshes_are_named(void** state) {
+static void test_invalid_meshes_are_reported(void** state) {
     (void)state;
     test_world w;
     test_world_init(&w);
@@ -272,7 +272,7 @@ static void test_bad_meshes_are_named(void** state) {
     test_world_close(&w);
 }
 
-static void test_bad_drags_are_named(void** state) {
+static void test_invalid_drags_are_reported(void** state) {
     (void)state;
     test_world w;
     test_world_init(&w);
@@ -342,7 +342,7 @@ static void test_progress_rises_and_cancels(void** state) {
     test_world_close(&w);
 }
 
-/* Runs the tasks in another order than a loop would. */
+/* Runs the tasks in an order other than that of a loop. */
 static int32_t DM_CALL backwards(void* user, uint32_t count, dm_task task, void* data) {
     (*(int*)user)++;
     for (uint32_t i = count; i-- > 0;) task(data, i);
@@ -409,7 +409,7 @@ static void test_refine_needs_weights_and_triangles(void** state) {
     test_world_close(&w);
 }
 
-/* Refining with a drag is preparing with it. */
+/* Refining with a drag gives the bits of preparing with it. */
 static void test_refine_equals_prepare(void** state) {
     (void)state;
     test_world w;
@@ -451,7 +451,7 @@ static void test_picking_does_not_change_joints(void** state) {
     test_world_close(&w);
 }
 
-static void test_motion_follows_the_joint_in_force(void** state) {
+static void test_motion_follows_the_joint_in_use(void** state) {
     (void)state;
     test_world w;
     test_world_init(&w);
@@ -480,14 +480,14 @@ static void test_motion_follows_the_joint_in_force(void** state) {
         assert_int_equal(dm_motion_sample(w.context, motion, 2, &pose, &value), DM_OK);
         assert_true(value == values[DM_MOTION_FRAMES - 1]);
         assert_int_equal(dm_motion_sample(w.context, motion, -1, &pose, NULL), DM_OK);
-        /* The same hinge signed the other way round: the same motion, values negated. */
+        /* The same hinge with its axis negated: the same motion with negated values. */
         hinge = (dm_joint){.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}, .origin = {0, 0.5f, 1.03f}, .lower = -1.5f};
         assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
     }
     test_world_close(&w);
 }
 
-/* Equal limits are none: the motion goes about as far as the hand pulls, 0.2 at 0.9 from the hinge. */
+/* Equal limits mean none: the motion goes about as far as the drag, 0.2 at 0.9 from the hinge. */
 static void test_motion_without_limits(void** state) {
     (void)state;
     test_world w;
@@ -543,7 +543,8 @@ static void test_motion_arguments(void** state) {
     assert_int_equal(dm_motion_sample(w.context, motion, 0, NULL, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_motion_get_frames(w.context, motion, NULL, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_model_unload(w.context, w.model), DM_OK);
-    assert_int_equal(dm_motion_sample(w.context, motion, 0.5f, &pose, NULL), DM_OK); /* needs no weights any more */
+    assert_int_equal(dm_motion_sample(w.context, motion, 0.5f, &pose, NULL),
+                     DM_OK); /* the model may be unloaded by now */
     assert_int_equal(dm_motion_generate(w.context, object, &desc, &motion), DM_ERROR_NO_MODEL);
     assert_int_equal(dm_motion_destroy(w.context, motion), DM_OK);
     assert_int_equal(dm_motion_sample(w.context, motion, 0.5f, &pose, NULL), DM_ERROR_STALE_HANDLE);
@@ -568,9 +569,9 @@ static void test_a_fixed_part_stays(void** state) {
     test_world_close(&w);
 }
 
-/* ---- what ends with an object ---- */
+/* ---- lifetime ---- */
 
-static void test_destroying_an_object_ends_what_hangs_on_it(void** state) {
+static void test_destroying_an_object_invalidates_its_handles(void** state) {
     (void)state;
     test_world w;
     test_world_init(&w);
@@ -617,12 +618,12 @@ static void test_destroying_an_object_ends_what_hangs_on_it(void** state) {
     assert_int_equal(dm_scene_pick(w.context, scenes[0], &other, &hit), DM_OK);
     assert_int_equal(hit.object, stays);
     dm_context_get_memory(w.context, &after);
-    /* Scenes may keep room for instances, and pools for handles, but no more than that. */
+    /* Scenes may keep memory for instances, and pools for handles, but nothing else. */
     assert_true(after.bytes - before.bytes < 4096);
     test_world_close(&w);
 }
 
-static void test_a_scene_may_go_first(void** state) {
+static void test_a_scene_may_be_destroyed_first(void** state) {
     (void)state;
     test_world w;
     test_world_init(&w);
@@ -641,8 +642,8 @@ static void test_a_scene_may_go_first(void** state) {
     test_world_close(&w);
 }
 
-/* The points kept of a cloud are those the motion network looks at. */
-static void test_kept_points_are_the_motion_networks(void** state) {
+/* The points kept of a cloud are those that the motion network reads. */
+static void test_kept_points_are_those_of_the_motion_network(void** state) {
     (void)state;
     static dmi_cloud cloud, again;
     static dmi_vae_object from_cloud, from_points;
@@ -662,25 +663,25 @@ static void test_kept_points_are_the_motion_networks(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_info_is_in_host_units),
-        cmocka_unit_test(test_a_door_turns_even_without_weights),
+        cmocka_unit_test(test_a_door_is_revolute_without_weights),
         cmocka_unit_test(test_a_drag_signs_the_hypotheses),
         cmocka_unit_test(test_given_types_are_kept),
         cmocka_unit_test(test_intent_callback),
         cmocka_unit_test(test_set_joint),
-        cmocka_unit_test(test_bad_meshes_are_named),
-        cmocka_unit_test(test_bad_drags_are_named),
+        cmocka_unit_test(test_invalid_meshes_are_reported),
+        cmocka_unit_test(test_invalid_drags_are_reported),
         cmocka_unit_test(test_progress_rises_and_cancels),
         cmocka_unit_test(test_the_same_bits_for_any_workers),
         cmocka_unit_test(test_refine_needs_weights_and_triangles),
         cmocka_unit_test(test_refine_equals_prepare),
         cmocka_unit_test(test_picking_does_not_change_joints),
-        cmocka_unit_test(test_motion_follows_the_joint_in_force),
+        cmocka_unit_test(test_motion_follows_the_joint_in_use),
         cmocka_unit_test(test_motion_without_limits),
         cmocka_unit_test(test_motion_arguments),
         cmocka_unit_test(test_a_fixed_part_stays),
-        cmocka_unit_test(test_destroying_an_object_ends_what_hangs_on_it),
-        cmocka_unit_test(test_a_scene_may_go_first),
-        cmocka_unit_test(test_kept_points_are_the_motion_networks),
+        cmocka_unit_test(test_destroying_an_object_invalidates_its_handles),
+        cmocka_unit_test(test_a_scene_may_be_destroyed_first),
+        cmocka_unit_test(test_kept_points_are_those_of_the_motion_network),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,9 +11,9 @@ static void make_cupboard(test_shape* shape) {
 }
 
 /* Hinged on the outside, the door has its twin beyond its free side; in the middle, beyond the hinge. */
-static void check_twins(const dmi_mesh* mesh, const dmi_part_analysis* study) {
+static void check_twins(const dmi_mesh* mesh, const dmi_part_analysis* analysis) {
     dmi_symmetry symmetry;
-    dmi_symmetry_begin(study, &symmetry);
+    dmi_symmetry_begin(analysis, &symmetry);
     const float up[3] = {0, 1, 0};
     const dmi_candidate outside = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0, 0.3, 0.002});
     const dmi_candidate inside = test_candidate(mesh, DM_JOINT_REVOLUTE, up, (const double[]){0.4, 0.3, 0.002});
@@ -26,13 +26,13 @@ static void check_twins(const dmi_mesh* mesh, const dmi_part_analysis* study) {
 
 static void a_doors_twin_is_seen(void** state) {
     (void)state;
-    test_with_study(make_cupboard, check_twins);
+    test_with_analysis(make_cupboard, check_twins);
 }
 
 /* Across a flap's hinge door and cupboard are more their own images than in a mirror that stands askew. */
-static void check_middles(const dmi_mesh* mesh, const dmi_part_analysis* study) {
+static void check_middles(const dmi_mesh* mesh, const dmi_part_analysis* analysis) {
     dmi_symmetry symmetry;
-    dmi_symmetry_begin(study, &symmetry);
+    dmi_symmetry_begin(analysis, &symmetry);
     const float right[3] = {1, 0, 0}, leaning[3] = {0.8f, 0.6f, 0};
     const dmi_candidate flap = test_candidate(mesh, DM_JOINT_REVOLUTE, right, (const double[]){0.2, 0, 0.002});
     const dmi_candidate askew = test_candidate(mesh, DM_JOINT_REVOLUTE, leaning, (const double[]){0.2, 0, 0.002});
@@ -50,13 +50,13 @@ static void check_middles(const dmi_mesh* mesh, const dmi_part_analysis* study) 
 
 static void a_door_is_its_own_image_across_its_sides(void** state) {
     (void)state;
-    test_with_study(make_cupboard, check_middles);
+    test_with_analysis(make_cupboard, check_middles);
 }
 
 /* Of the mirrors along a slide, the one in which the part is more its own image comes first. */
-static void check_slide(const dmi_mesh* mesh, const dmi_part_analysis* study) {
+static void check_slide(const dmi_mesh* mesh, const dmi_part_analysis* analysis) {
     dmi_symmetry symmetry;
-    dmi_symmetry_begin(study, &symmetry);
+    dmi_symmetry_begin(analysis, &symmetry);
     const float front[3] = {0, 0, 1};
     const dmi_candidate slide = test_candidate(mesh, DM_JOINT_PRISMATIC, front, (const double[]){0.2, 0.3, 0});
     float out[DMI_FEATURE_COUNT];
@@ -66,7 +66,7 @@ static void check_slide(const dmi_mesh* mesh, const dmi_part_analysis* study) {
 
 static void a_slide_has_its_best_mirror_first(void** state) {
     (void)state;
-    test_with_study(make_cupboard, check_slide);
+    test_with_analysis(make_cupboard, check_slide);
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-/* A grid of distances to a set of surface samples: answers how far a point is from the body in a few nanoseconds. All
+/* A grid of distances to a set of surface samples, looked up in a few nanoseconds. All
  * lengths are object-normalised. */
 #ifndef DMI_ANALYSIS_DISTANCE_GRID_H
 #define DMI_ANALYSIS_DISTANCE_GRID_H

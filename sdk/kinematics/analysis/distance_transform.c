@@ -2,6 +2,8 @@
  * Toriwaki 1994), by brute force outwards from each cell, many lines at a time. */
 #include "kinematics/analysis/distance_transform.h"
 
+#include <stdbool.h>
+
 #include "base/cpu.h"
 #include "math/linear3.h"
 
@@ -33,7 +35,7 @@ static inline void lower_by(const int16_t* restrict from, int32_t step, int16_t*
 }
 
 /* Returns whether any used lane has a square above the squared step. */
-static inline int any_above(const int16_t near[LANES], const int16_t used[LANES], int32_t step) {
+static inline bool any_above(const int16_t near[LANES], const int16_t used[LANES], int32_t step) {
     int16_t any = 0;
     for (int k = 0; k < LANES; k++) any |= (int16_t)((near[k] > (int16_t)step) & used[k]);
     return any;

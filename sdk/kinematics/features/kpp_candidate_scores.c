@@ -3,6 +3,7 @@
 #include "kinematics/features/kpp_candidate_scores.h"
 
 #include "math/linear3.h"
+#include "nn/kernels.h"
 
 #define FAR 3.0f          /* bound of offsets and speeds, in the part's radius; by hand */
 #define LEAST_SIDE 0.02f  /* of the part's box, in its radius; by hand */
@@ -22,6 +23,8 @@ enum {
     MOTION = 16,
     DRAG_NUMBERS = 5
 };
+/* Of the dragged point's motion: */
+enum { FOLLOWED = 0, DIRECTION = 1, SPEED = 4 };
 _Static_assert(MOTION + DRAG_NUMBERS == DMI_KPP_CANDIDATE_NUMBERS, "numbers of a candidate");
 
 /* Writes the dragged point's motion: how well it follows the drag, its direction, how fast a turn moves it. */
@@ -35,9 +38,9 @@ static void write_drag(const dmi_candidate* c, const float shape[DMI_KPP_SHAPE],
     dmi_candidate_velocity(c, point, velocity);
     const float speed = dmi_length3(velocity), along = dmi_dot3(velocity, drag);
     const float unit = (along < 0 ? -1.0f : 1.0f) / dmi_max(speed, LEAST_SPEED);
-    out[0] = along * unit;
-    for (int k = 0; k < 3; k++) out[1 + k] = velocity[k] * unit;
-    out[4] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_min(speed, FAR);
+    out[FOLLOWED] = along * unit;
+    for (int k = 0; k < 3; k++) out[DIRECTION + k] = velocity[k] * unit;
+    out[SPEED] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_min(speed, FAR);
 }
 
 /* c: in the network's frame. Writes the same for an axis and its opposite. */
@@ -75,7 +78,7 @@ static dmi_candidate in_frame(const dmi_candidate* c, const dmi_kpp_frame* frame
 void dmi_kpp_candidate_scores(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input,
                               const dmi_kpp_output* output, const dmi_candidate* candidates, uint32_t count,
                               float* out_scores) {
-    _Alignas(64) float numbers[DMI_KPP_SCORE_BATCH][DMI_KPP_CANDIDATE_NUMBERS];
+    _Alignas(DMI_ROW_ALIGNMENT) float numbers[DMI_KPP_SCORE_BATCH][DMI_KPP_CANDIDATE_NUMBERS];
     for (uint32_t first = 0; first < count; first += DMI_KPP_SCORE_BATCH) {
         const uint32_t rows = count - first < DMI_KPP_SCORE_BATCH ? count - first : DMI_KPP_SCORE_BATCH;
         for (uint32_t i = 0; i < rows; i++) {

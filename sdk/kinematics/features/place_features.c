@@ -89,6 +89,12 @@ static void along_features(const dmi_part_analysis* a, const dmi_candidate* c, f
     row[DMI_FEATURE_ALONG_PART_MEAN] = part_mean, row[DMI_FEATURE_ALONG_PART_MOST] = part_most;
 }
 
+static float least_of(const float* values, int count) {
+    float least = values[0];
+    for (int i = 1; i < count; i++) least = dmi_min(least, values[i]);
+    return least;
+}
+
 /* Rotational symmetry: the part turned on itself by a half, a third, a quarter, a fifth and a sixth of a turn. */
 static void rotation_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
     enum { FRACTIONS = 5 };
@@ -105,7 +111,7 @@ static void rotation_features(const dmi_part_analysis* a, const dmi_candidate* c
         for (int i = 0; i < ROTATED_POINTS; i++)
             mean[k] += dmi_min(distance[i] / a->diagonal, UNLIKE_DISTANCE) / ROTATED_POINTS;
     }
-    const float least = dmi_min(dmi_min(mean[1], mean[2]), dmi_min(mean[3], mean[4]));
+    const float least = least_of(mean + 1, FRACTIONS - 1);
     row[DMI_FEATURE_HALF_TURN_DISTANCE] = mean[0];
     row[DMI_FEATURE_FRACTION_TURN_DISTANCE] = least;
     row[DMI_FEATURE_ROUND] = expf(-dmi_min(least, mean[0]) / ROUND_DISTANCE);

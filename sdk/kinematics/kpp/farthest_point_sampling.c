@@ -2,6 +2,7 @@
 #include "kinematics/kpp/farthest_point_sampling.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "base/cpu.h"
 
@@ -42,7 +43,7 @@ static inline float bound_of(const float least[LANES]) {
     return limit;
 }
 
-static inline int any_within(const float* restrict distance, float limit) {
+static inline bool any_within(const float* restrict distance, float limit) {
     int32_t any = 0;
     for (int k = 0; k < LANES; k++) any |= distance[k] <= limit;
     return any;
@@ -75,7 +76,7 @@ static inline void update_some(const float* restrict distance, float* restrict m
     }
 }
 
-static inline int any_from(const float* restrict min_square, float most) {
+static inline bool any_from(const float* restrict min_square, float most) {
     int32_t any = 0;
     for (int k = 0; k < LANES; k++) any |= min_square[k] >= most;
     return any;

@@ -1,84 +1,149 @@
-/* What tells how far a joint goes: where its sweep meets the body, how far the part comes off it, how both lie along or
- * about the axis, and the part's shape. */
+/* Measures what tells how far a joint goes: where its sweep meets the body, how far the part comes off it, how both lie
+ * along or about the axis, the part's shape, and KPP-Net's guess. */
 #include "base/sort.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/limits/sweep.h"
 #include "math/linear3.h"
 
-enum { KIND, REACH = 2, SHAPE = 6, OFF = 14, BOX = 20, NETWORK = 23, AROUND = 28 };
+/* Columns of the limit features. Lengths are in the joint's unit: 1 rad, or the part's extent along the slide. */
+enum {
+    IS_SLIDE = 0,
+    HAS_DRAG,
+    UP_STOPPED, /* how far the part goes up before it is stopped, and jammed; then down */
+    UP_JAMMED,
+    DOWN_STOPPED,
+    DOWN_JAMMED,
+    ROUNDNESS,       /* 0 for a slide */
+    EXTENT,          /* along the axis, in diagonals */
+    CENTROID_OFFSET, /* from the axis, in diagonals; 0 for a slide */
+    THIN_BY_LONG,
+    MIDDLE_BY_LONG,
+    LOG_DIAGONAL,
+    LOG_AREA_RATIO,
+    FREE_SHARE, /* of the points, clear of the body at rest */
+    OFF_UP,     /* 3: how far the part has come off the body at three values; then down */
+    OFF_DOWN = OFF_UP + 3,
+    BOX_COSINES = OFF_DOWN + 3, /* 3: between the axis and the part's box, longest side first */
+    HAS_NETWORK = BOX_COSINES + 3,
+    NETWORK_LOWER,
+    NETWORK_UPPER,
+    NETWORK_REVOLUTE,
+    NETWORK_CONTINUOUS,
+    SURROUNDINGS, /* 9 of a slide, or 4 of a turn */
+    /* Of a slide: */
+    SURROUNDED = SURROUNDINGS,          /* share of the samples that lie round the part */
+    BODY_FROM_LOW,                      /* 4: quantiles of the body's heights round the part, from the part's low end */
+    BODY_FROM_HIGH = BODY_FROM_LOW + 4, /* 4: the same from its high end */
+    LIMIT_FEATURES = BODY_FROM_HIGH + 4,
+    /* Of a turn: */
+    ANGLE_COSINE = SURROUNDINGS, /* of the angle from the part to the body about the axis */
+    ANGLE_SINE,
+    PART_SPREAD, /* 0: all arms alike, 1: all around */
+    BODY_SPREAD
+};
+_Static_assert(LIMIT_FEATURES == DMI_LIMIT_FEATURES, "limit features");
+
+#define SLIDE_SWEEP 1.2f    /* extents of the part that a slide is swept; by hand */
+#define TURN_SWEEP 1.8f     /* rad to the farthest of the three values of OFF; by hand */
+#define MOST_ROUNDNESS 0.5f /* by hand, as all bounds below */
+#define MOST_OFFSET 2       /* diagonals */
+#define MOST_OFF 1          /* diagonals */
+#define MOST_LENGTH 4       /* units */
+#define AREA_RATIO_UNIT 5
+#define LEAST_SIDE 1e-6f     /* objects; avoids a division by 0 */
+#define SURROUND_RADIUS 1.3f /* of the part's, round the axis: the body within it surrounds the part; by hand */
+#define LEAST_SURROUNDING 8  /* samples: fewer say nothing; by hand */
+enum {
+    MOST_HEIGHTS = 1024,   /* samples of the body that are sorted; by hand */
+    HEIGHT_SAMPLES = 4096, /* samples of the body that are looked at, at most about twice as many; by hand */
+    ARM_SAMPLES = 2048     /* likewise */
+};
+static const float off_shares[3] = {0.15f, 0.4f, 0.8f};      /* of the way; by hand */
+static const float quantiles[] = {0.05f, 0.3f, 0.7f, 0.95f}; /* of the heights; by hand */
 
 typedef struct measure {
-    const dmi_part_analysis* study;
+    const dmi_part_analysis* analysis;
     dmi_sweep sweep;
-    int slides;
-    float unit; /* that limits are learnt in: 1 rad, or the part's extent along the slide */
+    bool slides;
+    float unit; /* 1 rad, or the part's extent along the slide */
 } measure;
 
+static float clamp(float x, float most) {
+    return dmi_min(dmi_max(x, -most), most);
+}
+
 static void write_reach(const measure* m, float* out) {
-    const float step = m->slides ? 1.2f * m->sweep.extent / DMI_SWEEP_SLIDES : DMI_SWEEP_TURN;
+    const float step = m->slides ? SLIDE_SWEEP * m->sweep.extent / DMI_SWEEP_SLIDES : DMI_SWEEP_TURN;
     const int steps = m->slides ? DMI_SWEEP_SLIDES : DMI_SWEEP_TURNS;
     float up[2], down[2];
     dmi_sweep_reach(&m->sweep, step, steps, up);
     dmi_sweep_reach(&m->sweep, -step, steps, down);
-    for (int k = 0; k < 2; k++) out[k] = up[k] / m->unit, out[2 + k] = down[k] / m->unit;
+    out[UP_STOPPED] = up[0] / m->unit, out[UP_JAMMED] = up[1] / m->unit;
+    out[DOWN_STOPPED] = down[0] / m->unit, out[DOWN_JAMMED] = down[1] / m->unit;
 }
 
 static void write_shape(const measure* m, float* out) {
-    const dmi_part_analysis* study = m->study;
+    const dmi_part_analysis* a = m->analysis;
     float side[3];
-    for (int k = 0; k < 3; k++) side[k] = study->box.high[k] - study->box.low[k];
-    out[0] = m->slides ? 0 : dmi_min(dmi_sweep_roundness(&m->sweep), 0.5f);
-    out[1] = m->sweep.extent / study->diagonal;
-    out[2] =
-        m->slides
-            ? 0
-            : dmi_min(dmi_line_distance3(study->centre, m->sweep.moved.axis, m->sweep.origin) / study->diagonal, 2);
-    out[3] = side[2] / dmi_max(side[0], 1e-6f);
-    out[4] = side[1] / dmi_max(side[0], 1e-6f);
-    out[5] = logf(study->diagonal);
-    out[6] = logf(1 + study->area_ratio) / 5;
-    out[7] = (float)m->sweep.free_count / DMI_SWEEP_POINTS;
+    for (int k = 0; k < 3; k++) side[k] = a->box.high[k] - a->box.low[k];
+    if (!m->slides) {
+        const float offset = dmi_line_distance3(a->centre, m->sweep.moved.axis, m->sweep.origin) / a->diagonal;
+        out[ROUNDNESS] = dmi_min(dmi_sweep_roundness(&m->sweep), MOST_ROUNDNESS);
+        out[CENTROID_OFFSET] = dmi_min(offset, MOST_OFFSET);
+    }
+    out[EXTENT] = m->sweep.extent / a->diagonal;
+    out[THIN_BY_LONG] = side[2] / dmi_max(side[0], LEAST_SIDE);
+    out[MIDDLE_BY_LONG] = side[1] / dmi_max(side[0], LEAST_SIDE);
+    out[LOG_DIAGONAL] = logf(a->diagonal);
+    out[LOG_AREA_RATIO] = logf(1 + a->area_ratio) / AREA_RATIO_UNIT;
+    out[FREE_SHARE] = (float)m->sweep.free_count / DMI_SWEEP_POINTS;
 }
 
-/* How far the part has come off the body, over its diagonal, at a few values either way. */
 static void write_off(const measure* m, float* out) {
-    static const float shares[3] = {0.15f, 0.4f, 0.8f};
-    const float whole = m->slides ? m->sweep.extent : 1.8f;
-    for (int k = 0; k < 3; k++)
-        for (int way = 0; way < 2; way++) {
-            const dmi_clearance at = dmi_sweep_clearance(&m->sweep, (way == 0 ? whole : -whole) * shares[k]);
-            out[k + 3 * way] = dmi_min(at.least / m->study->diagonal, 1);
-        }
+    const float whole = m->slides ? m->sweep.extent : TURN_SWEEP;
+    for (int k = 0; k < 3; k++) {
+        const dmi_clearance up = dmi_sweep_clearance(&m->sweep, whole * off_shares[k]);
+        const dmi_clearance down = dmi_sweep_clearance(&m->sweep, -whole * off_shares[k]);
+        out[OFF_UP + k] = dmi_min(up.least / m->analysis->diagonal, MOST_OFF);
+        out[OFF_DOWN + k] = dmi_min(down.least / m->analysis->diagonal, MOST_OFF);
+    }
 }
 
-/* A slide: where the body around the part begins and ends along the axis, seen from the part's ends: how far a button
- * stands proud, how long a drawer is held. In extents of the part. */
-static void write_surroundings(const measure* m, float* out) {
-    const dmi_part_analysis* study = m->study;
+/* Collects the heights along a slide of the body's samples round the part. Returns how many. */
+static uint32_t surrounding_heights(const measure* m, float radius, float heights[MOST_HEIGHTS]) {
+    const dmi_part_analysis* a = m->analysis;
     const float* axis = m->sweep.moved.axis;
-    float heights[1024], spare[1024], low = INFINITY, high = -INFINITY, radius = 0;
+    const uint32_t stride = 1 + a->near_count / HEIGHT_SAMPLES;
     uint32_t count = 0;
+    for (uint32_t i = 0; i < a->near_count && count < MOST_HEIGHTS; i += stride)
+        if (dmi_line_distance3(a->near_points[i], axis, a->centre) < SURROUND_RADIUS * radius)
+            heights[count++] = dmi_dot3(a->near_points[i], axis);
+    return count;
+}
+
+/* A slide: where the body round the part begins and ends along the axis, seen from the part's ends. It tells how far a
+ * button stands proud, and how long a drawer is held. */
+static void write_surroundings(const measure* m, float* out) {
+    const dmi_part_analysis* a = m->analysis;
+    const float* axis = m->sweep.moved.axis;
+    float heights[MOST_HEIGHTS], spare[MOST_HEIGHTS], low = INFINITY, high = -INFINITY, radius = 0;
     for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
-        const float height = dmi_dot3(study->points[i], axis);
+        const float height = dmi_dot3(a->points[i], axis);
         low = dmi_min(low, height), high = dmi_max(high, height);
-        radius = dmi_max(radius, dmi_line_distance3(study->points[i], axis, study->centre));
+        radius = dmi_max(radius, dmi_line_distance3(a->points[i], axis, a->centre));
     }
-    const uint32_t stride = 1 + study->near_count / 4096;
-    for (uint32_t i = 0; i < study->near_count && count < 1024; i += stride)
-        if (dmi_line_distance3(study->near_points[i], axis, study->centre) < 1.3f * radius)
-            heights[count++] = dmi_dot3(study->near_points[i], axis);
-    out[0] = (float)count / 1024;
-    if (count < 8) return;
+    const uint32_t count = surrounding_heights(m, radius, heights);
+    out[SURROUNDED] = (float)count / MOST_HEIGHTS;
+    if (count < LEAST_SURROUNDING) return;
     dmi_sort_floats(heights, count, spare);
-    static const float shares[4] = {0.05f, 0.3f, 0.7f, 0.95f};
-    for (int k = 0; k < 4; k++) {
-        const float height = heights[(uint32_t)(shares[k] * (float)(count - 1))];
-        out[1 + k] = dmi_min(dmi_max((height - low) / m->unit, -4), 4);
-        out[5 + k] = dmi_min(dmi_max((height - high) / m->unit, -4), 4);
+    for (size_t k = 0; k < sizeof quantiles / sizeof *quantiles; k++) {
+        const float height = heights[(uint32_t)(quantiles[k] * (float)(count - 1))];
+        out[BODY_FROM_LOW + k] = clamp((height - low) / m->unit, MOST_LENGTH);
+        out[BODY_FROM_HIGH + k] = clamp((height - high) / m->unit, MOST_LENGTH);
     }
 }
 
-/* A turn: the mean arm of points about the axis, and how they spread around it. */
+/* A turn: writes the mean arm of points about the axis, and how they spread around it. */
 static void mean_arm(const measure* m, const float (*points)[3], uint32_t count, uint32_t stride, float out_arm[3],
                      float* out_spread) {
     float total = 0;
@@ -93,44 +158,45 @@ static void mean_arm(const measure* m, const float (*points)[3], uint32_t count,
     *out_spread = total > 0 ? 1 - dmi_normalize3(out_arm) / total : 1;
 }
 
-/* A turn: the angle from the part to the body about the axis, as its cosine and sine, and how far each spreads. */
+/* A turn: the angle from the part to the body about the axis, and how far each spreads. */
 static void write_angle(const measure* m, float* out) {
+    const dmi_part_analysis* a = m->analysis;
     float part[3], body[3], across[3];
-    mean_arm(m, m->study->points, DMI_SWEEP_POINTS, 1, part, &out[2]);
-    mean_arm(m, (const float(*)[3])m->study->near_points, m->study->near_count, 1 + m->study->near_count / 2048, body,
-             &out[3]);
+    mean_arm(m, a->points, DMI_SWEEP_POINTS, 1, part, &out[PART_SPREAD]);
+    mean_arm(m, (const float(*)[3])a->near_points, a->near_count, 1 + a->near_count / ARM_SAMPLES, body,
+             &out[BODY_SPREAD]);
     dmi_cross3(part, body, across);
-    out[0] = dmi_dot3(part, body);
-    out[1] = dmi_dot3(across, m->sweep.moved.axis);
+    out[ANGLE_COSINE] = dmi_dot3(part, body);
+    out[ANGLE_SINE] = dmi_dot3(across, m->sweep.moved.axis);
 }
 
 static void write_network(const measure* m, const dmi_prediction* p, float* out) {
     const float* axis = m->slides ? p->slide_axis : p->turn_axis;
     const float* limits = m->slides ? p->slide_limits : p->turn_limits;
-    const int along = dmi_dot3(axis, m->sweep.moved.axis) >= 0;
-    out[0] = 1;
-    out[1] = dmi_min(dmi_max((along ? limits[0] : -limits[1]) / m->unit, -4), 4);
-    out[2] = dmi_min(dmi_max((along ? limits[1] : -limits[0]) / m->unit, -4), 4);
-    out[3] = p->type[DM_JOINT_REVOLUTE - 1];
-    out[4] = p->type[DM_JOINT_CONTINUOUS - 1];
+    const bool along = dmi_dot3(axis, m->sweep.moved.axis) >= 0;
+    out[HAS_NETWORK] = 1;
+    out[NETWORK_LOWER] = clamp((along ? limits[0] : -limits[1]) / m->unit, MOST_LENGTH);
+    out[NETWORK_UPPER] = clamp((along ? limits[1] : -limits[0]) / m->unit, MOST_LENGTH);
+    out[NETWORK_REVOLUTE] = p->type[DM_JOINT_REVOLUTE - 1];
+    out[NETWORK_CONTINUOUS] = p->type[DM_JOINT_CONTINUOUS - 1];
 }
 
-float dmi_limits_features(const dmi_part_analysis* study, const dmi_prediction* prediction, int with_drag,
+float dmi_limits_features(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
                           const dm_joint* joint, float out[DMI_LIMIT_FEATURES]) {
-    measure m = {.study = study, .slides = joint->type == DM_JOINT_PRISMATIC};
-    dmi_sweep_make(study, joint, &m.sweep);
+    measure m = {.analysis = analysis, .slides = joint->type == DM_JOINT_PRISMATIC};
+    dmi_sweep_make(analysis, joint, &m.sweep);
     m.unit = m.slides ? m.sweep.extent : 1;
     memset(out, 0, sizeof(float) * DMI_LIMIT_FEATURES);
-    out[KIND] = m.slides ? 1.0f : 0.0f;
-    out[KIND + 1] = with_drag ? 1.0f : 0.0f;
-    write_reach(&m, out + REACH);
-    write_shape(&m, out + SHAPE);
-    write_off(&m, out + OFF);
-    for (int k = 0; k < 3; k++) out[BOX + k] = fabsf(dmi_dot3(m.sweep.moved.axis, study->box.axes[k]));
-    if (prediction != NULL) write_network(&m, prediction, out + NETWORK);
+    out[IS_SLIDE] = m.slides ? 1.0f : 0.0f;
+    out[HAS_DRAG] = with_drag ? 1.0f : 0.0f;
+    write_reach(&m, out);
+    write_shape(&m, out);
+    write_off(&m, out);
+    for (int k = 0; k < 3; k++) out[BOX_COSINES + k] = fabsf(dmi_dot3(m.sweep.moved.axis, analysis->box.axes[k]));
+    if (prediction != NULL) write_network(&m, prediction, out);
     if (m.slides)
-        write_surroundings(&m, out + AROUND);
+        write_surroundings(&m, out);
     else
-        write_angle(&m, out + AROUND);
+        write_angle(&m, out);
     return m.unit;
 }

@@ -12,7 +12,7 @@
 #define LOWEST_LOGIT (-30.0f)
 #define LEAST_UNION 1e-4f /* avoids a division by 0 */
 
-enum { HIDDEN = 160, OUTPUTS = 1 + DMI_LIMIT_KINDS * (1 + 2 * DMI_LIMIT_SIZES) };
+enum { MAX_NAME = 32, HIDDEN = 160, OUTPUTS = 1 + DMI_LIMIT_KINDS * (1 + 2 * DMI_LIMIT_SIZES) };
 
 static bool sizes_rise(const float sizes[DMI_LIMIT_SIZES]) {
     bool rise = sizes[0] == 0;
@@ -31,7 +31,7 @@ void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network) 
     read_vector(loader, "limits.scale", DMI_LIMIT_INPUTS, out_network->scale);
     read_vector(loader, "limits.sizes", DMI_LIMIT_SIZES, out_network->sizes);
     for (int i = 0; i < DMI_LIMIT_MEMBERS; i++) {
-        char name[32];
+        char name[MAX_NAME];
         snprintf(name, sizeof name, "limits.%d", i);
         dmi_load_perceptron(loader, name, sizes, 3, &out_network->members[i]);
     }
@@ -125,8 +125,8 @@ static void answer(const dmi_limit_network* network, const float probability[DMI
 
 void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
                                uint32_t count, dmi_limit_prediction* out) {
-    _Alignas(64) float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], y[DMI_LIMIT_ROWS][OUTPUTS];
-    _Alignas(64) float hidden[2][DMI_LIMIT_ROWS][HIDDEN];
+    _Alignas(DMI_ROW_ALIGNMENT) float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], y[DMI_LIMIT_ROWS][OUTPUTS];
+    _Alignas(DMI_ROW_ALIGNMENT) float hidden[2][DMI_LIMIT_ROWS][HIDDEN];
     float* const buffers[2] = {hidden[0][0], hidden[1][0]};
     float probability[DMI_LIMIT_ROWS][DMI_LIMIT_SIZES][DMI_LIMIT_SIZES] = {0};
     for (uint32_t r = 0; r < count; r++) {

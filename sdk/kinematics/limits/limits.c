@@ -1,24 +1,28 @@
-/* Limits from a sweep of the part's samples through the body's distance grid: what stops the part, weighed with what is
- * known of its kind by a small network, or by rules without one. */
+/* Limits from a sweep of the part's samples through the body's distance grid: by the limit networks, or by rules
+ * without them. */
 #include "kinematics/limits/limits.h"
 
 #include "kinematics/limits/sweep.h"
 #include "math/joint.h"
 
-#define HALF_TURN 3.14159265f
-#define ROUND 0.02f /* most distance from itself, over its diagonal, of a turned part that counts as round */
-#define USUAL_OPENING 1.5707963f
-#define USUAL_TRAVEL 0.8f /* of the part's extent along a slide: drawers stay on their runners */
+#define ROUND 0.02f /* diagonals: least mean distance of a turned part from itself that is no round part; by hand */
+#define ROUND_CELLS 0.5f         /* cells of the part's grid on top of it; by hand */
+#define HALF_TURN 3.14159265f    /* rad */
+#define UNSTOPPED 3.1f           /* rad either way of a part that nothing stops; by hand */
+#define USUAL_OPENING 1.5707963f /* rad: a quarter turn; by hand */
+#define USUAL_TRAVEL 0.8f        /* extents of the part along a slide: drawers stay on their runners; by hand */
+#define AWAY_SHARE 0.2f          /* of the sweep, where it is measured which way leads away from the body; by hand */
+#define AWAY_WEIGHT 4            /* of that, in diagonals, against room, in sweeps; by hand */
 
-static int is_round(const dmi_sweep* s) {
-    return dmi_sweep_roundness(s) < ROUND + 0.5f * s->study->part_grid.cell / s->study->diagonal;
+static bool is_round(const dmi_sweep* s) {
+    return dmi_sweep_roundness(s) < ROUND + ROUND_CELLS * s->analysis->part_grid.cell / s->analysis->diagonal;
 }
 
 static void limit_turn(const dmi_sweep* s, dm_joint* joint) {
     float up[2], down[2];
     dmi_sweep_reach(s, DMI_SWEEP_TURN, DMI_SWEEP_TURNS, up);
     dmi_sweep_reach(s, -DMI_SWEEP_TURN, DMI_SWEEP_TURNS, down);
-    if (up[0] >= 3.1f && down[0] <= -3.1f && joint->type == DM_JOINT_REVOLUTE && is_round(s)) {
+    if (up[0] >= UNSTOPPED && down[0] <= -UNSTOPPED && joint->type == DM_JOINT_REVOLUTE && is_round(s)) {
         joint->type = DM_JOINT_CONTINUOUS;
         joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
         return;
@@ -38,22 +42,25 @@ static void limit_slide(const dmi_sweep* s, dm_joint* joint) {
     if (joint->upper - joint->lower < step) joint->upper = most, joint->lower = 0;
 }
 
-void dmi_limits_face_room(const dmi_part_analysis* study, dm_joint* joint) {
+void dmi_limits_face_room(const dmi_part_analysis* analysis, dm_joint* joint) {
     dmi_sweep s;
-    dmi_sweep_make(study, joint, &s);
-    int slides = dmi_sweep_slides(&s), steps = slides ? DMI_SWEEP_SLIDES : DMI_SWEEP_TURNS;
-    float step = slides ? s.extent / DMI_SWEEP_SLIDES : DMI_SWEEP_TURN, up[2], down[2];
+    dmi_sweep_make(analysis, joint, &s);
+    const bool slides = dmi_sweep_slides(&s);
+    const int steps = slides ? DMI_SWEEP_SLIDES : DMI_SWEEP_TURNS;
+    const float step = slides ? s.extent / DMI_SWEEP_SLIDES : DMI_SWEEP_TURN;
+    float up[2], down[2];
     dmi_sweep_reach(&s, step, steps, up);
     dmi_sweep_reach(&s, -step, steps, down);
     /* Opening leads away from the body even where the sweep meets nothing on either side. */
-    const float room = (up[0] + up[1] + down[0] + down[1]) / (step * (float)steps), some = 0.2f * step * (float)steps;
-    const float away = dmi_sweep_clearance(&s, some).mean - dmi_sweep_clearance(&s, -some).mean;
-    if (room + 4 * away / study->diagonal < 0) dmi_joint_reverse(joint);
+    const float room = (up[0] + up[1] + down[0] + down[1]) / (step * (float)steps);
+    const float value = AWAY_SHARE * step * (float)steps;
+    const float away = dmi_sweep_clearance(&s, value).mean - dmi_sweep_clearance(&s, -value).mean;
+    if (room + AWAY_WEIGHT * away / analysis->diagonal < 0) dmi_joint_reverse(joint);
 }
 
-static void set_by_rules(const dmi_part_analysis* study, dm_joint* joint) {
+static void set_by_rules(const dmi_part_analysis* analysis, dm_joint* joint) {
     dmi_sweep s;
-    dmi_sweep_make(study, joint, &s);
+    dmi_sweep_make(analysis, joint, &s);
     if (dmi_sweep_slides(&s))
         limit_slide(&s, joint);
     else

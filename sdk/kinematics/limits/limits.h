@@ -1,17 +1,18 @@
-/* How far a joint goes from rest: until the part meets the body, or as far as its kind usually goes. */
+/* Limits of joints: how far a joint goes from rest before the part meets the body, or as far as its kind usually goes.
+ */
 #ifndef DMI_LIMITS_LIMITS_H
 #define DMI_LIMITS_LIMITS_H
 
 #include "kinematics/candidates/candidates.h"
 #include "kinematics/limits/limit_network.h"
 
-/* What tells the limits of a joint: its sweep to either side, its shape, the network's guess. Answers the unit that the
- * limits are learnt in: 1 rad, or the part's extent along a slide. prediction may be NULL. */
-float dmi_limits_features(const dmi_part_analysis* study, const dmi_prediction* prediction, int with_drag,
+/* Measures what tells the limits of a joint: its sweep to either side, its shape, KPP-Net's guess. Returns the unit
+ * that limits are learnt in: 1 rad, or the part's extent along a slide. prediction may be NULL. */
+float dmi_limits_features(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
                           const dm_joint* joint, float out[DMI_LIMIT_FEATURES]);
 
 /* Signs a joint that no drag signs: positive is the side with more room before the part meets the body. */
-void dmi_limits_face_room(const dmi_part_analysis* study, dm_joint* joint);
+void dmi_limits_face_room(const dmi_part_analysis* analysis, dm_joint* joint);
 
 /* Sets lower and upper of revolute, prismatic or screw joints (inner frame), and turns a revolute one that nothing
  * stops into a continuous one; count: at most DM_MAX_HYPOTHESES. with_drag: positive follows a drag; else the

@@ -1,4 +1,4 @@
-/* A part moved along a joint through the distance grid of its body: what stops it, how far it comes off. */
+/* Sweeps a part along a joint through the distance grid of its body: what stops it, how far it comes off. */
 #ifndef DMI_LIMITS_SWEEP_H
 #define DMI_LIMITS_SWEEP_H
 
@@ -7,12 +7,12 @@
 #include "kinematics/analysis/part_analysis.h"
 
 #define DMI_SWEEP_POINTS DMI_POINT_BATCH /* of the part */
-#define DMI_SWEEP_TURN 0.05f             /* rad: a step of a turn */
+#define DMI_SWEEP_TURN 0.05f             /* rad: a step of a turn; by hand */
 #define DMI_SWEEP_TURNS 63               /* steps to half a turn */
 #define DMI_SWEEP_SLIDES 48              /* steps of a slide */
 
 typedef struct dmi_sweep {
-    const dmi_part_analysis* study;
+    const dmi_part_analysis* analysis;
     const dm_joint* joint; /* inner frame */
     float origin[3];
     dmi_batched_transform moved;
@@ -21,23 +21,23 @@ typedef struct dmi_sweep {
     int32_t free_count;
 } dmi_sweep;
 
-void dmi_sweep_make(const dmi_part_analysis* study, const dm_joint* joint, dmi_sweep* out);
+void dmi_sweep_make(const dmi_part_analysis* analysis, const dm_joint* joint, dmi_sweep* out);
 
-static inline int dmi_sweep_slides(const dmi_sweep* s) {
+static inline bool dmi_sweep_slides(const dmi_sweep* s) {
     return s->joint->type == DM_JOINT_PRISMATIC;
 }
 
-/* Largest values, in steps, that the part reaches in the direction of `step` before it is stopped, and jammed. */
+/* Writes the largest values that the part reaches in the direction of `step` before it is stopped, and jammed. */
 void dmi_sweep_reach(const dmi_sweep* s, float step, int steps, float out[2]);
 
-/* The points' distances from the body at a value; inner units. */
+/* The points' distances from the body at a value, in object sizes. */
 typedef struct dmi_clearance {
     float mean, least;
 } dmi_clearance;
 dmi_clearance dmi_sweep_clearance(const dmi_sweep* s, float value);
 
-/* Mean distance from itself, over its diagonal, of the part turned by three angles: small for a knob, a wheel, a cap.
- */
+/* Returns the mean distance from itself, in diagonals, of the part turned by three angles: small for a knob, a wheel, a
+ * cap. */
 float dmi_sweep_roundness(const dmi_sweep* s);
 
 #endif

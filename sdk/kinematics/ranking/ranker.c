@@ -41,7 +41,7 @@ static void hide_network(float (*rows)[DMI_FEATURE_COUNT], uint32_t count) {
 static void network_score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
                           uint32_t count, float* out_score) {
     const dmi_kernels* kernels = dmi_kernels_for(isa);
-    _Alignas(64) float x[BATCH][DMI_FEATURE_COUNT], hidden[2][BATCH][HIDDEN], alone[BATCH];
+    _Alignas(DMI_ROW_ALIGNMENT) float x[BATCH][DMI_FEATURE_COUNT], hidden[2][BATCH][HIDDEN], alone[BATCH];
     float* const buffers[2] = {hidden[0][0], hidden[1][0]};
     for (uint32_t first = 0; first < count; first += BATCH) {
         const uint32_t rows = count - first < BATCH ? count - first : BATCH;
@@ -55,28 +55,33 @@ static void network_score(const dmi_ranker* ranker, dmi_isa isa, const float (*f
     }
 }
 
-/* Rules: surfaces slide on themselves where parts touch; a motion does not run into the body; a drag is followed; axes
- * run along sides and through middles; KPP-Net's answer attracts what is near it. Weights are round numbers set by
- * hand. */
+/* Rules, with weights that are round numbers set by hand: surfaces slide on themselves where parts touch; a motion does
+ * not run into the body; a drag is followed; axes run along sides and through middles; KPP-Net's answer attracts what
+ * is near it. */
 static float rule_score(const float* f) {
+    static const float hit_weight = 4, axis_weight = 1.5f, aligned_weight = 0.7f, network_weight = 4;
+    static const float drag_variance = 0.02f; /* rad squared, of a drag's angle */
+    static const float some_distance = 0.05f; /* diagonals from the part that an axis may run */
+    static const float doubt = 0.02f;         /* probability that KPP-Net is given to any type */
     const bool turns = f[DMI_FEATURE_PRISMATIC] == 0;
     float score = -3 * f[DMI_FEATURE_SURFACE_SLIP] - 3 * f[DMI_FEATURE_NEAREST_PART_NORMAL_SPEED] -
                   2 * f[DMI_FEATURE_NEAREST_BODY_NORMAL_SPEED] -
-                  4 * dmi_min(f[DMI_FEATURE_HIT_SHORT_ALONG], f[DMI_FEATURE_HIT_SHORT_AGAINST]);
-    score -= f[DMI_FEATURE_HAS_DRAG] > 0
-                 ? 4 * f[DMI_FEATURE_HIT_MIDDLE_ALONG] + f[DMI_FEATURE_DRAG_ANGLE] * f[DMI_FEATURE_DRAG_ANGLE] / 0.02f
-                 : 0;
+                  hit_weight * dmi_min(f[DMI_FEATURE_HIT_SHORT_ALONG], f[DMI_FEATURE_HIT_SHORT_AGAINST]);
+    score -= f[DMI_FEATURE_HAS_DRAG] > 0 ? hit_weight * f[DMI_FEATURE_HIT_MIDDLE_ALONG] +
+                                               f[DMI_FEATURE_DRAG_ANGLE] * f[DMI_FEATURE_DRAG_ANGLE] / drag_variance
+                                         : 0;
     if (turns) {
-        score += 1.5f * f[DMI_FEATURE_NEAREST_ON_AXIS] + f[DMI_FEATURE_ON_SIDE] + f[DMI_FEATURE_ROUND] +
+        score += axis_weight * f[DMI_FEATURE_NEAREST_ON_AXIS] + f[DMI_FEATURE_ON_SIDE] + f[DMI_FEATURE_ROUND] +
                  f[DMI_FEATURE_AT_CENTROID] + f[DMI_FEATURE_AT_BOX_CENTRE];
-        score -= 3 * dmi_max(f[DMI_FEATURE_ALONG_PART_MEAN] - 0.05f, 0) + 1;
+        score -= 3 * dmi_max(f[DMI_FEATURE_ALONG_PART_MEAN] - some_distance, 0) + 1;
     }
     if (f[DMI_FEATURE_HAS_NETWORK] > 0) {
-        score += logf(f[DMI_FEATURE_NETWORK_TYPE] + 0.02f) - 4 * dmi_min(f[DMI_FEATURE_NETWORK_ANGLE], 1) +
+        score += logf(f[DMI_FEATURE_NETWORK_TYPE] + doubt) - network_weight * dmi_min(f[DMI_FEATURE_NETWORK_ANGLE], 1) +
                  2 * f[DMI_FEATURE_NETWORK_NEAR_50MRAD];
-        if (turns) score -= 4 * dmi_min(f[DMI_FEATURE_NETWORK_OFFSET], 1) - f[DMI_FEATURE_NETWORK_ON_LINE_3];
+        if (turns)
+            score -= network_weight * dmi_min(f[DMI_FEATURE_NETWORK_OFFSET], 1) - f[DMI_FEATURE_NETWORK_ON_LINE_3];
     }
-    for (int k = 0; k < 3; k++) score += 0.7f * f[DMI_FEATURE_ALIGNED_LONG + k];
+    for (int k = 0; k < 3; k++) score += aligned_weight * f[DMI_FEATURE_ALIGNED_LONG + k];
     return score;
 }
 
