@@ -10,7 +10,7 @@
 #define MAX_STRUCT_SIZE 4096
 
 static dm_result check_size(dmi_env* env, const char* what, const void* desc, size_t first, uint32_t* out_size) {
-    if (!desc) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    if (desc == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
     memcpy(out_size, desc, sizeof *out_size);
     if (*out_size < first || *out_size > MAX_STRUCT_SIZE) {
         return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "%s.struct_size is %u: it must be sizeof the struct, at least %zu",
@@ -64,7 +64,7 @@ dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t
 }
 
 dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
-    if (!ray) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    if (ray == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
     const float numbers[6] = {ray->origin.x,    ray->origin.y,    ray->origin.z,
                               ray->direction.x, ray->direction.y, ray->direction.z};
     dm_result result = dmi_check_finite(env, what, numbers, 6);
@@ -76,7 +76,7 @@ dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
 }
 
 dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out) {
-    if (!pose) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    if (pose == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
     dm_result result = dmi_check_finite(env, what, pose->real, 4);
     if (result == DM_OK) result = dmi_check_finite(env, what, pose->dual, 4);
     if (result != DM_OK) return result;

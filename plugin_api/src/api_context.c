@@ -28,13 +28,13 @@ static void report_stale(dm_context* context, const char* function, uint64_t han
 
 void* dmi_find(dm_context* context, const dmi_pool* pool, const char* function, uint64_t handle) {
     void* item = dmi_pool_get(pool, handle);
-    if (!item) report_stale(context, function, handle);
+    if (item == NULL) report_stale(context, function, handle);
     return item;
 }
 
 void* dmi_take(dm_context* context, dmi_pool* pool, const char* function, uint64_t handle) {
     void* item = dmi_pool_remove(pool, handle);
-    if (!item) report_stale(context, function, handle);
+    if (item == NULL) report_stale(context, function, handle);
     return item;
 }
 
@@ -44,7 +44,7 @@ dm_result dmi_dependent_add(dm_context* context, dmi_pool* pool, dmi_dependent**
     dmi_lock(context);
     item->previous = NULL;
     item->next = *list;
-    if (item->next) item->next->previous = item;
+    if (item->next != NULL) item->next->previous = item;
     *list = item;
     dmi_unlock(context);
     return DM_OK;
@@ -52,8 +52,8 @@ dm_result dmi_dependent_add(dm_context* context, dmi_pool* pool, dmi_dependent**
 
 void dmi_dependent_unlink(dm_context* context, dmi_dependent** list, dmi_dependent* item) {
     dmi_lock(context);
-    if (item->next) item->next->previous = item->previous;
-    if (item->previous) {
+    if (item->next != NULL) item->next->previous = item->previous;
+    if (item->previous != NULL) {
         item->previous->next = item->next;
     } else {
         *list = item->next;
@@ -115,7 +115,7 @@ static dm_result fill(dm_context* context, const dm_context_desc* desc) {
  * outlives it. */
 static dm_context* allocate_context(dmi_env* outer) {
     dm_context* context = dmi_alloc_zeroed(outer, sizeof *context, _Alignof(dm_context));
-    if (!context) return NULL;
+    if (context == NULL) return NULL;
     dmi_env_init(&context->env, &outer->allocator, &outer->log, &outer->jobs);
     context->env.bytes = context->env.peak_bytes = sizeof *context;
     context->env.allocations = 1;
@@ -124,12 +124,12 @@ static dm_context* allocate_context(dmi_env* outer) {
 }
 
 dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** out_context) {
-    if (!out_context) return DM_ERROR_INVALID_ARGUMENT;
+    if (out_context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_context_desc known = {.struct_size = sizeof known};
     dmi_env outer;
     dmi_env_init(&outer, NULL, NULL, NULL);
     dm_result result = DM_OK;
-    if (desc) {
+    if (desc != NULL) {
         result = dmi_read_desc(&outer, "dm_context_create: desc", desc, DMI_FIRST_SIZE(dm_context_desc, jobs),
                                sizeof known, &known);
     }
@@ -139,7 +139,8 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
     if (result != DM_OK) return result;
     dmi_env_init(&outer, &known.allocator, &known.log, &known.jobs);
     dm_context* context = allocate_context(&outer);
-    if (!context) return dmi_fail(&outer, DM_ERROR_OUT_OF_MEMORY, "dm_context_create: no memory for the context");
+    if (context == NULL)
+        return dmi_fail(&outer, DM_ERROR_OUT_OF_MEMORY, "dm_context_create: no memory for the context");
     result = fill(context, &known);
     if (result != DM_OK) {
         dm_context_destroy(context);
@@ -152,33 +153,33 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
 /* Scenes before the objects they show, objects (with their drags and motions) before the models they use. */
 static void empty_pools(dm_context* context) {
     uint64_t handle = 0;
-    while (context->scenes && dmi_pool_any(context->scenes, &handle)) {
+    while (context->scenes != NULL && dmi_pool_any(context->scenes, &handle) != NULL) {
         dmi_scene_release(context, dmi_pool_remove(context->scenes, handle));
     }
-    while (context->objects && dmi_pool_any(context->objects, &handle)) {
+    while (context->objects != NULL && dmi_pool_any(context->objects, &handle) != NULL) {
         dmi_object_release(context, dmi_pool_remove(context->objects, handle));
     }
-    while (context->models && dmi_pool_any(context->models, &handle)) {
+    while (context->models != NULL && dmi_pool_any(context->models, &handle) != NULL) {
         dmi_model_release(context, dmi_pool_remove(context->models, handle));
     }
 }
 
 void DM_CALL dm_context_destroy(dm_context* context) {
-    if (!context) return;
+    if (context == NULL) return;
     empty_pools(context);
     dmi_pool_destroy(context->scenes);
     dmi_pool_destroy(context->drags);
     dmi_pool_destroy(context->motions);
     dmi_pool_destroy(context->objects);
     dmi_pool_destroy(context->models);
-    if (context->picker) dmi_picker_destroy(context->picker);
+    if (context->picker != NULL) dmi_picker_destroy(context->picker);
     dmi_env outer;
     dmi_env_init(&outer, &context->env.allocator, &context->env.log, &context->env.jobs);
     dmi_free(&outer, context, sizeof *context);
 }
 
 dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_info* out_info) {
-    if (!context || !out_info) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL || out_info == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_env* env = &context->env;
     *out_info = (dm_memory_info){.bytes = env->bytes,
                                  .peak_bytes = env->peak_bytes,

@@ -1,5 +1,6 @@
 /* Drags behind handles. A drag copies the joints it may follow, so that an update reads nothing but the drag. */
 #include <math.h>
+#include <stdbool.h>
 
 #include "api_check.h"
 #include "api_context.h"
@@ -27,7 +28,7 @@ static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
         if (result != DM_OK) return result;
     }
     for (int i = 1; i <= 4; i++) {
-        const int share = i == 1 || i == 4;
+        const bool share = i == 1 || i == 4;
         if (i == 2 || (numbers[i] >= 0.0f && !(share && numbers[i] > 1.0f))) continue;
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g: it must be %s", names[i], (double)numbers[i],
                         share ? "0 to 1" : "0 or more");
@@ -57,16 +58,16 @@ static float part_size(const dmi_object* object, uint32_t part) {
 }
 
 /* A small part that goes a short way in from rest, and no other way. */
-static int is_button(const dmi_object* object, uint32_t part) {
+static bool is_button(const dmi_object* object, uint32_t part) {
     const dm_joint* joint = &object->parts[part].joint;
     const float whole = dmi_frame_length_out(&object->frame), range = joint->upper - joint->lower;
-    if (joint->type != DM_JOINT_PRISMATIC || !(range > 0) || range > BUTTON_TRAVEL * whole) return 0;
-    const int one_way = joint->lower >= -AT_REST * range || joint->upper <= AT_REST * range;
+    if (joint->type != DM_JOINT_PRISMATIC || !(range > 0) || range > BUTTON_TRAVEL * whole) return false;
+    const bool one_way = joint->lower >= -AT_REST * range || joint->upper <= AT_REST * range;
     return one_way && part_size(object, part) <= BUTTON_SIZE * whole;
 }
 
 /* Whether all of the part's hypotheses have it where it stands. */
-static int is_at_rest(const dm_joint* joint, float value) {
+static bool is_at_rest(const dm_joint* joint, float value) {
     const float range = dmi_joint_has_limits(joint) ? joint->upper - joint->lower : 1.0f;
     return fabsf(value) <= AT_REST * range;
 }
@@ -92,7 +93,7 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     const float grab[3] = {desc->grab_point.x, desc->grab_point.y, desc->grab_point.z};
     dm_joint joint = part->joint, joints[DM_MAX_HYPOTHESES];
     dm_drag_feel feel = desc->feel;
-    const int sure = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
+    const bool sure = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
     if (!sure && dmi_joint_has_limits(&joint)) { /* an earlier drag may have pulled it farther than estimated */
         joint.lower = fminf(joint.lower, desc->start_value), joint.upper = fmaxf(joint.upper, desc->start_value);
     }
@@ -109,20 +110,20 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_drag_desc known;
     dm_result result = dmi_read_desc(env, "dm_drag_begin: desc", desc, FIRST_DRAG_DESC, sizeof known, &known);
     if (result != DM_OK) return result;
-    if (!out_drag) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: out_drag is NULL");
+    if (out_drag == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: out_drag is NULL");
     dmi_object_slot* owner = dmi_find(context, context->objects, "dm_drag_begin: desc.object", known.object);
-    if (!owner) return DM_ERROR_STALE_HANDLE;
+    if (owner == NULL) return DM_ERROR_STALE_HANDLE;
     uint32_t part = 0;
     result = dmi_find_part(context, "dm_drag_begin: desc.part_id", owner->object, known.part_id, &part);
     if (result == DM_OK) result = check_desc(env, &known);
     if (result != DM_OK) return result;
     dmi_drag_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_drag_slot));
-    if (!slot) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_drag_begin: no memory");
+    if (slot == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_drag_begin: no memory");
     slot->owner = owner;
     slot->part = part;
     begin(slot, &known);
@@ -137,35 +138,36 @@ dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, d
 
 dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                  dm_drag_state* out_state) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_update", drag);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_result result = DM_OK;
-    if (ray || slot->drag.release.phase == DM_DRAG_HELD) result = dmi_check_ray(env, "dm_drag_update: ray", ray);
+    if (ray != NULL || slot->drag.release.phase == DM_DRAG_HELD)
+        result = dmi_check_ray(env, "dm_drag_update: ray", ray);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_update: dt", &dt, 1);
     if (result != DM_OK) return result;
     if (dt < 0.0f) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_update: dt is %g s", (double)dt);
-    if (!out_state) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_update: out_state is NULL");
+    if (out_state == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_update: out_state is NULL");
     dmi_drag_update(&slot->drag, ray, dt, out_state);
     return DM_OK;
 }
 
 dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_drag_state* out_state) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_drag_slot* slot = dmi_take(context, context->drags, "dm_drag_end", drag);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
-    if (out_state) dmi_drag_state_now(&slot->drag, out_state);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    if (out_state != NULL) dmi_drag_state_now(&slot->drag, out_state);
     dmi_dependent_unlink(context, &slot->owner->drags, &slot->link);
     dmi_free(&context->env, slot, sizeof *slot);
     return DM_OK;
 }
 
 dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint* out_joint) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_get_joint", drag);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
-    if (!out_joint) {
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    if (out_joint == NULL) {
         return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_get_joint: out_joint is NULL");
     }
     *out_joint = slot->drag.joint;
@@ -180,7 +182,7 @@ static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t s
     const dmi_release* plan = &slot->drag.release;
     const dmi_model_slot* model = dmi_pool_get(context->models, slot->owner->model);
     if (plan->phase != DM_DRAG_RELEASED || plan->glides || slot->drag.feel.return_time > 0) return;
-    if (!model || !model->motion || !slot->owner->features) return; /* a rule will do */
+    if (model == NULL || model->motion == NULL || slot->owner->features == NULL) return; /* a rule will do */
     const float outer = fabsf(plan->end) > fabsf(plan->start) ? plan->end : plan->start;
     float pull[3], values[DM_MOTION_FRAMES];
     dmi_joint_velocity(&slot->drag.joint, 0, slot->drag.rest_point, pull);
@@ -223,17 +225,17 @@ static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const 
 
 dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
                                   dm_release_plan* out_plan) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_release", drag);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_release_desc known = {0};
     dm_result result = DM_OK;
-    if (desc) {
+    if (desc != NULL) {
         result = dmi_read_desc(env, "dm_drag_release: desc", desc, DMI_FIRST_SIZE(dm_release_desc, seed), sizeof known,
                                &known);
     }
-    if (result == DM_OK && out_plan) {
+    if (result == DM_OK && out_plan != NULL) {
         result =
             dmi_check_out(env, "dm_drag_release: out_plan", out_plan, DMI_FIRST_SIZE(dm_release_plan, from_network));
     }
@@ -241,6 +243,6 @@ dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_re
     if (result != DM_OK) return result;
     dmi_drag_release(&slot->drag, known.intent, known.duration);
     if (known.intent != DM_INTENT_REPLAY) pace_by_network(context, slot, known.seed);
-    if (out_plan) write_plan(&slot->drag.release, out_plan);
+    if (out_plan != NULL) write_plan(&slot->drag.release, out_plan);
     return DM_OK;
 }

@@ -37,12 +37,12 @@ static dm_result find(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* dr
 
 dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
                                     uint8_t* out_face_ids, uint64_t face_count) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_mesh_desc known;
-    if (!drag || !out_face_ids)
+    if (drag == NULL || out_face_ids == NULL)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_find_part: %s is NULL",
-                        drag ? "out_face_ids" : "drag");
+                        drag != NULL ? "out_face_ids" : "drag");
     dm_result result = dmi_read_desc(env, "dm_mesh_find_part: mesh", mesh, DMI_FIRST_SIZE(dm_mesh_desc, reserved),
                                      sizeof known, &known);
     dmi_mesh* inner = NULL;

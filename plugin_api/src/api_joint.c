@@ -8,13 +8,13 @@
 static dm_result find(dm_context* context, const char* function, dm_object object, uint32_t part_id,
                       dmi_object_slot** out_slot, uint32_t* out_index) {
     *out_slot = dmi_find(context, context->objects, function, object);
-    if (!*out_slot) return DM_ERROR_STALE_HANDLE;
+    if (*out_slot == NULL) return DM_ERROR_STALE_HANDLE;
     return dmi_find_part(context, function, (*out_slot)->object, part_id, out_index);
 }
 
 dm_result DM_CALL dm_object_get_joint(dm_context* context, dm_object object, uint32_t part_id, dm_joint* out_joint) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
-    if (!out_joint) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    if (out_joint == NULL) {
         return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_object_get_joint: out_joint is NULL");
     }
     dmi_object_slot* slot;
@@ -27,18 +27,18 @@ dm_result DM_CALL dm_object_get_joint(dm_context* context, dm_object object, uin
 dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object, uint32_t part_id,
                                            const dm_drag_hint* drag, dm_joint* out_joints, uint32_t capacity,
                                            uint32_t* out_count) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
-    if (!out_count || (!out_joints && capacity > 0)) {
+    if (out_count == NULL || (out_joints == NULL && capacity > 0)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_get_hypotheses: %s is NULL",
-                        out_count ? "out_joints" : "out_count");
+                        out_count != NULL ? "out_joints" : "out_count");
     }
     dmi_object_slot* slot;
     uint32_t index;
     dm_result result = find(context, "dm_object_get_hypotheses", object, part_id, &slot, &index);
     if (result != DM_OK) return result;
     dmi_hypotheses ranked = slot->object->parts[index].hypotheses;
-    if (drag) {
+    if (drag != NULL) {
         dmi_drag_hint hint;
         result = dmi_object_hint(env, "dm_object_get_hypotheses: drag", slot->object, index, drag, &hint);
         if (result != DM_OK) return result;
@@ -51,19 +51,19 @@ dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object
 }
 
 dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
-    if (!drag) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_refine: drag is NULL");
+    if (drag == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_refine: drag is NULL");
     dmi_object_slot* slot;
     uint32_t index;
     dm_result result = find(context, "dm_object_refine", object, part_id, &slot, &index);
     if (result != DM_OK) return result;
-    if (!slot->object->mesh) {
+    if (slot->object->mesh == NULL) {
         return dmi_fail(env, DM_ERROR_UNSUPPORTED,
                         "dm_object_refine: the object was prepared or saved without triangles");
     }
     const dmi_model_slot* model = dmi_pool_get(context->models, slot->model);
-    if (!model || !model->kinematics) {
+    if (model == NULL || model->kinematics == NULL) {
         return dmi_fail(env, DM_ERROR_NO_MODEL,
                         "dm_object_refine: the object has no kinematics weights, or they were unloaded");
     }
@@ -110,8 +110,8 @@ static dm_result accept_joint(dmi_env* env, const dm_joint* given, dm_joint* out
 }
 
 dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id, const dm_joint* joint) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
-    if (!joint) return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint is NULL");
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    if (joint == NULL) return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint is NULL");
     dmi_object_slot* slot;
     uint32_t index;
     dm_result result = find(context, "dm_object_set_joint", object, part_id, &slot, &index);

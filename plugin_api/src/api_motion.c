@@ -64,7 +64,7 @@ static dm_result make_path(const request* work, float out_path[DMI_VAE_PATH][3])
     }
     size_t size = (desc->path_count + 1) * sizeof(float[3]);
     float(*points)[3] = dmi_alloc(env, size, _Alignof(float));
-    if (!points) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory for the path");
+    if (points == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory for the path");
     dm_result result = resample(work, points, out_path);
     dmi_free(env, points, size);
     return result;
@@ -74,7 +74,7 @@ static dm_result make_path(const request* work, float out_path[DMI_VAE_PATH][3])
 static dm_result run_network(const request* work, float out_values[DM_MOTION_FRAMES]) {
     dmi_env* env = &work->context->env;
     const dmi_model_slot* model = dmi_pool_get(work->context->models, work->slot->model);
-    if (!model || !model->motion || !work->slot->features) {
+    if (model == NULL || model->motion == NULL || work->slot->features == NULL) {
         return dmi_fail(env, DM_ERROR_NO_MODEL,
                         "dm_motion_generate: the object has no motion weights, or they were unloaded");
     }
@@ -85,7 +85,8 @@ static dm_result run_network(const request* work, float out_values[DM_MOTION_FRA
     if (result != DM_OK) return result;
     size_t size = dmi_dq_vae_scratch_size(model->motion);
     void* scratch = dmi_alloc(env, size, 64);
-    if (!scratch) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory for %zu bytes", size);
+    if (scratch == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory for %zu bytes", size);
     dmi_vae_output output;
     dmi_dq_vae_forward(model->motion, work->context->isa, &work->slot->features[work->part - work->slot->object->parts],
                        &query, scratch, &output);
@@ -106,7 +107,7 @@ static dm_result generate(request* work, dmi_motion* out_motion) {
     dmi_env* env = &work->context->env;
     if (!desc->path != !desc->path_count) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_generate: desc.path is %s but desc.path_count is %u",
-                        desc->path ? "given" : "NULL", desc->path_count);
+                        desc->path != NULL ? "given" : "NULL", desc->path_count);
     }
     uint32_t index = 0;
     dm_result result =
@@ -141,21 +142,21 @@ dm_result dmi_motion_opening(dm_context* context, const dmi_object_slot* slot, u
 
 dm_result DM_CALL dm_motion_generate(dm_context* context, dm_object object, const dm_motion_desc* desc,
                                      dm_motion* out_motion) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_motion_desc known;
     dm_result result = dmi_read_desc(env, "dm_motion_generate: desc", desc, DMI_FIRST_SIZE(dm_motion_desc, seed),
                                      sizeof known, &known);
     if (result != DM_OK) return result;
-    if (!out_motion) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_generate: out_motion is NULL");
+    if (out_motion == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_generate: out_motion is NULL");
     dmi_object_slot* owner = dmi_find(context, context->objects, "dm_motion_generate", object);
-    if (!owner) return DM_ERROR_STALE_HANDLE;
+    if (owner == NULL) return DM_ERROR_STALE_HANDLE;
     request work = {.context = context, .desc = &known, .slot = owner};
     dmi_motion motion;
     result = generate(&work, &motion);
     if (result != DM_OK) return result;
     dmi_motion_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_motion_slot));
-    if (!slot) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory");
+    if (slot == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory");
     slot->owner = owner;
     slot->motion = motion;
     result = dmi_dependent_add(context, context->motions, &owner->motions, &slot->link);
@@ -169,35 +170,36 @@ dm_result DM_CALL dm_motion_generate(dm_context* context, dm_object object, cons
 
 dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion, float t, dm_pose* out_pose,
                                    float* out_value) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_motion_slot* slot = dmi_find(context, context->motions, "dm_motion_sample", motion);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_result result = dmi_check_finite(&context->env, "dm_motion_sample: t", &t, 1);
     if (result != DM_OK) return result;
-    if (!out_pose) return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_sample: out_pose is NULL");
+    if (out_pose == NULL)
+        return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_sample: out_pose is NULL");
     float value = dmi_motion_value(&slot->motion, t);
     *out_pose = dmi_joint_pose(&slot->motion.joint, value);
-    if (out_value) *out_value = value;
+    if (out_value != NULL) *out_value = value;
     return DM_OK;
 }
 
 dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion motion, dm_pose* out_poses, float* out_values) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_motion_slot* slot = dmi_find(context, context->motions, "dm_motion_get_frames", motion);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
-    if (!out_poses)
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    if (out_poses == NULL)
         return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_get_frames: out_poses is NULL");
     for (int i = 0; i < DM_MOTION_FRAMES; i++) {
         out_poses[i] = dmi_joint_pose(&slot->motion.joint, slot->motion.values[i]);
-        if (out_values) out_values[i] = slot->motion.values[i];
+        if (out_values != NULL) out_values[i] = slot->motion.values[i];
     }
     return DM_OK;
 }
 
 dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_motion_slot* slot = dmi_take(context, context->motions, "dm_motion_destroy", motion);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dmi_dependent_unlink(context, &slot->owner->motions, &slot->link);
     dmi_free(&context->env, slot, sizeof *slot);
     return DM_OK;

@@ -2,6 +2,8 @@
 #ifndef VIEWER_CAMERA_H
 #define VIEWER_CAMERA_H
 
+#include <stdbool.h>
+
 #include "vec.h"
 
 typedef struct camera {
@@ -30,6 +32,6 @@ mat4 camera_projection(const camera* camera);
 dm_camera camera_for_picking(const camera* camera);
 
 /* World point to pixels; out[2] = depth in [0, 1] and returns 0 when it lies behind the camera. */
-int camera_project(const camera* camera, vec3 p, float out[3]);
+bool camera_project(const camera* camera, vec3 p, float out[3]);
 
 #endif

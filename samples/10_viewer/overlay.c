@@ -1,6 +1,7 @@
 /* What is drawn over the picture: axis, limits, rivals, key poses, words. Words: panel.c. */
 #include "overlay.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -31,7 +32,7 @@ static void lay_over(float tint[4], const float under[4], const colour over) {
 void overlay_looks(const app* app, look* looks) {
     static const float body_clay[4] = {0.66f, 0.64f, 0.60f, 1}, part_clay[4] = {0.50f, 0.33f, 0.19f, 1};
     static const float none[4] = {0, 0, 0, 0};
-    const int clay = (app->show & SHOW_CLAY) != 0;
+    const bool clay = (app->show & SHOW_CLAY) != 0;
     looks[0] = (look){.pose = pose_identity};
     memcpy(looks[0].tint, clay ? body_clay : none, sizeof none);
     for (uint32_t id = 1; id <= app->world->part_count; id++) {
@@ -77,10 +78,10 @@ static vec3 moved(const dm_joint* joint, float value, const dm_pose* carrier, ve
 
 static void draw_travel(draw* draw, const world_part* part, const dm_joint* joint, const dm_pose* carrier, float width,
                         colour colour) {
-    const int endless = joint->type == DM_JOINT_CONTINUOUS || joint->upper <= joint->lower;
+    const bool endless = joint->type == DM_JOINT_CONTINUOUS || joint->upper <= joint->lower;
     const float lower = endless ? -PI : joint->lower, upper = endless ? PI : joint->upper;
     const vec3 start = far_point(part, joint);
-    const int turns = joint->type != DM_JOINT_PRISMATIC;
+    const bool turns = joint->type != DM_JOINT_PRISMATIC;
     vec3 last = moved(joint, lower, carrier, start);
     for (int i = 1; i <= ARC_STEPS; i++) {
         const vec3 next = moved(joint, lower + (upper - lower) * (float)i / ARC_STEPS, carrier, start);
@@ -99,7 +100,7 @@ static void draw_axis(draw* draw, const world_part* part, const dm_joint* joint,
                       colour colour) {
     const vec3 axis = pose_direction(carrier, joint->axis);
     const float reach = 0.6f * length(sub(part->box_max, part->box_min));
-    const int slides = joint->type == DM_JOINT_PRISMATIC;
+    const bool slides = joint->type == DM_JOINT_PRISMATIC;
     /* A slide has no line of its own: its arrow starts in the middle of the part. */
     const vec3 off = sub(part->centre, joint->origin);
     const vec3 middle = slides ? part->centre : along(joint->origin, joint->axis, dot(off, joint->axis));
@@ -107,7 +108,7 @@ static void draw_axis(draw* draw, const world_part* part, const dm_joint* joint,
     draw_arrow(draw, along(at, axis, -reach), along(at, axis, reach), width, colour);
 }
 
-static int moves(const dm_joint* joint) {
+static bool moves(const dm_joint* joint) {
     return joint->type != DM_JOINT_FIXED && joint->type != DM_JOINT_UNKNOWN;
 }
 
@@ -121,7 +122,7 @@ static void draw_joint(const app* app, draw* draw, uint32_t id) {
 }
 
 /* The hypothesis that is in force already. */
-static int same_line(const dm_joint* a, const dm_joint* b) {
+static bool same_line(const dm_joint* a, const dm_joint* b) {
     return a->type == b->type && length(sub(a->axis, b->axis)) < 1e-6f && length(sub(a->origin, b->origin)) < 1e-6f;
 }
 

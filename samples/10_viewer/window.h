@@ -3,6 +3,7 @@
 #define VIEWER_WINDOW_H
 
 #include <SDL2/SDL.h>
+#include <stdbool.h>
 
 #include "session.h"
 
@@ -16,6 +17,6 @@ int window_open(window* window, int width, int height, int hidden);
 void window_close(window* window);
 
 /* The next thing the player did, in `out_event` with its frame left 0. Returns 0 when there is none. */
-int window_next(event* out_event, int* out_resized);
+bool window_next(event* out_event, int* out_resized);
 
 #endif

@@ -30,7 +30,7 @@ static int run(int argc, char** argv) {
     session session;
     int status = options_read(&cli_animate, argc, argv, table, JOB_OPTIONS + 2, &file);
     if (status == CLI_OK) status = job_options_finish(&cli_animate, &options, file);
-    if (status == CLI_OK && !out_path) status = options_refuse(&cli_animate, "where to? -o OUT.glb");
+    if (status == CLI_OK && out_path == NULL) status = options_refuse(&cli_animate, "where to? -o OUT.glb");
     if (status == CLI_OK && (frames < 2 || frames > MOST_FRAMES))
         status = options_refuse(&cli_animate, "--frames: 2 to %d", MOST_FRAMES);
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);

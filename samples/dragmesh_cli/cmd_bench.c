@@ -213,7 +213,7 @@ typedef struct timing {
 
 static double timed(bench* b, const row* row, dm_result* result) {
     b->round++;
-    if (row->before) row->before(b);
+    if (row->before != NULL) row->before(b);
     const double start = timing_now_ns(b->clock);
     const dm_result now = row->call(b);
     const double ns = timing_now_ns(b->clock) - start;
@@ -395,7 +395,7 @@ static int run(int argc, char** argv) {
     int status = options_read(&cli_bench, argc, argv, table, 2, &folder);
     if (status == CLI_OK) status = session_open(&b->session, models, &allocator);
     if (status == CLI_OK) {
-        status = folder ? bench_objects(&b->session, folder, as_json) : run_cabinet(b, as_json);
+        status = folder != NULL ? bench_objects(&b->session, folder, as_json) : run_cabinet(b, as_json);
         tear_down(b);
     }
     free(b);

@@ -211,7 +211,8 @@ static int run(int argc, char** argv) {
     known_object object;
     char error[512];
     int status = options_read(&cli_demo, argc, argv, table, 2, &folder);
-    if (status == CLI_OK && (!folder || !prefix)) status = options_refuse(&cli_demo, "a folder and -o are needed");
+    if (status == CLI_OK && (folder == NULL || prefix == NULL))
+        status = options_refuse(&cli_demo, "a folder and -o are needed");
     if (status != CLI_OK) return status;
     if (dataset_read(folder, ".", &object, error, sizeof error) != 0) return options_refuse(&cli_demo, "%s", error);
     if (object.joints[0].drag_count > 0)

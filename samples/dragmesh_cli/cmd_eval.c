@@ -52,7 +52,7 @@ typedef struct group {
 static unsigned char* pick_for(const eval_rows* rows, const unsigned char* pick, int of) {
     unsigned char* out = cli_alloc(rows->count);
     for (size_t i = 0; i < rows->count; i++)
-        out[i] = (!pick || pick[i]) && (of == 0 || (of == 2) == (rows->rows[i].slides != 0));
+        out[i] = (pick == NULL || pick[i]) && (of == 0 || (of == 2) == (rows->rows[i].slides != 0));
     return out;
 }
 
@@ -79,7 +79,7 @@ static void figure_to_json(const eval_rows* rows, const unsigned char* group, co
 static void summary_to_json(const eval_rows* rows, const unsigned char* pick, cJSON* out) {
     int joints = 0, answered = 0;
     for (size_t i = 0; i < rows->count; i++) {
-        if (pick && !pick[i]) continue;
+        if (pick != NULL && !pick[i]) continue;
         joints++;
         answered += rows->rows[i].answered;
     }
@@ -248,7 +248,7 @@ static int read_method(const char* name) {
 }
 
 static int check(const char* folder, const char* baseline, const eval_options* options) {
-    if (!folder) return options_refuse(&cli_eval, "which folder?");
+    if (folder == NULL) return options_refuse(&cli_eval, "which folder?");
     if (read_method(baseline) < 0) return options_refuse(&cli_eval, "--baseline: full, kpp, geometry or rules");
     if (options->drags < 1 || options->drag_noise < 0 || options->mask_noise < 0 || options->mask_noise >= 1)
         return options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
@@ -276,14 +276,15 @@ static int run(int argc, char** argv) {
         {.name = "--mistakes", .kind = OPTION_TEXT, .value = &pictures}};
     session session;
     int status = options_read(&cli_eval, argc, argv, table, sizeof table / sizeof *table, &folder);
-    options.find_part = moving && strcmp(moving, "auto") == 0;
-    if (status == CLI_OK && moving && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
+    options.find_part = moving != NULL && strcmp(moving, "auto") == 0;
+    if (status == CLI_OK && moving != NULL && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
     if (status == CLI_OK) status = check(folder, baseline, &options);
     if (status == CLI_OK) status = session_open_method(&session, models, (enum session_method)read_method(baseline));
     if (status != CLI_OK) return status;
-    if (pictures && mistakes_open(&book, pictures) == 0) options.mistakes = &book;
-    status = pictures && !options.mistakes ? CLI_USAGE : evaluate(&session, folder, &options, as_json, worst);
-    if (options.mistakes && mistakes_close(&book) != 0) status = CLI_FAILED;
+    if (pictures != NULL && mistakes_open(&book, pictures) == 0) options.mistakes = &book;
+    status =
+        pictures != NULL && options.mistakes == NULL ? CLI_USAGE : evaluate(&session, folder, &options, as_json, worst);
+    if (options.mistakes != NULL && mistakes_close(&book) != 0) status = CLI_FAILED;
     session_close(&session);
     return status;
 }

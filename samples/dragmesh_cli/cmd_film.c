@@ -34,7 +34,7 @@ static dm_result film(session* session, const job* job, const film_options* opti
 }
 
 static int check(const film_options* options) {
-    if (!options->out_path) return options_refuse(&cli_film, "where to? -o OUT.png");
+    if (options->out_path == NULL) return options_refuse(&cli_film, "where to? -o OUT.png");
     if (options->frames < 2 || options->frames > MOST_FRAMES)
         return options_refuse(&cli_film, "--frames: 2 to %d", MOST_FRAMES);
     for (int i = 0; i < 2; i++)

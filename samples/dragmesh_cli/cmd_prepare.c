@@ -102,7 +102,8 @@ static int run(int argc, char** argv) {
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
     int status = options_read(&cli_prepare, argc, argv, table, 4, &file);
-    if (status == CLI_OK && (!file || !out_path)) status = options_refuse(&cli_prepare, "a file and -o are needed");
+    if (status == CLI_OK && (file == NULL || out_path == NULL))
+        status = options_refuse(&cli_prepare, "a file and -o are needed");
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
         size_t bytes = 0;

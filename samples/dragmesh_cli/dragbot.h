@@ -3,6 +3,8 @@
 #ifndef CLI_DRAGBOT_H
 #define CLI_DRAGBOT_H
 
+#include <stdbool.h>
+
 #include "dataset.h"
 #include "random.h"
 
@@ -30,8 +32,8 @@ void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, d
 /* Draws a mesh, one part id a face. */
 void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face_parts);
 /* The pixel of a point; 0 when it is behind the eye. */
-int bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);
-int bot_view_on_screen(double x, double y);
+bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);
+bool bot_view_on_screen(double x, double y);
 /* The point seen at column, row. */
 vec bot_view_point(const bot_view* view, int column, int row);
 

@@ -1,5 +1,6 @@
 /* The scripted player on one object: all its parts prepared at once, every joint from several sides. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,16 +26,16 @@ typedef struct stage {
 
 /* ---- parts ---- */
 
-static int has_name(const name_list* list, const char* name) {
+static bool has_name(const name_list* list, const char* name) {
     for (unsigned i = 0; i < list->count; i++)
-        if (strcmp(list->names[i], name) == 0) return 1;
-    return 0;
+        if (strcmp(list->names[i], name) == 0) return true;
+    return false;
 }
 
-static int includes(const name_list* outer, const name_list* inner) {
+static bool includes(const name_list* outer, const name_list* inner) {
     for (unsigned i = 0; i < inner->count; i++)
-        if (!has_name(outer, inner->names[i])) return 0;
-    return 1;
+        if (!has_name(outer, inner->names[i])) return false;
+    return true;
 }
 
 /* Joints of the same nodes share a part; ids from 1 on. */
@@ -199,7 +200,7 @@ static bot_row* new_row(bot_score* score) {
 
 static dm_joint true_joint(const known_joint* truth) {
     dm_joint joint = {.axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
-    const int limited = isfinite(truth->lower) && isfinite(truth->upper);
+    const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
     joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
     if (limited) joint.lower = (float)truth->lower, joint.upper = (float)truth->upper;
     return joint;
@@ -226,9 +227,9 @@ static void play_joint(stage* s, int joint, const bot_options* options, int give
         bot_row* row = NULL;
         char id[sizeof row->id];
         snprintf(id, sizeof id, "%s/%d/%d", s->object.name, joint, i);
-        for (size_t r = score->count; given && r > 0 && !row; r--)
+        for (size_t r = score->count; given && r > 0 && row == NULL; r--)
             if (strcmp(score->rows[r - 1].id, id) == 0) row = &score->rows[r - 1];
-        if (!row) row = new_row(score);
+        if (row == NULL) row = new_row(score);
         memcpy(row->id, id, sizeof id);
         row->slides = truth->slides, row->pull = pull, row->camera = i;
         bot_result* result = given ? &row->given : &row->found;

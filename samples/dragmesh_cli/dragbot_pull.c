@@ -1,5 +1,6 @@
 /* Where the scripted player grabs, and the way its mouse goes: the projection of the true motion. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "dragbot.h"
@@ -58,7 +59,7 @@ static double draw_path(const bot_view* view, const known_joint* truth, int fram
 
 /* Whether two places on the way that are far apart look the same: the circle of a hinge seen edge on goes out and back
  * over itself, and there the pointer does not tell which of them it asks for. */
-static int is_folded(const known_joint* truth, const bot_pull* pull) {
+static bool is_folded(const known_joint* truth, const bot_pull* pull) {
     const double alike = fmin(alike_share * BOT_HEIGHT, alike_way * pull->length), far = fabs(far_share * pull->asked);
     for (int i = 0; i < pull->frames; i++) {
         for (int k = 0; k < i; k++) {
@@ -66,29 +67,29 @@ static int is_folded(const known_joint* truth, const bot_pull* pull) {
                 fabs(pull->asked) * (bot_pace((i + 1.0) / pull->frames) - bot_pace((k + 1.0) / pull->frames));
             if (apart < far || (!truth->slides && apart > CLI_PI)) continue;
             const double *a = pull->path[i], *b = pull->path[k];
-            if (hypot(a[0] - b[0], a[1] - b[1]) < alike) return 1;
+            if (hypot(a[0] - b[0], a[1] - b[1]) < alike) return true;
         }
     }
-    return 0;
+    return false;
 }
 
-static int make_path(const bot_view* view, const known_joint* truth, bot_pull* pull) {
+static bool make_path(const bot_view* view, const known_joint* truth, bot_pull* pull) {
     const double longest = draw_path(view, truth, BOT_FRAMES, pull), frames = BOT_FRAMES * longest * 60 / hand_speed;
-    if (!(frames <= BOT_MOST_FRAMES)) return 0;
+    if (!(frames <= BOT_MOST_FRAMES)) return false;
     if (frames > BOT_FRAMES) draw_path(view, truth, (int)frames, pull);
     return pull->length >= least_path && !is_folded(truth, pull);
 }
 
 /* ---- the place ---- */
 
-static int is_inside(const bot_view* view, int column, int row, uint32_t part) {
+static bool is_inside(const bot_view* view, int column, int row, uint32_t part) {
     for (int y = row - 1; y <= row + 1; y++) {
         for (int x = column - 1; x <= column + 1; x++) {
-            if (x < 0 || y < 0 || x >= BOT_COLUMNS || y >= BOT_ROWS) return 0;
-            if (view->part[(size_t)y * BOT_COLUMNS + (size_t)x] != part) return 0;
+            if (x < 0 || y < 0 || x >= BOT_COLUMNS || y >= BOT_ROWS) return false;
+            if (view->part[(size_t)y * BOT_COLUMNS + (size_t)x] != part) return false;
         }
     }
-    return 1;
+    return true;
 }
 
 static double arm_of(const known_joint* truth, vec point) {

@@ -1,5 +1,6 @@
 /* What the scripted player sees: a camera and a z-buffer of part ids, made without the library's own picking. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,16 +38,16 @@ void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, d
     memset(view->part, 0, PIXELS * sizeof *view->part);
 }
 
-int bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y) {
+bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y) {
     const vec offset = sub(point, view->eye);
     const double depth = dot(offset, view->forward);
-    if (!(depth > 0)) return 0;
+    if (!(depth > 0)) return false;
     *out_x = 0.5 * BOT_WIDTH + view->zoom * dot(offset, view->right) / depth;
     *out_y = 0.5 * BOT_HEIGHT - view->zoom * dot(offset, view->up) / depth;
-    return 1;
+    return true;
 }
 
-int bot_view_on_screen(double x, double y) {
+bool bot_view_on_screen(double x, double y) {
     return x >= 0 && y >= 0 && x < BOT_WIDTH && y < BOT_HEIGHT;
 }
 
@@ -55,12 +56,12 @@ typedef struct corner {
     double x, y, near;
 } corner;
 
-static int make_corner(const bot_view* view, const float* position, corner* out) {
+static bool make_corner(const bot_view* view, const float* position, corner* out) {
     const vec point = vec_at(position);
     double x, y;
-    if (!bot_view_project(view, point, &x, &y)) return 0;
+    if (!bot_view_project(view, point, &x, &y)) return false;
     *out = (corner){x / BOT_STEP, y / BOT_STEP, 1 / dot(sub(point, view->eye), view->forward)};
-    return 1;
+    return true;
 }
 
 static double edge(const corner* a, const corner* b, double x, double y) {

@@ -2,6 +2,7 @@
 #include "evaluate.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -186,7 +187,7 @@ static dm_result ask(trial* t, const metric_case* known, answer* out_answer) {
         return result;
     }
     const size_t faces = (size_t)(mesh.index_count / 3);
-    const int per_face = mesh.part_id_scope == DM_PER_FACE;
+    const bool per_face = mesh.part_id_scope == DM_PER_FACE;
     if (!per_face) memmove(ids, ids + faces, mesh.vertex_count);
     session_take_part_ids(t->session, ids, per_face ? faces : mesh.vertex_count, mesh.part_id_scope, job.type);
     return DM_OK;
@@ -215,7 +216,8 @@ static void measure_motion(trial* t, const metric_case* known, const dm_joint* j
 
 /* A picture of a wrong answer. The renderer shows what the session holds: the positions asked about, as they are. */
 static void keep_mistake(trial* t, const metric_case* known, const answer* answer, const metric_row* row) {
-    if (!t->options->mistakes || (row->value[METRIC_POSE] < METRICS_RIGHT && row->value[METRIC_TYPE] > 0)) return;
+    if (t->options->mistakes == NULL || (row->value[METRIC_POSE] < METRICS_RIGHT && row->value[METRIC_TYPE] > 0))
+        return;
     session* session = t->session;
     const void* file_positions = session->mesh.positions;
     session->mesh.positions = t->positions;

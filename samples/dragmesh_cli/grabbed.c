@@ -2,13 +2,14 @@
 #include "grabbed.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "files.h"
 
-int grabbed_asked(const name_list* moving) {
+bool grabbed_asked(const name_list* moving) {
     return moving->count == 1 && strcmp(moving->names[0], "auto") == 0;
 }
 
@@ -22,7 +23,7 @@ dm_result grabbed_mark(session* session, const float* positions, const dm_drag_h
         dm_gltf_get_node(session->gltf, i, &node);
         for (uint64_t f = 0; f < node.face_count; f++) nodes[node.first_face + f] = i;
     }
-    if (positions) mesh.positions = positions;
+    if (positions != NULL) mesh.positions = positions;
     if (!merged) {
         mesh.part_ids = nodes;
         mesh.part_id_format = DM_UINT32;

@@ -2,10 +2,12 @@
 #ifndef CLI_GRABBED_H
 #define CLI_GRABBED_H
 
+#include <stdbool.h>
+
 #include "job.h"
 
 /* Whether the list asks for it: the one name "auto". */
-int grabbed_asked(const name_list* moving);
+bool grabbed_asked(const name_list* moving);
 /* Sets JOB_PART for the faces of the session's file that move with drag->point, 0 for the others. positions NULL: the
  * file's. merged: as if the file were one mesh without nodes. */
 dm_result grabbed_mark(session* session, const float* positions, const dm_drag_hint* drag, int merged,

@@ -3,6 +3,7 @@
 #include "job.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +26,7 @@ static uint64_t larger(uint64_t a, uint64_t b) {
 static dm_result select_by_mask(session* session, const job* job, selection* out, answer* answer) {
     size_t size;
     char* bytes = file_read(job->mask, &size);
-    if (!bytes)
+    if (bytes == NULL)
         return session_fail(session, DM_ERROR_NOT_FOUND, "can't read the mask '%s': %s", job->mask, strerror(errno));
     int32_t ambiguous = 0;
     const dm_result result = dm_gltf_read_mask(
@@ -54,7 +55,7 @@ static dm_result select_part(session* session, const job* job, selection* out, a
     out->scope = DM_PER_FACE;
     out->count = faces;
     dm_result result;
-    if (job->mask)
+    if (job->mask != NULL)
         result = select_by_mask(session, job, out, answer);
     else if (grabbed_asked(&job->moving))
         result = grabbed_mark(session, NULL, &job->drag, 0, out->ids);
@@ -99,8 +100,8 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
 }
 
 /* The object of the last job when this one asks about the same part with another drag. */
-static int can_refine(const session* session, const job* job, const selection* selected) {
-    return session->object && session->part_ids && session->model && job->has_drag &&
+static bool can_refine(const session* session, const job* job, const selection* selected) {
+    return session->object && session->part_ids != NULL && session->model && job->has_drag &&
            session->joint_type == job->type && session->part_id_scope == selected->scope &&
            session->part_id_count == selected->count && memcmp(session->part_ids, selected->ids, selected->count) == 0;
 }

@@ -2,6 +2,7 @@
 #include "metrics.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,7 +12,7 @@
 static const double most_turn = 2.2, most_slide = 1.5;
 enum { CHAMFER_POINTS = 256 };
 
-static int kind_slides(int32_t type) {
+static bool kind_slides(int32_t type) {
     return type == DM_JOINT_PRISMATIC;
 }
 
@@ -224,7 +225,7 @@ metric_stat metrics_stat(const metric_row* rows, size_t count, const unsigned ch
     double total = 0, sum = 0;
     for (size_t i = 0; i < count; i++) {
         const double value = rows[i].value[metric];
-        if ((pick && !pick[i]) || isnan(value)) continue;
+        if ((pick != NULL && !pick[i]) || isnan(value)) continue;
         items[out.count++] = (weighted){value, rows[i].weight};
         total += rows[i].weight;
         sum += value * rows[i].weight;
@@ -243,7 +244,7 @@ double metrics_share_below(const metric_row* rows, size_t count, const unsigned 
                            double limit) {
     double total = 0, below = 0;
     for (size_t i = 0; i < count; i++) {
-        if ((pick && !pick[i]) || isnan(rows[i].value[metric])) continue;
+        if ((pick != NULL && !pick[i]) || isnan(rows[i].value[metric])) continue;
         total += rows[i].weight;
         if (rows[i].value[metric] < limit) below += rows[i].weight;
     }
@@ -255,7 +256,7 @@ metric_calibration metrics_calibrate(const metric_row* rows, size_t count, const
     double total = 0, error = 0;
     for (size_t i = 0; i < count; i++) {
         const double stated = rows[i].value[METRIC_CONFIDENCE];
-        if ((pick && !pick[i]) || isnan(stated)) continue;
+        if ((pick != NULL && !pick[i]) || isnan(stated)) continue;
         const int bin = (int)fmin(fmax(stated, 0) * METRICS_BINS, METRICS_BINS - 1);
         out.weight[bin] += rows[i].weight;
         out.stated[bin] += rows[i].weight * stated;

@@ -27,9 +27,9 @@ int mistakes_open(mistake_book* book, const char* folder) {
     *book = (mistake_book){.folder = folder};
     char* path = path_join(folder, "index.txt");
     if (mkdir(folder, 0777) == 0 || errno == EEXIST) book->index = fopen(path, "w");
-    if (!book->index) fprintf(stderr, "dragmesh eval: can't write '%s': %s\n", path, strerror(errno));
+    if (book->index == NULL) fprintf(stderr, "dragmesh eval: can't write '%s': %s\n", path, strerror(errno));
     free(path);
-    if (!book->index) return -1;
+    if (book->index == NULL) return -1;
     fprintf(book->index,
             "Strips: at rest, open as it should, open as answered. True axis blue, answered red, drag green.\n"
             "A sheet holds %d: %d rows of %d.\n"
@@ -46,7 +46,7 @@ static void paste(const picture* from, picture* to, int left, int top) {
 }
 
 static int flush_sheet(mistake_book* book) {
-    if (!book->sheet.rgb) return 0;
+    if (book->sheet.rgb == NULL) return 0;
     const int status = write_named(book, &book->sheet, "sheet_%02d.png", (book->count - 1) / PER_SHEET + 1);
     picture_free(&book->sheet);
     return status;

@@ -27,7 +27,7 @@ static dm_result sample_network(session* session, const job* job, uint32_t count
     if (result != DM_OK) return result;
     for (uint32_t i = 0; i < count && result == DM_OK; i++)
         result = dm_motion_sample(session->context, motion, (float)i / (float)(count - 1), &out_poses[i],
-                                  out_values ? &out_values[i] : NULL);
+                                  out_values != NULL ? &out_values[i] : NULL);
     dm_motion_destroy(session->context, motion);
     return result;
 }
@@ -40,7 +40,7 @@ dm_result play_motion(session* session, const job* job, const answer* answer, ui
         const float value = target * play_pace((float)i / (float)(count - 1));
         const dm_result result = dm_joint_pose(&answer->joint, value, &out_poses[i]);
         if (result != DM_OK) return session_fail(session, result, "the joint has no pose");
-        if (out_values) out_values[i] = value;
+        if (out_values != NULL) out_values[i] = value;
     }
     return DM_OK;
 }

@@ -2,6 +2,7 @@
 #include "render.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,7 +65,7 @@ void render_close(renderer* r) {
 
 /* ---- light ---- */
 
-static int cast(const renderer* r, vec origin, vec direction, dm_hit* out_hit) {
+static bool cast(const renderer* r, vec origin, vec direction, dm_hit* out_hit) {
     const dm_ray ray = {vec_out(origin), vec_out(direction)};
     return dm_scene_pick(r->session->context, r->scene, &ray, out_hit) == DM_OK && out_hit->object != 0;
 }
@@ -99,7 +100,7 @@ static vec light_at(renderer* r, vec point, vec normal) {
     if (facing > 0 && !cast(r, start, add(r->sun, scale(jitter, 0.07)), &hit)) light = scale(sun_light, facing);
     for (int i = 0; i < r->sky_rays; i++) {
         const vec direction = sky_direction(r, normal, i);
-        const int open = !cast(r, start, direction, &hit) || (double)hit.distance > sky_reach * r->size;
+        const bool open = !cast(r, start, direction, &hit) || (double)hit.distance > sky_reach * r->size;
         light = add(light, scale(sky(r, direction), (open ? 1.0 : 0.12) / r->sky_rays));
     }
     return light;
@@ -191,7 +192,7 @@ dm_result render_film(renderer* r, const dm_pose* poses, uint32_t count, const d
     for (uint32_t i = 0; i < count && result == DM_OK; i++) {
         const int left = (int)i * (width + GAP);
         result = render_draw(r, &poses[i], &strip, left);
-        if (axis) render_axis(r, axis, blue, &strip, left);
+        if (axis != NULL) render_axis(r, axis, blue, &strip, left);
     }
     if (result == DM_OK && picture_write(&strip, path) != 0)
         result = session_fail(r->session, DM_ERROR_NOT_FOUND, "can't write the picture '%s'", path);

@@ -35,7 +35,7 @@ static int open_with(session* session, const char* models, const dm_allocator* a
     memset(session, 0, sizeof *session);
     session->method = method;
     dm_context_desc desc = {.struct_size = sizeof desc, .log = {session, on_message}};
-    if (allocator) desc.allocator = *allocator;
+    if (allocator != NULL) desc.allocator = *allocator;
     if (dm_context_create(&desc, &session->context) != DM_OK) {
         fprintf(stderr, "dragmesh: %s\n", session->error);
         return CLI_FAILED;
@@ -84,11 +84,11 @@ void session_close(session* session) {
 }
 
 dm_result session_use_file(session* session, const char* path) {
-    if (session->path && strcmp(session->path, path) == 0) return DM_OK;
+    if (session->path != NULL && strcmp(session->path, path) == 0) return DM_OK;
     drop_file(session);
     size_t size;
     char* bytes = file_read(path, &size);
-    if (!bytes) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read '%s': %s", path, strerror(errno));
+    if (bytes == NULL) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read '%s': %s", path, strerror(errno));
     const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
     dm_result result = DM_ERROR_BAD_DATA;
     if (size == 0)

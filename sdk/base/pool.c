@@ -5,6 +5,8 @@
  * NULL. */
 #include "base/pool.h"
 
+#include <stdbool.h>
+
 #define CHUNK_COUNT 26 /* 64 + 128 + ... covers all 32-bit indices but the last 64 */
 #define FIRST_CHUNK_BITS 6
 #define GENERATION_MASK 0xFFFFFFu
@@ -145,7 +147,7 @@ dm_result dmi_pool_insert(dmi_pool* pool, void* item, uint64_t* out_handle) {
     }
 }
 
-static int names_slot(const dmi_pool* pool, const slot* s, uint64_t handle) {
+static bool names_slot(const dmi_pool* pool, const slot* s, uint64_t handle) {
     uint32_t generation = (uint32_t)(handle >> 32) & GENERATION_MASK;
     return handle >> 56 == pool->kind && atomic_load_explicit(&s->generation, memory_order_relaxed) == generation;
 }

@@ -3,6 +3,7 @@
  * Every kernel reads all it needs of a block before it writes, so that src may be dst. */
 #include "math/apply_points.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 #if defined(__x86_64__)
@@ -178,7 +179,7 @@ void dmi_pose_apply_points_isa(dmi_isa isa, const dm_pose* pose, const float* sr
     dmi_pose_to_matrix(pose, m);
     if (src_stride == 0) src_stride = PACKED;
     if (dst_stride == 0) dst_stride = PACKED;
-    const int packed = src_stride == PACKED && dst_stride == PACKED;
+    const bool packed = src_stride == PACKED && dst_stride == PACKED;
 #if defined(__x86_64__)
     if (isa == DMI_ISA_AVX512 && packed) {
         apply_packed_avx512(m, src, dst, count);

@@ -8,6 +8,7 @@
 #include "math/frames.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "math/joint.h"
@@ -22,29 +23,29 @@ static const float preset_axes[][9] = {
     [DM_AXES_BLENDER] = {1, 0, 0, 0, 0, 1, 0, -1, 0},
 };
 
-static int is_orthogonal(const float m[9]) {
+static bool is_orthogonal(const float m[9]) {
     for (size_t i = 0; i < 3; i++) {
         for (size_t k = 0; k < 3; k++) {
             const float product = m[3 * i] * m[3 * k] + m[3 * i + 1] * m[3 * k + 1] + m[3 * i + 2] * m[3 * k + 2];
-            if (!(fabsf(product - (i == k ? 1.0f : 0.0f)) <= ORTHOGONALITY_TOLERANCE)) return 0; /* NaN too */
+            if (!(fabsf(product - (i == k ? 1.0f : 0.0f)) <= ORTHOGONALITY_TOLERANCE)) return false; /* NaN too */
         }
     }
-    return 1;
+    return true;
 }
 
 static float determinant(const float m[9]) {
     return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-int dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres) {
-    if (preset < DM_AXES_GLTF || preset > DM_AXES_CUSTOM) return 0;
+bool dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres) {
+    if (preset < DM_AXES_GLTF || preset > DM_AXES_CUSTOM) return false;
     const float* axes = preset == DM_AXES_CUSTOM ? custom : preset_axes[preset];
-    if (axes == NULL || !is_orthogonal(axes)) return 0;
-    if (!(unit_in_metres >= 0) || !isfinite(unit_in_metres)) return 0;
+    if (axes == NULL || !is_orthogonal(axes)) return false;
+    if (!(unit_in_metres >= 0) || !isfinite(unit_in_metres)) return false;
     memcpy(out->to_canonical, axes, sizeof out->to_canonical);
     out->handedness = determinant(axes) < 0 ? -1.0f : 1.0f;
     out->unit = unit_in_metres > 0 ? unit_in_metres : 1;
-    return 1;
+    return true;
 }
 
 static void turn_in(const dmi_frame* frame, const double v[3], double out[3]) {

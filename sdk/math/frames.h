@@ -7,6 +7,8 @@
 #ifndef DMI_MATH_FRAMES_H
 #define DMI_MATH_FRAMES_H
 
+#include <stdbool.h>
+
 #include "math/dual_quat.h"
 
 typedef struct dmi_axes {
@@ -16,7 +18,7 @@ typedef struct dmi_axes {
 } dmi_axes;
 
 /* 0 when the preset is unknown or the custom matrix is not orthogonal. */
-int dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres);
+bool dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres);
 
 /* Host point to canonical metres, before any normalisation. */
 void dmi_axes_point_in(const dmi_axes* axes, const double host[3], double out[3]);

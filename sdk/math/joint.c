@@ -2,17 +2,18 @@
 #include "math/joint.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "math/linear3.h"
 #include "math/vec3.h"
 
 #define TWO_PI 6.28318530717958647692f
 
-int dmi_joint_turns(int32_t type) {
+bool dmi_joint_turns(int32_t type) {
     return type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_SCREW;
 }
 
-int dmi_joint_has_limits(const dm_joint* joint) {
+bool dmi_joint_has_limits(const dm_joint* joint) {
     return joint->type != DM_JOINT_CONTINUOUS && joint->lower < joint->upper;
 }
 

@@ -2,6 +2,8 @@
 #ifndef DMI_MATH_JOINT_H
 #define DMI_MATH_JOINT_H
 
+#include <stdbool.h>
+
 #include "math/dual_quat.h"
 
 /* Pose of the joint at `value` (rad, or length for prismatic). Fixed and unknown joints give the identity. */
@@ -16,9 +18,9 @@ void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_poi
 /* The same joint about, or along, the opposite axis; a screw's pitch stays. */
 void dmi_joint_reverse(dm_joint* joint);
 /* Turns about a line: revolute, continuous, screw. */
-int dmi_joint_turns(int32_t type);
+bool dmi_joint_turns(int32_t type);
 /* Whether lower and upper bound the value: not for continuous joints, nor when lower == upper (no limits stated). */
-int dmi_joint_has_limits(const dm_joint* joint);
+bool dmi_joint_has_limits(const dm_joint* joint);
 /* Into the limits, where the joint has any. */
 float dmi_joint_clamp(const dm_joint* joint, float value);
 /* Slides the origin along the axis line to the point nearest `centre`. */

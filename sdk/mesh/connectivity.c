@@ -2,6 +2,7 @@
 #include "mesh/connectivity.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #define NONE UINT32_MAX
@@ -154,12 +155,14 @@ static dm_result allocate_edges(dmi_arena* arena, const dmi_mesh* mesh, edges* o
     out->face = dmi_arena_push(arena, count);
     out->before = dmi_arena_push(arena, count);
     out->latest = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
-    return out->first && out->other && out->face && out->before && out->latest ? DM_OK : out_of_memory(arena, mesh);
+    return out->first != NULL && out->other != NULL && out->face != NULL && out->before != NULL && out->latest != NULL
+               ? DM_OK
+               : out_of_memory(arena, mesh);
 }
 
 /* Smaller and larger vertex of side i of a face; 0 when both are one. */
-static int edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, size_t i, uint32_t* low,
-                   uint32_t* high) {
+static bool edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, size_t i, uint32_t* low,
+                    uint32_t* high) {
     const uint32_t* corners = mesh->indices + (size_t)face * 3;
     uint32_t a = welded[corners[i]], b = welded[corners[i < 2 ? i + 1 : 0]];
     *low = a < b ? a : b;
@@ -198,7 +201,7 @@ static uint32_t chain_edge(edges* edges, uint32_t begin, uint32_t e) {
 }
 
 /* Slivers have no normal: their cosine with anything is 0. */
-static int is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_cosine) {
+static bool is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_cosine) {
     const float *n = mesh->face_normal + (size_t)a * 3, *m = mesh->face_normal + (size_t)b * 3;
     return fabsf(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) > min_cosine;
 }
@@ -243,7 +246,7 @@ static uint32_t third_corner(const dmi_mesh* mesh, const uint32_t* welded, uint3
 }
 
 /* Whether the outer side of a face sees the far corner of its neighbour, by more than the sine. */
-static int sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint32_t far_corner, float sine) {
+static bool sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint32_t far_corner, float sine) {
     const float *n = mesh->face_normal + (size_t)face * 3, *a = mesh->positions + (size_t)edge_corner * 3;
     const float* b = mesh->positions + (size_t)far_corner * 3;
     const float to[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};

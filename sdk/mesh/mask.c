@@ -3,6 +3,7 @@
  * which a tree of JSON nodes would do neither of. */
 #include "mesh/mask.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 #define ALIGNMENT 64
@@ -17,7 +18,7 @@ typedef struct text {
     const char *at, *end;
 } text;
 
-static int is_digit(char c) {
+static bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
@@ -26,25 +27,25 @@ static void skip_spaces(text* t) {
 }
 
 /* Takes `word` behind spaces; 0 when something else is there. */
-static int take(text* t, const char* word) {
+static bool take(text* t, const char* word) {
     size_t length = strlen(word);
     skip_spaces(t);
-    if ((size_t)(t->end - t->at) < length || memcmp(t->at, word, length) != 0) return 0;
+    if ((size_t)(t->end - t->at) < length || memcmp(t->at, word, length) != 0) return false;
     t->at += length;
-    return 1;
+    return true;
 }
 
 /* Digits into a number; 0 when there is none or it exceeds `limit`. */
-static int take_digits(text* t, uint64_t limit, uint64_t* out) {
+static bool take_digits(text* t, uint64_t limit, uint64_t* out) {
     uint64_t value = 0;
-    if (t->at >= t->end || !is_digit(*t->at)) return 0;
+    if (t->at >= t->end || !is_digit(*t->at)) return false;
     for (; t->at < t->end && is_digit(*t->at); t->at++) {
         uint64_t digit = (uint64_t)(*t->at - '0');
-        if (digit > limit || value > (limit - digit) / 10) return 0;
+        if (digit > limit || value > (limit - digit) / 10) return false;
         value = value * 10 + digit;
     }
     *out = value;
-    return 1;
+    return true;
 }
 
 static dm_result allocate_values(dmi_env* env, uint64_t count, int64_t** out_values) {
@@ -67,18 +68,18 @@ typedef struct npy_header {
 } npy_header;
 
 /* A quoted Python string, as a piece of the text; escapes do not occur in these headers. */
-static int take_string(text* t, text* out) {
+static bool take_string(text* t, text* out) {
     skip_spaces(t);
-    if (t->at >= t->end || (*t->at != '\'' && *t->at != '"')) return 0;
+    if (t->at >= t->end || (*t->at != '\'' && *t->at != '"')) return false;
     char quote = *t->at++;
     out->at = t->at;
     while (t->at < t->end && *t->at != quote && *t->at != '\\') t->at++;
-    if (t->at >= t->end || *t->at != quote) return 0;
+    if (t->at >= t->end || *t->at != quote) return false;
     out->end = t->at++;
-    return 1;
+    return true;
 }
 
-static int string_is(const text* string, const char* word) {
+static bool string_is(const text* string, const char* word) {
     return (size_t)(string->end - string->at) == strlen(word) && memcmp(string->at, word, strlen(word)) == 0;
 }
 
@@ -194,33 +195,33 @@ static dm_result parse_npy(dmi_env* env, const uint8_t* bytes, size_t size, int6
 /* ---- JSON ---- */
 
 /* An integer, written as one or with a fraction of zeros, or true or false. */
-static int take_value(text* t, int64_t* out) {
+static bool take_value(text* t, int64_t* out) {
     if (take(t, "true")) {
         *out = 1;
-        return 1;
+        return true;
     }
     if (take(t, "false")) {
         *out = 0;
-        return 1;
+        return true;
     }
     int negative = take(t, "-");
     uint64_t magnitude, fraction;
-    if (!take_digits(t, (uint64_t)INT64_MAX, &magnitude)) return 0;
+    if (!take_digits(t, (uint64_t)INT64_MAX, &magnitude)) return false;
     if (t->at < t->end && *t->at == '.') {
         t->at++;
-        if (!take_digits(t, 0, &fraction)) return 0;
+        if (!take_digits(t, 0, &fraction)) return false;
     }
     *out = negative ? -(int64_t)magnitude : (int64_t)magnitude;
-    return 1;
+    return true;
 }
 
 /* Values up to the closing bracket; 0 when something else is in the way. */
-static int take_array(text* t, int64_t* values, size_t* count) {
+static bool take_array(text* t, int64_t* values, size_t* count) {
     do {
-        if (!take_value(t, &values[*count])) return 0;
+        if (!take_value(t, &values[*count])) return false;
         ++*count;
     } while (take(t, ","));
-    if (!take(t, "]")) return 0;
+    if (!take(t, "]")) return false;
     skip_spaces(t);
     return t->at == t->end;
 }

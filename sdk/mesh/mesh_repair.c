@@ -1,6 +1,7 @@
 /* Votes of surface pieces by area: who owns most of a piece owns it all. */
 #include "mesh/mesh_repair.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 #include "mesh/connectivity.h"
@@ -48,12 +49,12 @@ static void find_owners(election* e) {
         if (e->owner[e->labels[f]] == mesh->face_part[f]) e->lead[e->labels[f]] += mesh->face_area[f];
 }
 
-static int is_stray(const election* e, uint32_t face) {
+static bool is_stray(const election* e, uint32_t face) {
     const uint32_t piece = e->labels[face];
     return e->owner[piece] != e->mesh->face_part[face] && e->lead[piece] >= OWNS * e->area[piece];
 }
 
-static int bears_loss(const election* e, uint32_t part) {
+static bool bears_loss(const election* e, uint32_t part) {
     const dmi_part* p = &e->mesh->parts[part];
     return e->lost_area[part] <= MOST_AREA * p->area || (float)e->lost_faces[part] <= MOST_FACES * (float)p->face_count;
 }

@@ -3,6 +3,7 @@
 #include "motion/dq_vae.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "base/random.h"
@@ -49,7 +50,7 @@ enum {
 
 dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae) {
     dmi_dq_vae* vae = dmi_alloc_zeroed(env, sizeof *vae, _Alignof(dmi_dq_vae));
-    if (!vae) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "DQ-VAE: no memory");
+    if (vae == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "DQ-VAE: no memory");
     vae->env = env;
     dmi_arena_init(&vae->arena, env, BLOCK_SIZE);
     const dm_result result = dmi_load_network(env, data, size, "dragmesh-dq-vae", dmi_vae_read, vae, &vae->arena);
@@ -62,7 +63,7 @@ dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_va
 }
 
 void dmi_dq_vae_destroy(dmi_dq_vae* vae) {
-    if (!vae) return;
+    if (vae == NULL) return;
     dmi_env* env = vae->env;
     dmi_arena_release(&vae->arena);
     dmi_free(env, vae, sizeof *vae);
@@ -91,8 +92,8 @@ void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* clo
     const uint32_t steps = DMI_VAE_POINTS / STEP_POINTS;
     scratch* s = scratch_memory;
     dmi_vae_object_points(cloud, out_object);
-    for (uint32_t step = 0; step < steps; ++step) {
-        for (uint32_t i = 0; i < STEP_POINTS; ++i) set_point(out_object, step * STEP_POINTS + i, s->point_inputs[i]);
+    for (uint32_t step = 0; step < steps; step++) {
+        for (uint32_t i = 0; i < STEP_POINTS; i++) set_point(out_object, step * STEP_POINTS + i, s->point_inputs[i]);
         encode_points(vae, kernels, s);
         kernels->max_rows(s->point_features[0], STEP_POINTS, VAE_FEATURE, s->point_maxima[step]);
     }
@@ -101,7 +102,7 @@ void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* clo
 
 /* Position of a joint type in the network's tables. */
 static uint32_t type_index(const dm_joint* joint) {
-    const int known = joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_CONTINUOUS;
+    const bool known = joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_CONTINUOUS;
     return known ? (uint32_t)(joint->type - DM_JOINT_REVOLUTE) : 0;
 }
 
@@ -145,14 +146,14 @@ static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
     float* f_local = s->context + F_LOCAL;
     dmi_vae_neighbours(object, origin, near);
     dmi_vae_neighbours(object, query->drag_point, near + DMI_VAE_NEIGHBOURS);
-    for (uint32_t i = 0; i < STEP_POINTS; ++i) set_point(object, near[i], s->point_inputs[i]);
+    for (uint32_t i = 0; i < STEP_POINTS; i++) set_point(object, near[i], s->point_inputs[i]);
     encode_points(vae, kernels, s);
     kernels->max_rows(s->point_features[0], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs);
     kernels->max_rows(s->point_features[DMI_VAE_NEIGHBOURS], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs + NEAR_DRAG);
     memcpy(s->inputs + WHOLE, object->global, sizeof object->global);
     dmi_mlp_apply(&vae->local, kernels, s->inputs, 1, 0, s->hidden, f_local);
     kernels->modulate(f_local, 1, VAE_FEATURE, s->films.local_scale, s->films.local_shift);
-    for (uint32_t i = 0; i < VAE_FEATURE; ++i) f_local[i] = fmaxf(f_local[i], 0.0f);
+    for (uint32_t i = 0; i < VAE_FEATURE; i++) f_local[i] = fmaxf(f_local[i], 0.0f);
 }
 
 /* Gated fusion and the latent's distribution. */
@@ -163,7 +164,7 @@ static void encode_latent(const dmi_dq_vae* vae, const dmi_kernels* kernels, scr
     dmi_mlp_apply(&vae->fuse, kernels, s->gated, 1, 0, s->hidden, s->inputs);
     memcpy(s->inputs + VAE_HIDDEN, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     dmi_mlp_apply(&vae->encoder, kernels, s->inputs, 1, 0, s->hidden, s->latent);
-    for (uint32_t i = 0; i < DMI_VAE_LATENT; ++i) {
+    for (uint32_t i = 0; i < DMI_VAE_LATENT; i++) {
         out->mean[i] = s->latent[i];
         out->log_variance[i] = fminf(fmaxf(s->latent[DMI_VAE_LATENT + i], MIN_LOG_VARIANCE), MAX_LOG_VARIANCE);
     }
@@ -172,7 +173,7 @@ static void encode_latent(const dmi_dq_vae* vae, const dmi_kernels* kernels, scr
 /* z = mu + sigma eps; seed 0: the most likely one. */
 static void draw_latent(const dmi_vae_output* distribution, uint32_t seed, float out_z[DMI_VAE_LATENT]) {
     dmi_random random = dmi_random_make(seed, 0);
-    for (uint32_t i = 0; i < DMI_VAE_LATENT; ++i) {
+    for (uint32_t i = 0; i < DMI_VAE_LATENT; i++) {
         const float noise = seed ? dmi_random_normal(&random) : 0.0f;
         out_z[i] = distribution->mean[i] + expf(0.5f * distribution->log_variance[i]) * noise;
     }
@@ -183,9 +184,9 @@ static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t s
     draw_latent(out, seed, s->inputs);
     memcpy(s->inputs + DMI_VAE_LATENT, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     dmi_linear_apply(&vae->condition, kernels, s->inputs, 1, 0, s->condition);
-    for (uint32_t t = 0; t < DM_MOTION_FRAMES; ++t)
-        for (uint32_t i = 0; i < VAE_WIDTH; ++i) s->tokens[t][i] = vae->tokens[t][i] + s->condition[i];
-    for (uint32_t l = 0; l < VAE_LAYERS; ++l) {
+    for (uint32_t t = 0; t < DM_MOTION_FRAMES; t++)
+        for (uint32_t i = 0; i < VAE_WIDTH; i++) s->tokens[t][i] = vae->tokens[t][i] + s->condition[i];
+    for (uint32_t l = 0; l < VAE_LAYERS; l++) {
         dmi_transformer_apply(&vae->layers[l], kernels, DM_MOTION_FRAMES, s->tokens[0], s->transformer);
         kernels->modulate(s->tokens[0], DM_MOTION_FRAMES, VAE_WIDTH, s->films.decoder[l].scale,
                           s->films.decoder[l].shift);
@@ -209,8 +210,8 @@ static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_
     dmi_linear_apply(&vae->correction_out, kernels, s->correction_hidden[0], DM_MOTION_FRAMES, DMI_GEMM_ADD,
                      out->raw[0]);
     dmi_linear_apply(&vae->along, kernels, s->correction_hidden[0], DM_MOTION_FRAMES, 0, s->along[0]);
-    for (uint32_t t = 0; t < DM_MOTION_FRAMES; ++t)
-        for (uint32_t k = 0; k < 3; ++k) {
+    for (uint32_t t = 0; t < DM_MOTION_FRAMES; t++)
+        for (uint32_t k = 0; k < 3; k++) {
             out->raw[t][k] += s->along[t][0] * axis[k];
             out->raw[t][4 + k] += s->along[t][1] * axis[k];
         }

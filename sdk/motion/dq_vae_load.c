@@ -10,11 +10,11 @@
 static void* fold_table(dmi_loader* loader, const float* weight, uint32_t stride, const float* bias, uint32_t outputs,
                         const float* table, uint32_t entries, uint32_t width) {
     float* folded = dmi_load_alloc(loader, (size_t)entries * outputs);
-    if (!folded) return NULL;
-    for (uint32_t t = 0; t < entries; ++t)
-        for (uint32_t o = 0; o < outputs; ++o) {
+    if (folded == NULL) return NULL;
+    for (uint32_t t = 0; t < entries; t++)
+        for (uint32_t o = 0; o < outputs; o++) {
             double sum = bias[o];
-            for (uint32_t i = 0; i < width; ++i) sum += (double)weight[o * stride + i] * table[t * width + i];
+            for (uint32_t i = 0; i < width; i++) sum += (double)weight[o * stride + i] * table[t * width + i];
             folded[t * outputs + o] = (float)sum;
         }
     return folded;
@@ -22,8 +22,8 @@ static void* fold_table(dmi_loader* loader, const float* weight, uint32_t stride
 
 /* The columns of x and of INJECTION x, which follow them, become one block of columns. */
 static void fold_injection(float* weight, uint32_t stride, uint32_t outputs, uint32_t first, uint32_t width) {
-    for (uint32_t o = 0; o < outputs; ++o)
-        for (uint32_t i = 0; i < width; ++i)
+    for (uint32_t o = 0; o < outputs; o++)
+        for (uint32_t i = 0; i < width; i++)
             weight[o * stride + first + i] += INJECTION * weight[o * stride + first + width + i];
 }
 
@@ -51,7 +51,7 @@ static void read_intent(dmi_loader* loader, dmi_dq_vae* vae) {
     dmi_load_mlp(loader, "intent.fuse", 4 * VAE_SMALL, VAE_HIDDEN, VAE_FEATURE, &vae->motion_fuse);
     const float* position = dmi_load_tensor(loader, "intent.path_position", DMI_VAE_PATH, VAE_SMALL);
     vae->path_position = (void*)dmi_load_alloc(loader, (size_t)DMI_VAE_PATH * VAE_SMALL);
-    if (vae->path_position) memcpy(vae->path_position, position, DMI_VAE_PATH * sizeof vae->path_position[0]);
+    if (vae->path_position != NULL) memcpy(vae->path_position, position, DMI_VAE_PATH * sizeof vae->path_position[0]);
 }
 
 /* One FiLM layer's rows, gamma then beta, at `row` of the layer of them all; 1 + gamma by its bias. */
@@ -60,14 +60,14 @@ static void add_film(dmi_loader* loader, const char* name, uint32_t width, uint3
     const float* own_bias = dmi_load_part(loader, name, ".bias", 2 * width, 0);
     if (loader->result != DM_OK) return;
     memcpy(weight + (size_t)row * VAE_FEATURE, own_weight, (size_t)2 * width * VAE_FEATURE * sizeof(float));
-    for (uint32_t i = 0; i < 2 * width; ++i) bias[row + i] = own_bias[i] + (i < width ? 1.0f : 0.0f);
+    for (uint32_t i = 0; i < 2 * width; i++) bias[row + i] = own_bias[i] + (i < width ? 1.0f : 0.0f);
 }
 
 static void read_films(dmi_loader* loader, dmi_dq_vae* vae) {
     float* weight = dmi_load_spare(loader, VAE_FILMS * VAE_FEATURE);
     float* bias = dmi_load_spare(loader, VAE_FILMS);
     add_film(loader, "local.film", VAE_FEATURE, 0, weight, bias);
-    for (uint32_t l = 0; l < VAE_LAYERS; ++l) {
+    for (uint32_t l = 0; l < VAE_LAYERS; l++) {
         char name[32];
         snprintf(name, sizeof name, "decoder.film.%u", l);
         add_film(loader, name, VAE_WIDTH, 2 * (VAE_FEATURE + l * VAE_WIDTH), weight, bias);
@@ -80,7 +80,7 @@ static void read_decoder(dmi_loader* loader, dmi_dq_vae* vae) {
     const float* position = dmi_load_tensor(loader, "decoder.position", DM_MOTION_FRAMES, VAE_SMALL);
     float* weight = dmi_load_tensor(loader, "decoder.input.weight", VAE_WIDTH, inputs);
     const float* bias = dmi_load_tensor(loader, "decoder.input.bias", VAE_WIDTH, 0);
-    for (uint32_t l = 0; l < VAE_LAYERS; ++l) {
+    for (uint32_t l = 0; l < VAE_LAYERS; l++) {
         char name[32];
         snprintf(name, sizeof name, "decoder.layers.%u", l);
         dmi_load_transformer(loader, name, VAE_WIDTH, VAE_HEADS, VAE_FEED_FORWARD, &vae->layers[l]);
@@ -107,7 +107,7 @@ static void read_correction(dmi_loader* loader, const float* embedding, dmi_dq_v
         fold_table(loader, weight + type, inputs, bias, VAE_FEATURE, embedding, VAE_TYPES, VAE_EMBEDDING);
     fold_injection(weight, inputs, VAE_FEATURE, joint, VAE_FEATURE);
     fold_injection(weight, inputs, VAE_FEATURE, axis, 3);
-    for (size_t o = 0; o < VAE_FEATURE; ++o) /* the axis follows f_joint */
+    for (size_t o = 0; o < VAE_FEATURE; o++) /* the axis follows f_joint */
         memmove(weight + o * inputs + joint + VAE_FEATURE, weight + o * inputs + axis, 3 * sizeof(float));
     dmi_pack_linear(loader, weight + joint, inputs, NULL, VAE_FEATURE + 3, VAE_FEATURE, &vae->correction_joint);
     out_bias[3] += 1.0f; /* w of the identity */

@@ -3,6 +3,7 @@
 #include "motion/drag.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "math/vec3.h"
@@ -59,22 +60,22 @@ static float target_at(dmi_drag* drag, float reach) {
 }
 
 /* Copies the ray with a unit direction; 0 when it is none. */
-static int usable_ray(const dm_ray* ray, dm_ray* out) {
+static bool usable_ray(const dm_ray* ray, dm_ray* out) {
     const dm_vec3 o = ray->origin, d = ray->direction;
-    if (!isfinite(o.x) || !isfinite(o.y) || !isfinite(o.z)) return 0;
+    if (!isfinite(o.x) || !isfinite(o.y) || !isfinite(o.z)) return false;
     const float most = fmaxf(fabsf(d.x), fmaxf(fabsf(d.y), fabsf(d.z)));
-    if (!(most > 0) || !isfinite(d.x) || !isfinite(d.y) || !isfinite(d.z)) return 0;
+    if (!(most > 0) || !isfinite(d.x) || !isfinite(d.y) || !isfinite(d.z)) return false;
     const float x = d.x / most, y = d.y / most, z = d.z / most, length = sqrtf(x * x + y * y + z * z);
     *out = (dm_ray){o, {x / length, y / length, z / length}};
-    return 1;
+    return true;
 }
 
-static int turned(dm_vec3 a, dm_vec3 b) {
+static bool turned(dm_vec3 a, dm_vec3 b) {
     const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
     return x * x + y * y + z * z > LEAST_TURN * LEAST_TURN;
 }
 
-static int has_last_ray(const dmi_drag* drag) {
+static bool has_last_ray(const dmi_drag* drag) {
     const dm_vec3 d = drag->last_ray.direction;
     return d.x != 0 || d.y != 0 || d.z != 0;
 }
@@ -141,7 +142,7 @@ static void change_joint(dmi_drag* drag) {
 static void hold(dmi_drag* drag, const dm_ray* ray, float dt) {
     float before = drag->target;
     dm_ray unit;
-    if (ray && usable_ray(ray, &unit)) {
+    if (ray != NULL && usable_ray(ray, &unit)) {
         const float wish = follow(drag, &unit, dt);
         if (dmi_hypothesis_tracker_weigh(&drag->rivals, wish, &unit, drag->projection)) {
             change_joint(drag);

@@ -1,6 +1,8 @@
 /* Misses of a joint that follows a remembered pull, and their slopes by where the joint's line lies. */
 #include "motion/drag_fit.h"
 
+#include <stdbool.h>
+
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -90,11 +92,11 @@ float dmi_pull_miss(const dmi_pull* pull, const dm_ray* ray, const float point[3
 
 /* ---- a joint ---- */
 
-int dmi_fit_ways(const dm_joint* joint, const float grab_point[3], float out_outward[3], float out_forward[3]) {
+bool dmi_fit_ways(const dm_joint* joint, const float grab_point[3], float out_outward[3], float out_forward[3]) {
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
     dmi_sub3(grab_point, origin.v, out_outward);
     dmi_reject3(out_outward, axis.v);
-    const int has = dmi_joint_turns(joint->type) && dmi_normalize3(out_outward) > 1e-20f;
+    const bool has = dmi_joint_turns(joint->type) && dmi_normalize3(out_outward) > 1e-20f;
     dmi_cross3(axis.v, out_outward, out_forward);
     return has;
 }
@@ -102,7 +104,7 @@ int dmi_fit_ways(const dm_joint* joint, const float grab_point[3], float out_out
 /* A place on the circle is the grabbed point + sin v forward + (1 - cos v) inward, both as long as the arm. The
  * pointer, a share s of the straight way there, is at s times both parts: their ratio is tan (v / 2), and the sum of
  * their squares is 2 s times that of inward. */
-int dmi_pull_cuts_corner(const dmi_pull* pull, const dm_joint* joint) {
+bool dmi_pull_cuts_corner(const dmi_pull* pull, const dm_joint* joint) {
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin), sight = dmi_xyz(pull->sight);
     float inward[3], forward[3], way[3];
     dmi_sub3(origin.v, pull->grab, inward);
@@ -112,7 +114,7 @@ int dmi_pull_cuts_corner(const dmi_pull* pull, const dm_joint* joint) {
     dmi_reject3(inward, sight.v), dmi_reject3(forward, sight.v);
     const float ff = dmi_dot3(forward, forward), fi = dmi_dot3(forward, inward), ii = dmi_dot3(inward, inward);
     const float fw = dmi_dot3(forward, way), iw = dmi_dot3(inward, way), det = ff * ii - fi * fi;
-    if (!(det > LEAST_SINE2 * ff * ii)) return 0;
+    if (!(det > LEAST_SINE2 * ff * ii)) return false;
     const float along = fabsf(fw * ii - iw * fi) / det, in = (iw * ff - fw * fi) / det;
     return in >= 0 && in <= MOST_SLANT * along && along * along + in * in <= 2 * BEYOND * in;
 }
@@ -164,7 +166,7 @@ static void add_slopes(dmi_fit* fit, const dmi_pull* pull, const dm_ray* ray, co
 
 void dmi_fit_follow(dmi_fit* fit, const dmi_pull* pull) {
     const dm_ray* ray = &pull->rays[fit->count++];
-    const int turns = dmi_joint_turns(fit->joint.type);
+    const bool turns = dmi_joint_turns(fit->joint.type);
     place at;
     fit->reach =
         dmi_follow_ray_roughly(&fit->joint, pull->grab, ray, pull->projection, fit->reach, fit->lower, fit->upper);

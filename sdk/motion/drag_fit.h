@@ -3,6 +3,8 @@
 #ifndef DMI_MOTION_DRAG_FIT_H
 #define DMI_MOTION_DRAG_FIT_H
 
+#include <stdbool.h>
+
 #include "motion/follow.h"
 
 #define DMI_PULL_RAYS 8
@@ -34,7 +36,7 @@ float dmi_pull_miss(const dmi_pull* pull, const dm_ray* ray, const float point[3
 
 /* Whether the pointer is on the straight way from the grabbed point to some place on its circle, at most a third of a
  * turn from rest, and not beyond it. */
-int dmi_pull_cuts_corner(const dmi_pull* pull, const dm_joint* joint);
+bool dmi_pull_cuts_corner(const dmi_pull* pull, const dm_joint* joint);
 
 /* What a joint makes of a pull, ray after ray from rest on. A turn's line may be shifted across its axis: away from the
  * grabbed point's foot on it to the point, and a quarter turn from that; both in lengths of the part. */
@@ -50,7 +52,7 @@ typedef struct dmi_fit {
 } dmi_fit;
 
 /* The ways to shift the line; 0: the joint has none, or the point lies on it. */
-int dmi_fit_ways(const dm_joint* joint, const float grab_point[3], float out_outward[3], float out_forward[3]);
+bool dmi_fit_ways(const dm_joint* joint, const float grab_point[3], float out_outward[3], float out_forward[3]);
 /* One ray more, the next that the pull has. */
 void dmi_fit_follow(dmi_fit* fit, const dmi_pull* pull);
 

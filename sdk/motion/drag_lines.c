@@ -3,6 +3,7 @@
 #include "motion/drag_lines.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "math/vec3.h"
 
@@ -29,13 +30,14 @@ static void origin_at(const dmi_joint_hypothesis* rival, const dmi_fit* fit, con
 }
 
 /* What a shift of the line costs: one that nothing in the geometry speaks for is rare, a far one rarer. */
-static float lean_of(const dmi_hold* hold, const dmi_joint_hypothesis* rival, const dmi_fit* fit, const float shift[2]) {
+static float lean_of(const dmi_hold* hold, const dmi_joint_hypothesis* rival, const dmi_fit* fit,
+                     const float shift[2]) {
     dm_joint home = rival->joint, there = rival->joint;
     home.origin = dmi_vec3(rival->home);
     origin_at(rival, fit, shift, &there.origin);
     const float far = (shift[0] * shift[0] + shift[1] * shift[1]) / (2 * SHIFT * SHIFT);
-    return UNSHIFTED + fmaxf(dmi_joint_hypothesis_odds(&rival->joint), 0) + far + dmi_joint_hypothesis_arm_cost(hold, &home) -
-           dmi_joint_hypothesis_arm_cost(hold, &there);
+    return UNSHIFTED + fmaxf(dmi_joint_hypothesis_odds(&rival->joint), 0) + far +
+           dmi_joint_hypothesis_arm_cost(hold, &home) - dmi_joint_hypothesis_arm_cost(hold, &there);
 }
 
 /* The shift that would make the misses and itself least together, were they linear in it. */
@@ -70,8 +72,9 @@ static uint32_t most_promising(const dmi_lines* lines, uint32_t count, uint32_t 
     return found;
 }
 
-static void choose(dmi_lines* lines, const dmi_hold* hold, const dmi_joint_hypothesis* rivals, uint32_t count, uint32_t best) {
-    const int the_best = lines->fits++ % FIT_BEST_EVERY == 0 && dmi_joint_turns(rivals[best].joint.type);
+static void choose(dmi_lines* lines, const dmi_hold* hold, const dmi_joint_hypothesis* rivals, uint32_t count,
+                   uint32_t best) {
+    const bool the_best = lines->fits++ % FIT_BEST_EVERY == 0 && dmi_joint_turns(rivals[best].joint.type);
     lines->rival = the_best ? best : most_promising(lines, count, best);
     lines->shifted = 0;
     if (lines->rival != DMI_NOBODY) start_run(lines, hold, &rivals[lines->rival]);
@@ -79,32 +82,33 @@ static void choose(dmi_lines* lines, const dmi_hold* hold, const dmi_joint_hypot
 
 /* The line as it is has gone through the pull. Where it would be better, misses may not be linear any more: so that
  * line goes through it too. 0: even if it missed nothing, it would not be better. */
-static int try_shift(dmi_lines* lines, const dmi_hold* hold, const dmi_joint_hypothesis* rival) {
-    if (lines->shifted || lines->fit.count < LEAST_RAYS) return 0;
+static bool try_shift(dmi_lines* lines, const dmi_hold* hold, const dmi_joint_hypothesis* rival) {
+    if (lines->shifted || lines->fit.count < LEAST_RAYS) return false;
     best_shift(hold, rival, &lines->fit, lines->shift);
-    if (!isfinite(lines->shift[0]) || !isfinite(lines->shift[1])) return 0;
+    if (!isfinite(lines->shift[0]) || !isfinite(lines->shift[1])) return false;
     lines->lean = lean_of(hold, rival, &lines->fit, lines->shift);
     lines->before = dmi_joint_hypothesis_explains(hold, rival, lines->fit.worst) - rival->lean;
-    if (!(-lines->lean > lines->before + MARGIN)) return 0;
+    if (!(-lines->lean > lines->before + MARGIN)) return false;
     lines->shifted = 1;
     start_run(lines, hold, rival);
-    return 1;
+    return true;
 }
 
 /* Takes the line that was tried, if it is clearly better. */
-static int take_shift(const dmi_lines* lines, const dmi_hold* hold, dmi_joint_hypothesis* rival) {
+static bool take_shift(const dmi_lines* lines, const dmi_hold* hold, dmi_joint_hypothesis* rival) {
     const float after = dmi_joint_hypothesis_explains(hold, rival, lines->fit.worst) - lines->lean;
-    if (!lines->shifted || !(after > lines->before + MARGIN)) return 0;
+    if (!lines->shifted || !(after > lines->before + MARGIN)) return false;
     rival->joint.origin = lines->fit.joint.origin;
     rival->shift[0] = lines->shift[0], rival->shift[1] = lines->shift[1];
     rival->lean = lines->lean;
     rival->worst = lines->fit.worst;
     rival->reach = lines->fit.reach;
     rival->score = rival->stop_score = rival->prior + after + dmi_joint_hypothesis_side_cost(rival, rival->reach);
-    return 1;
+    return true;
 }
 
-uint32_t dmi_lines_fit(dmi_lines* lines, const dmi_hold* hold, dmi_joint_hypothesis* rivals, uint32_t count, uint32_t best) {
+uint32_t dmi_lines_fit(dmi_lines* lines, const dmi_hold* hold, dmi_joint_hypothesis* rivals, uint32_t count,
+                       uint32_t best) {
     if (lines->rival == DMI_NOBODY) choose(lines, hold, rivals, count, best);
     if (lines->rival == DMI_NOBODY) return DMI_NOBODY;
     dmi_joint_hypothesis* rival = &rivals[lines->rival];

@@ -2,6 +2,7 @@
 #include "motion/drag_release.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "motion/drag.h"
@@ -27,7 +28,7 @@ static float range_of(const dm_joint* joint) {
     return joint->upper - joint->lower;
 }
 
-static int rests_at_stop(const dm_joint* joint) {
+static bool rests_at_stop(const dm_joint* joint) {
     const float near = AT_STOP * range_of(joint), rest = dmi_joint_clamp(joint, 0);
     return rest - joint->lower <= near || joint->upper - rest <= near;
 }
@@ -48,7 +49,7 @@ static int32_t read_intent(const dmi_drag* drag) {
     if (!dmi_joint_has_limits(joint) || drag->feel.detent > 0) return DM_INTENT_STAY;
     const float range = range_of(joint), thrown = THROW_TIME * drag->velocity, ahead = drag->value + thrown;
     const float from_rest = fabsf(ahead - dmi_joint_clamp(joint, 0));
-    const int homeward = drag->velocity * (dmi_joint_clamp(joint, 0) - drag->value) >= 0;
+    const bool homeward = drag->velocity * (dmi_joint_clamp(joint, 0) - drag->value) >= 0;
     if (rests_at_stop(joint) && (from_rest < NEAR_END * range || dmi_joint_clamp(joint, ahead) != ahead) && homeward) {
         return DM_INTENT_CLOSE;
     }
@@ -111,7 +112,7 @@ void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
     r->velocity = drag->velocity;
     r->paced = r->glides = 0;
     r->duration = 0;
-    const int free = !dmi_joint_has_limits(&drag->joint);
+    const bool free = !dmi_joint_has_limits(&drag->joint);
     if (asked == DM_INTENT_CLOSE)
         plan_move(drag, r, dmi_joint_clamp(&drag->joint, 0));
     else if (asked == DM_INTENT_OPEN && !free)
@@ -152,13 +153,13 @@ static float find_on_keys(const dmi_release* r, float value) {
     return 0.5f * (low + high);
 }
 
-int dmi_drag_set_pace(dmi_drag* drag, const float values[DM_MOTION_FRAMES]) {
+bool dmi_drag_set_pace(dmi_drag* drag, const float values[DM_MOTION_FRAMES]) {
     dmi_release* r = &drag->release;
-    const int outwards = fabsf(r->end) > fabsf(r->start);
+    const bool outwards = fabsf(r->end) > fabsf(r->start);
     const float outer = outwards ? r->end : r->start, inner = outwards ? r->start : r->end;
     const float last = values[DM_MOTION_FRAMES - 1], scale = outer / last;
-    if (r->phase != DM_DRAG_RELEASED || r->glides || !(scale > 0.5f && scale < 2)) return 0;
-    if (inner / outer < 0) return 0; /* across rest: such a motion is none of the network's */
+    if (r->phase != DM_DRAG_RELEASED || r->glides || !(scale > 0.5f && scale < 2)) return false;
+    if (inner / outer < 0) return false; /* across rest: such a motion is none of the network's */
     for (int i = 0; i < DM_MOTION_FRAMES; i++) r->keys[i] = values[i] * scale;
     r->first = outwards ? find_on_keys(r, inner) : 1;
     r->last = outwards ? 1 : find_on_keys(r, inner);

@@ -2,6 +2,8 @@
 #ifndef DMI_MOTION_DRAG_RELEASE_H
 #define DMI_MOTION_DRAG_RELEASE_H
 
+#include <stdbool.h>
+
 #include "motion/drag_feel.h"
 #include "motion/motion.h"
 
@@ -22,7 +24,7 @@ struct dmi_drag;
 void dmi_drag_release(struct dmi_drag* drag, int32_t intent, float duration);
 /* A generated motion from rest to the outer one of start and end sets the pace; unfit ones leave it as it is. 1 when it
  * did. */
-int dmi_drag_set_pace(struct dmi_drag* drag, const float values[DM_MOTION_FRAMES]);
+bool dmi_drag_set_pace(struct dmi_drag* drag, const float values[DM_MOTION_FRAMES]);
 /* Value and velocity `dt` later. */
 void dmi_release_advance(dmi_release* release, const dm_drag_feel* feel, const dm_joint* joint, float dt,
                          float* out_value, float* out_velocity);

@@ -2,6 +2,7 @@
 #include "motion/follow.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
@@ -81,7 +82,7 @@ static turn_view view_turn(const dm_joint* joint, const float rest_point[3], con
 }
 
 /* Not so for a point on the axis of a pure turn, whose arm is the rounding of its coordinates. */
-static int has_way(const dm_joint* joint, const float rest_point[3], turn_view* view) {
+static bool has_way(const dm_joint* joint, const float rest_point[3], turn_view* view) {
     vec3 origin = {joint->origin.x, joint->origin.y, joint->origin.z};
     const float arm = glm_vec3_norm(view->u) + glm_vec3_norm(view->advance);
     return arm > LEAST_ARM * (glm_vec3_norm((float*)rest_point) + glm_vec3_norm(origin));

@@ -2,6 +2,7 @@
 #include "motion/hypothesis_tracker.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #define FIRST_PULL 0.006f   /* of the part's size: less tells nothing */
 #define LAST_RESORT (-6.5f) /* log odds of a slide along an axis that nothing speaks for */
@@ -11,11 +12,11 @@
 #define STALE 0.05f         /* how much likelier a rival may have become in each round that left it out, log */
 #define MARGIN 0.4f         /* how much more probable another joint must be, log */
 
-static int known(const dmi_hypothesis_tracker* rivals, const dm_joint* joint) {
+static bool known(const dmi_hypothesis_tracker* rivals, const dm_joint* joint) {
     for (uint32_t i = 0; i < rivals->count; i++) {
-        if (dmi_hypothesis_tracker_alike(&rivals->list[i].joint, joint, rivals->hold.size)) return 1;
+        if (dmi_hypothesis_tracker_alike(&rivals->list[i].joint, joint, rivals->hold.size)) return true;
     }
-    return 0;
+    return false;
 }
 
 static void add(dmi_hypothesis_tracker* rivals, const dm_joint* joint, float odds, int open) {
@@ -32,8 +33,8 @@ void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* rivals, cons
     add(rivals, &unlimited, dmi_joint_hypothesis_odds(joint) + UNRANGED, 1);
 }
 
-void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* rivals, const dm_joint* joints, uint32_t count, const float grab_point[3], float size,
-                     dmi_give give) {
+void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* rivals, const dm_joint* joints, uint32_t count,
+                                 const float grab_point[3], float size, dmi_give give) {
     *rivals = (dmi_hypothesis_tracker){.hold = {.size = size, .give = give}};
     dmi_lines_begin(&rivals->lines);
     dmi_pull_begin(&rivals->hold.pull, grab_point, FIRST_PULL * size);
@@ -83,39 +84,40 @@ static uint32_t weigh_some(dmi_hypothesis_tracker* rivals, const dm_ray* ray) {
 }
 
 /* 1: another, or the other side, is the best now. */
-static int weigh_all(dmi_hypothesis_tracker* rivals, float wish, const dm_ray* ray) {
+static bool weigh_all(dmi_hypothesis_tracker* rivals, float wish, const dm_ray* ray) {
     dmi_joint_hypothesis* best = &rivals->list[rivals->best];
     dmi_joint_hypothesis_weigh_best(&rivals->hold, best, wish, ray);
     const float needed = best->stop_score + MARGIN;
     const uint32_t winner = weigh_some(rivals, ray);
-    if (rivals->list[winner].score <= needed) return 0;
-    const int changed = winner != rivals->best;
+    if (rivals->list[winner].score <= needed) return false;
+    const bool changed = winner != rivals->best;
     rivals->best = winner;
     return dmi_joint_hypothesis_take_side(&rivals->list[winner], rivals->hold.size) || changed;
 }
 
 /* 1: the line of the best has become another. */
-static int fit_lines(dmi_hypothesis_tracker* rivals) {
-    if (rivals->round % FIT_EVERY != 0) return 0;
+static bool fit_lines(dmi_hypothesis_tracker* rivals) {
+    if (rivals->round % FIT_EVERY != 0) return false;
     const uint32_t moved = dmi_lines_fit(&rivals->lines, &rivals->hold, rivals->list, rivals->count, rivals->best);
     if (moved != DMI_NOBODY) remember(rivals, moved);
     return moved == rivals->best;
 }
 
-int dmi_hypothesis_tracker_weigh(dmi_hypothesis_tracker* rivals, float wish, const dm_ray* ray, dmi_projection projection) {
-    if (rivals->count == 0) return 0;
+bool dmi_hypothesis_tracker_weigh(dmi_hypothesis_tracker* rivals, float wish, const dm_ray* ray,
+                                  dmi_projection projection) {
+    if (rivals->count == 0) return false;
     dmi_pull* pull = &rivals->hold.pull;
     pull->projection = projection;
     if (!dmi_joint_hypothesis_is_held(&rivals->list[rivals->best], wish)) dmi_pull_add(pull, ray);
-    if (pull->length < FIRST_PULL * rivals->hold.size) return 0;
+    if (pull->length < FIRST_PULL * rivals->hold.size) return false;
     rivals->round++;
-    if (weigh_all(rivals, wish, ray)) return 1;
+    if (weigh_all(rivals, wish, ray)) return true;
     dmi_joint_hypothesis* best = &rivals->list[rivals->best];
-    if (dmi_joint_hypothesis_is_held(best, wish) || !fit_lines(rivals)) return 0;
+    if (dmi_joint_hypothesis_is_held(best, wish) || !fit_lines(rivals)) return false;
     float lower, upper;
     dmi_joint_hypothesis_range(&rivals->hold, best, &lower, &upper);
     best->reach = dmi_follow_ray(&best->joint, pull->grab, ray, projection, wish, lower, upper);
-    return 1;
+    return true;
 }
 
 float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* rivals) {

@@ -2,6 +2,7 @@
 #include "motion/joint_hypothesis.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -32,9 +33,9 @@ static float distance_to_line(const float point[3], const dm_joint* joint) {
     return dmi_line_distance3(point, dmi_xyz(joint->axis).v, dmi_xyz(joint->origin).v);
 }
 
-int dmi_hypothesis_tracker_alike(const dm_joint* a, const dm_joint* b, float size) {
+bool dmi_hypothesis_tracker_alike(const dm_joint* a, const dm_joint* b, float size) {
     const float cosine = fabsf(a->axis.x * b->axis.x + a->axis.y * b->axis.y + a->axis.z * b->axis.z);
-    if (a->type != b->type || cosine < SAME_COSINE) return 0;
+    if (a->type != b->type || cosine < SAME_COSINE) return false;
     return a->type == DM_JOINT_PRISMATIC || distance_to_line(dmi_xyz(b->origin).v, a) < SAME_DISTANCE * size;
 }
 
@@ -55,11 +56,11 @@ float dmi_joint_hypothesis_arm_cost(const dmi_hold* hold, const dm_joint* joint)
 dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_hold* hold, const dm_joint* joint, float odds, int open) {
     const float prior = odds + dmi_joint_hypothesis_arm_cost(hold, joint);
     return (dmi_joint_hypothesis){.joint = *joint,
-                       .home = {joint->origin.x, joint->origin.y, joint->origin.z},
-                       .side = side_of(joint),
-                       .open = open,
-                       .prior = prior,
-                       .score = prior};
+                                  .home = {joint->origin.x, joint->origin.y, joint->origin.z},
+                                  .side = side_of(joint),
+                                  .open = open,
+                                  .prior = prior,
+                                  .score = prior};
 }
 
 /* ---- where it may be ---- */
@@ -74,13 +75,14 @@ void dmi_hypothesis_tracker_limits(const dm_joint* joint, dmi_give give, float* 
     *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
 }
 
-void dmi_joint_hypothesis_range(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float* out_lower, float* out_upper) {
+void dmi_joint_hypothesis_range(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float* out_lower,
+                                float* out_upper) {
     dmi_hypothesis_tracker_limits(&rival->joint, hold->give, out_lower, out_upper);
     if (side_of(&rival->joint) == 0 || rival->settled) return;
     *out_upper = fmaxf(-*out_lower, *out_upper), *out_lower = -*out_upper;
 }
 
-int dmi_joint_hypothesis_is_held(const dmi_joint_hypothesis* rival, float wish) {
+bool dmi_joint_hypothesis_is_held(const dmi_joint_hypothesis* rival, float wish) {
     const float side = side_of(&rival->joint);
     return side != 0 && rival->settled && side * wish <= 0;
 }
@@ -98,13 +100,13 @@ static void give_range(dmi_joint_hypothesis* rival, float size) {
     joint->lower = -0.5f * ONE_TURN, joint->upper = 0.5f * ONE_TURN;
 }
 
-int dmi_joint_hypothesis_take_side(dmi_joint_hypothesis* rival, float size) {
+bool dmi_joint_hypothesis_take_side(dmi_joint_hypothesis* rival, float size) {
     dm_joint* joint = &rival->joint;
     if (rival->open) give_range(rival, size);
-    if (!(side_of(joint) * rival->reach < 0)) return 0;
+    if (!(side_of(joint) * rival->reach < 0)) return false;
     const float lower = joint->lower;
     joint->lower = -joint->upper, joint->upper = -lower;
-    return 1;
+    return true;
 }
 
 /* ---- what the pull says ---- */

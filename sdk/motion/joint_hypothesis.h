@@ -3,6 +3,8 @@
 #ifndef DMI_MOTION_JOINT_HYPOTHESIS_H
 #define DMI_MOTION_JOINT_HYPOTHESIS_H
 
+#include <stdbool.h>
+
 #include "motion/drag_fit.h"
 
 #define DMI_OTHER_SIDE (-0.2f) /* log of how probable it is that a range lies on the other side of rest */
@@ -42,15 +44,16 @@ float dmi_joint_hypothesis_arm_cost(const dmi_hold* hold, const dm_joint* joint)
 /* odds: of the joint, before it is known where the part was taken hold of. */
 dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_hold* hold, const dm_joint* joint, float odds, int open);
 /* So alike that no pull would tell them apart. */
-int dmi_hypothesis_tracker_alike(const dm_joint* a, const dm_joint* b, float size);
+bool dmi_hypothesis_tracker_alike(const dm_joint* a, const dm_joint* b, float size);
 
 /* Where the pull may take a joint that the library found: a stop at rest is a stop, but how far a part opens was only
  * estimated. Infinite without limits. */
 void dmi_hypothesis_tracker_limits(const dm_joint* joint, dmi_give give, float* out_lower, float* out_upper);
 /* Where a rival may be, on either side of rest as long as it has not gone out on one. */
-void dmi_joint_hypothesis_range(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float* out_lower, float* out_upper);
+void dmi_joint_hypothesis_range(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float* out_lower,
+                                float* out_upper);
 /* What a stop holds back tells nothing of the joint. */
-int dmi_joint_hypothesis_is_held(const dmi_joint_hypothesis* rival, float wish);
+bool dmi_joint_hypothesis_is_held(const dmi_joint_hypothesis* rival, float wish);
 
 /* Log likelihood of a pull that a rival misses by so much, and of the side of rest that it goes to. */
 float dmi_joint_hypothesis_explains(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float off);
@@ -63,6 +66,6 @@ void dmi_joint_hypothesis_weigh(const dmi_hold* hold, dmi_joint_hypothesis* riva
 /* The same of the one in force, which asks for `wish` on its side of rest: it is followed already. */
 void dmi_joint_hypothesis_weigh_best(const dmi_hold* hold, dmi_joint_hypothesis* best, float wish, const dm_ray* ray);
 /* Gives the joint the side of rest that the pull goes to; 1: it had the other. */
-int dmi_joint_hypothesis_take_side(dmi_joint_hypothesis* rival, float size);
+bool dmi_joint_hypothesis_take_side(dmi_joint_hypothesis* rival, float size);
 
 #endif

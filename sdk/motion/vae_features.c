@@ -2,6 +2,7 @@
 #include "motion/dq_vae.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "math/joint.h"
@@ -14,7 +15,7 @@ static float dot(const float a[3], const float b[3]) {
 }
 
 static void subtract(const float a[3], const float b[3], float out[3]) {
-    for (int i = 0; i < 3; ++i) out[i] = a[i] - b[i];
+    for (int i = 0; i < 3; i++) out[i] = a[i] - b[i];
 }
 
 static void cross(const float a[3], const float b[3], float out[3]) {
@@ -38,7 +39,7 @@ static arm arm_of(const float point[3], const float axis[3], const float origin[
     float offset[3];
     subtract(point, origin, offset);
     result.height = dot(offset, axis);
-    for (int i = 0; i < 3; ++i) result.across[i] = offset[i] - result.height * axis[i];
+    for (int i = 0; i < 3; i++) result.across[i] = offset[i] - result.height * axis[i];
     result.length = sqrtf(dot(result.across, result.across));
     return result;
 }
@@ -61,7 +62,7 @@ static void make_path(const dmi_vae_query* query, const float axis[3], const flo
     const float pitch = query->joint.type == DM_JOINT_SCREW ? query->joint.pitch : 0.0f;
     const arm start = arm_of(query->drag_point, axis, origin);
     float value = 0.0f;
-    for (int i = 0; i < DMI_VAE_PATH; ++i) {
+    for (int i = 0; i < DMI_VAE_PATH; i++) {
         float step[3];
         const arm end = arm_of(query->path[i], axis, origin);
         subtract(query->path[i], query->drag_point, step);
@@ -72,7 +73,7 @@ static void make_path(const dmi_vae_query* query, const float axis[3], const flo
         } else if (slides) {
             value = dot(step, axis);
             float rest[3];
-            for (int c = 0; c < 3; ++c) rest[c] = step[c] - value * axis[c];
+            for (int c = 0; c < 3; c++) rest[c] = step[c] - value * axis[c];
             residual = sqrtf(dot(rest, rest));
         }
         memcpy(out_path[i], step, sizeof step);
@@ -82,7 +83,7 @@ static void make_path(const dmi_vae_query* query, const float axis[3], const flo
 }
 
 static void make_scalars(const dm_joint* joint, float out[3]) {
-    const int endless = joint->type == DM_JOINT_CONTINUOUS;
+    const bool endless = joint->type == DM_JOINT_CONTINUOUS;
     out[0] = endless ? 0.0f : clamp_scalar(joint->pitch);
     out[1] = endless ? 0.0f : clamp_scalar(joint->lower);
     out[2] = endless ? 0.0f : clamp_scalar(joint->upper);
@@ -93,12 +94,12 @@ static void make_direction(const dmi_vae_query* query, const float origin[3], fl
     subtract(query->drag_point, origin, lever);
     cross(lever, query->drag_vector, out);
     const float length = sqrtf(dot(out, out));
-    for (int i = 0; i < 3; ++i) out[i] = length < 1e-8f ? 0.0f : out[i] / length;
+    for (int i = 0; i < 3; i++) out[i] = length < 1e-8f ? 0.0f : out[i] / length;
 }
 
 static float path_length(const float path[DMI_VAE_PATH][3]) {
     float length = 0.0f, step[3];
-    for (int i = 1; i < DMI_VAE_PATH; ++i) {
+    for (int i = 1; i < DMI_VAE_PATH; i++) {
         subtract(path[i], path[i - 1], step);
         length += sqrtf(dot(step, step));
     }
@@ -112,8 +113,8 @@ void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_fea
     make_scalars(&query->joint, out_features->joint_scalars);
     make_direction(query, origin, out_features->rotation_direction);
     subtract(query->path[DMI_VAE_PATH - 1], query->path[0], out_features->mean_velocity);
-    for (int i = 0; i < 3; ++i) out_features->mean_velocity[i] *= whole;
-    for (size_t i = 0; i < 3; ++i) subtract(query->path[5 * (i + 1)], query->path[0], &out_features->chords[3 * i]);
+    for (int i = 0; i < 3; i++) out_features->mean_velocity[i] *= whole;
+    for (size_t i = 0; i < 3; i++) subtract(query->path[5 * (i + 1)], query->path[0], &out_features->chords[3 * i]);
     make_path(query, axis, origin, out_features->path);
     out_features->amplitude[0] = out_features->path[DMI_VAE_PATH - 1][3];
     out_features->amplitude[1] = path_length(query->path);
@@ -121,7 +122,7 @@ void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_fea
 
 void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object) {
     const size_t step = DMI_CLOUD_POINTS / DMI_VAE_POINTS;
-    for (size_t i = 0; i < DMI_VAE_POINTS; ++i) {
+    for (size_t i = 0; i < DMI_VAE_POINTS; i++) {
         memcpy(out_object->xyz[i], cloud->xyz[i * step], sizeof out_object->xyz[i]);
         out_object->mask[i] = i * step < DMI_CLOUD_PART ? 1.0f : 0.0f;
     }
@@ -137,14 +138,14 @@ static uint64_t sort_key(float squared_distance, uint32_t index) {
 void dmi_vae_neighbours(const dmi_vae_object* object, const float centre[3], uint32_t out_indices[DMI_VAE_NEIGHBOURS]) {
     uint64_t nearest[DMI_VAE_NEIGHBOURS]; /* ascending */
     uint32_t count = 0;
-    for (uint32_t i = 0; i < DMI_VAE_POINTS; ++i) {
+    for (uint32_t i = 0; i < DMI_VAE_POINTS; i++) {
         float offset[3];
         subtract(object->xyz[i], centre, offset);
         const uint64_t key = sort_key(dot(offset, offset), i);
         if (count == DMI_VAE_NEIGHBOURS && key >= nearest[count - 1]) continue;
         uint32_t place = count < DMI_VAE_NEIGHBOURS ? count++ : count - 1;
-        for (; place > 0 && nearest[place - 1] > key; --place) nearest[place] = nearest[place - 1];
+        for (; place > 0 && nearest[place - 1] > key; place--) nearest[place] = nearest[place - 1];
         nearest[place] = key;
     }
-    for (uint32_t i = 0; i < DMI_VAE_NEIGHBOURS; ++i) out_indices[i] = (uint32_t)nearest[i];
+    for (uint32_t i = 0; i < DMI_VAE_NEIGHBOURS; i++) out_indices[i] = (uint32_t)nearest[i];
 }

@@ -19,8 +19,8 @@ static const float zeros[ROW_PANELS * DMI_PANEL];
 /* The end of a tile whose last panel is not full, where an instruction set can't store a part of a register. */
 TARGET static inline void store_part(const dmi_gemm* gemm, float* y, size_t columns, const float (*sums)[DMI_PANEL],
                                      size_t rows, size_t panels) {
-    for (size_t r = 0; r < rows; ++r, y += gemm->y_stride, sums += panels)
-        for (size_t j = 0; j < columns; ++j) {
+    for (size_t r = 0; r < rows; r++, y += gemm->y_stride, sums += panels)
+        for (size_t j = 0; j < columns; j++) {
             const float sum = sums[j / DMI_PANEL][j % DMI_PANEL];
             y[j] = gemm->flags & DMI_GEMM_ADD ? y[j] + sum : sum;
         }
@@ -32,7 +32,7 @@ TARGET_INLINE void tile(const dmi_gemm* gemm, size_t row, size_t first, const si
 /* All rows for the panels from `first` on, in tiles as even as can be: 16 rows are 6 + 5 + 5. */
 TARGET_INLINE void panel_rows(const dmi_gemm* gemm, size_t first, const size_t panels) {
     uint32_t row = 0;
-    for (uint32_t tiles = (gemm->rows + TILE_ROWS - 1) / TILE_ROWS; tiles > 0; --tiles) {
+    for (uint32_t tiles = (gemm->rows + TILE_ROWS - 1) / TILE_ROWS; tiles > 0; tiles--) {
         const uint32_t rows = (gemm->rows - row + tiles - 1) / tiles;
         switch (rows) {
 #if TILE_ROWS == 8

@@ -2,6 +2,8 @@
 #ifndef DMI_NN_KERNELS_H
 #define DMI_NN_KERNELS_H
 
+#include <stdbool.h>
+
 #include "base/cpu.h"
 #include "nn/gemm.h"
 
@@ -32,6 +34,6 @@ extern const dmi_kernels dmi_kernels_neon;
 /* The scalar ones for a set this build has no kernels for. */
 const dmi_kernels* dmi_kernels_for(dmi_isa isa);
 /* Whether this build has own kernels for the set and this processor runs them. */
-int dmi_kernels_usable(dmi_isa isa);
+bool dmi_kernels_usable(dmi_isa isa);
 
 #endif

@@ -11,7 +11,7 @@ typedef int32_t int_lanes __attribute__((vector_size(LANES * sizeof(int32_t))));
 
 /* The end of a row: `count` < LANES numbers, then `filler`. Out of line: rows of whole vectors never come here. */
 TARGET __attribute__((noinline)) static void copy_part(float* to, const float* from, uint32_t count, float filler) {
-    for (uint32_t i = 0; i < LANES; ++i) to[i] = i < count ? from[i] : filler;
+    for (uint32_t i = 0; i < LANES; i++) to[i] = i < count ? from[i] : filler;
 }
 
 /* `count` numbers, LANES of them at most. */
@@ -31,7 +31,7 @@ TARGET static inline void store(float* p, uint32_t count, lanes value) {
         memcpy(p, &value, sizeof value);
         return;
     }
-    for (uint32_t i = 0; i < count; ++i) p[i] = value[i];
+    for (uint32_t i = 0; i < count; i++) p[i] = value[i];
 }
 
 TARGET static inline lanes select(int_lanes mask, lanes yes, lanes no) {
@@ -44,13 +44,13 @@ TARGET static inline lanes larger(lanes a, lanes b) {
 
 TARGET static inline float sum_of(lanes value) {
     for (int half = LANES / 2; half > 0; half /= 2)
-        for (int i = 0; i < half; ++i) value[i] += value[i + half];
+        for (int i = 0; i < half; i++) value[i] += value[i + half];
     return value[0];
 }
 
 TARGET static inline float max_of(lanes value) {
     float best = value[0];
-    for (int i = 1; i < LANES; ++i) best = value[i] > best ? value[i] : best;
+    for (int i = 1; i < LANES; i++) best = value[i] > best ? value[i] : best;
     return best;
 }
 
@@ -74,7 +74,7 @@ TARGET static inline lanes exponential(lanes x) {
 
 TARGET static void layer_norm(const float* x, uint32_t rows, uint32_t columns, const float* weight, const float* bias,
                               float* y) {
-    for (uint32_t r = 0; r < rows; ++r, x += columns, y += columns) {
+    for (uint32_t r = 0; r < rows; r++, x += columns, y += columns) {
         lanes sum = {0}, squares = {0};
         for (uint32_t c = 0; c < columns; c += LANES) sum += load(x + c, columns - c, 0.0f);
         const float mean = sum_of(sum) / (float)columns;
@@ -91,7 +91,7 @@ TARGET static void layer_norm(const float* x, uint32_t rows, uint32_t columns, c
 }
 
 TARGET static void softmax(float* x, uint32_t rows, uint32_t columns) {
-    for (uint32_t r = 0; r < rows; ++r, x += columns) {
+    for (uint32_t r = 0; r < rows; r++, x += columns) {
         lanes best = load(x, columns, -FLT_MAX), sum = {0};
         for (uint32_t c = LANES; c < columns; c += LANES) best = larger(load(x + c, columns - c, -FLT_MAX), best);
         const float top = max_of(best);
@@ -111,7 +111,7 @@ TARGET static void gate(const float* x, uint32_t count, float* y) {
 }
 
 TARGET static void modulate(float* x, uint32_t rows, uint32_t columns, const float* scale, const float* shift) {
-    for (uint32_t r = 0; r < rows; ++r, x += columns)
+    for (uint32_t r = 0; r < rows; r++, x += columns)
         for (uint32_t c = 0; c < columns; c += LANES)
             store(x + c, columns - c,
                   load(x + c, columns - c, 0.0f) * load(scale + c, columns - c, 0.0f) +
@@ -121,7 +121,7 @@ TARGET static void modulate(float* x, uint32_t rows, uint32_t columns, const flo
 TARGET static void max_rows(const float* x, uint32_t rows, uint32_t columns, float* out) {
     for (uint32_t c = 0; c < columns; c += LANES) {
         lanes best = load(x + c, columns - c, 0.0f);
-        for (uint32_t r = 1; r < rows; ++r) best = larger(load(x + (size_t)r * columns + c, columns - c, 0.0f), best);
+        for (uint32_t r = 1; r < rows; r++) best = larger(load(x + (size_t)r * columns + c, columns - c, 0.0f), best);
         store(out + c, columns - c, best);
     }
 }
@@ -129,7 +129,7 @@ TARGET static void max_rows(const float* x, uint32_t rows, uint32_t columns, flo
 TARGET static void mean_rows(const float* x, uint32_t rows, uint32_t columns, float* out) {
     for (uint32_t c = 0; c < columns; c += LANES) {
         lanes sum = {0};
-        for (uint32_t r = 0; r < rows; ++r) sum += load(x + (size_t)r * columns + c, columns - c, 0.0f);
+        for (uint32_t r = 0; r < rows; r++) sum += load(x + (size_t)r * columns + c, columns - c, 0.0f);
         store(out + c, columns - c, sum / (float)rows);
     }
 }

@@ -19,8 +19,8 @@ static void load_qkv(dmi_loader* loader, const char* name, uint32_t width, uint3
     if (loader->result != DM_OK) return;
     const uint32_t head = width / heads;
     const float scale = 1.0f / sqrtf((float)head);
-    for (size_t i = 0; i < (size_t)width * width; ++i) weight[i] *= scale;
-    for (uint32_t i = 0; i < width; ++i) bias[i] *= scale;
+    for (size_t i = 0; i < (size_t)width * width; i++) weight[i] *= scale;
+    for (uint32_t i = 0; i < width; i++) bias[i] *= scale;
     dmi_pack_linear(loader, weight, width, bias, width, 3 * width, out_qkv);
 }
 
@@ -96,7 +96,7 @@ void dmi_transformer_apply(const dmi_transformer* layer, const dmi_kernels* kern
     float *normal = scratch + at.normal, *wide = scratch + at.wide, *mixed = scratch + at.mixed;
     dmi_norm_apply(&layer->norm1, kernels, x, tokens, normal);
     dmi_linear_apply(&layer->qkv, kernels, normal, tokens, 0, wide);
-    for (size_t h = 0; h < layer->heads; ++h)
+    for (size_t h = 0; h < layer->heads; h++)
         attend(kernels, tokens, head, width, wide + h * head, scratch, &at, mixed + h * head);
     dmi_linear_apply(&layer->out, kernels, mixed, tokens, DMI_GEMM_ADD, x);
     dmi_norm_apply(&layer->norm2, kernels, x, tokens, normal);

@@ -2,6 +2,8 @@
 #ifndef DMI_NN_WEIGHTS_H
 #define DMI_NN_WEIGHTS_H
 
+#include <stdbool.h>
+
 #include "base/env.h"
 
 typedef struct dmi_weights dmi_weights;
@@ -14,7 +16,7 @@ dm_result dmi_weights_open(dmi_env* env, const void* data, size_t size, const ch
 void dmi_weights_close(dmi_weights* weights);
 /* Copies the tensor of exactly this shape (cols 0: one dimension of `rows`), float16 widened to float; 0, and a log
  * line, when it is not there. */
-int dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out);
+bool dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out);
 /* NULL when the key is absent. */
 const char* dmi_weights_metadata(const dmi_weights* weights, const char* key);
 

@@ -38,7 +38,7 @@ static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** ou
         bvh->corners = dmi_alloc(env, faces * 3 * sizeof(uint32_t), ALIGNMENT);
         bvh->faces = dmi_alloc(env, faces * sizeof(uint32_t), ALIGNMENT);
         bvh->parts = dmi_alloc_zeroed(env, mesh->part_count * sizeof(dmi_bvh_part), ALIGNMENT);
-        if (bvh->positions && bvh->corners && bvh->faces && bvh->parts) return DM_OK;
+        if (bvh->positions != NULL && bvh->corners != NULL && bvh->faces != NULL && bvh->parts != NULL) return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
 }

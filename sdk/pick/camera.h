@@ -2,10 +2,12 @@
 #ifndef DMI_PICK_CAMERA_H
 #define DMI_PICK_CAMERA_H
 
+#include <stdbool.h>
+
 #include "dragmesh/dragmesh.h"
 
 /* handedness: +1 right-handed host, -1 left-handed. 0 (and no output) for a camera without a valid frame or viewport.
  */
-int dmi_camera_ray(const dm_camera* camera, float handedness, float x, float y, dm_ray* out_ray);
+bool dmi_camera_ray(const dm_camera* camera, float handedness, float x, float y, dm_ray* out_ray);
 
 #endif
