@@ -5,6 +5,7 @@
 #include "api_check.h"
 #include "api_context.h"
 #include "api_motion.h"
+#include "math/vec3.h"
 
 /* Up to desc.feel.soft_limit: what the first version of the struct had. */
 #define FIRST_DRAG_DESC (offsetof(dm_drag_desc, feel) + 2 * sizeof(float))
@@ -37,8 +38,7 @@ static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
 }
 
 static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
-    const float grab[3] = {desc->grab_point.x, desc->grab_point.y, desc->grab_point.z};
-    dm_result result = dmi_check_finite(env, "dm_drag_begin: desc.grab_point", grab, 3);
+    dm_result result = dmi_check_finite(env, "dm_drag_begin: desc.grab_point", dmi_xyz(desc->grab_point).v, 3);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.start_value", &desc->start_value, 1);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.limit_give", &desc->limit_give, 1);
     if (result == DM_OK) result = check_feel(env, &desc->feel);
@@ -72,7 +72,7 @@ static bool is_at_rest(const dm_joint* joint, float value) {
     return fabsf(value) <= AT_REST * range;
 }
 
-static void add_alternatives(dmi_hypothesis_tracker* rivals, const dmi_object* object,
+static void add_alternatives(dmi_hypothesis_tracker* tracker, const dmi_object* object,
                              const dmi_alternatives* alternatives) {
     for (uint32_t i = 0; i < alternatives->count; i++) {
         const dmi_alternative* one = &alternatives->list[i];
@@ -83,14 +83,13 @@ static void add_alternatives(dmi_hypothesis_tracker* rivals, const dmi_object* o
                                 .origin = {one->origin[0], one->origin[1], one->origin[2]},
                                 .source = DM_JOINT_FROM_GEOMETRY};
         const dm_joint joint = dmi_frame_joint_out(&object->frame, &inner);
-        dmi_hypothesis_tracker_add_alternative(rivals, &joint);
+        dmi_hypothesis_tracker_add_alternative(tracker, &joint);
     }
 }
 
 static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     const dmi_object* object = slot->owner->object;
     const dmi_object_part* part = &object->parts[slot->part];
-    const float grab[3] = {desc->grab_point.x, desc->grab_point.y, desc->grab_point.z};
     dm_joint joint = part->joint, joints[DM_MAX_HYPOTHESES];
     dm_drag_feel feel = desc->feel;
     const bool sure = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
@@ -98,15 +97,15 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
         joint.lower = fminf(joint.lower, desc->start_value), joint.upper = fmaxf(joint.upper, desc->start_value);
     }
     if (feel.return_time == 0.0f && is_button(object, slot->part)) feel.return_time = BUTTON_RETURN_TIME;
-    dmi_drag_begin(&slot->drag, &joint, grab, desc->start_value, &feel);
+    dmi_drag_begin(&slot->drag, &joint, dmi_xyz(desc->grab_point).v, desc->start_value, &feel);
     if (sure) return;
     const uint32_t count = is_at_rest(&joint, desc->start_value) ? part->hypotheses.count : 0;
     for (uint32_t i = 0; i < count; i++) {
         joints[i] = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
     }
-    const dmi_give give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
-    dmi_drag_doubt(&slot->drag, joints, count, part_size(object, slot->part), give);
-    if (count > 0) add_alternatives(&slot->drag.rivals, object, &part->alternatives);
+    const dmi_limit_give give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
+    dmi_drag_track_hypotheses(&slot->drag, joints, count, part_size(object, slot->part), give);
+    if (count > 0) add_alternatives(&slot->drag.tracker, object, &part->alternatives);
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {
@@ -157,7 +156,7 @@ dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_drag_state* 
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_drag_slot* slot = dmi_take(context, context->drags, "dm_drag_end", drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    if (out_state != NULL) dmi_drag_state_now(&slot->drag, out_state);
+    if (out_state != NULL) dmi_drag_get_state(&slot->drag, out_state);
     dmi_dependent_unlink(context, &slot->owner->drags, &slot->link);
     dmi_free(&context->env, slot, sizeof *slot);
     return DM_OK;
@@ -171,7 +170,7 @@ dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint*
         return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_get_joint: out_joint is NULL");
     }
     *out_joint = slot->drag.joint;
-    if (slot->drag.rivals.count > 0) out_joint->confidence = dmi_hypothesis_tracker_confidence(&slot->drag.rivals);
+    if (slot->drag.tracker.count > 0) out_joint->confidence = dmi_hypothesis_tracker_confidence(&slot->drag.tracker);
     return DM_OK;
 }
 
@@ -194,7 +193,7 @@ static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t s
     if (result == DM_OK) {
         result = dmi_motion_opening(context, slot->owner, slot->part, &slot->drag.joint, &hint, seed, values);
     }
-    if (result == DM_OK) dmi_drag_set_pace(&slot->drag, values);
+    if (result == DM_OK) dmi_release_set_pace(&slot->drag.release, values);
 }
 
 static void write_plan(const dmi_release* release, dm_release_plan* out_plan) {

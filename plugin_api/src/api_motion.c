@@ -5,6 +5,8 @@
 #include "api_check.h"
 #include "api_context.h"
 #include "api_motion.h"
+#include "math/linear3.h"
+#include "math/vec3.h"
 
 /* The most points of a host's path: a pointer at 1000 Hz for over a minute. */
 #define MAX_PATH 65536
@@ -21,16 +23,12 @@ typedef struct request {
     float sign;     /* +1, or -1 when that turned it round */
 } request;
 
-static float dot(dm_vec3 a, dm_vec3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 /* The network was trained on joints whose positive step follows the drag. */
 static void orient(request* work) {
     const dm_joint given = dmi_frame_joint_in(&work->slot->object->frame, work->moves_by);
     work->joint = given;
     dmi_joint_orient(&work->joint, &work->hint);
-    work->sign = dot(work->joint.axis, given.axis) < 0.0f ? -1.0f : 1.0f;
+    work->sign = dmi_dot3(dmi_xyz(work->joint.axis).v, dmi_xyz(given.axis).v) < 0.0f ? -1.0f : 1.0f;
     dmi_joint_set_origin_near(&work->joint, work->part->shape.centre);
 }
 
@@ -39,12 +37,12 @@ static dm_result resample(const request* work, float (*points)[3], float out_pat
     const dm_motion_desc* desc = work->desc;
     memcpy(points[0], work->hint.point, sizeof points[0]);
     for (uint32_t i = 0; i < desc->path_count; i++) {
-        const double host[3] = {desc->path[i].x, desc->path[i].y, desc->path[i].z};
-        if (!isfinite(host[0] + host[1] + host[2])) {
+        const dmi_double3 host = dmi_xyz_f64(desc->path[i]);
+        if (!isfinite(host.v[0] + host.v[1] + host.v[2])) {
             return dmi_fail(&work->context->env, DM_ERROR_NOT_FINITE,
-                            "dm_motion_generate: desc.path[%u] is (%g, %g, %g)", i, host[0], host[1], host[2]);
+                            "dm_motion_generate: desc.path[%u] is (%g, %g, %g)", i, host.v[0], host.v[1], host.v[2]);
         }
-        dmi_frame_point_in(&work->slot->object->frame, host, points[i + 1]);
+        dmi_frame_point_in(&work->slot->object->frame, host.v, points[i + 1]);
     }
     int starts_there = memcmp(points[0], points[1], sizeof points[0]) == 0;
     dmi_motion_resample_path((const float(*)[3])points + starts_there, desc->path_count + !starts_there, out_path);

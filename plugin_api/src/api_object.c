@@ -4,6 +4,7 @@
 
 #include "api_check.h"
 #include "api_context.h"
+#include "math/vec3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
 
@@ -218,7 +219,7 @@ dm_result DM_CALL dm_object_destroy(dm_context* context, dm_object object) {
 static dm_vec3 point_out(const dmi_frame* frame, const float inner[3]) {
     float host[3];
     dmi_frame_point_out(frame, inner, host);
-    return (dm_vec3){host[0], host[1], host[2]};
+    return dmi_vec3(host);
 }
 
 dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_object_info* out_info) {

@@ -8,6 +8,8 @@
 #define CGLM_ALL_UNALIGNED /* dm_pose is four-byte aligned */
 #include <cglm/cglm.h>
 
+#include "math/constants.h"
+
 /* Below this sine of the half angle a rotation is rounding noise and the motion counts as a translation. */
 #define LEAST_HALF_SINE 1e-7f
 
@@ -106,7 +108,7 @@ void dmi_pose_to_matrix(const dm_pose* pose, float out[16]) {
 }
 
 static dmi_screw translation_screw(const dm_pose* pose) {
-    dmi_screw screw = {.axis = {1, 0, 0}, .angle = pose->real[3] < 0 ? 2 * GLM_PIf : 0};
+    dmi_screw screw = {.axis = {1, 0, 0}, .angle = pose->real[3] < 0 ? DMI_TWO_PI_F : 0};
     float translation[3];
     dmi_pose_translation(pose, translation);
     screw.distance = glm_vec3_norm(translation);

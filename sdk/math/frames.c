@@ -139,9 +139,8 @@ void dmi_frame_direction_out(const dmi_frame* frame, const float inner[3], float
 }
 
 static dm_vec3 vec3_in(const dmi_frame* frame, dm_vec3 host) {
-    const double wide[3] = {(double)host.x, (double)host.y, (double)host.z};
     float inner[3];
-    dmi_frame_point_in(frame, wide, inner);
+    dmi_frame_point_in(frame, dmi_xyz_f64(host).v, inner);
     return dmi_vec3(inner);
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "math/vec3.h"
 #include "motion/dq_vae_net.h"
 
 #define BLOCK_SIZE ((size_t)64 * 1024)
@@ -109,12 +110,11 @@ static uint32_t type_index(const dm_joint* joint) {
 /* Joint condition encoder (§3.3.1), and every FiLM layer's numbers, which depend on it alone. */
 static void encode_joint(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint,
                          const float scalars[3], scratch* s) {
-    const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
-    const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
+    const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
     dmi_linear fuse = vae->joint_fuse;
     fuse.bias = vae->joint_bias[type_index(joint)];
-    dmi_mlp_apply(&vae->joint_axis, kernels, axis, 1, 0, s->hidden, s->inputs);
-    dmi_mlp_apply(&vae->joint_origin, kernels, origin, 1, 0, s->hidden, s->inputs + JOINT_ORIGIN);
+    dmi_mlp_apply(&vae->joint_axis, kernels, axis.v, 1, 0, s->hidden, s->inputs);
+    dmi_mlp_apply(&vae->joint_origin, kernels, origin.v, 1, 0, s->hidden, s->inputs + JOINT_ORIGIN);
     memcpy(s->inputs + JOINT_SCALARS, scalars, 3 * sizeof(float));
     dmi_linear_apply(&fuse, kernels, s->inputs, 1, DMI_GEMM_RELU, s->hidden);
     dmi_linear_apply(&vae->joint_out, kernels, s->hidden, 1, 0, s->context + F_JOINT);
@@ -141,10 +141,9 @@ static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, int
 /* Kinematics-aware sampling (§3.3.2): features near the joint's origin and near the drag point, and of the whole. */
 static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dmi_vae_object* object,
                          const dmi_vae_query* query, scratch* s) {
-    const float origin[3] = {query->joint.origin.x, query->joint.origin.y, query->joint.origin.z};
     uint32_t near[STEP_POINTS];
     float* f_local = s->context + F_LOCAL;
-    dmi_vae_neighbours(object, origin, near);
+    dmi_vae_neighbours(object, dmi_xyz(query->joint.origin).v, near);
     dmi_vae_neighbours(object, query->drag_point, near + DMI_VAE_NEIGHBOURS);
     for (uint32_t i = 0; i < STEP_POINTS; i++) set_point(object, near[i], s->point_inputs[i]);
     encode_points(vae, kernels, s);
@@ -199,11 +198,11 @@ static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t s
  * slide that lie on the axis whatever they are. */
 static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint, scratch* s,
                     dmi_vae_output* out) {
-    const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
+    const dmi_float3 axis = dmi_xyz(joint->axis);
     dmi_linear of_joint = vae->correction_joint, of_base = vae->correction_base;
     of_joint.bias = vae->correction_bias[type_index(joint)];
     memcpy(s->inputs, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
-    memcpy(s->inputs + VAE_FEATURE, axis, sizeof axis);
+    memcpy(s->inputs + VAE_FEATURE, axis.v, sizeof axis.v);
     dmi_linear_apply(&of_joint, kernels, s->inputs, 1, 0, s->condition);
     of_base.bias = s->condition;
     dmi_linear_apply(&of_base, kernels, out->raw[0], DM_MOTION_FRAMES, DMI_GEMM_RELU, s->correction_hidden[0]);
@@ -212,8 +211,8 @@ static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_
     dmi_linear_apply(&vae->along, kernels, s->correction_hidden[0], DM_MOTION_FRAMES, 0, s->along[0]);
     for (uint32_t t = 0; t < DM_MOTION_FRAMES; t++)
         for (uint32_t k = 0; k < 3; k++) {
-            out->raw[t][k] += s->along[t][0] * axis[k];
-            out->raw[t][4 + k] += s->along[t][1] * axis[k];
+            out->raw[t][k] += s->along[t][0] * axis.v[k];
+            out->raw[t][4 + k] += s->along[t][1] * axis.v[k];
         }
 }
 

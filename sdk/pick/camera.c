@@ -3,23 +3,23 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
-#define PI 3.14159265358979323846
-/* Sine of the smallest angle between forward and up. */
-#define MIN_SINE 1e-4
+#include "math/constants.h"
+#include "math/vec3.h"
+
+#define MIN_SINE 1e-4 /* of the angle between forward and up; by hand */
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 static bool load(dm_vec3 v, double out[3]) {
-    out[0] = (double)v.x;
-    out[1] = (double)v.y;
-    out[2] = (double)v.z;
+    memcpy(out, dmi_xyz_f64(v).v, 3 * sizeof *out);
     return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]);
 }
 
-/* 0 when the vector has no length. */
+/* Scales to unit length; false for a vector without length. */
 static bool normalize(double v[3]) {
     double length = sqrt(dot(v, v));
     if (!(length > 0)) return false;
@@ -49,7 +49,7 @@ static bool make_basis(const dm_camera* camera, double handedness, basis* out) {
 /* Half the height of the picture: at distance 1, or of the orthographic box; 0 for a camera without one. */
 static double half_height(const dm_camera* camera) {
     double fov = (double)camera->fov_y, height = (double)camera->height;
-    if (fov > 0 && fov < PI) return tan(0.5 * fov);
+    if (fov > 0 && fov < DMI_PI) return tan(0.5 * fov);
     return fov == 0 && height > 0 && isfinite(height) ? 0.5 * height : 0;
 }
 
@@ -63,7 +63,7 @@ bool dmi_camera_ray(const dm_camera* camera, float handedness, float x, float y,
     double across = (2 * (double)x - width) / height * half, upward = (height - 2 * (double)y) / height * half;
     double offset[3], direction[3];
     for (int i = 0; i < 3; i++) offset[i] = across * b.right[i] + upward * b.up[i];
-    int perspective = camera->fov_y > 0;
+    bool perspective = camera->fov_y > 0;
     for (int i = 0; i < 3; i++) direction[i] = b.forward[i] + (perspective ? offset[i] : 0);
     for (int i = 0; i < 3; i++) eye[i] += perspective ? 0 : offset[i];
     normalize(direction);

@@ -7,12 +7,14 @@
 
 #include "pick/bvh.h"
 
-#define ALIGNMENT 64
-#define FIRST_CAPACITY 16
-/* Host units. Embree takes coordinates up to 1.8e18, also in the frame of an instance, where they are divided by its
- * object's size; Debian's build aborts on larger ones. */
-#define MAX_REACH 1e10
-#define MIN_OBJECT_SIZE 1e-6
+#include "math/vec3.h"
+
+#define ALIGNMENT 64      /* bytes, a cache line */
+#define FIRST_CAPACITY 16 /* instances; doubles when full */
+/* Bounds of the next three, host units: Embree takes coordinates up to 1.8e18, also in the frame of an instance, where
+ * they are divided by its object's size; Debian's build aborts on larger ones. */
+#define MAX_COORDINATE 1e10  /* of ray origins and translations */
+#define MIN_OBJECT_SIZE 1e-6 /* largest side */
 #define MAX_OBJECT_SIZE 1e12
 
 typedef struct placed_object placed_object;
@@ -141,10 +143,11 @@ static dm_result check_pose(dmi_env* env, const dm_pose* pose, dm_pose* out) {
     float t[3];
     *out = dmi_pose_normalize(pose);
     dmi_pose_translation(out, t);
-    if (fabs((double)t[0]) <= MAX_REACH && fabs((double)t[1]) <= MAX_REACH && fabs((double)t[2]) <= MAX_REACH)
+    if (fabs((double)t[0]) <= MAX_COORDINATE && fabs((double)t[1]) <= MAX_COORDINATE &&
+        fabs((double)t[2]) <= MAX_COORDINATE)
         return DM_OK;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "scene: a pose by (%g, %g, %g), must be within %g units",
-                    (double)t[0], (double)t[1], (double)t[2], MAX_REACH);
+                    (double)t[0], (double)t[1], (double)t[2], MAX_COORDINATE);
 }
 
 static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
@@ -273,17 +276,13 @@ void dmi_scene_commit(dmi_scene* scene) {
 
 /* ---- pick ---- */
 
-static dm_vec3 narrow(const double p[3]) {
-    return (dm_vec3){(float)p[0], (float)p[1], (float)p[2]};
-}
-
 /* a x b, unit; against the ray where the triangle has no area. */
 static dm_vec3 edge_normal(const double a[3], const double b[3], const double direction[3]) {
     double n[3];
     for (int k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
     double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (int k = 0; k < 3; k++) n[k] = length > 0 ? n[k] / length : -direction[k];
-    return narrow(n);
+    return dmi_vec3_f64(n);
 }
 
 /* From the corners rather than along the ray: exact on the surface however far the ray has come. */
@@ -309,28 +308,28 @@ static void describe_hit(const placed_part* part, const struct RTCHit* hit, cons
                     .distance = (float)distance,
                     .u = hit->u,
                     .v = hit->v,
-                    .point = narrow(world),
+                    .point = dmi_vec3_f64(world),
                     .normal = edge_normal(world_edges[0], world_edges[1], direction),
-                    .object_point = narrow(object)};
+                    .object_point = dmi_vec3_f64(object)};
 }
 
 void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_hit) {
-    const double origin[3] = {(double)host_ray->origin.x, (double)host_ray->origin.y, (double)host_ray->origin.z};
-    double direction[3] = {(double)host_ray->direction.x, (double)host_ray->direction.y, (double)host_ray->direction.z};
-    double length = sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
+    const dmi_double3 origin = dmi_xyz_f64(host_ray->origin);
+    dmi_double3 direction = dmi_xyz_f64(host_ray->direction);
+    const double* d = direction.v;
+    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     *out_hit = (dm_hit){0};
     if (!(length > 0) || isinf(length)) return; /* NaN too, here and below */
     for (int k = 0; k < 3; k++) {
-        direction[k] /= length;
-        if (!(fabs(origin[k]) <= MAX_REACH)) return;
+        direction.v[k] /= length;
+        if (!(fabs(origin.v[k]) <= MAX_COORDINATE)) return;
     }
-    const float from[3] = {host_ray->origin.x, host_ray->origin.y, host_ray->origin.z};
-    const float along[3] = {(float)direction[0], (float)direction[1], (float)direction[2]};
-    struct RTCRayHit ray = dmi_embree_ray(from, along, INFINITY);
+    const dmi_float3 along = dmi_xyz(dmi_vec3_f64(direction.v));
+    struct RTCRayHit ray = dmi_embree_ray(dmi_xyz(host_ray->origin).v, along.v, INFINITY);
     dmi_embree_intersect(scene->top, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     const placed_part* part = rtcGetGeometryUserData(rtcGetGeometry(scene->top, ray.hit.instID[0]));
-    describe_hit(part, &ray.hit, origin, direction, out_hit);
+    describe_hit(part, &ray.hit, origin.v, direction.v, out_hit);
 }
 
 /* ---- scenes ---- */
