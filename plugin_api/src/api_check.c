@@ -6,8 +6,10 @@
 
 #include "math/dual_quat.h"
 
-/* No descriptor will ever be this large: a struct_size above it was never set. */
-#define MAX_STRUCT_SIZE 4096
+#define MAX_STRUCT_SIZE 4096 /* bytes; by hand: a larger struct_size was never set */
+/* Length of a rotation quaternion that still counts as unit; by hand, generous to accumulated rounding. */
+#define MIN_QUATERNION_LENGTH 0.5f
+#define MAX_QUATERNION_LENGTH 2.0f
 
 static dm_result check_size(dmi_env* env, const char* what, const void* desc, size_t first, uint32_t* out_size) {
     if (desc == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
@@ -82,7 +84,7 @@ dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm
     if (result != DM_OK) return result;
     const float* r = pose->real;
     float norm = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
-    if (!(norm > 0.5f && norm < 2.0f)) {
+    if (!(norm > MIN_QUATERNION_LENGTH && norm < MAX_QUATERNION_LENGTH)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.real has length %g: it must be a unit quaternion", what,
                         (double)norm);
     }

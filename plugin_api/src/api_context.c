@@ -1,82 +1,15 @@
-/* The context: the host's hooks, the frames, and one pool for each kind of handle. */
-#include "api_context.h"
-
+/* Creates and destroys contexts: the host's hooks, the frames, and one pool for each kind of handle. */
 #include <math.h>
 #include <string.h>
 
 #include "api_check.h"
-
-void dmi_lock(dm_context* context) {
-    while (atomic_flag_test_and_set_explicit(&context->lock, memory_order_acquire)) {
-    }
-}
-
-void dmi_unlock(dm_context* context) {
-    atomic_flag_clear_explicit(&context->lock, memory_order_release);
-}
-
-static const char* kind_name(uint64_t handle) {
-    static const char* const names[] = {"no kind", "a model", "an object", "a motion", "a drag", "a scene"};
-    uint64_t kind = handle >> 56;
-    return kind < sizeof names / sizeof *names ? names[kind] : names[0];
-}
-
-static void report_stale(dm_context* context, const char* function, uint64_t handle) {
-    dmi_fail(&context->env, DM_ERROR_STALE_HANDLE, "%s: handle 0x%016llx (%s) is null, destroyed or not of this kind",
-             function, (unsigned long long)handle, kind_name(handle));
-}
-
-void* dmi_find(dm_context* context, const dmi_pool* pool, const char* function, uint64_t handle) {
-    void* item = dmi_pool_get(pool, handle);
-    if (item == NULL) report_stale(context, function, handle);
-    return item;
-}
-
-void* dmi_take(dm_context* context, dmi_pool* pool, const char* function, uint64_t handle) {
-    void* item = dmi_pool_remove(pool, handle);
-    if (item == NULL) report_stale(context, function, handle);
-    return item;
-}
-
-dm_result dmi_dependent_add(dm_context* context, dmi_pool* pool, dmi_dependent** list, dmi_dependent* item) {
-    dm_result result = dmi_pool_insert(pool, item, &item->handle);
-    if (result != DM_OK) return result;
-    dmi_lock(context);
-    item->previous = NULL;
-    item->next = *list;
-    if (item->next != NULL) item->next->previous = item;
-    *list = item;
-    dmi_unlock(context);
-    return DM_OK;
-}
-
-void dmi_dependent_unlink(dm_context* context, dmi_dependent** list, dmi_dependent* item) {
-    dmi_lock(context);
-    if (item->next != NULL) item->next->previous = item->previous;
-    if (item->previous != NULL) {
-        item->previous->next = item->next;
-    } else {
-        *list = item->next;
-    }
-    dmi_unlock(context);
-}
-
-dm_result dmi_find_part(dm_context* context, const char* function, const dmi_object* object, uint32_t part_id,
-                        uint32_t* out_index) {
-    int32_t index = dmi_object_find_part(object, part_id);
-    if (index > 0) {
-        *out_index = (uint32_t)index;
-        return DM_OK;
-    }
-    if (part_id == 0)
-        return dmi_fail(&context->env, DM_ERROR_NOT_FOUND, "%s: part 0 is the body, which has no joint", function);
-    return dmi_fail(&context->env, DM_ERROR_NOT_FOUND, "%s: the object has no part %u", function, part_id);
-}
-
-/* ---- create and destroy ---- */
+#include "api_handles.h"
+#include "api_model.h"
+#include "api_object.h"
+#include "api_scene.h"
 
 static dm_result check_hooks(dmi_env* env, const dm_context_desc* desc) {
-    if (!desc->allocator.allocate != !desc->allocator.release) {
+    if ((desc->allocator.allocate == NULL) != (desc->allocator.release == NULL)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
                         "dm_context_create: desc.allocator must have both allocate and release, or none");
     }
@@ -88,7 +21,7 @@ static dm_result check_hooks(dmi_env* env, const dm_context_desc* desc) {
     return dmi_check_range(env, "dm_context_create: desc.axes", desc->axes, DM_AXES_GLTF, DM_AXES_CUSTOM);
 }
 
-static dm_result fill(dm_context* context, const dm_context_desc* desc) {
+static dm_result init_context(dm_context* context, const dm_context_desc* desc) {
     dmi_env* env = &context->env;
     float unit = desc->unit_in_metres > 0.0f ? desc->unit_in_metres : 1.0f;
     if (!dmi_axes_init(&context->axes, desc->axes, desc->custom_axes, unit)) {
@@ -111,8 +44,7 @@ static dm_result fill(dm_context* context, const dm_context_desc* desc) {
     return dmi_picker_create(env, &context->picker);
 }
 
-/* The context lies in the host's memory too, so its own block is taken and given back through an environment that
- * outlives it. */
+/* Allocates the context's own block through an environment that outlives it. */
 static dm_context* allocate_context(dmi_env* outer) {
     dm_context* context = dmi_alloc_zeroed(outer, sizeof *context, _Alignof(dm_context));
     if (context == NULL) return NULL;
@@ -141,7 +73,7 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
     dm_context* context = allocate_context(&outer);
     if (context == NULL)
         return dmi_fail(&outer, DM_ERROR_OUT_OF_MEMORY, "dm_context_create: no memory for the context");
-    result = fill(context, &known);
+    result = init_context(context, &known);
     if (result != DM_OK) {
         dm_context_destroy(context);
         return result;
@@ -150,7 +82,7 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
     return DM_OK;
 }
 
-/* Scenes before the objects they show, objects (with their drags and motions) before the models they use. */
+/* Releases scenes before the objects they show, and objects (with drags and motions) before the models they use. */
 static void empty_pools(dm_context* context) {
     uint64_t handle = 0;
     while (context->scenes != NULL && dmi_pool_any(context->scenes, &handle) != NULL) {

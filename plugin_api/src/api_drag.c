@@ -1,21 +1,20 @@
-/* Drags behind handles. A drag copies the joints it may follow, so that an update reads nothing but the drag. */
+/* Drag handles. A drag copies the joints it may follow, so that an update reads nothing but the drag. */
 #include <math.h>
 #include <stdbool.h>
 
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
 #include "api_motion.h"
 #include "math/vec3.h"
 
-/* Up to desc.feel.soft_limit: what the first version of the struct had. */
+/* Bytes of the first version of the struct, which ended with desc.feel.soft_limit. */
 #define FIRST_DRAG_DESC (offsetof(dm_drag_desc, feel) + 2 * sizeof(float))
 
-/* A part that goes in as little of the object's size as this, and is no larger than that, is a push button. */
-#define BUTTON_TRAVEL 0.04f
-#define BUTTON_SIZE 0.25f
+/* By hand; docs/feel.md. */
+#define BUTTON_TRAVEL 0.04f      /* most travel of a push button, share of the object's size */
+#define BUTTON_SIZE 0.25f        /* largest side of a push button, share of the object's size */
 #define BUTTON_RETURN_TIME 0.12f /* s */
-/* A part stands at rest when its value is nearer to it than this share of its range. */
-#define AT_REST 0.02f
+#define AT_REST_SHARE 0.02f /* of the range (of 1 rad or unit without limits): a part this near to rest is at rest */
 
 static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
     const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,
@@ -49,7 +48,7 @@ static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
     return DM_OK;
 }
 
-/* Largest side of a part's box, host units. */
+/* Returns the largest side of a part's box, host units. */
 static float part_size(const dmi_object* object, uint32_t part) {
     const dmi_part* shape = &object->parts[part].shape;
     float size = 0;
@@ -57,19 +56,19 @@ static float part_size(const dmi_object* object, uint32_t part) {
     return size * dmi_frame_length_out(&object->frame);
 }
 
-/* A small part that goes a short way in from rest, and no other way. */
+/* Whether a part is a push button: small, and sliding a short way to one side of rest only. */
 static bool is_button(const dmi_object* object, uint32_t part) {
     const dm_joint* joint = &object->parts[part].joint;
     const float whole = dmi_frame_length_out(&object->frame), range = joint->upper - joint->lower;
     if (joint->type != DM_JOINT_PRISMATIC || !(range > 0) || range > BUTTON_TRAVEL * whole) return false;
-    const bool one_way = joint->lower >= -AT_REST * range || joint->upper <= AT_REST * range;
+    const bool one_way = joint->lower >= -AT_REST_SHARE * range || joint->upper <= AT_REST_SHARE * range;
     return one_way && part_size(object, part) <= BUTTON_SIZE * whole;
 }
 
-/* Whether all of the part's hypotheses have it where it stands. */
+/* Whether the part is at rest, where all hypotheses agree on its pose. */
 static bool is_at_rest(const dm_joint* joint, float value) {
     const float range = dmi_joint_has_limits(joint) ? joint->upper - joint->lower : 1.0f;
-    return fabsf(value) <= AT_REST * range;
+    return fabsf(value) <= AT_REST_SHARE * range;
 }
 
 static void add_alternatives(dmi_hypothesis_tracker* tracker, const dmi_object* object,
@@ -92,19 +91,19 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     const dmi_object_part* part = &object->parts[slot->part];
     dm_joint joint = part->joint, joints[DM_MAX_HYPOTHESES];
     dm_drag_feel feel = desc->feel;
-    const bool sure = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
-    if (!sure && dmi_joint_has_limits(&joint)) { /* an earlier drag may have pulled it farther than estimated */
+    const bool certain = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
+    if (!certain && dmi_joint_has_limits(&joint)) { /* an earlier drag may have exceeded the estimated limits */
         joint.lower = fminf(joint.lower, desc->start_value), joint.upper = fmaxf(joint.upper, desc->start_value);
     }
     if (feel.return_time == 0.0f && is_button(object, slot->part)) feel.return_time = BUTTON_RETURN_TIME;
     dmi_drag_begin(&slot->drag, &joint, dmi_xyz(desc->grab_point).v, desc->start_value, &feel);
-    if (sure) return;
+    if (certain) return;
     const uint32_t count = is_at_rest(&joint, desc->start_value) ? part->hypotheses.count : 0;
     for (uint32_t i = 0; i < count; i++) {
         joints[i] = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
     }
-    const dmi_limit_give give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
-    dmi_drag_track_hypotheses(&slot->drag, joints, count, part_size(object, slot->part), give);
+    const dmi_limit_give limit_give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
+    dmi_drag_track_hypotheses(&slot->drag, joints, count, part_size(object, slot->part), limit_give);
     if (count > 0) add_alternatives(&slot->drag.tracker, object, &part->alternatives);
 }
 
@@ -176,12 +175,13 @@ dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint*
 
 /* ---- release ---- */
 
-/* The way out from rest that the network makes of the drag: the grabbed point, pulled to the outer end of the plan. */
+/* Paces the release by the motion that the network generates for pulling the grabbed point to the plan's outer end. */
 static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t seed) {
     const dmi_release* plan = &slot->drag.release;
     const dmi_model_slot* model = dmi_pool_get(context->models, slot->owner->model);
     if (plan->phase != DM_DRAG_RELEASED || plan->glides || slot->drag.feel.return_time > 0) return;
-    if (model == NULL || model->motion == NULL || slot->owner->features == NULL) return; /* a rule will do */
+    if (model == NULL || model->motion == NULL || slot->owner->features == NULL)
+        return; /* keeps the minimum-jerk pace */
     const float outer = fabsf(plan->end) > fabsf(plan->start) ? plan->end : plan->start;
     float pull[3], values[DM_MOTION_FRAMES];
     dmi_joint_velocity(&slot->drag.joint, 0, slot->drag.rest_point, pull);

@@ -1,6 +1,7 @@
-/* Prepared objects to bytes and back. */
+/* Saving and loading of prepared objects (.dmo). */
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
+#include "api_object.h"
 #include "kinematics/object/dmo.h"
 
 dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,

@@ -1,6 +1,6 @@
-/* Which part was grabbed, for hosts that have no mask. */
+/* Finds the part at the grabbed point, for hosts without a mask. */
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 #include "segmentation/part_finder.h"
@@ -11,7 +11,7 @@ static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_
                     (unsigned long long)face_count, mesh->face_count);
 }
 
-/* The host's drag in the frame of the mesh. The point may be off the surface by half the object's size. */
+/* Converts the host's drag to the frame of the mesh. The point may lie off the box by half the object's size. */
 static dm_result read_drag(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* drag, dmi_part_query* out) {
     const dmi_double3 point = dmi_xyz_f64(drag->point);
     const dmi_float3 vector = dmi_xyz(drag->vector);
@@ -22,7 +22,7 @@ static dm_result read_drag(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hin
     dmi_frame_direction_in(&mesh->frame, vector.v, out->drag);
     if (!(dmi_normalize3(out->drag) > 0)) out->drag[0] = out->drag[1] = out->drag[2] = 0;
     for (int k = 0; k < 3; k++) {
-        if (fabsf(out->point[k]) <= 1) continue;
+        if (fabsf(out->point[k]) <= 1) continue; /* the box runs from -0.5 to 0.5 at most */
         return dmi_fail(env, DM_ERROR_DRAG_OFF_PART, "dm_mesh_find_part: drag.point (%g, %g, %g) is far from the mesh",
                         point.v[0], point.v[1], point.v[2]);
     }

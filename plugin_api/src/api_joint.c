@@ -1,10 +1,15 @@
-/* The joints of an object: what was found, and what the host puts in their place. */
+/* The joints of an object: inferred ones, and those that the host sets. */
 #include <math.h>
 
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
+#include "api_model.h"
 
-/* Object and part of a call; messages are in the name of `function`. */
+#define MIN_AXIS_LENGTH 1e-6 /* of a host's axis; shorter ones have no direction; by hand */
+
+enum { WITHOUT_LIMITS = 7, WITH_LIMITS = 9 }; /* numbers of a joint that are checked */
+
+/* Finds object and part of a call; messages are in the name of `function`. */
 static dm_result find(dm_context* context, const char* function, dm_object object, uint32_t part_id,
                       dmi_object_slot** out_slot, uint32_t* out_index) {
     *out_slot = dmi_find(context, context->objects, function, object);
@@ -74,34 +79,34 @@ dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32
     return dmi_object_refine(env, slot->object, index, &models, &hint);
 }
 
-/* A copy that the library can work with: unit axis, limits that the type has, or an error that names the field. */
+/* Copies a host's joint with a unit axis and only the limits that its type has; errors name the field. */
 static dm_result accept_joint(dmi_env* env, const dm_joint* given, dm_joint* out) {
-    const float numbers[9] = {given->axis.x,   given->axis.y, given->axis.z, given->origin.x, given->origin.y,
-                              given->origin.z, given->pitch,  given->lower,  given->upper};
-    static const char* const names[9] = {"axis.x",   "axis.y", "axis.z", "origin.x", "origin.y",
-                                         "origin.z", "pitch",  "lower",  "upper"};
+    const float numbers[WITH_LIMITS] = {given->axis.x,   given->axis.y, given->axis.z, given->origin.x, given->origin.y,
+                                        given->origin.z, given->pitch,  given->lower,  given->upper};
+    static const char* const names[WITH_LIMITS] = {"axis.x",   "axis.y", "axis.z", "origin.x", "origin.y",
+                                                   "origin.z", "pitch",  "lower",  "upper"};
     *out = *given;
     dm_result result =
         dmi_check_range(env, "dm_object_set_joint: joint.type", given->type, DM_JOINT_REVOLUTE, DM_JOINT_FIXED);
     if (result != DM_OK) return result;
-    /* A continuous joint has no limits, so whatever stands there (infinities, often) is nothing to complain about. */
-    int count = given->type == DM_JOINT_CONTINUOUS ? 7 : 9;
+    /* A continuous joint has no limits, so their fields may hold anything, often infinities. */
+    const int count = given->type == DM_JOINT_CONTINUOUS ? WITHOUT_LIMITS : WITH_LIMITS;
     for (int i = 0; i < count; i++) {
         if (isfinite(numbers[i])) continue;
         return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_object_set_joint: joint.%s is %g", names[i], (double)numbers[i]);
     }
     double length =
         sqrt((double)numbers[0] * numbers[0] + (double)numbers[1] * numbers[1] + (double)numbers[2] * numbers[2]);
-    if (!(length > 1e-6) && given->type != DM_JOINT_FIXED) {
+    if (!(length > MIN_AXIS_LENGTH) && given->type != DM_JOINT_FIXED) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint.axis has length %g", length);
     }
-    if (count == 9 && given->lower > given->upper) {
+    if (count == WITH_LIMITS && given->lower > given->upper) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint.lower %g is above joint.upper %g",
                         (double)given->lower, (double)given->upper);
     }
-    const double inverse = length > 1e-6 ? 1.0 / length : 0.0;
+    const double inverse = length > MIN_AXIS_LENGTH ? 1.0 / length : 0.0;
     out->axis = (dm_vec3){(float)(numbers[0] * inverse), (float)(numbers[1] * inverse), (float)(numbers[2] * inverse)};
-    if (inverse == 0.0) out->axis.y = 1.0f; /* a fixed joint's axis says nothing, but every joint has one */
+    if (inverse == 0.0) out->axis.y = 1.0f; /* a fixed joint needs an axis, any will do */
     if (given->type == DM_JOINT_CONTINUOUS || given->type == DM_JOINT_FIXED) out->lower = out->upper = 0.0f;
     if (given->type != DM_JOINT_SCREW) out->pitch = 0.0f;
     out->type_confidence = out->confidence = 1.0f;

@@ -1,9 +1,10 @@
-/* Weights behind a handle. */
+/* Model handles: the weights of the networks. */
+#include "api_model.h"
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
 
 static dm_result check_bytes(dmi_env* env, const char* what, const void* data, size_t size) {
-    if (!data == !size) return DM_OK;
+    if ((data == NULL) == (size == 0)) return DM_OK;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_model_load: %s has %s", what,
                     data != NULL ? "a pointer but no size" : "a size but no pointer");
 }
@@ -40,6 +41,12 @@ dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc* desc, 
     if (result == DM_OK) result = dmi_pool_insert(context->models, slot, out_model);
     if (result != DM_OK) dmi_model_release(context, slot);
     return result;
+}
+
+dmi_inference_models dmi_inference_models_of(const dm_context* context, const dmi_model_slot* model) {
+    return (dmi_inference_models){.kpp = model != NULL ? model->kinematics : NULL,
+                                  .joints = model != NULL ? model->joints : NULL,
+                                  .isa = context->isa};
 }
 
 void dmi_model_release(dm_context* context, dmi_model_slot* slot) {

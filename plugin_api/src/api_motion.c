@@ -1,38 +1,37 @@
-/* Motions behind handles: the DQ-VAE's answer to a drag, projected exactly onto the joint in force. */
+/* Motion handles: the DQ-VAE's motion for a drag, projected exactly onto the active joint. */
 #include <math.h>
 #include <string.h>
 
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
 #include "api_motion.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-/* The most points of a host's path: a pointer at 1000 Hz for over a minute. */
-#define MAX_PATH 65536
+#define MAX_PATH 65536 /* points of a host's path; by hand: a pointer at 1000 Hz for over a minute */
 
-/* What dm_motion_generate works on. */
+/* The inputs of one motion, in the host's frame and in the object-normalised frame. */
 typedef struct request {
     dm_context* context;
     const dm_motion_desc* desc;
     const dmi_object_slot* slot;
     const dmi_object_part* part;
-    const dm_joint* moves_by; /* host frame */
+    const dm_joint* host_joint; /* host frame */
     dmi_drag_hint hint;
-    dm_joint joint; /* the same, inner frame, signed so that positive follows the drag */
-    float sign;     /* +1, or -1 when that turned it round */
+    dm_joint joint; /* inner frame, signed so that positive follows the drag */
+    float sign;     /* -1 when that reversed the axis, else +1 */
 } request;
 
-/* The network was trained on joints whose positive step follows the drag. */
+/* Converts the joint and orients it as in training: a positive step follows the drag. */
 static void orient(request* work) {
-    const dm_joint given = dmi_frame_joint_in(&work->slot->object->frame, work->moves_by);
+    const dm_joint given = dmi_frame_joint_in(&work->slot->object->frame, work->host_joint);
     work->joint = given;
     dmi_joint_orient(&work->joint, &work->hint);
     work->sign = dmi_dot3(dmi_xyz(work->joint.axis).v, dmi_xyz(given.axis).v) < 0.0f ? -1.0f : 1.0f;
     dmi_joint_set_origin_near(&work->joint, work->part->shape.centre);
 }
 
-/* The host's path in the inner frame, starting at the drag point. */
+/* Converts the host's path to the inner frame and resamples it, starting at the drag point. */
 static dm_result resample(const request* work, float (*points)[3], float out_path[DMI_VAE_PATH][3]) {
     const dm_motion_desc* desc = work->desc;
     memcpy(points[0], work->hint.point, sizeof points[0]);
@@ -44,7 +43,7 @@ static dm_result resample(const request* work, float (*points)[3], float out_pat
         }
         dmi_frame_point_in(&work->slot->object->frame, host.v, points[i + 1]);
     }
-    int starts_there = memcmp(points[0], points[1], sizeof points[0]) == 0;
+    const bool starts_there = memcmp(points[0], points[1], sizeof points[0]) == 0;
     dmi_motion_resample_path((const float(*)[3])points + starts_there, desc->path_count + !starts_there, out_path);
     return DM_OK;
 }
@@ -68,7 +67,7 @@ static dm_result make_path(const request* work, float out_path[DMI_VAE_PATH][3])
     return result;
 }
 
-/* Values of the joint, host units. */
+/* Runs the DQ-VAE; out_values: joint values in host units. */
 static dm_result run_network(const request* work, float out_values[DM_MOTION_FRAMES]) {
     dmi_env* env = &work->context->env;
     const dmi_model_slot* model = dmi_pool_get(work->context->models, work->slot->model);
@@ -95,7 +94,7 @@ static dm_result run_network(const request* work, float out_values[DM_MOTION_FRA
     return DM_OK;
 }
 
-/* Conversions round: the last key value of a full opening must not lie a bit beyond the limit. */
+/* Clamps once more in the host frame, because unit conversion rounds. */
 static void clamp_values(const dm_joint* joint, float values[DM_MOTION_FRAMES]) {
     for (int i = 0; i < DM_MOTION_FRAMES; i++) values[i] = dmi_joint_clamp(joint, values[i]);
 }
@@ -103,7 +102,7 @@ static void clamp_values(const dm_joint* joint, float values[DM_MOTION_FRAMES]) 
 static dm_result generate(request* work, dmi_motion* out_motion) {
     const dm_motion_desc* desc = work->desc;
     dmi_env* env = &work->context->env;
-    if (!desc->path != !desc->path_count) {
+    if ((desc->path == NULL) != (desc->path_count == 0)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_generate: desc.path is %s but desc.path_count is %u",
                         desc->path != NULL ? "given" : "NULL", desc->path_count);
     }
@@ -112,7 +111,7 @@ static dm_result generate(request* work, dmi_motion* out_motion) {
         dmi_find_part(work->context, "dm_motion_generate: desc.part_id", work->slot->object, desc->part_id, &index);
     if (result != DM_OK) return result;
     work->part = &work->slot->object->parts[index];
-    work->moves_by = &work->part->joint;
+    work->host_joint = &work->part->joint;
     result = dmi_object_hint(env, "dm_motion_generate: desc.drag", work->slot->object, index, &desc->drag, &work->hint);
     if (result != DM_OK) return result;
     *out_motion = (dmi_motion){.joint = work->part->joint};
@@ -130,7 +129,7 @@ dm_result dmi_motion_opening(dm_context* context, const dmi_object_slot* slot, u
                     .desc = &desc,
                     .slot = slot,
                     .part = &slot->object->parts[part],
-                    .moves_by = joint,
+                    .host_joint = joint,
                     .hint = *hint};
     orient(&work);
     const dm_result result = run_network(&work, out_values);

@@ -1,9 +1,12 @@
-/* Objects behind handles: prepare, destroy, and what the host may ask of them. */
+/* Object handles: prepare, destroy, and queries. */
 #include <stdio.h>
 #include <string.h>
 
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
+#include "api_model.h"
+#include "api_object.h"
+#include "api_scene.h"
 #include "math/vec3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
@@ -41,19 +44,19 @@ static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
         return dmi_fail(env, DM_ERROR_TOO_LARGE, "dm_object_prepare: desc.part_count is %u: the most is %d",
                         desc->part_count, DM_MAX_PARTS);
     }
-    if (!desc->parts != !desc->part_count) {
+    if ((desc->parts == NULL) != (desc->part_count == 0)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.parts is %s but desc.part_count is %u",
                         desc->parts != NULL ? "given" : "NULL", desc->part_count);
     }
     return DM_OK;
 }
 
-/* The host's array steps by its own struct_size, which may not be ours. */
+/* Reads the host's part array, whose stride is the host's struct_size. */
 static dm_result read_parts(dmi_env* env, const dm_object_desc* desc, dm_part_desc* out) {
     const uint8_t* next = (const uint8_t*)desc->parts;
     uint32_t step = desc->parts[0].struct_size;
     for (uint32_t i = 0; i < desc->part_count; i++) {
-        char what[64];
+        char what[64]; /* fits the text below with ten digits */
         snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u]", i);
         dm_result result = dmi_read_desc(env, what, next, DMI_FIRST_SIZE(dm_part_desc, drag), sizeof *out, &out[i]);
         if (result != DM_OK) return result;
@@ -75,7 +78,7 @@ typedef struct encoding {
     dm_context* context;
     dmi_object_slot* slot;
     const dmi_dq_vae* network;
-    _Atomic int failed;
+    _Atomic bool failed;
 } encoding;
 
 static void DM_CALL encode_part(void* data, uint32_t task) {
@@ -88,7 +91,7 @@ static void DM_CALL encode_part(void* data, uint32_t task) {
         dmi_cloud_widen(&work->slot->object->parts[task + 1], cloud);
         dmi_dq_vae_prepare(work->network, work->context->isa, cloud, scratch, &work->slot->features[task + 1]);
     } else {
-        work->failed = 1;
+        work->failed = true;
     }
     dmi_free(env, cloud, sizeof *cloud);
     dmi_free(env, scratch, size);
@@ -126,12 +129,6 @@ dm_result dmi_object_publish(dm_context* context, const char* function, dmi_obje
     }
     *out_object = handle;
     return DM_OK;
-}
-
-dmi_inference_models dmi_inference_models_of(const dm_context* context, const dmi_model_slot* model) {
-    return (dmi_inference_models){.kpp = model != NULL ? model->kinematics : NULL,
-                                  .joints = model != NULL ? model->joints : NULL,
-                                  .isa = context->isa};
 }
 
 static dm_result prepare(dm_context* context, const dm_object_desc* desc, const dm_part_desc* parts,
@@ -209,12 +206,12 @@ dm_result DM_CALL dm_object_destroy(dm_context* context, dm_object object) {
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_object_slot* slot = dmi_take(context, context->objects, "dm_object_destroy", object);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dmi_scenes_forget(context, slot);
+    dmi_scenes_remove_object(context, slot);
     dmi_object_release(context, slot);
     return DM_OK;
 }
 
-/* ---- what the host may ask ---- */
+/* ---- queries ---- */
 
 static dm_vec3 point_out(const dmi_frame* frame, const float inner[3]) {
     float host[3];

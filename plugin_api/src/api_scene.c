@@ -1,6 +1,7 @@
-/* Scenes behind handles, and the camera. */
+/* Scene handles, and the camera. */
+#include "api_scene.h"
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
 #include "math/dual_quat.h"
 #include "pick/camera.h"
 
@@ -89,7 +90,7 @@ void dmi_scene_release(dm_context* context, dmi_scene_slot* slot) {
     dmi_free(&context->env, slot, sizeof *slot);
 }
 
-void dmi_scenes_forget(dm_context* context, dmi_object_slot* slot) {
+void dmi_scenes_remove_object(dm_context* context, dmi_object_slot* slot) {
     while (slot->placements != NULL) {
         dmi_scene_remove(slot->placements->scene->scene, slot->placements->instance);
         unlink_placement(context, slot->placements);
@@ -104,7 +105,7 @@ dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene) {
     return DM_OK;
 }
 
-/* ---- what stands in it ---- */
+/* ---- instances and picking ---- */
 
 dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* pose,
                                uint32_t* out_instance) {
