@@ -129,7 +129,7 @@ static void next_type(app* app) {
     const bool is_slide = joint.type == DM_JOINT_PRISMATIC;
     if (is_slide != was_slide) {
         joint.lower = 0;
-        joint.upper = is_slide ? 0.4f * app->world->info.size : PI / 2;
+        joint.upper = is_slide ? 0.4f * app->world->info.size : PI_F / 2;
     }
     joint.pitch = joint.type == DM_JOINT_SCREW ? 0.01f * app->world->info.size : 0;
     override(app, &joint);
@@ -173,7 +173,7 @@ static void origin_here(app* app) {
 
 static void move_limit(app* app, float lower_steps, float upper_steps) {
     dm_joint joint = app->world->parts[app->selected].joint;
-    const float step = joint.type == DM_JOINT_PRISMATIC ? 0.02f * app->world->info.size : PI / 36;
+    const float step = joint.type == DM_JOINT_PRISMATIC ? 0.02f * app->world->info.size : PI_F / 36;
     joint.lower = fminf(joint.lower + lower_steps * step, 0);
     joint.upper = fmaxf(joint.upper + upper_steps * step, 0);
     override(app, &joint);

@@ -79,7 +79,7 @@ static vec3 moved(const dm_joint* joint, float value, const dm_pose* carrier, ve
 static void draw_travel(draw* draw, const world_part* part, const dm_joint* joint, const dm_pose* carrier, float width,
                         colour colour) {
     const bool endless = joint->type == DM_JOINT_CONTINUOUS || joint->upper <= joint->lower;
-    const float lower = endless ? -PI : joint->lower, upper = endless ? PI : joint->upper;
+    const float lower = endless ? -PI_F : joint->lower, upper = endless ? PI_F : joint->upper;
     const vec3 start = far_point(part, joint);
     const bool turns = joint->type != DM_JOINT_PRISMATIC;
     vec3 last = moved(joint, lower, carrier, start);
@@ -141,7 +141,7 @@ static void draw_rivals(const app* app, draw* draw, uint32_t id) {
 
 static void key_pose(const world_part* part, int key, dm_pose* out_pose) {
     const dm_joint* joint = &part->joint;
-    const float span = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI : joint->upper - joint->lower;
+    const float span = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI_F : joint->upper - joint->lower;
     const float start = joint->type == DM_JOINT_CONTINUOUS ? 0 : joint->lower;
     *out_pose = pose_identity;
     if (part->has_keys)
@@ -195,7 +195,7 @@ static void draw_brush(const app* app, draw* draw) {
     const vec3 n = app->under.normal, side = perpendicular(n), ahead = cross(n, side);
     vec3 last = along(app->under.point, side, radius);
     for (int i = 1; i <= 32; i++) {
-        const float angle = 2 * PI * (float)i / 32;
+        const float angle = 2 * PI_F * (float)i / 32;
         const vec3 next = along(along(app->under.point, side, radius * cosf(angle)), ahead, radius * sinf(angle));
         draw_line(draw, last, next, 2, hand_colour);
         last = next;

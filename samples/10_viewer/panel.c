@@ -24,7 +24,7 @@ static void write_value(const world_part* part, char* out, size_t room) {
     if (part->joint.type == DM_JOINT_PRISMATIC)
         snprintf(out, room, "%.3f", (double)roundf(part->value * 1e3f) * 1e-3 + 0.0);
     else
-        snprintf(out, room, "%.0f deg", (double)roundf(part->value * 180 / PI) + 0.0); /* no -0 */
+        snprintf(out, room, "%.0f deg", (double)roundf(part->value * 180 / PI_F) + 0.0); /* no -0 */
 }
 
 static void write_part(const world_part* part, char* out, size_t room) {

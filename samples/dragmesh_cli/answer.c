@@ -18,7 +18,7 @@ void joint_to_json(const dm_joint* joint, cJSON* out) {
     if (joint->type == DM_JOINT_SCREW) json_add_number(out, "pitch", (double)joint->pitch, 9);
 }
 
-void answer_to_json(const answer* answer, cJSON* out) {
+void answer_to_json(const joint_answer* answer, cJSON* out) {
     joint_to_json(&answer->joint, out);
     cJSON* hypotheses = cJSON_AddArrayToObject(out, "hypotheses");
     for (uint32_t i = 0; i < answer->hypothesis_count; i++) {
@@ -44,7 +44,7 @@ void joint_print(const dm_joint* joint) {
     printf("\n");
 }
 
-void answer_print(const answer* answer) {
+void answer_print(const joint_answer* answer) {
     joint_print(&answer->joint);
     for (uint32_t i = 1; i < answer->hypothesis_count; i++) {
         printf("   or ");

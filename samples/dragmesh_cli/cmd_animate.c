@@ -3,12 +3,13 @@
 #include <stdlib.h>
 
 #include "play.h"
+#include "session_open.h"
 
 enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 100000 };
 static const float seconds_open = 2;
 
 static dm_result animate(session* session, const job* job, int frames, const char* out_path) {
-    answer answer;
+    joint_answer answer;
     dm_result result = job_answer(session, job, &answer);
     if (result != DM_OK) return result;
     dm_pose* poses = cli_alloc((size_t)frames * sizeof *poses);

@@ -7,6 +7,7 @@
 
 #include "evaluate.h"
 #include "json.h"
+#include "session_open.h"
 
 /* How a figure is named, of which joints it is taken, and what of its statistics counts. */
 typedef struct figure {
@@ -259,7 +260,7 @@ static int run(int argc, char** argv) {
     const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL;
     int as_json = 0, worst = 0;
     eval_options options = {.drags = 1};
-    mistake_book book;
+    error_report report;
     const option_spec table[] = {
         {.name = "--models", .kind = OPTION_TEXT, .value = &models},
         {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
@@ -281,10 +282,10 @@ static int run(int argc, char** argv) {
     if (status == CLI_OK) status = check(folder, baseline, &options);
     if (status == CLI_OK) status = session_open_method(&session, models, (enum session_method)read_method(baseline));
     if (status != CLI_OK) return status;
-    if (pictures != NULL && mistakes_open(&book, pictures) == 0) options.mistakes = &book;
-    status =
-        pictures != NULL && options.mistakes == NULL ? CLI_USAGE : evaluate(&session, folder, &options, as_json, worst);
-    if (options.mistakes != NULL && mistakes_close(&book) != 0) status = CLI_FAILED;
+    if (pictures != NULL && error_report_open(&report, pictures) == 0) options.error_report = &report;
+    status = pictures != NULL && options.error_report == NULL ? CLI_USAGE
+                                                              : evaluate(&session, folder, &options, as_json, worst);
+    if (options.error_report != NULL && error_report_close(&report) != 0) status = CLI_FAILED;
     session_close(&session);
     return status;
 }

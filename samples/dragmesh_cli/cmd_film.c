@@ -4,6 +4,7 @@
 
 #include "play.h"
 #include "render.h"
+#include "session_open.h"
 
 enum { DEFAULT_FRAMES = 5, MOST_FRAMES = 64, MOST_PIXELS = 8192 };
 
@@ -15,7 +16,7 @@ typedef struct film_options {
 } film_options;
 
 static dm_result film(session* session, const job* job, const film_options* options) {
-    answer answer;
+    joint_answer answer;
     renderer renderer;
     dm_pose poses[MOST_FRAMES];
     const uint32_t frames = (uint32_t)options->frames;

@@ -6,9 +6,10 @@
 #include <string.h>
 #include <sys/types.h>
 
-#include "grabbed.h"
 #include "job.h"
 #include "json.h"
+#include "part_at_point.h"
+#include "session_open.h"
 
 static cJSON* result_for(const cJSON* id) {
     cJSON* result = cJSON_CreateObject();
@@ -22,7 +23,7 @@ static bool answer_line(session* session, const char* line, unsigned number) {
     cJSON* json = cJSON_ParseWithOpts(line, &end, 1);
     cJSON* result = result_for(cJSON_GetObjectItemCaseSensitive(json, "id"));
     job job = {0};
-    answer answer;
+    joint_answer answer;
     dm_result code;
     if (json != NULL)
         code = job_from_json(session, json, &job);
@@ -34,7 +35,8 @@ static bool answer_line(session* session, const char* line, unsigned number) {
         answer_to_json(&answer, result);
     else
         cJSON_AddStringToObject(result, "error", session->error);
-    if (code == DM_OK && grabbed_asked(&job.moving)) grabbed_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+    if (code == DM_OK && part_at_point_requested(&job.moving))
+        part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
     json_print_line(result);
     job_free(&job);
     cJSON_Delete(json);
@@ -63,7 +65,7 @@ static int answer_jobs(session* session, const char* path) {
 }
 
 static int answer_one(session* session, const job* job, int as_json) {
-    answer answer;
+    joint_answer answer;
     const dm_result code = job_answer(session, job, &answer);
     if (as_json) {
         cJSON* result = cJSON_CreateObject();
@@ -71,8 +73,8 @@ static int answer_one(session* session, const job* job, int as_json) {
             answer_to_json(&answer, result);
         else
             cJSON_AddStringToObject(result, "error", session->error);
-        if (code == DM_OK && grabbed_asked(&job->moving))
-            grabbed_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+        if (code == DM_OK && part_at_point_requested(&job->moving))
+            part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
         json_print_line(result);
     } else if (code == DM_OK) {
         answer_print(&answer);
@@ -99,7 +101,7 @@ static int run(int argc, char** argv) {
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
         status = jobs != NULL ? answer_jobs(&session, jobs) : answer_one(&session, &options.job, as_json);
-        if (mask_out != NULL && status == CLI_OK && grabbed_write(&session, mask_out) != 0) status = CLI_FAILED;
+        if (mask_out != NULL && status == CLI_OK && part_at_point_write(&session, mask_out) != 0) status = CLI_FAILED;
         session_close(&session);
     }
     job_free(&options.job);

@@ -5,6 +5,7 @@
 #include "json.h"
 #include "nodes.h"
 #include "options.h"
+#include "session_open.h"
 
 /* A scene wants an object with a part. Picking asks for none, so the first triangle is entered once more, as a part
  * that is fixed; a hit on either copy is that triangle. */

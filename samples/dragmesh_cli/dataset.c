@@ -120,8 +120,8 @@ void dataset_free(known_object* object) {
 const char* dataset_source(const char* name) {
     static const char* const partnet[] = {"gensim2", "robotwin", "sapien", "gapartnet", "dexteroushands",
                                           "genesis", "rpad",     "r_pad",  "partnet"};
-    if (strncmp(name, "flightgear__", 12) == 0) return "flightgear";
-    if (strncmp(name, "webxr", 5) == 0) return "webxr";
+    if (strncmp(name, "flightgear__", strlen("flightgear__")) == 0) return "flightgear";
+    if (strncmp(name, "webxr", strlen("webxr")) == 0) return "webxr";
     for (size_t i = 0; i < sizeof partnet / sizeof *partnet; i++)
         if (strncmp(name, partnet[i], strlen(partnet[i])) == 0) return "partnet";
     return "simulation";

@@ -6,6 +6,7 @@
 
 #include "dragbot.h"
 #include "json.h"
+#include "session_open.h"
 
 static int by_time(const void* a, const void* b) {
     const float x = *(const float*)a, y = *(const float*)b;

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "grabbed.h"
 #include "job.h"
+#include "part_at_point.h"
 
 static const char* const type_names[] = {"unknown", "revolute", "prismatic", "screw", "continuous", "fixed"};
 
@@ -50,7 +50,7 @@ int job_options_finish(const cli_command* command, job_options* options, const c
         return options_refuse(command, "what moves? --moving NODE[,NODE…] or --mask FILE");
     if (options->has_point != options->has_vector)
         return options_refuse(command, "a drag is --drag-point and --drag-vector");
-    if (grabbed_asked(&job->moving) && job->mask == NULL && !options->has_point)
+    if (part_at_point_requested(&job->moving) && job->mask == NULL && !options->has_point)
         return options_refuse(command, "--moving auto needs to know where it is grabbed: --drag-point, --drag-vector");
     if (options->type != NULL && (job->type = joint_type_from_name(options->type)) == DM_JOINT_UNKNOWN)
         return options_refuse(command, "--type: '%s' is no joint type", options->type);
@@ -155,7 +155,7 @@ dm_result job_from_json(session* session, const cJSON* json, job* out_job) {
     if (out_job->file == NULL) return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"file\" is missing");
     if (out_job->mask == NULL && out_job->moving.count == 0)
         return session_fail(session, DM_ERROR_EMPTY_MASK, "job: neither \"moving\" nor \"mask\" says what moves");
-    if (out_job->mask == NULL && grabbed_asked(&out_job->moving) && !out_job->has_drag)
+    if (out_job->mask == NULL && part_at_point_requested(&out_job->moving) && !out_job->has_drag)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"moving\" is auto, but there is no drag");
     return DM_OK;
 }

@@ -1,4 +1,4 @@
-/* How far an answered joint is from the true one. */
+/* Metrics of an answered joint against the true one. */
 #include "metrics.h"
 
 #include <math.h>
@@ -8,9 +8,11 @@
 
 #include "play.h"
 
-/* The player's reach that the pose is searched in. */
-static const double most_turn = 2.2, most_slide = 1.5;
-enum { CHAMFER_POINTS = 256 };
+/* Range in which the answered joint's value is searched; by hand, beyond any true travel. */
+static const double max_turn = 2.2 /* rad */, max_slide = 1.5 /* object sizes */;
+static const double free_turn = 1 /* rad */, free_slide = 0.3 /* object sizes */; /* travel without limits; by hand */
+static const double max_travel = 1.2; /* rad: most of a turn that is measured; by hand */
+enum { CHAMFER_POINTS = 256 };        /* vertices of a part; by hand, for the time of a run */
 
 static bool kind_slides(int32_t type) {
     return type == DM_JOINT_PRISMATIC;
@@ -24,27 +26,27 @@ vec metrics_true_move(const metric_case* known, vec point, double value) {
     return move(point, known->truth->slides, known->truth->axis, known->truth->origin, value);
 }
 
-/* Full travel: the limit farther from rest; without limits 1 rad or 0.3 of the object; no turn beyond 1.2 rad. */
+/* Full travel: the limit farther from rest, at most max_travel. */
 double metrics_travel(const metric_case* known) {
     const known_joint* truth = known->truth;
     const double lower = isnan(truth->lower) ? 0 : truth->lower;
-    double travel = truth->slides ? 0.3 * known->size : 1;
+    double travel = truth->slides ? free_slide * known->size : free_turn;
     if (!isnan(truth->upper)) {
         const double far = fabs(truth->upper) >= fabs(lower) ? truth->upper : lower;
         if (truth->slides && far != 0) travel = far;
-        if (!truth->slides) travel = far != 0 ? copysign(fmin(fabs(far), 1.2), far) : 1;
+        if (!truth->slides) travel = far != 0 ? copysign(fmin(fabs(far), max_travel), far) : free_turn;
     }
-    const double step = travel < 0 ? -1e-4 : 1e-4;
+    const double step = travel < 0 ? -1e-4 : 1e-4; /* finite difference: only its sign counts */
     const vec way = sub(metrics_true_move(known, known->drag->point, step), known->drag->point);
     return dot(way, known->drag->vector) < 0 ? -travel : travel;
 }
 
-/* The value that brings `from` nearest to `to`, within the player's reach. */
+/* Returns the value that brings `from` nearest to `to`, within the search range. */
 static double value_to_reach(vec from, vec to, int slides, vec axis, vec origin, double size) {
-    if (slides) return fmin(fmax(dot(sub(to, from), axis), -most_slide * size), most_slide * size);
+    if (slides) return fmin(fmax(dot(sub(to, from), axis), -max_slide * size), max_slide * size);
     const vec u = sub(from, origin), v = sub(to, origin);
     const double sine = dot(axis, cross(u, v)), cosine = dot(u, v) - dot(u, axis) * dot(v, axis);
-    return fmin(fmax(atan2(sine, cosine), -most_turn), most_turn);
+    return fmin(fmax(atan2(sine, cosine), -max_turn), max_turn);
 }
 
 double metrics_answered_travel(const metric_case* known, const dm_joint* joint) {
@@ -73,7 +75,7 @@ void metrics_of_failure(const metric_case* known, metric_row* out_row) {
     clear(known, out_row);
     out_row->answered = 0;
     out_row->value[METRIC_TYPE] = 0;
-    out_row->value[METRIC_AXIS] = 1e3 * CLI_PI / 2;
+    out_row->value[METRIC_AXIS] = 1e3 * PI / 2;
     out_row->value[METRIC_POSE] = out_row->value[METRIC_POSE_TOP3] = 1;
     if (!known->truth->slides) out_row->value[METRIC_ORIGIN] = 1000;
 }
@@ -106,7 +108,7 @@ static double range_overlap(const known_joint* truth, const dm_joint* joint, vec
     return both / fmax(fmax(high, found_high) - fmin(low, found_low), 1e-9);
 }
 
-void metrics_of_joint(const metric_case* known, const answer* answer, metric_row* out_row) {
+void metrics_of_joint(const metric_case* known, const joint_answer* answer, metric_row* out_row) {
     const known_joint* truth = known->truth;
     const dm_joint* joint = &answer->joint;
     const int slides = kind_slides(joint->type);
@@ -130,7 +132,7 @@ void metrics_of_joint(const metric_case* known, const answer* answer, metric_row
         value[METRIC_RANGE] = range_overlap(truth, joint, axis);
 }
 
-/* ---- the generated motion ---- */
+/* ---- generated motion ---- */
 
 static vec apply(const dm_pose* pose, vec point) {
     float xyz[3] = {(float)point.x, (float)point.y, (float)point.z};
@@ -183,7 +185,7 @@ void metrics_of_motion(const metric_case* known, const dm_joint* joint, const dm
         const dm_pose* pose = &poses[i];
         const vec slide = sub(apply(pose, origin), origin);
         const double angle = 2 * atan2(length(vec_at(pose->real)), fabs((double)pose->real[3]));
-        const double way = travel * (double)play_pace((float)i / (DM_MOTION_FRAMES - 1));
+        const double way = travel * (double)minimum_jerk((float)i / (DM_MOTION_FRAMES - 1));
         distance += chamfer(known, pose, way);
         deviation += constraint(known, pose, slide);
         turned += angle * angle;

@@ -1,4 +1,4 @@
-/* Where the weights are, and loading them: --models, DRAGMESH_MODELS, or a folder beside the program. */
+/* Finds and loads the weights: --models, DRAGMESH_MODELS, or a folder beside the program. */
 #include "models.h"
 
 #include <errno.h>
@@ -19,7 +19,7 @@ typedef struct weights {
     size_t size;
 } weights;
 
-/* The folder the program lies in, to be freed. */
+/* Returns the folder of the program; to be freed. */
 static char* program_folder(void) {
     char path[4096];
     const ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
@@ -31,12 +31,12 @@ static char* program_folder(void) {
 
 static bool holds_weights(const char* folder) {
     char* file = path_join(folder, kinematics_file);
-    const int found = file_exists(file);
+    const bool found = file_exists(file);
     free(file);
     return found;
 }
 
-/* In the order of the usage text; NULL when no folder has weights. To be freed. */
+/* Returns the folder of the weights, in the order of the usage text; NULL when none has any. To be freed. */
 static char* find_folder(const char* models) {
     if (models != NULL) return path_join(models, "");
     const char* named = getenv("DRAGMESH_MODELS");
@@ -69,7 +69,7 @@ static dm_result read_weights(session* session, const char* folder, const char* 
     return result;
 }
 
-static void drop_weights(weights* weights) {
+static void free_weights(weights* weights) {
     free(weights->data);
     weights->data = NULL;
     weights->size = 0;
@@ -81,7 +81,7 @@ static dm_result load_folder(session* session, const char* folder) {
     if (result == DM_OK) result = read_weights(session, folder, motion_file, 0, &motion);
     if (result == DM_OK && session->method != METHOD_RULES)
         result = read_weights(session, folder, ranker_file, 0, &ranker);
-    if (result == DM_OK && session->method == METHOD_GEOMETRY) drop_weights(&kinematics);
+    if (result == DM_OK && session->method == METHOD_GEOMETRY) free_weights(&kinematics);
     if (result == DM_OK && (kinematics.data != NULL || motion.data != NULL || ranker.data != NULL)) {
         const dm_model_desc desc = {.struct_size = sizeof desc,
                                     .kinematics = kinematics.data,
