@@ -2,6 +2,8 @@
 #ifndef CLI_DATASET_H
 #define CLI_DATASET_H
 
+#include <stdbool.h>
+
 #include "job.h"
 #include "vec.h"
 
@@ -13,7 +15,7 @@ typedef struct known_drag {
 
 typedef struct known_joint {
     char* name;
-    int slides; /* prismatic; else it turns */
+    bool slides; /* prismatic; else it turns */
     vec axis, origin;
     double lower, upper; /* NAN: not given */
     double weight;

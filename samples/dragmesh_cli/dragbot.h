@@ -78,17 +78,17 @@ typedef struct bot_times {
 } bot_times;
 
 typedef struct bot_result {
-    int picked;        /* the right part */
+    bool picked;       /* the right part */
     double reached;    /* share of what was asked, on the true joint */
     double off;        /* farthest that the grabbed point was from the pointer, share of the screen's height */
     int jumps;         /* frames */
     double worst_jump; /* px */
     int changes;       /* of the joint, told by the pull */
-    int arrived;       /* 90 to 110 % of what was asked */
-    int near;          /* always within 2 % of the screen's height of the pointer */
-    int success;
-    int success_or_beyond; /* the same, but going too far is no failure */
-    dm_joint joint;        /* at the end */
+    bool arrived;      /* 90 to 110 % of what was asked */
+    bool near;         /* always within 2 % of the screen's height of the pointer */
+    bool success;
+    bool success_or_beyond; /* the same, but going too far is no failure */
+    dm_joint joint;         /* at the end */
 } bot_result;
 
 /* Picks and drags. centre: of the part's vertices. With a straight pull the grabbed point need not stay near the
@@ -105,7 +105,7 @@ typedef struct bot_options {
 
 typedef struct bot_row {
     bot_result found, given; /* with the library's joint; with the true one */
-    int slides;
+    bool slides;
     bot_pull pull;
     int camera;
     char id[200];

@@ -32,7 +32,7 @@ static dm_result select_by_mask(session* session, const job* job, selection* out
     const dm_result result = dm_gltf_read_mask(
         session->gltf, bytes, size, job->has_mask_value ? &job->mask_value : NULL, out->ids, &out->scope, &ambiguous);
     free(bytes);
-    answer->ambiguous_mask = ambiguous;
+    answer->ambiguous_mask = ambiguous != 0;
     out->count = out->scope == DM_PER_VERTEX ? session->mesh.vertex_count : session->mesh.index_count / 3;
     return result;
 }

@@ -25,7 +25,7 @@ typedef struct joint_answer {
     dm_joint joint; /* active: the best hypothesis */
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
-    int ambiguous_mask;
+    bool ambiguous_mask;
     double prepare_ms, kinematics_ms, motion_ms; /* kinematics is part of prepare */
 } joint_answer;
 

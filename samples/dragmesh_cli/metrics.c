@@ -18,7 +18,7 @@ static bool kind_slides(int32_t type) {
     return type == DM_JOINT_PRISMATIC;
 }
 
-static vec move(vec point, int slides, vec axis, vec origin, double value) {
+static vec move(vec point, bool slides, vec axis, vec origin, double value) {
     return slides ? add(point, scale(axis, value)) : add(turn(sub(point, origin), axis, value), origin);
 }
 
@@ -42,7 +42,7 @@ double metrics_travel(const metric_case* known) {
 }
 
 /* Returns the value that brings `from` nearest to `to`, within the search range. */
-static double value_to_reach(vec from, vec to, int slides, vec axis, vec origin, double size) {
+static double value_to_reach(vec from, vec to, bool slides, vec axis, vec origin, double size) {
     if (slides) return fmin(fmax(dot(sub(to, from), axis), -max_slide * size), max_slide * size);
     const vec u = sub(from, origin), v = sub(to, origin);
     const double sine = dot(axis, cross(u, v)), cosine = dot(u, v) - dot(u, axis) * dot(v, axis);
@@ -56,7 +56,7 @@ double metrics_answered_travel(const metric_case* known, const dm_joint* joint) 
 }
 
 static double pose_error(const metric_case* known, const dm_joint* joint) {
-    const int slides = kind_slides(joint->type);
+    const bool slides = kind_slides(joint->type);
     const vec axis = unit(vec_of(joint->axis)), origin = vec_of(joint->origin);
     const double travel = metrics_travel(known), value = metrics_answered_travel(known, joint);
     double sum = 0;
@@ -73,7 +73,7 @@ static void clear(const metric_case* known, metric_row* row) {
 
 void metrics_of_failure(const metric_case* known, metric_row* out_row) {
     clear(known, out_row);
-    out_row->answered = 0;
+    out_row->answered = false;
     out_row->value[METRIC_TYPE] = 0;
     out_row->value[METRIC_AXIS] = 1e3 * PI / 2;
     out_row->value[METRIC_POSE] = out_row->value[METRIC_POSE_TOP3] = 1;
@@ -111,11 +111,11 @@ static double range_overlap(const known_joint* truth, const dm_joint* joint, vec
 void metrics_of_joint(const metric_case* known, const joint_answer* answer, metric_row* out_row) {
     const known_joint* truth = known->truth;
     const dm_joint* joint = &answer->joint;
-    const int slides = kind_slides(joint->type);
+    const bool slides = kind_slides(joint->type);
     const vec axis = unit(vec_of(joint->axis)), origin = vec_of(joint->origin);
     clear(known, out_row);
     double* value = out_row->value;
-    out_row->answered = 1;
+    out_row->answered = true;
     value[METRIC_TYPE] =
         slides == truth->slides && (slides || joint->type == DM_JOINT_REVOLUTE || joint->type == DM_JOINT_CONTINUOUS);
     value[METRIC_AXIS] = 1e3 * acos(fmin(1, fabs(dot(axis, truth->axis))));

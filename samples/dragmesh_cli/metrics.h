@@ -29,7 +29,7 @@ enum metric {
 typedef struct metric_row {
     double value[METRIC_COUNT]; /* NAN: does not apply */
     double weight;
-    int slides, answered;
+    bool slides, answered;
     const char* source;
     char category[64], id[256], found_type[16];
 } metric_row;
@@ -40,8 +40,8 @@ typedef struct metric_case {
     const known_drag* drag; /* the true one, without drag noise */
     const vec* moving;      /* vertices of the part at rest */
     size_t moving_count;
-    double size; /* largest side of the whole object's box */
-    int dragged; /* the drag was shown to the library */
+    double size;  /* largest side of the whole object's box */
+    bool dragged; /* the drag was shown to the library */
 } metric_case;
 
 void metrics_of_failure(const metric_case* known, metric_row* out_row);

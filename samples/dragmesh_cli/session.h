@@ -20,7 +20,7 @@ typedef struct session {
     dm_context* context;
     dm_model model; /* 0: geometry alone */
     enum session_method method;
-    int has_motion;   /* the model has motion weights */
+    bool has_motion;  /* the model has motion weights */
     char error[1024]; /* "DM_ERROR_NAME: what and where", of the last failure */
 
     char* path; /* of the file below; NULL: none */

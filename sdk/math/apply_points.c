@@ -1,4 +1,4 @@
-/* DQApply on many points: the pose as a 3x4 matrix, one kernel an instruction set behind one choice.
+/* Applies a pose to many points as a 3x4 matrix, by one kernel for each instruction set.
  *
  * Every kernel reads all it needs of a block before it writes, so that src may be dst. */
 #include "math/apply_points.h"
@@ -10,7 +10,7 @@
 #include <immintrin.h>
 #endif
 
-#define PACKED (3 * sizeof(float))
+#define PACKED (3 * sizeof(float)) /* bytes from one packed point to the next */
 
 /* m: 4x4, column-major. A loop that compilers vectorise by themselves (NEON included) where src and dst lie apart: the
  * matrix in variables of its own, since dst might overwrite it for all they know. */

@@ -1,4 +1,5 @@
-/* Host axes, handedness, unit and an object's normalisation: N(x) = (unit S x - centre) / size, S orthogonal.
+/* Conversions of host axes, handedness, unit and an object's normalisation: N(x) = (unit S x - centre) / size, S
+ * orthogonal.
  *
  * The presets map a host's axes as its own glTF importer does, so that an object prepared from a GLB and the same
  * object imported by the engine agree: Unity as glTFast and UnityGLTF (x turns over), Unreal as Epic's importer and
@@ -14,7 +15,7 @@
 #include "math/joint.h"
 #include "math/vec3.h"
 
-#define ORTHOGONALITY_TOLERANCE 1e-4f
+#define ORTHOGONALITY_TOLERANCE 1e-4f /* of a product of two columns; by hand */
 
 static const float preset_axes[][9] = {
     [DM_AXES_GLTF] = {1, 0, 0, 0, 1, 0, 0, 0, 1},
@@ -76,7 +77,7 @@ static void widen(const float v[3], double out[3]) {
     for (int i = 0; i < 3; i++) out[i] = (double)v[i];
 }
 
-/* Inner units a host unit. */
+/* Returns inner units in one host unit. */
 static double scale_in(const dmi_frame* frame) {
     return (double)frame->axes.unit / frame->size;
 }
@@ -150,7 +151,7 @@ dm_ray dmi_frame_ray_in(const dmi_frame* frame, const dm_ray* host) {
     return (dm_ray){vec3_in(frame, host->origin), dmi_vec3(direction)};
 }
 
-/* R v - v of a unit quaternion without forming R v: what a turn adds to a point, small when the turn is small. */
+/* Computes R v - v of a unit quaternion without forming R v, exact for small rotations. */
 static void rotation_shift(const float q[4], const double v[3], double out[3]) {
     const double x = (double)q[0], y = (double)q[1], z = (double)q[2], w = (double)q[3];
     const double once[3] = {y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]};
@@ -184,7 +185,7 @@ dm_pose dmi_frame_pose_out(const dmi_frame* frame, const dm_pose* inner) {
     return dmi_pose_from_rotation_translation(rotation, translation);
 }
 
-/* What a joint needs beyond its axis and origin; `scale` is that of lengths. */
+/* Converts pitch and limits; `scale` is that of lengths. */
 static void convert_numbers(dm_joint* joint, float handedness, float scale) {
     /* A turning axis carries the handedness along, so the advance along it changes sign with it. */
     joint->pitch *= dmi_joint_turns(joint->type) ? handedness * scale : scale;

@@ -6,11 +6,10 @@
 #include <string.h>
 
 #define NONE UINT32_MAX
-/* Cells a tolerance wide: few vertices lie so near a cell's side that its neighbour must be searched too. */
-#define CELL_TOLERANCES 4
-#define MIN_CELL 1e-6f
-/* Faces at one edge beyond this many are compared with the last ones alone: real edges have two. */
-#define MAX_FACES_AT_EDGE 32
+#define NO_CONCAVE_CUT 2.0f  /* a sine that no edge exceeds */
+#define CELL_TOLERANCES 4    /* side of a grid cell in tolerances; by hand: few searches then leave the cell */
+#define MIN_CELL 1e-6f       /* side of a grid cell, object sizes: indices fit 32 bits */
+#define MAX_FACES_AT_EDGE 32 /* compared at one edge; by hand, real edges have two */
 
 static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
     return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to connect %u triangles", mesh->face_count);
@@ -27,6 +26,7 @@ typedef struct grid {
 } grid;
 
 static uint32_t bucket_of(const grid* grid, const int32_t cell[3]) {
+    /* Primes of spatial hashing (xxHash); any odd constants do. */
     uint32_t hash = (uint32_t)cell[0] * 0x9e3779b1u ^ (uint32_t)cell[1] * 0x85ebca6bu ^ (uint32_t)cell[2] * 0xc2b2ae35u;
     return (hash ^ hash >> 15) & grid->mask;
 }
@@ -41,7 +41,7 @@ static uint32_t search_cell(const grid* grid, const int32_t cell[3], const float
     return found;
 }
 
-/* Cells count from the corner below every position (which lie in [-1, 1]), so that cutting off is rounding down. */
+/* Cells are counted from a corner below every position (which lie in [-1, 1]), so that truncation rounds down. */
 static int32_t cell_of(const grid* grid, float x) {
     return (int32_t)((x + 1 + grid->tolerance) * grid->cells_a_unit);
 }
@@ -103,7 +103,7 @@ static void unite(uint32_t* parents, uint32_t a, uint32_t b) {
         parents[a] = b;
 }
 
-/* Parents to labels in place: a root comes before its faces, so its label is there when they ask for it. */
+/* Turns parents into labels in place: a root comes before its other faces, so its label is set when they need it. */
 static uint32_t number_sets(uint32_t* parents, const uint8_t* select, uint32_t face_count) {
     uint32_t count = 0;
     for (uint32_t f = 0; f < face_count; f++) {
@@ -160,7 +160,7 @@ static dm_result allocate_edges(dmi_arena* arena, const dmi_mesh* mesh, edges* o
                : out_of_memory(arena, mesh);
 }
 
-/* Smaller and larger vertex of side i of a face; 0 when both are one. */
+/* Computes smaller and larger vertex of side i of a face; false when both are the same. */
 static bool edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, size_t i, uint32_t* low,
                     uint32_t* high) {
     const uint32_t* corners = mesh->indices + (size_t)face * 3;
@@ -170,7 +170,8 @@ static bool edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face,
     return a != b;
 }
 
-/* By counting; the counts stand two places on, so that filling leaves first[v] at the beginning of v's. */
+/* Counting sort; counts are stored two places further, so that filling leaves first[v] at the beginning of v's edges.
+ */
 static void sort_edges(const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select, edges* edges) {
     uint32_t low, high;
     memset(edges->first, 0, ((size_t)mesh->vertex_count + 2) * sizeof(uint32_t));
@@ -190,17 +191,17 @@ static void sort_edges(const dmi_mesh* mesh, const uint32_t* welded, const uint8
     }
 }
 
-/* Puts edge e behind the earlier one between the same vertices, which it answers, or NONE; `begin`: where its vertex's
- * edges begin. */
+/* Links edge e to the earlier one between the same vertices and returns that, or NONE; begin: first edge of its vertex.
+ */
 static uint32_t chain_edge(edges* edges, uint32_t begin, uint32_t e) {
     uint32_t* latest = &edges->latest[edges->other[e]];
-    /* One from before `begin` is another vertex's. */
+    /* An edge before `begin` belongs to another vertex. */
     edges->before[e] = *latest != NONE && *latest >= begin ? *latest : NONE;
     *latest = e;
     return edges->before[e];
 }
 
-/* Slivers have no normal: their cosine with anything is 0. */
+/* Whether two faces meet at less than the angle. Slivers have zero normals, so a cosine of 0. */
 static bool is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_cosine) {
     const float *n = mesh->face_normal + (size_t)a * 3, *m = mesh->face_normal + (size_t)b * 3;
     return fabsf(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) > min_cosine;
@@ -245,8 +246,8 @@ static uint32_t third_corner(const dmi_mesh* mesh, const uint32_t* welded, uint3
     return welded[corners[2]];
 }
 
-/* Whether the outer side of a face sees the far corner of its neighbour, by more than the sine. */
-static bool sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint32_t far_corner, float sine) {
+/* Whether the far corner of the neighbour is above a face's plane by more than the sine: the edge is concave. */
+static bool sees_corner(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint32_t far_corner, float sine) {
     const float *n = mesh->face_normal + (size_t)face * 3, *a = mesh->positions + (size_t)edge_corner * 3;
     const float* b = mesh->positions + (size_t)far_corner * 3;
     const float to[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -254,8 +255,8 @@ static bool sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint
     return height > sine * sqrtf(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
 }
 
-/* The faces at one edge, from its newest entry on: those in one place become one; if just two places are left, they
- * are of one sheet. */
+/* Unites the faces at one edge, from its newest entry on: coincident faces first; if just two places are left, these
+ * belong to one sheet unless the edge is concave. */
 static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const edges* edges, uint32_t low, uint32_t e,
                           float concave_sine, uint32_t* parents) {
     uint32_t faces[MAX_FACES_AT_EDGE], corners[MAX_FACES_AT_EDGE], count = 0;
@@ -272,7 +273,8 @@ static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const ed
         }
     }
     if (count != 2) return;
-    if (sees(mesh, faces[0], low, corners[1], concave_sine) && sees(mesh, faces[1], low, corners[0], concave_sine))
+    if (sees_corner(mesh, faces[0], low, corners[1], concave_sine) &&
+        sees_corner(mesh, faces[1], low, corners[0], concave_sine))
         return;
     unite(parents, faces[0], faces[1]);
 }
@@ -300,5 +302,5 @@ dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
 
 dm_result dmi_face_sheets(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, uint32_t* out_labels,
                           uint32_t* out_count) {
-    return dmi_face_bulges(arena, mesh, welded, 2, out_labels, out_count);
+    return dmi_face_bulges(arena, mesh, welded, NO_CONCAVE_CUT, out_labels, out_count);
 }

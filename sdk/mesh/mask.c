@@ -1,16 +1,14 @@
-/* Mask files: NumPy's .npy format (versions 1 to 3) and flat JSON arrays, read without trust in a single byte.
- * The JSON of a mask is numbers and commas: reading it here keeps all 64 bits of a value and the host's allocator,
- * which a tree of JSON nodes would do neither of. */
+/* Parses mask files: NumPy's .npy format (versions 1 to 3) and flat JSON arrays; every byte is checked. The JSON parser
+ * here keeps all 64 bits of a value and uses the host's allocator, which cJSON does not. */
 #include "mesh/mask.h"
 
 #include <stdbool.h>
 #include <string.h>
 
-#define ALIGNMENT 64
+#define ALIGNMENT 64 /* bytes, a cache line */
 #define NPY_MAGIC "\x93NUMPY"
 #define NPY_MAGIC_SIZE 6
-/* A header of one dimension has under 100 bytes; NumPy pads it to 128. */
-#define NPY_MAX_HEADER 65536
+#define NPY_MAX_HEADER 65536 /* bytes; by hand: a header of one dimension has under 128 */
 
 /* ---- text ---- */
 
@@ -26,7 +24,7 @@ static void skip_spaces(text* t) {
     while (t->at < t->end && (*t->at == ' ' || *t->at == '\t' || *t->at == '\n' || *t->at == '\r')) t->at++;
 }
 
-/* Takes `word` behind spaces; 0 when something else is there. */
+/* Skips spaces and consumes `word`; false when something else follows. */
 static bool take(text* t, const char* word) {
     size_t length = strlen(word);
     skip_spaces(t);
@@ -35,7 +33,7 @@ static bool take(text* t, const char* word) {
     return true;
 }
 
-/* Digits into a number; 0 when there is none or it exceeds `limit`. */
+/* Consumes digits; false when there is none or the number exceeds `limit`. */
 static bool take_digits(text* t, uint64_t limit, uint64_t* out) {
     uint64_t value = 0;
     if (t->at >= t->end || !is_digit(*t->at)) return false;
@@ -64,10 +62,10 @@ typedef struct npy_header {
     char kind;   /* b, u or i */
     size_t size; /* bytes a value */
     uint64_t count;
-    int has_descr, has_order, has_shape;
+    bool has_descr, has_order, has_shape;
 } npy_header;
 
-/* A quoted Python string, as a piece of the text; escapes do not occur in these headers. */
+/* Consumes a quoted Python string; escapes do not occur in these headers. */
 static bool take_string(text* t, text* out) {
     skip_spaces(t);
     if (t->at >= t->end || (*t->at != '\'' && *t->at != '"')) return false;
@@ -83,7 +81,7 @@ static bool string_is(const text* string, const char* word) {
     return (size_t)(string->end - string->at) == strlen(word) && memcmp(string->at, word, strlen(word)) == 0;
 }
 
-/* "<i4", "|b1": byte order, kind, size. Single bytes have any order. */
+/* Reads a type such as "<i4" or "|b1": byte order, kind, size. */
 static dm_result read_descr(dmi_env* env, text* t, npy_header* header) {
     text descr;
     if (!take_string(t, &descr)) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: 'descr' is not a plain type");
@@ -92,16 +90,16 @@ static dm_result read_descr(dmi_env* env, text* t, npy_header* header) {
         if (!string_is(&descr, types[i])) continue;
         header->kind = types[i][1];
         header->size = (size_t)(types[i][2] - '0');
-        header->has_descr = 1;
+        header->has_descr = true;
         return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: values of type '%.*s', must be bool or little-endian integers",
                     (int)(descr.end - descr.at < 32 ? descr.end - descr.at : 32), descr.at);
 }
 
-/* "(12,)": one dimension. */
+/* Reads a shape such as "(12,)": one dimension. */
 static dm_result read_shape(dmi_env* env, text* t, npy_header* header) {
-    int good = take(t, "(");
+    bool good = take(t, "(");
     skip_spaces(t);
     good = good && take_digits(t, UINT64_MAX, &header->count);
     if (good) {
@@ -110,7 +108,7 @@ static dm_result read_shape(dmi_env* env, text* t, npy_header* header) {
         good = take(t, ")");
     }
     if (!good) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: 'shape' is not of one dimension");
-    header->has_shape = 1;
+    header->has_shape = true;
     return DM_OK;
 }
 
@@ -162,7 +160,8 @@ static int64_t npy_value(const uint8_t* bytes, const npy_header* header) {
 }
 
 static dm_result parse_npy(dmi_env* env, const uint8_t* bytes, size_t size, int64_t** out_values, size_t* out_count) {
-    size_t prefix = size > NPY_MAGIC_SIZE && bytes[NPY_MAGIC_SIZE] >= 2 ? 12 : 10;
+    size_t prefix =
+        size > NPY_MAGIC_SIZE && bytes[NPY_MAGIC_SIZE] >= 2 ? 12 : 10; /* bytes before the header, by version */
     if (size < prefix) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: %zu bytes, the header is cut off", size);
     if (bytes[6] < 1 || bytes[6] > 3) {
         return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: format version %d, known are 1 to 3", bytes[6]);
@@ -194,7 +193,7 @@ static dm_result parse_npy(dmi_env* env, const uint8_t* bytes, size_t size, int6
 
 /* ---- JSON ---- */
 
-/* An integer, written as one or with a fraction of zeros, or true or false. */
+/* Consumes an integer (possibly with a fraction of zeros), true or false. */
 static bool take_value(text* t, int64_t* out) {
     if (take(t, "true")) {
         *out = 1;
@@ -204,7 +203,7 @@ static bool take_value(text* t, int64_t* out) {
         *out = 0;
         return true;
     }
-    int negative = take(t, "-");
+    const bool negative = take(t, "-");
     uint64_t magnitude, fraction;
     if (!take_digits(t, (uint64_t)INT64_MAX, &magnitude)) return false;
     if (t->at < t->end && *t->at == '.') {
@@ -215,7 +214,7 @@ static bool take_value(text* t, int64_t* out) {
     return true;
 }
 
-/* Values up to the closing bracket; 0 when something else is in the way. */
+/* Consumes values up to the closing bracket; false when something else follows. */
 static bool take_array(text* t, int64_t* values, size_t* count) {
     do {
         if (!take_value(t, &values[*count])) return false;
@@ -246,7 +245,7 @@ static dm_result parse_json(dmi_env* env, const char* data, size_t size, int64_t
                     (size_t)(t.at - data), count);
 }
 
-/* ---- both ---- */
+/* ---- both formats ---- */
 
 dm_result dmi_mask_parse(dmi_env* env, const void* data, size_t size, int64_t** out_values, size_t* out_count) {
     if (data == NULL || size == 0) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask: no bytes");

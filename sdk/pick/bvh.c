@@ -1,4 +1,4 @@
-/* One bounding volume hierarchy a part, over vertices that all parts share. */
+/* Builds one bounding volume hierarchy for each part, over vertices that all parts share. */
 #include "pick/bvh.h"
 
 #include <math.h>
@@ -6,8 +6,8 @@
 
 #include "base/ids.h"
 
-#define ALIGNMENT 64
-#define POSITION_PADDING 16
+#define ALIGNMENT 64        /* bytes, a cache line */
+#define POSITION_PADDING 16 /* bytes that Embree may read at the last vertex */
 
 static size_t positions_size(const dmi_bvh* bvh) {
     return (size_t)bvh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;

@@ -1,4 +1,4 @@
-/* Rays through pixels, perspective and orthographic, in the host's own axes. */
+/* Rays through pixels of perspective and orthographic cameras, in the host's axes. */
 #include "pick/camera.h"
 
 #include <math.h>
@@ -46,7 +46,7 @@ static bool make_basis(const dm_camera* camera, double handedness, basis* out) {
     return true;
 }
 
-/* Half the height of the picture: at distance 1, or of the orthographic box; 0 for a camera without one. */
+/* Returns half the height of the picture: at distance 1, or of the orthographic box; 0 for an invalid camera. */
 static double half_height(const dm_camera* camera) {
     double fov = (double)camera->fov_y, height = (double)camera->height;
     if (fov > 0 && fov < DMI_PI) return tan(0.5 * fov);

@@ -1,8 +1,9 @@
-/* Placed objects: an Embree instance a part on top of the parts' own hierarchies, moved by matrices alone.
+/* Instances of objects: one Embree instance for each part over the part's own hierarchy, moved by its matrix.
  *
- * A move only notes the pose. Commit turns what was noted into matrices and rebuilds the small top level, so picks
- * between a move and the commit see the scene as it was. */
+ * A move only stores the pose. Commit computes the matrices and rebuilds the small top level, so picks between a move
+ * and the commit see the scene as it was. */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "pick/bvh.h"
@@ -24,7 +25,7 @@ typedef struct placed_part {
     RTCGeometry geometry;
     uint32_t geometry_id; /* in the top level, when attached */
     dm_pose pose;         /* from rest, object frame */
-    int moved;            /* since the last commit */
+    bool moved;           /* since the last commit */
     uint32_t part;
     double to_object[12], to_world[12]; /* from the object-normalised frame, as committed; 3x4, column-major */
 } placed_part;
@@ -36,9 +37,9 @@ struct placed_object {
     dm_object object;
     dm_pose placement;
     uint32_t id;
-    int dirty;           /* in the scene's list */
-    int moved;           /* placement, since the last commit */
-    int attached;        /* the top level knows it */
+    bool dirty;          /* in the scene's list */
+    bool moved;          /* placement, since the last commit */
+    bool attached;       /* to the top level */
     placed_part parts[]; /* of bvh */
 };
 
@@ -76,13 +77,13 @@ static void apply(const double m[12], const double p[3], double out[3]) {
     for (int i = 0; i < 3; i++) out[i] = m[i] * p[0] + m[3 + i] * p[1] + m[6 + i] * p[2] + m[9 + i];
 }
 
-/* Directions do not shift. */
-static void turn(const double m[12], const double direction[3], double out[3]) {
+/* Applies the matrix without its translation. */
+static void apply_linear(const double m[12], const double direction[3], double out[3]) {
     for (int i = 0; i < 3; i++) out[i] = m[i] * direction[0] + m[3 + i] * direction[1] + m[6 + i] * direction[2];
 }
 
 static void multiply(const double a[12], const double b[12], double out[12]) {
-    for (int column = 0; column < 3; column++) turn(a, b + 3 * column, out + 3 * column);
+    for (int column = 0; column < 3; column++) apply_linear(a, b + 3 * column, out + 3 * column);
     apply(a, b + 9, out + 9);
 }
 
@@ -94,7 +95,7 @@ static size_t placed_size(const dmi_bvh* bvh) {
 
 static void mark_dirty(dmi_scene* scene, placed_object* placed) {
     if (placed->dirty) return;
-    placed->dirty = 1;
+    placed->dirty = true;
     placed->next_dirty = scene->dirty;
     scene->dirty = placed;
 }
@@ -138,7 +139,7 @@ static dm_result make_parts(dmi_picker* picker, placed_object* placed) {
     return dmi_picker_status(picker);
 }
 
-/* A pose whose translation leaves picking room. */
+/* Normalises a pose and checks that its translation is within the bounds. */
 static dm_result check_pose(dmi_env* env, const dm_pose* pose, dm_pose* out) {
     float t[3];
     *out = dmi_pose_normalize(pose);
@@ -168,7 +169,7 @@ static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_fra
     placed->frame = *frame;
     placed->object = object;
     placed->placement = *placement;
-    placed->moved = 1;
+    placed->moved = true;
     dm_result result = make_parts(scene->picker, placed);
     if (result != DM_OK) {
         release_placed(env, placed);
@@ -213,10 +214,10 @@ dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, 
     if (result != DM_OK) return result;
     if (part == 0) {
         placed->placement = pose;
-        placed->moved = 1;
+        placed->moved = true;
     } else {
         placed->parts[part].pose = pose;
-        placed->parts[part].moved = 1;
+        placed->parts[part].moved = true;
     }
     mark_dirty(scene, placed);
     return DM_OK;
@@ -247,7 +248,7 @@ static void place_part(placed_part* part, const double placement[12], const doub
     for (int i = 0; i < 12; i++) transform[i] = (float)part->to_world[i];
     rtcSetGeometryTransform(part->geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform);
     rtcCommitGeometry(part->geometry);
-    part->moved = 0;
+    part->moved = false;
 }
 
 static void update_placed(dmi_scene* scene, placed_object* placed) {
@@ -259,9 +260,9 @@ static void update_placed(dmi_scene* scene, placed_object* placed) {
         if (placed->moved || part->moved) place_part(part, placement, from_inner);
         if (!placed->attached) part->geometry_id = rtcAttachGeometry(scene->top, part->geometry);
     }
-    placed->attached = 1;
-    placed->moved = 0;
-    placed->dirty = 0;
+    placed->attached = true;
+    placed->moved = false;
+    placed->dirty = false;
 }
 
 void dmi_scene_commit(dmi_scene* scene) {
@@ -276,7 +277,7 @@ void dmi_scene_commit(dmi_scene* scene) {
 
 /* ---- pick ---- */
 
-/* a x b, unit; against the ray where the triangle has no area. */
+/* Returns a x b, unit; the direction against the ray where the triangle has no area. */
 static dm_vec3 edge_normal(const double a[3], const double b[3], const double direction[3]) {
     double n[3];
     for (int k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
@@ -285,7 +286,7 @@ static dm_vec3 edge_normal(const double a[3], const double b[3], const double di
     return dmi_vec3_f64(n);
 }
 
-/* From the corners rather than along the ray: exact on the surface however far the ray has come. */
+/* Computes the hit from the triangle's corners, not along the ray: exact on the surface at any distance. */
 static void describe_hit(const placed_part* part, const struct RTCHit* hit, const double origin[3],
                          const double direction[3], dm_hit* out) {
     const dmi_bvh* bvh = part->owner->bvh;
@@ -299,7 +300,7 @@ static void describe_hit(const placed_part* part, const struct RTCHit* hit, cons
     }
     apply(part->to_object, inner, object);
     apply(part->to_world, inner, world);
-    for (int i = 0; i < 2; i++) turn(part->to_world, edges[i], world_edges[i]);
+    for (int i = 0; i < 2; i++) apply_linear(part->to_world, edges[i], world_edges[i]);
     for (int k = 0; k < 3; k++) distance += (world[k] - origin[k]) * direction[k];
     *out = (dm_hit){.object = part->owner->object,
                     .instance = part->owner->id,
@@ -341,7 +342,7 @@ dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene) {
     scene->top = rtcNewScene(picker->device);
     if (scene->top != NULL) {
         rtcSetSceneFlags(scene->top, RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
-        dmi_picker_commit(picker, scene->top); /* so that a pick before any commit finds nothing */
+        dmi_picker_commit(picker, scene->top); /* a pick before any other commit then finds nothing */
     }
     dm_result result = dmi_picker_status(picker);
     if (result != DM_OK) {
