@@ -21,8 +21,8 @@ static void show_axis(app* app) {
     app->show ^= SHOW_AXIS;
 }
 
-static void show_rivals(app* app) {
-    app->show ^= SHOW_RIVALS;
+static void show_hypotheses(app* app) {
+    app->show ^= SHOW_HYPOTHESES;
 }
 
 static void show_ghosts(app* app) {
@@ -195,7 +195,7 @@ const key_binding key_bindings[] = {
     {"F1", "F1", "this help", show_help},
     {"Tab", "Tab", "next part", next_part},
     {"A", "A", "axis and limits", show_axis},
-    {"H", "H", "rival hypotheses", show_rivals},
+    {"H", "H", "other hypotheses", show_hypotheses},
     {"G", "G", "16 key poses", show_ghosts},
     {"F2", "F2", "panel", show_panel},
     {"L", "L", "label at the part", show_label},

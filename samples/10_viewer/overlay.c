@@ -1,4 +1,4 @@
-/* What is drawn over the picture: axis, limits, rivals, key poses, words. Words: panel.c. */
+/* Overlay of the picture: axis, limits, hypotheses, key poses. Text: panel.c. */
 #include "overlay.h"
 
 #include <stdbool.h>
@@ -8,7 +8,7 @@
 #include "panel.h"
 
 static const colour axis_colour = {0.10f, 0.55f, 1.0f, 1}, limit_colour = {1.0f, 0.55f, 0.10f, 1};
-static const colour rival_colour = {0.75f, 0.35f, 0.85f, 0.85f}, hand_colour = {1, 1, 1, 0.95f};
+static const colour hypothesis_colour = {0.75f, 0.35f, 0.85f, 0.85f}, hand_colour = {1, 1, 1, 0.95f};
 
 enum { ARC_STEPS = 64 };
 
@@ -126,14 +126,14 @@ static bool same_line(const dm_joint* a, const dm_joint* b) {
     return a->type == b->type && length(sub(a->axis, b->axis)) < 1e-6f && length(sub(a->origin, b->origin)) < 1e-6f;
 }
 
-static void draw_rivals(const app* app, draw* draw, uint32_t id) {
+static void draw_hypotheses(const app* app, draw* draw, uint32_t id) {
     const world_part* part = &app->world->parts[id];
     const dm_pose carrier = carrier_pose(app->world, id);
     for (uint32_t i = 0; i < part->hypothesis_count && i < 4; i++) {
-        const dm_joint* rival = &part->hypotheses[i];
-        if (!moves(rival) || same_line(rival, &part->joint)) continue;
-        draw_axis(draw, part, rival, &carrier, 1.5f, rival_colour);
-        draw_travel(draw, part, rival, &carrier, 1.2f, rival_colour);
+        const dm_joint* other = &part->hypotheses[i];
+        if (!moves(other) || same_line(other, &part->joint)) continue;
+        draw_axis(draw, part, other, &carrier, 1.5f, hypothesis_colour);
+        draw_travel(draw, part, other, &carrier, 1.2f, hypothesis_colour);
     }
 }
 
@@ -206,7 +206,7 @@ void overlay_draw(const app* app, draw* draw) {
     const uint32_t id = part_of_interest(app);
     draw_begin(draw, &app->camera);
     if (id && !app->painting && app->world->object) {
-        if (app->show & SHOW_RIVALS) draw_rivals(app, draw, id);
+        if (app->show & SHOW_HYPOTHESES) draw_hypotheses(app, draw, id);
         if (app->show & SHOW_AXIS) draw_joint(app, draw, id);
     }
     if (app->painting && app->under.distance > 0) draw_brush(app, draw);

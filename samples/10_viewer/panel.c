@@ -71,7 +71,7 @@ static void draw_help(const app* app, draw* draw) {
     static char lines[40][LINE];
     int count = 0;
     snprintf(lines[count++], LINE, "drag a part: it moves;  drag beside it, or right button: orbit");
-    snprintf(lines[count++], LINE, "middle button, or shift and right: pan;  wheel: zoom;  1..8: rival hypothesis");
+    snprintf(lines[count++], LINE, "middle button, or shift and right: pan;  wheel: zoom;  1..8: other hypothesis");
     for (int i = 0; i < key_binding_count && count < 40; i++)
         if (key_bindings[i].label[0])
             snprintf(lines[count++], LINE, "%-8s %s", key_bindings[i].label, key_bindings[i].help);

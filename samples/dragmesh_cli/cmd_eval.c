@@ -9,7 +9,7 @@
 #include "json.h"
 #include "session_open.h"
 
-/* How a figure is named, of which joints it is taken, and what of its statistics counts. */
+/* One reported figure: name, metric, joints, and which statistic is reported. */
 typedef struct figure {
     const char* name;
     enum metric metric;
@@ -90,7 +90,7 @@ static void summary_to_json(const eval_rows* rows, const unsigned char* pick, cJ
     json_add_number(out, "calibration_error", metrics_calibrate(rows->rows, rows->count, pick).error, 6);
 }
 
-/* Of the answers given at about so much confidence, how many are right. */
+/* Reliability diagram: for each bin of stated confidence, the share of right answers. */
 static void bins_to_json(const eval_rows* rows, cJSON* out) {
     const metric_calibration found = metrics_calibrate(rows->rows, rows->count, NULL);
     for (int bin = 0; bin < METRICS_BINS; bin++) {
@@ -115,7 +115,7 @@ static int by_group_name(const void* a, const void* b) {
     return strcmp(((const group*)a)->name, ((const group*)b)->name);
 }
 
-/* The groups that `key` tells the rows into, by name. */
+/* Groups the rows by `key`, sorted by name. */
 static group* make_groups(const eval_rows* rows, const char* (*key)(const metric_row*), size_t* out_count) {
     group* groups = cli_alloc(rows->count * sizeof *groups);
     size_t count = 0;
@@ -153,7 +153,7 @@ static void print_json(const eval_rows* rows, double seconds) {
     json_print(out);
 }
 
-/* ---- for people ---- */
+/* ---- text output ---- */
 
 static void print_groups(const eval_rows* rows, const char* title, const char* (*key)(const metric_row*)) {
     size_t count;
@@ -240,7 +240,7 @@ static int evaluate(session* session, const char* folder, const eval_options* op
     return status;
 }
 
-/* METHOD_* of a name; -1 for a name that is none. */
+/* Returns METHOD_* of a name; -1 for an unknown one. */
 static int read_method(const char* name) {
     static const char* const names[] = {"full", "kpp", "geometry", "rules"};
     for (int i = 0; i < (int)(sizeof names / sizeof *names); i++)

@@ -37,7 +37,7 @@ name_list dataset_list(const char* folder);
 /* 0, or -1 with a message in `error`. */
 int dataset_read(const char* folder, const char* name, known_object* out_object, char* error, size_t error_size);
 void dataset_free(known_object* object);
-/* Which of the well-known sources a folder's name tells: "flightgear", "webxr", "partnet", "simulation". */
+/* Returns the source that a folder's name stands for: "flightgear", "webxr", "partnet", "simulation". */
 const char* dataset_source(const char* name);
 
 #endif

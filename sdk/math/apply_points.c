@@ -13,7 +13,7 @@
 #define PACKED (3 * sizeof(float)) /* bytes from one packed point to the next */
 
 /* m: 4x4, column-major. A loop that compilers vectorise by themselves (NEON included) where src and dst lie apart: the
- * matrix in variables of its own, since dst might overwrite it for all they know. */
+ * matrix is copied to variables, because dst might alias it. */
 static void apply_packed(const float m[16], const float* src, float* dst, size_t count) {
     const float xx = m[0], xy = m[1], xz = m[2], yx = m[4], yy = m[5], yz = m[6], zx = m[8], zy = m[9], zz = m[10];
     const float tx = m[12], ty = m[13], tz = m[14];
@@ -70,7 +70,7 @@ AVX2 static inline void store_8(float* p, xyz8 v) {
     _mm256_storeu_ps(p + 16, _mm256_permute2f128_ps(b, c, 0x31));
 }
 
-/* The matrix in registers, where the points written can't change it for all the compiler knows. */
+/* The matrix in registers, because the compiler must assume that written points alias it. */
 typedef struct matrix_8 {
     __m256 x[3], y[3], z[3], t[3];
 } matrix_8;

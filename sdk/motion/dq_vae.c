@@ -10,9 +10,9 @@
 #include "math/vec3.h"
 #include "motion/dq_vae_net.h"
 
-#define BLOCK_SIZE ((size_t)64 * 1024)
-#define STEP_POINTS (2 * DMI_VAE_NEIGHBOURS) /* whose features are made together */
-#define MAX_LOG_VARIANCE 4.0f
+#define BLOCK_SIZE ((size_t)64 * 1024)       /* bytes of an arena block; by hand */
+#define STEP_POINTS (2 * DMI_VAE_NEIGHBOURS) /* points encoded by one matrix product */
+#define MAX_LOG_VARIANCE 4.0f                /* bounds of the latent's log variance, as trained (docs/networks.md) */
 #define MIN_LOG_VARIANCE (-8.0f)
 
 /* Followed by the transformer's own scratch. Names are docs/networks.md's. */
@@ -28,14 +28,14 @@ typedef struct scratch {
     float along[DM_MOTION_FRAMES][VAE_ALONG];
     float context[VAE_CONTEXT]; /* f_local, f_joint, f_motion */
     float gate[VAE_CONTEXT], gated[VAE_CONTEXT];
-    float inputs[VAE_CONTEXT], hidden[VAE_CONTEXT]; /* of the layer at work */
+    float inputs[VAE_CONTEXT], hidden[VAE_CONTEXT]; /* of the current layer */
     float latent[2 * DMI_VAE_LATENT];
     float condition[VAE_WIDTH];
     dmi_vae_films films;
     _Alignas(64) float transformer[];
 } scratch;
 
-/* Where the parts of a layer's input begin. */
+/* Offsets of the parts of a layer's input. */
 enum {
     F_LOCAL = 0, /* of the context */
     F_JOINT = VAE_FEATURE,
@@ -76,7 +76,7 @@ size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae) {
            sizeof(float) * dmi_transformer_scratch(DM_MOTION_FRAMES, VAE_WIDTH, VAE_HEADS, VAE_FEED_FORWARD);
 }
 
-/* Features of the STEP_POINTS points in s->point_inputs. */
+/* Computes features of the STEP_POINTS points in s->point_inputs. */
 static void encode_points(const dmi_dq_vae* vae, const dmi_kernels* kernels, scratch* s) {
     dmi_mlp_apply(&vae->points, kernels, s->point_inputs[0], STEP_POINTS, DMI_GEMM_RELU, s->point_hidden[0],
                   s->point_features[0]);
@@ -101,13 +101,13 @@ void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* clo
     kernels->max_rows(s->point_maxima[0], steps, VAE_FEATURE, out_object->global);
 }
 
-/* Position of a joint type in the network's tables. */
+/* Returns the index of a joint type in the network's tables. */
 static uint32_t type_index(const dm_joint* joint) {
     const bool known = joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_CONTINUOUS;
     return known ? (uint32_t)(joint->type - DM_JOINT_REVOLUTE) : 0;
 }
 
-/* Joint condition encoder (§3.3.1), and every FiLM layer's numbers, which depend on it alone. */
+/* Joint condition encoder (§3.3.1), and the coefficients of every FiLM layer, which depend on it alone. */
 static void encode_joint(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint,
                          const float scalars[3], scratch* s) {
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
@@ -122,7 +122,7 @@ static void encode_joint(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
 }
 
 /* Motion intent encoder (§3.3.1): turning types read direction and velocity, sliding ones the chords. */
-static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, int slides,
+static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, bool slides,
                           const dmi_vae_features* features, scratch* s) {
     if (slides) {
         dmi_mlp_apply(&vae->chord, kernels, features->chords, 1, 0, s->hidden, s->inputs);
@@ -155,7 +155,7 @@ static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
     for (uint32_t i = 0; i < VAE_FEATURE; i++) f_local[i] = fmaxf(f_local[i], 0.0f);
 }
 
-/* Gated fusion and the latent's distribution. */
+/* Gated fusion (§3.3.2) and the latent's distribution. */
 static void encode_latent(const dmi_dq_vae* vae, const dmi_kernels* kernels, scratch* s, dmi_vae_output* out) {
     memcpy(s->gated, s->context, sizeof s->gated);
     dmi_linear_apply(&vae->gate, kernels, s->context, 1, 0, s->gate);
@@ -169,8 +169,8 @@ static void encode_latent(const dmi_dq_vae* vae, const dmi_kernels* kernels, scr
     }
 }
 
-/* z = mu + sigma eps; seed 0: the most likely one. */
-static void draw_latent(const dmi_vae_output* distribution, uint32_t seed, float out_z[DMI_VAE_LATENT]) {
+/* Samples z = mu + sigma eps; seed 0: z = mu. */
+static void sample_latent(const dmi_vae_output* distribution, uint32_t seed, float out_z[DMI_VAE_LATENT]) {
     dmi_random random = dmi_random_make(seed, 0);
     for (uint32_t i = 0; i < DMI_VAE_LATENT; i++) {
         const float noise = seed ? dmi_random_normal(&random) : 0.0f;
@@ -180,7 +180,7 @@ static void draw_latent(const dmi_vae_output* distribution, uint32_t seed, float
 
 /* Decoder (§3.3.3): all frames at once; base poses go to out->raw. */
 static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t seed, scratch* s, dmi_vae_output* out) {
-    draw_latent(out, seed, s->inputs);
+    sample_latent(out, seed, s->inputs);
     memcpy(s->inputs + DMI_VAE_LATENT, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     dmi_linear_apply(&vae->condition, kernels, s->inputs, 1, 0, s->condition);
     for (uint32_t t = 0; t < DM_MOTION_FRAMES; t++)
@@ -194,8 +194,8 @@ static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t s
     dmi_mlp_apply(&vae->head, kernels, s->normal[0], DM_MOTION_FRAMES, 0, s->tokens[0], out->raw[0]);
 }
 
-/* Physics correction (§3.3.3): a residual of each base pose under the joint, the identity, and amounts of turn and
- * slide that lie on the axis whatever they are. */
+/* Physics correction (§3.3.3): adds to each base pose a residual under the joint, the identity, and rotation and
+ * translation components that lie exactly on the axis. */
 static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint, scratch* s,
                     dmi_vae_output* out) {
     const dmi_float3 axis = dmi_xyz(joint->axis);

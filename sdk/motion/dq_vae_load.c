@@ -1,12 +1,12 @@
-/* Reads the DQ-VAE's layers, folding what is known before any query. */
+/* Loads the DQ-VAE's layers and folds what does not depend on a query. */
 #include <stdio.h>
 #include <string.h>
 
 #include "motion/dq_vae_net.h"
 
-#define INJECTION 0.1f /* a condition is given twice: as it is, and scaled by this (paper §3.3.3) */
+#define INJECTION 0.1f /* a condition is input twice: as it is, and scaled by this (paper §3.3.3) */
 
-/* out[t] = bias + W[:, columns] row t of `table`: what a one-of-n input adds to a layer, tabled. */
+/* out[t] = bias + W[:, columns] row t of `table`: the contribution of a one-hot input to a layer, as a table. */
 static void* fold_table(dmi_loader* loader, const float* weight, uint32_t stride, const float* bias, uint32_t outputs,
                         const float* table, uint32_t entries, uint32_t width) {
     float* folded = dmi_load_alloc(loader, (size_t)entries * outputs);
@@ -20,7 +20,7 @@ static void* fold_table(dmi_loader* loader, const float* weight, uint32_t stride
     return folded;
 }
 
-/* The columns of x and of INJECTION x, which follow them, become one block of columns. */
+/* Merges the columns of x and of INJECTION x, which follow them, into one block of columns. */
 static void fold_injection(float* weight, uint32_t stride, uint32_t outputs, uint32_t first, uint32_t width) {
     for (uint32_t o = 0; o < outputs; o++)
         for (uint32_t i = 0; i < width; i++)
@@ -54,7 +54,8 @@ static void read_intent(dmi_loader* loader, dmi_dq_vae* vae) {
     if (vae->path_position != NULL) memcpy(vae->path_position, position, DMI_VAE_PATH * sizeof vae->path_position[0]);
 }
 
-/* One FiLM layer's rows, gamma then beta, at `row` of the layer of them all; 1 + gamma by its bias. */
+/* Copies one FiLM layer's rows, gamma then beta, to `row` of the layer that holds them all; the bias adds the 1 of
+ * 1 + gamma. */
 static void add_film(dmi_loader* loader, const char* name, uint32_t width, uint32_t row, float* weight, float* bias) {
     const float* own_weight = dmi_load_part(loader, name, ".weight", 2 * width, VAE_FEATURE);
     const float* own_bias = dmi_load_part(loader, name, ".bias", 2 * width, 0);

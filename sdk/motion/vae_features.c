@@ -1,4 +1,4 @@
-/* What the DQ-VAE reads of a drag and a joint, without any weights (docs/networks.md, "Features of a query"). */
+/* Input features of the DQ-VAE from a drag and a joint (docs/networks.md, "Features of a query"). */
 #include "motion/dq_vae.h"
 
 #include <math.h>
@@ -10,13 +10,15 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define SCALAR_LIMIT 4.0f
+#define SCALAR_LIMIT 4.0f /* bound of the joint's scalars, as trained (docs/networks.md) */
+#define MIN_TORQUE 1e-8f  /* length of lever x drag below which there is no direction, as trained */
+#define CHORD_STEP 5      /* path points between two chords, as trained */
 
 static float clamp_scalar(float value) {
     return fminf(fmaxf(value, -SCALAR_LIMIT), SCALAR_LIMIT);
 }
 
-/* A point about the joint's axis: how high along it, and the arm at a right angle to it. */
+/* Cylindrical coordinates of a point about the joint's axis: height along it and the lever arm. */
 typedef struct arm {
     float height, length;
     float across[3];
@@ -32,7 +34,8 @@ static arm arm_of(const float point[3], const float axis[3], const float origin[
     return result;
 }
 
-/* The angle about the axis from one arm to the other, the turn nearest to `near`; `near` itself from or to the axis. */
+/* Returns the angle about the axis from one arm to the other, of the turns the nearest to `near`; `near` itself for a
+ * point on the axis. */
 static float angle_between(const arm* from, const arm* to, const float axis[3], float near) {
     float normal[3];
     dmi_cross3(from->across, to->across, normal);
@@ -42,11 +45,11 @@ static float angle_between(const arm* from, const arm* to, const float axis[3], 
     return angle + DMI_TWO_PI_F * roundf((near - angle) / DMI_TWO_PI_F);
 }
 
-/* path[i] = P_i - p, the joint value that brings p nearest to P_i, and how far from P_i that leaves it. A turn keeps
- * the arm's length and (but for a screw's advance) its height, so what is left is the difference of both. */
+/* path[i] = P_i - p, the joint value that brings p nearest to P_i, and the residual distance. A turn keeps the arm's
+ * length and (except for a screw's advance) its height, so the residual is the difference of both. */
 static void make_path(const dmi_vae_query* query, const float axis[3], const float origin[3],
                       float out_path[DMI_VAE_PATH][5]) {
-    const int turns = dmi_joint_turns(query->joint.type), slides = query->joint.type == DM_JOINT_PRISMATIC;
+    const bool turns = dmi_joint_turns(query->joint.type), slides = query->joint.type == DM_JOINT_PRISMATIC;
     const float pitch = query->joint.type == DM_JOINT_SCREW ? query->joint.pitch : 0.0f;
     const arm start = arm_of(query->drag_point, axis, origin);
     float value = 0.0f;
@@ -82,7 +85,7 @@ static void make_direction(const dmi_vae_query* query, const float origin[3], fl
     dmi_sub3(query->drag_point, origin, lever);
     dmi_cross3(lever, query->drag_vector, out);
     const float length = sqrtf(dmi_dot3(out, out));
-    for (int i = 0; i < 3; i++) out[i] = length < 1e-8f ? 0.0f : out[i] / length;
+    for (int i = 0; i < 3; i++) out[i] = length < MIN_TORQUE ? 0.0f : out[i] / length;
 }
 
 static float path_length(const float path[DMI_VAE_PATH][3]) {
@@ -96,12 +99,13 @@ static float path_length(const float path[DMI_VAE_PATH][3]) {
 
 void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_features) {
     const dmi_float3 axis = dmi_xyz(query->joint.axis), origin = dmi_xyz(query->joint.origin);
-    const float whole = (float)DMI_VAE_PATH / (DMI_VAE_PATH - 1);
+    const float points_over_steps = (float)DMI_VAE_PATH / (DMI_VAE_PATH - 1);
     make_scalars(&query->joint, out_features->joint_scalars);
     make_direction(query, origin.v, out_features->rotation_direction);
     dmi_sub3(query->path[DMI_VAE_PATH - 1], query->path[0], out_features->mean_velocity);
-    for (int i = 0; i < 3; i++) out_features->mean_velocity[i] *= whole;
-    for (size_t i = 0; i < 3; i++) dmi_sub3(query->path[5 * (i + 1)], query->path[0], &out_features->chords[3 * i]);
+    for (int i = 0; i < 3; i++) out_features->mean_velocity[i] *= points_over_steps;
+    for (size_t i = 0; i < 3; i++)
+        dmi_sub3(query->path[CHORD_STEP * (i + 1)], query->path[0], &out_features->chords[3 * i]);
     make_path(query, axis.v, origin.v, out_features->path);
     out_features->amplitude[0] = out_features->path[DMI_VAE_PATH - 1][3];
     out_features->amplitude[1] = path_length(query->path);
@@ -115,7 +119,8 @@ void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object) {
     }
 }
 
-/* Distances of points are never negative, so their bits order as they do; the index breaks ties. */
+/* Returns a key that sorts by distance, then by index: the bits of non-negative floats have the order of their values.
+ */
 static uint64_t sort_key(float squared_distance, uint32_t index) {
     uint32_t bits;
     memcpy(&bits, &squared_distance, sizeof bits);

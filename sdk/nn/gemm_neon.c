@@ -6,16 +6,17 @@
 #include <math.h>
 
 #define TARGET /* part of the architecture */
+/* As on AVX2: 24 sums of 32 registers. */
 #define TILE_ROWS 6
 #define TILE_PANELS 1
 #define ROW_PANELS 4
 #include "nn/gemm_tiles.h"
 
-#define LANES 4
+#define LANES 4                    /* floats of a register */
 #define GROUPS (DMI_PANEL / LANES) /* registers a panel */
 
-/* Sums of rows x panels. Both are constants where this is inlined: the sums stay in registers, as long as no loop over
- * them has a branch. */
+/* Accumulates rows x panels. Both are constants where this is inlined: the sums stay in registers, as long as no loop
+ * over them has a branch. */
 TARGET_INLINE void accumulate(const dmi_gemm* gemm, const float* x, size_t first, const size_t rows,
                               const size_t panels, float32x4_t (*sum)[GROUPS]) {
     const size_t panel_size = (size_t)gemm->depth * DMI_PANEL, stride = gemm->x_stride;

@@ -1,11 +1,11 @@
-/* Matrix product in plain C: the path of every machine, and what the others are tested against. Also the packing. */
+/* Matrix product in plain C: the fallback, and the reference of the other kernels' tests. Also the packing. */
 #include "nn/gemm.h"
 
 #include <string.h>
 
-#define LANES 4 /* a vector that every machine has or the compiler splits */
+#define LANES 4 /* floats of a vector; compilers split it where a machine has none */
 #define GROUPS (DMI_PANEL / LANES)
-#define TILE_ROWS 2 /* what sixteen such registers hold */
+#define TILE_ROWS 2 /* sums of eight vectors, in 16 registers */
 
 typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
 
@@ -21,7 +21,7 @@ void dmi_panels_pack(const float* source, size_t output_stride, size_t input_str
     }
 }
 
-/* Columns first … first + 15 of one row. */
+/* Stores columns first … first + 15 of one row. */
 static void store(const dmi_gemm* gemm, uint32_t row, uint32_t first, const lanes sum[GROUPS]) {
     const uint32_t left = gemm->columns - first, width = left < DMI_PANEL ? left : DMI_PANEL;
     float* y = gemm->y + row * gemm->y_stride + first;

@@ -1,4 +1,4 @@
-/* Chooses kernels by instruction set. */
+/* Selects kernels by instruction set. */
 #include "nn/kernels.h"
 
 #include <stdbool.h>

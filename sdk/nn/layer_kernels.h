@@ -1,20 +1,22 @@
-/* Everything between matrix products, written once on vectors of LANES floats: each instruction set's file defines
- * LANES and TARGET (the attribute that lets the compiler use the set) and includes this. */
+/* The kernels other than the matrix product, written once on vectors of LANES floats. The file of each instruction set
+ * defines LANES and TARGET (the attribute that enables the set) and includes this. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "nn/kernels.h"
 
+#define NORM_EPSILON 1e-5f /* added to the variance; PyTorch's default, as trained */
+
 typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
 typedef int32_t int_lanes __attribute__((vector_size(LANES * sizeof(int32_t))));
 
-/* The end of a row: `count` < LANES numbers, then `filler`. Out of line: rows of whole vectors never come here. */
+/* Copies the end of a row: `count` < LANES numbers, then `filler`. Not inlined: rows of whole vectors never need it. */
 TARGET __attribute__((noinline)) static void copy_part(float* to, const float* from, uint32_t count, float filler) {
     for (uint32_t i = 0; i < LANES; i++) to[i] = i < count ? from[i] : filler;
 }
 
-/* `count` numbers, LANES of them at most. */
+/* Loads `count` numbers, at most LANES of them. */
 TARGET static inline lanes load(const float* p, uint32_t count, float filler) {
     float part[LANES];
     lanes value;
@@ -54,13 +56,13 @@ TARGET static inline float max_of(lanes value) {
     return best;
 }
 
-/* e^x to 2 units in the last place, x clamped to where the result is a normal number (Cephes' expf):
- * x = n ln 2 + r, |r| <= ln 2 / 2; a polynomial gives e^r, the exponent bits 2^n. */
+/* Returns e^x to 2 units in the last place, x clamped to where the result is a normal number. Algorithm and
+ * coefficients of Cephes' expf: x = n ln 2 + r, |r| <= ln 2 / 2; a polynomial gives e^r, the exponent bits 2^n. */
 TARGET static inline lanes exponential(lanes x) {
     const float rounder = 12582912.0f; /* 1.5 * 2^23: adding it rounds to a whole number, held in the low bits */
     x = select(x < -87.0f, -87.0f - (lanes){0}, x);
     x = select(x > 88.0f, 88.0f - (lanes){0}, x);
-    const lanes shifted = x * 1.44269504f + rounder;
+    const lanes shifted = x * 1.44269504f + rounder; /* 1 / ln 2 */
     const lanes n = shifted - rounder;
     const lanes r = (x - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 in two parts, the first exact in 10 bits */
     lanes p = r * 1.9875691500e-4f + 1.3981999507e-3f;
@@ -82,7 +84,7 @@ TARGET static void layer_norm(const float* x, uint32_t rows, uint32_t columns, c
             const lanes offset = load(x + c, columns - c, mean) - mean;
             squares += offset * offset;
         }
-        const float scale = 1.0f / sqrtf(sum_of(squares) / (float)columns + 1e-5f);
+        const float scale = 1.0f / sqrtf(sum_of(squares) / (float)columns + NORM_EPSILON);
         for (uint32_t c = 0; c < columns; c += LANES) {
             const lanes normal = (load(x + c, columns - c, mean) - mean) * scale;
             store(y + c, columns - c, normal * load(weight + c, columns - c, 0.0f) + load(bias + c, columns - c, 0.0f));
@@ -98,7 +100,7 @@ TARGET static void softmax(float* x, uint32_t rows, uint32_t columns) {
         for (uint32_t c = 0; c < columns; c += LANES) {
             const lanes value = exponential(load(x + c, columns - c, -FLT_MAX) - top);
             store(x + c, columns - c, value);
-            sum += value; /* places past the last add e^-87 each: nothing */
+            sum += value; /* lanes past the end add e^-87 each, below rounding */
         }
         const float scale = 1.0f / sum_of(sum);
         for (uint32_t c = 0; c < columns; c += LANES) store(x + c, columns - c, load(x + c, columns - c, 0.0f) * scale);

@@ -1,13 +1,13 @@
-/* Reading, packing and applying of plain layers. */
+/* Loads, packs and applies linear layers, perceptrons and normalisation. */
 #include "nn/layers.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define MAX_NAME 96
-#define FORMAT_VERSION 1
-#define BLOCK_SIZE ((size_t)64 * 1024)
+#define MAX_NAME 96                    /* bytes of a tensor name, docs/networks.md has shorter ones */
+#define FORMAT_VERSION 1               /* of the weight files, docs/networks.md */
+#define BLOCK_SIZE ((size_t)64 * 1024) /* bytes of an arena block; by hand */
 
 dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,
                            dmi_read_network* read, void* network, dmi_arena* keep) {

@@ -1,4 +1,4 @@
-/* Reads safetensors: 8 bytes header length, a JSON header, packed tensors. Nothing in the file is believed unchecked.
+/* Reads safetensors files: 8 bytes of header length, a JSON header, packed tensors. Everything in the file is checked.
  */
 #include "nn/weights.h"
 
@@ -7,19 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LENGTH_BYTES 8
-#define MAX_HEADER                                                                                                     \
-    ((size_t)1 << 20) /* ours need some 10 KB; bounds what a hostile file makes the JSON parser build                  \
-                       */
-#define MAX_TENSORS 4096
-#define MAX_DIMENSIONS 8
+#define LENGTH_BYTES 8 /* of the header length, as the format has it */
+/* Bytes of the header; by hand: ours have about 10 KB. Bounds what a malicious file makes the JSON parser allocate. */
+#define MAX_HEADER ((size_t)1 << 20)
+#define MAX_TENSORS 4096 /* by hand: ours have under 200 */
+#define MAX_DIMENSIONS 8 /* by hand: ours have 2 */
 
 typedef struct tensor {
     const char* name;  /* in the JSON tree */
     size_t begin, end; /* bytes, from the start of the tensors */
     uint32_t shape[MAX_DIMENSIONS];
     uint32_t dimensions;
-    int is_half; /* float16; else float32 */
+    bool is_half; /* float16; else float32 */
 } tensor;
 
 struct dmi_weights {
@@ -47,7 +46,7 @@ static dm_result parse_header(dmi_weights* weights, const unsigned char* data, s
     text[length] = 0;
     const char* stop = NULL;
     weights->header = cJSON_ParseWithOpts(text, &stop, 0);
-    const int whole =
+    const bool whole =
         weights->header != NULL && cJSON_IsObject(weights->header) && stop + strspn(stop, " \t\r\n") == text + length;
     dmi_free(weights->env, text, (size_t)length + 1);
     if (!whole) return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: the header is not one JSON object");
@@ -56,14 +55,14 @@ static dm_result parse_header(dmi_weights* weights, const unsigned char* data, s
     return DM_OK;
 }
 
-/* A whole number in [0, limit]. */
+/* Reads a whole number in [0, limit]. */
 static bool read_count(const cJSON* item, size_t limit, size_t* out) {
     if (!cJSON_IsNumber(item) || !(item->valuedouble >= 0) || item->valuedouble > (double)limit) return false;
     *out = (size_t)item->valuedouble;
     return (double)*out == item->valuedouble && *out <= limit;
 }
 
-/* Shape and its product in bytes; 0 when it is not one. */
+/* Reads a shape and its size in bytes; false when it is not one. */
 static bool read_shape(const cJSON* shape, tensor* out, size_t limit, size_t* out_bytes) {
     size_t bytes = out->is_half ? sizeof(uint16_t) : sizeof(float);
     if (!cJSON_IsArray(shape)) return false;
@@ -108,7 +107,7 @@ static int compare_name(const void* a, const void* b) {
     return strcmp(((const tensor*)a)->name, ((const tensor*)b)->name);
 }
 
-/* As the format asks: the tensors tile their bytes, without overlap or hole; names are unique. */
+/* Checks that the tensors fill their bytes without overlap or gap, and that names are unique. */
 static dm_result check_layout(dmi_weights* weights) {
     size_t end = 0;
     qsort(weights->tensors, weights->tensor_count, sizeof(tensor), compare_begin);
@@ -192,10 +191,10 @@ void dmi_weights_close(dmi_weights* weights) {
     dmi_free(env, weights, sizeof *weights);
 }
 
-/* IEEE 754 binary16 to binary32: exact, also for subnormals, infinities and NaN. */
+/* Converts IEEE 754 binary16 to binary32 exactly, with subnormals, infinities and NaN. */
 static float widen(uint16_t half) {
     const uint32_t sign = (uint32_t)(half & 0x8000u) << 16, exponent = half >> 10 & 0x1fu, fraction = half & 0x3ffu;
-    const uint32_t bias = exponent == 0x1f ? 0xe0 : 127 - 15;
+    const uint32_t bias = exponent == 0x1f ? 0xe0 : 127 - 15; /* 0x1f + 0xe0 = 0xff: infinity and NaN */
     const uint32_t bits = sign | (exponent + bias) << 23 | fraction << 13;
     float value;
     if (exponent == 0) {
@@ -206,7 +205,7 @@ static float widen(uint16_t half) {
     return value;
 }
 
-/* NULL, and a log line, when there is none of this shape. */
+/* Returns the tensor; NULL, and a log line, when there is none of this shape. */
 static const tensor* find_tensor(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols) {
     const tensor key = {.name = name};
     const tensor* found = weights->tensor_count == 0

@@ -1,4 +1,4 @@
-/* The pull tells where the line of a turn lies, a little beside where the geometry has it, and only if it is clear. */
+/* The pull corrects the axis line of a turn that geometry has a little beside the true one, and only if it is clear. */
 #include "test_math.h"
 
 #include <string.h>
@@ -28,12 +28,12 @@ static dm_joint moved(const dm_joint* joint, float x, float z) {
 }
 
 /* How far the handle went in one frame, at most. `wander`: of the hand, half-way. */
-static float pull(dmi_drag* drag, const dm_joint* thought, const dm_joint* truth, float to, float wander,
+static float pull(dmi_drag* drag, const dm_joint* assumed, const dm_joint* truth, float to, float wander,
                   dm_drag_state* now) {
     const dm_drag_feel feel = {0};
     float last[3], point[3], longest = 0;
-    dmi_drag_begin(drag, thought, handle, 0, &feel);
-    dmi_drag_track_hypotheses(drag, thought, 1, 1, (dmi_limit_give){.length = 4});
+    dmi_drag_begin(drag, assumed, handle, 0, &feel);
+    dmi_drag_track_hypotheses(drag, assumed, 1, 1, (dmi_limit_give){.length = 4});
     memcpy(last, handle, sizeof last);
     for (int k = 1; k <= 160; k++) {
         const float share = fminf((float)k / 120, 1);
@@ -52,10 +52,10 @@ static void a_line_comes_to_where_the_pull_has_it(void** state) {
     (void)state;
     static const float beside[4][2] = {{0.2f, 0}, {0, 0.2f}, {0, -0.2f}, {0.12f, -0.12f}};
     for (int i = 0; i < 4; i++) {
-        const dm_joint thought = moved(&door, beside[i][0], beside[i][1]);
+        const dm_joint assumed = moved(&door, beside[i][0], beside[i][1]);
         dmi_drag drag;
         dm_drag_state now = {0};
-        const float longest = pull(&drag, &thought, &door, 1.4f, 0, &now);
+        const float longest = pull(&drag, &assumed, &door, 1.4f, 0, &now);
         const float x = drag.joint.origin.x - door.origin.x, z = drag.joint.origin.z - door.origin.z;
         assert_true(hypotf(x, z) < 0.5f * hypotf(beside[i][0], beside[i][1]));
         assert_near3(dmi_xyz(drag.joint.axis).v, dmi_xyz(door.axis).v, 0);
@@ -140,8 +140,8 @@ static void a_corner_is_cut_within_the_circle(void** state) {
 }
 
 /* Half the squared misses, by the line's place. */
-static double misses(const dmi_pull* memory, dm_joint joint, const float outward[3], const float forward[3], double a,
-                     double b, dmi_pull_fit* out) {
+static double half_squares(const dmi_pull* memory, dm_joint joint, const float outward[3], const float forward[3],
+                           double a, double b, dmi_pull_fit* out) {
     joint.origin.x += (float)(a * (double)outward[0] + b * (double)forward[0]);
     joint.origin.y += (float)(a * (double)outward[1] + b * (double)forward[1]);
     joint.origin.z += (float)(a * (double)outward[2] + b * (double)forward[2]);
@@ -162,7 +162,7 @@ static double misses(const dmi_pull* memory, dm_joint joint, const float outward
 static void slopes_are_those_of_the_misses(void** state) {
     (void)state;
     for (int parallel = 0; parallel < 2; parallel++) {
-        const dm_joint thought = moved(&door, 0.1f, -0.1f);
+        const dm_joint assumed = moved(&door, 0.1f, -0.1f);
         dmi_pull memory;
         dmi_pull_begin(&memory, handle, 0.006f);
         memory.projection = parallel ? DMI_PARALLEL : DMI_PERSPECTIVE;
@@ -177,13 +177,13 @@ static void slopes_are_those_of_the_misses(void** state) {
         }
         float outward[3], forward[3];
         dmi_pull_fit fit, other;
-        dmi_pull_fit_shift_directions(&thought, handle, outward, forward);
-        const double step = 0.01, here = misses(&memory, thought, outward, forward, 0, 0, &fit);
+        dmi_pull_fit_shift_directions(&assumed, handle, outward, forward);
+        const double step = 0.01, here = half_squares(&memory, assumed, outward, forward, 0, 0, &fit);
         assert_true(here > 1e-6 && fit.max_residual > 0.005f);
         for (int i = 0; i < 2; i++) {
             const double a = i == 0 ? step : 0, b = step - a;
-            const double slope = (misses(&memory, thought, outward, forward, a, b, &other) -
-                                  misses(&memory, thought, outward, forward, -a, -b, &other)) /
+            const double slope = (half_squares(&memory, assumed, outward, forward, a, b, &other) -
+                                  half_squares(&memory, assumed, outward, forward, -a, -b, &other)) /
                                  (2 * step);
             assert_near(fit.gradient[i], slope, 0.1 * fabs(slope) + 1e-5);
         }

@@ -1,4 +1,5 @@
-/* The feel of a drag: catches, limits that yield, weight, springing back; and the answer does not hang on the rate. */
+/* The feel of a drag: detents, estimated limits, inertia, springing back; the result does not depend on the frame rate.
+ */
 #include "test_math.h"
 
 #include "motion/drag.h"

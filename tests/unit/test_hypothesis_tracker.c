@@ -1,4 +1,4 @@
-/* Early evidence: the pull tells which joint it is, soon, without a jump, in any axes; a hand's tremor does not. */
+/* The pull identifies the joint early, without a jump, in any axes; tremor of the hand does not change it. */
 #include "test_math.h"
 
 #include <string.h>
@@ -75,7 +75,7 @@ static void the_pull_tells_the_joint(void** state) {
     }
 }
 
-/* Straight to where the door should be, or straight out: then it is the drawer that it was thought to be. */
+/* Straight to where the door should be, or straight out: then the drawer that was inferred stays. */
 static void a_hand_may_cut_the_corner(void** state) {
     (void)state;
     for (int slides = 0; slides < 2; slides++) {
@@ -273,8 +273,8 @@ static void host_axes_do_not_matter(void** state) {
     }
 }
 
-/* A turn about an axis a hair beside the grabbed point explains every small pull, by spinning: it is thought less
- * likely before the pull, one about an axis far off is not. */
+/* A turn about an axis a hair beside the grabbed point explains every small pull, by a large angle: its prior is
+ * lower, that of an axis far off is not. */
 static void no_turn_about_the_grabbed_point(void** state) {
     (void)state;
     static const dm_joint panel[2] = {
@@ -290,7 +290,7 @@ static void no_turn_about_the_grabbed_point(void** state) {
     assert_true(tracker.list[tracker.count - 1].log_prior > -0.5f);
 }
 
-/* Rivals whose likelihood overflowed are not weighed in the place of others. */
+/* Hypotheses whose likelihood overflowed are not updated in the place of others. */
 static void what_is_no_number_is_not_waited_for(void** state) {
     (void)state;
     enum { ALONG_X = JOINTS, ALONG_Y }; /* the last resorts; along z there is a slide already */
