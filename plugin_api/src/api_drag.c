@@ -27,7 +27,7 @@ static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
         dm_result result = dmi_check_finite(env, names[i], &numbers[i], 1);
         if (result != DM_OK) return result;
     }
-    for (int i = 1; i <= 4; i++) {
+    for (int i = 1; i <= 4; i++) { /* soft_limit, detent and detent_pull; coast_time may be negative */
         const bool share = i == 1 || i == 4;
         if (i == 2 || (numbers[i] >= 0.0f && !(share && numbers[i] > 1.0f))) continue;
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g: it must be %s", names[i], (double)numbers[i],

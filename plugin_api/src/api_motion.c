@@ -81,7 +81,7 @@ static dm_result run_network(const request* work, float out_values[DM_MOTION_FRA
     dm_result result = make_path(work, query.path);
     if (result != DM_OK) return result;
     size_t size = dmi_dq_vae_scratch_size(model->motion);
-    void* scratch = dmi_alloc(env, size, 64);
+    void* scratch = dmi_alloc(env, size, DMI_ALIGNMENT);
     if (scratch == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory for %zu bytes", size);
     dmi_vae_output output;

@@ -85,8 +85,8 @@ static void DM_CALL encode_part(void* data, uint32_t task) {
     encoding* work = data;
     dmi_env* env = &work->context->env;
     size_t size = dmi_dq_vae_scratch_size(work->network);
-    void* scratch = dmi_alloc(env, size, 64);
-    dmi_cloud* cloud = dmi_alloc(env, sizeof *cloud, 64);
+    void* scratch = dmi_alloc(env, size, DMI_ALIGNMENT);
+    dmi_cloud* cloud = dmi_alloc(env, sizeof *cloud, DMI_ALIGNMENT);
     if (scratch != NULL && cloud != NULL) {
         dmi_cloud_widen(&work->slot->object->parts[task + 1], cloud);
         dmi_dq_vae_prepare(work->network, work->context->isa, cloud, scratch, &work->slot->features[task + 1]);

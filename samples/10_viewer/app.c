@@ -7,7 +7,7 @@
 #include "parts.h"
 
 /* Pixels the pointer goes before the pull says enough to imagine the whole motion. */
-static const float imagine_pixels = 20;
+static const float imagine_pixels = 20; /* pull after which the motion is previewed; by hand */
 
 void app_open(app* app, world* world, int width, int height, int z_up) {
     memset(app, 0, sizeof *app);

@@ -6,7 +6,7 @@
 #include "session.h"
 #include "world.h"
 
-static const float frame_seconds = 1.0f / 60;
+static const float frame_seconds = 1.0f / 60; /* of every frame, live or replayed */
 
 enum {
     SHOW_AXIS = 1,

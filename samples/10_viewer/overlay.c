@@ -10,7 +10,7 @@
 static const colour axis_colour = {0.10f, 0.55f, 1.0f, 1}, limit_colour = {1.0f, 0.55f, 0.10f, 1};
 static const colour hypothesis_colour = {0.75f, 0.35f, 0.85f, 0.85f}, hand_colour = {1, 1, 1, 0.95f};
 
-enum { ARC_STEPS = 64 };
+enum { ARC_STEPS = 64 }; /* segments of an arc; by hand */
 
 /* How much a part stands out. */
 static float emphasis(const app* app, uint32_t id) {

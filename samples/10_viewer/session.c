@@ -6,7 +6,7 @@
 
 #include "files.h"
 
-enum { KINDS = 7, LINE = 4096 };
+enum { KINDS = 7, LINE = 4096 }; /* kinds of events, bytes of a line */
 static const char* const kinds[KINDS] = {"camera", "move", "press", "release", "wheel", "key", "end"};
 static const int number_counts[KINDS] = {6, 2, 0, 0, 1, 0, 0};
 static const char* const buttons[4] = {"", "left", "middle", "right"};

@@ -7,7 +7,7 @@
 #include "dragmesh/ext/gltf.h"
 #include "vec.h"
 
-enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64 };
+enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64 }; /* parts, whose ids fit a byte; bytes of a name */
 
 typedef struct world_part {
     char name[WORLD_NAME];

@@ -317,7 +317,7 @@ static dm_result set_up(bench* b) {
     dm_context* context = b->session.context;
     b->shape = box_object_new(GRID);
     b->mesh = box_object_mesh(&b->shape);
-    b->pose = (dm_pose){{0, 0.08715574f, 0, 0.9961947f}, {0, 0, 0, 0}};
+    b->pose = (dm_pose){{0, 0.08715574f, 0, 0.9961947f}, {0, 0, 0, 0}}; /* 10 degrees about y */
     b->points = cli_alloc_zeroed(POINTS * 3 * sizeof(float));
     b->camera = (dm_camera){.struct_size = sizeof b->camera,
                             .fov_y = 0.8f,

@@ -25,13 +25,13 @@ static const figure figures[] = {
     {"axis_mrad", METRIC_AXIS, 0, 0, 1},
     {"axis_mrad_revolute", METRIC_AXIS, 1, 0, 1},
     {"axis_mrad_prismatic", METRIC_AXIS, 2, 0, 1},
-    {"axis_within_45mrad", METRIC_AXIS, 0, 45, 1},
+    {"axis_within_45mrad", METRIC_AXIS, 0, 45 /* mrad */, 1},
     {"origin_e3", METRIC_ORIGIN, 1, 0, 1},
     {"origin_l1_e3", METRIC_ORIGIN_L1, 1, 0, 1},
     {"axis_line_e3", METRIC_LINE, 1, 0, 1},
     {"pose_e3", METRIC_POSE, 0, 0, 1e3},
-    {"pose_under_2pct", METRIC_POSE, 0, 0.02, 1},
-    {"pose_under_2pct_top3", METRIC_POSE_TOP3, 0, 0.02, 1},
+    {"pose_under_2pct", METRIC_POSE, 0, METRICS_RIGHT, 1},
+    {"pose_under_2pct_top3", METRIC_POSE_TOP3, 0, METRICS_RIGHT, 1},
     {"sign_acc", METRIC_SIGN, 0, -1, 1},
     {"range_iou", METRIC_RANGE, 0, 0, 1},
     {"mask_iou", METRIC_MASK, 0, 0, 1},
@@ -166,7 +166,8 @@ static void print_groups(const eval_rows* rows, const char* title, const char* (
         const metric_stat axis = metrics_stat(rows->rows, rows->count, pick, METRIC_AXIS);
         const metric_stat origin = metrics_stat(rows->rows, rows->count, pick, METRIC_ORIGIN);
         printf("%-22.22s %6zu %6.3f %10.1f %10.1f %10.1f %9.3f\n", groups[g].name, type.count, type.mean, axis.median,
-               axis.mean, origin.median, metrics_share_below(rows->rows, rows->count, pick, METRIC_POSE, 0.02));
+               axis.mean, origin.median,
+               metrics_share_below(rows->rows, rows->count, pick, METRIC_POSE, METRICS_RIGHT));
     }
     free_groups(groups, count);
     printf("\n");

@@ -7,7 +7,7 @@
 #include "job.h"
 #include "vec.h"
 
-enum { DATASET_DRAGS = 8 };
+enum { DATASET_DRAGS = 8 }; /* drags of a joint that are read; by hand, datasets have fewer */
 
 typedef struct known_drag {
     vec point, vector;

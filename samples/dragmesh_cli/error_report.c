@@ -11,6 +11,7 @@
 
 /* Pixels and counts of the layout; by hand. */
 enum { PANEL = 180, PANELS = 3, GAP = 4, STRIP = PANELS * PANEL + (PANELS - 1) * GAP, COLUMNS = 2, ROWS = 5 };
+static const double DRAG_LENGTH = 0.15; /* of the drawn drag, share of the object's size; by hand */
 enum { PER_SHEET = COLUMNS * ROWS };
 
 static const uint8_t blue[3] = {70, 150, 255}, red[3] = {255, 70, 60}, green[3] = {40, 220, 70};
@@ -80,8 +81,9 @@ static dm_result draw_strip(renderer* r, const metric_case* known, const joint_a
     for (int i = 0; i < PANELS && result == DM_OK; i++) {
         const int left = i * (PANEL + GAP);
         result = render_draw(r, &poses[i], strip, left);
-        render_segment(r, known->drag->point, add(known->drag->point, scale(unit(known->drag->vector), 0.15 * r->size)),
-                       green, strip, left);
+        render_segment(r, known->drag->point,
+                       add(known->drag->point, scale(unit(known->drag->vector), DRAG_LENGTH * r->size)), green, strip,
+                       left);
         if (i != 2) render_axis(r, &truth, blue, strip, left);
         if (i != 1) render_axis(r, &answer->joint, red, strip, left);
     }

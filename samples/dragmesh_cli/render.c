@@ -9,7 +9,7 @@
 #include "cli.h"
 #include "nodes.h"
 
-enum { GRID = 2, SKY_RAYS = 6, GAP = 6 };
+enum { GRID = 2, SKY_RAYS = 6, GAP = 6 /* pixels between panels */ };
 static const double sky_reach = 0.7; /* share of the object's size: farther surfaces cast no ambient shadow */
 static const vec sun_light = {1.55, 1.47, 1.32}, accent = {0.86, 0.33, 0.09};
 static const double accent_share = 0.6;

@@ -13,6 +13,8 @@
 #define DMI_PRINTF(text, first)
 #endif
 
+#define DMI_ALIGNMENT 64 /* bytes, of scratch memory and large arrays: a cache line, and a vector of AVX-512 */
+
 typedef struct dmi_env {
     dm_allocator allocator;
     dm_log log;

@@ -44,7 +44,7 @@ static size_t chunk_slots(uint32_t chunk) {
 /* Returns the slot of an index; NULL when no chunk holds it. */
 static slot* slot_at(const dmi_pool* pool, uint32_t index) {
     uint64_t shifted = (uint64_t)index + ((uint64_t)1 << FIRST_CHUNK_BITS);
-    uint32_t bits = 63 - (uint32_t)__builtin_clzll(shifted);
+    uint32_t bits = 63 - (uint32_t)__builtin_clzll(shifted); /* floor of the binary logarithm */
     uint32_t chunk = bits - FIRST_CHUNK_BITS;
     if (chunk >= CHUNK_COUNT) return NULL;
     slot* slots = atomic_load_explicit(&pool->chunks[chunk], memory_order_acquire);
@@ -52,7 +52,7 @@ static slot* slot_at(const dmi_pool* pool, uint32_t index) {
 }
 
 static uint64_t make_handle(const dmi_pool* pool, uint32_t generation, uint32_t index) {
-    return (uint64_t)pool->kind << 56 | (uint64_t)generation << 32 | index;
+    return (uint64_t)pool->kind << DMI_HANDLE_KIND_SHIFT | (uint64_t)generation << DMI_HANDLE_GENERATION_SHIFT | index;
 }
 
 /* Returns a first generation, different for each pool of the process, so that a handle of one context is stale in all
@@ -60,7 +60,7 @@ static uint64_t make_handle(const dmi_pool* pool, uint32_t generation, uint32_t 
 static uint32_t next_first_generation(void) {
     static _Atomic uint32_t pools;
     uint32_t number = atomic_fetch_add_explicit(&pools, 1, memory_order_relaxed);
-    return 1 + number * 0x9E3779B1u % GENERATION_MASK;
+    return 1 + number * 0x9E3779B1u /* 2^32 / golden ratio */ % GENERATION_MASK;
 }
 
 dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool) {
@@ -150,8 +150,9 @@ dm_result dmi_pool_insert(dmi_pool* pool, void* item, uint64_t* out_handle) {
 
 /* Whether the handle has the kind and generation of the slot. */
 static bool matches(const dmi_pool* pool, const slot* s, uint64_t handle) {
-    uint32_t generation = (uint32_t)(handle >> 32) & GENERATION_MASK;
-    return handle >> 56 == pool->kind && atomic_load_explicit(&s->generation, memory_order_relaxed) == generation;
+    uint32_t generation = (uint32_t)(handle >> DMI_HANDLE_GENERATION_SHIFT) & GENERATION_MASK;
+    return handle >> DMI_HANDLE_KIND_SHIFT == pool->kind &&
+           atomic_load_explicit(&s->generation, memory_order_relaxed) == generation;
 }
 
 void* dmi_pool_get(const dmi_pool* pool, uint64_t handle) {

@@ -5,6 +5,9 @@
 #include "base/env.h"
 
 /* Layout of a handle: kind (8 bits, non-zero) | generation (24) | index (32). */
+#define DMI_HANDLE_KIND_SHIFT 56
+#define DMI_HANDLE_GENERATION_SHIFT 32
+
 typedef struct dmi_pool dmi_pool;
 
 dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool);

@@ -255,7 +255,7 @@ static float near_limit(const candidates* c) {
 
 /* Fills the near block when none of the rest is near: with its samples nearest to the box. */
 static dm_result sample_nearest(dmi_env* env, sampler* s, const box* near, float (*xyz)[3], float (*normal)[3]) {
-    candidates* c = dmi_alloc(env, sizeof *c, 64);
+    candidates* c = dmi_alloc(env, sizeof *c, DMI_ALIGNMENT);
     if (c == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %d surface samples", CANDIDATES);
     weigh_moving(s, false);
     sample_block(s, CANDIDATES, c->xyz, c->normal);
@@ -298,9 +298,9 @@ static dm_result sample_all(dmi_env* env, sampler* s, dmi_cloud* cloud) {
 
 dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, uint64_t seed, dmi_cloud* out_cloud) {
     sampler s = {.mesh = mesh, .random = dmi_random_make(seed, part)};
-    s.moves = dmi_alloc(env, mesh->part_count, 64);
-    s.weights = dmi_alloc(env, mesh->face_count * sizeof(float), 64);
-    s.outcodes = dmi_alloc(env, mesh->vertex_count, 64);
+    s.moves = dmi_alloc(env, mesh->part_count, DMI_ALIGNMENT);
+    s.weights = dmi_alloc(env, mesh->face_count * sizeof(float), DMI_ALIGNMENT);
+    s.outcodes = dmi_alloc(env, mesh->vertex_count, DMI_ALIGNMENT);
     dm_result result = DM_ERROR_OUT_OF_MEMORY;
     if (s.moves != NULL && s.weights != NULL && s.outcodes != NULL) {
         for (uint32_t p = 0; p < mesh->part_count; p++) s.moves[p] = (uint8_t)dmi_mesh_moves_with(mesh, p, part);

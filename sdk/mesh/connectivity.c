@@ -8,11 +8,16 @@
 #define NONE UINT32_MAX
 #define NO_CONCAVE_CUT 2.0f  /* a sine that no edge exceeds */
 #define CELL_TOLERANCES 4    /* side of a grid cell in tolerances; by hand: few searches then leave the cell */
+#define MIN_BUCKETS 16       /* of the grid's hash table, a power of two; more for more vertices */
 #define MIN_CELL 1e-6f       /* side of a grid cell, object sizes: indices fit 32 bits */
 #define MAX_FACES_AT_EDGE 32 /* compared at one edge; by hand, real edges have two */
 
 static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
     return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to connect %u triangles", mesh->face_count);
+}
+
+static void fill_none(uint32_t* values, uint32_t count) {
+    memset(values, 0xff, count * sizeof *values); /* all bits set: NONE */
 }
 
 /* ---- welding ---- */
@@ -28,7 +33,7 @@ typedef struct grid {
 static uint32_t bucket_of(const grid* grid, const int32_t cell[3]) {
     /* Primes of spatial hashing (xxHash); any odd constants do. */
     uint32_t hash = (uint32_t)cell[0] * 0x9e3779b1u ^ (uint32_t)cell[1] * 0x85ebca6bu ^ (uint32_t)cell[2] * 0xc2b2ae35u;
-    return (hash ^ hash >> 15) & grid->mask;
+    return (hash ^ hash >> 15 /* mixes the high bits in */) & grid->mask;
 }
 
 /* The smallest kept vertex within the tolerance of p in the bucket of a cell, or `found` where that is smaller. */
@@ -64,14 +69,14 @@ static uint32_t search(const grid* grid, const float p[3], int32_t own[3]) {
 }
 
 dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, uint32_t* out_welded) {
-    uint32_t buckets = 16;
+    uint32_t buckets = MIN_BUCKETS;
     while (buckets < mesh->vertex_count) buckets *= 2;
     grid grid = {.mesh = mesh, .tolerance = tolerance, .mask = buckets - 1};
     grid.cells_a_unit = 1 / fmaxf(CELL_TOLERANCES * tolerance, MIN_CELL);
     grid.heads = dmi_arena_push(arena, buckets * sizeof(uint32_t));
     grid.next = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
     if (grid.heads == NULL || grid.next == NULL) return out_of_memory(arena, mesh);
-    memset(grid.heads, 0xff, buckets * sizeof(uint32_t));
+    fill_none(grid.heads, buckets);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         int32_t cell[3];
         uint32_t found = search(&grid, mesh->positions + (size_t)v * 3, cell);
@@ -124,7 +129,7 @@ static dm_result unite_over_vertices(dmi_arena* arena, const dmi_mesh* mesh, con
                                      const uint8_t* select, uint32_t* parents) {
     uint32_t* first_face = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
     if (first_face == NULL) return out_of_memory(arena, mesh);
-    memset(first_face, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    fill_none(first_face, mesh->vertex_count);
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         for (int i = 0; i < 3 && select[f]; i++) {
             uint32_t v = welded[mesh->indices[(size_t)f * 3 + (size_t)i]];
@@ -213,7 +218,7 @@ static dm_result unite_over_edges(dmi_arena* arena, const dmi_mesh* mesh, const 
     dm_result result = allocate_edges(arena, mesh, &edges);
     if (result != DM_OK) return result;
     sort_edges(mesh, welded, select, &edges);
-    memset(edges.latest, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    fill_none(edges.latest, mesh->vertex_count);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t begin = edges.first[v], end = edges.first[v + 1];
         for (uint32_t e = begin; e < end; e++) {
@@ -289,7 +294,7 @@ dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
     memset(all, 1, mesh->face_count);
     sort_edges(mesh, welded, all, &edges);
     for (uint32_t f = 0; f < mesh->face_count; f++) out_labels[f] = f;
-    memset(edges.latest, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    fill_none(edges.latest, mesh->vertex_count);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t begin = edges.first[v], end = edges.first[v + 1];
         for (uint32_t e = begin; e < end; e++) chain_edge(&edges, begin, e);

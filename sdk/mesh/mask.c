@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <string.h>
 
-#define ALIGNMENT 64 /* bytes, a cache line */
 #define NPY_MAGIC "\x93NUMPY"
-#define NPY_MAGIC_SIZE 6
+#define NPY_MAGIC_SIZE 6     /* bytes */
+#define MAX_SHOWN 32         /* bytes of the file quoted in a message; by hand */
 #define NPY_MAX_HEADER 65536 /* bytes; by hand: a header of one dimension has under 128 */
 
 /* ---- text ---- */
@@ -51,7 +51,7 @@ static dm_result allocate_values(dmi_env* env, uint64_t count, int64_t** out_val
         return dmi_fail(env, DM_ERROR_TOO_LARGE, "mask: %llu values, at most %d", (unsigned long long)count,
                         DM_MAX_ELEMENTS);
     }
-    *out_values = dmi_alloc(env, (size_t)count * sizeof(int64_t), ALIGNMENT);
+    *out_values = dmi_alloc(env, (size_t)count * sizeof(int64_t), DMI_ALIGNMENT);
     if (*out_values != NULL) return DM_OK;
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mask of %llu values", (unsigned long long)count);
 }
@@ -94,7 +94,7 @@ static dm_result read_descr(dmi_env* env, text* t, npy_header* header) {
         return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: values of type '%.*s', must be bool or little-endian integers",
-                    (int)(descr.end - descr.at < 32 ? descr.end - descr.at : 32), descr.at);
+                    (int)(descr.end - descr.at < MAX_SHOWN ? descr.end - descr.at : MAX_SHOWN), descr.at);
 }
 
 /* Reads a shape such as "(12,)": one dimension. */
@@ -124,7 +124,7 @@ static dm_result read_entry(dmi_env* env, text* t, npy_header* header) {
         if (header->has_order) return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: header entry '%.*s' can't be read",
-                    (int)(key.end - key.at < 32 ? key.end - key.at : 32), key.at);
+                    (int)(key.end - key.at < MAX_SHOWN ? key.end - key.at : MAX_SHOWN), key.at);
 }
 
 static dm_result read_header(dmi_env* env, text t, npy_header* header) {

@@ -95,7 +95,7 @@ static dm_result vote(dmi_arena* arena, dmi_mesh* mesh, const uint32_t* labels, 
 static dm_result find_seam(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, bool* out_found) {
     uint32_t* part_at = dmi_arena_push(arena, mesh->vertex_count * sizeof *part_at);
     if (part_at == NULL) return out_of_memory(arena, mesh);
-    memset(part_at, 0xff, mesh->vertex_count * sizeof *part_at);
+    memset(part_at, 0xff, mesh->vertex_count * sizeof *part_at); /* UINT32_MAX: none yet */
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) {
         uint32_t *at = &part_at[welded[mesh->indices[i]]], part = mesh->face_part[i / 3];
         if (*at == UINT32_MAX) *at = part;

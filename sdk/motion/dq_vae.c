@@ -17,7 +17,7 @@
 
 /* Followed by the transformer's own scratch. Names are docs/networks.md's. */
 typedef struct scratch {
-    _Alignas(64) float tokens[DM_MOTION_FRAMES][VAE_WIDTH];
+    _Alignas(DMI_ALIGNMENT) float tokens[DM_MOTION_FRAMES][VAE_WIDTH];
     float normal[DM_MOTION_FRAMES][VAE_WIDTH];
     float point_inputs[STEP_POINTS][4];
     float point_hidden[STEP_POINTS][VAE_SMALL];
@@ -32,7 +32,7 @@ typedef struct scratch {
     float latent[2 * DMI_VAE_LATENT];
     float condition[VAE_WIDTH];
     dmi_vae_films films;
-    _Alignas(64) float transformer[];
+    _Alignas(DMI_ALIGNMENT) float transformer[];
 } scratch;
 
 /* Offsets of the parts of a layer's input. */

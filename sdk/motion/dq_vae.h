@@ -6,11 +6,12 @@
 #include "base/cpu.h"
 #include "mesh/cloud.h"
 
-#define DMI_VAE_POINTS 512 /* of the cloud: every 8th (index 0, 8, 16 …), so 256 part, 128 near, 128 body */
-#define DMI_VAE_NEIGHBOURS 32
+/* Sizes of the `game` network, docs/networks.md. */
+#define DMI_VAE_POINTS 512    /* of the cloud: every 8th (index 0, 8, 16 …), so 256 part, 128 near, 128 body */
+#define DMI_VAE_NEIGHBOURS 32 /* points near the joint origin, and near the drag point */
 #define DMI_VAE_POINT_FEATURES 64
-#define DMI_VAE_LATENT 32
-#define DMI_VAE_PATH 16
+#define DMI_VAE_LATENT 32 /* dimensions */
+#define DMI_VAE_PATH 16   /* points of the drag path */
 
 typedef struct dmi_dq_vae dmi_dq_vae;
 
@@ -50,9 +51,9 @@ typedef struct dmi_vae_features {
     float joint_scalars[3]; /* pitch, lower, upper, each clamped to [-4, 4] */
     float rotation_direction[3];
     float mean_velocity[3];
-    float chords[9];
-    float amplitude[2];
-    float path[DMI_VAE_PATH][5];
+    float chords[9];             /* from the first path point to every fifth */
+    float amplitude[2];          /* joint value at the end, length of the path */
+    float path[DMI_VAE_PATH][5]; /* offset from the start, joint value, residual */
 } dmi_vae_features;
 void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_features);
 /* Finds the DMI_VAE_NEIGHBOURS points nearest to `centre`, nearest first, ties by index. */

@@ -43,7 +43,7 @@ static void read_joint(dmi_loader* loader, const float* embedding, dmi_dq_vae* v
 static void read_intent(dmi_loader* loader, dmi_dq_vae* vae) {
     dmi_load_mlp(loader, "intent.direction", 3, VAE_SMALL, VAE_SMALL, &vae->direction);
     dmi_load_mlp(loader, "intent.velocity", 3, VAE_SMALL, VAE_SMALL, &vae->velocity);
-    dmi_load_mlp(loader, "intent.chord", 9, VAE_FEATURE, VAE_FEATURE, &vae->chord);
+    dmi_load_mlp(loader, "intent.chord", 3 * 3, VAE_FEATURE, VAE_FEATURE, &vae->chord);
     dmi_load_mlp(loader, "intent.amplitude", 2, VAE_SMALL, VAE_SMALL, &vae->amplitude);
     dmi_load_linear(loader, "intent.path_in", 5, VAE_SMALL, &vae->path_in);
     dmi_load_transformer(loader, "intent.path_layer", VAE_SMALL, VAE_PATH_HEADS, VAE_PATH_FEED_FORWARD,
@@ -69,7 +69,7 @@ static void read_films(dmi_loader* loader, dmi_dq_vae* vae) {
     float* bias = dmi_load_spare(loader, VAE_FILMS);
     add_film(loader, "local.film", VAE_FEATURE, 0, weight, bias);
     for (uint32_t l = 0; l < VAE_LAYERS; l++) {
-        char name[32];
+        char name[32]; /* longer than "decoder.layers." and ten digits */
         snprintf(name, sizeof name, "decoder.film.%u", l);
         add_film(loader, name, VAE_WIDTH, 2 * (VAE_FEATURE + l * VAE_WIDTH), weight, bias);
     }
@@ -82,7 +82,7 @@ static void read_decoder(dmi_loader* loader, dmi_dq_vae* vae) {
     float* weight = dmi_load_tensor(loader, "decoder.input.weight", VAE_WIDTH, inputs);
     const float* bias = dmi_load_tensor(loader, "decoder.input.bias", VAE_WIDTH, 0);
     for (uint32_t l = 0; l < VAE_LAYERS; l++) {
-        char name[32];
+        char name[32]; /* longer than "decoder.layers." and ten digits */
         snprintf(name, sizeof name, "decoder.layers.%u", l);
         dmi_load_transformer(loader, name, VAE_WIDTH, VAE_HEADS, VAE_FEED_FORWARD, &vae->layers[l]);
     }
@@ -96,7 +96,7 @@ static void read_decoder(dmi_loader* loader, dmi_dq_vae* vae) {
 
 /* Inputs: base, type, f_joint, 0.1 f_joint, axis, 0.1 axis. */
 static void read_correction(dmi_loader* loader, const float* embedding, dmi_dq_vae* vae) {
-    const uint32_t type = VAE_POSE, joint = type + VAE_EMBEDDING, axis = joint + 2 * VAE_FEATURE, inputs = axis + 6;
+    const uint32_t type = VAE_POSE, joint = type + VAE_EMBEDDING, axis = joint + 2 * VAE_FEATURE, inputs = axis + 2 * 3;
     float* weight = dmi_load_tensor(loader, "correction.0.weight", VAE_FEATURE, inputs);
     const float* bias = dmi_load_tensor(loader, "correction.0.bias", VAE_FEATURE, 0);
     const float* out_weight = dmi_load_tensor(loader, "correction.2.weight", VAE_POSE, VAE_FEATURE);

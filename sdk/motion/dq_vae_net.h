@@ -20,8 +20,8 @@ enum {
     VAE_HEADS = 4,
     VAE_FEED_FORWARD = 384,
     VAE_LAYERS = 3,
-    VAE_POSE = 8,
-    VAE_ALONG = 2
+    VAE_POSE = 8, /* numbers of a dual quaternion */
+    VAE_ALONG = 2 /* rotation and translation on the axis */
 };
 
 /* FiLM coefficients of f_joint for one layer: x scale + shift, scale = 1 + gamma. */

@@ -34,7 +34,7 @@ TARGET_INLINE void tile(const dmi_gemm* gemm, size_t row, size_t first, const si
             sum[i] = _mm512_fmadd_ps(_mm512_set1_ps(x[i / panels * x_stride]),
                                      _mm512_load_ps(panel + i % panels * panel_size), sum[i]);
     const __m512 floor = _mm512_set1_ps(gemm->flags & DMI_GEMM_RELU ? 0.0f : -INFINITY);
-    const __mmask16 full = 0xffff, last = columns_mask(gemm, first + (panels - 1) * DMI_PANEL);
+    const __mmask16 full = 0xffff /* all 16 columns */, last = columns_mask(gemm, first + (panels - 1) * DMI_PANEL);
     const __mmask16 old = gemm->flags & DMI_GEMM_ADD ? full : 0;
     for (size_t i = 0; i < rows * panels; i++) {
         const __mmask16 mask = i % panels == panels - 1 ? last : full;

@@ -157,7 +157,7 @@ static dm_result check_metadata(const dmi_weights* weights, const char* architec
         return dmi_fail(weights->env, DM_ERROR_WRONG_MODEL, "weights: architecture '%.64s', expected '%s'",
                         found != NULL ? found : "", architecture);
     char* stop = NULL;
-    const long number = version != NULL ? strtol(version, &stop, 10) : 0;
+    const long number = version != NULL ? strtol(version, &stop, 10 /* decimal */) : 0;
     if (version == NULL || stop == version || *stop || number < 1)
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: version '%.64s' is no number",
                         version != NULL ? version : "");
@@ -198,7 +198,7 @@ static float widen(uint16_t half) {
     const uint32_t bits = sign | (exponent + bias) << 23 | fraction << 13;
     float value;
     if (exponent == 0) {
-        value = (float)fraction * 0x1p-24f;
+        value = (float)fraction * 0x1p-24f; /* subnormal */
         return sign ? -value : value;
     }
     memcpy(&value, &bits, sizeof value);

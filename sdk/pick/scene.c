@@ -10,7 +10,6 @@
 
 #include "math/vec3.h"
 
-#define ALIGNMENT 64      /* bytes, a cache line */
 #define FIRST_CAPACITY 16 /* instances; doubles when full */
 /* Bounds of the next three, host units: Embree takes coordinates up to 1.8e18, also in the frame of an instance, where
  * they are divided by its object's size; Debian's build aborts on larger ones. */
@@ -116,7 +115,7 @@ static void release_placed(dmi_env* env, placed_object* placed) {
 static dm_result grow(dmi_scene* scene) {
     dmi_env* env = scene->picker->env;
     uint32_t capacity = scene->capacity > 0 ? 2 * scene->capacity : FIRST_CAPACITY;
-    placed_object** objects = dmi_alloc_zeroed(env, capacity * sizeof(placed_object*), ALIGNMENT);
+    placed_object** objects = dmi_alloc_zeroed(env, capacity * sizeof(placed_object*), DMI_ALIGNMENT);
     if (objects == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u instances", capacity);
     if (scene->capacity > 0) memcpy(objects, scene->objects, scene->capacity * sizeof(placed_object*));
     dmi_free(env, scene->objects, scene->capacity * sizeof(placed_object*));
@@ -161,7 +160,7 @@ static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
 static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                              const dm_pose* placement, placed_object** out_placed) {
     dmi_env* env = scene->picker->env;
-    placed_object* placed = dmi_alloc_zeroed(env, placed_size(bvh), ALIGNMENT);
+    placed_object* placed = dmi_alloc_zeroed(env, placed_size(bvh), DMI_ALIGNMENT);
     if (placed == NULL) {
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for an instance of %u parts", bvh->part_count);
     }
@@ -336,7 +335,7 @@ void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_
 /* ---- scenes ---- */
 
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene) {
-    dmi_scene* scene = dmi_alloc_zeroed(picker->env, sizeof *scene, ALIGNMENT);
+    dmi_scene* scene = dmi_alloc_zeroed(picker->env, sizeof *scene, DMI_ALIGNMENT);
     if (scene == NULL) return dmi_fail(picker->env, DM_ERROR_OUT_OF_MEMORY, "no memory for a scene");
     scene->picker = picker;
     scene->top = rtcNewScene(picker->device);
