@@ -60,7 +60,7 @@ static uint64_t make_handle(const dmi_pool* pool, uint32_t generation, uint32_t 
 static uint32_t next_first_generation(void) {
     static _Atomic uint32_t pools;
     uint32_t number = atomic_fetch_add_explicit(&pools, 1, memory_order_relaxed);
-    return 1 + number * 0x9E3779B1u /* 2^32 / golden ratio */ % GENERATION_MASK;
+    return 1 + number * 0x9E3779B1u /* a prime near 2^32 / golden ratio */ % GENERATION_MASK;
 }
 
 dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool) {

@@ -31,7 +31,7 @@ typedef struct grid {
 } grid;
 
 static uint32_t bucket_of(const grid* grid, const int32_t cell[3]) {
-    /* Primes of spatial hashing (xxHash); any odd constants do. */
+    /* Multipliers of Fibonacci hashing and MurmurHash3; any odd constants do. */
     uint32_t hash = (uint32_t)cell[0] * 0x9e3779b1u ^ (uint32_t)cell[1] * 0x85ebca6bu ^ (uint32_t)cell[2] * 0xc2b2ae35u;
     return (hash ^ hash >> 15 /* mixes the high bits in */) & grid->mask;
 }

@@ -6,7 +6,7 @@
 
 #include "mesh/connectivity.h"
 
-/* By hand, with masks of docs/accuracy.md. A part that would lose more than both of the next two loses nothing; both,
+/* By hand. A part that would lose more than both of the next two loses nothing; both,
  * because a few leaked triangles of a coarse body can have ten times the area of a fine knob. */
 #define OWNER_SHARE 0.6f    /* of a piece's area: makes the piece its owner's */
 #define MAX_AREA_LOSS 0.4f  /* share of a part's area */

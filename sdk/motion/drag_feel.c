@@ -12,7 +12,7 @@
 #define MAX_SOFT_SHARE 0.5f          /* of the range: both soft zones then meet in the middle */
 #define DEAD_ZONE 0.01f              /* share of the range by which an estimated limit holds; by hand */
 #define BISECTIONS 40                /* of an interval of two detents: below a float's rounding */
-#define SERIES_BELOW 0.01f           /* (1 - exp(-k)) / k as a series below this k: error under 1e-9 */
+#define SERIES_BELOW 0.01f           /* (1 - exp(-k)) / k as a series below this k: error under 5e-8 */
 #define LIMIT_BELOW 1e-4             /* rad: sin(x) / x and sinh(x) / x count as 1 below */
 
 float dmi_feel_soft_width(const dm_drag_feel* feel, const dm_joint* joint) {

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #define TARGET __attribute__((target("avx2,fma")))
-/* Measured with tests/bench: 12 sums and their operands fill the 16 registers. */
+/* 12 sums and their operands fill the 16 registers. */
 #define TILE_ROWS 6
 #define TILE_PANELS 1
 #define ROW_PANELS 4

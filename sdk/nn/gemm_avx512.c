@@ -6,7 +6,7 @@
 #include <math.h>
 
 #define TARGET __attribute__((target("avx512f")))
-/* Measured with tests/bench: 16 sums of 32 registers. */
+/* 16 sums and their operands in 32 registers. */
 #define TILE_ROWS 8
 #define TILE_PANELS 2
 #define ROW_PANELS 8

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #define TARGET /* part of the architecture */
-/* As on AVX2: 24 sums of 32 registers. */
+/* 24 sums and their operands in 32 registers. */
 #define TILE_ROWS 6
 #define TILE_PANELS 1
 #define ROW_PANELS 4
