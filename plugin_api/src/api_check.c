@@ -6,11 +6,13 @@
 
 #include "math/dual_quat.h"
 
-/* No descriptor will ever be this large: a struct_size above it was never set. */
-#define MAX_STRUCT_SIZE 4096
+#define MAX_STRUCT_SIZE 4096 /* bytes; by hand: a larger struct_size was never set */
+/* Length of a rotation quaternion that still counts as unit; by hand, generous to accumulated rounding. */
+#define MIN_QUATERNION_LENGTH 0.5f
+#define MAX_QUATERNION_LENGTH 2.0f
 
 static dm_result check_size(dmi_env* env, const char* what, const void* desc, size_t first, uint32_t* out_size) {
-    if (!desc) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    if (desc == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
     memcpy(out_size, desc, sizeof *out_size);
     if (*out_size < first || *out_size > MAX_STRUCT_SIZE) {
         return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "%s.struct_size is %u: it must be sizeof the struct, at least %zu",
@@ -64,7 +66,7 @@ dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t
 }
 
 dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
-    if (!ray) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    if (ray == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
     const float numbers[6] = {ray->origin.x,    ray->origin.y,    ray->origin.z,
                               ray->direction.x, ray->direction.y, ray->direction.z};
     dm_result result = dmi_check_finite(env, what, numbers, 6);
@@ -76,13 +78,13 @@ dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
 }
 
 dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out) {
-    if (!pose) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    if (pose == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
     dm_result result = dmi_check_finite(env, what, pose->real, 4);
     if (result == DM_OK) result = dmi_check_finite(env, what, pose->dual, 4);
     if (result != DM_OK) return result;
     const float* r = pose->real;
     float norm = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
-    if (!(norm > 0.5f && norm < 2.0f)) {
+    if (!(norm > MIN_QUATERNION_LENGTH && norm < MAX_QUATERNION_LENGTH)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.real has length %g: it must be a unit quaternion", what,
                         (double)norm);
     }

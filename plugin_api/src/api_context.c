@@ -1,82 +1,15 @@
-/* The context: the host's hooks, the frames, and one pool for each kind of handle. */
-#include "api_context.h"
-
+/* Creates and destroys contexts: the host's hooks, the frames, and one pool for each kind of handle. */
 #include <math.h>
 #include <string.h>
 
 #include "api_check.h"
-
-void dmi_lock(dm_context* context) {
-    while (atomic_flag_test_and_set_explicit(&context->lock, memory_order_acquire)) {
-    }
-}
-
-void dmi_unlock(dm_context* context) {
-    atomic_flag_clear_explicit(&context->lock, memory_order_release);
-}
-
-static const char* kind_name(uint64_t handle) {
-    static const char* const names[] = {"no kind", "a model", "an object", "a motion", "a drag", "a scene"};
-    uint64_t kind = handle >> 56;
-    return kind < sizeof names / sizeof *names ? names[kind] : names[0];
-}
-
-static void report_stale(dm_context* context, const char* function, uint64_t handle) {
-    dmi_fail(&context->env, DM_ERROR_STALE_HANDLE, "%s: handle 0x%016llx (%s) is null, destroyed or not of this kind",
-             function, (unsigned long long)handle, kind_name(handle));
-}
-
-void* dmi_find(dm_context* context, const dmi_pool* pool, const char* function, uint64_t handle) {
-    void* item = dmi_pool_get(pool, handle);
-    if (!item) report_stale(context, function, handle);
-    return item;
-}
-
-void* dmi_take(dm_context* context, dmi_pool* pool, const char* function, uint64_t handle) {
-    void* item = dmi_pool_remove(pool, handle);
-    if (!item) report_stale(context, function, handle);
-    return item;
-}
-
-dm_result dmi_dependent_add(dm_context* context, dmi_pool* pool, dmi_dependent** list, dmi_dependent* item) {
-    dm_result result = dmi_pool_insert(pool, item, &item->handle);
-    if (result != DM_OK) return result;
-    dmi_lock(context);
-    item->previous = NULL;
-    item->next = *list;
-    if (item->next) item->next->previous = item;
-    *list = item;
-    dmi_unlock(context);
-    return DM_OK;
-}
-
-void dmi_dependent_unlink(dm_context* context, dmi_dependent** list, dmi_dependent* item) {
-    dmi_lock(context);
-    if (item->next) item->next->previous = item->previous;
-    if (item->previous) {
-        item->previous->next = item->next;
-    } else {
-        *list = item->next;
-    }
-    dmi_unlock(context);
-}
-
-dm_result dmi_find_part(dm_context* context, const char* function, const dmi_object* object, uint32_t part_id,
-                        uint32_t* out_index) {
-    int32_t index = dmi_object_find_part(object, part_id);
-    if (index > 0) {
-        *out_index = (uint32_t)index;
-        return DM_OK;
-    }
-    if (part_id == 0)
-        return dmi_fail(&context->env, DM_ERROR_NOT_FOUND, "%s: part 0 is the body, which has no joint", function);
-    return dmi_fail(&context->env, DM_ERROR_NOT_FOUND, "%s: the object has no part %u", function, part_id);
-}
-
-/* ---- create and destroy ---- */
+#include "api_handles.h"
+#include "api_model.h"
+#include "api_object.h"
+#include "api_scene.h"
 
 static dm_result check_hooks(dmi_env* env, const dm_context_desc* desc) {
-    if (!desc->allocator.allocate != !desc->allocator.release) {
+    if ((desc->allocator.allocate == NULL) != (desc->allocator.release == NULL)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
                         "dm_context_create: desc.allocator must have both allocate and release, or none");
     }
@@ -88,7 +21,7 @@ static dm_result check_hooks(dmi_env* env, const dm_context_desc* desc) {
     return dmi_check_range(env, "dm_context_create: desc.axes", desc->axes, DM_AXES_GLTF, DM_AXES_CUSTOM);
 }
 
-static dm_result fill(dm_context* context, const dm_context_desc* desc) {
+static dm_result init_context(dm_context* context, const dm_context_desc* desc) {
     dmi_env* env = &context->env;
     float unit = desc->unit_in_metres > 0.0f ? desc->unit_in_metres : 1.0f;
     if (!dmi_axes_init(&context->axes, desc->axes, desc->custom_axes, unit)) {
@@ -111,11 +44,10 @@ static dm_result fill(dm_context* context, const dm_context_desc* desc) {
     return dmi_picker_create(env, &context->picker);
 }
 
-/* The context lies in the host's memory too, so its own block is taken and given back through an environment that
- * outlives it. */
+/* Allocates the context's own block through an environment that outlives it. */
 static dm_context* allocate_context(dmi_env* outer) {
     dm_context* context = dmi_alloc_zeroed(outer, sizeof *context, _Alignof(dm_context));
-    if (!context) return NULL;
+    if (context == NULL) return NULL;
     dmi_env_init(&context->env, &outer->allocator, &outer->log, &outer->jobs);
     context->env.bytes = context->env.peak_bytes = sizeof *context;
     context->env.allocations = 1;
@@ -124,12 +56,12 @@ static dm_context* allocate_context(dmi_env* outer) {
 }
 
 dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** out_context) {
-    if (!out_context) return DM_ERROR_INVALID_ARGUMENT;
+    if (out_context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_context_desc known = {.struct_size = sizeof known};
     dmi_env outer;
     dmi_env_init(&outer, NULL, NULL, NULL);
     dm_result result = DM_OK;
-    if (desc) {
+    if (desc != NULL) {
         result = dmi_read_desc(&outer, "dm_context_create: desc", desc, DMI_FIRST_SIZE(dm_context_desc, jobs),
                                sizeof known, &known);
     }
@@ -139,8 +71,9 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
     if (result != DM_OK) return result;
     dmi_env_init(&outer, &known.allocator, &known.log, &known.jobs);
     dm_context* context = allocate_context(&outer);
-    if (!context) return dmi_fail(&outer, DM_ERROR_OUT_OF_MEMORY, "dm_context_create: no memory for the context");
-    result = fill(context, &known);
+    if (context == NULL)
+        return dmi_fail(&outer, DM_ERROR_OUT_OF_MEMORY, "dm_context_create: no memory for the context");
+    result = init_context(context, &known);
     if (result != DM_OK) {
         dm_context_destroy(context);
         return result;
@@ -149,36 +82,36 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
     return DM_OK;
 }
 
-/* Scenes before the objects they show, objects (with their drags and motions) before the models they use. */
+/* Releases scenes before the objects they show, and objects (with drags and motions) before the models they use. */
 static void empty_pools(dm_context* context) {
     uint64_t handle = 0;
-    while (context->scenes && dmi_pool_any(context->scenes, &handle)) {
+    while (context->scenes != NULL && dmi_pool_any(context->scenes, &handle) != NULL) {
         dmi_scene_release(context, dmi_pool_remove(context->scenes, handle));
     }
-    while (context->objects && dmi_pool_any(context->objects, &handle)) {
+    while (context->objects != NULL && dmi_pool_any(context->objects, &handle) != NULL) {
         dmi_object_release(context, dmi_pool_remove(context->objects, handle));
     }
-    while (context->models && dmi_pool_any(context->models, &handle)) {
+    while (context->models != NULL && dmi_pool_any(context->models, &handle) != NULL) {
         dmi_model_release(context, dmi_pool_remove(context->models, handle));
     }
 }
 
 void DM_CALL dm_context_destroy(dm_context* context) {
-    if (!context) return;
+    if (context == NULL) return;
     empty_pools(context);
     dmi_pool_destroy(context->scenes);
     dmi_pool_destroy(context->drags);
     dmi_pool_destroy(context->motions);
     dmi_pool_destroy(context->objects);
     dmi_pool_destroy(context->models);
-    if (context->picker) dmi_picker_destroy(context->picker);
+    if (context->picker != NULL) dmi_picker_destroy(context->picker);
     dmi_env outer;
     dmi_env_init(&outer, &context->env.allocator, &context->env.log, &context->env.jobs);
     dmi_free(&outer, context, sizeof *context);
 }
 
 dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_info* out_info) {
-    if (!context || !out_info) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL || out_info == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_env* env = &context->env;
     *out_info = (dm_memory_info){.bytes = env->bytes,
                                  .peak_bytes = env->peak_bytes,

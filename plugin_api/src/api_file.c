@@ -1,18 +1,19 @@
-/* Prepared objects to bytes and back. */
+/* Saving and loading of prepared objects (.dmo). */
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
+#include "api_object.h"
 #include "kinematics/object/dmo.h"
 
 dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                  size_t* out_size) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
-    if (!out_size) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_save: out_size is NULL");
+    if (out_size == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_save: out_size is NULL");
     const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_save", object);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     size_t size = dmi_dmo_size(slot->object);
     *out_size = size;
-    if (!buffer) return DM_OK;
+    if (buffer == NULL) return DM_OK;
     if (capacity < size) {
         return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_object_save: capacity is %zu, the object takes %zu bytes",
                         capacity, size);
@@ -23,12 +24,14 @@ dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* bu
 
 dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
                                  dm_object* out_object) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
-    if (!data || !out_object) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_load: %s is NULL", data ? "out_object" : "data");
+    if (data == NULL || out_object == NULL) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_load: %s is NULL",
+                        data != NULL ? "out_object" : "data");
     }
-    if (model && !dmi_find(context, context->models, "dm_object_load: model", model)) return DM_ERROR_STALE_HANDLE;
+    if (model && dmi_find(context, context->models, "dm_object_load: model", model) == NULL)
+        return DM_ERROR_STALE_HANDLE;
     dmi_object* object = NULL;
     dm_result result = dmi_dmo_read(env, context->picker, &context->axes, data, size, &object);
     if (result != DM_OK) return result;

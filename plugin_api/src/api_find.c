@@ -1,7 +1,8 @@
-/* Which part was grabbed, for hosts that have no mask. */
+/* Finds the part at the grabbed point, for hosts without a mask. */
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
 #include "math/linear3.h"
+#include "math/vec3.h"
 #include "segmentation/part_finder.h"
 
 static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_count) {
@@ -10,20 +11,20 @@ static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_
                     (unsigned long long)face_count, mesh->face_count);
 }
 
-/* The host's drag in the frame of the mesh. The point may be off the surface by half the object's size. */
+/* Converts the host's drag to the frame of the mesh. The point may lie off the box by half the object's size. */
 static dm_result read_drag(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* drag, dmi_part_query* out) {
-    const double point[3] = {(double)drag->point.x, (double)drag->point.y, (double)drag->point.z};
-    const float vector[3] = {drag->vector.x, drag->vector.y, drag->vector.z};
-    const float numbers[6] = {drag->point.x, drag->point.y, drag->point.z, vector[0], vector[1], vector[2]};
+    const dmi_double3 point = dmi_xyz_f64(drag->point);
+    const dmi_float3 vector = dmi_xyz(drag->vector);
+    const float numbers[6] = {drag->point.x, drag->point.y, drag->point.z, vector.v[0], vector.v[1], vector.v[2]};
     dm_result result = dmi_check_finite(env, "dm_mesh_find_part: drag", numbers, 6);
     if (result != DM_OK) return result;
-    dmi_frame_point_in(&mesh->frame, point, out->point);
-    dmi_frame_direction_in(&mesh->frame, vector, out->drag);
+    dmi_frame_point_in(&mesh->frame, point.v, out->point);
+    dmi_frame_direction_in(&mesh->frame, vector.v, out->drag);
     if (!(dmi_normalize3(out->drag) > 0)) out->drag[0] = out->drag[1] = out->drag[2] = 0;
     for (int k = 0; k < 3; k++) {
-        if (fabsf(out->point[k]) <= 1) continue;
+        if (fabsf(out->point[k]) <= 1) continue; /* the box runs from -0.5 to 0.5 at most */
         return dmi_fail(env, DM_ERROR_DRAG_OFF_PART, "dm_mesh_find_part: drag.point (%g, %g, %g) is far from the mesh",
-                        point[0], point[1], point[2]);
+                        point.v[0], point.v[1], point.v[2]);
     }
     return DM_OK;
 }
@@ -37,12 +38,12 @@ static dm_result find(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* dr
 
 dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
                                     uint8_t* out_face_ids, uint64_t face_count) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_mesh_desc known;
-    if (!drag || !out_face_ids)
+    if (drag == NULL || out_face_ids == NULL)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_find_part: %s is NULL",
-                        drag ? "out_face_ids" : "drag");
+                        drag != NULL ? "out_face_ids" : "drag");
     dm_result result = dmi_read_desc(env, "dm_mesh_find_part: mesh", mesh, DMI_FIRST_SIZE(dm_mesh_desc, reserved),
                                      sizeof known, &known);
     dmi_mesh* inner = NULL;

@@ -1,9 +1,13 @@
-/* Objects behind handles: prepare, destroy, and what the host may ask of them. */
+/* Object handles: prepare, destroy, and queries. */
 #include <stdio.h>
 #include <string.h>
 
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
+#include "api_model.h"
+#include "api_object.h"
+#include "api_scene.h"
+#include "math/vec3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
 
@@ -40,19 +44,19 @@ static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
         return dmi_fail(env, DM_ERROR_TOO_LARGE, "dm_object_prepare: desc.part_count is %u: the most is %d",
                         desc->part_count, DM_MAX_PARTS);
     }
-    if (!desc->parts != !desc->part_count) {
+    if ((desc->parts == NULL) != (desc->part_count == 0)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.parts is %s but desc.part_count is %u",
-                        desc->parts ? "given" : "NULL", desc->part_count);
+                        desc->parts != NULL ? "given" : "NULL", desc->part_count);
     }
     return DM_OK;
 }
 
-/* The host's array steps by its own struct_size, which may not be ours. */
+/* Reads the host's part array, whose stride is the host's struct_size. */
 static dm_result read_parts(dmi_env* env, const dm_object_desc* desc, dm_part_desc* out) {
     const uint8_t* next = (const uint8_t*)desc->parts;
     uint32_t step = desc->parts[0].struct_size;
     for (uint32_t i = 0; i < desc->part_count; i++) {
-        char what[64];
+        char what[64]; /* fits the text below with ten digits */
         snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u]", i);
         dm_result result = dmi_read_desc(env, what, next, DMI_FIRST_SIZE(dm_part_desc, drag), sizeof *out, &out[i]);
         if (result != DM_OK) return result;
@@ -74,33 +78,33 @@ typedef struct encoding {
     dm_context* context;
     dmi_object_slot* slot;
     const dmi_dq_vae* network;
-    _Atomic int failed;
+    _Atomic bool failed;
 } encoding;
 
 static void DM_CALL encode_part(void* data, uint32_t task) {
     encoding* work = data;
     dmi_env* env = &work->context->env;
     size_t size = dmi_dq_vae_scratch_size(work->network);
-    void* scratch = dmi_alloc(env, size, 64);
-    dmi_cloud* cloud = dmi_alloc(env, sizeof *cloud, 64);
-    if (scratch && cloud) {
+    void* scratch = dmi_alloc(env, size, DMI_ALIGNMENT);
+    dmi_cloud* cloud = dmi_alloc(env, sizeof *cloud, DMI_ALIGNMENT);
+    if (scratch != NULL && cloud != NULL) {
         dmi_cloud_widen(&work->slot->object->parts[task + 1], cloud);
         dmi_dq_vae_prepare(work->network, work->context->isa, cloud, scratch, &work->slot->features[task + 1]);
     } else {
-        work->failed = 1;
+        work->failed = true;
     }
     dmi_free(env, cloud, sizeof *cloud);
     dmi_free(env, scratch, size);
 }
 
 static dm_result encode(dm_context* context, const char* function, dmi_object_slot* slot, const dmi_model_slot* model) {
-    if (!model || !model->motion) return DM_OK;
+    if (model == NULL || model->motion == NULL) return DM_OK;
     dmi_env* env = &context->env;
     uint32_t count = slot->object->part_count;
     encoding work = {.context = context, .slot = slot, .network = model->motion};
     slot->features = dmi_alloc(env, count * sizeof *slot->features, _Alignof(dmi_vae_object));
-    if (slot->features) dmi_parallel_for(env, count - 1, encode_part, &work);
-    if (slot->features && !work.failed) return DM_OK;
+    if (slot->features != NULL) dmi_parallel_for(env, count - 1, encode_part, &work);
+    if (slot->features != NULL && !work.failed) return DM_OK;
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for the motion network's features", function);
 }
 
@@ -110,7 +114,7 @@ dm_result dmi_object_publish(dm_context* context, const char* function, dmi_obje
                              dm_object* out_object) {
     dmi_env* env = &context->env;
     dmi_object_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_object_slot));
-    if (!slot) {
+    if (slot == NULL) {
         dmi_object_destroy(env, object);
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory", function);
     }
@@ -127,11 +131,6 @@ dm_result dmi_object_publish(dm_context* context, const char* function, dmi_obje
     return DM_OK;
 }
 
-dmi_inference_models dmi_inference_models_of(const dm_context* context, const dmi_model_slot* model) {
-    return (dmi_inference_models){
-        .kpp = model ? model->kinematics : NULL, .joints = model ? model->joints : NULL, .isa = context->isa};
-}
-
 static dm_result prepare(dm_context* context, const dm_object_desc* desc, const dm_part_desc* parts,
                          dm_object* out_object) {
     dmi_env* env = &context->env;
@@ -143,9 +142,9 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
     const dmi_model_slot* model = NULL;
     if (desc->model) {
         model = dmi_find(context, context->models, "dm_object_prepare: desc.model", desc->model);
-        if (!model) return DM_ERROR_STALE_HANDLE;
+        if (model == NULL) return DM_ERROR_STALE_HANDLE;
     }
-    if ((desc->flags & DM_PREPARE_NETWORK_ALONE) && !(model && model->kinematics))
+    if ((desc->flags & DM_PREPARE_NETWORK_ALONE) && !(model != NULL && model->kinematics != NULL))
         return dmi_fail(env, DM_ERROR_NO_MODEL,
                         "dm_object_prepare: desc.flags asks for the network alone, but desc.model has none");
     const dmi_prepare_desc inner = {.axes = &context->axes,
@@ -167,18 +166,18 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
 }
 
 dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_object_desc known;
     dm_result result = dmi_read_desc(env, "dm_object_prepare: desc", desc,
                                      DMI_FIRST_SIZE(dm_object_desc, progress_user), sizeof known, &known);
     if (result == DM_OK) result = check_flags(env, &known);
     if (result != DM_OK) return result;
-    if (!out_object) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: out_object is NULL");
-    if (!known.parts) return prepare(context, &known, NULL, out_object);
+    if (out_object == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: out_object is NULL");
+    if (known.parts == NULL) return prepare(context, &known, NULL, out_object);
     size_t size = known.part_count * sizeof(dm_part_desc);
     dm_part_desc* parts = dmi_alloc(env, size, _Alignof(dm_part_desc));
-    if (!parts)
+    if (parts == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for %u parts", known.part_count);
     result = read_parts(env, &known, parts);
     if (result == DM_OK) result = prepare(context, &known, parts, out_object);
@@ -187,7 +186,7 @@ dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* d
 }
 
 static void release_dependents(dm_context* context, dmi_pool* pool, dmi_dependent* first, size_t size) {
-    while (first) {
+    while (first != NULL) {
         dmi_dependent* next = first->next;
         dmi_pool_remove(pool, first->handle);
         dmi_free(&context->env, first, size);
@@ -204,29 +203,29 @@ void dmi_object_release(dm_context* context, dmi_object_slot* slot) {
 }
 
 dm_result DM_CALL dm_object_destroy(dm_context* context, dm_object object) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_object_slot* slot = dmi_take(context, context->objects, "dm_object_destroy", object);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
-    dmi_scenes_forget(context, slot);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    dmi_scenes_remove_object(context, slot);
     dmi_object_release(context, slot);
     return DM_OK;
 }
 
-/* ---- what the host may ask ---- */
+/* ---- queries ---- */
 
 static dm_vec3 point_out(const dmi_frame* frame, const float inner[3]) {
     float host[3];
     dmi_frame_point_out(frame, inner, host);
-    return (dm_vec3){host[0], host[1], host[2]};
+    return dmi_vec3(host);
 }
 
 dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_object_info* out_info) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result = dmi_check_out(&context->env, "dm_object_get_info: out_info", out_info,
                                      DMI_FIRST_SIZE(dm_object_info, pickable));
     if (result != DM_OK) return result;
     const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_get_info", object);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     const dmi_object* inner = slot->object;
     dm_object_info info = {.part_count = inner->part_count - 1,
                            .vertex_count = inner->vertex_count,
@@ -239,12 +238,12 @@ dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_o
 }
 
 dm_result DM_CALL dm_object_get_part(dm_context* context, dm_object object, uint32_t index, dm_part_info* out_info) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result =
         dmi_check_out(&context->env, "dm_object_get_part: out_info", out_info, DMI_FIRST_SIZE(dm_part_info, area));
     if (result != DM_OK) return result;
     const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_get_part", object);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     const dmi_object* inner = slot->object;
     if (index >= inner->part_count - 1) {
         return dmi_fail(&context->env, DM_ERROR_NOT_FOUND, "dm_object_get_part: index is %u of %u parts", index,

@@ -5,7 +5,7 @@
 #include "math/joint.h"
 
 dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose) {
-    if (!joint || !out_pose || joint->type < DM_JOINT_UNKNOWN || joint->type > DM_JOINT_FIXED) {
+    if (joint == NULL || out_pose == NULL || joint->type < DM_JOINT_UNKNOWN || joint->type > DM_JOINT_FIXED) {
         return DM_ERROR_INVALID_ARGUMENT;
     }
     const dm_vec3 a = joint->axis, o = joint->origin;
@@ -17,16 +17,16 @@ dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out
 }
 
 void DM_CALL dm_pose_multiply(const dm_pose* a, const dm_pose* b, dm_pose* out_pose) {
-    if (a && b && out_pose) *out_pose = dmi_pose_multiply(a, b);
+    if (a != NULL && b != NULL && out_pose != NULL) *out_pose = dmi_pose_multiply(a, b);
 }
 
 void DM_CALL dm_pose_to_matrix(const dm_pose* pose, float out_matrix[16]) {
-    if (pose && out_matrix) dmi_pose_to_matrix(pose, out_matrix);
+    if (pose != NULL && out_matrix != NULL) dmi_pose_to_matrix(pose, out_matrix);
 }
 
 void DM_CALL dm_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst,
                                   size_t dst_stride, size_t count) {
-    if (!pose || !src || !dst) return;
+    if (pose == NULL || src == NULL || dst == NULL) return;
     const size_t packed = 3 * sizeof(float);
     dmi_pose_apply_points(pose, src, src_stride ? src_stride : packed, dst, dst_stride ? dst_stride : packed, count);
 }

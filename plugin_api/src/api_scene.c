@@ -1,11 +1,12 @@
-/* Scenes behind handles, and the camera. */
+/* Scene handles, and the camera. */
+#include "api_scene.h"
 #include "api_check.h"
-#include "api_context.h"
+#include "api_handles.h"
 #include "math/dual_quat.h"
 #include "pick/camera.h"
 
 dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &((dm_context*)context)->env; /* for its log */
     dm_camera known;
     dm_result result =
@@ -13,7 +14,7 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
     if (result == DM_OK) result = dmi_check_finite(env, "dm_camera_ray: x", &x, 1);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_camera_ray: y", &y, 1);
     if (result != DM_OK) return result;
-    if (!out_ray) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_camera_ray: out_ray is NULL");
+    if (out_ray == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_camera_ray: out_ray is NULL");
     dm_ray ray;
     if (!dmi_camera_ray(&known, context->axes.handedness, x, y, &ray)) {
         return dmi_fail(
@@ -29,7 +30,7 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
 /* ---- create and destroy ---- */
 
 dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc, dm_scene* out_scene) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_scene_desc known;
     dm_result result = dmi_read_desc(env, "dm_scene_create: desc", desc, DMI_FIRST_SIZE(dm_scene_desc, reserved),
@@ -39,14 +40,14 @@ dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_create: desc.reserved is %u: it must be 0",
                         known.reserved);
     }
-    if (!out_scene) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_create: out_scene is NULL");
+    if (out_scene == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_create: out_scene is NULL");
     dmi_scene_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_scene_slot));
-    if (!slot) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_scene_create: no memory");
+    if (slot == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_scene_create: no memory");
     uint64_t handle = 0;
     result = dmi_scene_create(context->picker, &slot->scene);
     if (result == DM_OK) result = dmi_pool_insert(context->scenes, slot, &handle);
     if (result != DM_OK) {
-        if (slot->scene) dmi_scene_destroy(slot->scene);
+        if (slot->scene != NULL) dmi_scene_destroy(slot->scene);
         dmi_free(env, slot, sizeof *slot);
         return result;
     }
@@ -84,45 +85,45 @@ static void unlink_placement(dm_context* context, dmi_placement* placement) {
 }
 
 void dmi_scene_release(dm_context* context, dmi_scene_slot* slot) {
-    while (slot->placements) unlink_placement(context, slot->placements);
+    while (slot->placements != NULL) unlink_placement(context, slot->placements);
     dmi_scene_destroy(slot->scene);
     dmi_free(&context->env, slot, sizeof *slot);
 }
 
-void dmi_scenes_forget(dm_context* context, dmi_object_slot* slot) {
-    while (slot->placements) {
+void dmi_scenes_remove_object(dm_context* context, dmi_object_slot* slot) {
+    while (slot->placements != NULL) {
         dmi_scene_remove(slot->placements->scene->scene, slot->placements->instance);
         unlink_placement(context, slot->placements);
     }
 }
 
 dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_scene_slot* slot = dmi_take(context, context->scenes, "dm_scene_destroy", scene);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dmi_scene_release(context, slot);
     return DM_OK;
 }
 
-/* ---- what stands in it ---- */
+/* ---- instances and picking ---- */
 
 dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* pose,
                                uint32_t* out_instance) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_add", scene);
-    dmi_object_slot* owner = slot ? dmi_find(context, context->objects, "dm_scene_add", object) : NULL;
-    if (!owner) return DM_ERROR_STALE_HANDLE;
+    dmi_object_slot* owner = slot != NULL ? dmi_find(context, context->objects, "dm_scene_add", object) : NULL;
+    if (owner == NULL) return DM_ERROR_STALE_HANDLE;
     dm_pose unit = dmi_pose_identity();
-    dm_result result = pose ? dmi_check_pose(env, "dm_scene_add: placement", pose, &unit) : DM_OK;
+    dm_result result = pose != NULL ? dmi_check_pose(env, "dm_scene_add: placement", pose, &unit) : DM_OK;
     if (result != DM_OK) return result;
-    if (!out_instance) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_add: out_instance is NULL");
-    if (!owner->object->bvh) {
+    if (out_instance == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_add: out_instance is NULL");
+    if (owner->object->bvh == NULL) {
         return dmi_fail(env, DM_ERROR_UNSUPPORTED,
                         "dm_scene_add: the object kept no triangles (DM_PREPARE_WITHOUT_PICKING)");
     }
     dmi_placement* placement = dmi_alloc_zeroed(env, sizeof *placement, _Alignof(dmi_placement));
-    if (!placement) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_scene_add: no memory");
+    if (placement == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_scene_add: no memory");
     *placement = (dmi_placement){.scene = slot, .object = owner};
     result = dmi_scene_add(slot->scene, owner->object->bvh, &owner->object->frame, object, &unit, &placement->instance);
     if (result != DM_OK) {
@@ -136,9 +137,9 @@ dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object ob
 
 dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id,
                                 const dm_pose* pose) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_move", scene);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_pose unit;
     dm_result result = dmi_check_pose(&context->env, "dm_scene_move: pose", pose, &unit);
     if (result != DM_OK) return result;
@@ -146,32 +147,32 @@ dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t in
 }
 
 dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, uint32_t instance) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_remove", scene);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_result result = dmi_scene_remove(slot->scene, instance);
     if (result != DM_OK) return result;
     dmi_placement* placement = slot->placements;
-    while (placement && placement->instance != instance) placement = placement->next_of_scene;
-    if (placement) unlink_placement(context, placement);
+    while (placement != NULL && placement->instance != instance) placement = placement->next_of_scene;
+    if (placement != NULL) unlink_placement(context, placement);
     return DM_OK;
 }
 
 dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_commit", scene);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dmi_scene_commit(slot->scene);
     return DM_OK;
 }
 
 dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit) {
-    if (!context) return DM_ERROR_INVALID_ARGUMENT;
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_pick", scene);
-    if (!slot) return DM_ERROR_STALE_HANDLE;
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_result result = dmi_check_ray(&context->env, "dm_scene_pick: ray", ray);
     if (result != DM_OK) return result;
-    if (!out_hit) return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_pick: out_hit is NULL");
+    if (out_hit == NULL) return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_pick: out_hit is NULL");
     dmi_scene_pick(slot->scene, ray, out_hit);
     return DM_OK;
 }

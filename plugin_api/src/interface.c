@@ -8,5 +8,5 @@ static const dm_core_1 core_1 = {.struct_size = sizeof(dm_core_1), DM_CORE_FUNCT
 #undef ENTRY
 
 const void* DM_CALL dm_get_interface(const char* id) {
-    return id && strcmp(id, "dm.core/1") == 0 ? &core_1 : NULL;
+    return id != NULL && strcmp(id, "dm.core/1") == 0 ? &core_1 : NULL;
 }

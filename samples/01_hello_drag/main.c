@@ -31,8 +31,8 @@ static size_t read_file(const char* folder, const char* name, void* out, size_t 
     char path[1024];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE* file = fopen(path, "rb");
-    size_t size = file ? fread(out, 1, capacity, file) : 0;
-    if (file) fclose(file);
+    size_t size = file != NULL ? fread(out, 1, capacity, file) : 0;
+    if (file != NULL) fclose(file);
     return size;
 }
 

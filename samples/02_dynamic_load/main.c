@@ -33,8 +33,8 @@ static size_t read_file(const char* folder, const char* name, void* out, size_t 
     char path[1024];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE* file = fopen(path, "rb");
-    size_t size = file ? fread(out, 1, capacity, file) : 0;
-    if (file) fclose(file);
+    size_t size = file != NULL ? fread(out, 1, capacity, file) : 0;
+    if (file != NULL) fclose(file);
     return size;
 }
 
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     const char* folder = argc > 2 ? argv[2] : "sdk/models";
     dm_library library;
     dm = dm_library_open(&library, file);
-    if (!dm) return fprintf(stderr, "%s: %s\n", file, library.error), 1;
+    if (dm == NULL) return fprintf(stderr, "%s: %s\n", file, library.error), 1;
     uint32_t version = dm->version();
     printf("dragmesh %u.%u.%u\n", version >> 22, version >> 12 & 0x3ff, version & 0xfff);
     dm_context* context;

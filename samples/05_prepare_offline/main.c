@@ -1,6 +1,7 @@
 /* The build machine finds the joints and writes a .dmo; the game reads it and needs no weights.
  *   sample_prepare_offline FILE.glb BODY OUT.dmo [sdk/models]    every node but BODY may move
  *   sample_prepare_offline OUT.dmo                               what the game does */
+#include <stdbool.h>
 #include <string.h>
 #include <time.h>
 
@@ -32,7 +33,7 @@ static void print_parts(dm_context* context, dm_object object) {
 static uint8_t* number_parts(const dm_gltf* gltf, const char* body, uint64_t faces) {
     uint8_t* ids = calloc(faces, 1);
     uint8_t next = 1;
-    for (uint32_t i = 0; ids && i < dm_gltf_node_count(gltf) && next < 255; i++) {
+    for (uint32_t i = 0; ids != NULL && i < dm_gltf_node_count(gltf) && next < 255; i++) {
         dm_gltf_node node;
         dm_gltf_get_node(gltf, i, &node);
         if (strcmp(node.name, body) == 0) continue;
@@ -45,10 +46,10 @@ static int write_object(dm_context* context, dm_object object, const char* path)
     size_t size = 0;
     dm_object_save(context, object, NULL, 0, &size);
     void* data = malloc(size);
-    if (!data || dm_object_save(context, object, data, size, &size) != DM_OK) return 1;
+    if (data == NULL || dm_object_save(context, object, data, size, &size) != DM_OK) return 1;
     FILE* file = fopen(path, "wb");
-    const int wrote = file && fwrite(data, 1, size, file) == size;
-    if (file) fclose(file);
+    const bool wrote = file != NULL && fwrite(data, 1, size, file) == size;
+    if (file != NULL) fclose(file);
     free(data);
     printf("%s: %zu bytes\n", path, size);
     return !wrote;

@@ -35,8 +35,8 @@ static SDL_Window* open_graphics(SDL_GLContext* out_gl) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
     SDL_Window* window = SDL_CreateWindow("skin", 0, 0, 64, 64, SDL_WINDOW_OPENGL | SDL_WINDOW_HIDDEN);
-    *out_gl = window ? SDL_GL_CreateContext(window) : NULL;
-    return *out_gl ? window : NULL;
+    *out_gl = window != NULL ? SDL_GL_CreateContext(window) : NULL;
+    return *out_gl != NULL ? window : NULL;
 }
 
 /* A program whose vertices are caught after the vertex shader (transform feedback). */
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     dm_joint joints[PARTS];
     SDL_GLContext gl;
     SDL_Window* window = open_graphics(&gl);
-    if (!window) {
+    if (window == NULL) {
         fprintf(stderr, "no OpenGL 3.3: %s\n", SDL_GetError());
         return 3;
     }

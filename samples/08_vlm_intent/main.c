@@ -27,8 +27,8 @@ static char* data_url(const char* path) {
     static const char head[] = "data:image/png;base64,";
     size_t size;
     unsigned char* bytes = read_whole(path, &size);
-    char *out = bytes ? malloc(sizeof head + (size + 2) / 3 * 4) : NULL, *to = out;
-    if (!out) return NULL;
+    char *out = bytes != NULL ? malloc(sizeof head + (size + 2) / 3 * 4) : NULL, *to = out;
+    if (out == NULL) return NULL;
     memcpy(out, head, sizeof head);
     to += sizeof head - 1;
     for (size_t i = 0; i < size; i += 3) {
@@ -64,7 +64,7 @@ static char* make_question(const endpoint* endpoint, uint32_t part, dm_vec3 low,
     cJSON_AddStringToObject(text, "type", "text");
     cJSON_AddStringToObject(text, "text", words);
     cJSON_AddItemToArray(content, text);
-    if (endpoint->picture) {
+    if (endpoint->picture != NULL) {
         cJSON* image = cJSON_CreateObject();
         cJSON_AddStringToObject(image, "type", "image_url");
         cJSON_AddStringToObject(cJSON_AddObjectToObject(image, "image_url"), "url", endpoint->picture);
@@ -87,7 +87,7 @@ static size_t keep(char* data, size_t size, size_t count, void* user) {
 static int post(const endpoint* endpoint, const char* question, reply* out) {
     char url[1024], key[512];
     CURL* curl = curl_easy_init();
-    if (!curl) return -1;
+    if (curl == NULL) return -1;
     snprintf(url, sizeof url, "%s/chat/completions", endpoint->url);
     snprintf(key, sizeof key, "Authorization: Bearer %s", endpoint->key);
     struct curl_slist* headers = curl_slist_append(NULL, "Content-Type: application/json");
@@ -113,9 +113,9 @@ static int32_t read_answer(const reply* r) {
     const char* content = cJSON_GetStringValue(cJSON_GetObjectItem(cJSON_GetObjectItem(choice, "message"), "content"));
     int32_t answer = DM_JOINT_UNKNOWN;
     const char* first = NULL;
-    for (int32_t type = DM_JOINT_REVOLUTE; content && type <= DM_JOINT_CONTINUOUS; type++) {
+    for (int32_t type = DM_JOINT_REVOLUTE; content != NULL && type <= DM_JOINT_CONTINUOUS; type++) {
         const char* at = strstr(content, joint_name(type));
-        if (!at || (first && at >= first)) continue;
+        if (at == NULL || (first != NULL && at >= first)) continue;
         first = at;
         answer = type;
     }
@@ -129,7 +129,7 @@ static int32_t DM_CALL ask(void* user, uint32_t part, dm_vec3 low, dm_vec3 high)
     reply* answer = calloc(1, sizeof *answer);
     char* question = make_question(endpoint, part, low, high);
     int32_t type = DM_JOINT_UNKNOWN;
-    if (answer && question && post(endpoint, question, answer) == 0) type = read_answer(answer);
+    if (answer != NULL && question != NULL && post(endpoint, question, answer) == 0) type = read_answer(answer);
     printf("part %u: the model says %s\n", (unsigned)part, joint_name(type));
     free(question);
     free(answer);
@@ -138,7 +138,7 @@ static int32_t DM_CALL ask(void* user, uint32_t part, dm_vec3 low, dm_vec3 high)
 
 static const char* setting(const char* name, const char* otherwise) {
     const char* value = getenv(name);
-    return value && value[0] ? value : otherwise;
+    return value != NULL && value[0] ? value : otherwise;
 }
 
 int main(int argc, char** argv) {
@@ -154,12 +154,12 @@ int main(int argc, char** argv) {
     if (dm_context_create(&host, &context) != DM_OK) return 1;
     if (load_weights(context, argc > 1 ? argv[1] : "sdk/models", &model) != DM_OK) return 1;
     if (argc > 2) endpoint.picture = data_url(argv[2]);
-    if (!endpoint.url) printf("DRAGMESH_VLM_URL is not set: geometry decides\n");
+    if (endpoint.url == NULL) printf("DRAGMESH_VLM_URL is not set: geometry decides\n");
     const dm_mesh_desc mesh = cabinet_make(&shape);
     const dm_object_desc desc = {.struct_size = sizeof desc,
                                  .mesh = &mesh,
                                  .model = model,
-                                 .intent = endpoint.url ? ask : NULL,
+                                 .intent = endpoint.url != NULL ? ask : NULL,
                                  .intent_user = &endpoint};
     if (dm_object_prepare(context, &desc, &object) != DM_OK) return 1;
     for (uint32_t part = CABINET_DOOR; part <= CABINET_DRAWER; part++) {

@@ -2,6 +2,7 @@
  * written, with the pixels in it that stayed left transparent: they pack to nearly nothing. */
 #include "apng.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,7 +44,7 @@ int apng_open(apng* apng, const char* path, int width, int height, uint32_t coun
     apng->height = height;
     apng->count = count;
     apng->file = fopen(path, "wb");
-    if (!apng->file) {
+    if (apng->file == NULL) {
         fprintf(stderr, "viewer: can't write '%s'\n", path);
         return -1;
     }
@@ -78,7 +79,7 @@ static box changed_box(const apng* apng, const uint8_t* rgb) {
 static void copy_row(const apng* apng, const uint8_t* rgb, box b, int y, uint8_t* rgba) {
     for (int x = b.left; x < b.right; x++, rgba += 4) {
         const size_t at = 3 * ((size_t)y * (size_t)apng->width + (size_t)x);
-        const int same = apng->written > 0 && memcmp(rgb + at, apng->last + at, 3) == 0;
+        const bool same = apng->written > 0 && memcmp(rgb + at, apng->last + at, 3) == 0;
         memset(rgba, 0, 4);
         if (same) continue;
         memcpy(rgba, rgb + at, 3);

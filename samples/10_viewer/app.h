@@ -1,4 +1,4 @@
-/* The viewer's mind: what the pointer and the keys do to the world. Events in, poses out; no window, no graphics. */
+/* The viewer's controller: applies pointer and key events to the world. No window, no graphics. */
 #ifndef VIEWER_APP_H
 #define VIEWER_APP_H
 
@@ -6,11 +6,11 @@
 #include "session.h"
 #include "world.h"
 
-static const float frame_seconds = 1.0f / 60;
+static const float frame_seconds = 1.0f / 60; /* of every frame, live or replayed */
 
 enum {
     SHOW_AXIS = 1,
-    SHOW_RIVALS = 2,
+    SHOW_HYPOTHESES = 2,
     SHOW_GHOSTS = 4,
     SHOW_PANEL = 8,
     SHOW_HELP = 16,

@@ -1,6 +1,8 @@
 /* A camera on a sphere round a point: orbit, pan, zoom. */
 #include "camera.h"
 
+#include <stdbool.h>
+
 vec3 camera_up(const camera* camera) {
     return camera->z_up ? vec(0, 0, 1) : vec(0, 1, 0);
 }
@@ -64,14 +66,14 @@ dm_camera camera_for_picking(const camera* camera) {
                        .height_px = (float)camera->height};
 }
 
-int camera_project(const camera* camera, vec3 p, float out[3]) {
+bool camera_project(const camera* camera, vec3 p, float out[3]) {
     const mat4 view = camera_view(camera), projection = camera_projection(camera);
     const mat4 both = mat4_multiply(&projection, &view);
     float clip[4];
     mat4_apply(&both, p, clip);
-    if (clip[3] <= 0) return 0;
+    if (clip[3] <= 0) return false;
     out[0] = (clip[0] / clip[3] * 0.5f + 0.5f) * (float)camera->width;
     out[1] = (0.5f - clip[1] / clip[3] * 0.5f) * (float)camera->height;
     out[2] = clip[2] / clip[3] * 0.5f + 0.5f;
-    return 1;
+    return true;
 }

@@ -2,6 +2,8 @@
 #ifndef VIEWER_CAMERA_H
 #define VIEWER_CAMERA_H
 
+#include <stdbool.h>
+
 #include "vec.h"
 
 typedef struct camera {
@@ -17,7 +19,7 @@ vec3 camera_up(const camera* camera);      /* of the world */
 vec3 camera_forward(const camera* camera); /* unit, where it looks */
 vec3 camera_eye(const camera* camera);
 
-/* So that a box is seen whole, from the front and somewhat above and beside. */
+/* Aims at a box so that all of it is visible, from the front and somewhat above and beside. */
 void camera_frame(camera* camera, vec3 box_min, vec3 box_max);
 void camera_orbit(camera* camera, float dx, float dy); /* pixels */
 void camera_pan(camera* camera, float dx, float dy);
@@ -26,10 +28,10 @@ void camera_zoom(camera* camera, float steps);
 mat4 camera_view(const camera* camera);
 mat4 camera_projection(const camera* camera);
 
-/* The same camera in the library's words. */
+/* Converts to the library's dm_camera. */
 dm_camera camera_for_picking(const camera* camera);
 
-/* World point to pixels; out[2] = depth in [0, 1] and returns 0 when it lies behind the camera. */
-int camera_project(const camera* camera, vec3 p, float out[3]);
+/* Projects a world point to pixels; out[2]: depth in [0, 1]. Returns false when it is behind the camera. */
+bool camera_project(const camera* camera, vec3 p, float out[3]);
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "files.h"
 
-enum { SAMPLES = 4 };
+enum { SAMPLES = 4 }; /* of a pixel, multisampling; by hand */
 
 static GLuint buffer(GLenum format, GLenum attachment, const canvas* canvas, int samples) {
     GLuint name;

@@ -1,4 +1,4 @@
-/* Where a frame is drawn: a multisampled buffer, resolved to the window or to a .png. */
+/* The frame buffer: multisampled, resolved to the window or to a .png. */
 #ifndef VIEWER_CANVAS_H
 #define VIEWER_CANVAS_H
 

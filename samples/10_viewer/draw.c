@@ -58,7 +58,7 @@ static void push(draw_list* list, const draw_vertex* vertex) {
     if (list->count == list->room) {
         const size_t room = list->room ? list->room * 2 : 4096;
         draw_vertex* grown = realloc(list->vertices, room * sizeof *grown);
-        if (!grown) return;
+        if (grown == NULL) return;
         list->vertices = grown;
         list->room = room;
     }

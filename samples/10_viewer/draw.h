@@ -1,4 +1,4 @@
-/* Lines, boxes and words over the picture, in pixels; lines in space are projected here. */
+/* 2D overlay of lines, boxes and text, in pixels; lines in space are projected here. */
 #ifndef VIEWER_DRAW_H
 #define VIEWER_DRAW_H
 
@@ -43,10 +43,10 @@ void draw_box(draw* draw, float x, float y, float width, float height, colour co
 float draw_text(draw* draw, float x, float y, float size, colour colour, const char* text);
 float draw_text_width(float size, const char* text);
 
-/* A label with a dark ground beside a point of the scene; nothing when it is behind the camera. */
+/* Draws a label with a dark background beside a point of the scene, unless that is behind the camera. */
 void draw_label(draw* draw, vec3 at, float size, colour colour, const char* text);
 
-/* Draws and forgets what was listed. */
+/* Draws the queued primitives and empties the queue. */
 void draw_end(draw* draw);
 
 #endif

@@ -1,26 +1,27 @@
 /* Whole files. */
 #include "files.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 void* take(size_t count, size_t size) {
     void* memory = calloc(count ? count : 1, size);
-    if (memory) return memory;
+    if (memory != NULL) return memory;
     fprintf(stderr, "viewer: out of memory\n");
     exit(1);
 }
 
 char* file_read(const char* path, size_t* out_size) {
     FILE* file = fopen(path, "rb");
-    if (!file) return NULL;
+    if (file == NULL) return NULL;
     char* bytes = NULL;
     if (fseek(file, 0, SEEK_END) == 0) {
         const long size = ftell(file);
         rewind(file);
         if (size >= 0) bytes = take((size_t)size + 1, 1);
-        if (bytes && fread(bytes, 1, (size_t)size, file) != (size_t)size) {
+        if (bytes != NULL && fread(bytes, 1, (size_t)size, file) != (size_t)size) {
             free(bytes);
             bytes = NULL;
         }
@@ -32,15 +33,15 @@ char* file_read(const char* path, size_t* out_size) {
 
 int file_write(const char* path, const void* data, size_t size) {
     FILE* file = fopen(path, "wb");
-    if (!file) return -1;
-    const int wrote = fwrite(data, 1, size, file) == size;
+    if (file == NULL) return -1;
+    const bool wrote = fwrite(data, 1, size, file) == size;
     return fclose(file) == 0 && wrote ? 0 : -1;
 }
 
 char* path_with_ending(const char* path, const char* ending) {
     const char* slash = strrchr(path, '/');
-    const char* dot = strrchr(slash ? slash : path, '.');
-    const size_t stem = dot ? (size_t)(dot - path) : strlen(path);
+    const char* dot = strrchr(slash != NULL ? slash : path, '.');
+    const size_t stem = dot != NULL ? (size_t)(dot - path) : strlen(path);
     const size_t size = stem + strlen(ending) + 1;
     char* out = take(size, 1);
     snprintf(out, size, "%.*s%s", (int)stem, path, ending);

@@ -1,4 +1,4 @@
-/* Whole files. */
+/* Reading and writing of whole files. */
 #ifndef VIEWER_FILES_H
 #define VIEWER_FILES_H
 
@@ -16,7 +16,7 @@ char* path_with_ending(const char* path, const char* ending);
 /* folder/name, to be freed. */
 char* path_join(const char* folder, const char* name);
 
-/* Memory or the end of the program: a sample needs no better. */
+/* Allocates, or ends the program: enough for a sample. */
 void* take(size_t count, size_t size);
 
 #endif

@@ -110,7 +110,7 @@ static const char* const glyphs[95] = {
 };
 /* clang-format on */
 
-static const float capital = 21, base_line = 9;
+static const float capital = 21, base_line = 9; /* height and base line in the glyphs' own units */
 
 static const char* glyph_of(char letter) {
     return letter >= ' ' && letter <= '~' ? glyphs[letter - ' '] : glyphs['?' - ' '];

@@ -2,7 +2,7 @@
 #ifndef VIEWER_FONT_H
 #define VIEWER_FONT_H
 
-enum { FONT_STROKES = 64 };
+enum { FONT_STROKES = 64 }; /* most line segments of a glyph */
 
 typedef struct font_stroke {
     float x0, y0, x1, y1; /* from the left end of the base line, y up */

@@ -1,6 +1,7 @@
 /* What keys do: what is shown, which part moves, how it moves. */
 #include "keys.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,8 +21,8 @@ static void show_axis(app* app) {
     app->show ^= SHOW_AXIS;
 }
 
-static void show_rivals(app* app) {
-    app->show ^= SHOW_RIVALS;
+static void show_hypotheses(app* app) {
+    app->show ^= SHOW_HYPOTHESES;
 }
 
 static void show_ghosts(app* app) {
@@ -123,12 +124,12 @@ static void override(app* app, const dm_joint* joint) {
 
 static void next_type(app* app) {
     dm_joint joint = app->world->parts[app->selected].joint;
-    const int was_slide = joint.type == DM_JOINT_PRISMATIC;
+    const bool was_slide = joint.type == DM_JOINT_PRISMATIC;
     joint.type = joint.type % DM_JOINT_FIXED + 1;
-    const int is_slide = joint.type == DM_JOINT_PRISMATIC;
+    const bool is_slide = joint.type == DM_JOINT_PRISMATIC;
     if (is_slide != was_slide) {
         joint.lower = 0;
-        joint.upper = is_slide ? 0.4f * app->world->info.size : PI / 2;
+        joint.upper = is_slide ? 0.4f * app->world->info.size : PI_F / 2;
     }
     joint.pitch = joint.type == DM_JOINT_SCREW ? 0.01f * app->world->info.size : 0;
     override(app, &joint);
@@ -172,7 +173,7 @@ static void origin_here(app* app) {
 
 static void move_limit(app* app, float lower_steps, float upper_steps) {
     dm_joint joint = app->world->parts[app->selected].joint;
-    const float step = joint.type == DM_JOINT_PRISMATIC ? 0.02f * app->world->info.size : PI / 36;
+    const float step = joint.type == DM_JOINT_PRISMATIC ? 0.02f * app->world->info.size : PI_F / 36;
     joint.lower = fminf(joint.lower + lower_steps * step, 0);
     joint.upper = fmaxf(joint.upper + upper_steps * step, 0);
     override(app, &joint);
@@ -194,7 +195,7 @@ const key_binding key_bindings[] = {
     {"F1", "F1", "this help", show_help},
     {"Tab", "Tab", "next part", next_part},
     {"A", "A", "axis and limits", show_axis},
-    {"H", "H", "rival hypotheses", show_rivals},
+    {"H", "H", "other hypotheses", show_hypotheses},
     {"G", "G", "16 key poses", show_ghosts},
     {"F2", "F2", "panel", show_panel},
     {"L", "L", "label at the part", show_label},
@@ -224,11 +225,11 @@ const key_binding key_bindings[] = {
 const int key_binding_count = (int)(sizeof key_bindings / sizeof *key_bindings);
 
 /* Keys from T to ] change the selected part's joint and need one. */
-static int needs_part(const key_binding* binding) {
+static bool needs_part(const key_binding* binding) {
     static const char* const names[] = {"T", "X", "Y", "Z", "I", "O", "[", "]", "Space"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(binding->key, names[i]) == 0) return 1;
-    return 0;
+        if (strcmp(binding->key, names[i]) == 0) return true;
+    return false;
 }
 
 /* 1 .. 8: the hypothesis of that rank is put in force. */
@@ -238,7 +239,7 @@ static void take_hypothesis(app* app, uint32_t rank) {
 }
 
 void keys_press(app* app, const char* key) {
-    const int has_part = app->selected && app->selected <= app->world->part_count && app->world->object;
+    const bool has_part = app->selected && app->selected <= app->world->part_count && app->world->object;
     if (has_part && key[0] >= '1' && key[0] <= '8' && !key[1]) take_hypothesis(app, (uint32_t)(key[0] - '0'));
     for (int i = 0; i < key_binding_count; i++)
         if (strcmp(key_bindings[i].key, key) == 0 && (has_part || !needs_part(&key_bindings[i])))

@@ -1,4 +1,4 @@
-/* What keys do. */
+/* Key bindings. */
 #ifndef VIEWER_KEYS_H
 #define VIEWER_KEYS_H
 
@@ -16,7 +16,7 @@ extern const int key_binding_count;
 
 void keys_press(app* app, const char* key);
 
-/* The camera looks at the whole object. */
+/* Aims the camera at the whole object. */
 void keys_frame(app* app);
 
 #endif

@@ -93,7 +93,7 @@ static int read_options(options* options, int argc, char** argv) {
             i++;
         }
     }
-    return options->world.file ? 0 : -1;
+    return options->world.file != NULL ? 0 : -1;
 }
 
 /* ---- drawing ---- */
@@ -142,7 +142,7 @@ static void run(app* app, graphics* graphics, SDL_Window* window, FILE* record) 
         while (window_next(&event, &resized)) {
             event.frame = frame;
             app_event(app, &event);
-            if (record) session_write_event(record, &event);
+            if (record != NULL) session_write_event(record, &event);
         }
         if (resized) resize(graphics, app, window);
         const Uint64 passed = SDL_GetPerformanceCounter() - start;
@@ -153,7 +153,7 @@ static void run(app* app, graphics* graphics, SDL_Window* window, FILE* record) 
         canvas_to_window(&graphics->canvas);
         SDL_GL_SwapWindow(window);
     }
-    if (record) fprintf(record, "%u end\n", (unsigned)frame);
+    if (record != NULL) fprintf(record, "%u end\n", (unsigned)frame);
 }
 
 static int play_live(const options* options, world* world) {
@@ -164,14 +164,14 @@ static int play_live(const options* options, world* world) {
     if (status != 0) return status;
     app_open(&app, world, options->width, options->height, options->z_up);
     app.save_path = options->save;
-    FILE* record = options->record ? fopen(options->record, "w") : NULL;
-    if (record) session_write_head(record, &app.camera, &options->world);
-    status = options->record && !record ? -1 : graphics_open(&graphics, options->width, options->height);
+    FILE* record = options->record != NULL ? fopen(options->record, "w") : NULL;
+    if (record != NULL) session_write_head(record, &app.camera, &options->world);
+    status = options->record != NULL && record == NULL ? -1 : graphics_open(&graphics, options->width, options->height);
     if (status == 0) {
         run(&app, &graphics, window.handle, record);
         graphics_close(&graphics);
     }
-    if (record) fclose(record);
+    if (record != NULL) fclose(record);
     window_close(&window);
     return status;
 }
@@ -207,11 +207,12 @@ static int play_events(const options* options, const session* session, app* app,
             app_event(app, &session->events[next]);
         app_tick(app);
         poses_frame(poses, app->world, frame);
-        for (; graphics && picture < options->frames && picture_frame(session, picture, options->frames) == frame;
+        for (;
+             graphics != NULL && picture < options->frames && picture_frame(session, picture, options->frames) == frame;
              picture++) {
             draw_frame(graphics, app);
-            if (options->png) status |= take_picture(graphics, options->png, picture);
-            if (options->apng) take_animated(options, graphics, picture);
+            if (options->png != NULL) status |= take_picture(graphics, options->png, picture);
+            if (options->apng != NULL) take_animated(options, graphics, picture);
         }
     }
     return status;
@@ -222,11 +223,11 @@ static int play_drawn(const options* options, const session* session, app* app, 
     graphics graphics;
     if (window_open(&window, session->width, session->height, 1) != 0) return 3;
     int status = graphics_open(&graphics, session->width, session->height);
-    if (status == 0 && options->apng)
+    if (status == 0 && options->apng != NULL)
         status =
             apng_open(&graphics.animation, options->apng, session->width, session->height, (uint32_t)options->frames);
     if (status == 0) status = play_events(options, session, app, &graphics, poses);
-    if (graphics.animation.file) status |= apng_close(&graphics.animation);
+    if (graphics.animation.file != NULL) status |= apng_close(&graphics.animation);
     graphics_close(&graphics);
     window_close(&window);
     return status;
@@ -235,8 +236,8 @@ static int play_drawn(const options* options, const session* session, app* app, 
 static int replay(const options* options, const session* session, world* world) {
     app app;
     poses poses;
-    FILE* file = options->poses ? fopen(options->poses, "w") : NULL;
-    if (options->poses && !file) {
+    FILE* file = options->poses != NULL ? fopen(options->poses, "w") : NULL;
+    if (options->poses != NULL && file == NULL) {
         fprintf(stderr, "viewer: can't write '%s'\n", options->poses);
         return -1;
     }
@@ -244,9 +245,10 @@ static int replay(const options* options, const session* session, world* world) 
     app_open(&app, world, session->width, session->height, session->z_up);
     app.save_path = options->save;
     app.hide_times = 1;
-    const int status = options->png || options->apng ? play_drawn(options, session, &app, &poses)
-                                                     : play_events(options, session, &app, NULL, &poses);
-    if (file) fclose(file);
+    const int status = options->png != NULL || options->apng != NULL
+                           ? play_drawn(options, session, &app, &poses)
+                           : play_events(options, session, &app, NULL, &poses);
+    if (file != NULL) fclose(file);
     if (status == 0) printf("poses %016llx over %u frames\n", (unsigned long long)poses.hash, session->end + 1);
     for (uint32_t id = 1; id <= world->part_count && status == 0; id++)
         printf("part %u '%s': %.6g\n", (unsigned)id, world->parts[id].name,
@@ -262,17 +264,17 @@ int main(int argc, char** argv) {
         fputs(usage, stderr);
         return 2;
     }
-    if (options.replay && session_read(&session, options.replay) != 0) return 2;
+    if (options.replay != NULL && session_read(&session, options.replay) != 0) return 2;
     for (uint32_t i = 0; i < session.part_count && !options.world.part_count; i++)
         options.world.parts[i] = session.parts[i];
     if (!options.world.part_count) options.world.part_count = session.part_count;
     char* save = path_with_ending(options.world.file, ".dmo");
-    if (!options.save) options.save = save;
+    if (options.save == NULL) options.save = save;
     int status = world_open(&world, &options.world);
     if (status != 0)
         fprintf(stderr, "viewer: %s\n", world.message);
     else
-        status = options.replay ? replay(&options, &session, &world) : play_live(&options, &world);
+        status = options.replay != NULL ? replay(&options, &session, &world) : play_live(&options, &world);
     if (status == 0 && world.message[0]) fprintf(stderr, "viewer: %s\n", world.message);
     world_close(&world);
     session_free(&session);

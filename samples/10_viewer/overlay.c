@@ -1,15 +1,16 @@
-/* What is drawn over the picture: axis, limits, rivals, key poses, words. Words: panel.c. */
+/* Overlay of the picture: axis, limits, hypotheses, key poses. Text: panel.c. */
 #include "overlay.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "panel.h"
 
 static const colour axis_colour = {0.10f, 0.55f, 1.0f, 1}, limit_colour = {1.0f, 0.55f, 0.10f, 1};
-static const colour rival_colour = {0.75f, 0.35f, 0.85f, 0.85f}, hand_colour = {1, 1, 1, 0.95f};
+static const colour hypothesis_colour = {0.75f, 0.35f, 0.85f, 0.85f}, hand_colour = {1, 1, 1, 0.95f};
 
-enum { ARC_STEPS = 64 };
+enum { ARC_STEPS = 64 }; /* segments of an arc; by hand */
 
 /* How much a part stands out. */
 static float emphasis(const app* app, uint32_t id) {
@@ -31,7 +32,7 @@ static void lay_over(float tint[4], const float under[4], const colour over) {
 void overlay_looks(const app* app, look* looks) {
     static const float body_clay[4] = {0.66f, 0.64f, 0.60f, 1}, part_clay[4] = {0.50f, 0.33f, 0.19f, 1};
     static const float none[4] = {0, 0, 0, 0};
-    const int clay = (app->show & SHOW_CLAY) != 0;
+    const bool clay = (app->show & SHOW_CLAY) != 0;
     looks[0] = (look){.pose = pose_identity};
     memcpy(looks[0].tint, clay ? body_clay : none, sizeof none);
     for (uint32_t id = 1; id <= app->world->part_count; id++) {
@@ -77,10 +78,10 @@ static vec3 moved(const dm_joint* joint, float value, const dm_pose* carrier, ve
 
 static void draw_travel(draw* draw, const world_part* part, const dm_joint* joint, const dm_pose* carrier, float width,
                         colour colour) {
-    const int endless = joint->type == DM_JOINT_CONTINUOUS || joint->upper <= joint->lower;
-    const float lower = endless ? -PI : joint->lower, upper = endless ? PI : joint->upper;
+    const bool endless = joint->type == DM_JOINT_CONTINUOUS || joint->upper <= joint->lower;
+    const float lower = endless ? -PI_F : joint->lower, upper = endless ? PI_F : joint->upper;
     const vec3 start = far_point(part, joint);
-    const int turns = joint->type != DM_JOINT_PRISMATIC;
+    const bool turns = joint->type != DM_JOINT_PRISMATIC;
     vec3 last = moved(joint, lower, carrier, start);
     for (int i = 1; i <= ARC_STEPS; i++) {
         const vec3 next = moved(joint, lower + (upper - lower) * (float)i / ARC_STEPS, carrier, start);
@@ -99,7 +100,7 @@ static void draw_axis(draw* draw, const world_part* part, const dm_joint* joint,
                       colour colour) {
     const vec3 axis = pose_direction(carrier, joint->axis);
     const float reach = 0.6f * length(sub(part->box_max, part->box_min));
-    const int slides = joint->type == DM_JOINT_PRISMATIC;
+    const bool slides = joint->type == DM_JOINT_PRISMATIC;
     /* A slide has no line of its own: its arrow starts in the middle of the part. */
     const vec3 off = sub(part->centre, joint->origin);
     const vec3 middle = slides ? part->centre : along(joint->origin, joint->axis, dot(off, joint->axis));
@@ -107,7 +108,7 @@ static void draw_axis(draw* draw, const world_part* part, const dm_joint* joint,
     draw_arrow(draw, along(at, axis, -reach), along(at, axis, reach), width, colour);
 }
 
-static int moves(const dm_joint* joint) {
+static bool moves(const dm_joint* joint) {
     return joint->type != DM_JOINT_FIXED && joint->type != DM_JOINT_UNKNOWN;
 }
 
@@ -121,18 +122,18 @@ static void draw_joint(const app* app, draw* draw, uint32_t id) {
 }
 
 /* The hypothesis that is in force already. */
-static int same_line(const dm_joint* a, const dm_joint* b) {
+static bool same_line(const dm_joint* a, const dm_joint* b) {
     return a->type == b->type && length(sub(a->axis, b->axis)) < 1e-6f && length(sub(a->origin, b->origin)) < 1e-6f;
 }
 
-static void draw_rivals(const app* app, draw* draw, uint32_t id) {
+static void draw_hypotheses(const app* app, draw* draw, uint32_t id) {
     const world_part* part = &app->world->parts[id];
     const dm_pose carrier = carrier_pose(app->world, id);
     for (uint32_t i = 0; i < part->hypothesis_count && i < 4; i++) {
-        const dm_joint* rival = &part->hypotheses[i];
-        if (!moves(rival) || same_line(rival, &part->joint)) continue;
-        draw_axis(draw, part, rival, &carrier, 1.5f, rival_colour);
-        draw_travel(draw, part, rival, &carrier, 1.2f, rival_colour);
+        const dm_joint* other = &part->hypotheses[i];
+        if (!moves(other) || same_line(other, &part->joint)) continue;
+        draw_axis(draw, part, other, &carrier, 1.5f, hypothesis_colour);
+        draw_travel(draw, part, other, &carrier, 1.2f, hypothesis_colour);
     }
 }
 
@@ -140,7 +141,7 @@ static void draw_rivals(const app* app, draw* draw, uint32_t id) {
 
 static void key_pose(const world_part* part, int key, dm_pose* out_pose) {
     const dm_joint* joint = &part->joint;
-    const float span = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI : joint->upper - joint->lower;
+    const float span = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI_F : joint->upper - joint->lower;
     const float start = joint->type == DM_JOINT_CONTINUOUS ? 0 : joint->lower;
     *out_pose = pose_identity;
     if (part->has_keys)
@@ -194,7 +195,7 @@ static void draw_brush(const app* app, draw* draw) {
     const vec3 n = app->under.normal, side = perpendicular(n), ahead = cross(n, side);
     vec3 last = along(app->under.point, side, radius);
     for (int i = 1; i <= 32; i++) {
-        const float angle = 2 * PI * (float)i / 32;
+        const float angle = 2 * PI_F * (float)i / 32;
         const vec3 next = along(along(app->under.point, side, radius * cosf(angle)), ahead, radius * sinf(angle));
         draw_line(draw, last, next, 2, hand_colour);
         last = next;
@@ -205,7 +206,7 @@ void overlay_draw(const app* app, draw* draw) {
     const uint32_t id = part_of_interest(app);
     draw_begin(draw, &app->camera);
     if (id && !app->painting && app->world->object) {
-        if (app->show & SHOW_RIVALS) draw_rivals(app, draw, id);
+        if (app->show & SHOW_HYPOTHESES) draw_hypotheses(app, draw, id);
         if (app->show & SHOW_AXIS) draw_joint(app, draw, id);
     }
     if (app->painting && app->under.distance > 0) draw_brush(app, draw);

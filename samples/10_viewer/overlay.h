@@ -1,4 +1,4 @@
-/* What is drawn over the picture: axis, limits, rivals, key poses, words. */
+/* Overlay of the picture: axis, limits, hypotheses, key poses, text. */
 #ifndef VIEWER_OVERLAY_H
 #define VIEWER_OVERLAY_H
 

@@ -9,7 +9,7 @@
 static const colour bright = {0.96f, 0.97f, 0.98f, 1}, dim = {0.70f, 0.73f, 0.77f, 1}, warm = {1, 0.74f, 0.35f, 1};
 static const colour ground = {0.07f, 0.08f, 0.10f, 0.74f};
 
-enum { MOST_LINES = 14, LINE = 160 };
+enum { MAX_LINES = 14, LINE = 160 }; /* lines of text, bytes of one */
 
 static float text_size(const app* app) {
     return clampf((float)app->camera.height / 46, 6.5f, 14);
@@ -24,7 +24,7 @@ static void write_value(const world_part* part, char* out, size_t room) {
     if (part->joint.type == DM_JOINT_PRISMATIC)
         snprintf(out, room, "%.3f", (double)roundf(part->value * 1e3f) * 1e-3 + 0.0);
     else
-        snprintf(out, room, "%.0f deg", (double)roundf(part->value * 180 / PI) + 0.0); /* no -0 */
+        snprintf(out, room, "%.0f deg", (double)roundf(part->value * 180 / PI_F) + 0.0); /* no -0 */
 }
 
 static void write_part(const world_part* part, char* out, size_t room) {
@@ -51,15 +51,15 @@ static void draw_block(draw* draw, float x, float y, float size, const char (*li
 }
 
 static void draw_parts(const app* app, draw* draw) {
-    static char lines[MOST_LINES][LINE];
+    static char lines[MAX_LINES][LINE];
     const world* world = app->world;
     int count = 0, marked = -1;
     snprintf(lines[count++], LINE, "%u %s   prepared in %.0f ms", (unsigned)world->part_count,
              world->part_count == 1 ? "part" : "parts", 1e3 * world->prepare_seconds);
     if (app->hide_times)
         snprintf(lines[0], LINE, "%u %s", (unsigned)world->part_count, world->part_count == 1 ? "part" : "parts");
-    const uint32_t first = app->selected > MOST_LINES - 3 ? app->selected - (MOST_LINES - 3) : 1;
-    for (uint32_t id = first; id <= world->part_count && count < MOST_LINES - 1; id++) {
+    const uint32_t first = app->selected > MAX_LINES - 3 ? app->selected - (MAX_LINES - 3) : 1;
+    for (uint32_t id = first; id <= world->part_count && count < MAX_LINES - 1; id++) {
         if (id == app->selected) marked = count;
         write_part(&world->parts[id], lines[count++], LINE);
     }
@@ -71,7 +71,7 @@ static void draw_help(const app* app, draw* draw) {
     static char lines[40][LINE];
     int count = 0;
     snprintf(lines[count++], LINE, "drag a part: it moves;  drag beside it, or right button: orbit");
-    snprintf(lines[count++], LINE, "middle button, or shift and right: pan;  wheel: zoom;  1..8: rival hypothesis");
+    snprintf(lines[count++], LINE, "middle button, or shift and right: pan;  wheel: zoom;  1..8: other hypothesis");
     for (int i = 0; i < key_binding_count && count < 40; i++)
         if (key_bindings[i].label[0])
             snprintf(lines[count++], LINE, "%-8s %s", key_bindings[i].label, key_bindings[i].help);

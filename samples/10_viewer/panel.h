@@ -1,4 +1,4 @@
-/* The words on the screen. */
+/* Text on the screen. */
 #ifndef VIEWER_PANEL_H
 #define VIEWER_PANEL_H
 

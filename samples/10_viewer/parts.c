@@ -1,6 +1,7 @@
 /* Which faces of the file belong to which part: from names, from nodes, from a file. By hand: parts_paint.c. */
 #include "parts.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,7 +32,7 @@ static int mark_list(world* world, const char* list, uint8_t id, uint8_t* faces)
     char* copy = take(strlen(list) + 1, 1);
     memcpy(copy, list, strlen(list) + 1);
     dm_result result = DM_OK;
-    for (char *rest = copy, *name; result == DM_OK && (name = strtok_r(rest, ",", &rest));) {
+    for (char *rest = copy, *name; result == DM_OK && (name = strtok_r(rest, ",", &rest)) != NULL;) {
         const char* names[1] = {name};
         result = dm_gltf_mark_faces(world->gltf, names, 1, id, faces, world->face_count);
     }
@@ -162,7 +163,8 @@ int parts_save(const world* world, const char* path) {
 int parts_load(world* world, const char* path) {
     size_t size = 0;
     char* bytes = file_read(path, &size);
-    const int fits = bytes && size == 128 + (size_t)world->face_count && memcmp(bytes, "\x93NUMPY\x01", 7) == 0;
+    const bool fits =
+        bytes != NULL && size == 128 + (size_t)world->face_count && memcmp(bytes, "\x93NUMPY\x01", 7) == 0;
     uint32_t most = 0;
     for (uint32_t i = 0; fits && i < world->face_count; i++) {
         const uint8_t id = (uint8_t)bytes[128 + i];

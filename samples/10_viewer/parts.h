@@ -1,13 +1,13 @@
-/* Which faces of the file belong to which part. */
+/* Assignment of the file's faces to parts. */
 #ifndef VIEWER_PARTS_H
 #define VIEWER_PARTS_H
 
 #include "world.h"
 
-/* From lists of nodes: a list inside another is a part carried by it. */
+/* Assigns parts from lists of nodes: a list inside another is a part carried by it. */
 int parts_from_names(world* world, const char* const* lists, uint32_t count);
 
-/* The file doesn't say: the largest node is the body, every other one a part. */
+/* Assigns every node but the largest, which is the body, to a part of its own. */
 void parts_from_nodes(world* world);
 
 /* From FILE.parts.npy, as parts_save wrote it. */
@@ -20,14 +20,15 @@ uint32_t parts_add(world* world, const char* name);
 /* Node that holds a face. */
 uint32_t parts_node_of_face(const world* world, uint32_t face);
 
-/* The node of a face changes side: body to a part of its own, part to body. */
+/* Toggles the node of a face: from body to a part of its own, from part to body. */
 void parts_toggle_node(world* world, uint32_t face);
 
-/* Faces with a corner within a radius of a point, or all that hang together with a face, become `part`. How many. */
+/* Assigns to `part` the faces with a corner within a radius of a point, or all connected to a face. Returns how many.
+ */
 uint32_t parts_paint(world* world, vec3 point, float radius, uint32_t part);
 uint32_t parts_fill(world* world, uint32_t face, uint32_t part);
 
-/* Parts that lost their last face go; ids close up. */
+/* Removes parts without faces; ids become consecutive. */
 void parts_tidy(world* world);
 
 #endif

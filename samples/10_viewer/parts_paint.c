@@ -1,4 +1,5 @@
 /* Which faces belong to which part, by hand: a brush, and filling what hangs together. */
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "files.h"
@@ -12,10 +13,10 @@ static vec3 place_of(const world* world, uint32_t vertex) {
     return vec_from((const float*)world->mesh.positions + 3 * (size_t)vertex);
 }
 
-static int touches(const world* world, uint32_t face, vec3 point, float radius) {
+static bool touches(const world* world, uint32_t face, vec3 point, float radius) {
     for (size_t k = 0; k < 3; k++)
-        if (length(sub(place_of(world, vertex_of(world, face, k)), point)) <= radius) return 1;
-    return 0;
+        if (length(sub(place_of(world, vertex_of(world, face, k)), point)) <= radius) return true;
+    return false;
 }
 
 uint32_t parts_paint(world* world, vec3 point, float radius, uint32_t part) {

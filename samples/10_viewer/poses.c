@@ -1,6 +1,7 @@
 /* A log of poses, for comparing two runs bit by bit. */
 #include "poses.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 void poses_open(poses* poses, FILE* file) {
@@ -10,7 +11,7 @@ void poses_open(poses* poses, FILE* file) {
 }
 
 /* Of floats, on purpose: -0 is not 0 here. */
-static int same_bits(const void* a, const void* b, size_t size) {
+static bool same_bits(const void* a, const void* b, size_t size) {
     return memcmp(a, b, size) == 0;
 }
 
@@ -34,10 +35,10 @@ void poses_frame(poses* poses, const world* world, uint32_t frame) {
         const world_part* part = &world->parts[id];
         const dm_pose* p = &part->carried;
         mix_in(poses, p, sizeof *p);
-        if (poses->file) write_joint(poses, part, frame, id);
+        if (poses->file != NULL) write_joint(poses, part, frame, id);
         if (same_bits(p, &poses->last[id], sizeof *p)) continue;
         poses->last[id] = *p;
-        if (poses->file)
+        if (poses->file != NULL)
             fprintf(poses->file, "%u %u %.6g %a %a %a %a %a %a %a %a\n", (unsigned)frame, (unsigned)id,
                     (double)part->value, (double)p->real[0], (double)p->real[1], (double)p->real[2], (double)p->real[3],
                     (double)p->dual[0], (double)p->dual[1], (double)p->dual[2], (double)p->dual[3]);

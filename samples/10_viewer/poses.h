@@ -15,8 +15,8 @@ typedef struct poses {
 
 void poses_open(poses* poses, FILE* file);
 
-/* Every part's pose goes into the hash; those that changed since the last frame are written, in hexadecimal floats,
- * and so are changes of a joint. */
+/* Adds every part's pose to the hash, and writes those that changed since the last frame in hexadecimal floats, and
+ * changes of a joint. */
 void poses_frame(poses* poses, const world* world, uint32_t frame);
 
 #endif

@@ -6,7 +6,7 @@
 #include "shader.h"
 #include "shaders.h"
 
-enum { SHADOW_PIXELS = 2048 };
+enum { SHADOW_PIXELS = 2048 }; /* side of the shadow map; by hand */
 
 static void open_shadow(render* render) {
     glGenTextures(1, &render->shadow_map);

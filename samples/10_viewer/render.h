@@ -5,7 +5,7 @@
 #include "camera.h"
 #include "surface.h"
 
-/* How a part looks. */
+/* Appearance of a part. */
 typedef struct look {
     dm_pose pose;
     float tint[4]; /* colour, and how much of it */
@@ -22,10 +22,10 @@ typedef struct render {
 int render_open(render* render); /* 0, or -1 with a line on stderr */
 void render_close(render* render);
 
-/* Sky, floor and every part, the body first. */
+/* Draws sky, floor and every part, the body first. */
 void render_scene(render* render, const surface* surface, const camera* camera, const look* looks, uint32_t parts);
 
-/* A part once more, as glass. */
+/* Draws a part again, transparent. */
 void render_ghost(render* render, const surface* surface, const camera* camera, uint32_t part, const look* look);
 
 #endif

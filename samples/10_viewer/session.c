@@ -6,7 +6,7 @@
 
 #include "files.h"
 
-enum { KINDS = 7, LINE = 4096 };
+enum { KINDS = 7, LINE = 4096 }; /* kinds of events, bytes of a line */
 static const char* const kinds[KINDS] = {"camera", "move", "press", "release", "wheel", "key", "end"};
 static const int number_counts[KINDS] = {6, 2, 0, 0, 1, 0, 0};
 static const char* const buttons[4] = {"", "left", "middle", "right"};
@@ -50,7 +50,7 @@ static int read_event(session* session, char* line) {
     if (session->event_count > 0 && event.frame < session->events[session->event_count - 1].frame) return -1;
     if (session->event_count % 256 == 0) {
         void* grown = realloc(session->events, (session->event_count + 256) * sizeof event);
-        if (!grown) return -1;
+        if (grown == NULL) return -1;
         session->events = grown;
     }
     session->events[session->event_count++] = event;
@@ -89,14 +89,14 @@ int session_read(session* session, const char* path) {
     session->height = 600;
     FILE* file = fopen(path, "r");
     char* line = take(LINE, 1);
-    int status = file && fgets(line, LINE, file) && strcmp(line, "dragmesh-session 1\n") == 0 ? 0 : -1;
+    int status = file != NULL && fgets(line, LINE, file) != NULL && strcmp(line, "dragmesh-session 1\n") == 0 ? 0 : -1;
     if (status != 0) fprintf(stderr, "viewer: '%s' is no session (its first line is \"dragmesh-session 1\")\n", path);
-    for (int number = 2; status == 0 && fgets(line, LINE, file); number++) {
+    for (int number = 2; status == 0 && fgets(line, LINE, file) != NULL; number++) {
         status = read_line(session, line);
         if (status != 0) fprintf(stderr, "viewer: %s, line %d: can't be read\n", path, number);
     }
     free(line);
-    if (file) fclose(file);
+    if (file != NULL) fclose(file);
     if (status != 0) session_free(session);
     return status;
 }

@@ -1,4 +1,4 @@
-/* What a player did, frame by frame, as text: recorded, read back, played again.
+/* A recorded session: the player's events, frame by frame, as text.
  *
  *     dragmesh-session 1
  *     size 640 400            pixels of the window

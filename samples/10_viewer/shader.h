@@ -6,7 +6,8 @@
 
 #include "vec.h"
 
-/* Compiles and links two GLSL 3.30 sources (without their #version line); 0 with the compiler's words on stderr. */
+/* Compiles and links two GLSL 3.30 sources (without their #version line); returns 0, and prints the compiler's
+ * messages, on failure. */
 GLuint shader_make(const char* name, const char* vertex, const char* fragment);
 
 void shader_matrix(GLuint program, const char* name, const mat4* value);

@@ -1,4 +1,4 @@
-/* The object's triangles as the graphics card wants them: smooth normals, colours, one range a part. */
+/* Vertex buffers of the object: smooth normals, colours, one range for each part. */
 #ifndef VIEWER_SURFACE_H
 #define VIEWER_SURFACE_H
 

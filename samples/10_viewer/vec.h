@@ -6,7 +6,7 @@
 
 #include "dragmesh/dragmesh.h"
 
-#define PI 3.14159265358979f
+#define PI_F 3.14159265358979323846f
 
 typedef dm_vec3 vec3;
 typedef struct mat4 {

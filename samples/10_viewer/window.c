@@ -1,6 +1,7 @@
 /* The window, its OpenGL context and what SDL reports as events of a session. */
 #include "window.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -16,8 +17,8 @@ int window_open(window* window, int width, int height, int hidden) {
     const Uint32 flags = SDL_WINDOW_OPENGL | (hidden ? SDL_WINDOW_HIDDEN : SDL_WINDOW_RESIZABLE);
     window->handle =
         SDL_CreateWindow("dragmesh viewer", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, flags);
-    if (window->handle) window->gl = SDL_GL_CreateContext(window->handle);
-    if (window->gl) {
+    if (window->handle != NULL) window->gl = SDL_GL_CreateContext(window->handle);
+    if (window->gl != NULL) {
         SDL_GL_SetSwapInterval(1);
         return 0;
     }
@@ -27,8 +28,8 @@ int window_open(window* window, int width, int height, int hidden) {
 }
 
 void window_close(window* window) {
-    if (window->gl) SDL_GL_DeleteContext(window->gl);
-    if (window->handle) SDL_DestroyWindow(window->handle);
+    if (window->gl != NULL) SDL_GL_DeleteContext(window->gl);
+    if (window->handle != NULL) SDL_DestroyWindow(window->handle);
     SDL_Quit();
     memset(window, 0, sizeof *window);
 }
@@ -46,16 +47,16 @@ static int button_of(const SDL_Event* sdl) {
     }
 }
 
-static int translate(const SDL_Event* sdl, event* out) {
+static bool translate(const SDL_Event* sdl, event* out) {
     switch (sdl->type) {
     case SDL_QUIT:
         out->kind = EVENT_KEY;
         snprintf(out->key, sizeof out->key, "Escape");
-        return 1;
+        return true;
     case SDL_MOUSEMOTION:
         out->kind = EVENT_MOVE;
         out->numbers[0] = (float)sdl->motion.x, out->numbers[1] = (float)sdl->motion.y;
-        return 1;
+        return true;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
         out->kind = sdl->type == SDL_MOUSEBUTTONDOWN ? EVENT_PRESS : EVENT_RELEASE;
@@ -64,23 +65,23 @@ static int translate(const SDL_Event* sdl, event* out) {
     case SDL_MOUSEWHEEL:
         out->kind = EVENT_WHEEL;
         out->numbers[0] = (float)sdl->wheel.y;
-        return 1;
+        return true;
     case SDL_KEYDOWN:
         out->kind = EVENT_KEY;
         snprintf(out->key, sizeof out->key, "%s", SDL_GetKeyName(sdl->key.keysym.sym));
-        return out->key[0] && !strchr(out->key, ' ');
+        return out->key[0] && strchr(out->key, ' ') == NULL;
     default:
-        return 0;
+        return false;
     }
 }
 
-int window_next(event* out_event, int* out_resized) {
+bool window_next(event* out_event, int* out_resized) {
     SDL_Event sdl;
     while (SDL_PollEvent(&sdl)) {
         memset(out_event, 0, sizeof *out_event);
         out_event->shift = (SDL_GetModState() & KMOD_SHIFT) != 0;
         if (sdl.type == SDL_WINDOWEVENT && sdl.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) *out_resized = 1;
-        if (translate(&sdl, out_event)) return 1;
+        if (translate(&sdl, out_event)) return true;
     }
-    return 0;
+    return false;
 }

@@ -1,8 +1,9 @@
-/* The window, its OpenGL context and what SDL reports as events of a session. */
+/* The window, its OpenGL context, and SDL events converted to events of a session. */
 #ifndef VIEWER_WINDOW_H
 #define VIEWER_WINDOW_H
 
 #include <SDL2/SDL.h>
+#include <stdbool.h>
 
 #include "session.h"
 
@@ -15,7 +16,7 @@ typedef struct window {
 int window_open(window* window, int width, int height, int hidden);
 void window_close(window* window);
 
-/* The next thing the player did, in `out_event` with its frame left 0. Returns 0 when there is none. */
-int window_next(event* out_event, int* out_resized);
+/* Gets the player's next event, with its frame left 0. Returns false when there is none. */
+bool window_next(event* out_event, int* out_resized);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +45,7 @@ static char* read_weights(const char* folder, const char* name, size_t* out_size
 
 /* Without its weights the viewer still works, by geometry alone; each file may be absent. */
 static int load_model(world* world, const char* folder) {
-    if (!folder) folder = "sdk/models";
+    if (folder == NULL) folder = "sdk/models";
     if (strcmp(folder, "none") == 0) return 0;
     dm_model_desc desc = {.struct_size = sizeof desc};
     char* kinematics = read_weights(folder, "kpp_net.safetensors", &desc.kinematics_size);
@@ -52,7 +53,7 @@ static int load_model(world* world, const char* folder) {
     char* ranker = read_weights(folder, "ranker.safetensors", &desc.ranker_size);
     desc.kinematics = kinematics, desc.motion = motion, desc.ranker = ranker;
     dm_result result = DM_OK;
-    if (kinematics || motion || ranker)
+    if (kinematics != NULL || motion != NULL || ranker != NULL)
         result = dm_model_load(world->context, &desc, &world->model);
     else
         fail(world, "no weights in '%s': joints come from geometry alone", folder);
@@ -75,7 +76,7 @@ static float mesh_diagonal(const dm_mesh_desc* mesh) {
 static int open_file(world* world, const char* path) {
     size_t size = 0;
     char* data = file_read(path, &size);
-    if (!data) return fail(world, "can't read '%s': %s", path, strerror(errno));
+    if (data == NULL) return fail(world, "can't read '%s': %s", path, strerror(errno));
     const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = data, .size = size, .log = {world, keep_message}};
     dm_result result = dm_gltf_open(&desc, &world->gltf);
     free(data);
@@ -90,8 +91,8 @@ static int open_file(world* world, const char* path) {
 /* What may move: as told, else as saved beside the file, else every node but the largest. */
 static int find_parts(world* world, const world_options* options) {
     if (options->part_count) return parts_from_names(world, options->parts, options->part_count);
-    char* beside = path_with_ending(options->dmo ? options->dmo : options->file, ".parts.npy");
-    const int known = parts_load(world, beside) == 0;
+    char* beside = path_with_ending(options->dmo != NULL ? options->dmo : options->file, ".parts.npy");
+    const bool known = parts_load(world, beside) == 0;
     free(beside);
     if (!known) parts_from_nodes(world);
     return 0;
@@ -104,7 +105,7 @@ int world_open(world* world, const world_options* options) {
     if (status == 0) status = load_model(world, options->models);
     if (status == 0) status = open_file(world, options->file);
     if (status == 0) status = find_parts(world, options);
-    if (status == 0) status = options->dmo ? world_load(world, options->dmo) : 0;
+    if (status == 0) status = options->dmo != NULL ? world_load(world, options->dmo) : 0;
     /* A failure to prepare is no end: the player can still say what moves. */
     if (status == 0 && !world->object) world_prepare(world);
     if (status != 0) world_close(world);
@@ -115,7 +116,7 @@ void world_close(world* world) {
     char message[sizeof world->message];
     memcpy(message, world->message, sizeof message);
     dm_context_destroy(world->context);
-    if (world->gltf) dm_gltf_close(world->gltf);
+    if (world->gltf != NULL) dm_gltf_close(world->gltf);
     free(world->face_part);
     memset(world, 0, sizeof *world);
     memcpy(world->message, message, sizeof message);
@@ -189,7 +190,7 @@ int world_prepare(world* world) {
 int world_load(world* world, const char* path) {
     size_t size = 0;
     char* data = file_read(path, &size);
-    if (!data) return fail(world, "can't read '%s': %s", path, strerror(errno));
+    if (data == NULL) return fail(world, "can't read '%s': %s", path, strerror(errno));
     const dm_result result = dm_object_load(world->context, data, size, world->model, &world->object);
     free(data);
     return result == DM_OK ? adopt(world) : -1;

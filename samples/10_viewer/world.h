@@ -1,5 +1,5 @@
-/* An object of a .glb file that can be looked at, told what moves, grabbed and moved. Nothing of the screen is here:
- * the same calls give the same poses with or without a window. */
+/* An object of a .glb file with its parts, joints and drags. Independent of the screen: the same calls give the same
+ * poses with or without a window. */
 #ifndef VIEWER_WORLD_H
 #define VIEWER_WORLD_H
 
@@ -7,11 +7,11 @@
 #include "dragmesh/ext/gltf.h"
 #include "vec.h"
 
-enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64 };
+enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64 }; /* parts, whose ids fit a byte; bytes of a name */
 
 typedef struct world_part {
     char name[WORLD_NAME];
-    uint32_t id, parent; /* as the library knows them; 1.. */
+    uint32_t id, parent; /* ids given to the library; 1.. */
     dm_joint joint;      /* in force */
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
@@ -63,26 +63,26 @@ typedef struct world {
 int world_open(world* world, const world_options* options);
 void world_close(world* world);
 
-/* Finds every part's joint anew, after face_part, names or parents changed. */
+/* Prepares the object again, after face_part, names or parents changed. */
 int world_prepare(world* world);
 
-/* Takes a prepared object in place of preparing. */
+/* Loads a prepared object instead of preparing one. */
 int world_load(world* world, const char* path);
 
-/* What a ray meets; distance 0 when nothing. */
+/* Picks along a ray; distance 0: nothing. */
 dm_hit world_pick(world* world, const dm_ray* ray);
 
-/* A part is taken in hand; it is let go, and goes where it was meant to. */
+/* Begins a drag; releases it, after which the part moves by itself. */
 int world_grab(world* world, const dm_hit* hit);
 void world_release(world* world);
 
-/* dt seconds pass: the part in hand follows the pointer's ray, released ones move on. */
+/* Advances by dt seconds: the held part follows the pointer's ray, released ones move on. */
 void world_step(world* world, const dm_ray* ray, float dt);
 
-/* The key poses of the motion that the pull so far asks for. */
+/* Generates the key poses of the motion for the pull so far. */
 void world_imagine(world* world, const dm_ray* ray);
 
-/* The joint in force and its rivals. */
+/* Reads the active joint and its other hypotheses. */
 void world_read_joint(world* world, uint32_t part);
 
 void world_set_value(world* world, uint32_t part, float value);

@@ -1,4 +1,5 @@
 /* Parts in motion: picked, grabbed, pulled, let go; their joints read, weighed and overridden. */
+#include <stdbool.h>
 #include <string.h>
 
 #include "world.h"
@@ -83,7 +84,7 @@ static dm_ray carried_ray(const world* world, const dm_ray* ray) {
 static void end_drag(world* world, uint32_t id) {
     world_part* part = &world->parts[id];
     dm_joint joint;
-    const int changed = part->state.changes > 0 && dm_drag_get_joint(world->context, part->drag, &joint) == DM_OK;
+    const bool changed = part->state.changes > 0 && dm_drag_get_joint(world->context, part->drag, &joint) == DM_OK;
     dm_drag_end(world->context, part->drag, NULL);
     part->drag = 0;
     part->value = part->state.value;

@@ -11,12 +11,12 @@
 static inline void* read_whole(const char* path, size_t* out_size) {
     FILE* file = fopen(path, "rb");
     *out_size = 0;
-    if (!file) return NULL;
+    if (file == NULL) return NULL;
     fseek(file, 0, SEEK_END);
     const long size = ftell(file);
     rewind(file);
     void* data = size > 0 ? malloc((size_t)size) : NULL;
-    if (data) *out_size = fread(data, 1, (size_t)size, file);
+    if (data != NULL) *out_size = fread(data, 1, (size_t)size, file);
     fclose(file);
     return data;
 }

@@ -1,5 +1,6 @@
 /* Answers as JSON and as text. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "job.h"
@@ -11,13 +12,13 @@ void joint_to_json(const dm_joint* joint, cJSON* out) {
     json_add_number(out, "confidence", (double)joint->confidence, 4);
     json_add_vector(out, "axis", joint->axis);
     json_add_vector(out, "origin", joint->origin);
-    const int limited = joint->type != DM_JOINT_CONTINUOUS;
+    const bool limited = joint->type != DM_JOINT_CONTINUOUS;
     json_add_number(out, "lower", limited ? (double)joint->lower : NAN, 9);
     json_add_number(out, "upper", limited ? (double)joint->upper : NAN, 9);
     if (joint->type == DM_JOINT_SCREW) json_add_number(out, "pitch", (double)joint->pitch, 9);
 }
 
-void answer_to_json(const answer* answer, cJSON* out) {
+void answer_to_json(const joint_answer* answer, cJSON* out) {
     joint_to_json(&answer->joint, out);
     cJSON* hypotheses = cJSON_AddArrayToObject(out, "hypotheses");
     for (uint32_t i = 0; i < answer->hypothesis_count; i++) {
@@ -43,7 +44,7 @@ void joint_print(const dm_joint* joint) {
     printf("\n");
 }
 
-void answer_print(const answer* answer) {
+void answer_print(const joint_answer* answer) {
     joint_print(&answer->joint);
     for (uint32_t i = 1; i < answer->hypothesis_count; i++) {
         printf("   or ");

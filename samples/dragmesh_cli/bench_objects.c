@@ -1,4 +1,4 @@
-/* Preparing real objects, without picking: every node but the largest is a part. */
+/* Times the preparation of real objects, without picking: every node but the largest is a part. */
 #include "bench_objects.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@
 #include "nodes.h"
 #include "timing.h"
 
-enum { MOST_PARTS = 8, MOST_TRIANGLES = 100000, ROUNDS = 3 };
+enum { MAX_PARTS = 8, MAX_TRIANGLES = 100000, ROUNDS = 3 }; /* by hand, for the time of a run */
 
 typedef struct costs {
     double *first, *further; /* ms, one an object */
@@ -17,15 +17,15 @@ typedef struct costs {
     int skipped;
 } costs;
 
-/* The thread's own processor time, so that other programs on the machine cost little of the truth. */
+/* Returns the thread's own processor time, which other programs on the machine hardly affect. */
 static double thread_ms(void) {
     return 1e-6 * timing_now_ns(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/* The nodes with triangles that are not the body, as parts. */
-static uint32_t list_parts(const session* session, uint32_t body, dm_part_desc out[MOST_PARTS]) {
+/* Lists the nodes with triangles that are not the body as parts. */
+static uint32_t list_parts(const session* session, uint32_t body, dm_part_desc out[MAX_PARTS]) {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf) && count < MOST_PARTS; i++) {
+    for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf) && count < MAX_PARTS; i++) {
         dm_gltf_node node;
         dm_gltf_get_node(session->gltf, i, &node);
         if (i != body && node.face_count > 0) out[count++] = (dm_part_desc){.struct_size = sizeof out[0], .id = i + 1};
@@ -33,7 +33,7 @@ static uint32_t list_parts(const session* session, uint32_t body, dm_part_desc o
     return count;
 }
 
-/* Least of some rounds, in ms; negative where it fails. */
+/* Returns the least time of some rounds, ms; negative on failure. */
 static double time_prepare(session* session, const dm_mesh_desc* mesh, const dm_part_desc* parts, uint32_t count) {
     const dm_object_desc desc = {.struct_size = sizeof desc,
                                  .flags = DM_PREPARE_WITHOUT_PICKING,
@@ -57,7 +57,7 @@ static double time_prepare(session* session, const dm_mesh_desc* mesh, const dm_
 static void measure(session* session, costs* out) {
     const uint32_t body = largest_node(session);
     uint16_t* ids = node_part_ids(session, body);
-    dm_part_desc parts[MOST_PARTS];
+    dm_part_desc parts[MAX_PARTS];
     dm_mesh_desc mesh = session->mesh;
     mesh.part_ids = ids;
     mesh.part_id_format = DM_UINT16;
@@ -71,16 +71,16 @@ static void measure(session* session, costs* out) {
     free(ids);
 }
 
-static double share_at(const double* sorted, size_t count, double share) {
+static double quantile(const double* sorted, size_t count, double share) {
     return count ? sorted[(size_t)(share * (double)(count - 1))] : 0;
 }
 
 static void show(costs* c, int as_json) {
     timing_sort(c->first, c->first_count);
     timing_sort(c->further, c->further_count);
-    const double first[2] = {share_at(c->first, c->first_count, 0.5), share_at(c->first, c->first_count, 0.9)};
-    const double further[2] = {share_at(c->further, c->further_count, 0.5),
-                               share_at(c->further, c->further_count, 0.9)};
+    const double first[2] = {quantile(c->first, c->first_count, 0.5), quantile(c->first, c->first_count, 0.9)};
+    const double further[2] = {quantile(c->further, c->further_count, 0.5),
+                               quantile(c->further, c->further_count, 0.9)};
     if (!as_json) {
         printf("%zu objects, first part    median %6.2f ms  p90 %6.2f ms\n", c->first_count, first[0], first[1]);
         printf("%zu objects, further parts median %6.2f ms  p90 %6.2f ms each\n", c->further_count, further[0],
@@ -109,7 +109,7 @@ int bench_objects(session* session, const char* folder, int as_json) {
     for (unsigned i = 0; i < names.count; i++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s/object.glb", folder, names.names[i]);
-        if (session_use_file(session, path) != DM_OK || session->mesh.index_count / 3 > MOST_TRIANGLES)
+        if (session_use_file(session, path) != DM_OK || session->mesh.index_count / 3 > MAX_TRIANGLES)
             c.skipped++;
         else
             measure(session, &c);

@@ -1,4 +1,4 @@
-/* The object that the benchmark works on: a cabinet with a door and a handle, made of boxes of many triangles. */
+/* Makes the object of the benchmark: a cabinet with a door and a handle, made of boxes of many triangles. */
 #include "box_object.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@ typedef struct box {
     uint8_t part;
 } box;
 
-/* Half a metre wide; the door stands in front, hinged at its left side, with a bar for a handle at its right. */
+/* Metres. The door is in front, hinged at its left side, with a bar for a handle at its right. */
 static const box boxes[] = {
     {{-0.25f, 0, -0.4f}, {0.25f, 0.02f, 0}, 0},          {{-0.25f, 0.78f, -0.4f}, {0.25f, 0.8f, 0}, 0},
     {{-0.25f, 0.02f, -0.4f}, {-0.23f, 0.78f, 0}, 0},     {{0.23f, 0.02f, -0.4f}, {0.25f, 0.78f, 0}, 0},

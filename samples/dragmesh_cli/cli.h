@@ -1,4 +1,4 @@
-/* What the subcommands of the dragmesh tool share. */
+/* Declarations shared by the subcommands of the dragmesh tool. */
 #ifndef CLI_H
 #define CLI_H
 

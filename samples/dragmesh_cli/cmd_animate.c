@@ -3,12 +3,13 @@
 #include <stdlib.h>
 
 #include "play.h"
+#include "session_open.h"
 
-enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 100000 };
-static const float seconds_open = 2;
+enum { DEFAULT_FRAMES = 60, MAX_FRAMES = 100000 }; /* key frames of the opening; by hand */
+static const float seconds_open = 2;               /* duration of the opening, s; by hand */
 
 static dm_result animate(session* session, const job* job, int frames, const char* out_path) {
-    answer answer;
+    joint_answer answer;
     dm_result result = job_answer(session, job, &answer);
     if (result != DM_OK) return result;
     dm_pose* poses = cli_alloc((size_t)frames * sizeof *poses);
@@ -30,9 +31,9 @@ static int run(int argc, char** argv) {
     session session;
     int status = options_read(&cli_animate, argc, argv, table, JOB_OPTIONS + 2, &file);
     if (status == CLI_OK) status = job_options_finish(&cli_animate, &options, file);
-    if (status == CLI_OK && !out_path) status = options_refuse(&cli_animate, "where to? -o OUT.glb");
-    if (status == CLI_OK && (frames < 2 || frames > MOST_FRAMES))
-        status = options_refuse(&cli_animate, "--frames: 2 to %d", MOST_FRAMES);
+    if (status == CLI_OK && out_path == NULL) status = options_refuse(&cli_animate, "where to? -o OUT.glb");
+    if (status == CLI_OK && (frames < 2 || frames > MAX_FRAMES))
+        status = options_refuse(&cli_animate, "--frames: 2 to %d", MAX_FRAMES);
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
         if (animate(&session, &options.job, frames, out_path) != DM_OK) {

@@ -1,5 +1,4 @@
-/* dragmesh bench: what the library's calls cost: median, 99th percentile, and with cold caches; and what they allocate.
- */
+/* dragmesh bench: times the library's calls (median, 99th percentile, cold caches) and counts their allocations. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,16 +9,18 @@
 #include "json.h"
 #include "options.h"
 #include "session.h"
+#include "session_open.h"
 #include "timing.h"
 
 enum {
-    GRID = 34,             /* 97104 triangles */
+    /* By hand, for the time of a run. */
+    GRID = 34,             /* squares a box side: 97104 triangles */
     COLD_BYTES = 64 << 20, /* read before a cold call: more than the caches hold */
-    COLD_ROUNDS = 9,
-    MOST_ROUNDS = 20000,
-    POINTS = 100000,
-    CROWD = 10000,
-    LONG_NS = 20000
+    COLD_ROUNDS = 9,       /* of each row */
+    MAX_ROUNDS = 20000,    /* of each row, with warm caches */
+    POINTS = 100000,       /* of the bulk transform */
+    MANY_MOTIONS = 10000,  /* sampled together, as a game's frame does */
+    LONG_NS = 20000        /* calls above this are timed by the thread's clock */
 };
 static const double row_ms = 250; /* spent on each row's warm rounds */
 
@@ -39,10 +40,10 @@ static void count_release(void* user, void* memory, size_t size) {
     free(memory);
 }
 
-typedef struct blob {
-    void* data;
+typedef struct saved_object {
+    void* data; /* .dmo */
     size_t size;
-} blob;
+} saved_object;
 
 typedef struct bench {
     session session;
@@ -55,19 +56,20 @@ typedef struct bench {
     uint32_t instance;
     dm_camera camera;
     dm_pose pose;
-    blob saved, saved_bare; /* with and without triangles */
-    dm_motion crowd[CROWD];
+    saved_object saved, saved_bare; /* with and without triangles */
+    dm_motion many_motions[MANY_MOTIONS];
     float* points;
     clockid_t clock;
     double clock_ns; /* what reading it costs */
     unsigned round;  /* so that no two calls in a row are the same */
 } bench;
 
+/* Returns a number in [0, 1] that changes with every round. */
 static float wave(const bench* b) {
     return (float)(b->round % 101) / 100;
 }
 
-/* ---- the calls: each is one round of its row, 0 on failure ---- */
+/* ---- the calls: each is one round of its row ---- */
 
 static dm_result prepare_with(bench* b, uint32_t flags, dm_object* out_object) {
     const dm_part_desc part = {.struct_size = sizeof part, .id = 1, .drag = &box_object_drag};
@@ -81,18 +83,18 @@ static dm_result prepare_with(bench* b, uint32_t flags, dm_object* out_object) {
     return dm_object_prepare(b->session.context, &desc, out_object);
 }
 
-static dm_result prepare_and_drop(bench* b, uint32_t flags) {
+static dm_result prepare_and_destroy(bench* b, uint32_t flags) {
     dm_object object;
     const dm_result result = prepare_with(b, flags, &object);
     return result == DM_OK ? dm_object_destroy(b->session.context, object) : result;
 }
 
 static dm_result call_object_prepare(bench* b) {
-    return prepare_and_drop(b, 0);
+    return prepare_and_destroy(b, 0);
 }
 
 static dm_result call_object_prepare_bare(bench* b) {
-    return prepare_and_drop(b, DM_PREPARE_WITHOUT_PICKING);
+    return prepare_and_destroy(b, DM_PREPARE_WITHOUT_PICKING);
 }
 
 static dm_result call_object_refine(bench* b) {
@@ -110,18 +112,18 @@ static dm_result call_object_save(bench* b) {
     return dm_object_save(b->session.context, b->session.object, b->saved.data, b->saved.size, &b->saved.size);
 }
 
-static dm_result load_and_drop(bench* b, const blob* saved) {
+static dm_result load_and_destroy(bench* b, const saved_object* saved) {
     dm_object object;
     const dm_result result = dm_object_load(b->session.context, saved->data, saved->size, b->session.model, &object);
     return result == DM_OK ? dm_object_destroy(b->session.context, object) : result;
 }
 
 static dm_result call_object_load(bench* b) {
-    return load_and_drop(b, &b->saved);
+    return load_and_destroy(b, &b->saved);
 }
 
 static dm_result call_object_load_bare(bench* b) {
-    return load_and_drop(b, &b->saved_bare);
+    return load_and_destroy(b, &b->saved_bare);
 }
 
 static dm_result call_motion_generate(bench* b) {
@@ -135,11 +137,11 @@ static dm_result call_motion_sample(bench* b) {
     return dm_motion_sample(b->session.context, b->motion, wave(b), &b->pose, NULL);
 }
 
-/* All the motions of a crowd, as a game's frame does. */
-static dm_result call_motion_sample_crowd(bench* b) {
+/* Samples all motions, as a game's frame does. */
+static dm_result call_motion_sample_many(bench* b) {
     dm_result result = DM_OK;
-    for (int i = 0; i < CROWD && result == DM_OK; i++)
-        result = dm_motion_sample(b->session.context, b->crowd[i], wave(b), &b->pose, NULL);
+    for (int i = 0; i < MANY_MOTIONS && result == DM_OK; i++)
+        result = dm_motion_sample(b->session.context, b->many_motions[i], wave(b), &b->pose, NULL);
     return result;
 }
 
@@ -194,7 +196,7 @@ static const row rows[] = {{"object_prepare", call_object_prepare, 0, NULL},
                            {"object_load_bare", call_object_load_bare, 0, NULL},
                            {"motion_generate", call_motion_generate, 2, NULL},
                            {"motion_sample", call_motion_sample, 2, NULL},
-                           {"motion_sample_10000", call_motion_sample_crowd, 2, NULL},
+                           {"motion_sample_10000", call_motion_sample_many, 2, NULL},
                            {"drag_update", call_drag_update, 0, NULL},
                            {"joint_pose", call_joint_pose, 0, NULL},
                            {"pose_apply_points", call_pose_apply_points, 0, NULL},
@@ -213,7 +215,7 @@ typedef struct timing {
 
 static double timed(bench* b, const row* row, dm_result* result) {
     b->round++;
-    if (row->before) row->before(b);
+    if (row->before != NULL) row->before(b);
     const double start = timing_now_ns(b->clock);
     const dm_result now = row->call(b);
     const double ns = timing_now_ns(b->clock) - start;
@@ -221,7 +223,7 @@ static double timed(bench* b, const row* row, dm_result* result) {
     return fmax(ns - b->clock_ns, 0);
 }
 
-/* What reading a clock costs: the median of measuring nothing. */
+/* Returns the time of reading a clock: the median of empty measurements. */
 static double clock_cost(clockid_t clock) {
     double ns[COLD_ROUNDS * COLD_ROUNDS];
     for (int i = 0; i < COLD_ROUNDS * COLD_ROUNDS; i++) {
@@ -232,8 +234,8 @@ static double clock_cost(clockid_t clock) {
     return ns[COLD_ROUNDS * COLD_ROUNDS / 2];
 }
 
-/* The wall's clock for short calls, for which the thread's own is too slow; long ones are timed without what else the
- * machine does meanwhile. */
+/* Chooses the monotonic clock for short calls, which the thread's clock is too slow for, and the thread's processor
+ * time for long ones, which other programs then hardly affect. */
 static void choose_clock(bench* b, const row* row, dm_result* result) {
     b->clock = CLOCK_MONOTONIC;
     b->clock_ns = 0;
@@ -242,17 +244,17 @@ static void choose_clock(bench* b, const row* row, dm_result* result) {
     b->clock_ns = clock_cost(b->clock);
 }
 
-/* Puts other data where the call's would be in the caches. */
-static void chill(unsigned char* cold) {
-    for (size_t i = 0; i < COLD_BYTES; i += 64) cold[i]++;
+/* Evicts the call's data from the caches. */
+static void evict_caches(unsigned char* cold) {
+    for (size_t i = 0; i < COLD_BYTES; i += 64 /* a cache line */) cold[i]++;
 }
 
 static dm_result measure(bench* b, const row* row, unsigned char* cold, timing* out) {
     dm_result result = DM_OK;
-    double* ns = cli_alloc(MOST_ROUNDS * sizeof *ns);
+    double* ns = cli_alloc(MAX_ROUNDS * sizeof *ns);
     choose_clock(b, row, &result);
     for (int i = 0; i < COLD_ROUNDS; i++) {
-        chill(cold);
+        evict_caches(cold);
         ns[i] = timed(b, row, &result);
     }
     timing_sort(ns, COLD_ROUNDS);
@@ -262,7 +264,7 @@ static dm_result measure(bench* b, const row* row, unsigned char* cold, timing* 
     out->allocations = b->counter.calls - before;
     size_t rounds = 0;
     const double end = cli_now_ms() + row_ms;
-    while (rounds < COLD_ROUNDS || (rounds < MOST_ROUNDS && cli_now_ms() < end)) ns[rounds++] = timed(b, row, &result);
+    while (rounds < COLD_ROUNDS || (rounds < MAX_ROUNDS && cli_now_ms() < end)) ns[rounds++] = timed(b, row, &result);
     timing_sort(ns, rounds);
     out->median_ns = ns[rounds / 2];
     out->p99_ns = ns[rounds * 99 / 100];
@@ -286,7 +288,7 @@ static const char* best_isa(void) {
 
 /* ---- setting up ---- */
 
-static dm_result save(bench* b, dm_object object, blob* out) {
+static dm_result save(bench* b, dm_object object, saved_object* out) {
     dm_result result = dm_object_save(b->session.context, object, NULL, 0, &out->size);
     if (result != DM_OK) return result;
     out->data = cli_alloc(out->size);
@@ -306,8 +308,8 @@ static dm_result set_up_motion(bench* b) {
     const dm_motion_desc motion = {.struct_size = sizeof motion, .part_id = 1, .drag = box_object_drag};
     if (!b->session.has_motion) return DM_OK;
     dm_result result = dm_motion_generate(b->session.context, b->session.object, &motion, &b->motion);
-    for (int i = 0; i < CROWD && result == DM_OK; i++)
-        result = dm_motion_generate(b->session.context, b->session.object, &motion, &b->crowd[i]);
+    for (int i = 0; i < MANY_MOTIONS && result == DM_OK; i++)
+        result = dm_motion_generate(b->session.context, b->session.object, &motion, &b->many_motions[i]);
     return result;
 }
 
@@ -315,7 +317,7 @@ static dm_result set_up(bench* b) {
     dm_context* context = b->session.context;
     b->shape = box_object_new(GRID);
     b->mesh = box_object_mesh(&b->shape);
-    b->pose = (dm_pose){{0, 0.08715574f, 0, 0.9961947f}, {0, 0, 0, 0}};
+    b->pose = (dm_pose){{0, 0.08715574f, 0, 0.9961947f}, {0, 0, 0, 0}}; /* 10 degrees about y */
     b->points = cli_alloc_zeroed(POINTS * 3 * sizeof(float));
     b->camera = (dm_camera){.struct_size = sizeof b->camera,
                             .fov_y = 0.8f,
@@ -395,7 +397,7 @@ static int run(int argc, char** argv) {
     int status = options_read(&cli_bench, argc, argv, table, 2, &folder);
     if (status == CLI_OK) status = session_open(&b->session, models, &allocator);
     if (status == CLI_OK) {
-        status = folder ? bench_objects(&b->session, folder, as_json) : run_cabinet(b, as_json);
+        status = folder != NULL ? bench_objects(&b->session, folder, as_json) : run_cabinet(b, as_json);
         tear_down(b);
     }
     free(b);

@@ -1,5 +1,5 @@
-/* dragmesh demo: a player at the screen, scripted. A pixel is picked, the pointer drags across the screen, the part
- * under it follows; the film and the animated file show it, and the joint found stands beside the true one. */
+/* dragmesh demo: a scripted player picks a pixel and drags the pointer across the screen; the part follows. Writes a
+ * film strip and an animated file, and prints the inferred joint beside the true one. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,10 +10,12 @@
 #include "metrics.h"
 #include "play.h"
 #include "render.h"
+#include "session_open.h"
 
-enum { PANELS = 6, UPDATES = 90, PANEL_PIXELS = 420 };
-static const float seconds = 1.5f;
-static const double first_stretch = 0.25; /* of the drag: what the library hears of it before it decides on a joint */
+enum { PANELS = 6, UPDATES = 90, PANEL_PIXELS = 420 }; /* by hand */
+static const float seconds = 1.5f;                     /* of the drag */
+static const double first_stretch = 0.25;              /* share of the drag that the joint is refined by; by hand */
+static const double demo_travel = 0.95;                /* share of the full travel that is dragged; by hand */
 
 typedef struct pixel {
     double x, y;
@@ -22,7 +24,7 @@ typedef struct pixel {
 typedef struct player {
     session* session;
     renderer* view;
-    pixel from, to; /* the pointer's way across the screen */
+    pixel from, to; /* the pointer's path across the screen */
     dm_hit grab;
 } player;
 
@@ -61,7 +63,7 @@ static dm_result drag_in_space(const player* p, dm_drag_hint* out_hint) {
     return DM_OK;
 }
 
-/* The pointer goes its way; the part follows. */
+/* Moves the pointer along its path; the part follows. */
 static dm_result follow(const player* p, dm_pose poses[UPDATES], float* out_value) {
     dm_context* context = p->session->context;
     const dm_drag_desc desc = {.struct_size = sizeof desc,
@@ -74,7 +76,7 @@ static dm_result follow(const player* p, dm_pose poses[UPDATES], float* out_valu
     dm_drag_state state = {0};
     for (int i = 0; i < UPDATES && result == DM_OK; i++) {
         dm_ray ray;
-        result = ray_through(p, (double)play_pace((float)i / (UPDATES - 1)), &ray);
+        result = ray_through(p, (double)minimum_jerk((float)i / (UPDATES - 1)), &ray);
         if (result == DM_OK) result = dm_drag_update(context, drag, &ray, seconds / UPDATES, &state);
         poses[i] = state.pose;
     }
@@ -82,11 +84,11 @@ static dm_result follow(const player* p, dm_pose poses[UPDATES], float* out_valu
     return result == DM_OK ? dm_drag_end(context, drag, NULL) : result;
 }
 
-/* The hand's way: from the drag point to where the true joint takes it, most of its travel. */
-static void aim_hand(player* p, const metric_case* known) {
+/* Sets the pointer's path: from the drag point to where the true joint takes it. */
+static void aim_pointer(player* p, const metric_case* known) {
     const vec start = known->drag->point;
     render_project(p->view, start, &p->from.x, &p->from.y);
-    render_project(p->view, metrics_true_move(known, start, 0.95 * metrics_travel(known)), &p->to.x, &p->to.y);
+    render_project(p->view, metrics_true_move(known, start, demo_travel * metrics_travel(known)), &p->to.x, &p->to.y);
 }
 
 static void print_joint_beside_truth(const known_joint* truth, const dm_joint* found, const metric_row* row) {
@@ -100,7 +102,7 @@ static void print_joint_beside_truth(const known_joint* truth, const dm_joint* f
     printf("; fully open, the part is %.1f thousandths out of place\n", row->value[METRIC_POSE] * 1e3);
 }
 
-/* A first guess of where the part will be, so that the camera sees all of it: the true way. */
+/* Poses along the true joint, so that the camera sees all of the motion. */
 static void true_poses(const metric_case* known, dm_pose poses[PANELS]) {
     const known_joint* truth = known->truth;
     const dm_joint joint = {.type = truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE,
@@ -110,19 +112,19 @@ static void true_poses(const metric_case* known, dm_pose poses[PANELS]) {
         dm_joint_pose(&joint, (float)(metrics_travel(known) * i / (PANELS - 1)), &poses[i]);
 }
 
-static dm_result open_view(player* p, metric_case* known, const job* job, answer* answer) {
+static dm_result open_view(player* p, metric_case* known, const job* job, joint_answer* answer) {
     dm_pose poses[PANELS];
-    dm_result result = job_answer(p->session, job, answer); /* as a game does while it loads: no drag is known yet */
+    dm_result result = job_answer(p->session, job, answer); /* without a drag, as a game prepares while it loads */
     if (result == DM_OK) result = render_open(p->view, p->session, 'y');
     if (result != DM_OK) return result;
     known->size = p->view->size;
     true_poses(known, poses);
     render_aim(p->view, known->drag->vector, poses, PANELS, PANEL_PIXELS, PANEL_PIXELS);
-    aim_hand(p, known);
+    aim_pointer(p, known);
     return DM_OK;
 }
 
-static dm_result play(player* p, const metric_case* known, answer* answer, dm_pose poses[UPDATES]) {
+static dm_result play(player* p, const metric_case* known, joint_answer* answer, dm_pose poses[UPDATES]) {
     dm_drag_hint hint;
     float value = 0;
     dm_result result = grab_part(p);
@@ -141,7 +143,7 @@ static dm_result play(player* p, const metric_case* known, answer* answer, dm_po
     return DM_OK;
 }
 
-static dm_result show(player* p, const answer* answer, const dm_pose poses[UPDATES], const char* prefix) {
+static dm_result show(player* p, const joint_answer* answer, const dm_pose poses[UPDATES], const char* prefix) {
     dm_pose panels[PANELS];
     const size_t room = strlen(prefix) + 8;
     char* path = cli_alloc(room);
@@ -158,7 +160,7 @@ static dm_result show(player* p, const answer* answer, const dm_pose poses[UPDAT
 
 /* Vertices of the part, for the comparison with the truth. */
 static vec* vertices_of(const session* session, size_t* out_count) {
-    uint8_t* moving = job_moving_faces(session);
+    uint8_t* moving = session_moving_faces(session);
     vec* points = cli_alloc(session->mesh.index_count * sizeof *points);
     size_t count = 0;
     for (uint64_t corner = 0; corner < session->mesh.index_count; corner++) {
@@ -176,7 +178,7 @@ static dm_result demonstrate(session* session, const known_object* object, const
     metric_case known = {.truth = truth, .drag = &truth->drags[0], .dragged = 1};
     renderer view;
     player p = {.session = session, .view = &view};
-    answer answer;
+    joint_answer answer;
     memset(&view, 0, sizeof view);
     view.session = session;
     printf("the part '%s' may move\n", truth->moving.count ? truth->moving.names[0] : "");
@@ -211,7 +213,8 @@ static int run(int argc, char** argv) {
     known_object object;
     char error[512];
     int status = options_read(&cli_demo, argc, argv, table, 2, &folder);
-    if (status == CLI_OK && (!folder || !prefix)) status = options_refuse(&cli_demo, "a folder and -o are needed");
+    if (status == CLI_OK && (folder == NULL || prefix == NULL))
+        status = options_refuse(&cli_demo, "a folder and -o are needed");
     if (status != CLI_OK) return status;
     if (dataset_read(folder, ".", &object, error, sizeof error) != 0) return options_refuse(&cli_demo, "%s", error);
     if (object.joints[0].drag_count > 0)

@@ -7,8 +7,9 @@
 
 #include "evaluate.h"
 #include "json.h"
+#include "session_open.h"
 
-/* How a figure is named, of which joints it is taken, and what of its statistics counts. */
+/* One reported figure: name, metric, joints, and which statistic is reported. */
 typedef struct figure {
     const char* name;
     enum metric metric;
@@ -24,13 +25,13 @@ static const figure figures[] = {
     {"axis_mrad", METRIC_AXIS, 0, 0, 1},
     {"axis_mrad_revolute", METRIC_AXIS, 1, 0, 1},
     {"axis_mrad_prismatic", METRIC_AXIS, 2, 0, 1},
-    {"axis_within_45mrad", METRIC_AXIS, 0, 45, 1},
+    {"axis_within_45mrad", METRIC_AXIS, 0, 45 /* mrad */, 1},
     {"origin_e3", METRIC_ORIGIN, 1, 0, 1},
     {"origin_l1_e3", METRIC_ORIGIN_L1, 1, 0, 1},
     {"axis_line_e3", METRIC_LINE, 1, 0, 1},
     {"pose_e3", METRIC_POSE, 0, 0, 1e3},
-    {"pose_under_2pct", METRIC_POSE, 0, 0.02, 1},
-    {"pose_under_2pct_top3", METRIC_POSE_TOP3, 0, 0.02, 1},
+    {"pose_under_2pct", METRIC_POSE, 0, METRICS_RIGHT, 1},
+    {"pose_under_2pct_top3", METRIC_POSE_TOP3, 0, METRICS_RIGHT, 1},
     {"sign_acc", METRIC_SIGN, 0, -1, 1},
     {"range_iou", METRIC_RANGE, 0, 0, 1},
     {"mask_iou", METRIC_MASK, 0, 0, 1},
@@ -52,7 +53,7 @@ typedef struct group {
 static unsigned char* pick_for(const eval_rows* rows, const unsigned char* pick, int of) {
     unsigned char* out = cli_alloc(rows->count);
     for (size_t i = 0; i < rows->count; i++)
-        out[i] = (!pick || pick[i]) && (of == 0 || (of == 2) == (rows->rows[i].slides != 0));
+        out[i] = (pick == NULL || pick[i]) && (of == 0 || (of == 2) == (rows->rows[i].slides != 0));
     return out;
 }
 
@@ -79,7 +80,7 @@ static void figure_to_json(const eval_rows* rows, const unsigned char* group, co
 static void summary_to_json(const eval_rows* rows, const unsigned char* pick, cJSON* out) {
     int joints = 0, answered = 0;
     for (size_t i = 0; i < rows->count; i++) {
-        if (pick && !pick[i]) continue;
+        if (pick != NULL && !pick[i]) continue;
         joints++;
         answered += rows->rows[i].answered;
     }
@@ -89,7 +90,7 @@ static void summary_to_json(const eval_rows* rows, const unsigned char* pick, cJ
     json_add_number(out, "calibration_error", metrics_calibrate(rows->rows, rows->count, pick).error, 6);
 }
 
-/* Of the answers given at about so much confidence, how many are right. */
+/* Reliability diagram: for each bin of stated confidence, the share of right answers. */
 static void bins_to_json(const eval_rows* rows, cJSON* out) {
     const metric_calibration found = metrics_calibrate(rows->rows, rows->count, NULL);
     for (int bin = 0; bin < METRICS_BINS; bin++) {
@@ -114,7 +115,7 @@ static int by_group_name(const void* a, const void* b) {
     return strcmp(((const group*)a)->name, ((const group*)b)->name);
 }
 
-/* The groups that `key` tells the rows into, by name. */
+/* Groups the rows by `key`, sorted by name. */
 static group* make_groups(const eval_rows* rows, const char* (*key)(const metric_row*), size_t* out_count) {
     group* groups = cli_alloc(rows->count * sizeof *groups);
     size_t count = 0;
@@ -152,7 +153,7 @@ static void print_json(const eval_rows* rows, double seconds) {
     json_print(out);
 }
 
-/* ---- for people ---- */
+/* ---- text output ---- */
 
 static void print_groups(const eval_rows* rows, const char* title, const char* (*key)(const metric_row*)) {
     size_t count;
@@ -165,7 +166,8 @@ static void print_groups(const eval_rows* rows, const char* title, const char* (
         const metric_stat axis = metrics_stat(rows->rows, rows->count, pick, METRIC_AXIS);
         const metric_stat origin = metrics_stat(rows->rows, rows->count, pick, METRIC_ORIGIN);
         printf("%-22.22s %6zu %6.3f %10.1f %10.1f %10.1f %9.3f\n", groups[g].name, type.count, type.mean, axis.median,
-               axis.mean, origin.median, metrics_share_below(rows->rows, rows->count, pick, METRIC_POSE, 0.02));
+               axis.mean, origin.median,
+               metrics_share_below(rows->rows, rows->count, pick, METRIC_POSE, METRICS_RIGHT));
     }
     free_groups(groups, count);
     printf("\n");
@@ -239,7 +241,7 @@ static int evaluate(session* session, const char* folder, const eval_options* op
     return status;
 }
 
-/* METHOD_* of a name; -1 for a name that is none. */
+/* Returns METHOD_* of a name; -1 for an unknown one. */
 static int read_method(const char* name) {
     static const char* const names[] = {"full", "kpp", "geometry", "rules"};
     for (int i = 0; i < (int)(sizeof names / sizeof *names); i++)
@@ -248,7 +250,7 @@ static int read_method(const char* name) {
 }
 
 static int check(const char* folder, const char* baseline, const eval_options* options) {
-    if (!folder) return options_refuse(&cli_eval, "which folder?");
+    if (folder == NULL) return options_refuse(&cli_eval, "which folder?");
     if (read_method(baseline) < 0) return options_refuse(&cli_eval, "--baseline: full, kpp, geometry or rules");
     if (options->drags < 1 || options->drag_noise < 0 || options->mask_noise < 0 || options->mask_noise >= 1)
         return options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
@@ -259,7 +261,7 @@ static int run(int argc, char** argv) {
     const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL;
     int as_json = 0, worst = 0;
     eval_options options = {.drags = 1};
-    mistake_book book;
+    error_report report;
     const option_spec table[] = {
         {.name = "--models", .kind = OPTION_TEXT, .value = &models},
         {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
@@ -276,14 +278,15 @@ static int run(int argc, char** argv) {
         {.name = "--mistakes", .kind = OPTION_TEXT, .value = &pictures}};
     session session;
     int status = options_read(&cli_eval, argc, argv, table, sizeof table / sizeof *table, &folder);
-    options.find_part = moving && strcmp(moving, "auto") == 0;
-    if (status == CLI_OK && moving && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
+    options.find_part = moving != NULL && strcmp(moving, "auto") == 0;
+    if (status == CLI_OK && moving != NULL && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
     if (status == CLI_OK) status = check(folder, baseline, &options);
     if (status == CLI_OK) status = session_open_method(&session, models, (enum session_method)read_method(baseline));
     if (status != CLI_OK) return status;
-    if (pictures && mistakes_open(&book, pictures) == 0) options.mistakes = &book;
-    status = pictures && !options.mistakes ? CLI_USAGE : evaluate(&session, folder, &options, as_json, worst);
-    if (options.mistakes && mistakes_close(&book) != 0) status = CLI_FAILED;
+    if (pictures != NULL && error_report_open(&report, pictures) == 0) options.error_report = &report;
+    status = pictures != NULL && options.error_report == NULL ? CLI_USAGE
+                                                              : evaluate(&session, folder, &options, as_json, worst);
+    if (options.error_report != NULL && error_report_close(&report) != 0) status = CLI_FAILED;
     session_close(&session);
     return status;
 }

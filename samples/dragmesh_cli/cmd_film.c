@@ -4,8 +4,10 @@
 
 #include "play.h"
 #include "render.h"
+#include "session_open.h"
 
-enum { DEFAULT_FRAMES = 5, MOST_FRAMES = 64, MOST_PIXELS = 8192 };
+enum { DEFAULT_FRAMES = 5, MAX_FRAMES = 64 }; /* pictures of a strip; by hand */
+enum { MIN_PIXELS = 16, MAX_PIXELS = 8192 };  /* a side of a picture at least, of the strip at most; by hand */
 
 typedef struct film_options {
     int frames;
@@ -15,9 +17,9 @@ typedef struct film_options {
 } film_options;
 
 static dm_result film(session* session, const job* job, const film_options* options) {
-    answer answer;
+    joint_answer answer;
     renderer renderer;
-    dm_pose poses[MOST_FRAMES];
+    dm_pose poses[MAX_FRAMES];
     const uint32_t frames = (uint32_t)options->frames;
     dm_result result = job_answer(session, job, &answer);
     if (result == DM_OK) result = play_motion(session, job, &answer, frames, poses, NULL);
@@ -34,12 +36,12 @@ static dm_result film(session* session, const job* job, const film_options* opti
 }
 
 static int check(const film_options* options) {
-    if (!options->out_path) return options_refuse(&cli_film, "where to? -o OUT.png");
-    if (options->frames < 2 || options->frames > MOST_FRAMES)
-        return options_refuse(&cli_film, "--frames: 2 to %d", MOST_FRAMES);
+    if (options->out_path == NULL) return options_refuse(&cli_film, "where to? -o OUT.png");
+    if (options->frames < 2 || options->frames > MAX_FRAMES)
+        return options_refuse(&cli_film, "--frames: 2 to %d", MAX_FRAMES);
     for (int i = 0; i < 2; i++)
-        if (!(options->size[i] >= 16 && options->size[i] * (float)options->frames <= MOST_PIXELS))
-            return options_refuse(&cli_film, "--size: 16 or more, %d for all frames together", MOST_PIXELS);
+        if (!(options->size[i] >= MIN_PIXELS && options->size[i] * (float)options->frames <= MAX_PIXELS))
+            return options_refuse(&cli_film, "--size: %d or more, %d for all frames together", MIN_PIXELS, MAX_PIXELS);
     if (options->up[0] < 'x' || options->up[0] > 'z' || options->up[1])
         return options_refuse(&cli_film, "--up: x, y or z");
     return CLI_OK;

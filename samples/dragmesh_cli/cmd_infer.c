@@ -1,39 +1,42 @@
 /* dragmesh infer: the joint of one part, or of every line of a file of jobs. */
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/types.h>
 
-#include "grabbed.h"
 #include "job.h"
 #include "json.h"
+#include "part_at_point.h"
+#include "session_open.h"
 
 static cJSON* result_for(const cJSON* id) {
     cJSON* result = cJSON_CreateObject();
-    cJSON_AddItemToObject(result, "id", id ? cJSON_Duplicate(id, 1) : cJSON_CreateNull());
+    cJSON_AddItemToObject(result, "id", id != NULL ? cJSON_Duplicate(id, 1) : cJSON_CreateNull());
     return result;
 }
 
 /* One line in, one line out; 0 when it carries an error. */
-static int answer_line(session* session, const char* line, unsigned number) {
+static bool answer_line(session* session, const char* line, unsigned number) {
     const char* end = NULL;
     cJSON* json = cJSON_ParseWithOpts(line, &end, 1);
     cJSON* result = result_for(cJSON_GetObjectItemCaseSensitive(json, "id"));
     job job = {0};
-    answer answer;
+    joint_answer answer;
     dm_result code;
-    if (json)
+    if (json != NULL)
         code = job_from_json(session, json, &job);
     else
         code = session_fail(session, DM_ERROR_BAD_DATA, "job line %u is no JSON, at byte %td", number,
-                            end ? end - line : 0);
+                            end != NULL ? end - line : 0);
     if (code == DM_OK) code = job_answer(session, &job, &answer);
     if (code == DM_OK)
         answer_to_json(&answer, result);
     else
         cJSON_AddStringToObject(result, "error", session->error);
-    if (code == DM_OK && grabbed_asked(&job.moving)) grabbed_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+    if (code == DM_OK && part_at_point_requested(&job.moving))
+        part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
     json_print_line(result);
     job_free(&job);
     cJSON_Delete(json);
@@ -42,7 +45,7 @@ static int answer_line(session* session, const char* line, unsigned number) {
 
 static int answer_jobs(session* session, const char* path) {
     FILE* file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    if (!file) {
+    if (file == NULL) {
         fprintf(stderr, "dragmesh: can't read the jobs '%s': %s\n", path, strerror(errno));
         return CLI_USAGE;
     }
@@ -62,7 +65,7 @@ static int answer_jobs(session* session, const char* path) {
 }
 
 static int answer_one(session* session, const job* job, int as_json) {
-    answer answer;
+    joint_answer answer;
     const dm_result code = job_answer(session, job, &answer);
     if (as_json) {
         cJSON* result = cJSON_CreateObject();
@@ -70,8 +73,8 @@ static int answer_one(session* session, const job* job, int as_json) {
             answer_to_json(&answer, result);
         else
             cJSON_AddStringToObject(result, "error", session->error);
-        if (code == DM_OK && grabbed_asked(&job->moving))
-            grabbed_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+        if (code == DM_OK && part_at_point_requested(&job->moving))
+            part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
         json_print_line(result);
     } else if (code == DM_OK) {
         answer_print(&answer);
@@ -92,13 +95,13 @@ static int run(int argc, char** argv) {
     table[JOB_OPTIONS + 2] = (option_spec){.name = "--mask-out", .kind = OPTION_TEXT, .value = &mask_out};
     session session;
     int status = options_read(&cli_infer, argc, argv, table, JOB_OPTIONS + 3, &file);
-    if (status == CLI_OK && !jobs) status = job_options_finish(&cli_infer, &options, file);
-    if (status == CLI_OK && jobs && (file || mask_out || options.job.moving.count > 0))
+    if (status == CLI_OK && jobs == NULL) status = job_options_finish(&cli_infer, &options, file);
+    if (status == CLI_OK && jobs != NULL && (file != NULL || mask_out != NULL || options.job.moving.count > 0))
         status = options_refuse(&cli_infer, "--jobs stands alone");
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
-        status = jobs ? answer_jobs(&session, jobs) : answer_one(&session, &options.job, as_json);
-        if (mask_out && status == CLI_OK && grabbed_write(&session, mask_out) != 0) status = CLI_FAILED;
+        status = jobs != NULL ? answer_jobs(&session, jobs) : answer_one(&session, &options.job, as_json);
+        if (mask_out != NULL && status == CLI_OK && part_at_point_write(&session, mask_out) != 0) status = CLI_FAILED;
         session_close(&session);
     }
     job_free(&options.job);

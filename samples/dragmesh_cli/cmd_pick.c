@@ -5,6 +5,7 @@
 #include "json.h"
 #include "nodes.h"
 #include "options.h"
+#include "session_open.h"
 
 /* A scene wants an object with a part. Picking asks for none, so the first triangle is entered once more, as a part
  * that is fixed; a hit on either copy is that triangle. */
@@ -75,7 +76,8 @@ static int run(int argc, char** argv) {
         {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
     int status = options_read(&cli_pick, argc, argv, table, 2, &file);
-    if (status == CLI_OK && (!file || !has_ray)) status = options_refuse(&cli_pick, "a file and a --ray are needed");
+    if (status == CLI_OK && (file == NULL || !has_ray))
+        status = options_refuse(&cli_pick, "a file and a --ray are needed");
     if (status == CLI_OK) status = session_open(&session, "none", NULL);
     if (status != CLI_OK) return status;
     const dm_ray ray = {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};

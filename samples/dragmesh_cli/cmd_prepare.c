@@ -8,6 +8,7 @@
 #include "job.h"
 #include "json.h"
 #include "nodes.h"
+#include "session_open.h"
 
 /* Part ids of a face: the named nodes are part 1; without names every node is a part but the largest. */
 static dm_result select_parts(session* session, const name_list* moving, uint16_t** out_ids) {
@@ -72,7 +73,7 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
     cJSON* parts = cJSON_AddArrayToObject(out, "parts");
     for (uint32_t i = 0; i < info.part_count; i++) {
         dm_part_info part = {.struct_size = sizeof part};
-        answer found = {0};
+        joint_answer found = {0};
         char name[256] = "";
         dm_object_get_part(session->context, session->object, i, &part);
         dm_object_get_joint(session->context, session->object, part.id, &found.joint);
@@ -102,7 +103,8 @@ static int run(int argc, char** argv) {
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
     int status = options_read(&cli_prepare, argc, argv, table, 4, &file);
-    if (status == CLI_OK && (!file || !out_path)) status = options_refuse(&cli_prepare, "a file and -o are needed");
+    if (status == CLI_OK && (file == NULL || out_path == NULL))
+        status = options_refuse(&cli_prepare, "a file and -o are needed");
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
         size_t bytes = 0;

@@ -4,6 +4,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,10 +15,10 @@ static int by_name(const void* a, const void* b) {
     return strcmp(*(char* const*)a, *(char* const*)b);
 }
 
-static int has_joints(const char* folder, const char* name) {
+static bool has_joints(const char* folder, const char* name) {
     char* object = path_join(folder, name);
     char* joints = path_join(object, "joints.json");
-    const int found = name[0] != '.' && file_exists(joints);
+    const bool found = name[0] != '.' && file_exists(joints);
     free(joints);
     free(object);
     return found;
@@ -26,8 +27,8 @@ static int has_joints(const char* folder, const char* name) {
 name_list dataset_list(const char* folder) {
     name_list list = {NULL, 0};
     DIR* directory = opendir(folder);
-    if (!directory) return list;
-    for (struct dirent* entry = readdir(directory); entry; entry = readdir(directory))
+    if (directory == NULL) return list;
+    for (struct dirent* entry = readdir(directory); entry != NULL; entry = readdir(directory))
         if (has_joints(folder, entry->d_name)) name_list_add(&list, entry->d_name, strlen(entry->d_name));
     closedir(directory);
     if (list.count) qsort(list.names, list.count, sizeof *list.names, by_name);
@@ -80,7 +81,7 @@ int dataset_read(const char* folder, const char* name, known_object* out_object,
     char* path = path_join(object, "joints.json");
     size_t size;
     char* text = file_read(path, &size);
-    cJSON* json = text ? cJSON_Parse(text) : NULL;
+    cJSON* json = text != NULL ? cJSON_Parse(text) : NULL;
     const cJSON* joints = cJSON_GetObjectItemCaseSensitive(json, "joints");
     const int count = cJSON_GetArraySize(joints);
     if (count > 0) {
@@ -96,7 +97,7 @@ int dataset_read(const char* folder, const char* name, known_object* out_object,
         free(up);
         cJSON_ArrayForEach(item, joints) read_joint(item, &out_object->joints[at++]);
     } else {
-        snprintf(error, error_size, "'%s' %s", path, text ? "lists no joints" : strerror(errno));
+        snprintf(error, error_size, "'%s' %s", path, text != NULL ? "lists no joints" : strerror(errno));
     }
     cJSON_Delete(json);
     free(text);
@@ -119,8 +120,8 @@ void dataset_free(known_object* object) {
 const char* dataset_source(const char* name) {
     static const char* const partnet[] = {"gensim2", "robotwin", "sapien", "gapartnet", "dexteroushands",
                                           "genesis", "rpad",     "r_pad",  "partnet"};
-    if (strncmp(name, "flightgear__", 12) == 0) return "flightgear";
-    if (strncmp(name, "webxr", 5) == 0) return "webxr";
+    if (strncmp(name, "flightgear__", strlen("flightgear__")) == 0) return "flightgear";
+    if (strncmp(name, "webxr", strlen("webxr")) == 0) return "webxr";
     for (size_t i = 0; i < sizeof partnet / sizeof *partnet; i++)
         if (strncmp(name, partnet[i], strlen(partnet[i])) == 0) return "partnet";
     return "simulation";

@@ -2,10 +2,12 @@
 #ifndef CLI_DATASET_H
 #define CLI_DATASET_H
 
+#include <stdbool.h>
+
 #include "job.h"
 #include "vec.h"
 
-enum { DATASET_DRAGS = 8 };
+enum { DATASET_DRAGS = 8 }; /* drags of a joint that are read; by hand, datasets have fewer */
 
 typedef struct known_drag {
     vec point, vector;
@@ -13,7 +15,7 @@ typedef struct known_drag {
 
 typedef struct known_joint {
     char* name;
-    int slides; /* prismatic; else it turns */
+    bool slides; /* prismatic; else it turns */
     vec axis, origin;
     double lower, upper; /* NAN: not given */
     double weight;
@@ -35,7 +37,7 @@ name_list dataset_list(const char* folder);
 /* 0, or -1 with a message in `error`. */
 int dataset_read(const char* folder, const char* name, known_object* out_object, char* error, size_t error_size);
 void dataset_free(known_object* object);
-/* Which of the well-known sources a folder's name tells: "flightgear", "webxr", "partnet", "simulation". */
+/* Returns the source that a folder's name stands for: "flightgear", "webxr", "partnet", "simulation". */
 const char* dataset_source(const char* name);
 
 #endif

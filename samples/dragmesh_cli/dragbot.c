@@ -6,6 +6,7 @@
 
 #include "dragbot.h"
 #include "json.h"
+#include "session_open.h"
 
 static int by_time(const void* a, const void* b) {
     const float x = *(const float*)a, y = *(const float*)b;
@@ -152,7 +153,7 @@ static int run(int argc, char** argv) {
                                  {.name = "--given-joint", .kind = OPTION_FLAG, .value = &options.given_only}};
     session session;
     int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
-    if (status == CLI_OK && !folder) status = options_refuse(&cli_dragbot, "which folder?");
+    if (status == CLI_OK && folder == NULL) status = options_refuse(&cli_dragbot, "which folder?");
     if (status == CLI_OK && options.cameras < 1) status = options_refuse(&cli_dragbot, "--cameras from 1");
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status != CLI_OK) return status;

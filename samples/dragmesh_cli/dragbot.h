@@ -1,17 +1,19 @@
-/* A scripted player: looks at an object, grabs a part where it sees it and draws it along the way it should go. The
- * truth steers the mouse and nothing else. */
+/* A scripted player: renders an object, grabs a visible point of a part and moves the mouse along the projection of the
+ * true motion. The library knows nothing of the truth. */
 #ifndef CLI_DRAGBOT_H
 #define CLI_DRAGBOT_H
+
+#include <stdbool.h>
 
 #include "dataset.h"
 #include "random.h"
 
-/* The player's screen, pixels. */
+/* The player's screen, pixels; by hand. */
 enum { BOT_WIDTH = 1280, BOT_HEIGHT = 960 };
 
-/* ---- what the player sees ---- */
+/* ---- view ---- */
 
-/* Every BOT_STEP-th pixel of the screen, told by a rasteriser of the bot's own. */
+/* Part ids and depths at every BOT_STEP-th pixel, by a rasteriser independent of the library. */
 enum { BOT_STEP = 4, BOT_COLUMNS = BOT_WIDTH / BOT_STEP, BOT_ROWS = BOT_HEIGHT / BOT_STEP };
 #define BOT_CONTESTED UINT32_MAX /* a surface of two parts */
 
@@ -30,40 +32,42 @@ void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, d
 /* Draws a mesh, one part id a face. */
 void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face_parts);
 /* The pixel of a point; 0 when it is behind the eye. */
-int bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);
-int bot_view_on_screen(double x, double y);
+bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);
+bool bot_view_on_screen(double x, double y);
 /* The point seen at column, row. */
 vec bot_view_point(const bot_view* view, int column, int row);
 
 /* ---- one case ---- */
 
-enum { BOT_FRAMES = 120, BOT_MOST_FRAMES = 1200, BOT_HOLD = 20 }; /* at 60 a second: a pull, then still */
+/* Frames at 60 a second, by hand: least and most of a pull, and still after it. */
+enum { BOT_FRAMES = 120, BOT_MAX_FRAMES = 1200, BOT_HOLD = 20 };
 
-/* A pixel to grab at and the way of the mouse. */
+/* A pixel to grab and the path of the mouse. */
 typedef struct bot_pull {
     int x, y;     /* of the grab */
     vec point;    /* seen there */
     double asked; /* the true joint's value at the end */
-    double path[BOT_MOST_FRAMES][2];
+    double path[BOT_MAX_FRAMES][2];
     int frames;
-    double length; /* of the true way, pixels */
+    double length; /* of the true path, pixels */
 } bot_pull;
 
 /* Where the true joint at `value` takes a point. */
 vec bot_true_move(const known_joint* truth, vec point, double value);
-/* The true value the bot pulls to. */
+/* Returns the value of the true joint that the bot pulls to. */
 double bot_travel(const known_joint* truth, double size);
-/* How far along a movement is, 0 to 1, at a share of its time: it sets off and arrives softly. */
-double bot_pace(double share);
-/* 1 with a pull a mouse can do; 0: the part is not seen; -1: seen, but no place on it has a way a mouse can draw. */
+/* Minimum-jerk progress, 0 to 1, at a share of the time. */
+double bot_minimum_jerk(double share);
+/* Chooses a grab point and path. Returns 1; 0: the part is not visible; -1: visible, but no point of it has a path that
+ * a mouse can draw. */
 int bot_choose_pull(const bot_view* view, uint32_t part, const known_joint* truth, double size, random_state* random,
                     bot_pull* out_pull);
 
-/* How unlike the true way the mouse goes. All 0: along it. */
+/* How the player's hand deviates from the true path. All 0: not at all. */
 typedef struct bot_hand {
-    int straight;  /* from the grabbed pixel straight to where the way ends */
-    double wander; /* off the way at most, a normal law's spread each for x and y, share of its length */
-    double tremor; /* the same, in every frame for itself, pixels */
+    int straight;  /* from the grabbed pixel straight to the end of the path */
+    double wander; /* largest deviation: standard deviation in x and in y, share of the path's length */
+    double tremor; /* the same in every frame independently, pixels */
 } bot_hand;
 
 void bot_hand_draw(const bot_hand* hand, random_state* random, bot_pull* pull);
@@ -74,21 +78,21 @@ typedef struct bot_times {
 } bot_times;
 
 typedef struct bot_result {
-    int picked;        /* the right part */
+    bool picked;       /* the right part */
     double reached;    /* share of what was asked, on the true joint */
     double off;        /* farthest that the grabbed point was from the pointer, share of the screen's height */
     int jumps;         /* frames */
     double worst_jump; /* px */
     int changes;       /* of the joint, told by the pull */
-    int arrived;       /* 90 to 110 % of what was asked */
-    int near;          /* within 2 % of the screen's height of the pointer all the way */
-    int success;
-    int success_or_beyond; /* the same, were it no fault to go too far */
-    dm_joint joint;        /* at the end */
+    bool arrived;      /* 90 to 110 % of what was asked */
+    bool near;         /* always within 2 % of the screen's height of the pointer */
+    bool success;
+    bool success_or_beyond; /* the same, but going too far is no failure */
+    dm_joint joint;         /* at the end */
 } bot_result;
 
-/* Picks and drags. centre: of the part's vertices. A hand that pulls straight is not asked to have the grabbed point
- * near it on its way. */
+/* Picks and drags. centre: of the part's vertices. With a straight pull the grabbed point need not stay near the
+ * pointer. */
 dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const bot_pull* pull, const bot_hand* hand,
                    uint32_t part, const known_joint* truth, vec centre, bot_times* times, bot_result* out_result);
 
@@ -101,7 +105,7 @@ typedef struct bot_options {
 
 typedef struct bot_row {
     bot_result found, given; /* with the library's joint; with the true one */
-    int slides;
+    bool slides;
     bot_pull pull;
     int camera;
     char id[200];
@@ -110,7 +114,7 @@ typedef struct bot_row {
 typedef struct bot_score {
     bot_row* rows;
     size_t count, room;
-    int unseen, undrawable; /* joint and camera: the part is hidden; a mouse can't draw its way */
+    int unseen, undrawable; /* joint and camera: the part is hidden; a mouse can't draw its path */
     int failed;             /* objects and joints without an answer */
     bot_times times;
 } bot_score;

@@ -1,17 +1,21 @@
-/* The scripted player on one object: all its parts prepared at once, every joint from several sides. */
+/* The scripted player on one object: prepares all parts at once and plays every joint from several cameras. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "dragbot.h"
 
-enum { DIRECTIONS = 32, MOST_PARTS = 250 };
-static const double part_fill = 0.35; /* of the view's radius: a part smaller than that is looked at from closer by */
-static const double lowest = -0.2, highest = 0.95; /* sine of the height that the player looks from */
+/* All by hand. */
+enum { DIRECTIONS = 32, MAX_PARTS = 250 }; /* camera directions tried; parts, whose ids fit a byte */
+static const double part_fill = 0.35;      /* least share of the view's radius that the part fills */
+static const double view_margin = 1.05;    /* radius of the view over that of the part's ball */
+static const double camera_distance = 2.5; /* from the centre, in radii of the whole */
+static const double min_elevation = -0.2, max_elevation = 0.95; /* sine of the camera's elevation */
 
-/* An object as it stands before the player. */
-typedef struct stage {
+/* An object prepared and placed for the player. */
+typedef struct setup {
     session* session;
     known_object object;
     uint8_t* face_parts;
@@ -21,24 +25,24 @@ typedef struct stage {
     double radius, size;
     dm_scene scene;
     bot_view view;
-} stage;
+} setup;
 
 /* ---- parts ---- */
 
-static int has_name(const name_list* list, const char* name) {
+static bool has_name(const name_list* list, const char* name) {
     for (unsigned i = 0; i < list->count; i++)
-        if (strcmp(list->names[i], name) == 0) return 1;
-    return 0;
+        if (strcmp(list->names[i], name) == 0) return true;
+    return false;
 }
 
-static int includes(const name_list* outer, const name_list* inner) {
+static bool includes(const name_list* outer, const name_list* inner) {
     for (unsigned i = 0; i < inner->count; i++)
-        if (!has_name(outer, inner->names[i])) return 0;
-    return 1;
+        if (!has_name(outer, inner->names[i])) return false;
+    return true;
 }
 
 /* Joints of the same nodes share a part; ids from 1 on. */
-static void number_parts(stage* s) {
+static void number_parts(setup* s) {
     const known_joint* joints = s->object.joints;
     for (int i = 0; i < s->object.joint_count; i++) {
         for (int k = 0; k < i && !s->part_of_joint[i]; k++) {
@@ -46,12 +50,12 @@ static void number_parts(stage* s) {
                 includes(&joints[i].moving, &joints[k].moving) && includes(&joints[k].moving, &joints[i].moving);
             if (same) s->part_of_joint[i] = s->part_of_joint[k];
         }
-        if (!s->part_of_joint[i] && s->part_count < MOST_PARTS) s->part_of_joint[i] = ++s->part_count;
+        if (!s->part_of_joint[i] && s->part_count < MAX_PARTS) s->part_of_joint[i] = ++s->part_count;
     }
 }
 
-/* The joint whose part a joint's part hangs on: the smallest that holds all its nodes; -1: the body. */
-static int carrier_of(const stage* s, int joint) {
+/* Returns the joint whose part carries a joint's part: the smallest that holds all its nodes; -1: the body. */
+static int carrier_of(const setup* s, int joint) {
     const known_joint* joints = s->object.joints;
     int best = -1;
     for (int i = 0; i < s->object.joint_count; i++) {
@@ -63,7 +67,7 @@ static int carrier_of(const stage* s, int joint) {
 }
 
 /* Larger parts first, so that what they carry is marked over them. */
-static dm_result mark_faces(stage* s) {
+static dm_result mark_faces(setup* s) {
     const uint64_t faces = s->session->mesh.index_count / 3;
     unsigned most = 0;
     for (int i = 0; i < s->object.joint_count; i++)
@@ -80,17 +84,17 @@ static dm_result mark_faces(stage* s) {
     return DM_OK;
 }
 
-static void drop_faceless_parts(stage* s) {
+static void drop_faceless_parts(setup* s) {
     const uint64_t faces = s->session->mesh.index_count / 3;
-    uint64_t own[MOST_PARTS + 1] = {0};
+    uint64_t own[MAX_PARTS + 1] = {0};
     for (uint64_t i = 0; i < faces; i++) own[s->face_parts[i]]++;
     for (int i = 0; i < s->object.joint_count; i++)
         if (!own[s->part_of_joint[i]]) s->part_of_joint[i] = 0;
 }
 
-static dm_result prepare(stage* s) {
-    dm_part_desc parts[MOST_PARTS];
-    uint8_t known[MOST_PARTS + 1] = {0};
+static dm_result prepare(setup* s) {
+    dm_part_desc parts[MAX_PARTS];
+    uint8_t known[MAX_PARTS + 1] = {0};
     uint32_t count = 0;
     for (int i = 0; i < s->object.joint_count; i++) {
         const uint32_t id = s->part_of_joint[i];
@@ -106,13 +110,13 @@ static dm_result prepare(stage* s) {
     mesh.part_id_scope = DM_PER_FACE;
     const dm_object_desc desc = {
         .struct_size = sizeof desc, .mesh = &mesh, .parts = parts, .part_count = count, .model = s->session->model};
-    session_drop_object(s->session);
+    session_release_object(s->session);
     return dm_object_prepare(s->session->context, &desc, &s->session->object);
 }
 
-/* ---- the stage ---- */
+/* ---- setup ---- */
 
-static dm_result set_up(stage* s) {
+static dm_result set_up(setup* s) {
     const dm_scene_desc scene = {.struct_size = sizeof scene};
     uint32_t instance;
     s->face_parts = cli_alloc_zeroed(s->session->mesh.index_count / 3);
@@ -134,25 +138,26 @@ static dm_result set_up(stage* s) {
     return DM_OK;
 }
 
-static void take_down(stage* s) {
+static void take_down(setup* s) {
     if (s->scene) dm_scene_destroy(s->session->context, s->scene);
-    session_drop_object(s->session);
+    session_release_object(s->session);
     free(s->face_parts);
     free(s->part_of_joint);
 }
 
-/* ---- looking ---- */
+/* ---- cameras ---- */
 
-/* Directions spread evenly over the heights that a player looks from, in an order that goes round. */
-static vec direction(const stage* s, int index) {
-    const double turned = 2.399963229728653 * index; /* the golden angle */
-    const double height = lowest + (highest - lowest) * fmod(0.618033988749895 * (index + 1), 1);
+/* Returns a camera direction: elevations spread evenly in golden-ratio order, azimuths by the golden angle. */
+static vec direction(const setup* s, int index) {
+    const double turned = 2.399963229728653 * index; /* the golden angle, rad */
+    const double height = min_elevation + (max_elevation - min_elevation) *
+                                              fmod(0.618033988749895 * (index + 1), 1); /* golden ratio - 1 */
     const vec side = fabs(s->up.z) > 0.5 ? (vec){1, 0, 0} : (vec){0, 0, 1};
     return add(scale(s->up, height), scale(turn(side, s->up, turned), sqrt(1 - height * height)));
 }
 
-/* A ball round the part at rest and where it is pulled to. */
-static void frame_part(const stage* s, int joint, vec* out_centre, double* out_radius, vec* out_part_centre) {
+/* Computes a ball round the part along its whole pull. */
+static void frame_part(const setup* s, int joint, vec* out_centre, double* out_radius, vec* out_part_centre) {
     const known_joint* truth = &s->object.joints[joint];
     const uint32_t* indices = s->session->mesh.indices;
     const float* positions = s->session->mesh.positions;
@@ -164,7 +169,7 @@ static void frame_part(const stage* s, int joint, vec* out_centre, double* out_r
         const vec point = vec_at(positions + 3 * (size_t)indices[i]);
         sum = add(sum, point), count++;
         for (int k = 0; k <= 4; k++) {
-            const vec p = bot_true_move(truth, point, 0.25 * k * asked);
+            const vec p = bot_true_move(truth, point, 0.25 * k * asked /* at quarters of the pull */);
             low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
             high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
         }
@@ -174,13 +179,14 @@ static void frame_part(const stage* s, int joint, vec* out_centre, double* out_r
     *out_radius = 0.5 * length(sub(high, low));
 }
 
-static int look_at(stage* s, int joint, int index, random_state* random, bot_pull* out_pull) {
+static int aim_and_choose(setup* s, int joint, int index, random_state* random, bot_pull* out_pull) {
     vec centre, part_centre;
     double radius;
     frame_part(s, joint, &centre, &radius, &part_centre);
     const double whole = fmax(s->radius + length(sub(centre, s->centre)), radius);
-    const double wanted = fmin(fmax(radius / part_fill, radius * 1.05), whole);
-    bot_view_aim(&s->view, direction(s, index), s->up, centre, fmax(wanted, 1.05 * radius), 2.5 * whole);
+    const double wanted = fmin(fmax(radius / part_fill, radius * view_margin), whole);
+    bot_view_aim(&s->view, direction(s, index), s->up, centre, fmax(wanted, view_margin * radius),
+                 camera_distance * whole);
     bot_view_draw(&s->view, &s->session->mesh, s->face_parts);
     return bot_choose_pull(&s->view, s->part_of_joint[joint], &s->object.joints[joint], s->size, random, out_pull);
 }
@@ -199,13 +205,13 @@ static bot_row* new_row(bot_score* score) {
 
 static dm_joint true_joint(const known_joint* truth) {
     dm_joint joint = {.axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
-    const int limited = isfinite(truth->lower) && isfinite(truth->upper);
+    const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
     joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
     if (limited) joint.lower = (float)truth->lower, joint.upper = (float)truth->upper;
     return joint;
 }
 
-static void play_joint(stage* s, int joint, const bot_options* options, int given, bot_score* score) {
+static void play_joint(setup* s, int joint, const bot_options* options, int given, bot_score* score) {
     const known_joint* truth = &s->object.joints[joint];
     random_state random = {(uint64_t)joint + 1};
     vec centre, part_centre;
@@ -218,17 +224,18 @@ static void play_joint(stage* s, int joint, const bot_options* options, int give
     int found = 0;
     for (int i = 0; i < DIRECTIONS && found < options->cameras; i++) {
         bot_pull pull;
-        const int seen = look_at(s, joint, i, &random, &pull);
+        const int seen = aim_and_choose(s, joint, i, &random, &pull);
         if (given) score->unseen += seen == 0, score->undrawable += seen < 0;
         if (seen <= 0) continue;
-        random_state unsteady = {random.state ^ 0x68616E64u}; /* its own: other hands grab at the same places */
-        bot_hand_draw(&options->hand, &unsteady, &pull);
+        random_state hand_random = {random.state ^
+                                    0x68616E64u}; /* independent, so that all hands grab the same points */
+        bot_hand_draw(&options->hand, &hand_random, &pull);
         bot_row* row = NULL;
         char id[sizeof row->id];
         snprintf(id, sizeof id, "%s/%d/%d", s->object.name, joint, i);
-        for (size_t r = score->count; given && r > 0 && !row; r--)
+        for (size_t r = score->count; given && r > 0 && row == NULL; r--)
             if (strcmp(score->rows[r - 1].id, id) == 0) row = &score->rows[r - 1];
-        if (!row) row = new_row(score);
+        if (row == NULL) row = new_row(score);
         memcpy(row->id, id, sizeof id);
         row->slides = truth->slides, row->pull = pull, row->camera = i;
         bot_result* result = given ? &row->given : &row->found;
@@ -243,7 +250,7 @@ static void play_joint(stage* s, int joint, const bot_options* options, int give
 
 void bot_play_object(session* session, const char* folder, const char* name, const bot_options* options,
                      bot_score* score) {
-    stage s = {.session = session};
+    setup s = {.session = session};
     char error[512];
     if (dataset_read(folder, name, &s.object, error, sizeof error) != 0) {
         fprintf(stderr, "dragmesh dragbot: %s\n", error);

@@ -1,4 +1,4 @@
-/* One drag of the scripted player through the public API, and what it felt like. */
+/* One drag of the scripted player through the public API, and its measurements. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,12 +6,14 @@
 #include "dragbot.h"
 #include "timing.h"
 
-static const double frame = 1.0 / 60;
-/* A jump: the part goes farther in one frame than this, and than so many times the pointer. */
-static const double jump_share = 0.03, jump_gain = 4; /* share of the screen's height */
-static const double near_share = 0.02, reach_share = 0.9;
+/* By hand; docs/feel.md. */
+static const double frame = 1.0 / 60; /* s */
+/* A jump: in one frame the part moves more than jump_share of the screen's height and jump_gain times the pointer. */
+static const double jump_share = 0.03, jump_gain = 4;
+static const double near_share = 0.02; /* of the screen's height: the grabbed point is at the pointer */
+static const double reach_share = 0.9; /* of the asked value: the part has arrived */
 
-static void note_time(bot_times* times, double ns) {
+static void record_time(bot_times* times, double ns) {
     if (times->count == times->room) {
         times->room = times->room ? 2 * times->room : 65536;
         times->ns = cli_grow(times->ns, times->room * sizeof *times->ns);
@@ -25,33 +27,33 @@ static vec moved(const dm_pose* pose, vec point) {
     return vec_at(xyz);
 }
 
-/* The value of the true joint that a pose comes to: the twist about its axis, or how far the part's centre slid. */
+/* Returns the true joint's value of a pose: the twist about its axis, or the displacement of the part's centre. */
 static double true_value(const known_joint* truth, const dm_pose* pose, vec centre, double near) {
     if (truth->slides) return dot(sub(moved(pose, centre), centre), truth->axis);
     const vec v = {(double)pose->real[0], (double)pose->real[1], (double)pose->real[2]};
     const double angle = 2 * atan2(dot(v, truth->axis), (double)pose->real[3]);
-    return angle + 2 * CLI_PI * round((near - angle) / (2 * CLI_PI));
+    return angle + TWO_PI * round((near - angle) / TWO_PI);
 }
 
-/* What one frame shows. */
-typedef struct watch {
+/* Measures jumps and distances on the screen, frame by frame. */
+typedef struct screen_tracker {
     const bot_view* view;
     vec centre;        /* of the part at rest */
     double seen[2][2]; /* grabbed point and centre on the screen in the frame before */
     double pointer[2]; /* in the frame before */
     bot_result* result;
-} watch;
+} screen_tracker;
 
-static void look(watch* w, const dm_drag_state* state, const double pointer[2]) {
+static void track_frame(screen_tracker* w, const dm_drag_state* state, const double pointer[2]) {
     const vec points[2] = {vec_of(state->grab_point), moved(&state->pose, w->centre)};
     const double went = hypot(pointer[0] - w->pointer[0], pointer[1] - w->pointer[1]);
-    int jumped = 0;
+    bool jumped = false;
     for (int i = 0; i < 2; i++) {
         double x = 0, y = 0;
         if (!bot_view_project(w->view, points[i], &x, &y)) continue;
         const double step = hypot(x - w->seen[i][0], y - w->seen[i][1]);
         if (step > jump_gain * went + jump_share * BOT_HEIGHT) {
-            jumped = 1;
+            jumped = true;
             w->result->worst_jump = fmax(w->result->worst_jump, step);
         }
         w->seen[i][0] = x, w->seen[i][1] = y;
@@ -63,20 +65,20 @@ static void look(watch* w, const dm_drag_state* state, const double pointer[2]) 
 
 static dm_result follow_path(session* session, dm_drag drag, const bot_view* view, const bot_pull* pull, vec centre,
                              bot_times* times, dm_drag_state* out_state, bot_result* out_result) {
-    watch w = {.view = view, .centre = centre, .pointer = {pull->x, pull->y}, .result = out_result};
+    screen_tracker w = {.view = view, .centre = centre, .pointer = {pull->x, pull->y}, .result = out_result};
     bot_view_project(view, pull->point, &w.seen[0][0], &w.seen[0][1]);
     bot_view_project(view, centre, &w.seen[1][0], &w.seen[1][1]);
     for (int i = 0; i < pull->frames + BOT_HOLD; i++) {
         const double* at = pull->path[i < pull->frames ? i : pull->frames - 1];
-        const double pointer[2] = {round(at[0]), round(at[1])}; /* a mouse knows whole pixels */
+        const double pointer[2] = {round(at[0]), round(at[1])}; /* a mouse reports whole pixels */
         dm_ray ray;
         dm_result result = dm_camera_ray(session->context, &view->camera, (float)pointer[0], (float)pointer[1], &ray);
         if (result != DM_OK) return result;
         const double start = timing_now_ns(CLOCK_MONOTONIC);
         result = dm_drag_update(session->context, drag, &ray, (float)frame, out_state);
-        note_time(times, timing_now_ns(CLOCK_MONOTONIC) - start);
+        record_time(times, timing_now_ns(CLOCK_MONOTONIC) - start);
         if (result != DM_OK) return result;
-        look(&w, out_state, pointer);
+        track_frame(&w, out_state, pointer);
     }
     return DM_OK;
 }

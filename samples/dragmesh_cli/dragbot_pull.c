@@ -1,24 +1,27 @@
-/* Where the scripted player grabs, and the way its mouse goes: the projection of the true motion. */
+/* Chooses where the scripted player grabs, and the path of its mouse: the projection of the true motion. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "dragbot.h"
 
-enum { LEAST_SEEN = 12 };             /* samples of a part, with neighbours of the same part */
+/* All by hand. */
+enum { MIN_SAMPLES = 12 };            /* samples of a part, with neighbours of the same part */
 enum { TRIES = 24 };                  /* places on a part */
-static const double least_arm = 0.3;  /* of the largest distance to the axis that is seen: nobody grabs at the hinge */
+static const double least_arm = 0.3;  /* share of the largest visible distance to the axis: nobody grabs at the hinge */
 static const double least_path = 10;  /* px */
 static const double hand_speed = 600; /* px a second, at most; and two seconds at least */
-/* Looks the same: nearer than the bot's own tolerance on the screen, or than a share of a short way. */
+/* Two places look the same when they are nearer than a share of the screen's height and of the path's length; they are
+ * far apart when their values differ by a share of the asked value. */
 static const double alike_share = 0.02, alike_way = 0.1, far_share = 0.25;
-static const double free_slide = 0.1; /* of the object's size, where no limits are known */
+static const double free_slide = 0.1; /* share of the object's size pulled where no limits are known */
 
 vec bot_true_move(const known_joint* truth, vec point, double value) {
     if (truth->slides) return add(point, scale(truth->axis, value));
     return add(truth->origin, turn(sub(point, truth->origin), truth->axis, value));
 }
 
-/* +1 or -1: the side of rest that the data's own drags pull to. */
+/* Returns the side of rest, +1 or -1, that the dataset's drags pull to. */
 static double side_of(const known_joint* truth) {
     if (truth->drag_count == 0) return fabs(truth->lower) > fabs(truth->upper) ? -1 : 1;
     const vec point = truth->drags[0].point;
@@ -29,22 +32,22 @@ static double side_of(const known_joint* truth) {
 double bot_travel(const known_joint* truth, double size) {
     const double side = side_of(truth), end = side > 0 ? truth->upper : truth->lower;
     if (isfinite(end) && end * side > 0) return end;
-    return side * (truth->slides ? free_slide * size : 0.5 * CLI_PI);
+    return side * (truth->slides ? free_slide * size : 0.5 * PI);
 }
 
-/* ---- the mouse's way ---- */
+/* ---- path ---- */
 
-double bot_pace(double s) {
+double bot_minimum_jerk(double s) {
     return s * s * s * (10 - 15 * s + 6 * s * s);
 }
 
-/* The projection of the true way in so many frames: its longest step, pixels; infinite when it leaves the screen. */
-static double draw_path(const bot_view* view, const known_joint* truth, int frames, bot_pull* pull) {
+/* Projects the true motion; returns the longest step of a frame, pixels; infinite when it leaves the screen. */
+static double project_path(const bot_view* view, const known_joint* truth, int frames, bot_pull* pull) {
     double longest = 0;
     pull->length = 0;
     pull->frames = frames;
     for (int i = 0; i < frames; i++) {
-        const double value = pull->asked * bot_pace((i + 1.0) / frames);
+        const double value = pull->asked * bot_minimum_jerk((i + 1.0) / frames);
         double* at = pull->path[i];
         if (!bot_view_project(view, bot_true_move(truth, pull->point, value), &at[0], &at[1])) return INFINITY;
         if (!bot_view_on_screen(at[0], at[1])) return INFINITY;
@@ -56,46 +59,47 @@ static double draw_path(const bot_view* view, const known_joint* truth, int fram
     return longest;
 }
 
-/* Whether two places on the way that are far apart look the same: the circle of a hinge seen edge on goes out and back
- * over itself, and there the pointer does not tell which of them it asks for. */
-static int is_folded(const known_joint* truth, const bot_pull* pull) {
+/* Whether two values far apart look the same: the circle of a hinge seen edge on goes out and back over itself, where
+ * the pointer is ambiguous. */
+static bool is_folded(const known_joint* truth, const bot_pull* pull) {
     const double alike = fmin(alike_share * BOT_HEIGHT, alike_way * pull->length), far = fabs(far_share * pull->asked);
     for (int i = 0; i < pull->frames; i++) {
         for (int k = 0; k < i; k++) {
-            const double apart =
-                fabs(pull->asked) * (bot_pace((i + 1.0) / pull->frames) - bot_pace((k + 1.0) / pull->frames));
-            if (apart < far || (!truth->slides && apart > CLI_PI)) continue;
+            const double apart = fabs(pull->asked) * (bot_minimum_jerk((i + 1.0) / pull->frames) -
+                                                      bot_minimum_jerk((k + 1.0) / pull->frames));
+            if (apart < far || (!truth->slides && apart > PI)) continue;
             const double *a = pull->path[i], *b = pull->path[k];
-            if (hypot(a[0] - b[0], a[1] - b[1]) < alike) return 1;
+            if (hypot(a[0] - b[0], a[1] - b[1]) < alike) return true;
         }
     }
-    return 0;
+    return false;
 }
 
-static int make_path(const bot_view* view, const known_joint* truth, bot_pull* pull) {
-    const double longest = draw_path(view, truth, BOT_FRAMES, pull), frames = BOT_FRAMES * longest * 60 / hand_speed;
-    if (!(frames <= BOT_MOST_FRAMES)) return 0;
-    if (frames > BOT_FRAMES) draw_path(view, truth, (int)frames, pull);
+static bool make_path(const bot_view* view, const known_joint* truth, bot_pull* pull) {
+    const double longest = project_path(view, truth, BOT_FRAMES, pull),
+                 frames = BOT_FRAMES * longest * 60 /* Hz */ / hand_speed;
+    if (!(frames <= BOT_MAX_FRAMES)) return false;
+    if (frames > BOT_FRAMES) project_path(view, truth, (int)frames, pull);
     return pull->length >= least_path && !is_folded(truth, pull);
 }
 
-/* ---- the place ---- */
+/* ---- grab point ---- */
 
-static int is_inside(const bot_view* view, int column, int row, uint32_t part) {
+static bool is_inside(const bot_view* view, int column, int row, uint32_t part) {
     for (int y = row - 1; y <= row + 1; y++) {
         for (int x = column - 1; x <= column + 1; x++) {
-            if (x < 0 || y < 0 || x >= BOT_COLUMNS || y >= BOT_ROWS) return 0;
-            if (view->part[(size_t)y * BOT_COLUMNS + (size_t)x] != part) return 0;
+            if (x < 0 || y < 0 || x >= BOT_COLUMNS || y >= BOT_ROWS) return false;
+            if (view->part[(size_t)y * BOT_COLUMNS + (size_t)x] != part) return false;
         }
     }
-    return 1;
+    return true;
 }
 
 static double arm_of(const known_joint* truth, vec point) {
     return truth->slides ? 1 : length(cross(truth->axis, sub(point, truth->origin)));
 }
 
-/* Samples well inside what is seen of the part, as row * BOT_COLUMNS + column; those near a hinge left out. */
+/* Finds samples well inside the visible part, as row * BOT_COLUMNS + column, but those near the hinge. */
 static int* find_places(const bot_view* view, uint32_t part, const known_joint* truth, int* out_count) {
     int* places = cli_alloc((size_t)BOT_COLUMNS * BOT_ROWS * sizeof *places);
     int count = 0, kept = 0;
@@ -109,7 +113,7 @@ static int* find_places(const bot_view* view, uint32_t part, const known_joint* 
         const vec point = bot_view_point(view, places[i] % BOT_COLUMNS, places[i] / BOT_COLUMNS);
         if (arm_of(truth, point) >= least_arm * most) places[kept++] = places[i];
     }
-    *out_count = count < LEAST_SEEN ? 0 : kept;
+    *out_count = count < MIN_SAMPLES ? 0 : kept;
     return places;
 }
 

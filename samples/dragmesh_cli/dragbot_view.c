@@ -1,11 +1,13 @@
-/* What the scripted player sees: a camera and a z-buffer of part ids, made without the library's own picking. */
+/* The scripted player's view: a camera and a z-buffer of part ids, without the library's own picking. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "dragbot.h"
 
-static const float same_depth = 1e-5f;
+static const float same_depth = 1e-5f;   /* relative difference of 1 / depth within which two surfaces coincide */
+static const double max_view_sine = 0.7; /* of half the field of view; by hand */
 
 #define PIXELS ((size_t)BOT_COLUMNS * BOT_ROWS)
 
@@ -20,7 +22,7 @@ void bot_view_free(bot_view* view) {
 }
 
 void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, double distance) {
-    const double fov = 2 * asin(fmin(radius / distance, 0.7));
+    const double fov = 2 * asin(fmin(radius / distance, max_view_sine));
     view->eye = add(centre, scale(from, distance));
     view->forward = scale(from, -1);
     view->right = unit(cross(view->forward, up));
@@ -37,16 +39,16 @@ void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, d
     memset(view->part, 0, PIXELS * sizeof *view->part);
 }
 
-int bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y) {
+bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y) {
     const vec offset = sub(point, view->eye);
     const double depth = dot(offset, view->forward);
-    if (!(depth > 0)) return 0;
+    if (!(depth > 0)) return false;
     *out_x = 0.5 * BOT_WIDTH + view->zoom * dot(offset, view->right) / depth;
     *out_y = 0.5 * BOT_HEIGHT - view->zoom * dot(offset, view->up) / depth;
-    return 1;
+    return true;
 }
 
-int bot_view_on_screen(double x, double y) {
+bool bot_view_on_screen(double x, double y) {
     return x >= 0 && y >= 0 && x < BOT_WIDTH && y < BOT_HEIGHT;
 }
 
@@ -55,20 +57,20 @@ typedef struct corner {
     double x, y, near;
 } corner;
 
-static int make_corner(const bot_view* view, const float* position, corner* out) {
+static bool make_corner(const bot_view* view, const float* position, corner* out) {
     const vec point = vec_at(position);
     double x, y;
-    if (!bot_view_project(view, point, &x, &y)) return 0;
+    if (!bot_view_project(view, point, &x, &y)) return false;
     *out = (corner){x / BOT_STEP, y / BOT_STEP, 1 / dot(sub(point, view->eye), view->forward)};
-    return 1;
+    return true;
 }
 
 static double edge(const corner* a, const corner* b, double x, double y) {
     return (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
 }
 
-/* Nearer things hide others; where two parts share a surface, neither is seen. */
-static void show(bot_view* view, size_t at, float near, uint32_t part) {
+/* Depth test; where two parts share a surface, neither is visible. */
+static void depth_test(bot_view* view, size_t at, float near, uint32_t part) {
     const float before = view->depth[at];
     if (part != view->part[at] && fabsf(near - before) <= same_depth * before) view->part[at] = BOT_CONTESTED;
     if (near <= before * (1 + same_depth)) return;
@@ -89,7 +91,7 @@ static void fill(bot_view* view, const corner c[3], uint32_t part) {
             const double a = edge(&c[1], &c[2], x, y) / area, b = edge(&c[2], &c[0], x, y) / area, g = 1 - a - b;
             if (a < 0 || b < 0 || g < 0) continue;
             const float near = (float)(a * c[0].near + b * c[1].near + g * c[2].near);
-            show(view, (size_t)y * BOT_COLUMNS + (size_t)x, near, part);
+            depth_test(view, (size_t)y * BOT_COLUMNS + (size_t)x, near, part);
         }
     }
 }
@@ -99,7 +101,7 @@ void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face
     const float* positions = mesh->positions;
     for (uint64_t face = 0; face < mesh->index_count / 3; face++) {
         corner corners[3] = {{0, 0, 0}};
-        int seen = 1;
+        bool seen = true;
         for (int k = 0; k < 3; k++) {
             seen &= make_corner(view, positions + 3 * (size_t)indices[3 * face + (uint64_t)k], &corners[k]);
         }

@@ -1,17 +1,20 @@
-/* Runs the library over one known object and measures every joint. */
+/* Runs the library on one object with known joints and measures every joint. */
 #include "evaluate.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "grabbed.h"
 #include "mask_noise.h"
+#include "part_at_point.h"
 #include "play.h"
 
-/* More vertices of a part than this are thinned before they are measured. */
-enum { MOST_VERTICES = 4000 };
+/* Parts with more vertices are thinned before they are measured. */
+enum { MAX_VERTICES = 4000 }; /* by hand, for the time of a run */
+
+#define MASK_FOUND 0.8 /* intersection over union of a part that counts as found; by hand, docs/accuracy.md */
 
 /* The object as it is shown to the library. */
 typedef struct trial {
@@ -105,17 +108,17 @@ static vec* moving_vertices(const trial* t, const name_list* moving, size_t* out
                 points[count++] = vec_at(t->positions + 3 * (node.first_vertex + v));
         }
     }
-    const size_t step = count > MOST_VERTICES ? count / MOST_VERTICES : 1;
+    const size_t step = count > MAX_VERTICES ? count / MAX_VERTICES : 1;
     for (size_t i = 0; i < count; i += step) points[kept++] = points[i];
     *out_count = kept;
     return points;
 }
 
-/* The direction that a hand whose aim is off by `degrees` x |N(0, 1)| draws. */
+/* Rotates a drag direction by `degrees` x |N(0, 1)| about a random perpendicular axis. */
 static vec noisy(vec vector, double degrees, random_state* random) {
     vec aside = {random_normal(random), random_normal(random), random_normal(random)};
     aside = unit(sub(aside, scale(vector, dot(aside, vector) / dot(vector, vector))));
-    return turn(vector, aside, fabs(random_normal(random)) * degrees * CLI_PI / 180);
+    return turn(vector, aside, fabs(random_normal(random)) * degrees * PI / 180 /* degrees to rad */);
 }
 
 /* Intersection over union of two sets of faces, by area. */
@@ -132,13 +135,13 @@ static double overlap(const trial* t, const uint8_t* a, const uint8_t* b) {
     return either > 0 ? both / either : 0;
 }
 
-/* Puts the part that the library finds in the true one's place. */
+/* Replaces the true part by the one that the library finds. */
 static dm_result find_part(trial* t, const metric_case* known, uint64_t faces, uint8_t* ids) {
     uint8_t* found = cli_alloc_zeroed(faces);
     const dm_drag_hint drag = {vec_out(known->drag->point),
                                known->dragged ? vec_out(known->drag->vector) : (dm_vec3){0, 0, 0}};
     t->mask_overlap = 0;
-    const dm_result result = grabbed_mark(t->session, t->positions, &drag, t->options->merged, found);
+    const dm_result result = part_at_point_mark(t->session, t->positions, &drag, t->options->merged, found);
     if (result == DM_OK) {
         t->mask_overlap = overlap(t, found, ids);
         memcpy(ids, found, faces);
@@ -147,7 +150,7 @@ static dm_result find_part(trial* t, const metric_case* known, uint64_t faces, u
     return result;
 }
 
-/* Part ids of the named nodes, per face; per vertex once noise has eaten into them. */
+/* Makes part ids of the named nodes: per face, or per vertex when mask noise is added. */
 static dm_result part_ids(trial* t, const metric_case* known, dm_mesh_desc* mesh, uint8_t** out_ids) {
     const name_list* moving = &known->truth->moving;
     const uint64_t faces = mesh->index_count / 3;
@@ -168,7 +171,7 @@ static dm_result part_ids(trial* t, const metric_case* known, dm_mesh_desc* mesh
     return DM_OK;
 }
 
-static dm_result ask(trial* t, const metric_case* known, answer* out_answer) {
+static dm_result infer(trial* t, const metric_case* known, joint_answer* out_answer) {
     dm_mesh_desc mesh = t->session->mesh;
     mesh.positions = t->positions;
     uint8_t* ids;
@@ -186,18 +189,18 @@ static dm_result ask(trial* t, const metric_case* known, answer* out_answer) {
         return result;
     }
     const size_t faces = (size_t)(mesh.index_count / 3);
-    const int per_face = mesh.part_id_scope == DM_PER_FACE;
+    const bool per_face = mesh.part_id_scope == DM_PER_FACE;
     if (!per_face) memmove(ids, ids + faces, mesh.vertex_count);
-    session_take_part_ids(t->session, ids, per_face ? faces : mesh.vertex_count, mesh.part_id_scope, job.type);
+    session_own_part_ids(t->session, ids, per_face ? faces : mesh.vertex_count, mesh.part_id_scope, job.type);
     return DM_OK;
 }
 
-/* The network's motion along the true way of the dragged point. */
+/* Measures the network's motion along the true path of the dragged point. */
 static void measure_motion(trial* t, const metric_case* known, const dm_joint* joint, metric_row* row) {
     dm_vec3 path[DM_MOTION_FRAMES];
     const double travel = metrics_travel(known);
     for (int i = 0; i < DM_MOTION_FRAMES; i++) {
-        const double value = travel * (double)play_pace((float)i / (DM_MOTION_FRAMES - 1));
+        const double value = travel * (double)minimum_jerk((float)i / (DM_MOTION_FRAMES - 1));
         path[i] = vec_out(metrics_true_move(known, known->drag->point, value));
     }
     const dm_motion_desc desc = {.struct_size = sizeof desc,
@@ -213,13 +216,14 @@ static void measure_motion(trial* t, const metric_case* known, const dm_joint* j
     metrics_of_motion(known, joint, poses, row);
 }
 
-/* A picture of a wrong answer. The renderer shows what the session holds: the positions asked about, as they are. */
-static void keep_mistake(trial* t, const metric_case* known, const answer* answer, const metric_row* row) {
-    if (!t->options->mistakes || (row->value[METRIC_POSE] < METRICS_RIGHT && row->value[METRIC_TYPE] > 0)) return;
+/* Adds a picture of a wrong answer. The renderer shows the session's positions, so they are replaced meanwhile. */
+static void report_error(trial* t, const metric_case* known, const joint_answer* answer, const metric_row* row) {
+    if (t->options->error_report == NULL || (row->value[METRIC_POSE] < METRICS_RIGHT && row->value[METRIC_TYPE] > 0))
+        return;
     session* session = t->session;
     const void* file_positions = session->mesh.positions;
     session->mesh.positions = t->positions;
-    if (mistakes_add(t->options->mistakes, session, known, answer, row, t->object.up) != DM_OK)
+    if (error_report_add(t->options->error_report, session, known, answer, row, t->object.up) != DM_OK)
         fprintf(stderr, "dragmesh eval: %s: no picture: %s\n", row->id, session->error);
     session->mesh.positions = file_positions;
 }
@@ -242,24 +246,24 @@ static void evaluate_joint(trial* t, int index) {
     const int drags = truth->drag_count < t->options->drags ? truth->drag_count : t->options->drags;
     for (int d = 0; d < drags; d++) {
         metric_row* row = new_row(t->rows);
-        answer answer;
+        joint_answer answer;
         known.drag = &truth->drags[d];
         snprintf(row->id, sizeof row->id, "%s/%d/%d", t->object.name, index, d);
         snprintf(row->category, sizeof row->category, "%s", t->object.category);
         row->source = dataset_source(t->object.name);
         row->weight = truth->weight / drags;
         t->mask_overlap = NAN;
-        if (known.moving_count > 0 && ask(t, &known, &answer) == DM_OK) {
+        if (known.moving_count > 0 && infer(t, &known, &answer) == DM_OK) {
             metrics_of_joint(&known, &answer, row);
             snprintf(row->found_type, sizeof row->found_type, "%s", joint_type_name(answer.joint.type));
             if (t->session->has_motion) measure_motion(t, &known, &answer.joint, row);
-            keep_mistake(t, &known, &answer, row);
+            report_error(t, &known, &answer, row);
         } else {
             fprintf(stderr, "dragmesh eval: %s: %s\n", row->id, t->session->error);
             metrics_of_failure(&known, row);
         }
         row->value[METRIC_MASK] = t->mask_overlap;
-        if (!isnan(t->mask_overlap)) row->value[METRIC_MASK_FOUND] = t->mask_overlap >= 0.8;
+        if (!isnan(t->mask_overlap)) row->value[METRIC_MASK_FOUND] = t->mask_overlap >= MASK_FOUND;
     }
     free(moving);
 }

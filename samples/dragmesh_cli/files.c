@@ -2,6 +2,7 @@
 #include "files.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,7 +34,7 @@ char* file_read(const char* path, size_t* out_size) {
         return NULL;
     }
     FILE* file = fopen(path, "rb");
-    if (!file) return NULL;
+    if (file == NULL) return NULL;
     char* bytes = read_all(file, out_size);
     const int reason = errno;
     fclose(file);
@@ -43,12 +44,12 @@ char* file_read(const char* path, size_t* out_size) {
 
 int file_write(const char* path, const void* data, size_t size) {
     FILE* file = fopen(path, "wb");
-    if (!file) return -1;
-    const int wrote = fwrite(data, 1, size, file) == size;
+    if (file == NULL) return -1;
+    const bool wrote = fwrite(data, 1, size, file) == size;
     return fclose(file) == 0 && wrote ? 0 : -1;
 }
 
-int file_exists(const char* path) {
+bool file_exists(const char* path) {
     struct stat info;
     return stat(path, &info) == 0;
 }

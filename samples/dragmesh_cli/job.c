@@ -1,15 +1,16 @@
-/* Answers a job: part ids from names or a mask, prepare (or refine what the last job prepared), hypotheses, a motion.
- */
+/* Answers a job: selects the part by names or mask, prepares it (or refines the last job's object), reads joint and
+ * hypotheses, generates a motion. */
 #include "job.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "files.h"
-#include "grabbed.h"
 #include "mask_noise.h"
+#include "part_at_point.h"
 
 /* Part ids of a job, one byte a face or a vertex. */
 typedef struct selection {
@@ -22,21 +23,21 @@ static uint64_t larger(uint64_t a, uint64_t b) {
     return a > b ? a : b;
 }
 
-static dm_result select_by_mask(session* session, const job* job, selection* out, answer* answer) {
+static dm_result select_by_mask(session* session, const job* job, selection* out, joint_answer* answer) {
     size_t size;
     char* bytes = file_read(job->mask, &size);
-    if (!bytes)
+    if (bytes == NULL)
         return session_fail(session, DM_ERROR_NOT_FOUND, "can't read the mask '%s': %s", job->mask, strerror(errno));
     int32_t ambiguous = 0;
     const dm_result result = dm_gltf_read_mask(
         session->gltf, bytes, size, job->has_mask_value ? &job->mask_value : NULL, out->ids, &out->scope, &ambiguous);
     free(bytes);
-    answer->ambiguous_mask = ambiguous;
+    answer->ambiguous_mask = ambiguous != 0;
     out->count = out->scope == DM_PER_VERTEX ? session->mesh.vertex_count : session->mesh.index_count / 3;
     return result;
 }
 
-static void spoil(const session* session, double fraction, selection* selected) {
+static void add_mask_noise(const session* session, double fraction, selection* selected) {
     const dm_mesh_desc* mesh = &session->mesh;
     if (selected->scope == DM_PER_FACE) {
         uint8_t* ids = cli_alloc(larger(mesh->vertex_count, mesh->index_count / 3));
@@ -48,35 +49,37 @@ static void spoil(const session* session, double fraction, selection* selected) 
     mask_noise_apply(mesh->positions, mesh->vertex_count, fraction, &random, selected->ids);
 }
 
-static dm_result select_part(session* session, const job* job, selection* out, answer* answer) {
+static dm_result select_part(session* session, const job* job, selection* out, joint_answer* answer) {
     const uint64_t faces = session->mesh.index_count / 3;
     out->ids = cli_alloc_zeroed(larger(faces, session->mesh.vertex_count));
     out->scope = DM_PER_FACE;
     out->count = faces;
     dm_result result;
-    if (job->mask)
+    if (job->mask != NULL)
         result = select_by_mask(session, job, out, answer);
-    else if (grabbed_asked(&job->moving))
-        result = grabbed_mark(session, NULL, &job->drag, 0, out->ids);
+    else if (part_at_point_requested(&job->moving))
+        result = part_at_point_mark(session, NULL, &job->drag, false, out->ids);
     else
         result = dm_gltf_mark_faces(session->gltf, (const char* const*)job->moving.names, job->moving.count, JOB_PART,
                                     out->ids, faces);
-    if (result == DM_OK && job->mask_noise > 0) spoil(session, job->mask_noise, out);
+    if (result == DM_OK && job->mask_noise > 0) add_mask_noise(session, job->mask_noise, out);
     return result;
 }
 
-/* The library reports 10 % when the mesh and its picking structure stand; the rest is kinematics. */
+/* The library reports 10 % progress when mesh and picking structure are built; the rest is kinematics. */
+static const float MESH_DONE = 0.099f; /* 10 % but for rounding */
+
 typedef struct stopwatch {
     double mesh_ready;
 } stopwatch;
 
 static int32_t DM_CALL on_progress(void* user, float done) {
     stopwatch* watch = user;
-    if (watch->mesh_ready == 0 && done > 0.099f) watch->mesh_ready = cli_now_ms();
+    if (watch->mesh_ready == 0 && done > MESH_DONE) watch->mesh_ready = cli_now_ms();
     return 0;
 }
 
-static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* job, answer* answer) {
+static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* job, joint_answer* answer) {
     stopwatch watch = {0};
     const dm_part_desc part = {
         .struct_size = sizeof part, .id = JOB_PART, .joint_type = job->type, .drag = job->has_drag ? &job->drag : NULL};
@@ -88,7 +91,7 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
                                  .model = session->model,
                                  .progress = on_progress,
                                  .progress_user = &watch};
-    session_drop_object(session);
+    session_release_object(session);
     const double start = cli_now_ms();
     const dm_result result = dm_object_prepare(session->context, &desc, &session->object);
     const double end = cli_now_ms();
@@ -98,21 +101,21 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
     return result;
 }
 
-/* The object of the last job when this one asks about the same part with another drag. */
-static int can_refine(const session* session, const job* job, const selection* selected) {
-    return session->object && session->part_ids && session->model && job->has_drag &&
+/* Whether the last job's object has the same part, so that only the drag differs. */
+static bool can_refine(const session* session, const job* job, const selection* selected) {
+    return session->object && session->part_ids != NULL && session->model && job->has_drag &&
            session->joint_type == job->type && session->part_id_scope == selected->scope &&
            session->part_id_count == selected->count && memcmp(session->part_ids, selected->ids, selected->count) == 0;
 }
 
-static dm_result refine(session* session, const job* job, answer* answer) {
+static dm_result refine(session* session, const job* job, joint_answer* answer) {
     const double start = cli_now_ms();
     const dm_result result = dm_object_refine(session->context, session->object, JOB_PART, &job->drag);
     answer->prepare_ms = answer->kinematics_ms = cli_now_ms() - start;
     return result;
 }
 
-static dm_result read_joints(session* session, const job* job, answer* answer) {
+static dm_result read_joints(session* session, const job* job, joint_answer* answer) {
     dm_result result = dm_object_get_joint(session->context, session->object, JOB_PART, &answer->joint);
     if (result == DM_OK)
         result = dm_object_get_hypotheses(session->context, session->object, JOB_PART, NULL, answer->hypotheses,
@@ -126,13 +129,13 @@ static dm_result read_joints(session* session, const job* job, answer* answer) {
     return result == DM_OK ? dm_motion_destroy(session->context, motion) : result;
 }
 
-dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, answer* out_answer) {
+dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, joint_answer* out_answer) {
     memset(out_answer, 0, sizeof *out_answer);
     const dm_result result = prepare(session, mesh, job, out_answer);
     return result == DM_OK ? read_joints(session, job, out_answer) : result;
 }
 
-dm_result job_answer(session* session, const job* job, answer* out_answer) {
+dm_result job_answer(session* session, const job* job, joint_answer* out_answer) {
     memset(out_answer, 0, sizeof *out_answer);
     dm_result result = session_use_file(session, job->file);
     if (result != DM_OK) return result;
@@ -148,23 +151,9 @@ dm_result job_answer(session* session, const job* job, answer* out_answer) {
         result = prepare(session, &mesh, job, out_answer);
     }
     if (result == DM_OK) {
-        session_take_part_ids(session, selected.ids, selected.count, selected.scope, job->type);
+        session_own_part_ids(session, selected.ids, selected.count, selected.scope, job->type);
         return read_joints(session, job, out_answer);
     }
     free(selected.ids);
     return result;
-}
-
-uint8_t* job_moving_faces(const session* session) {
-    const uint64_t faces = session->mesh.index_count / 3;
-    const uint32_t* indices = session->mesh.indices;
-    uint8_t* moving = cli_alloc(faces);
-    for (uint64_t face = 0; face < faces; face++) {
-        const uint32_t* corner = indices + 3 * face;
-        const uint8_t* ids = session->part_ids;
-        /* Per vertex, a triangle belongs to the id that two of its corners share. */
-        moving[face] =
-            session->part_id_scope == DM_PER_FACE ? ids[face] : ids[corner[0]] + ids[corner[1]] + ids[corner[2]] >= 2;
-    }
-    return moving;
 }

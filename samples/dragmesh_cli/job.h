@@ -1,4 +1,4 @@
-/* One question to the library: a file, what moves in it, and how it was dragged. And its answer. */
+/* A job (a file, the part that moves, and the drag) and its answer. */
 #ifndef CLI_JOB_H
 #define CLI_JOB_H
 
@@ -7,8 +7,7 @@
 #include "options.h"
 #include "session.h"
 
-/* The moving part has this id. */
-#define JOB_PART 1
+#define JOB_PART 1 /* id of the moving part */
 
 typedef struct job {
     const char* file;
@@ -19,16 +18,16 @@ typedef struct job {
     double mask_noise; /* share of the part's vertices lost and leaked, for experiments */
     int has_drag;
     dm_drag_hint drag;
-    int32_t type; /* DM_JOINT_*, UNKNOWN: to be found out */
+    int32_t type; /* DM_JOINT_*; UNKNOWN: to be inferred */
 } job;
 
-typedef struct answer {
-    dm_joint joint; /* in force: the best hypothesis */
+typedef struct joint_answer {
+    dm_joint joint; /* active: the best hypothesis */
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
-    int ambiguous_mask;
+    bool ambiguous_mask;
     double prepare_ms, kinematics_ms, motion_ms; /* kinematics is part of prepare */
-} answer;
+} joint_answer;
 
 /* The options every command that takes a job has: their values and a table of them. */
 typedef struct job_options {
@@ -46,17 +45,14 @@ int job_options_finish(const cli_command* command, job_options* options, const c
 dm_result job_from_json(session* session, const cJSON* json, job* out_job);
 void job_free(job* job);
 
-/* Makes the job's file and object the session's and fills the answer. */
-dm_result job_answer(session* session, const job* job, answer* out_answer);
+/* Answers a job; its file and object become the session's. */
+dm_result job_answer(session* session, const job* job, joint_answer* out_answer);
 /* The same for a mesh that is no file's; part_ids as `mesh` says. */
-dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, answer* out_answer);
-
-/* The faces that move, as 0 and 1: what a picture or an animation shows. To be freed. */
-uint8_t* job_moving_faces(const session* session);
+dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, joint_answer* out_answer);
 
 /* Adds type, axis, origin … to a result object. */
-void answer_to_json(const answer* answer, cJSON* out);
-void answer_print(const answer* answer);
+void answer_to_json(const joint_answer* answer, cJSON* out);
+void answer_print(const joint_answer* answer);
 void joint_to_json(const dm_joint* joint, cJSON* out);
 void joint_print(const dm_joint* joint);
 const char* joint_type_name(int32_t type);

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "grabbed.h"
 #include "job.h"
+#include "part_at_point.h"
 
 static const char* const type_names[] = {"unknown", "revolute", "prismatic", "screw", "continuous", "fixed"};
 
@@ -45,14 +45,14 @@ void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS])
 
 int job_options_finish(const cli_command* command, job_options* options, const char* file) {
     job* job = &options->job;
-    if (!file) return options_refuse(command, "which file?");
-    if (job->moving.count == 0 && !job->mask)
+    if (file == NULL) return options_refuse(command, "which file?");
+    if (job->moving.count == 0 && job->mask == NULL)
         return options_refuse(command, "what moves? --moving NODE[,NODE…] or --mask FILE");
     if (options->has_point != options->has_vector)
         return options_refuse(command, "a drag is --drag-point and --drag-vector");
-    if (grabbed_asked(&job->moving) && !job->mask && !options->has_point)
+    if (part_at_point_requested(&job->moving) && job->mask == NULL && !options->has_point)
         return options_refuse(command, "--moving auto needs to know where it is grabbed: --drag-point, --drag-vector");
-    if (options->type && (job->type = joint_type_from_name(options->type)) == DM_JOINT_UNKNOWN)
+    if (options->type != NULL && (job->type = joint_type_from_name(options->type)) == DM_JOINT_UNKNOWN)
         return options_refuse(command, "--type: '%s' is no joint type", options->type);
     job->file = file;
     job->has_drag = options->has_point;
@@ -70,7 +70,7 @@ static const cJSON* member(const cJSON* json, const char* name) {
 
 static dm_result read_text(session* session, const cJSON* json, const char* name, const char** out) {
     const cJSON* found = member(json, name);
-    if (!found) return DM_OK;
+    if (found == NULL) return DM_OK;
     if (!cJSON_IsString(found))
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not a string", name);
     *out = found->valuestring;
@@ -79,7 +79,7 @@ static dm_result read_text(session* session, const cJSON* json, const char* name
 
 static dm_result read_number(session* session, const cJSON* json, const char* name, double* out, int* out_given) {
     const cJSON* found = member(json, name);
-    if (!found) return DM_OK;
+    if (found == NULL) return DM_OK;
     if (!cJSON_IsNumber(found))
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not a number", name);
     *out = found->valuedouble;
@@ -89,7 +89,7 @@ static dm_result read_number(session* session, const cJSON* json, const char* na
 
 static dm_result read_vector(session* session, const cJSON* json, const char* name, dm_vec3* out, int* out_given) {
     const cJSON* found = member(json, name);
-    if (!found) return DM_OK;
+    if (found == NULL) return DM_OK;
     float numbers[3];
     int count = 0;
     const cJSON* item;
@@ -106,7 +106,7 @@ static dm_result read_vector(session* session, const cJSON* json, const char* na
 
 static dm_result read_moving(session* session, const cJSON* json, name_list* out) {
     const cJSON* found = member(json, "moving");
-    if (!found) return DM_OK;
+    if (found == NULL) return DM_OK;
     if (cJSON_IsString(found)) {
         name_list_add(out, found->valuestring, strlen(found->valuestring));
         return DM_OK;
@@ -139,7 +139,7 @@ static dm_result read_fields(session* session, const cJSON* json, job* out) {
     if (out->has_drag != has_vector)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" without \"%s\"",
                             has_vector ? "drag_vector" : "drag_point", has_vector ? "drag_point" : "drag_vector");
-    if (type && (out->type = joint_type_from_name(type)) == DM_JOINT_UNKNOWN)
+    if (type != NULL && (out->type = joint_type_from_name(type)) == DM_JOINT_UNKNOWN)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"type\" is '%s', no joint type", type);
     if (!(out->mask_noise >= 0 && out->mask_noise < 1))
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"mask_noise\" is %g, not in [0, 1)",
@@ -152,10 +152,10 @@ dm_result job_from_json(session* session, const cJSON* json, job* out_job) {
     if (!cJSON_IsObject(json)) return session_fail(session, DM_ERROR_BAD_DATA, "job: the line is not a JSON object");
     const dm_result result = read_fields(session, json, out_job);
     if (result != DM_OK) return result;
-    if (!out_job->file) return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"file\" is missing");
-    if (!out_job->mask && out_job->moving.count == 0)
+    if (out_job->file == NULL) return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"file\" is missing");
+    if (out_job->mask == NULL && out_job->moving.count == 0)
         return session_fail(session, DM_ERROR_EMPTY_MASK, "job: neither \"moving\" nor \"mask\" says what moves");
-    if (!out_job->mask && grabbed_asked(&out_job->moving) && !out_job->has_drag)
+    if (out_job->mask == NULL && part_at_point_requested(&out_job->moving) && !out_job->has_drag)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"moving\" is auto, but there is no drag");
     return DM_OK;
 }

@@ -22,7 +22,7 @@ void json_add_vector(cJSON* object, const char* name, dm_vec3 vector) {
 }
 
 static void print_and_delete(cJSON* object, char* text) {
-    if (text) puts(text);
+    if (text != NULL) puts(text);
     fflush(stdout);
     cJSON_free(text);
     cJSON_Delete(object);

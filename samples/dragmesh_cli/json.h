@@ -6,6 +6,7 @@
 
 #include "dragmesh/dragmesh.h"
 
+/* digits: significant ones. */
 void json_add_number(cJSON* object, const char* name, double number, int digits);
 void json_add_vector(cJSON* object, const char* name, dm_vec3 vector);
 /* One line to standard output, flushed; releases the object. */

@@ -13,7 +13,7 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 
 void* cli_grow(void* memory, size_t size) {
     void* grown = realloc(memory, size > 0 ? size : 1);
-    if (grown) return grown;
+    if (grown != NULL) return grown;
     fprintf(stderr, "dragmesh: no memory for %zu bytes\n", size);
     exit(CLI_FAILED);
 }

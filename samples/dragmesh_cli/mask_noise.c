@@ -1,4 +1,4 @@
-/* Spoils a part mask as segmenters do: a patch of the part is lost, a patch of the rest leaks in. */
+/* Adds segmentation errors to a part mask: a patch of the part is lost, a patch of the rest leaks in. */
 #include "mask_noise.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Spoils a part mask as segmenters do, for experiments: a patch of the part is lost, a patch of the rest leaks in. */
+/* Adds segmentation errors to a part mask, for experiments: a patch of the part is lost, a patch of the rest leaks in.
+ */
 #ifndef CLI_MASK_NOISE_H
 #define CLI_MASK_NOISE_H
 

@@ -1,21 +1,24 @@
-/* How far an answered joint is from the true one. */
+/* Metrics of an answered joint against the true one. */
 #include "metrics.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "play.h"
 
-/* The player's reach that the pose is searched in. */
-static const double most_turn = 2.2, most_slide = 1.5;
-enum { CHAMFER_POINTS = 256 };
+/* Range in which the answered joint's value is searched; by hand, beyond any true travel. */
+static const double max_turn = 2.2 /* rad */, max_slide = 1.5 /* object sizes */;
+static const double free_turn = 1 /* rad */, free_slide = 0.3 /* object sizes */; /* travel without limits; by hand */
+static const double max_travel = 1.2; /* rad: most of a turn that is measured; by hand */
+enum { CHAMFER_POINTS = 256 };        /* vertices of a part; by hand, for the time of a run */
 
-static int kind_slides(int32_t type) {
+static bool kind_slides(int32_t type) {
     return type == DM_JOINT_PRISMATIC;
 }
 
-static vec move(vec point, int slides, vec axis, vec origin, double value) {
+static vec move(vec point, bool slides, vec axis, vec origin, double value) {
     return slides ? add(point, scale(axis, value)) : add(turn(sub(point, origin), axis, value), origin);
 }
 
@@ -23,27 +26,27 @@ vec metrics_true_move(const metric_case* known, vec point, double value) {
     return move(point, known->truth->slides, known->truth->axis, known->truth->origin, value);
 }
 
-/* Full travel: the limit farther from rest; without limits 1 rad or 0.3 of the object; no turn beyond 1.2 rad. */
+/* Full travel: the limit farther from rest, at most max_travel. */
 double metrics_travel(const metric_case* known) {
     const known_joint* truth = known->truth;
     const double lower = isnan(truth->lower) ? 0 : truth->lower;
-    double travel = truth->slides ? 0.3 * known->size : 1;
+    double travel = truth->slides ? free_slide * known->size : free_turn;
     if (!isnan(truth->upper)) {
         const double far = fabs(truth->upper) >= fabs(lower) ? truth->upper : lower;
         if (truth->slides && far != 0) travel = far;
-        if (!truth->slides) travel = far != 0 ? copysign(fmin(fabs(far), 1.2), far) : 1;
+        if (!truth->slides) travel = far != 0 ? copysign(fmin(fabs(far), max_travel), far) : free_turn;
     }
-    const double step = travel < 0 ? -1e-4 : 1e-4;
+    const double step = travel < 0 ? -1e-4 : 1e-4; /* finite difference: only its sign counts */
     const vec way = sub(metrics_true_move(known, known->drag->point, step), known->drag->point);
     return dot(way, known->drag->vector) < 0 ? -travel : travel;
 }
 
-/* The value that brings `from` nearest to `to`, within the player's reach. */
-static double value_to_reach(vec from, vec to, int slides, vec axis, vec origin, double size) {
-    if (slides) return fmin(fmax(dot(sub(to, from), axis), -most_slide * size), most_slide * size);
+/* Returns the value that brings `from` nearest to `to`, within the search range. */
+static double value_to_reach(vec from, vec to, bool slides, vec axis, vec origin, double size) {
+    if (slides) return fmin(fmax(dot(sub(to, from), axis), -max_slide * size), max_slide * size);
     const vec u = sub(from, origin), v = sub(to, origin);
     const double sine = dot(axis, cross(u, v)), cosine = dot(u, v) - dot(u, axis) * dot(v, axis);
-    return fmin(fmax(atan2(sine, cosine), -most_turn), most_turn);
+    return fmin(fmax(atan2(sine, cosine), -max_turn), max_turn);
 }
 
 double metrics_answered_travel(const metric_case* known, const dm_joint* joint) {
@@ -53,7 +56,7 @@ double metrics_answered_travel(const metric_case* known, const dm_joint* joint) 
 }
 
 static double pose_error(const metric_case* known, const dm_joint* joint) {
-    const int slides = kind_slides(joint->type);
+    const bool slides = kind_slides(joint->type);
     const vec axis = unit(vec_of(joint->axis)), origin = vec_of(joint->origin);
     const double travel = metrics_travel(known), value = metrics_answered_travel(known, joint);
     double sum = 0;
@@ -70,9 +73,9 @@ static void clear(const metric_case* known, metric_row* row) {
 
 void metrics_of_failure(const metric_case* known, metric_row* out_row) {
     clear(known, out_row);
-    out_row->answered = 0;
+    out_row->answered = false;
     out_row->value[METRIC_TYPE] = 0;
-    out_row->value[METRIC_AXIS] = 1e3 * CLI_PI / 2;
+    out_row->value[METRIC_AXIS] = 1e3 * PI / 2;
     out_row->value[METRIC_POSE] = out_row->value[METRIC_POSE_TOP3] = 1;
     if (!known->truth->slides) out_row->value[METRIC_ORIGIN] = 1000;
 }
@@ -105,14 +108,14 @@ static double range_overlap(const known_joint* truth, const dm_joint* joint, vec
     return both / fmax(fmax(high, found_high) - fmin(low, found_low), 1e-9);
 }
 
-void metrics_of_joint(const metric_case* known, const answer* answer, metric_row* out_row) {
+void metrics_of_joint(const metric_case* known, const joint_answer* answer, metric_row* out_row) {
     const known_joint* truth = known->truth;
     const dm_joint* joint = &answer->joint;
-    const int slides = kind_slides(joint->type);
+    const bool slides = kind_slides(joint->type);
     const vec axis = unit(vec_of(joint->axis)), origin = vec_of(joint->origin);
     clear(known, out_row);
     double* value = out_row->value;
-    out_row->answered = 1;
+    out_row->answered = true;
     value[METRIC_TYPE] =
         slides == truth->slides && (slides || joint->type == DM_JOINT_REVOLUTE || joint->type == DM_JOINT_CONTINUOUS);
     value[METRIC_AXIS] = 1e3 * acos(fmin(1, fabs(dot(axis, truth->axis))));
@@ -129,7 +132,7 @@ void metrics_of_joint(const metric_case* known, const answer* answer, metric_row
         value[METRIC_RANGE] = range_overlap(truth, joint, axis);
 }
 
-/* ---- the generated motion ---- */
+/* ---- generated motion ---- */
 
 static vec apply(const dm_pose* pose, vec point) {
     float xyz[3] = {(float)point.x, (float)point.y, (float)point.z};
@@ -182,7 +185,7 @@ void metrics_of_motion(const metric_case* known, const dm_joint* joint, const dm
         const dm_pose* pose = &poses[i];
         const vec slide = sub(apply(pose, origin), origin);
         const double angle = 2 * atan2(length(vec_at(pose->real)), fabs((double)pose->real[3]));
-        const double way = travel * (double)play_pace((float)i / (DM_MOTION_FRAMES - 1));
+        const double way = travel * (double)minimum_jerk((float)i / (DM_MOTION_FRAMES - 1));
         distance += chamfer(known, pose, way);
         deviation += constraint(known, pose, slide);
         turned += angle * angle;
@@ -224,7 +227,7 @@ metric_stat metrics_stat(const metric_row* rows, size_t count, const unsigned ch
     double total = 0, sum = 0;
     for (size_t i = 0; i < count; i++) {
         const double value = rows[i].value[metric];
-        if ((pick && !pick[i]) || isnan(value)) continue;
+        if ((pick != NULL && !pick[i]) || isnan(value)) continue;
         items[out.count++] = (weighted){value, rows[i].weight};
         total += rows[i].weight;
         sum += value * rows[i].weight;
@@ -243,7 +246,7 @@ double metrics_share_below(const metric_row* rows, size_t count, const unsigned 
                            double limit) {
     double total = 0, below = 0;
     for (size_t i = 0; i < count; i++) {
-        if ((pick && !pick[i]) || isnan(rows[i].value[metric])) continue;
+        if ((pick != NULL && !pick[i]) || isnan(rows[i].value[metric])) continue;
         total += rows[i].weight;
         if (rows[i].value[metric] < limit) below += rows[i].weight;
     }
@@ -255,7 +258,7 @@ metric_calibration metrics_calibrate(const metric_row* rows, size_t count, const
     double total = 0, error = 0;
     for (size_t i = 0; i < count; i++) {
         const double stated = rows[i].value[METRIC_CONFIDENCE];
-        if ((pick && !pick[i]) || isnan(stated)) continue;
+        if ((pick != NULL && !pick[i]) || isnan(stated)) continue;
         const int bin = (int)fmin(fmax(stated, 0) * METRICS_BINS, METRICS_BINS - 1);
         out.weight[bin] += rows[i].weight;
         out.stated[bin] += rows[i].weight * stated;

@@ -1,4 +1,4 @@
-/* How far an answered joint is from the true one: the metrics of `dragmesh eval`, from their definitions.
+/* Metrics of `dragmesh eval`: errors of an answered joint against the true one (docs/accuracy.md).
  * Lengths are over the object's largest side. */
 #ifndef CLI_METRICS_H
 #define CLI_METRICS_H
@@ -29,7 +29,7 @@ enum metric {
 typedef struct metric_row {
     double value[METRIC_COUNT]; /* NAN: does not apply */
     double weight;
-    int slides, answered;
+    bool slides, answered;
     const char* source;
     char category[64], id[256], found_type[16];
 } metric_row;
@@ -37,15 +37,15 @@ typedef struct metric_row {
 /* What a row is measured on. */
 typedef struct metric_case {
     const known_joint* truth;
-    const known_drag* drag; /* the true one, however noisy the hand was */
+    const known_drag* drag; /* the true one, without drag noise */
     const vec* moving;      /* vertices of the part at rest */
     size_t moving_count;
-    double size; /* largest side of the whole object's box */
-    int dragged; /* the drag was shown to the library */
+    double size;  /* largest side of the whole object's box */
+    bool dragged; /* the drag was shown to the library */
 } metric_case;
 
 void metrics_of_failure(const metric_case* known, metric_row* out_row);
-void metrics_of_joint(const metric_case* known, const answer* answer, metric_row* out_row);
+void metrics_of_joint(const metric_case* known, const joint_answer* answer, metric_row* out_row);
 
 /* An answer is right when the part ends within this share of the size from where it should. */
 #define METRICS_RIGHT 0.02

@@ -1,7 +1,8 @@
-/* Where the weights are, and loading them: --models, DRAGMESH_MODELS, or a folder beside the program. */
+/* Finds and loads the weights: --models, DRAGMESH_MODELS, or a folder beside the program. */
 #include "models.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +19,7 @@ typedef struct weights {
     size_t size;
 } weights;
 
-/* The folder the program lies in, to be freed. */
+/* Returns the folder of the program; to be freed. */
 static char* program_folder(void) {
     char path[4096];
     const ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
@@ -28,22 +29,22 @@ static char* program_folder(void) {
     return path_join(path, "");
 }
 
-static int holds_weights(const char* folder) {
+static bool holds_weights(const char* folder) {
     char* file = path_join(folder, kinematics_file);
-    const int found = file_exists(file);
+    const bool found = file_exists(file);
     free(file);
     return found;
 }
 
-/* In the order of the usage text; NULL when no folder has weights. To be freed. */
+/* Returns the folder of the weights, in the order of the usage text; NULL when none has any. To be freed. */
 static char* find_folder(const char* models) {
-    if (models) return path_join(models, "");
+    if (models != NULL) return path_join(models, "");
     const char* named = getenv("DRAGMESH_MODELS");
-    if (named && *named) return path_join(named, "");
+    if (named != NULL && *named) return path_join(named, "");
     static const char* const places[] = {"models", "../../sdk/models"};
     char* program = program_folder();
     char* found = NULL;
-    for (size_t i = 0; i < sizeof places / sizeof *places && !found; i++) {
+    for (size_t i = 0; i < sizeof places / sizeof *places && found == NULL; i++) {
         char* folder = path_join(program, places[i]);
         if (holds_weights(folder))
             found = folder;
@@ -60,7 +61,7 @@ static dm_result read_weights(session* session, const char* folder, const char* 
     *out = (weights){NULL, 0};
     if (required || file_exists(path)) {
         out->data = file_read(path, &out->size);
-        if (!out->data)
+        if (out->data == NULL)
             result =
                 session_fail(session, DM_ERROR_NOT_FOUND, "can't read the weights '%s': %s", path, strerror(errno));
     }
@@ -68,7 +69,7 @@ static dm_result read_weights(session* session, const char* folder, const char* 
     return result;
 }
 
-static void drop_weights(weights* weights) {
+static void free_weights(weights* weights) {
     free(weights->data);
     weights->data = NULL;
     weights->size = 0;
@@ -80,8 +81,8 @@ static dm_result load_folder(session* session, const char* folder) {
     if (result == DM_OK) result = read_weights(session, folder, motion_file, 0, &motion);
     if (result == DM_OK && session->method != METHOD_RULES)
         result = read_weights(session, folder, ranker_file, 0, &ranker);
-    if (result == DM_OK && session->method == METHOD_GEOMETRY) drop_weights(&kinematics);
-    if (result == DM_OK && (kinematics.data || motion.data || ranker.data)) {
+    if (result == DM_OK && session->method == METHOD_GEOMETRY) free_weights(&kinematics);
+    if (result == DM_OK && (kinematics.data != NULL || motion.data != NULL || ranker.data != NULL)) {
         const dm_model_desc desc = {.struct_size = sizeof desc,
                                     .kinematics = kinematics.data,
                                     .kinematics_size = kinematics.size,
@@ -104,9 +105,9 @@ static dm_result load_folder(session* session, const char* folder) {
 }
 
 dm_result models_load(session* session, const char* models) {
-    if (models && strcmp(models, "none") == 0) return DM_OK;
+    if (models != NULL && strcmp(models, "none") == 0) return DM_OK;
     char* folder = find_folder(models);
-    if (!folder)
+    if (folder == NULL)
         return session_fail(session, DM_ERROR_NO_MODEL,
                             "no weights: there is no %s beside the program; name a folder with --models DIR or "
                             "DRAGMESH_MODELS, or use --models none",

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,37 +43,37 @@ static void read_names(name_list* list, const char* text) {
 }
 
 /* A finite number that ends at `end`; 0 when there is none. */
-static int read_number(const char* text, char end, double* out, const char** out_rest) {
+static bool read_number(const char* text, char end, double* out, const char** out_rest) {
     char* rest;
     *out = strtod(text, &rest);
-    if (rest == text || *rest != end || !isfinite(*out)) return 0;
+    if (rest == text || *rest != end || !isfinite(*out)) return false;
     *out_rest = end ? rest + 1 : rest;
-    return 1;
+    return true;
 }
 
-static int read_numbers(const char* text, int count, float* out) {
+static bool read_numbers(const char* text, int count, float* out) {
     for (int i = 0; i < count; i++) {
         double number;
-        if (!read_number(text, i + 1 < count ? ',' : 0, &number, &text)) return 0;
+        if (!read_number(text, i + 1 < count ? ',' : 0, &number, &text)) return false;
         out[i] = (float)number;
     }
-    return 1;
+    return true;
 }
 
 /* 0 when `text` is no value of the option. */
-static int read_value(const option_spec* option, const char* text) {
+static bool read_value(const option_spec* option, const char* text) {
     const char* rest;
     char* end;
     switch (option->kind) {
     case OPTION_FLAG:
         *(int*)option->value = 1;
-        return 1;
+        return true;
     case OPTION_TEXT:
         *(const char**)option->value = text;
-        return 1;
+        return true;
     case OPTION_NAMES:
         read_names(option->value, text);
-        return 1;
+        return true;
     case OPTION_NUMBER:
         return read_number(text, 0, option->value, &rest);
     case OPTION_NUMBERS:
@@ -83,9 +84,9 @@ static int read_value(const option_spec* option, const char* text) {
     }
     errno = 0;
     const long number = strtol(text, &end, 10);
-    if (end == text || *end || errno || number < -1000000000 || number > 1000000000) return 0;
+    if (end == text || *end || errno || number < -1000000000 || number > 1000000000) return false;
     *(int*)option->value = (int)number;
-    return 1;
+    return true;
 }
 
 /* What is to be read as the option's value; NULL when it is missing. Steps over the argument that it takes. */
@@ -94,8 +95,8 @@ static const char* take_value(const option_spec* option, int argc, char** argv, 
     const char* next = *at + 1 < argc ? argv[*at + 1] : NULL;
     int ignored;
     const option_spec integer = {.kind = OPTION_INTEGER, .value = &ignored};
-    if (option->kind == OPTION_SEED && !(next && read_value(&integer, next))) return "1";
-    if (next) ++*at;
+    if (option->kind == OPTION_SEED && !(next != NULL && read_value(&integer, next))) return "1";
+    if (next != NULL) ++*at;
     return next;
 }
 
@@ -111,16 +112,18 @@ int options_read(const cli_command* command, int argc, char** argv, const option
     int operands = 0;
     for (int i = 1; i < argc; i++) {
         const option_spec* option = find_option(options, option_count, argv[i]);
-        if (!option && argv[i][0] == '-' && argv[i][1]) return options_refuse(command, "no option '%s'", argv[i]);
-        if (!option) {
-            if (!out_operand || operands++) return options_refuse(command, "'%s' is one argument too many", argv[i]);
+        if (option == NULL && argv[i][0] == '-' && argv[i][1])
+            return options_refuse(command, "no option '%s'", argv[i]);
+        if (option == NULL) {
+            if (out_operand == NULL || operands++)
+                return options_refuse(command, "'%s' is one argument too many", argv[i]);
             *out_operand = argv[i];
             continue;
         }
         const char* value = take_value(option, argc, argv, &i);
-        if (!value) return options_refuse(command, "%s needs a value", option->name);
+        if (value == NULL) return options_refuse(command, "%s needs a value", option->name);
         if (!read_value(option, value)) return options_refuse(command, "%s: '%s' can't be read", option->name, value);
-        if (option->given) *option->given = 1;
+        if (option->given != NULL) *option->given = 1;
     }
     return CLI_OK;
 }

@@ -6,16 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "constants.h"
 #include "files.h"
 
+#define REST_SHARE 0.05f /* of the range: an upper limit this near to rest is the end where the part rests; by hand */
+
 float play_target(const dm_joint* joint) {
-    if (joint->type == DM_JOINT_CONTINUOUS) return 6.28318530718f;
-    /* A positive step follows the drag, so the upper limit is the way, unless the part rests there. */
-    const float least = 0.05f * (joint->upper - joint->lower);
-    return joint->upper > least ? joint->upper : joint->lower;
+    if (joint->type == DM_JOINT_CONTINUOUS) return (float)TWO_PI;
+    /* A positive step follows the drag, so the part opens to the upper limit, unless it rests there. */
+    const float near = REST_SHARE * (joint->upper - joint->lower);
+    return joint->upper > near ? joint->upper : joint->lower;
 }
 
-float play_pace(float t) {
+float minimum_jerk(float t) {
     return t * t * t * (10 - 15 * t + 6 * t * t);
 }
 
@@ -27,20 +30,20 @@ static dm_result sample_network(session* session, const job* job, uint32_t count
     if (result != DM_OK) return result;
     for (uint32_t i = 0; i < count && result == DM_OK; i++)
         result = dm_motion_sample(session->context, motion, (float)i / (float)(count - 1), &out_poses[i],
-                                  out_values ? &out_values[i] : NULL);
+                                  out_values != NULL ? &out_values[i] : NULL);
     dm_motion_destroy(session->context, motion);
     return result;
 }
 
-dm_result play_motion(session* session, const job* job, const answer* answer, uint32_t count, dm_pose* out_poses,
+dm_result play_motion(session* session, const job* job, const joint_answer* answer, uint32_t count, dm_pose* out_poses,
                       float* out_values) {
     if (session->has_motion && job->has_drag) return sample_network(session, job, count, out_poses, out_values);
     const float target = play_target(&answer->joint);
     for (uint32_t i = 0; i < count; i++) {
-        const float value = target * play_pace((float)i / (float)(count - 1));
+        const float value = target * minimum_jerk((float)i / (float)(count - 1));
         const dm_result result = dm_joint_pose(&answer->joint, value, &out_poses[i]);
         if (result != DM_OK) return session_fail(session, result, "the joint has no pose");
-        if (out_values) out_values[i] = value;
+        if (out_values != NULL) out_values[i] = value;
     }
     return DM_OK;
 }
@@ -48,7 +51,7 @@ dm_result play_motion(session* session, const job* job, const answer* answer, ui
 dm_result play_export(session* session, const dm_pose* poses, uint32_t count, float seconds, const char* path) {
     float* times = cli_alloc(count * sizeof *times);
     for (uint32_t i = 0; i < count; i++) times[i] = seconds * (float)i / (float)(count - 1);
-    uint8_t* moving = job_moving_faces(session);
+    uint8_t* moving = session_moving_faces(session);
     const dm_gltf_track track = {
         .name = "dragmesh_part", .face_ids = moving, .value = 1, .poses = poses, .times = times, .key_count = count};
     void* data = NULL;

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "constants.h"
+
 typedef struct random_state {
     uint64_t state;
 } random_state;
@@ -22,7 +24,7 @@ static inline double random_unit(random_state* random) {
 /* Standard normal (Box-Muller). */
 static inline double random_normal(random_state* random) {
     const double radius = sqrt(-2 * log(1 - random_unit(random)));
-    return radius * cos(6.283185307179586 * random_unit(random));
+    return radius * cos(TWO_PI * random_unit(random));
 }
 
 #endif

@@ -1,15 +1,16 @@
-/* Pictures of an answered object: what a ray meets, and how much light comes from there. */
+/* Ray-traced pictures of an answered object: visibility, shading and film strips. Light and colours are by hand. */
 #include "render.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
 #include "nodes.h"
 
-enum { GRID = 2, SKY_RAYS = 6, GAP = 6 };
-static const double sky_reach = 0.7; /* of the object's size: what is farther away shades nothing */
+enum { GRID = 2, SKY_RAYS = 6, GAP = 6 /* pixels between panels */ };
+static const double sky_reach = 0.7; /* share of the object's size: farther surfaces cast no ambient shadow */
 static const vec sun_light = {1.55, 1.47, 1.32}, accent = {0.86, 0.33, 0.09};
 static const double accent_share = 0.6;
 
@@ -21,7 +22,7 @@ static void read_colours(renderer* r) {
     for (uint32_t i = 0; i < count; i++) {
         dm_gltf_node node;
         dm_gltf_get_node(r->session->gltf, i, &node);
-        r->colours[i] = scale(vec_at(node.colour), 0.85); /* nothing reflects all of the light */
+        r->colours[i] = scale(vec_at(node.colour), 0.85); /* albedo below 1, as real surfaces have */
         for (uint64_t face = 0; face < node.face_count; face++) r->face_node[node.first_face + face] = i;
     }
 }
@@ -47,7 +48,7 @@ dm_result render_open(renderer* r, session* session, char up) {
     if (result != DM_OK) return result;
     result = dm_scene_add(session->context, r->scene, session->object, NULL, &r->instance);
     r->face_node = cli_alloc_zeroed(session->mesh.index_count / 3 * sizeof *r->face_node);
-    r->moving = job_moving_faces(session);
+    r->moving = session_moving_faces(session);
     r->normals = smooth_build(&session->mesh);
     read_colours(r);
     measure(r);
@@ -64,7 +65,7 @@ void render_close(renderer* r) {
 
 /* ---- light ---- */
 
-static int cast(const renderer* r, vec origin, vec direction, dm_hit* out_hit) {
+static bool cast(const renderer* r, vec origin, vec direction, dm_hit* out_hit) {
     const dm_ray ray = {vec_out(origin), vec_out(direction)};
     return dm_scene_pick(r->session->context, r->scene, &ray, out_hit) == DM_OK && out_hit->object != 0;
 }
@@ -83,24 +84,26 @@ static vec sky(const renderer* r, vec direction) {
 static vec sky_direction(renderer* r, vec normal, int i) {
     const vec helper = fabs(normal.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0};
     const vec tangent = unit(cross(helper, normal)), other = cross(normal, tangent);
-    const double square = (i + random_unit(&r->random)) / r->sky_rays, angle = 2 * CLI_PI * random_unit(&r->random);
+    const double square = (i + random_unit(&r->random)) / r->sky_rays, angle = TWO_PI * random_unit(&r->random);
     const double radius = sqrt(square);
     return add(scale(normal, sqrt(1 - square)),
                add(scale(tangent, radius * cos(angle)), scale(other, radius * sin(angle))));
 }
 
-/* Light that falls on a surface: the sun where nothing stands before it, the sky through what is open of it. */
+/* Returns the light on a surface: the sun where it is not occluded, and the unoccluded part of the sky. */
 static vec light_at(renderer* r, vec point, vec normal) {
     dm_hit hit;
     vec light = {0, 0, 0};
-    const vec start = add(point, scale(normal, 2e-4 * r->size));
+    const vec start =
+        add(point, scale(normal, 2e-4 * r->size /* off the surface, so that a ray does not hit it again */));
     const double facing = dot(normal, r->sun);
     const vec jitter = {random_unit(&r->random) - 0.5, random_unit(&r->random) - 0.5, random_unit(&r->random) - 0.5};
-    if (facing > 0 && !cast(r, start, add(r->sun, scale(jitter, 0.07)), &hit)) light = scale(sun_light, facing);
+    if (facing > 0 && !cast(r, start, add(r->sun, scale(jitter, 0.07 /* radius of the sun: soft shadows */)), &hit))
+        light = scale(sun_light, facing);
     for (int i = 0; i < r->sky_rays; i++) {
         const vec direction = sky_direction(r, normal, i);
-        const int open = !cast(r, start, direction, &hit) || (double)hit.distance > sky_reach * r->size;
-        light = add(light, scale(sky(r, direction), (open ? 1.0 : 0.12) / r->sky_rays));
+        const bool open = !cast(r, start, direction, &hit) || (double)hit.distance > sky_reach * r->size;
+        light = add(light, scale(sky(r, direction), (open ? 1.0 : 0.12 /* light between surfaces */) / r->sky_rays));
     }
     return light;
 }
@@ -191,7 +194,7 @@ dm_result render_film(renderer* r, const dm_pose* poses, uint32_t count, const d
     for (uint32_t i = 0; i < count && result == DM_OK; i++) {
         const int left = (int)i * (width + GAP);
         result = render_draw(r, &poses[i], &strip, left);
-        if (axis) render_axis(r, axis, blue, &strip, left);
+        if (axis != NULL) render_axis(r, axis, blue, &strip, left);
     }
     if (result == DM_OK && picture_write(&strip, path) != 0)
         result = session_fail(r->session, DM_ERROR_NOT_FOUND, "can't write the picture '%s'", path);

@@ -1,4 +1,4 @@
-/* Pictures of an answered object: rays through dm_camera_ray and dm_scene_pick, a soft sun, a sky, a floor. */
+/* Ray-traced pictures of an answered object by dm_camera_ray and dm_scene_pick: a soft sun, a sky, a floor. */
 #ifndef CLI_RENDER_H
 #define CLI_RENDER_H
 
@@ -24,7 +24,7 @@ typedef struct renderer {
     int grid, sky_rays; /* rays a pixel along a side; rays into the sky a hit */
 } renderer;
 
-/* up: 'x', 'y' or 'z'. For a quick look set `grid` and `sky_rays` to less afterwards. */
+/* up: 'x', 'y' or 'z'. For speed set `grid` and `sky_rays` to less afterwards. */
 dm_result render_open(renderer* renderer, session* session, char up);
 void render_close(renderer* renderer);
 /* A camera for pictures of width x height that sees the whole object in all of the poses, from the side that `toward`

@@ -1,4 +1,4 @@
-/* One run of the tool: a context with its weights, and the file and object that the last job worked on. */
+/* State of one run of the tool: a context with its weights, and the file and object of the last job. */
 #include "session.h"
 
 #include <errno.h>
@@ -8,15 +8,14 @@
 #include <string.h>
 
 #include "files.h"
-#include "models.h"
 
-static void note(session* session, dm_result code, const char* text) {
+static void set_error(session* session, dm_result code, const char* text) {
     snprintf(session->error, sizeof session->error, "%s: %s", dm_result_string(code), text);
 }
 
 static void DM_CALL on_message(void* user, int32_t level, dm_result code, const char* text) {
     if (level == DM_LOG_ERROR)
-        note(user, code, text);
+        set_error(user, code, text);
     else if (level == DM_LOG_WARNING)
         fprintf(stderr, "dragmesh: %s\n", text);
 }
@@ -27,41 +26,26 @@ dm_result session_fail(session* session, dm_result code, const char* format, ...
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    note(session, code, text);
+    set_error(session, code, text);
     return code;
 }
 
-static int open_with(session* session, const char* models, const dm_allocator* allocator, enum session_method method) {
+bool session_init(session* session, const dm_allocator* allocator, enum session_method method) {
     memset(session, 0, sizeof *session);
     session->method = method;
     dm_context_desc desc = {.struct_size = sizeof desc, .log = {session, on_message}};
-    if (allocator) desc.allocator = *allocator;
-    if (dm_context_create(&desc, &session->context) != DM_OK) {
-        fprintf(stderr, "dragmesh: %s\n", session->error);
-        return CLI_FAILED;
-    }
-    if (models_load(session, models) == DM_OK) return CLI_OK;
-    fprintf(stderr, "dragmesh: %s\n", session->error);
-    session_close(session);
-    return CLI_USAGE;
+    if (allocator != NULL) desc.allocator = *allocator;
+    return dm_context_create(&desc, &session->context) == DM_OK;
 }
 
-int session_open(session* session, const char* models, const dm_allocator* allocator) {
-    return open_with(session, models, allocator, METHOD_FULL);
-}
-
-int session_open_method(session* session, const char* models, enum session_method method) {
-    return open_with(session, models, NULL, method);
-}
-
-void session_drop_object(session* session) {
+void session_release_object(session* session) {
     if (session->object) dm_object_destroy(session->context, session->object);
     free(session->part_ids);
     session->object = 0;
     session->part_ids = NULL;
 }
 
-void session_take_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type) {
+void session_own_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type) {
     free(session->part_ids);
     session->part_ids = ids;
     session->part_id_count = count;
@@ -69,8 +53,8 @@ void session_take_part_ids(session* session, uint8_t* ids, size_t count, int32_t
     session->joint_type = joint_type;
 }
 
-static void drop_file(session* session) {
-    session_drop_object(session);
+static void release_file(session* session) {
+    session_release_object(session);
     dm_gltf_close(session->gltf);
     free(session->path);
     session->gltf = NULL;
@@ -78,17 +62,17 @@ static void drop_file(session* session) {
 }
 
 void session_close(session* session) {
-    drop_file(session);
+    release_file(session);
     dm_context_destroy(session->context);
     session->context = NULL;
 }
 
 dm_result session_use_file(session* session, const char* path) {
-    if (session->path && strcmp(session->path, path) == 0) return DM_OK;
-    drop_file(session);
+    if (session->path != NULL && strcmp(session->path, path) == 0) return DM_OK;
+    release_file(session);
     size_t size;
     char* bytes = file_read(path, &size);
-    if (!bytes) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read '%s': %s", path, strerror(errno));
+    if (bytes == NULL) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read '%s': %s", path, strerror(errno));
     const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
     dm_result result = DM_ERROR_BAD_DATA;
     if (size == 0)
@@ -106,4 +90,18 @@ dm_result session_use_file(session* session, const char* path) {
     session->path = cli_alloc(strlen(path) + 1);
     strcpy(session->path, path);
     return DM_OK;
+}
+
+uint8_t* session_moving_faces(const session* session) {
+    const uint64_t faces = session->mesh.index_count / 3;
+    const uint32_t* indices = session->mesh.indices;
+    uint8_t* moving = cli_alloc(faces);
+    for (uint64_t face = 0; face < faces; face++) {
+        const uint32_t* corner = indices + 3 * face;
+        const uint8_t* ids = session->part_ids;
+        /* Per vertex, a triangle belongs to the id that two of its corners share. */
+        moving[face] =
+            session->part_id_scope == DM_PER_FACE ? ids[face] : ids[corner[0]] + ids[corner[1]] + ids[corner[2]] >= 2;
+    }
+    return moving;
 }

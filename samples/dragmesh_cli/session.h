@@ -1,12 +1,14 @@
-/* One run of the tool: a context with its weights, and the file and object that the last job worked on. */
+/* State of one run of the tool: a context with its weights, and the file and object of the last job. */
 #ifndef CLI_SESSION_H
 #define CLI_SESSION_H
+
+#include <stdbool.h>
 
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
 
-/* What answers: rows of the table that compares them. */
+/* Which inference method answers; docs/accuracy.md compares them. */
 enum session_method {
     METHOD_FULL,     /* network, geometric candidates, ranker */
     METHOD_KPP,      /* the network alone (the paper's plain KPP-Net) */
@@ -18,7 +20,7 @@ typedef struct session {
     dm_context* context;
     dm_model model; /* 0: geometry alone */
     enum session_method method;
-    int has_motion;   /* the model has motion weights */
+    bool has_motion;  /* the model has motion weights */
     char error[1024]; /* "DM_ERROR_NAME: what and where", of the last failure */
 
     char* path; /* of the file below; NULL: none */
@@ -31,20 +33,21 @@ typedef struct session {
     int32_t part_id_scope, joint_type;
 } session;
 
-/* models: a folder, "none", or NULL (DRAGMESH_MODELS, then beside the program). allocator NULL: malloc. Prints what is
- * wrong and answers an exit status. */
-int session_open(session* session, const char* models, const dm_allocator* allocator);
-int session_open_method(session* session, const char* models, enum session_method method);
+/* Creates the context; false with session->error set on failure. allocator NULL: malloc. */
+bool session_init(session* session, const dm_allocator* allocator, enum session_method method);
 void session_close(session* session);
 
-/* Notes an error of the tool's own in session->error and returns `code`. */
+/* Sets session->error to an error of the tool's own and returns `code`. */
 dm_result session_fail(session* session, dm_result code, const char* format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Makes `path` the session's file; nothing to do when it is already. */
+/* Makes `path` the session's file; does nothing when it is already. */
 dm_result session_use_file(session* session, const char* path);
-/* Notes what the object just prepared is made of; ids is the session's from now on. */
-void session_take_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type);
-/* Forgets the last job's object. */
-void session_drop_object(session* session);
+/* Stores the part ids that the object was just prepared with; takes ownership of `ids`. */
+void session_own_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type);
+/* Destroys the last job's object. */
+void session_release_object(session* session);
+
+/* Returns 1 for the faces of the moving part, else 0; what a picture or an animation shows. To be freed. */
+uint8_t* session_moving_faces(const session* session);
 
 #endif

@@ -8,7 +8,7 @@
 typedef struct smooth_normals {
     const float* positions;
     const uint32_t* indices;
-    uint32_t* welded; /* a vertex: the first vertex in the same place */
+    uint32_t* welded; /* a vertex: the first vertex at the same position */
     uint32_t* first;  /* a welded vertex: where its faces begin in `faces`; one more at the end */
     uint32_t* faces;
     vec* normals; /* a face: normal times twice the area */

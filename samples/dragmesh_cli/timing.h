@@ -1,4 +1,4 @@
-/* What measures the library's calls: clocks, and measurements in order. */
+/* Clocks and sorting of measurements. */
 #ifndef CLI_TIMING_H
 #define CLI_TIMING_H
 
@@ -6,7 +6,7 @@
 #include <time.h>
 
 double timing_now_ns(clockid_t clock);
-/* The least first. */
+/* Sorts ascending. */
 void timing_sort(double* values, size_t count);
 
 #endif

@@ -1,12 +1,11 @@
-/* A few vectors in double, for metrics and pictures. */
+/* Vectors of three doubles, for metrics and pictures. */
 #ifndef CLI_VEC_H
 #define CLI_VEC_H
 
 #include <math.h>
 
+#include "constants.h"
 #include "dragmesh/dragmesh.h"
-
-#define CLI_PI 3.14159265358979323846
 
 typedef struct vec {
     double x, y, z;
@@ -43,7 +42,7 @@ static inline vec unit(vec a) {
     const double l = length(a);
     return l > 0 ? scale(a, 1 / l) : a;
 }
-/* x turned by `angle` about a unit axis through the origin (Rodrigues). */
+/* Rotates x by `angle` (rad) about a unit axis through the origin (Rodrigues' formula). */
 static inline vec turn(vec x, vec axis, double angle) {
     const double c = cos(angle), s = sin(angle);
     return add(add(scale(x, c), scale(cross(axis, x), s)), scale(axis, dot(axis, x) * (1 - c)));

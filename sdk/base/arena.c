@@ -1,21 +1,19 @@
-/* Scratch memory: blocks from the host, cut from front to back, given back together or down to a mark. */
+/* Bump allocator: blocks from the host, filled from front to back, released together or down to a mark. */
 #include "base/arena.h"
-
-#define ALIGNMENT 64
 
 struct dmi_arena_block {
     dmi_arena_block* next;
-    size_t capacity, used; /* of the bytes behind the header */
+    size_t capacity, used; /* bytes after the header */
     uint64_t number;       /* of the arena's blocks, the oldest is 1 */
 };
 
-#define HEADER_SIZE ((sizeof(dmi_arena_block) + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT)
+#define HEADER_SIZE ((sizeof(dmi_arena_block) + DMI_ALIGNMENT - 1) / DMI_ALIGNMENT * DMI_ALIGNMENT)
 
 void dmi_arena_init(dmi_arena* arena, dmi_env* env, size_t block_size) {
     *arena = (dmi_arena){.env = env, .block_size = block_size};
 }
 
-/* Takes the smallest spare block that is large enough; NULL when none is. */
+/* Removes and returns the smallest spare block that is large enough; NULL when none is. */
 static dmi_arena_block* take_spare(dmi_arena* arena, size_t capacity) {
     dmi_arena_block** best = NULL;
     for (dmi_arena_block** at = &arena->spare; *at != NULL; at = &(*at)->next)
@@ -27,7 +25,7 @@ static dmi_arena_block* take_spare(dmi_arena* arena, size_t capacity) {
 }
 
 static dmi_arena_block* new_block(dmi_arena* arena, size_t capacity) {
-    dmi_arena_block* block = dmi_alloc(arena->env, HEADER_SIZE + capacity, ALIGNMENT);
+    dmi_arena_block* block = dmi_alloc(arena->env, HEADER_SIZE + capacity, DMI_ALIGNMENT);
     if (block != NULL) block->capacity = capacity;
     return block;
 }
@@ -39,7 +37,7 @@ static dmi_arena_block* add_block(dmi_arena* arena, size_t capacity) {
     block->used = 0;
     block->number = ++arena->added;
     if (arena->blocks != NULL && capacity > arena->block_size) {
-        /* A block for one big request goes behind the current one, whose rest stays in use. */
+        /* A block for one large request goes after the current one, whose rest stays in use. */
         block->next = arena->blocks->next;
         arena->blocks->next = block;
     } else {
@@ -50,8 +48,8 @@ static dmi_arena_block* add_block(dmi_arena* arena, size_t capacity) {
 }
 
 void* dmi_arena_push(dmi_arena* arena, size_t size) {
-    if (size > SIZE_MAX / 4) return NULL;
-    size = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    if (size > SIZE_MAX / 4) return NULL; /* no sum below can overflow */
+    size = (size + DMI_ALIGNMENT - 1) / DMI_ALIGNMENT * DMI_ALIGNMENT;
     dmi_arena_block* block = arena->blocks;
     if (block == NULL || block->capacity - block->used < size) {
         block = add_block(arena, size > arena->block_size ? size : arena->block_size);

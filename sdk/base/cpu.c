@@ -1,12 +1,14 @@
-/* Instruction sets of the processor at hand. */
+/* Detects the instruction sets of the processor. */
 #include "base/cpu.h"
+
+#include <stdbool.h>
 
 dmi_isa dmi_cpu_best_isa(void) {
 #if defined(__x86_64__) || defined(__i386__)
-    /* The compiler's run time asks both the processor and the operating system (saved registers). */
-    int avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    int avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                 __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    /* The compiler's run time checks the processor and the operating system (saved registers). */
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
     if (avx2 && avx512) return DMI_ISA_AVX512;
     if (avx2) return DMI_ISA_AVX2;
     return DMI_ISA_SCALAR;

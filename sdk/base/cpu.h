@@ -4,7 +4,7 @@
 
 typedef enum dmi_isa { DMI_ISA_SCALAR = 0, DMI_ISA_AVX2 = 1, DMI_ISA_AVX512 = 2, DMI_ISA_NEON = 3 } dmi_isa;
 
-/* Best of the machine; AVX2 includes FMA, AVX512 means F+BW+DQ+VL. */
+/* Returns the best set of the machine; AVX2 includes FMA, AVX512 means F+BW+DQ+VL. */
 dmi_isa dmi_cpu_best_isa(void);
 const char* dmi_isa_name(dmi_isa isa);
 

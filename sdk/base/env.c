@@ -1,4 +1,4 @@
-/* Memory, log and jobs of a context: the host's hooks, or malloc, silence and a plain loop. */
+/* Allocator, log and jobs of a context: the host's hooks, or malloc, no log and a plain loop. */
 #include "base/env.h"
 
 #include <stdarg.h>
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MESSAGE_SIZE 512
+#define MESSAGE_SIZE 512 /* bytes of a log message, longer ones are cut; by hand */
 
 static void* default_allocate(void* user, size_t size, size_t alignment) {
     (void)user;
@@ -39,6 +39,7 @@ void dmi_env_init(dmi_env* env, const dm_allocator* allocator, const dm_log* log
     if (jobs != NULL) env->jobs = *jobs;
 }
 
+/* Raises the recorded peak to `bytes` where that is more. */
 static void raise_peak(dmi_env* env, uint64_t bytes) {
     uint64_t peak = atomic_load_explicit(&env->peak_bytes, memory_order_relaxed);
     while (bytes > peak && !atomic_compare_exchange_weak_explicit(&env->peak_bytes, &peak, bytes, memory_order_relaxed,
@@ -46,13 +47,13 @@ static void raise_peak(dmi_env* env, uint64_t bytes) {
     }
 }
 
-/* Hosts never see a request of 0 bytes: what malloc(0) means differs between them. */
+/* Replaces 0 by 1 byte: the meaning of malloc(0) differs between hosts. */
 static size_t host_size(size_t size) {
     return size > 0 ? size : 1;
 }
 
 void* dmi_alloc(dmi_env* env, size_t size, size_t alignment) {
-    /* Half the address space: no rounding up behind this line can overflow. */
+    /* Half the address space: no later rounding up can overflow. */
     if (size > SIZE_MAX / 2) return NULL;
     size = host_size(size);
     void* memory = env->allocator.allocate(env->allocator.user, size, alignment);

@@ -1,4 +1,4 @@
-/* What a context lends to every room: memory, log, jobs. */
+/* The environment of a context: allocator, log and jobs of the host. */
 #ifndef DMI_BASE_ENV_H
 #define DMI_BASE_ENV_H
 
@@ -6,12 +6,14 @@
 
 #include "dragmesh/dragmesh.h"
 
-/* Lets compilers check arguments against a format. */
+/* Lets compilers check arguments against a printf format. */
 #if defined(__GNUC__)
 #define DMI_PRINTF(text, first) __attribute__((format(printf, text, first)))
 #else
 #define DMI_PRINTF(text, first)
 #endif
+
+#define DMI_ALIGNMENT 64 /* bytes, of scratch memory and large arrays: a cache line, and a vector of AVX-512 */
 
 typedef struct dmi_env {
     dm_allocator allocator;
@@ -20,10 +22,10 @@ typedef struct dmi_env {
     _Atomic uint64_t bytes, peak_bytes, allocations, pick_bytes;
 } dmi_env;
 
-/* NULL hooks (or hooks of zeros) mean malloc/free, silence, inline. */
+/* NULL hooks (or hooks of zeros) mean malloc and free, no log, no parallel jobs. */
 void dmi_env_init(dmi_env* env, const dm_allocator* allocator, const dm_log* log, const dm_jobs* jobs);
 
-/* NULL when the host has no memory; size 0 gives a valid pointer that must be released. Not zeroed. */
+/* Allocates from the host, not zeroed; NULL when it has no memory. Size 0 gives a valid pointer that must be freed. */
 void* dmi_alloc(dmi_env* env, size_t size, size_t alignment);
 void* dmi_alloc_zeroed(dmi_env* env, size_t size, size_t alignment);
 /* size as given to dmi_alloc; NULL does nothing. */

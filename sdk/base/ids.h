@@ -1,11 +1,12 @@
-/* Finds one id among records that lie in ascending order of theirs. */
+/* Binary search by id in records sorted by ascending id. */
 #ifndef DMI_BASE_IDS_H
 #define DMI_BASE_IDS_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* first: the id of record 0; stride: bytes from one record's id to the next's. The record's index, or -1. */
+/* Returns the index of the record, or -1. first: the id of record 0; stride: bytes from one record's id to the next's.
+ */
 static inline int32_t dmi_find_id(const uint32_t* first, size_t stride, uint32_t count, uint32_t id) {
     const char* ids = (const char*)first;
     uint32_t low = 0, high = count;

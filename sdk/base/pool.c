@@ -1,13 +1,15 @@
 /* Handle pool: slots in chunks that never move, so that a look-up is three loads without a lock.
  *
- * Ordering: remove raises the generation before it clears the item, insert stores the item after that, and get reads
- * the item before the generation. A reader that sees a later item therefore sees the later generation too, and answers
- * NULL. */
+ * Memory order: remove raises the generation before it clears the item, insert stores the item after that, and get
+ * reads the item before the generation. A reader that sees a later item therefore sees the later generation too, and
+ * returns NULL. */
 #include "base/pool.h"
 
-#define CHUNK_COUNT 26 /* 64 + 128 + ... covers all 32-bit indices but the last 64 */
-#define FIRST_CHUNK_BITS 6
-#define GENERATION_MASK 0xFFFFFFu
+#include <stdbool.h>
+
+#define CHUNK_COUNT 26            /* 64 + 128 + ... covers all 32-bit indices but the last 64 */
+#define FIRST_CHUNK_BITS 6        /* 64 slots; each chunk doubles */
+#define GENERATION_MASK 0xFFFFFFu /* 24 bits of the handle */
 #define NO_SLOT UINT32_MAX
 
 typedef struct slot {
@@ -39,10 +41,10 @@ static size_t chunk_slots(uint32_t chunk) {
     return (size_t)1 << (chunk + FIRST_CHUNK_BITS);
 }
 
-/* NULL when no chunk holds the index. */
+/* Returns the slot of an index; NULL when no chunk holds it. */
 static slot* slot_at(const dmi_pool* pool, uint32_t index) {
     uint64_t shifted = (uint64_t)index + ((uint64_t)1 << FIRST_CHUNK_BITS);
-    uint32_t bits = 63 - (uint32_t)__builtin_clzll(shifted);
+    uint32_t bits = 63 - (uint32_t)__builtin_clzll(shifted); /* floor of the binary logarithm */
     uint32_t chunk = bits - FIRST_CHUNK_BITS;
     if (chunk >= CHUNK_COUNT) return NULL;
     slot* slots = atomic_load_explicit(&pool->chunks[chunk], memory_order_acquire);
@@ -50,14 +52,15 @@ static slot* slot_at(const dmi_pool* pool, uint32_t index) {
 }
 
 static uint64_t make_handle(const dmi_pool* pool, uint32_t generation, uint32_t index) {
-    return (uint64_t)pool->kind << 56 | (uint64_t)generation << 32 | index;
+    return (uint64_t)pool->kind << DMI_HANDLE_KIND_SHIFT | (uint64_t)generation << DMI_HANDLE_GENERATION_SHIFT | index;
 }
 
-/* Another one for each pool of the process, spread out, so that a handle of one context is stale in all others. */
-static uint32_t pick_generation(void) {
+/* Returns a first generation, different for each pool of the process, so that a handle of one context is stale in all
+ * others. Fibonacci hashing spreads them. */
+static uint32_t next_first_generation(void) {
     static _Atomic uint32_t pools;
     uint32_t number = atomic_fetch_add_explicit(&pools, 1, memory_order_relaxed);
-    return 1 + number * 0x9E3779B1u % GENERATION_MASK;
+    return 1 + number * 0x9E3779B1u /* a prime near 2^32 / golden ratio */ % GENERATION_MASK;
 }
 
 dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool) {
@@ -66,7 +69,7 @@ dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool) {
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "handle pool: no memory for %zu bytes", sizeof *pool);
     pool->env = env;
     pool->kind = kind;
-    pool->first_generation = pick_generation();
+    pool->first_generation = next_first_generation();
     pool->first_free = pool->first_live = NO_SLOT;
     atomic_flag_clear(&pool->lock);
     *out_pool = pool;
@@ -82,7 +85,7 @@ void dmi_pool_destroy(dmi_pool* pool) {
     dmi_free(pool->env, pool, sizeof *pool);
 }
 
-/* A free slot's index under the lock, NO_SLOT when a chunk is missing. */
+/* Takes a free slot, under the lock; NO_SLOT when a chunk is missing. */
 static uint32_t take_free(dmi_pool* pool) {
     uint32_t index = pool->first_free;
     if (index != NO_SLOT) {
@@ -93,7 +96,7 @@ static uint32_t take_free(dmi_pool* pool) {
     return pool->slot_count++;
 }
 
-/* The host's allocator runs outside the lock; of two threads that come here at once, one gives its chunk back. */
+/* Adds a chunk. The host's allocator runs outside the lock; of two threads at once, one frees its chunk again. */
 static dm_result add_chunk(dmi_pool* pool, uint32_t chunk) {
     if (chunk >= CHUNK_COUNT) return dmi_fail(pool->env, DM_ERROR_TOO_LARGE, "handle pool: 2^32 handles are in use");
     size_t size = chunk_slots(chunk) * sizeof(slot);
@@ -145,16 +148,18 @@ dm_result dmi_pool_insert(dmi_pool* pool, void* item, uint64_t* out_handle) {
     }
 }
 
-static int names_slot(const dmi_pool* pool, const slot* s, uint64_t handle) {
-    uint32_t generation = (uint32_t)(handle >> 32) & GENERATION_MASK;
-    return handle >> 56 == pool->kind && atomic_load_explicit(&s->generation, memory_order_relaxed) == generation;
+/* Whether the handle has the kind and generation of the slot. */
+static bool matches(const dmi_pool* pool, const slot* s, uint64_t handle) {
+    uint32_t generation = (uint32_t)(handle >> DMI_HANDLE_GENERATION_SHIFT) & GENERATION_MASK;
+    return handle >> DMI_HANDLE_KIND_SHIFT == pool->kind &&
+           atomic_load_explicit(&s->generation, memory_order_relaxed) == generation;
 }
 
 void* dmi_pool_get(const dmi_pool* pool, uint64_t handle) {
     const slot* s = slot_at(pool, (uint32_t)handle);
     if (s == NULL) return NULL;
     void* item = atomic_load_explicit(&s->item, memory_order_acquire);
-    return names_slot(pool, s, handle) ? item : NULL;
+    return matches(pool, s, handle) ? item : NULL;
 }
 
 void* dmi_pool_remove(dmi_pool* pool, uint64_t handle) {
@@ -162,7 +167,7 @@ void* dmi_pool_remove(dmi_pool* pool, uint64_t handle) {
     void* item = NULL;
     lock(pool);
     slot* s = slot_at(pool, index);
-    if (s != NULL && names_slot(pool, s, handle)) item = atomic_load_explicit(&s->item, memory_order_relaxed);
+    if (s != NULL && matches(pool, s, handle)) item = atomic_load_explicit(&s->item, memory_order_relaxed);
     if (item != NULL) {
         uint32_t next = (atomic_load_explicit(&s->generation, memory_order_relaxed) + 1) & GENERATION_MASK;
         atomic_store_explicit(&s->generation, next > 0 ? next : 1, memory_order_relaxed);

@@ -1,8 +1,9 @@
-/* PCG32 (O'Neill 2014, XSH RR 64/32) and normal numbers by the inverse distribution, bit for bit the same everywhere.
- */
+/* PCG32 (O'Neill 2014, XSH RR 64/32) and normal numbers by inverse transform, bit for bit the same on every machine. */
 #include "base/random.h"
 
 #include <math.h>
+
+#define LN_2 0.69314718055994530942
 
 dmi_random dmi_random_make(uint64_t seed, uint64_t stream) {
     dmi_random random = {.state = 0, .increment = (stream << 1) | 1};
@@ -24,16 +25,16 @@ float dmi_random_unit(dmi_random* random) {
     return (float)(dmi_random_u32(random) >> 8) * 0x1p-24f;
 }
 
-/* Natural logarithm of x > 0 from exact operations alone: the last bits of libm's differ between machines. */
+/* Returns ln x, x > 0, by correctly rounded operations alone: the last bits of libm's log differ between machines. */
 static double portable_log(double x) {
     int exponent;
     double mantissa = frexp(x, &exponent);                           /* [0.5, 1) */
     double s = (mantissa - 1) / (mantissa + 1), s2 = s * s, sum = 0; /* ln m = 2 artanh s, |s| <= 1/3 */
     for (int k = 31; k >= 1; k -= 2) sum = sum * s2 + 1.0 / k;
-    return 2 * s * sum + exponent * 0.69314718055994530942;
+    return 2 * s * sum + exponent * LN_2;
 }
 
-/* Inverse of the normal distribution, 7 digits: Wichura, algorithm AS 241 (1988), PPND7. */
+/* Inverse of the normal distribution to 7 digits: Wichura, algorithm AS 241 (1988), PPND7, with its coefficients. */
 static double normal_quantile(double p) {
     double q = p - 0.5;
     if (fabs(q) <= 0.425) {

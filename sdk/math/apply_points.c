@@ -1,18 +1,19 @@
-/* DQApply on many points: the pose as a 3x4 matrix, one kernel an instruction set behind one choice.
+/* Applies a pose to many points as a 3x4 matrix, by one kernel for each instruction set.
  *
  * Every kernel reads all it needs of a block before it writes, so that src may be dst. */
 #include "math/apply_points.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
-#define PACKED (3 * sizeof(float))
+#define PACKED (3 * sizeof(float)) /* bytes from one packed point to the next */
 
 /* m: 4x4, column-major. A loop that compilers vectorise by themselves (NEON included) where src and dst lie apart: the
- * matrix in variables of its own, since dst might overwrite it for all they know. */
+ * matrix is copied to variables, because dst might alias it. */
 static void apply_packed(const float m[16], const float* src, float* dst, size_t count) {
     const float xx = m[0], xy = m[1], xz = m[2], yx = m[4], yy = m[5], yz = m[6], zx = m[8], zy = m[9], zz = m[10];
     const float tx = m[12], ty = m[13], tz = m[14];
@@ -69,7 +70,7 @@ AVX2 static inline void store_8(float* p, xyz8 v) {
     _mm256_storeu_ps(p + 16, _mm256_permute2f128_ps(b, c, 0x31));
 }
 
-/* The matrix in registers, where the points written can't change it for all the compiler knows. */
+/* The matrix in registers, because the compiler must assume that written points alias it. */
 typedef struct matrix_8 {
     __m256 x[3], y[3], z[3], t[3];
 } matrix_8;
@@ -178,7 +179,7 @@ void dmi_pose_apply_points_isa(dmi_isa isa, const dm_pose* pose, const float* sr
     dmi_pose_to_matrix(pose, m);
     if (src_stride == 0) src_stride = PACKED;
     if (dst_stride == 0) dst_stride = PACKED;
-    const int packed = src_stride == PACKED && dst_stride == PACKED;
+    const bool packed = src_stride == PACKED && dst_stride == PACKED;
 #if defined(__x86_64__)
     if (isa == DMI_ISA_AVX512 && packed) {
         apply_packed_avx512(m, src, dst, count);

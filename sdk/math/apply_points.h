@@ -1,11 +1,11 @@
-/* The bulk transform with the instruction set given, for tests and measurements; hosts get the best of the machine. */
+/* The bulk transform with a given instruction set, for tests and benchmarks; hosts get the best of the machine. */
 #ifndef DMI_MATH_APPLY_POINTS_H
 #define DMI_MATH_APPLY_POINTS_H
 
 #include "base/cpu.h"
 #include "math/dual_quat.h"
 
-/* As dmi_pose_apply_points. `isa` must be one the machine has. */
+/* As dmi_pose_apply_points; the machine must have `isa`. */
 void dmi_pose_apply_points_isa(dmi_isa isa, const dm_pose* pose, const float* src, size_t src_stride, float* dst,
                                size_t dst_stride, size_t count);
 

@@ -1,4 +1,4 @@
-/* A drag as evidence about a joint: where the player takes hold of the part, and which way the pull goes. */
+/* A drag as input of joint inference: the grabbed point and the direction of the pull. */
 #ifndef DMI_MATH_DRAG_HINT_H
 #define DMI_MATH_DRAG_HINT_H
 

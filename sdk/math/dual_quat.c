@@ -8,8 +8,9 @@
 #define CGLM_ALL_UNALIGNED /* dm_pose is four-byte aligned */
 #include <cglm/cglm.h>
 
-/* Below this sine of the half angle a rotation is rounding noise and the motion counts as a translation. */
-#define LEAST_HALF_SINE 1e-7f
+#include "math/constants.h"
+
+#define MIN_HALF_SINE 1e-7f /* sine of half the angle below which a rotation is rounding noise: a translation */
 
 static void quat_mul(const float a[4], const float b[4], float out[4]) {
     glm_quat_mul((float*)a, (float*)b, out); /* cglm reads through plain pointers */
@@ -31,7 +32,7 @@ dm_pose dmi_pose_from_rotation_translation(const float rotation[4], const float 
     return pose;
 }
 
-/* In closed form, without going through t = p - R p, which cancels where the axis is far from the origin. */
+/* Closed form: t = p - R p would cancel digits where the axis is far from the origin. */
 dm_pose dmi_pose_from_screw(const float axis[3], const float point[3], float angle, float distance) {
     const float s = sinf(0.5f * angle), c = cosf(0.5f * angle), h = 0.5f * distance;
     float moment[3];
@@ -106,7 +107,7 @@ void dmi_pose_to_matrix(const dm_pose* pose, float out[16]) {
 }
 
 static dmi_screw translation_screw(const dm_pose* pose) {
-    dmi_screw screw = {.axis = {1, 0, 0}, .angle = pose->real[3] < 0 ? 2 * GLM_PIf : 0};
+    dmi_screw screw = {.axis = {1, 0, 0}, .angle = pose->real[3] < 0 ? DMI_TWO_PI_F : 0};
     float translation[3];
     dmi_pose_translation(pose, translation);
     screw.distance = glm_vec3_norm(translation);
@@ -118,7 +119,7 @@ dmi_screw dmi_pose_to_screw(const dm_pose* pose) {
     const float* r = pose->real;
     const float* d = pose->dual;
     const float s = glm_vec3_norm((float*)r);
-    if (!(s > LEAST_HALF_SINE)) return translation_screw(pose);
+    if (!(s > MIN_HALF_SINE)) return translation_screw(pose);
     dmi_screw screw = {.axis = {r[0] / s, r[1] / s, r[2] / s}, .angle = 2 * atan2f(s, r[3])};
     /* With h half the distance, m = p x a the moment and c, s of half the angle, the dual part is (s m + h c a, -h s).
      * c (d . a) - s d_w = h loses no digits at either end of the angles, as -d_w / s does near 0. */

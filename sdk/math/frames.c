@@ -1,4 +1,5 @@
-/* Host axes, handedness, unit and an object's normalisation: N(x) = (unit S x - centre) / size, S orthogonal.
+/* Conversions of host axes, handedness, unit and an object's normalisation: N(x) = (unit S x - centre) / size, S
+ * orthogonal.
  *
  * The presets map a host's axes as its own glTF importer does, so that an object prepared from a GLB and the same
  * object imported by the engine agree: Unity as glTFast and UnityGLTF (x turns over), Unreal as Epic's importer and
@@ -8,12 +9,13 @@
 #include "math/frames.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "math/joint.h"
 #include "math/vec3.h"
 
-#define ORTHOGONALITY_TOLERANCE 1e-4f
+#define ORTHOGONALITY_TOLERANCE 1e-4f /* of a product of two columns; by hand */
 
 static const float preset_axes[][9] = {
     [DM_AXES_GLTF] = {1, 0, 0, 0, 1, 0, 0, 0, 1},
@@ -22,29 +24,29 @@ static const float preset_axes[][9] = {
     [DM_AXES_BLENDER] = {1, 0, 0, 0, 0, 1, 0, -1, 0},
 };
 
-static int is_orthogonal(const float m[9]) {
+static bool is_orthogonal(const float m[9]) {
     for (size_t i = 0; i < 3; i++) {
         for (size_t k = 0; k < 3; k++) {
             const float product = m[3 * i] * m[3 * k] + m[3 * i + 1] * m[3 * k + 1] + m[3 * i + 2] * m[3 * k + 2];
-            if (!(fabsf(product - (i == k ? 1.0f : 0.0f)) <= ORTHOGONALITY_TOLERANCE)) return 0; /* NaN too */
+            if (!(fabsf(product - (i == k ? 1.0f : 0.0f)) <= ORTHOGONALITY_TOLERANCE)) return false; /* NaN too */
         }
     }
-    return 1;
+    return true;
 }
 
 static float determinant(const float m[9]) {
     return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-int dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres) {
-    if (preset < DM_AXES_GLTF || preset > DM_AXES_CUSTOM) return 0;
+bool dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres) {
+    if (preset < DM_AXES_GLTF || preset > DM_AXES_CUSTOM) return false;
     const float* axes = preset == DM_AXES_CUSTOM ? custom : preset_axes[preset];
-    if (axes == NULL || !is_orthogonal(axes)) return 0;
-    if (!(unit_in_metres >= 0) || !isfinite(unit_in_metres)) return 0;
+    if (axes == NULL || !is_orthogonal(axes)) return false;
+    if (!(unit_in_metres >= 0) || !isfinite(unit_in_metres)) return false;
     memcpy(out->to_canonical, axes, sizeof out->to_canonical);
     out->handedness = determinant(axes) < 0 ? -1.0f : 1.0f;
     out->unit = unit_in_metres > 0 ? unit_in_metres : 1;
-    return 1;
+    return true;
 }
 
 static void turn_in(const dmi_frame* frame, const double v[3], double out[3]) {
@@ -75,7 +77,7 @@ static void widen(const float v[3], double out[3]) {
     for (int i = 0; i < 3; i++) out[i] = (double)v[i];
 }
 
-/* Inner units a host unit. */
+/* Returns inner units in one host unit. */
 static double scale_in(const dmi_frame* frame) {
     return (double)frame->axes.unit / frame->size;
 }
@@ -138,9 +140,8 @@ void dmi_frame_direction_out(const dmi_frame* frame, const float inner[3], float
 }
 
 static dm_vec3 vec3_in(const dmi_frame* frame, dm_vec3 host) {
-    const double wide[3] = {(double)host.x, (double)host.y, (double)host.z};
     float inner[3];
-    dmi_frame_point_in(frame, wide, inner);
+    dmi_frame_point_in(frame, dmi_xyz_f64(host).v, inner);
     return dmi_vec3(inner);
 }
 
@@ -150,7 +151,7 @@ dm_ray dmi_frame_ray_in(const dmi_frame* frame, const dm_ray* host) {
     return (dm_ray){vec3_in(frame, host->origin), dmi_vec3(direction)};
 }
 
-/* R v - v of a unit quaternion without forming R v: what a turn adds to a point, small when the turn is small. */
+/* Computes R v - v of a unit quaternion without forming R v, exact for small rotations. */
 static void rotation_shift(const float q[4], const double v[3], double out[3]) {
     const double x = (double)q[0], y = (double)q[1], z = (double)q[2], w = (double)q[3];
     const double once[3] = {y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]};
@@ -184,7 +185,7 @@ dm_pose dmi_frame_pose_out(const dmi_frame* frame, const dm_pose* inner) {
     return dmi_pose_from_rotation_translation(rotation, translation);
 }
 
-/* What a joint needs beyond its axis and origin; `scale` is that of lengths. */
+/* Converts pitch and limits; `scale` is that of lengths. */
 static void convert_numbers(dm_joint* joint, float handedness, float scale) {
     /* A turning axis carries the handedness along, so the advance along it changes sign with it. */
     joint->pitch *= dmi_joint_turns(joint->type) ? handedness * scale : scale;

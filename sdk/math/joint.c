@@ -1,18 +1,18 @@
-/* One-parameter joints: value to pose, pose to nearest value. */
+/* Joints with one degree of freedom: value to pose, pose to nearest value. */
 #include "math/joint.h"
 
 #include <math.h>
+#include <stdbool.h>
 
+#include "math/constants.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define TWO_PI 6.28318530717958647692f
-
-int dmi_joint_turns(int32_t type) {
+bool dmi_joint_turns(int32_t type) {
     return type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_SCREW;
 }
 
-int dmi_joint_has_limits(const dm_joint* joint) {
+bool dmi_joint_has_limits(const dm_joint* joint) {
     return joint->type != DM_JOINT_CONTINUOUS && joint->lower < joint->upper;
 }
 
@@ -21,10 +21,7 @@ float dmi_joint_clamp(const dm_joint* joint, float value) {
     return fminf(fmaxf(value, joint->lower), joint->upper);
 }
 
-static float dot(const float a[3], dm_vec3 b) {
-    return a[0] * b.x + a[1] * b.y + a[2] * b.z;
-}
-
+/* Returns the length that a screw advances a radian; 0 for other joints. */
 static float advance(const dm_joint* joint) {
     return joint->type == DM_JOINT_SCREW ? joint->pitch : 0;
 }
@@ -43,16 +40,16 @@ dm_pose dmi_joint_pose(const dm_joint* joint, float value) {
 float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near) {
     float value = near;
     if (dmi_joint_turns(joint->type)) {
-        /* Swing-twist: the twist's quaternion is (a sin, cos) of half the angle, up to its length and the double's
+        /* Swing-twist decomposition: the twist's quaternion is (axis sin, cos) of half the angle, up to scale and
          * sign. */
-        const float s = dot(pose->real, joint->axis), c = pose->real[3];
-        if (s == 0 && c == 0) return near; /* half a turn about a perpendicular axis: every twist is as near */
+        const float s = dmi_dot3(pose->real, dmi_xyz(joint->axis).v), c = pose->real[3];
+        if (s == 0 && c == 0) return near; /* half a turn about a perpendicular axis: all twists are equally near */
         value = 2 * atan2f(s, c);
-        value += TWO_PI * roundf((near - value) / TWO_PI);
+        value += DMI_TWO_PI_F * roundf((near - value) / DMI_TWO_PI_F);
     } else if (joint->type == DM_JOINT_PRISMATIC) {
         float translation[3];
         dmi_pose_translation(pose, translation);
-        value = dot(translation, joint->axis);
+        value = dmi_dot3(translation, dmi_xyz(joint->axis).v);
     }
     return isfinite(value) ? value : near;
 }
@@ -65,12 +62,12 @@ void dmi_joint_reverse(dm_joint* joint) {
 
 void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
-    const float way = (joint->type == DM_JOINT_PRISMATIC ? 1 : advance(joint)) * value;
+    const float distance = (joint->type == DM_JOINT_PRISMATIC ? 1 : advance(joint)) * value;
     if (dmi_joint_turns(joint->type))
         dmi_turn3(axis.v, origin.v, cosf(value), sinf(value), rest_point, out);
     else
         dmi_copy3(rest_point, out);
-    dmi_madd3(out, way, axis.v, out);
+    dmi_madd3(out, distance, axis.v, out);
 }
 
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
@@ -93,8 +90,9 @@ void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_poi
 }
 
 void dmi_joint_set_origin_near(dm_joint* joint, const float centre[3]) {
-    const float gap[3] = {centre[0] - joint->origin.x, centre[1] - joint->origin.y, centre[2] - joint->origin.z};
-    const float along = dot(gap, joint->axis);
+    float gap[3];
+    dmi_sub3(centre, dmi_xyz(joint->origin).v, gap);
+    const float along = dmi_dot3(gap, dmi_xyz(joint->axis).v);
     joint->origin.x += along * joint->axis.x;
     joint->origin.y += along * joint->axis.y;
     joint->origin.z += along * joint->axis.z;

@@ -1,6 +1,9 @@
 /* Symmetric eigenproblems by Jacobi rotations, principal directions, perpendicular frames. */
 #include "math/linear3.h"
 
+#define MAX_SWEEPS 32          /* of Jacobi rotations; convergence takes under ten */
+#define JACOBI_TOLERANCE 1e-15 /* off-diagonal sum over the trace: rounding of doubles */
+
 void dmi_perpendicular3(const float axis[3], float out_u[3], float out_w[3]) {
     int least = 0;
     for (int i = 1; i < 3; i++)
@@ -12,7 +15,7 @@ void dmi_perpendicular3(const float axis[3], float out_u[3], float out_w[3]) {
     dmi_cross3(axis, out_u, out_w);
 }
 
-/* One Jacobi rotation that zeroes m[p][q]; v collects the rotations as columns. */
+/* Applies one Jacobi rotation that zeroes m[p][q]; v collects the rotations as columns. */
 static void rotate(double m[3][3], double v[3][3], int p, int q) {
     if (m[p][q] == 0) return;
     double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
@@ -33,9 +36,9 @@ static void rotate(double m[3][3], double v[3][3], int p, int q) {
 void dmi_eigen3(const double matrix[3][3], double out_values[3], float out_vectors[3][3]) {
     double m[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     memcpy(m, matrix, sizeof m);
-    double scale = fabs(m[0][0]) + fabs(m[1][1]) + fabs(m[2][2]);
-    for (int sweep = 0; sweep < 32; sweep++) {
-        if (fabs(m[0][1]) + fabs(m[0][2]) + fabs(m[1][2]) <= 1e-15 * scale) break;
+    const double scale = fabs(m[0][0]) + fabs(m[1][1]) + fabs(m[2][2]);
+    for (int sweep = 0; sweep < MAX_SWEEPS; sweep++) {
+        if (fabs(m[0][1]) + fabs(m[0][2]) + fabs(m[1][2]) <= JACOBI_TOLERANCE * scale) break;
         rotate(m, v, 0, 1);
         rotate(m, v, 0, 2);
         rotate(m, v, 1, 2);

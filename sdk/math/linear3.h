@@ -1,4 +1,4 @@
-/* Small dense algebra in three dimensions: vectors of floats, symmetric eigenproblems, perpendicular frames. */
+/* Linear algebra in three dimensions: float vectors, symmetric eigenproblems, perpendicular frames. */
 #ifndef DMI_MATH_LINEAR3_H
 #define DMI_MATH_LINEAR3_H
 
@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Not libm's: those are calls, for the sake of NaN, which never comes here. */
+/* Inline, unlike fminf and fmaxf, which are calls because of NaN; arguments are never NaN. */
 static inline float dmi_min(float a, float b) {
     return b < a ? b : a;
 }
@@ -47,7 +47,7 @@ static inline float dmi_distance3(const float a[3], const float b[3]) {
     return dmi_length3(d);
 }
 
-/* Scales to unit length and answers the length it had; a vector shorter than 1e-20 is left as it is. */
+/* Scales to unit length and returns the former length; leaves vectors shorter than 1e-20 (rounding) as they are. */
 static inline float dmi_normalize3(float a[3]) {
     float length = dmi_length3(a);
     if (length > 1e-20f)
@@ -55,12 +55,12 @@ static inline float dmi_normalize3(float a[3]) {
     return length;
 }
 
-/* Takes the component along the unit vector `axis` out of `a`. */
+/* Subtracts from `a` its component along the unit vector `axis`. */
 static inline void dmi_reject3(float a[3], const float axis[3]) {
     dmi_madd3(a, -dmi_dot3(a, axis), axis, a);
 }
 
-/* Distance of a point from the line (axis, origin), axis unit. */
+/* Returns the distance of a point from the line (axis, origin), axis unit. */
 static inline float dmi_line_distance3(const float point[3], const float axis[3], const float origin[3]) {
     float d[3];
     dmi_sub3(point, origin, d);
@@ -68,17 +68,17 @@ static inline float dmi_line_distance3(const float point[3], const float axis[3]
     return dmi_length3(d);
 }
 
-/* Two unit vectors that complete the unit vector `axis` to a right-handed frame (u, w, axis). */
+/* Computes two unit vectors that complete the unit vector `axis` to a right-handed frame (u, w, axis). */
 void dmi_perpendicular3(const float axis[3], float out_u[3], float out_w[3]);
 
-/* Eigenvalues, largest first, and unit eigenvectors (rows) of a symmetric matrix. */
+/* Computes eigenvalues, largest first, and unit eigenvectors (rows) of a symmetric matrix. */
 void dmi_eigen3(const double matrix[3][3], double out_values[3], float out_vectors[3][3]);
 
-/* Mean and principal directions (rows, largest variance first) of points. count 0: zeros and the identity. */
+/* Computes mean and principal directions (rows, largest variance first) of points. count 0: zeros and the identity. */
 void dmi_principal3(const float (*points)[3], uint32_t count, float out_mean[3], double out_variances[3],
                     float out_directions[3][3]);
 
-/* Turns `point` about the line (axis, origin) by the angle whose cosine and sine are given. */
+/* Rotates `point` about the line (axis, origin) by the angle whose cosine and sine are given. */
 static inline void dmi_turn3(const float axis[3], const float origin[3], float cosine, float sine, const float point[3],
                              float out[3]) {
     float d[3], c[3];

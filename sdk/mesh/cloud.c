@@ -1,21 +1,26 @@
-/* Surface samples of a part and of the rest, evenly spread: each sample has its own equal share of the area. */
+/* Stratified surface sampling: each sample lies in its own equal share of the area. */
 #include "mesh/cloud.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "base/random.h"
+#include "math/linear3.h"
 
-#define NEAR_GROWTH 0.2f /* of the diagonal of the part's box */
-#define NEAR_MIN_GROWTH 0.02f
-/* Less near area than this (a share of the object's size squared) is a touch, not a surface. */
-#define NEAR_MIN_AREA 1e-9
-/* Samples of the rest among which the nearest are taken when none of it is near. */
-#define CANDIDATES (4 * DMI_CLOUD_NEAR)
-/* A cut adds a corner for every second one at most (one to a convex polygon, but rounding may bend it): 3 corners and
- * six planes make 4, 6, 9, 13, 19, 28. */
+/* By hand; networks are trained with them. */
+#define NEAR_GROWTH 0.2f                /* growth of the part's box on each side, share of its diagonal … */
+#define NEAR_MIN_GROWTH 0.02f           /* … and at least this, share of the object's size */
+#define NEAR_MIN_AREA 1e-9              /* share of the object's size squared; less near area counts as none */
+#define CANDIDATES (4 * DMI_CLOUD_NEAR) /* samples of which the nearest are taken when none of the rest is near */
+/* A cut adds a corner for every second one at most (one to a convex polygon, but rounding may make it concave): 3
+ * corners and six planes make 4, 6, 9, 13, 19, 28. */
 #define MAX_CORNERS 28
+
+/* The R2 sequence (Roberts 2018): 1 / p and 1 / p^2 with p^3 = p + 1. */
+#define R2_X 0.75487767f
+#define R2_Y 0.56984029f
 
 typedef struct box {
     float low[3], high[3];
@@ -25,7 +30,7 @@ typedef struct sampler {
     const dmi_mesh* mesh;
     dmi_random random;
     uint8_t* moves;    /* a byte a part: moves with the part sampled */
-    float* weights;    /* a face: how much of it takes part in the block at hand */
+    float* weights;    /* a face: its area in the block being sampled */
     double total;      /* of the weights */
     uint8_t* outcodes; /* a byte a vertex, for the near block */
     const box* clip;   /* samples lie in it; NULL: anywhere on the face */
@@ -36,15 +41,6 @@ typedef struct polygon {
     int count;
 } polygon;
 
-/* Not fminf and fmaxf: those are calls. */
-static float smaller(float a, float b) {
-    return a < b ? a : b;
-}
-
-static float larger(float a, float b) {
-    return a > b ? a : b;
-}
-
 /* ---- polygons inside a box ---- */
 
 static void load_face(const dmi_mesh* mesh, uint32_t face, polygon* out) {
@@ -53,7 +49,7 @@ static void load_face(const dmi_mesh* mesh, uint32_t face, polygon* out) {
     out->count = 3;
 }
 
-/* Keeps what lies on the side sign * x[axis] <= sign * limit (Sutherland and Hodgman). */
+/* Clips to the side sign * x[axis] <= sign * limit (Sutherland and Hodgman). */
 static void cut(polygon* p, int axis, float sign, float limit) {
     polygon in;
     in.count = p->count;
@@ -96,9 +92,9 @@ static float polygon_area(const polygon* p) {
     return area;
 }
 
-/* ---- what the faces weigh ---- */
+/* ---- weights of the faces ---- */
 
-static void weigh_moving(sampler* s, int moving) {
+static void weigh_moving(sampler* s, bool moving) {
     const dmi_mesh* mesh = s->mesh;
     s->total = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
@@ -107,7 +103,7 @@ static void weigh_moving(sampler* s, int moving) {
     }
 }
 
-/* On which sides of the box each vertex is out, a bit a side (Cohen and Sutherland). */
+/* Computes the outcode of each vertex, a bit for each side of the box (Cohen and Sutherland). */
 static void find_outcodes(sampler* s, const box* box) {
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++) {
         const float* p = s->mesh->positions + (size_t)v * 3;
@@ -135,7 +131,7 @@ static void weigh_near(sampler* s, const box* near) {
     find_outcodes(s, near);
     s->total = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
-        int counts = !s->moves[mesh->face_part[f]] && mesh->face_area[f] > 0;
+        const bool counts = !s->moves[mesh->face_part[f]] && mesh->face_area[f] > 0;
         s->weights[f] = counts ? area_inside(s, f, near) : 0;
         s->total += (double)s->weights[f];
     }
@@ -143,7 +139,7 @@ static void weigh_near(sampler* s, const box* near) {
 
 /* ---- points ---- */
 
-/* at: where on the face, two numbers in [0, 1). */
+/* Samples one point of a face. at: two numbers in [0, 1). */
 static void sample_face(sampler* s, uint32_t face, const float at[2], float xyz[3], float normal[3]) {
     polygon p;
     load_face(s->mesh, face, &p);
@@ -163,8 +159,8 @@ static void sample_face(sampler* s, uint32_t face, const float at[2], float xyz[
     memcpy(normal, s->mesh->face_normal + (size_t)face * 3, 3 * sizeof(float));
 }
 
-/* Where the i-th of `count` (a power of two) shares of the area comes in the block: bits reversed and shifted by a
- * random number, so that the first few samples of a block are spread as evenly as all of them (van der Corput). */
+/* Returns the place in the block of the i-th of `count` (a power of two) shares of the area: its bits reversed (van der
+ * Corput) and shifted at random, so that the first few samples of a block are spread as evenly as all. */
 static uint32_t place_in_block(uint32_t i, uint32_t count, uint32_t shift) {
     uint32_t reversed = 0;
     for (uint32_t bit = 1, value = i; bit < count; bit <<= 1, value >>= 1) reversed = reversed << 1 | (value & 1);
@@ -181,8 +177,8 @@ static uint32_t next_weighted(const sampler* s, uint32_t face) {
     return face;
 }
 
-/* `count` (a power of two) samples by weight, one from each of `count` equal shares of the total. Where on a face
- * follows the R2 sequence by their place in the block: even a few samples cover a face. */
+/* Draws `count` (a power of two) samples by weight, one from each of `count` equal shares of the total. The position on
+ * a face follows the R2 sequence by the place in the block, so that even a few samples cover a face. */
 static void sample_block(sampler* s, uint32_t count, float (*xyz)[3], float (*normal)[3]) {
     const uint32_t shift = dmi_random_u32(&s->random);
     const float start[2] = {dmi_random_unit(&s->random), dmi_random_unit(&s->random)};
@@ -192,32 +188,31 @@ static void sample_block(sampler* s, uint32_t count, float (*xyz)[3], float (*no
         double target = share * ((double)i + (double)dmi_random_unit(&s->random));
         while (target >= up_to) {
             uint32_t next = next_weighted(s, face + 1);
-            if (next == s->mesh->face_count) break; /* rounding passed the end by */
+            if (next == s->mesh->face_count) break; /* rounding went past the last face */
             face = next;
             up_to += (double)s->weights[face];
         }
         const uint32_t place = place_in_block(i, count, shift);
-        const float at[2] = {fraction(start[0] + 0.75487767f * (float)place),
-                             fraction(start[1] + 0.56984029f * (float)place)};
+        const float at[2] = {fraction(start[0] + R2_X * (float)place), fraction(start[1] + R2_Y * (float)place)};
         sample_face(s, face, at, xyz[place], normal[place]);
     }
 }
 
 /* ---- the near block ---- */
 
-/* Box of what moves, grown. */
+/* Returns the grown box of the moving parts. */
 static box near_box(const sampler* s) {
     box out = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
     for (uint32_t p = 0; p < s->mesh->part_count; p++) {
         const dmi_part* part = &s->mesh->parts[p];
         for (int k = 0; k < 3 && s->moves[p]; k++) {
-            out.low[k] = smaller(out.low[k], part->box_min[k]);
-            out.high[k] = larger(out.high[k], part->box_max[k]);
+            out.low[k] = dmi_min(out.low[k], part->box_min[k]);
+            out.high[k] = dmi_max(out.high[k], part->box_max[k]);
         }
     }
     float square = 0;
     for (int k = 0; k < 3; k++) square += (out.high[k] - out.low[k]) * (out.high[k] - out.low[k]);
-    float growth = larger(NEAR_GROWTH * sqrtf(square), NEAR_MIN_GROWTH);
+    float growth = dmi_max(NEAR_GROWTH * sqrtf(square), NEAR_MIN_GROWTH);
     for (int k = 0; k < 3; k++) {
         out.low[k] -= growth;
         out.high[k] += growth;
@@ -228,7 +223,7 @@ static box near_box(const sampler* s) {
 static float box_distance_squared(const box* box, const float p[3]) {
     float sum = 0;
     for (int k = 0; k < 3; k++) {
-        float d = larger(0, larger(box->low[k] - p[k], p[k] - box->high[k]));
+        float d = dmi_max(0, dmi_max(box->low[k] - p[k], p[k] - box->high[k]));
         sum += d * d;
     }
     return sum;
@@ -239,8 +234,8 @@ typedef struct candidates {
     float distance[CANDIDATES];
 } candidates;
 
-/* The distance of the DMI_CLOUD_NEAR-th nearest candidate: bisection on the bits, which for floats from 0 on are in the
- * order of their values. */
+/* Returns the distance of the DMI_CLOUD_NEAR-th nearest candidate, by bisection on the bits, whose order is that of the
+ * values for non-negative floats. */
 static float near_limit(const candidates* c) {
     uint32_t low = 0, high = 0x7f800000; /* +infinity */
     while (low < high) {
@@ -258,11 +253,11 @@ static float near_limit(const candidates* c) {
     return limit;
 }
 
-/* None of the rest is near: its samples nearest to the box. */
+/* Fills the near block when none of the rest is near: with its samples nearest to the box. */
 static dm_result sample_nearest(dmi_env* env, sampler* s, const box* near, float (*xyz)[3], float (*normal)[3]) {
-    candidates* c = dmi_alloc(env, sizeof *c, 64);
+    candidates* c = dmi_alloc(env, sizeof *c, DMI_ALIGNMENT);
     if (c == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %d surface samples", CANDIDATES);
-    weigh_moving(s, 0);
+    weigh_moving(s, false);
     sample_block(s, CANDIDATES, c->xyz, c->normal);
     for (uint32_t i = 0; i < CANDIDATES; i++) c->distance[i] = box_distance_squared(near, c->xyz[i]);
     float limit = near_limit(c);
@@ -288,24 +283,24 @@ static dm_result sample_near(dmi_env* env, sampler* s, float (*xyz)[3], float (*
     return DM_OK;
 }
 
-/* ---- the whole ---- */
+/* ---- all blocks ---- */
 
 static dm_result sample_all(dmi_env* env, sampler* s, dmi_cloud* cloud) {
     enum { NEAR = DMI_CLOUD_PART, BODY = DMI_CLOUD_PART + DMI_CLOUD_NEAR };
-    weigh_moving(s, 1);
+    weigh_moving(s, true);
     sample_block(s, DMI_CLOUD_PART, cloud->xyz, cloud->normal);
     dm_result result = sample_near(env, s, cloud->xyz + NEAR, cloud->normal + NEAR);
     if (result != DM_OK) return result;
-    weigh_moving(s, 0);
+    weigh_moving(s, false);
     sample_block(s, DMI_CLOUD_BODY, cloud->xyz + BODY, cloud->normal + BODY);
     return DM_OK;
 }
 
 dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, uint64_t seed, dmi_cloud* out_cloud) {
     sampler s = {.mesh = mesh, .random = dmi_random_make(seed, part)};
-    s.moves = dmi_alloc(env, mesh->part_count, 64);
-    s.weights = dmi_alloc(env, mesh->face_count * sizeof(float), 64);
-    s.outcodes = dmi_alloc(env, mesh->vertex_count, 64);
+    s.moves = dmi_alloc(env, mesh->part_count, DMI_ALIGNMENT);
+    s.weights = dmi_alloc(env, mesh->face_count * sizeof(float), DMI_ALIGNMENT);
+    s.outcodes = dmi_alloc(env, mesh->vertex_count, DMI_ALIGNMENT);
     dm_result result = DM_ERROR_OUT_OF_MEMORY;
     if (s.moves != NULL && s.weights != NULL && s.outcodes != NULL) {
         for (uint32_t p = 0; p < mesh->part_count; p++) s.moves[p] = (uint8_t)dmi_mesh_moves_with(mesh, p, part);

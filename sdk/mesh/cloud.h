@@ -1,4 +1,4 @@
-/* Surface samples of one part and of what it moves against: what the networks and the geometry look at.
+/* Surface samples of one part and of the rest: the input of the networks and of the geometric analysis.
  *
  * Area-weighted and seeded. The moving part gets half of the points however thin it is; a quarter lies on the body
  * near the part, a quarter anywhere on the body. Training uses this very code (bindings/python). */
@@ -7,19 +7,20 @@
 
 #include "mesh/mesh.h"
 
-#define DMI_CLOUD_PART 2048 /* points on the moving part and what it carries */
+#define DMI_CLOUD_PART 2048 /* points on the moving part and the parts it carries */
 #define DMI_CLOUD_NEAR 1024 /* on the rest, inside the part's box grown by 0.2 of its diagonal (at least 0.02) */
 #define DMI_CLOUD_BODY 1024 /* anywhere on the rest */
-#define DMI_CLOUD_POINTS                                                                                               \
-    4096 /* in this order: part, near, body; each block in an even order: its first points cover it too */
+/* In this order: part, near, body; within a block the points are in low-discrepancy order, so its first ones cover it.
+ */
+#define DMI_CLOUD_POINTS 4096
 
 typedef struct dmi_cloud {
     float xyz[DMI_CLOUD_POINTS][3];    /* object-normalised */
     float normal[DMI_CLOUD_POINTS][3]; /* unit, as the triangle's winding gives it */
 } dmi_cloud;
 
-/* Part `part` (index in mesh->parts, not 0). When the rest has no triangle near the part, the near block holds the
- * rest's samples nearest to it. Never fails for a mesh that dmi_mesh_create accepted, but for memory. */
+/* Samples part `part` (index in mesh->parts, not 0). When the rest has no triangle near the part, the near block holds
+ * the rest's samples nearest to it. Never fails for a mesh that dmi_mesh_create accepted, but for memory. */
 dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, uint64_t seed, dmi_cloud* out_cloud);
 
 #endif

@@ -2,17 +2,22 @@
 #include "mesh/connectivity.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #define NONE UINT32_MAX
-/* Cells a tolerance wide: few vertices lie so near a cell's side that its neighbour must be searched too. */
-#define CELL_TOLERANCES 4
-#define MIN_CELL 1e-6f
-/* Faces at one edge beyond this many are compared with the last ones alone: real edges have two. */
-#define MAX_FACES_AT_EDGE 32
+#define NO_CONCAVE_CUT 2.0f  /* a sine that no edge exceeds */
+#define CELL_TOLERANCES 4    /* side of a grid cell in tolerances; by hand: few searches then leave the cell */
+#define MIN_BUCKETS 16       /* of the grid's hash table, a power of two; more for more vertices */
+#define MIN_CELL 1e-6f       /* side of a grid cell, object sizes: indices fit 32 bits */
+#define MAX_FACES_AT_EDGE 32 /* compared at one edge; by hand, real edges have two */
 
 static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
     return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to connect %u triangles", mesh->face_count);
+}
+
+static void fill_none(uint32_t* values, uint32_t count) {
+    memset(values, 0xff, count * sizeof *values); /* all bits set: NONE */
 }
 
 /* ---- welding ---- */
@@ -26,8 +31,9 @@ typedef struct grid {
 } grid;
 
 static uint32_t bucket_of(const grid* grid, const int32_t cell[3]) {
+    /* Multipliers of Fibonacci hashing and MurmurHash3; any odd constants do. */
     uint32_t hash = (uint32_t)cell[0] * 0x9e3779b1u ^ (uint32_t)cell[1] * 0x85ebca6bu ^ (uint32_t)cell[2] * 0xc2b2ae35u;
-    return (hash ^ hash >> 15) & grid->mask;
+    return (hash ^ hash >> 15 /* mixes the high bits in */) & grid->mask;
 }
 
 /* The smallest kept vertex within the tolerance of p in the bucket of a cell, or `found` where that is smaller. */
@@ -40,7 +46,7 @@ static uint32_t search_cell(const grid* grid, const int32_t cell[3], const float
     return found;
 }
 
-/* Cells count from the corner below every position (which lie in [-1, 1]), so that cutting off is rounding down. */
+/* Cells are counted from a corner below every position (which lie in [-1, 1]), so that truncation rounds down. */
 static int32_t cell_of(const grid* grid, float x) {
     return (int32_t)((x + 1 + grid->tolerance) * grid->cells_a_unit);
 }
@@ -63,14 +69,14 @@ static uint32_t search(const grid* grid, const float p[3], int32_t own[3]) {
 }
 
 dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, uint32_t* out_welded) {
-    uint32_t buckets = 16;
+    uint32_t buckets = MIN_BUCKETS;
     while (buckets < mesh->vertex_count) buckets *= 2;
     grid grid = {.mesh = mesh, .tolerance = tolerance, .mask = buckets - 1};
     grid.cells_a_unit = 1 / fmaxf(CELL_TOLERANCES * tolerance, MIN_CELL);
     grid.heads = dmi_arena_push(arena, buckets * sizeof(uint32_t));
     grid.next = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
     if (grid.heads == NULL || grid.next == NULL) return out_of_memory(arena, mesh);
-    memset(grid.heads, 0xff, buckets * sizeof(uint32_t));
+    fill_none(grid.heads, buckets);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         int32_t cell[3];
         uint32_t found = search(&grid, mesh->positions + (size_t)v * 3, cell);
@@ -102,7 +108,7 @@ static void unite(uint32_t* parents, uint32_t a, uint32_t b) {
         parents[a] = b;
 }
 
-/* Parents to labels in place: a root comes before its faces, so its label is there when they ask for it. */
+/* Turns parents into labels in place: a root comes before its other faces, so its label is set when they need it. */
 static uint32_t number_sets(uint32_t* parents, const uint8_t* select, uint32_t face_count) {
     uint32_t count = 0;
     for (uint32_t f = 0; f < face_count; f++) {
@@ -123,7 +129,7 @@ static dm_result unite_over_vertices(dmi_arena* arena, const dmi_mesh* mesh, con
                                      const uint8_t* select, uint32_t* parents) {
     uint32_t* first_face = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
     if (first_face == NULL) return out_of_memory(arena, mesh);
-    memset(first_face, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    fill_none(first_face, mesh->vertex_count);
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         for (int i = 0; i < 3 && select[f]; i++) {
             uint32_t v = welded[mesh->indices[(size_t)f * 3 + (size_t)i]];
@@ -154,12 +160,14 @@ static dm_result allocate_edges(dmi_arena* arena, const dmi_mesh* mesh, edges* o
     out->face = dmi_arena_push(arena, count);
     out->before = dmi_arena_push(arena, count);
     out->latest = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
-    return out->first && out->other && out->face && out->before && out->latest ? DM_OK : out_of_memory(arena, mesh);
+    return out->first != NULL && out->other != NULL && out->face != NULL && out->before != NULL && out->latest != NULL
+               ? DM_OK
+               : out_of_memory(arena, mesh);
 }
 
-/* Smaller and larger vertex of side i of a face; 0 when both are one. */
-static int edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, size_t i, uint32_t* low,
-                   uint32_t* high) {
+/* Computes smaller and larger vertex of side i of a face; false when both are the same. */
+static bool edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, size_t i, uint32_t* low,
+                    uint32_t* high) {
     const uint32_t* corners = mesh->indices + (size_t)face * 3;
     uint32_t a = welded[corners[i]], b = welded[corners[i < 2 ? i + 1 : 0]];
     *low = a < b ? a : b;
@@ -167,7 +175,8 @@ static int edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face, 
     return a != b;
 }
 
-/* By counting; the counts stand two places on, so that filling leaves first[v] at the beginning of v's. */
+/* Counting sort; counts are stored two places further, so that filling leaves first[v] at the beginning of v's edges.
+ */
 static void sort_edges(const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select, edges* edges) {
     uint32_t low, high;
     memset(edges->first, 0, ((size_t)mesh->vertex_count + 2) * sizeof(uint32_t));
@@ -187,18 +196,18 @@ static void sort_edges(const dmi_mesh* mesh, const uint32_t* welded, const uint8
     }
 }
 
-/* Puts edge e behind the earlier one between the same vertices, which it answers, or NONE; `begin`: where its vertex's
- * edges begin. */
+/* Links edge e to the earlier one between the same vertices and returns that, or NONE; begin: first edge of its vertex.
+ */
 static uint32_t chain_edge(edges* edges, uint32_t begin, uint32_t e) {
     uint32_t* latest = &edges->latest[edges->other[e]];
-    /* One from before `begin` is another vertex's. */
+    /* An edge before `begin` belongs to another vertex. */
     edges->before[e] = *latest != NONE && *latest >= begin ? *latest : NONE;
     *latest = e;
     return edges->before[e];
 }
 
-/* Slivers have no normal: their cosine with anything is 0. */
-static int is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_cosine) {
+/* Whether two faces meet at less than the angle. Slivers have zero normals, so a cosine of 0. */
+static bool is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_cosine) {
     const float *n = mesh->face_normal + (size_t)a * 3, *m = mesh->face_normal + (size_t)b * 3;
     return fabsf(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) > min_cosine;
 }
@@ -209,7 +218,7 @@ static dm_result unite_over_edges(dmi_arena* arena, const dmi_mesh* mesh, const 
     dm_result result = allocate_edges(arena, mesh, &edges);
     if (result != DM_OK) return result;
     sort_edges(mesh, welded, select, &edges);
-    memset(edges.latest, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    fill_none(edges.latest, mesh->vertex_count);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t begin = edges.first[v], end = edges.first[v + 1];
         for (uint32_t e = begin; e < end; e++) {
@@ -242,8 +251,8 @@ static uint32_t third_corner(const dmi_mesh* mesh, const uint32_t* welded, uint3
     return welded[corners[2]];
 }
 
-/* Whether the outer side of a face sees the far corner of its neighbour, by more than the sine. */
-static int sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint32_t far_corner, float sine) {
+/* Whether the far corner of the neighbour is above a face's plane by more than the sine: the edge is concave. */
+static bool sees_corner(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint32_t far_corner, float sine) {
     const float *n = mesh->face_normal + (size_t)face * 3, *a = mesh->positions + (size_t)edge_corner * 3;
     const float* b = mesh->positions + (size_t)far_corner * 3;
     const float to[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -251,8 +260,8 @@ static int sees(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corner, uint3
     return height > sine * sqrtf(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
 }
 
-/* The faces at one edge, from its newest entry on: those in one place become one; if just two places are left, they
- * are of one sheet. */
+/* Unites the faces at one edge, from its newest entry on: coincident faces first; if just two places are left, these
+ * belong to one sheet unless the edge is concave. */
 static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const edges* edges, uint32_t low, uint32_t e,
                           float concave_sine, uint32_t* parents) {
     uint32_t faces[MAX_FACES_AT_EDGE], corners[MAX_FACES_AT_EDGE], count = 0;
@@ -269,7 +278,8 @@ static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const ed
         }
     }
     if (count != 2) return;
-    if (sees(mesh, faces[0], low, corners[1], concave_sine) && sees(mesh, faces[1], low, corners[0], concave_sine))
+    if (sees_corner(mesh, faces[0], low, corners[1], concave_sine) &&
+        sees_corner(mesh, faces[1], low, corners[0], concave_sine))
         return;
     unite(parents, faces[0], faces[1]);
 }
@@ -284,7 +294,7 @@ dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
     memset(all, 1, mesh->face_count);
     sort_edges(mesh, welded, all, &edges);
     for (uint32_t f = 0; f < mesh->face_count; f++) out_labels[f] = f;
-    memset(edges.latest, 0xff, mesh->vertex_count * sizeof(uint32_t));
+    fill_none(edges.latest, mesh->vertex_count);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t begin = edges.first[v], end = edges.first[v + 1];
         for (uint32_t e = begin; e < end; e++) chain_edge(&edges, begin, e);
@@ -297,5 +307,5 @@ dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
 
 dm_result dmi_face_sheets(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, uint32_t* out_labels,
                           uint32_t* out_count) {
-    return dmi_face_bulges(arena, mesh, welded, 2, out_labels, out_count);
+    return dmi_face_bulges(arena, mesh, welded, NO_CONCAVE_CUT, out_labels, out_count);
 }

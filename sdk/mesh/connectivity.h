@@ -1,4 +1,4 @@
-/* Which faces hang together: vertices welded by position, edges, smooth regions and shells. */
+/* Connectivity of faces: vertices welded by position, smooth regions, shells and sheets. */
 #ifndef DMI_MESH_CONNECTIVITY_H
 #define DMI_MESH_CONNECTIVITY_H
 

@@ -1,15 +1,14 @@
-/* Mask files: NumPy's .npy format (versions 1 to 3) and flat JSON arrays, read without trust in a single byte.
- * The JSON of a mask is numbers and commas: reading it here keeps all 64 bits of a value and the host's allocator,
- * which a tree of JSON nodes would do neither of. */
+/* Parses mask files: NumPy's .npy format (versions 1 to 3) and flat JSON arrays; every byte is checked. The JSON parser
+ * here keeps all 64 bits of a value and uses the host's allocator, which cJSON does not. */
 #include "mesh/mask.h"
 
+#include <stdbool.h>
 #include <string.h>
 
-#define ALIGNMENT 64
 #define NPY_MAGIC "\x93NUMPY"
-#define NPY_MAGIC_SIZE 6
-/* A header of one dimension has under 100 bytes; NumPy pads it to 128. */
-#define NPY_MAX_HEADER 65536
+#define NPY_MAGIC_SIZE 6     /* bytes */
+#define MAX_SHOWN 32         /* bytes of the file quoted in a message; by hand */
+#define NPY_MAX_HEADER 65536 /* bytes; by hand: a header of one dimension has under 128 */
 
 /* ---- text ---- */
 
@@ -17,7 +16,7 @@ typedef struct text {
     const char *at, *end;
 } text;
 
-static int is_digit(char c) {
+static bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
@@ -25,26 +24,26 @@ static void skip_spaces(text* t) {
     while (t->at < t->end && (*t->at == ' ' || *t->at == '\t' || *t->at == '\n' || *t->at == '\r')) t->at++;
 }
 
-/* Takes `word` behind spaces; 0 when something else is there. */
-static int take(text* t, const char* word) {
+/* Skips spaces and consumes `word`; false when something else follows. */
+static bool take(text* t, const char* word) {
     size_t length = strlen(word);
     skip_spaces(t);
-    if ((size_t)(t->end - t->at) < length || memcmp(t->at, word, length) != 0) return 0;
+    if ((size_t)(t->end - t->at) < length || memcmp(t->at, word, length) != 0) return false;
     t->at += length;
-    return 1;
+    return true;
 }
 
-/* Digits into a number; 0 when there is none or it exceeds `limit`. */
-static int take_digits(text* t, uint64_t limit, uint64_t* out) {
+/* Consumes digits; false when there is none or the number exceeds `limit`. */
+static bool take_digits(text* t, uint64_t limit, uint64_t* out) {
     uint64_t value = 0;
-    if (t->at >= t->end || !is_digit(*t->at)) return 0;
+    if (t->at >= t->end || !is_digit(*t->at)) return false;
     for (; t->at < t->end && is_digit(*t->at); t->at++) {
         uint64_t digit = (uint64_t)(*t->at - '0');
-        if (digit > limit || value > (limit - digit) / 10) return 0;
+        if (digit > limit || value > (limit - digit) / 10) return false;
         value = value * 10 + digit;
     }
     *out = value;
-    return 1;
+    return true;
 }
 
 static dm_result allocate_values(dmi_env* env, uint64_t count, int64_t** out_values) {
@@ -52,7 +51,7 @@ static dm_result allocate_values(dmi_env* env, uint64_t count, int64_t** out_val
         return dmi_fail(env, DM_ERROR_TOO_LARGE, "mask: %llu values, at most %d", (unsigned long long)count,
                         DM_MAX_ELEMENTS);
     }
-    *out_values = dmi_alloc(env, (size_t)count * sizeof(int64_t), ALIGNMENT);
+    *out_values = dmi_alloc(env, (size_t)count * sizeof(int64_t), DMI_ALIGNMENT);
     if (*out_values != NULL) return DM_OK;
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mask of %llu values", (unsigned long long)count);
 }
@@ -63,26 +62,26 @@ typedef struct npy_header {
     char kind;   /* b, u or i */
     size_t size; /* bytes a value */
     uint64_t count;
-    int has_descr, has_order, has_shape;
+    bool has_descr, has_order, has_shape;
 } npy_header;
 
-/* A quoted Python string, as a piece of the text; escapes do not occur in these headers. */
-static int take_string(text* t, text* out) {
+/* Consumes a quoted Python string; escapes do not occur in these headers. */
+static bool take_string(text* t, text* out) {
     skip_spaces(t);
-    if (t->at >= t->end || (*t->at != '\'' && *t->at != '"')) return 0;
+    if (t->at >= t->end || (*t->at != '\'' && *t->at != '"')) return false;
     char quote = *t->at++;
     out->at = t->at;
     while (t->at < t->end && *t->at != quote && *t->at != '\\') t->at++;
-    if (t->at >= t->end || *t->at != quote) return 0;
+    if (t->at >= t->end || *t->at != quote) return false;
     out->end = t->at++;
-    return 1;
+    return true;
 }
 
-static int string_is(const text* string, const char* word) {
+static bool string_is(const text* string, const char* word) {
     return (size_t)(string->end - string->at) == strlen(word) && memcmp(string->at, word, strlen(word)) == 0;
 }
 
-/* "<i4", "|b1": byte order, kind, size. Single bytes have any order. */
+/* Reads a type such as "<i4" or "|b1": byte order, kind, size. */
 static dm_result read_descr(dmi_env* env, text* t, npy_header* header) {
     text descr;
     if (!take_string(t, &descr)) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: 'descr' is not a plain type");
@@ -91,16 +90,16 @@ static dm_result read_descr(dmi_env* env, text* t, npy_header* header) {
         if (!string_is(&descr, types[i])) continue;
         header->kind = types[i][1];
         header->size = (size_t)(types[i][2] - '0');
-        header->has_descr = 1;
+        header->has_descr = true;
         return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: values of type '%.*s', must be bool or little-endian integers",
-                    (int)(descr.end - descr.at < 32 ? descr.end - descr.at : 32), descr.at);
+                    (int)(descr.end - descr.at < MAX_SHOWN ? descr.end - descr.at : MAX_SHOWN), descr.at);
 }
 
-/* "(12,)": one dimension. */
+/* Reads a shape such as "(12,)": one dimension. */
 static dm_result read_shape(dmi_env* env, text* t, npy_header* header) {
-    int good = take(t, "(");
+    bool good = take(t, "(");
     skip_spaces(t);
     good = good && take_digits(t, UINT64_MAX, &header->count);
     if (good) {
@@ -109,7 +108,7 @@ static dm_result read_shape(dmi_env* env, text* t, npy_header* header) {
         good = take(t, ")");
     }
     if (!good) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: 'shape' is not of one dimension");
-    header->has_shape = 1;
+    header->has_shape = true;
     return DM_OK;
 }
 
@@ -125,7 +124,7 @@ static dm_result read_entry(dmi_env* env, text* t, npy_header* header) {
         if (header->has_order) return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: header entry '%.*s' can't be read",
-                    (int)(key.end - key.at < 32 ? key.end - key.at : 32), key.at);
+                    (int)(key.end - key.at < MAX_SHOWN ? key.end - key.at : MAX_SHOWN), key.at);
 }
 
 static dm_result read_header(dmi_env* env, text t, npy_header* header) {
@@ -161,7 +160,8 @@ static int64_t npy_value(const uint8_t* bytes, const npy_header* header) {
 }
 
 static dm_result parse_npy(dmi_env* env, const uint8_t* bytes, size_t size, int64_t** out_values, size_t* out_count) {
-    size_t prefix = size > NPY_MAGIC_SIZE && bytes[NPY_MAGIC_SIZE] >= 2 ? 12 : 10;
+    size_t prefix =
+        size > NPY_MAGIC_SIZE && bytes[NPY_MAGIC_SIZE] >= 2 ? 12 : 10; /* bytes before the header, by version */
     if (size < prefix) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: %zu bytes, the header is cut off", size);
     if (bytes[6] < 1 || bytes[6] > 3) {
         return dmi_fail(env, DM_ERROR_BAD_DATA, "mask.npy: format version %d, known are 1 to 3", bytes[6]);
@@ -193,34 +193,34 @@ static dm_result parse_npy(dmi_env* env, const uint8_t* bytes, size_t size, int6
 
 /* ---- JSON ---- */
 
-/* An integer, written as one or with a fraction of zeros, or true or false. */
-static int take_value(text* t, int64_t* out) {
+/* Consumes an integer (possibly with a fraction of zeros), true or false. */
+static bool take_value(text* t, int64_t* out) {
     if (take(t, "true")) {
         *out = 1;
-        return 1;
+        return true;
     }
     if (take(t, "false")) {
         *out = 0;
-        return 1;
+        return true;
     }
-    int negative = take(t, "-");
+    const bool negative = take(t, "-");
     uint64_t magnitude, fraction;
-    if (!take_digits(t, (uint64_t)INT64_MAX, &magnitude)) return 0;
+    if (!take_digits(t, (uint64_t)INT64_MAX, &magnitude)) return false;
     if (t->at < t->end && *t->at == '.') {
         t->at++;
-        if (!take_digits(t, 0, &fraction)) return 0;
+        if (!take_digits(t, 0, &fraction)) return false;
     }
     *out = negative ? -(int64_t)magnitude : (int64_t)magnitude;
-    return 1;
+    return true;
 }
 
-/* Values up to the closing bracket; 0 when something else is in the way. */
-static int take_array(text* t, int64_t* values, size_t* count) {
+/* Consumes values up to the closing bracket; false when something else follows. */
+static bool take_array(text* t, int64_t* values, size_t* count) {
     do {
-        if (!take_value(t, &values[*count])) return 0;
+        if (!take_value(t, &values[*count])) return false;
         ++*count;
     } while (take(t, ","));
-    if (!take(t, "]")) return 0;
+    if (!take(t, "]")) return false;
     skip_spaces(t);
     return t->at == t->end;
 }
@@ -245,7 +245,7 @@ static dm_result parse_json(dmi_env* env, const char* data, size_t size, int64_t
                     (size_t)(t.at - data), count);
 }
 
-/* ---- both ---- */
+/* ---- both formats ---- */
 
 dm_result dmi_mask_parse(dmi_env* env, const void* data, size_t size, int64_t** out_values, size_t* out_count) {
     if (data == NULL || size == 0) return dmi_fail(env, DM_ERROR_BAD_DATA, "mask: no bytes");

@@ -1,11 +1,11 @@
-/* The host's buffers, element by element. They may be unaligned: everything is read through memcpy. */
+/* Reads the host's buffers element by element. They may be unaligned, so all reads go through memcpy. */
 #include "mesh/mesh_read.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-/* Bytes of an index or part id of a format; 0 for an unknown one. */
+/* Returns the bytes of an index or part id of a format; 0 for an unknown one. */
 static size_t integer_size(int32_t format) {
     switch (format) {
     case DM_UINT32:
@@ -20,7 +20,7 @@ static size_t integer_size(int32_t format) {
     }
 }
 
-/* `field` needs `size` bytes an element; a stride of 0 means packed. 0 when the stride is too small. */
+/* Returns the stride of a field whose elements have `size` bytes (stride 0: packed); 0 when it is too small. */
 static size_t checked_stride(dmi_env* env, const char* field, uint32_t stride, size_t size) {
     if (stride == 0) return size;
     if (stride >= size) return stride;
@@ -92,7 +92,7 @@ dm_result dmi_mesh_reader_open(dmi_env* env, const dm_mesh_desc* desc, dmi_mesh_
     return result;
 }
 
-/* Unsigned integer of 1, 2 or 4 bytes. */
+/* Reads an unsigned integer of 1, 2 or 4 bytes. */
 static uint32_t read_integer(const char* memory, size_t size) {
     uint32_t u32;
     uint16_t u16;

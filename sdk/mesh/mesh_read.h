@@ -1,10 +1,10 @@
-/* Reading the host's strided buffers in whatever format they are, and the checks that need no mesh yet. */
+/* Reads the host's strided buffers in any format, with the checks that need no mesh yet. */
 #ifndef DMI_MESH_MESH_READ_H
 #define DMI_MESH_MESH_READ_H
 
 #include "base/env.h"
 
-/* A dm_mesh_desc whose pointers, formats, strides and counts make sense; only part_ids may still be NULL. */
+/* A dm_mesh_desc with checked pointers, formats, strides and counts; only part_ids may still be NULL. */
 typedef struct dmi_mesh_reader {
     const dm_mesh_desc* desc;
     size_t position_stride, index_size, part_id_stride; /* bytes */

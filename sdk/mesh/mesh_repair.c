@@ -1,18 +1,19 @@
-/* Votes of surface pieces by area: who owns most of a piece owns it all. */
+/* Majority vote by area: the part that owns most of a piece of surface gets all of it. */
 #include "mesh/mesh_repair.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 #include "mesh/connectivity.h"
 
-#define OWNS 0.6f /* share of a piece's area that makes it its owner's */
-/* Of a part's area and of its triangles: who would lose more of both loses nothing. A few leaked triangles of a coarse
- * body can have ten times the area of a fine knob. */
-#define MOST_AREA 0.4f
-#define MOST_FACES 0.12f
-#define SMOOTH_COSINE 0.95f
+/* By hand. A part that would lose more than both of the next two loses nothing; both,
+ * because a few leaked triangles of a coarse body can have ten times the area of a fine knob. */
+#define OWNER_SHARE 0.6f    /* of a piece's area: makes the piece its owner's */
+#define MAX_AREA_LOSS 0.4f  /* share of a part's area */
+#define MAX_FACE_LOSS 0.12f /* share of a part's triangles */
+#define SMOOTH_COSINE 0.95f /* between the normals of two faces of a smooth region, 18 degrees */
 
-/* The pieces of the surface and who owns them. */
+/* The pieces of the surface and their owners. */
 typedef struct election {
     dmi_mesh* mesh;         /* face_part changes, parts do not yet */
     const uint32_t* labels; /* of faces: their piece */
@@ -24,10 +25,11 @@ typedef struct election {
 } election;
 
 static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
-    return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to mend the mask of %u triangles", mesh->face_count);
+    return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to repair the mask of %u triangles",
+                    mesh->face_count);
 }
 
-/* Majority vote by Boyer and Moore, with areas as weights: finds the owner where there is one. */
+/* Finds the owner of each piece, where there is one: majority vote (Boyer and Moore) weighted by area. */
 static void find_owners(election* e) {
     const dmi_mesh* mesh = e->mesh;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
@@ -48,14 +50,15 @@ static void find_owners(election* e) {
         if (e->owner[e->labels[f]] == mesh->face_part[f]) e->lead[e->labels[f]] += mesh->face_area[f];
 }
 
-static int is_stray(const election* e, uint32_t face) {
+static bool is_stray(const election* e, uint32_t face) {
     const uint32_t piece = e->labels[face];
-    return e->owner[piece] != e->mesh->face_part[face] && e->lead[piece] >= OWNS * e->area[piece];
+    return e->owner[piece] != e->mesh->face_part[face] && e->lead[piece] >= OWNER_SHARE * e->area[piece];
 }
 
-static int bears_loss(const election* e, uint32_t part) {
+static bool can_lose(const election* e, uint32_t part) {
     const dmi_part* p = &e->mesh->parts[part];
-    return e->lost_area[part] <= MOST_AREA * p->area || (float)e->lost_faces[part] <= MOST_FACES * (float)p->face_count;
+    return e->lost_area[part] <= MAX_AREA_LOSS * p->area ||
+           (float)e->lost_faces[part] <= MAX_FACE_LOSS * (float)p->face_count;
 }
 
 static void return_strays(election* e) {
@@ -66,7 +69,7 @@ static void return_strays(election* e) {
         e->lost_faces[mesh->face_part[f]]++;
     }
     for (uint32_t f = 0; f < mesh->face_count; f++)
-        if (is_stray(e, f) && bears_loss(e, mesh->face_part[f])) mesh->face_part[f] = e->owner[e->labels[f]];
+        if (is_stray(e, f) && can_lose(e, mesh->face_part[f])) mesh->face_part[f] = e->owner[e->labels[f]];
 }
 
 static dm_result vote(dmi_arena* arena, dmi_mesh* mesh, const uint32_t* labels, uint32_t count) {
@@ -88,11 +91,11 @@ static dm_result vote(dmi_arena* arena, dmi_mesh* mesh, const uint32_t* labels, 
     return DM_OK;
 }
 
-/* Whether faces of different parts share a vertex: else no piece has two owners, and nothing can be mended. */
-static dm_result find_seam(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, int* out_found) {
+/* Finds whether faces of different parts share a vertex; otherwise no piece has two owners and nothing is repaired. */
+static dm_result find_seam(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, bool* out_found) {
     uint32_t* part_at = dmi_arena_push(arena, mesh->vertex_count * sizeof *part_at);
     if (part_at == NULL) return out_of_memory(arena, mesh);
-    memset(part_at, 0xff, mesh->vertex_count * sizeof *part_at);
+    memset(part_at, 0xff, mesh->vertex_count * sizeof *part_at); /* UINT32_MAX: none yet */
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) {
         uint32_t *at = &part_at[welded[mesh->indices[i]]], part = mesh->face_part[i / 3];
         if (*at == UINT32_MAX) *at = part;
@@ -101,7 +104,7 @@ static dm_result find_seam(dmi_arena* arena, const dmi_mesh* mesh, const uint32_
     return DM_OK;
 }
 
-/* By sheets, which a modeller made in one go, then by what is smooth within them. */
+/* Votes by sheets, which a modeller makes in one operation, then by smooth regions within them. */
 static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, dmi_mesh* mesh) {
     uint32_t count;
     uint32_t* labels = dmi_arena_push(arena, mesh->face_count * sizeof *labels);
@@ -114,16 +117,16 @@ static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, dmi_mesh* 
     return result == DM_OK ? vote(arena, mesh, labels, count) : result;
 }
 
-dm_result dmi_mesh_repair(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, dmi_mesh* out_mended) {
-    *out_mended = *mesh;
-    int seam = 0;
+dm_result dmi_mesh_repair(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, dmi_mesh* out_repaired) {
+    *out_repaired = *mesh;
+    bool seam = false;
     dm_result result = find_seam(arena, mesh, welded, &seam);
     if (result != DM_OK || !seam) return result;
-    out_mended->face_part = dmi_arena_push(arena, mesh->face_count * sizeof *mesh->face_part);
-    out_mended->parts = dmi_arena_push(arena, mesh->part_count * sizeof *mesh->parts);
-    if (out_mended->face_part == NULL || out_mended->parts == NULL) return out_of_memory(arena, mesh);
-    memcpy(out_mended->face_part, mesh->face_part, mesh->face_count * sizeof *mesh->face_part);
-    memcpy(out_mended->parts, mesh->parts, mesh->part_count * sizeof *mesh->parts);
-    result = vote_twice(arena, welded, out_mended);
-    return result == DM_OK ? dmi_mesh_measure_parts(arena->env, out_mended) : result;
+    out_repaired->face_part = dmi_arena_push(arena, mesh->face_count * sizeof *mesh->face_part);
+    out_repaired->parts = dmi_arena_push(arena, mesh->part_count * sizeof *mesh->parts);
+    if (out_repaired->face_part == NULL || out_repaired->parts == NULL) return out_of_memory(arena, mesh);
+    memcpy(out_repaired->face_part, mesh->face_part, mesh->face_count * sizeof *mesh->face_part);
+    memcpy(out_repaired->parts, mesh->parts, mesh->part_count * sizeof *mesh->parts);
+    result = vote_twice(arena, welded, out_repaired);
+    return result == DM_OK ? dmi_mesh_measure_parts(arena->env, out_repaired) : result;
 }

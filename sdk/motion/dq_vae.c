@@ -3,19 +3,21 @@
 #include "motion/dq_vae.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "base/random.h"
+#include "math/vec3.h"
 #include "motion/dq_vae_net.h"
 
-#define BLOCK_SIZE ((size_t)64 * 1024)
-#define STEP_POINTS (2 * DMI_VAE_NEIGHBOURS) /* whose features are made together */
-#define MAX_LOG_VARIANCE 4.0f
+#define BLOCK_SIZE ((size_t)64 * 1024)       /* bytes of an arena block; by hand */
+#define STEP_POINTS (2 * DMI_VAE_NEIGHBOURS) /* points encoded by one matrix product */
+#define MAX_LOG_VARIANCE 4.0f                /* bounds of the latent's log variance, as trained (docs/networks.md) */
 #define MIN_LOG_VARIANCE (-8.0f)
 
 /* Followed by the transformer's own scratch. Names are docs/networks.md's. */
 typedef struct scratch {
-    _Alignas(64) float tokens[DM_MOTION_FRAMES][VAE_WIDTH];
+    _Alignas(DMI_ALIGNMENT) float tokens[DM_MOTION_FRAMES][VAE_WIDTH];
     float normal[DM_MOTION_FRAMES][VAE_WIDTH];
     float point_inputs[STEP_POINTS][4];
     float point_hidden[STEP_POINTS][VAE_SMALL];
@@ -26,14 +28,14 @@ typedef struct scratch {
     float along[DM_MOTION_FRAMES][VAE_ALONG];
     float context[VAE_CONTEXT]; /* f_local, f_joint, f_motion */
     float gate[VAE_CONTEXT], gated[VAE_CONTEXT];
-    float inputs[VAE_CONTEXT], hidden[VAE_CONTEXT]; /* of the layer at work */
+    float inputs[VAE_CONTEXT], hidden[VAE_CONTEXT]; /* of the current layer */
     float latent[2 * DMI_VAE_LATENT];
     float condition[VAE_WIDTH];
     dmi_vae_films films;
-    _Alignas(64) float transformer[];
+    _Alignas(DMI_ALIGNMENT) float transformer[];
 } scratch;
 
-/* Where the parts of a layer's input begin. */
+/* Offsets of the parts of a layer's input. */
 enum {
     F_LOCAL = 0, /* of the context */
     F_JOINT = VAE_FEATURE,
@@ -49,7 +51,7 @@ enum {
 
 dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae) {
     dmi_dq_vae* vae = dmi_alloc_zeroed(env, sizeof *vae, _Alignof(dmi_dq_vae));
-    if (!vae) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "DQ-VAE: no memory");
+    if (vae == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "DQ-VAE: no memory");
     vae->env = env;
     dmi_arena_init(&vae->arena, env, BLOCK_SIZE);
     const dm_result result = dmi_load_network(env, data, size, "dragmesh-dq-vae", dmi_vae_read, vae, &vae->arena);
@@ -62,7 +64,7 @@ dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_va
 }
 
 void dmi_dq_vae_destroy(dmi_dq_vae* vae) {
-    if (!vae) return;
+    if (vae == NULL) return;
     dmi_env* env = vae->env;
     dmi_arena_release(&vae->arena);
     dmi_free(env, vae, sizeof *vae);
@@ -74,7 +76,7 @@ size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae) {
            sizeof(float) * dmi_transformer_scratch(DM_MOTION_FRAMES, VAE_WIDTH, VAE_HEADS, VAE_FEED_FORWARD);
 }
 
-/* Features of the STEP_POINTS points in s->point_inputs. */
+/* Computes features of the STEP_POINTS points in s->point_inputs. */
 static void encode_points(const dmi_dq_vae* vae, const dmi_kernels* kernels, scratch* s) {
     dmi_mlp_apply(&vae->points, kernels, s->point_inputs[0], STEP_POINTS, DMI_GEMM_RELU, s->point_hidden[0],
                   s->point_features[0]);
@@ -91,29 +93,28 @@ void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* clo
     const uint32_t steps = DMI_VAE_POINTS / STEP_POINTS;
     scratch* s = scratch_memory;
     dmi_vae_object_points(cloud, out_object);
-    for (uint32_t step = 0; step < steps; ++step) {
-        for (uint32_t i = 0; i < STEP_POINTS; ++i) set_point(out_object, step * STEP_POINTS + i, s->point_inputs[i]);
+    for (uint32_t step = 0; step < steps; step++) {
+        for (uint32_t i = 0; i < STEP_POINTS; i++) set_point(out_object, step * STEP_POINTS + i, s->point_inputs[i]);
         encode_points(vae, kernels, s);
         kernels->max_rows(s->point_features[0], STEP_POINTS, VAE_FEATURE, s->point_maxima[step]);
     }
     kernels->max_rows(s->point_maxima[0], steps, VAE_FEATURE, out_object->global);
 }
 
-/* Position of a joint type in the network's tables. */
+/* Returns the index of a joint type in the network's tables. */
 static uint32_t type_index(const dm_joint* joint) {
-    const int known = joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_CONTINUOUS;
+    const bool known = joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_CONTINUOUS;
     return known ? (uint32_t)(joint->type - DM_JOINT_REVOLUTE) : 0;
 }
 
-/* Joint condition encoder (§3.3.1), and every FiLM layer's numbers, which depend on it alone. */
+/* Joint condition encoder (§3.3.1), and the coefficients of every FiLM layer, which depend on it alone. */
 static void encode_joint(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint,
                          const float scalars[3], scratch* s) {
-    const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
-    const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
+    const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
     dmi_linear fuse = vae->joint_fuse;
     fuse.bias = vae->joint_bias[type_index(joint)];
-    dmi_mlp_apply(&vae->joint_axis, kernels, axis, 1, 0, s->hidden, s->inputs);
-    dmi_mlp_apply(&vae->joint_origin, kernels, origin, 1, 0, s->hidden, s->inputs + JOINT_ORIGIN);
+    dmi_mlp_apply(&vae->joint_axis, kernels, axis.v, 1, 0, s->hidden, s->inputs);
+    dmi_mlp_apply(&vae->joint_origin, kernels, origin.v, 1, 0, s->hidden, s->inputs + JOINT_ORIGIN);
     memcpy(s->inputs + JOINT_SCALARS, scalars, 3 * sizeof(float));
     dmi_linear_apply(&fuse, kernels, s->inputs, 1, DMI_GEMM_RELU, s->hidden);
     dmi_linear_apply(&vae->joint_out, kernels, s->hidden, 1, 0, s->context + F_JOINT);
@@ -121,7 +122,7 @@ static void encode_joint(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
 }
 
 /* Motion intent encoder (§3.3.1): turning types read direction and velocity, sliding ones the chords. */
-static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, int slides,
+static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, bool slides,
                           const dmi_vae_features* features, scratch* s) {
     if (slides) {
         dmi_mlp_apply(&vae->chord, kernels, features->chords, 1, 0, s->hidden, s->inputs);
@@ -140,22 +141,21 @@ static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, int
 /* Kinematics-aware sampling (§3.3.2): features near the joint's origin and near the drag point, and of the whole. */
 static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dmi_vae_object* object,
                          const dmi_vae_query* query, scratch* s) {
-    const float origin[3] = {query->joint.origin.x, query->joint.origin.y, query->joint.origin.z};
     uint32_t near[STEP_POINTS];
     float* f_local = s->context + F_LOCAL;
-    dmi_vae_neighbours(object, origin, near);
+    dmi_vae_neighbours(object, dmi_xyz(query->joint.origin).v, near);
     dmi_vae_neighbours(object, query->drag_point, near + DMI_VAE_NEIGHBOURS);
-    for (uint32_t i = 0; i < STEP_POINTS; ++i) set_point(object, near[i], s->point_inputs[i]);
+    for (uint32_t i = 0; i < STEP_POINTS; i++) set_point(object, near[i], s->point_inputs[i]);
     encode_points(vae, kernels, s);
     kernels->max_rows(s->point_features[0], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs);
     kernels->max_rows(s->point_features[DMI_VAE_NEIGHBOURS], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs + NEAR_DRAG);
     memcpy(s->inputs + WHOLE, object->global, sizeof object->global);
     dmi_mlp_apply(&vae->local, kernels, s->inputs, 1, 0, s->hidden, f_local);
     kernels->modulate(f_local, 1, VAE_FEATURE, s->films.local_scale, s->films.local_shift);
-    for (uint32_t i = 0; i < VAE_FEATURE; ++i) f_local[i] = fmaxf(f_local[i], 0.0f);
+    for (uint32_t i = 0; i < VAE_FEATURE; i++) f_local[i] = fmaxf(f_local[i], 0.0f);
 }
 
-/* Gated fusion and the latent's distribution. */
+/* Gated fusion (§3.3.2) and the latent's distribution. */
 static void encode_latent(const dmi_dq_vae* vae, const dmi_kernels* kernels, scratch* s, dmi_vae_output* out) {
     memcpy(s->gated, s->context, sizeof s->gated);
     dmi_linear_apply(&vae->gate, kernels, s->context, 1, 0, s->gate);
@@ -163,16 +163,16 @@ static void encode_latent(const dmi_dq_vae* vae, const dmi_kernels* kernels, scr
     dmi_mlp_apply(&vae->fuse, kernels, s->gated, 1, 0, s->hidden, s->inputs);
     memcpy(s->inputs + VAE_HIDDEN, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     dmi_mlp_apply(&vae->encoder, kernels, s->inputs, 1, 0, s->hidden, s->latent);
-    for (uint32_t i = 0; i < DMI_VAE_LATENT; ++i) {
+    for (uint32_t i = 0; i < DMI_VAE_LATENT; i++) {
         out->mean[i] = s->latent[i];
         out->log_variance[i] = fminf(fmaxf(s->latent[DMI_VAE_LATENT + i], MIN_LOG_VARIANCE), MAX_LOG_VARIANCE);
     }
 }
 
-/* z = mu + sigma eps; seed 0: the most likely one. */
-static void draw_latent(const dmi_vae_output* distribution, uint32_t seed, float out_z[DMI_VAE_LATENT]) {
+/* Samples z = mu + sigma eps; seed 0: z = mu. */
+static void sample_latent(const dmi_vae_output* distribution, uint32_t seed, float out_z[DMI_VAE_LATENT]) {
     dmi_random random = dmi_random_make(seed, 0);
-    for (uint32_t i = 0; i < DMI_VAE_LATENT; ++i) {
+    for (uint32_t i = 0; i < DMI_VAE_LATENT; i++) {
         const float noise = seed ? dmi_random_normal(&random) : 0.0f;
         out_z[i] = distribution->mean[i] + expf(0.5f * distribution->log_variance[i]) * noise;
     }
@@ -180,12 +180,12 @@ static void draw_latent(const dmi_vae_output* distribution, uint32_t seed, float
 
 /* Decoder (§3.3.3): all frames at once; base poses go to out->raw. */
 static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t seed, scratch* s, dmi_vae_output* out) {
-    draw_latent(out, seed, s->inputs);
+    sample_latent(out, seed, s->inputs);
     memcpy(s->inputs + DMI_VAE_LATENT, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     dmi_linear_apply(&vae->condition, kernels, s->inputs, 1, 0, s->condition);
-    for (uint32_t t = 0; t < DM_MOTION_FRAMES; ++t)
-        for (uint32_t i = 0; i < VAE_WIDTH; ++i) s->tokens[t][i] = vae->tokens[t][i] + s->condition[i];
-    for (uint32_t l = 0; l < VAE_LAYERS; ++l) {
+    for (uint32_t t = 0; t < DM_MOTION_FRAMES; t++)
+        for (uint32_t i = 0; i < VAE_WIDTH; i++) s->tokens[t][i] = vae->tokens[t][i] + s->condition[i];
+    for (uint32_t l = 0; l < VAE_LAYERS; l++) {
         dmi_transformer_apply(&vae->layers[l], kernels, DM_MOTION_FRAMES, s->tokens[0], s->transformer);
         kernels->modulate(s->tokens[0], DM_MOTION_FRAMES, VAE_WIDTH, s->films.decoder[l].scale,
                           s->films.decoder[l].shift);
@@ -194,25 +194,25 @@ static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t s
     dmi_mlp_apply(&vae->head, kernels, s->normal[0], DM_MOTION_FRAMES, 0, s->tokens[0], out->raw[0]);
 }
 
-/* Physics correction (§3.3.3): a residual of each base pose under the joint, the identity, and amounts of turn and
- * slide that lie on the axis whatever they are. */
+/* Physics correction (§3.3.3): adds to each base pose a residual under the joint, the identity, and rotation and
+ * translation components that lie exactly on the axis. */
 static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint, scratch* s,
                     dmi_vae_output* out) {
-    const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
+    const dmi_float3 axis = dmi_xyz(joint->axis);
     dmi_linear of_joint = vae->correction_joint, of_base = vae->correction_base;
     of_joint.bias = vae->correction_bias[type_index(joint)];
     memcpy(s->inputs, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
-    memcpy(s->inputs + VAE_FEATURE, axis, sizeof axis);
+    memcpy(s->inputs + VAE_FEATURE, axis.v, sizeof axis.v);
     dmi_linear_apply(&of_joint, kernels, s->inputs, 1, 0, s->condition);
     of_base.bias = s->condition;
     dmi_linear_apply(&of_base, kernels, out->raw[0], DM_MOTION_FRAMES, DMI_GEMM_RELU, s->correction_hidden[0]);
     dmi_linear_apply(&vae->correction_out, kernels, s->correction_hidden[0], DM_MOTION_FRAMES, DMI_GEMM_ADD,
                      out->raw[0]);
     dmi_linear_apply(&vae->along, kernels, s->correction_hidden[0], DM_MOTION_FRAMES, 0, s->along[0]);
-    for (uint32_t t = 0; t < DM_MOTION_FRAMES; ++t)
-        for (uint32_t k = 0; k < 3; ++k) {
-            out->raw[t][k] += s->along[t][0] * axis[k];
-            out->raw[t][4 + k] += s->along[t][1] * axis[k];
+    for (uint32_t t = 0; t < DM_MOTION_FRAMES; t++)
+        for (uint32_t k = 0; k < 3; k++) {
+            out->raw[t][k] += s->along[t][0] * axis.v[k];
+            out->raw[t][4 + k] += s->along[t][1] * axis.v[k];
         }
 }
 

@@ -1,4 +1,4 @@
-/* The DQ-VAE's layers as they lie in memory: what does not depend on the query is folded when they are read. */
+/* The DQ-VAE's layers in memory; what does not depend on a query is folded when they are loaded. */
 #ifndef DMI_MOTION_DQ_VAE_NET_H
 #define DMI_MOTION_DQ_VAE_NET_H
 
@@ -20,16 +20,16 @@ enum {
     VAE_HEADS = 4,
     VAE_FEED_FORWARD = 384,
     VAE_LAYERS = 3,
-    VAE_POSE = 8,
-    VAE_ALONG = 2
+    VAE_POSE = 8, /* numbers of a dual quaternion */
+    VAE_ALONG = 2 /* rotation and translation on the axis */
 };
 
-/* FiLM of f_joint for one place: x scale + shift, scale = 1 + gamma. */
+/* FiLM coefficients of f_joint for one layer: x scale + shift, scale = 1 + gamma. */
 typedef struct dmi_vae_film {
     float scale[VAE_WIDTH], shift[VAE_WIDTH];
 } dmi_vae_film;
 
-/* All FiLM layers read f_joint: one product gives all their numbers. */
+/* The coefficients of all FiLM layers, which one matrix product of f_joint gives. */
 typedef struct dmi_vae_films {
     float local_scale[VAE_FEATURE], local_shift[VAE_FEATURE];
     dmi_vae_film decoder[VAE_LAYERS];

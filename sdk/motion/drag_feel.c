@@ -1,31 +1,37 @@
-/* How a drag feels: soft ends and catches as maps of the value, stiffness, damping and inertia in closed form. */
+/* Soft ends and detents as maps of the joint value; stiffness, damping and inertia as a linear second-order system
+ * solved in closed form. */
 #include "motion/drag_feel.h"
 
 #include <math.h>
 
-#define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life */
-#define DEFAULT_COAST_TIME 0.1f      /* s, half-life */
-#define DEFAULT_DETENT_PULL 0.7f
-#define NOTCH_SHARE 0.01f /* of the range: felt, but seen by nobody */
-#define TWO_PI 6.28318530717958647692f
-#define BISECTIONS 40
+#include "math/constants.h"
+
+#define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life; by hand: hides a mouse's pixels */
+#define DEFAULT_COAST_TIME 0.1f      /* s, half-life; by hand */
+#define DEFAULT_DETENT_PULL 0.7f     /* share of full strength; by hand */
+#define MAX_SOFT_SHARE 0.5f          /* of the range: both soft zones then meet in the middle */
+#define DEAD_ZONE 0.01f              /* share of the range by which an estimated limit holds; by hand */
+#define BISECTIONS 40                /* of an interval of two detents: below a float's rounding */
+#define SERIES_BELOW 0.01f           /* (1 - exp(-k)) / k as a series below this k: error under 5e-8 */
+#define LIMIT_BELOW 1e-4             /* rad: sin(x) / x and sinh(x) / x count as 1 below */
 
 float dmi_feel_soft_width(const dm_drag_feel* feel, const dm_joint* joint) {
-    const float share = fminf(fmaxf(feel->soft_limit, 0), 0.5f);
+    const float share = fminf(fmaxf(feel->soft_limit, 0), MAX_SOFT_SHARE);
     return dmi_joint_has_limits(joint) ? share * (joint->upper - joint->lower) : 0;
 }
 
-/* An end that gives: x from w before the limit to w behind it comes down on [-w, 0] by a parabola, so that the slope
- * falls from 1 to 0 and the limit itself is reached. */
+/* Maps x in [-w, w] about a limit to [-w, 0] by a parabola: the slope falls from 1 to 0 and the limit itself is
+ * reached. */
 static float soften_end(float x, float w) {
     return x <= -w ? x : x - (x + w) * (x + w) / (4 * w);
 }
 
+/* Inverse of soften_end. */
 static float harden_end(float y, float w) {
     return y <= -w ? y : 2 * w * (1 - sqrtf(fmaxf(1 - (y + w) / w, 0))) - w;
 }
 
-/* Both ends of the range by one of the two maps. */
+/* Applies one of the two maps at both ends of the range. */
 static float map_ends(const dm_drag_feel* feel, const dm_joint* joint, float value, float (*map)(float, float)) {
     const float w = dmi_feel_soft_width(feel, joint), lower = joint->lower, upper = joint->upper;
     if (!(w > 0)) return value;
@@ -36,19 +42,20 @@ static float detent_pull(const dm_drag_feel* feel) {
     return feel->detent_pull == 0 ? DEFAULT_DETENT_PULL : fminf(fmaxf(feel->detent_pull, 0), 1);
 }
 
-/* Towards the nearest catch: slow near a catch, quick between two, never back. */
-static float pull_to_catch(const dm_drag_feel* feel, float value) {
+/* Moves a value towards the nearest detent; monotone, with the least slope at the detents. */
+static float pull_to_detent(const dm_drag_feel* feel, float value) {
     if (!(feel->detent > 0)) return value;
     const float place = value / feel->detent, turns = place - roundf(place);
-    return value - detent_pull(feel) * feel->detent / TWO_PI * sinf(TWO_PI * turns);
+    return value - detent_pull(feel) * feel->detent / DMI_TWO_PI_F * sinf(DMI_TWO_PI_F * turns);
 }
 
-static float leave_catch(const dm_drag_feel* feel, float target) {
+/* Inverse of pull_to_detent, by bisection. */
+static float invert_detents(const dm_drag_feel* feel, float target) {
     if (!(feel->detent > 0)) return target;
     float low = target - feel->detent, high = target + feel->detent;
     for (int i = 0; i < BISECTIONS; i++) {
         const float middle = 0.5f * (low + high);
-        if (pull_to_catch(feel, middle) < target)
+        if (pull_to_detent(feel, middle) < target)
             low = middle;
         else
             high = middle;
@@ -56,27 +63,27 @@ static float leave_catch(const dm_drag_feel* feel, float target) {
     return 0.5f * (low + high);
 }
 
-float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float reach) {
-    return dmi_joint_clamp(joint, map_ends(feel, joint, pull_to_catch(feel, reach), soften_end));
+float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float pointer_value) {
+    return dmi_joint_clamp(joint, map_ends(feel, joint, pull_to_detent(feel, pointer_value), soften_end));
 }
 
-/* Holds for a width, and makes up for it over two more. */
-static float notch(float beyond, float width) {
+/* Dead zone of one width; the map returns to the identity at three widths. */
+static float dead_zone(float beyond, float width) {
     return beyond >= 3 * width ? beyond : 1.5f * fmaxf(beyond - width, 0);
 }
 
-float dmi_feel_yield(const dm_drag_feel* feel, float lower, float upper, float reach) {
-    const float width = NOTCH_SHARE * (upper - lower), asked = pull_to_catch(feel, reach);
-    if (asked > upper) return upper + notch(asked - upper, width);
-    if (asked < lower) return lower - notch(lower - asked, width);
+float dmi_feel_soft_target(const dm_drag_feel* feel, float lower, float upper, float pointer_value) {
+    const float width = DEAD_ZONE * (upper - lower), asked = pull_to_detent(feel, pointer_value);
+    if (asked > upper) return upper + dead_zone(asked - upper, width);
+    if (asked < lower) return lower - dead_zone(lower - asked, width);
     return asked;
 }
 
-float dmi_feel_reach(const dm_drag_feel* feel, const dm_joint* joint, float target) {
-    return leave_catch(feel, map_ends(feel, joint, target, harden_end));
+float dmi_feel_pointer_value(const dm_drag_feel* feel, const dm_joint* joint, float target) {
+    return invert_detents(feel, map_ends(feel, joint, target, harden_end));
 }
 
-float dmi_feel_catch(const dm_drag_feel* feel, const dm_joint* joint, float value) {
+float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value) {
     if (!(feel->detent > 0)) return value;
     const float nearest = dmi_joint_clamp(joint, feel->detent * roundf(value / feel->detent));
     return isfinite(nearest) ? nearest : value;
@@ -86,30 +93,30 @@ float dmi_feel_coast_time(const dm_drag_feel* feel) {
     return feel->coast_time == 0 ? DEFAULT_COAST_TIME : fmaxf(feel->coast_time, 0);
 }
 
-/* dx/dt = rate (T - x) with T even from `before` to `target`. A convex mix of x and both targets, so it keeps limits.
- */
-static float follow_weightless(float rate, float before, float target, float dt, float value) {
+/* Solves x' = rate (T - x) with T linear from `before` to `target`. The result is a convex combination of x and both
+ * targets, so it stays within limits. */
+static float follow_first_order(float rate, float before, float target, float dt, float value) {
     const float k = rate * dt, kept = expf(-k);
-    const float lag = k > 0.01f ? (1 - kept) / k : 1 - k / 2 + k * k / 6; /* (1 - exp(-k)) / k */
+    const float lag = k > SERIES_BELOW ? (1 - kept) / k : 1 - k / 2 + k * k / 6; /* (1 - exp(-k)) / k */
     return (1 - lag) * target + (lag - kept) * before + kept * value;
 }
 
-/* tau x'' + x' = rate (T - x): with y = x - T + T'/rate, tau y'' + y' + rate y = 0, a damped oscillator. In doubles:
- * the slow and the fast root may be far apart. */
-static void follow_heavy(double tau, double rate, double before, double target, double dt, double* value,
-                         double* velocity) {
+/* Solves tau x'' + x' = rate (T - x): with y = x - T + T'/rate, tau y'' + y' + rate y = 0, a damped oscillator.
+ * Doubles, because the slow and the fast root may be far apart. */
+static void follow_second_order(double tau, double rate, double before, double target, double dt, double* value,
+                                double* velocity) {
     const double slope = (target - before) / dt, lag = slope / rate;
     const double damping = 0.5 / tau, square = damping * damping - rate / tau, w = sqrt(fabs(square));
     const double y = *value - before + lag, v = *velocity - slope;
-    double cosine, sine; /* of the oscillator, decayed; sine over w */
+    double cosine, sine; /* decayed cos (cosh) of w dt, and decayed sin (sinh) of w dt over w */
     if (square >= 0) {
         const double slow = exp((w - damping) * dt), fast = exp((-w - damping) * dt);
         cosine = 0.5 * (slow + fast);
-        sine = w * dt > 1e-4 ? 0.5 * (slow - fast) / w : dt * fast;
+        sine = w * dt > LIMIT_BELOW ? 0.5 * (slow - fast) / w : dt * fast;
     } else {
         const double decay = exp(-damping * dt);
         cosine = decay * cos(w * dt);
-        sine = w * dt > 1e-4 ? decay * sin(w * dt) / w : dt * decay;
+        sine = w * dt > LIMIT_BELOW ? decay * sin(w * dt) / w : dt * decay;
     }
     *value = target - lag + y * (cosine + damping * sine) + v * sine;
     *velocity = slope + v * (cosine - damping * sine) - y * (rate / tau) * sine;
@@ -118,18 +125,18 @@ static void follow_heavy(double tau, double rate, double before, double target, 
 void dmi_feel_follow(const dm_drag_feel* feel, const dm_joint* joint, float before, float target, float dt,
                      float* inout_value, float* inout_velocity) {
     const float half = feel->smoothing_time == 0 ? DEFAULT_SMOOTHING_TIME : feel->smoothing_time;
-    const float old = *inout_value, rate = DMI_LN_2 / half;
+    const float old = *inout_value, rate = DMI_LN_2_F / half;
     double value = (double)target, velocity = (double)*inout_velocity;
     if (half > 0 && feel->coast_time > 0 && dt > 0) {
         value = (double)old;
-        follow_heavy((double)(feel->coast_time / DMI_LN_2), (double)rate, (double)before, (double)target, (double)dt,
-                     &value, &velocity);
+        follow_second_order((double)(feel->coast_time / DMI_LN_2_F), (double)rate, (double)before, (double)target,
+                            (double)dt, &value, &velocity);
         if (!isfinite(value) || !isfinite(velocity)) value = (double)target, velocity = 0;
     } else if (half > 0) {
-        value = (double)follow_weightless(rate, before, target, dt, old);
+        value = (double)follow_first_order(rate, before, target, dt, old);
     }
     *inout_value = dmi_joint_clamp(joint, (float)value);
-    if ((double)*inout_value != (double)(float)value) velocity = 0; /* the stop takes it */
+    if ((double)*inout_value != (double)(float)value) velocity = 0; /* stopped by a limit */
     if (!(feel->coast_time > 0) || !(half > 0)) velocity = (double)((*inout_value - old) / dt);
     if (dt > 0 && isfinite((float)velocity)) *inout_velocity = (float)velocity;
 }

@@ -1,150 +1,159 @@
-/* Release: the intent from where the part is and how fast it goes, then one smooth way from there to the end. */
+/* Reads the player's intent from value and velocity at the release, and plans one smooth motion to the end. */
 #include "motion/drag_release.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "motion/drag.h"
+#include "math/constants.h"
 
-#define THROW_TIME 0.2f   /* s: how far ahead of its speed a part is seen to be going */
-#define THROWN 0.35f      /* of the range, ahead: no mere letting go */
-#define NEAR_END 0.12f    /* of the range, ahead: as good as there */
-#define AT_STOP 0.05f     /* of the range: rest and a limit are the same */
-#define ARRIVED 1e-4f     /* of the range */
-#define LEAST_TIME 0.18f  /* s */
-#define WHOLE_TIME 0.7f   /* s over the whole range */
-#define COAST_HALVES 7.0f /* after so many half-lives a free part stands */
-#define BACKWARDS 0.105f  /* most of s (1 - s)^3 */
-#define FIND_STEPS 64     /* of a place on the keys */
+/* By hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
+#define LOOK_AHEAD 0.2f       /* s: the part is taken to be where its velocity carries it in this time */
+#define THROWN_SHARE 0.35f    /* of the range travelled in LOOK_AHEAD: thrown, not just let go */
+#define NEAR_END_SHARE 0.12f  /* of the range: as good as at the end */
+#define AT_STOP_SHARE 0.05f   /* of the range: rest and a limit are the same */
+#define ARRIVED_SHARE 1e-4f   /* of the range, or of the value without limits: there already */
+#define MIN_DURATION 0.18f    /* s of any motion */
+#define FULL_RANGE_TIME 0.7f  /* s over the whole range */
+#define GLIDE_HALF_LIVES 7.0f /* half-lives after which a gliding part stands: 1/128 of the speed is left */
+#define MAX_BACKWARDS 0.105f  /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
+#define SLOPE_STEP 1e-3f      /* of the duration, for the slope of the plan at its start */
+#define SEARCH_STEPS 64       /* even steps over the keys … */
+#define SEARCH_BISECTIONS 20  /* … and bisections of the step found */
+#define MIN_PACE_SCALE 0.5f   /* keys that end this much farther than the plan do not suit it … */
+#define MAX_PACE_SCALE 2.0f   /* … nor those that end this much nearer */
 
-static float pace(float s) {
-    return s * s * s * (10 - 15 * s + 6 * s * s); /* minimum jerk: Flash and Hogan 1985 */
+/* Minimum jerk from 0 to 1 (Flash and Hogan 1985). */
+static float minimum_jerk(float s) {
+    return s * s * s * (10 - 15 * s + 6 * s * s);
 }
 
-/* ---- what is meant ---- */
+/* ---- intent ---- */
 
 static float range_of(const dm_joint* joint) {
     return joint->upper - joint->lower;
 }
 
-static int rests_at_stop(const dm_joint* joint) {
-    const float near = AT_STOP * range_of(joint), rest = dmi_joint_clamp(joint, 0);
+static bool rests_at_stop(const dm_joint* joint) {
+    const float near = AT_STOP_SHARE * range_of(joint), rest = dmi_joint_clamp(joint, 0);
     return rest - joint->lower <= near || joint->upper - rest <= near;
 }
 
-/* The limit that is not rest; of two, the one on the side that the part was pulled to. */
-static float open_end(const dmi_drag* drag) {
-    const dm_joint* joint = &drag->joint;
-    const float rest = dmi_joint_clamp(joint, 0), side = drag->value + THROW_TIME * drag->velocity - rest;
+/* Returns the limit that is not rest; of two, the one on the side that the part was pulled to. */
+static float open_end(const dmi_released_part* part) {
+    const dm_joint* joint = part->joint;
+    const float rest = dmi_joint_clamp(joint, 0), side = part->value + LOOK_AHEAD * part->velocity - rest;
     if (side == 0 || rests_at_stop(joint))
         return joint->upper - rest >= rest - joint->lower ? joint->upper : joint->lower;
     return side > 0 ? joint->upper : joint->lower;
 }
 
-/* What the player meant. */
-static int32_t read_intent(const dmi_drag* drag) {
-    const dm_joint* joint = &drag->joint;
-    if (drag->release.return_time > 0) return DM_INTENT_CLOSE;
-    if (!dmi_joint_has_limits(joint) || drag->feel.detent > 0) return DM_INTENT_STAY;
-    const float range = range_of(joint), thrown = THROW_TIME * drag->velocity, ahead = drag->value + thrown;
+/* Returns the intent that DM_INTENT_AUTO stands for. */
+static int32_t infer_intent(const dmi_released_part* part, float return_time) {
+    const dm_joint* joint = part->joint;
+    if (return_time > 0) return DM_INTENT_CLOSE;
+    if (!dmi_joint_has_limits(joint) || part->feel->detent > 0) return DM_INTENT_STAY;
+    const float range = range_of(joint), thrown = LOOK_AHEAD * part->velocity, ahead = part->value + thrown;
     const float from_rest = fabsf(ahead - dmi_joint_clamp(joint, 0));
-    const int homeward = drag->velocity * (dmi_joint_clamp(joint, 0) - drag->value) >= 0;
-    if (rests_at_stop(joint) && (from_rest < NEAR_END * range || dmi_joint_clamp(joint, ahead) != ahead) && homeward) {
+    const bool homeward = part->velocity * (dmi_joint_clamp(joint, 0) - part->value) >= 0;
+    if (rests_at_stop(joint) && (from_rest < NEAR_END_SHARE * range || dmi_joint_clamp(joint, ahead) != ahead) &&
+        homeward) {
         return DM_INTENT_CLOSE;
     }
-    if (rests_at_stop(joint) && homeward && fabsf(thrown) > THROWN * range) return DM_INTENT_CLOSE;
-    if (fabsf(thrown) > THROWN * range) return DM_INTENT_OPEN;
-    if (fabsf(ahead - open_end(drag)) < NEAR_END * range) return DM_INTENT_OPEN;
+    if (rests_at_stop(joint) && homeward && fabsf(thrown) > THROWN_SHARE * range) return DM_INTENT_CLOSE;
+    if (fabsf(thrown) > THROWN_SHARE * range) return DM_INTENT_OPEN;
+    if (fabsf(ahead - open_end(part)) < NEAR_END_SHARE * range) return DM_INTENT_OPEN;
     return DM_INTENT_STAY;
 }
 
-/* ---- the plan ---- */
+/* ---- plan ---- */
 
-/* How long a part that starts at its speed takes to an end, neither crawling nor shooting past. */
-static float natural_time(const dmi_drag* drag, float way) {
-    const float speed = fabsf(drag->velocity), range = range_of(&drag->joint);
-    const float share = dmi_joint_has_limits(&drag->joint) ? fminf(fabsf(way) / range, 1) : 1;
-    float time = WHOLE_TIME * sqrtf(share);
-    if (drag->velocity * way > 0) time = fminf(time, 2 * fabsf(way) / speed);
-    return fmaxf(time, LEAST_TIME);
+/* Returns the duration of a motion over `distance`: by the share of the range, and not slower than the part already
+ * goes. */
+static float natural_duration(const dmi_released_part* part, float distance) {
+    const float speed = fabsf(part->velocity), range = range_of(part->joint);
+    const float share = dmi_joint_has_limits(part->joint) ? fminf(fabsf(distance) / range, 1) : 1;
+    float time = FULL_RANGE_TIME * sqrtf(share);
+    if (part->velocity * distance > 0) time = fminf(time, 2 * fabsf(distance) / speed);
+    return fmaxf(time, MIN_DURATION);
 }
 
-static float glide_length(const dmi_drag* drag) {
-    return drag->velocity * dmi_feel_coast_time(&drag->feel) / DMI_LN_2;
+/* Returns the distance that exponentially decaying velocity covers. */
+static float glide_length(const dmi_released_part* part) {
+    return part->velocity * dmi_feel_coast_time(part->feel) / DMI_LN_2_F;
 }
 
-/* Gliding ends where the glide does, or at a limit; catches draw it on to the next one. */
-static void plan_stay(dmi_drag* drag, dmi_release* r) {
-    const float end = dmi_joint_clamp(&drag->joint, drag->value + glide_length(drag));
-    r->end = dmi_feel_catch(&drag->feel, &drag->joint, end);
-    r->duration = COAST_HALVES * dmi_feel_coast_time(&drag->feel);
+/* Glides to a stop or to a limit; with detents, moves on to the nearest one instead. */
+static void plan_stay(const dmi_released_part* part, dmi_release* r) {
+    const float end = dmi_joint_clamp(part->joint, part->value + glide_length(part));
+    r->end = dmi_feel_nearest_detent(part->feel, part->joint, end);
+    r->duration = GLIDE_HALF_LIVES * dmi_feel_coast_time(part->feel);
     r->glides = r->end == end;
-    if (!r->glides) r->duration = natural_time(drag, r->end - r->start);
-    const float way = fabsf(r->end - r->start);
-    if (way <= ARRIVED * (dmi_joint_has_limits(&drag->joint) ? range_of(&drag->joint) : 1)) r->duration = 0;
+    if (!r->glides) r->duration = natural_duration(part, r->end - r->start);
+    const float distance = fabsf(r->end - r->start);
+    if (distance <= ARRIVED_SHARE * (dmi_joint_has_limits(part->joint) ? range_of(part->joint) : 1)) r->duration = 0;
 }
 
-/* Going back first, a part gets no farther than BACKWARDS of its speed times the duration: what would take it into the
- * stop behind it is lost at once. */
-static float speed_with_room(const dmi_drag* drag, const dmi_release* r) {
-    const float way = r->end - r->start, u = r->velocity;
-    if (u * way >= 0) return u;
-    const float room = u > 0 ? drag->joint.upper - r->start : r->start - drag->joint.lower;
-    return copysignf(fminf(fabsf(u), fmaxf(room, 0) / (BACKWARDS * r->duration)), u);
+/* Returns the initial velocity, reduced so that a part which first moves away from its end does not hit the stop behind
+ * it: it gets no farther than MAX_BACKWARDS times velocity times duration. */
+static float velocity_with_room(const dmi_released_part* part, const dmi_release* r) {
+    const float distance = r->end - r->start, u = r->velocity;
+    if (u * distance >= 0) return u;
+    const float room = u > 0 ? part->joint->upper - r->start : r->start - part->joint->lower;
+    return copysignf(fminf(fabsf(u), fmaxf(room, 0) / (MAX_BACKWARDS * r->duration)), u);
 }
 
-static void plan_move(dmi_drag* drag, dmi_release* r, float end) {
-    const float way = end - r->start;
+static void plan_move(const dmi_released_part* part, dmi_release* r, float end) {
+    const float distance = end - r->start;
     r->end = end;
-    r->duration = r->return_time > 0 && r->intent == DM_INTENT_CLOSE ? r->return_time : natural_time(drag, way);
-    if (fabsf(way) <= ARRIVED * fmaxf(range_of(&drag->joint), 0)) r->duration = 0;
+    r->duration =
+        r->return_time > 0 && r->intent == DM_INTENT_CLOSE ? r->return_time : natural_duration(part, distance);
+    if (fabsf(distance) <= ARRIVED_SHARE * fmaxf(range_of(part->joint), 0)) r->duration = 0;
 }
 
-void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
-    dmi_release* r = &drag->release;
+void dmi_release_begin(dmi_release* r, const dmi_released_part* part, int32_t intent, float duration) {
     r->elapsed = 0;
     r->phase = DM_DRAG_RELEASED;
     if (intent == DM_INTENT_REPLAY) return;
-    const int32_t asked = intent == DM_INTENT_AUTO ? read_intent(drag) : intent;
+    const int32_t asked = intent == DM_INTENT_AUTO ? infer_intent(part, r->return_time) : intent;
     r->intent = asked;
-    r->start = r->end = drag->value;
-    r->velocity = drag->velocity;
-    r->paced = r->glides = 0;
+    r->start = r->end = part->value;
+    r->velocity = part->velocity;
+    r->paced = r->glides = false;
     r->duration = 0;
-    const int free = !dmi_joint_has_limits(&drag->joint);
+    const bool unlimited = !dmi_joint_has_limits(part->joint);
     if (asked == DM_INTENT_CLOSE)
-        plan_move(drag, r, dmi_joint_clamp(&drag->joint, 0));
-    else if (asked == DM_INTENT_OPEN && !free)
-        plan_move(drag, r, open_end(drag));
+        plan_move(part, r, dmi_joint_clamp(part->joint, 0));
+    else if (asked == DM_INTENT_OPEN && !unlimited)
+        plan_move(part, r, open_end(part));
     else if (asked != DM_INTENT_FREEZE)
-        r->intent = DM_INTENT_STAY, plan_stay(drag, r);
+        r->intent = DM_INTENT_STAY, plan_stay(part, r);
     if (duration > 0 && r->duration > 0) r->duration = duration;
-    if (!r->glides && r->duration > 0 && !free) r->velocity = speed_with_room(drag, r);
+    if (!r->glides && r->duration > 0 && !unlimited) r->velocity = velocity_with_room(part, r);
     if (r->duration > 0) return;
-    r->velocity = drag->velocity = 0;
+    r->velocity = 0;
     r->phase = DM_DRAG_AT_REST;
 }
 
-/* ---- the network's pace ---- */
+/* ---- pace of a generated motion ---- */
 
-static float on_keys(const dmi_release* r, float t) {
+static float value_on_keys(const dmi_release* r, float t) {
     dmi_motion motion = {0};
     memcpy(motion.values, r->keys, sizeof motion.values);
     return dmi_motion_value(&motion, t);
 }
 
-/* Where the keys first reach a value, outwards. */
-static float find_on_keys(const dmi_release* r, float value) {
+/* Returns the time, 0 to 1, at which the keys first reach a value on their way outwards. */
+static float time_on_keys(const dmi_release* r, float value) {
     const float outer = r->keys[DM_MOTION_FRAMES - 1];
     float low = 0, high = 1;
-    for (int i = 1; i <= FIND_STEPS; i++) {
-        high = (float)i / FIND_STEPS;
-        if (on_keys(r, high) / outer >= value / outer) break;
+    for (int i = 1; i <= SEARCH_STEPS; i++) {
+        high = (float)i / SEARCH_STEPS;
+        if (value_on_keys(r, high) / outer >= value / outer) break;
         low = high;
     }
-    for (int i = 0; i < 20; i++) {
+    for (int i = 0; i < SEARCH_BISECTIONS; i++) {
         const float middle = 0.5f * (low + high);
-        if (on_keys(r, middle) / outer >= value / outer)
+        if (value_on_keys(r, middle) / outer >= value / outer)
             high = middle;
         else
             low = middle;
@@ -152,41 +161,40 @@ static float find_on_keys(const dmi_release* r, float value) {
     return 0.5f * (low + high);
 }
 
-int dmi_drag_set_pace(dmi_drag* drag, const float values[DM_MOTION_FRAMES]) {
-    dmi_release* r = &drag->release;
-    const int outwards = fabsf(r->end) > fabsf(r->start);
+bool dmi_release_set_pace(dmi_release* r, const float values[DM_MOTION_FRAMES]) {
+    const bool outwards = fabsf(r->end) > fabsf(r->start);
     const float outer = outwards ? r->end : r->start, inner = outwards ? r->start : r->end;
     const float last = values[DM_MOTION_FRAMES - 1], scale = outer / last;
-    if (r->phase != DM_DRAG_RELEASED || r->glides || !(scale > 0.5f && scale < 2)) return 0;
-    if (inner / outer < 0) return 0; /* across rest: such a motion is none of the network's */
+    if (r->phase != DM_DRAG_RELEASED || r->glides || !(scale > MIN_PACE_SCALE && scale < MAX_PACE_SCALE)) return false;
+    if (inner / outer < 0) return false; /* the plan crosses rest; generated motions begin there */
     for (int i = 0; i < DM_MOTION_FRAMES; i++) r->keys[i] = values[i] * scale;
-    r->first = outwards ? find_on_keys(r, inner) : 1;
-    r->last = outwards ? 1 : find_on_keys(r, inner);
+    r->first = outwards ? time_on_keys(r, inner) : 1;
+    r->last = outwards ? 1 : time_on_keys(r, inner);
     r->paced = r->first != r->last;
     return r->paced;
 }
 
-/* ---- on the way ---- */
+/* ---- motion ---- */
 
-/* The way without regard to the speed it starts with. */
+/* Returns the planned value at a share of the duration, without regard to the initial velocity. */
 static float planned(const dmi_release* r, float s) {
-    if (!r->paced) return r->start + (r->end - r->start) * pace(s);
+    if (!r->paced) return r->start + (r->end - r->start) * minimum_jerk(s);
     const float t = r->first + (r->last - r->first) * s;
-    return on_keys(r, t);
+    return value_on_keys(r, t);
 }
 
-/* The planned way, and what differs from it at the start, place and speed, fading: s (1 - s)^3 has slope 1 at 0 and
- * comes down smoothly. */
-static float way_at(const dmi_release* r, float s) {
-    const float h = 1e-3f, left = 1 - s, fade = left * left * left;
+/* Adds to the plan what value and velocity differ from it at the start, fading: s (1 - s)^3 has slope 1 at 0, and
+ * (1 + 3 s) (1 - s)^3 has value 1 and slope 0 there. */
+static float move_at(const dmi_release* r, float s) {
+    const float h = SLOPE_STEP, left = 1 - s, fade = left * left * left;
     const float off = r->start - planned(r, 0), slope = (planned(r, h) - planned(r, 0)) / h;
     const float speed = r->velocity * r->duration - slope;
     return planned(r, s) + fade * ((1 + 3 * s) * off + s * speed);
 }
 
 static float glide_at(const dmi_release* r, const dm_drag_feel* feel) {
-    const float coast = dmi_feel_coast_time(feel) / DMI_LN_2;
-    return r->start + r->velocity * coast * (1 - expf(-r->elapsed / coast));
+    const float time_constant = dmi_feel_coast_time(feel) / DMI_LN_2_F;
+    return r->start + r->velocity * time_constant * (1 - expf(-r->elapsed / time_constant));
 }
 
 void dmi_release_advance(dmi_release* r, const dm_drag_feel* feel, const dm_joint* joint, float dt, float* out_value,
@@ -198,7 +206,7 @@ void dmi_release_advance(dmi_release* r, const dm_drag_feel* feel, const dm_join
         r->phase = DM_DRAG_AT_REST;
         return;
     }
-    const float value = r->glides ? glide_at(r, feel) : way_at(r, r->elapsed / r->duration);
+    const float value = r->glides ? glide_at(r, feel) : move_at(r, r->elapsed / r->duration);
     *out_value = dmi_joint_clamp(joint, value);
     const float velocity = (*out_value - old) / dt;
     if (dt > 0 && isfinite(velocity)) *out_velocity = velocity;

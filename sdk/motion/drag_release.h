@@ -1,29 +1,38 @@
-/* What a part does once it is let go: it swings on, falls shut, springs back or stays. */
+/* What a released part does: the plan from where it is and how fast it goes to where it ends, and the motion along it.
+ */
 #ifndef DMI_MOTION_DRAG_RELEASE_H
 #define DMI_MOTION_DRAG_RELEASE_H
+
+#include <stdbool.h>
 
 #include "motion/drag_feel.h"
 #include "motion/motion.h"
 
 typedef struct dmi_release {
-    int32_t phase, intent;      /* DM_DRAG_*; DM_INTENT_STAY, OPEN, CLOSE or FREEZE */
-    float start, end, velocity; /* of the joint value, at the release */
-    float duration, elapsed;
+    int32_t phase, intent;        /* DM_DRAG_*; DM_INTENT_STAY, OPEN, CLOSE or FREEZE */
+    float start, end, velocity;   /* joint values, and velocity at the release in values a second */
+    float duration, elapsed;      /* s */
     float return_time;            /* s; 0: nothing springs back */
-    int glides;                   /* without an aim, else it moves to the end */
-    int paced;                    /* by keys */
-    float keys[DM_MOTION_FRAMES]; /* values from rest outwards */
-    float first, last;            /* where on the keys, 0 to 1, the part starts and ends */
+    bool glides;                  /* decays exponentially without an aim; else it moves to `end` */
+    bool paced;                   /* follows the keys; else minimum jerk */
+    float keys[DM_MOTION_FRAMES]; /* joint values from rest outwards, evenly spaced in time */
+    float first, last;            /* times on the keys, 0 to 1, where the part starts and ends */
 } dmi_release;
 
-struct dmi_drag;
+/* A part at the moment of its release. */
+typedef struct dmi_released_part {
+    const dm_joint* joint;
+    const dm_drag_feel* feel;
+    float value, velocity;
+} dmi_released_part;
 
-/* DM_INTENT_* as the host asked for it -> what will happen. duration 0: its own. */
-void dmi_drag_release(struct dmi_drag* drag, int32_t intent, float duration);
-/* A generated motion from rest to the outer one of start and end sets the pace; unfit ones leave it as it is. 1 when it
- * did. */
-int dmi_drag_set_pace(struct dmi_drag* drag, const float values[DM_MOTION_FRAMES]);
-/* Value and velocity `dt` later. */
+/* Plans the release. intent: DM_INTENT_* as the host asked; duration: s, 0: chosen by the plan. phase becomes
+ * DM_DRAG_RELEASED, or DM_DRAG_AT_REST when there is nothing to do. */
+void dmi_release_begin(dmi_release* release, const dmi_released_part* part, int32_t intent, float duration);
+/* Paces the plan by a generated motion from rest to the outer one of start and end; values that do not suit the plan
+ * leave it as it is. Returns whether the plan is paced. */
+bool dmi_release_set_pace(dmi_release* release, const float values[DM_MOTION_FRAMES]);
+/* Advances value and velocity by dt seconds. */
 void dmi_release_advance(dmi_release* release, const dm_drag_feel* feel, const dm_joint* joint, float dt,
                          float* out_value, float* out_velocity);
 

@@ -1,45 +1,45 @@
-/* Rival joints of a dragged part: the likeliest are weighed with every ray, and the best is in force. */
+/* Scheduling of hypothesis updates, and the switch to another joint. */
 #include "motion/hypothesis_tracker.h"
 
 #include <math.h>
 
-#define FIRST_PULL 0.006f   /* of the part's size: less tells nothing */
-#define LAST_RESORT (-6.5f) /* log odds of a slide along an axis that nothing speaks for */
-#define UNRANGED (-0.35f)   /* log odds of a joint whose range nobody has looked for */
-#define AT_ONCE 3           /* rivals weighed an update, beside the best */
-#define FIT_EVERY 2         /* updates: lines are fitted by one more of the remembered rays */
-#define STALE 0.05f         /* how much likelier a rival may have become in each round that left it out, log */
-#define MARGIN 0.4f         /* how much more probable another joint must be, log */
+#define MIN_PULL 0.006f                 /* share of the part's size: a shorter pull carries no information; fitted */
+#define FALLBACK_SLIDE_LOG_ODDS (-6.5f) /* of a slide along an object axis that inference did not propose; fitted */
+#define UNKNOWN_RANGE_LOG_ODDS (-0.35f) /* of a joint without an inferred range; fitted */
+#define UPDATED_PER_RAY 3               /* hypotheses beside the active one; by hand, for a microsecond an update */
+#define REFINE_INTERVAL 2               /* updates between two steps of the axis refinement; by hand */
+#define WAITING_BONUS 0.05f /* log likelihood that a hypothesis may gain in a round without update; fitted */
+#define SWITCH_MARGIN 0.4f  /* log ratio by which another joint must be more probable; fitted */
 
-static int known(const dmi_hypothesis_tracker* rivals, const dm_joint* joint) {
-    for (uint32_t i = 0; i < rivals->count; i++) {
-        if (dmi_hypothesis_tracker_alike(&rivals->list[i].joint, joint, rivals->hold.size)) return 1;
+static bool is_known(const dmi_hypothesis_tracker* tracker, const dm_joint* joint) {
+    for (uint32_t i = 0; i < tracker->count; i++) {
+        if (dmi_joints_alike(&tracker->list[i].joint, joint, tracker->grasp.size)) return true;
     }
-    return 0;
+    return false;
 }
 
-static void add(dmi_hypothesis_tracker* rivals, const dm_joint* joint, float odds, int open) {
-    if (rivals->count == DMI_TRACKED_HYPOTHESES || joint->type == DM_JOINT_FIXED || known(rivals, joint)) return;
-    const uint32_t index = rivals->count++;
-    rivals->list[index] = dmi_joint_hypothesis_make(&rivals->hold, joint, odds, open);
-    rivals->hope[index] = rivals->list[index].prior;
-    dmi_lines_add(&rivals->lines, index, &rivals->list[index]);
+static void add(dmi_hypothesis_tracker* tracker, const dm_joint* joint, float log_odds, bool range_unknown) {
+    if (tracker->count == DMI_TRACKED_HYPOTHESES || joint->type == DM_JOINT_FIXED || is_known(tracker, joint)) return;
+    const uint32_t index = tracker->count++;
+    tracker->list[index] = dmi_joint_hypothesis_make(&tracker->grasp, joint, log_odds, range_unknown);
+    tracker->priority[index] = tracker->list[index].log_prior;
+    dmi_axis_refiner_add(&tracker->refiner, index, &tracker->list[index]);
 }
 
-void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* rivals, const dm_joint* joint) {
+void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, const dm_joint* joint) {
     dm_joint unlimited = *joint;
     unlimited.lower = unlimited.upper = 0;
-    add(rivals, &unlimited, dmi_joint_hypothesis_odds(joint) + UNRANGED, 1);
+    add(tracker, &unlimited, dmi_joint_log_odds(joint) + UNKNOWN_RANGE_LOG_ODDS, true);
 }
 
-void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* rivals, const dm_joint* joints, uint32_t count, const float grab_point[3], float size,
-                     dmi_give give) {
-    *rivals = (dmi_hypothesis_tracker){.hold = {.size = size, .give = give}};
-    dmi_lines_begin(&rivals->lines);
-    dmi_pull_begin(&rivals->hold.pull, grab_point, FIRST_PULL * size);
+void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint* joints, uint32_t count,
+                                 const float grab_point[3], float size, dmi_limit_give limit_give) {
+    *tracker = (dmi_hypothesis_tracker){.grasp = {.size = size, .limit_give = limit_give}};
+    dmi_axis_refiner_init(&tracker->refiner);
+    dmi_pull_begin(&tracker->grasp.pull, grab_point, MIN_PULL * size);
     for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++)
-        add(rivals, &joints[i], dmi_joint_hypothesis_odds(&joints[i]), 0);
-    if (rivals->count == 0) return;
+        add(tracker, &joints[i], dmi_joint_log_odds(&joints[i]), false);
+    if (tracker->count == 0) return;
     for (int i = 0; i < 3; i++) {
         const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
                                 .axis = {i == 0, i == 1, i == 2},
@@ -47,80 +47,84 @@ void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* rivals, const dm_joint*
                                 .lower = -size,
                                 .upper = size,
                                 .source = DM_JOINT_FROM_GEOMETRY};
-        add(rivals, &slide, LAST_RESORT, 0);
+        add(tracker, &slide, FALLBACK_SLIDE_LOG_ODDS, false);
     }
 }
 
-/* The likeliest rivals but the best, likeliest first; one that has waited long may have become likelier. */
-static uint32_t likeliest(const dmi_hypothesis_tracker* rivals, uint32_t out[AT_ONCE]) {
+/* Finds the hypotheses of highest priority but the active one, highest first. */
+static uint32_t highest_priority(const dmi_hypothesis_tracker* tracker, uint32_t out[UPDATED_PER_RAY]) {
     uint32_t found = 0;
-    for (uint32_t i = 0; i < rivals->count; i++) {
-        const float hope = rivals->hope[i], least = found == AT_ONCE ? rivals->hope[out[found - 1]] : -INFINITY;
-        if (!(hope > least) || i == rivals->best) continue; /* nor where it is no number */
-        uint32_t at = found < AT_ONCE ? found++ : found - 1;
-        for (; at > 0 && rivals->hope[out[at - 1]] < hope; at--) out[at] = out[at - 1];
+    for (uint32_t i = 0; i < tracker->count; i++) {
+        const float priority = tracker->priority[i];
+        const float least = found == UPDATED_PER_RAY ? tracker->priority[out[found - 1]] : -INFINITY;
+        if (!(priority > least) || i == tracker->best) continue; /* skips NaN too */
+        uint32_t at = found < UPDATED_PER_RAY ? found++ : found - 1;
+        for (; at > 0 && tracker->priority[out[at - 1]] < priority; at--) out[at] = out[at - 1];
         out[at] = i;
     }
     return found;
 }
 
-/* All that wait gain as much, so those that were weighed lose it instead. */
-static void remember(dmi_hypothesis_tracker* rivals, uint32_t weighed) {
-    rivals->hope[weighed] = rivals->list[weighed].score - STALE * (float)rivals->round;
+/* Sets the priority of an updated hypothesis. All that wait gain WAITING_BONUS a round, so the updated one loses the
+ * bonus of the rounds so far instead. */
+static void set_priority(dmi_hypothesis_tracker* tracker, uint32_t updated) {
+    tracker->priority[updated] = tracker->list[updated].log_posterior - WAITING_BONUS * (float)tracker->round;
 }
 
-/* The best of the one in force and of the likeliest others. */
-static uint32_t weigh_some(dmi_hypothesis_tracker* rivals, const dm_ray* ray) {
-    uint32_t some[AT_ONCE] = {0}, winner = rivals->best;
-    const uint32_t count = likeliest(rivals, some);
-    remember(rivals, rivals->best);
+/* Updates some hypotheses and returns the most probable of them and the active one. */
+static uint32_t update_some(dmi_hypothesis_tracker* tracker, const dm_ray* ray) {
+    uint32_t some[UPDATED_PER_RAY] = {0}, winner = tracker->best;
+    const uint32_t count = highest_priority(tracker, some);
+    set_priority(tracker, tracker->best);
     for (uint32_t i = 0; i < count; i++) {
-        dmi_joint_hypothesis_weigh(&rivals->hold, &rivals->list[some[i]], ray);
-        remember(rivals, some[i]);
-        if (rivals->list[some[i]].score > rivals->list[winner].score) winner = some[i];
+        dmi_joint_hypothesis_update(&tracker->grasp, &tracker->list[some[i]], ray);
+        set_priority(tracker, some[i]);
+        if (tracker->list[some[i]].log_posterior > tracker->list[winner].log_posterior) winner = some[i];
     }
     return winner;
 }
 
-/* 1: another, or the other side, is the best now. */
-static int weigh_all(dmi_hypothesis_tracker* rivals, float wish, const dm_ray* ray) {
-    dmi_joint_hypothesis* best = &rivals->list[rivals->best];
-    dmi_joint_hypothesis_weigh_best(&rivals->hold, best, wish, ray);
-    const float needed = best->stop_score + MARGIN;
-    const uint32_t winner = weigh_some(rivals, ray);
-    if (rivals->list[winner].score <= needed) return 0;
-    const int changed = winner != rivals->best;
-    rivals->best = winner;
-    return dmi_joint_hypothesis_take_side(&rivals->list[winner], rivals->hold.size) || changed;
+/* Returns true when another hypothesis, or the other side of rest, is active now. */
+static bool switch_to_best(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray) {
+    dmi_joint_hypothesis* best = &tracker->list[tracker->best];
+    dmi_joint_hypothesis_update_active(&tracker->grasp, best, pointer_value, ray);
+    const float needed = best->log_posterior_at_stop + SWITCH_MARGIN;
+    const uint32_t winner = update_some(tracker, ray);
+    if (tracker->list[winner].log_posterior <= needed) return false;
+    const bool changed = winner != tracker->best;
+    tracker->best = winner;
+    return dmi_joint_hypothesis_adopt_side(&tracker->list[winner], tracker->grasp.size) || changed;
 }
 
-/* 1: the line of the best has become another. */
-static int fit_lines(dmi_hypothesis_tracker* rivals) {
-    if (rivals->round % FIT_EVERY != 0) return 0;
-    const uint32_t moved = dmi_lines_fit(&rivals->lines, &rivals->hold, rivals->list, rivals->count, rivals->best);
-    if (moved != DMI_NOBODY) remember(rivals, moved);
-    return moved == rivals->best;
+/* Returns true when the axis line of the active hypothesis has changed. */
+static bool refine_axes(dmi_hypothesis_tracker* tracker) {
+    if (tracker->round % REFINE_INTERVAL != 0) return false;
+    const uint32_t moved =
+        dmi_axis_refiner_step(&tracker->refiner, &tracker->grasp, tracker->list, tracker->count, tracker->best);
+    if (moved != DMI_NO_HYPOTHESIS) set_priority(tracker, moved);
+    return moved == tracker->best;
 }
 
-int dmi_hypothesis_tracker_weigh(dmi_hypothesis_tracker* rivals, float wish, const dm_ray* ray, dmi_projection projection) {
-    if (rivals->count == 0) return 0;
-    dmi_pull* pull = &rivals->hold.pull;
+bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray,
+                                   dmi_projection projection) {
+    if (tracker->count == 0) return false;
+    dmi_pull* pull = &tracker->grasp.pull;
     pull->projection = projection;
-    if (!dmi_joint_hypothesis_is_held(&rivals->list[rivals->best], wish)) dmi_pull_add(pull, ray);
-    if (pull->length < FIRST_PULL * rivals->hold.size) return 0;
-    rivals->round++;
-    if (weigh_all(rivals, wish, ray)) return 1;
-    dmi_joint_hypothesis* best = &rivals->list[rivals->best];
-    if (dmi_joint_hypothesis_is_held(best, wish) || !fit_lines(rivals)) return 0;
+    if (!dmi_joint_hypothesis_is_at_stop(&tracker->list[tracker->best], pointer_value)) dmi_pull_add(pull, ray);
+    if (pull->length < MIN_PULL * tracker->grasp.size) return false;
+    tracker->round++;
+    if (switch_to_best(tracker, pointer_value, ray)) return true;
+    dmi_joint_hypothesis* best = &tracker->list[tracker->best];
+    if (dmi_joint_hypothesis_is_at_stop(best, pointer_value) || !refine_axes(tracker)) return false;
     float lower, upper;
-    dmi_joint_hypothesis_range(&rivals->hold, best, &lower, &upper);
-    best->reach = dmi_follow_ray(&best->joint, pull->grab, ray, projection, wish, lower, upper);
-    return 1;
+    dmi_joint_hypothesis_range(&tracker->grasp, best, &lower, &upper);
+    best->pointer_value = dmi_follow_ray(&best->joint, pull->grab, ray, projection, pointer_value, lower, upper);
+    return true;
 }
 
-float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* rivals) {
-    const float best = rivals->count ? rivals->list[rivals->best].score : 0;
+float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker) {
+    const float best = tracker->count ? tracker->list[tracker->best].log_posterior : 0;
     float sum = 0;
-    for (uint32_t i = 0; i < rivals->count; i++) sum += expf(rivals->list[i].score - best);
+    for (uint32_t i = 0; i < tracker->count; i++) sum += expf(tracker->list[i].log_posterior - best);
     return sum > 0 ? 1 / sum : 1;
 }

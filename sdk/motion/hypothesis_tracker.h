@@ -1,29 +1,30 @@
-/* Which of its hypotheses a part moves by, told by how the player pulls it: the pull stays near the right joint's path.
- */
+/* Tracks which of its joint hypotheses a dragged part moves by: with every pointer ray the active one and the likeliest
+ * others are updated, and the most probable takes over. */
 #ifndef DMI_MOTION_HYPOTHESIS_TRACKER_H
 #define DMI_MOTION_HYPOTHESIS_TRACKER_H
 
-#include "motion/drag_lines.h"
+#include "motion/axis_refine.h"
 
 typedef struct dmi_hypothesis_tracker {
-    dmi_hold hold;
+    dmi_grasp grasp;
     dmi_joint_hypothesis list[DMI_TRACKED_HYPOTHESES];
-    uint32_t count, best;   /* best: in force */
-    float hope[DMI_TRACKED_HYPOTHESES]; /* by which they are weighed: the score, and what comes with waiting */
-    uint32_t round;         /* of weighing */
-    dmi_lines lines;
+    uint32_t count, best;                   /* best: the active one */
+    float priority[DMI_TRACKED_HYPOTHESES]; /* last log posterior and a bonus for waiting: who is updated next */
+    uint32_t round;                         /* updates so far */
+    dmi_axis_refiner refiner;
 } dmi_hypothesis_tracker;
 
-/* joints[0] is in force. Adds the other side of ranges that begin at rest: which way a part opens is easily mistaken.
- */
-void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* rivals, const dm_joint* joints, uint32_t count, const float grab_point[3], float size,
-                     dmi_give give);
-/* One more, of which no range is known; one too many is left out. */
-void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* rivals, const dm_joint* joint);
-/* Weighs the best, which asks for `wish` on its side of rest, and the likeliest of the others by one more ray; not all,
- * so that an update stays near a microsecond. 1 when another, the other side, or another line has become the best. */
-int dmi_hypothesis_tracker_weigh(dmi_hypothesis_tracker* rivals, float wish, const dm_ray* ray, dmi_projection projection);
-/* Probability of the best. */
-float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* rivals);
+/* joints[0] is active. Adds slides along the object's axes as a fallback. count 0: tracks nothing. */
+void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint* joints, uint32_t count,
+                                 const float grab_point[3], float size, dmi_limit_give limit_give);
+/* Adds a joint whose range is unknown; it is left out when the tracker is full or holds one alike. */
+void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, const dm_joint* joint);
+/* Updates the active hypothesis, which follows the ray at `pointer_value`, and the likeliest others by one ray; not
+ * all, so that an update takes about a microsecond. Returns true when another joint, another side of rest or another
+ * axis line is active now. */
+bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray,
+                                   dmi_projection projection);
+/* Returns the posterior probability of the active hypothesis. */
+float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker);
 
 #endif

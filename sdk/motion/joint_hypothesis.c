@@ -1,27 +1,30 @@
-/* A joint's odds before the pull, its range, and its likelihood as it follows the pointer. */
+/* Prior, reachable range and likelihood of one joint hypothesis.
+ *
+ * All numbers of the priors and the likelihood are fitted to scripted drags of generated objects
+ * (docs/trials_drag.md), unless their comment says otherwise. */
 #include "motion/joint_hypothesis.h"
 
 #include <math.h>
 
+#include "math/constants.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define ONE_TURN 6.28318531f
-#define SPREAD 0.01f     /* of the pull: how far off the right path a good hand goes */
-#define TREMOR 0.0015f   /* of the part's size: and how far it is off at the start */
-#define FALL 3.5f        /* how good the hand is, nobody knows: misses count by their ratio, to this power */
-#define STRAIGHT (-4.5f) /* log of how probable it is that a hand goes straight to where a turn should end */
-#define CLEARLY 3.0f     /* more probable, log: the other does not count */
-#define LEAST_PRIOR 1e-3f
-#define GOOD_ARM 0.15f      /* of the part's size: nobody turns a part by a point much nearer to its axis … */
-#define LEAST_ARM 0.05f     /* … of that; but a hand may land there */
-#define REST_SHARE 0.05f    /* of the range: so near to rest, a limit is a stop at rest */
-#define SAME_COSINE 0.9998f /* of two axes, 20 mrad */
-#define SAME_DISTANCE 0.02f /* of the part's size */
+#define NOISE_PER_LENGTH 0.01f          /* expected residual on the right joint, share of the pull's length; fitted */
+#define NOISE_FLOOR 0.0015f             /* expected residual at the start, share of the part's size; fitted */
+#define TAIL_EXPONENT 3.5f              /* of the power law that residuals follow; fitted */
+#define STRAIGHT_LOG_LIKELIHOOD (-4.5f) /* of a pointer that goes straight to where a turn should end; fitted */
+#define NEGLIGIBLE_LOG_RATIO 3.0f       /* a term smaller than the other by exp(3) is left out; by hand */
+#define MIN_CONFIDENCE 1e-3f            /* confidences are clamped to [this, 1 - this]; by hand */
+#define GOOD_ARM 0.15f      /* distance of axis and grabbed point at full prior, share of the part; fitted */
+#define MIN_ARM 0.05f       /* least share of GOOD_ARM that lowers the prior further; fitted */
+#define REST_SHARE 0.05f    /* of the range: a limit this near to rest is a stop at rest; by hand */
+#define SAME_COSINE 0.9998f /* of two axes, 20 mrad: alike; by hand */
+#define SAME_DISTANCE 0.02f /* of two axis lines, share of the part's size: alike; by hand */
 
-/* ---- before the pull ---- */
+/* ---- prior ---- */
 
-/* The side of rest that a range which begins there lies on. */
+/* Returns the side of rest on which a range lies that begins at rest: +1 or -1; 0: on both. */
 static float side_of(const dm_joint* joint) {
     if (!dmi_joint_has_limits(joint)) return 0;
     const float near = REST_SHARE * (joint->upper - joint->lower);
@@ -32,141 +35,150 @@ static float distance_to_line(const float point[3], const dm_joint* joint) {
     return dmi_line_distance3(point, dmi_xyz(joint->axis).v, dmi_xyz(joint->origin).v);
 }
 
-int dmi_hypothesis_tracker_alike(const dm_joint* a, const dm_joint* b, float size) {
+bool dmi_joints_alike(const dm_joint* a, const dm_joint* b, float size) {
     const float cosine = fabsf(a->axis.x * b->axis.x + a->axis.y * b->axis.y + a->axis.z * b->axis.z);
-    if (a->type != b->type || cosine < SAME_COSINE) return 0;
+    if (a->type != b->type || cosine < SAME_COSINE) return false;
     return a->type == DM_JOINT_PRISMATIC || distance_to_line(dmi_xyz(b->origin).v, a) < SAME_DISTANCE * size;
 }
 
-/* Odds: confidences are each hypothesis's own, they do not share one whole. */
-float dmi_joint_hypothesis_odds(const dm_joint* joint) {
-    const float p = fminf(fmaxf(joint->confidence, LEAST_PRIOR), 1 - LEAST_PRIOR);
+/* Odds, not probabilities: the confidences of an object's hypotheses do not add up to 1. */
+float dmi_joint_log_odds(const dm_joint* joint) {
+    const float p = fminf(fmaxf(joint->confidence, MIN_CONFIDENCE), 1 - MIN_CONFIDENCE);
     return logf(p / (1 - p));
 }
 
-/* What speaks against a turn by the place where the part was taken hold of: about an axis close by, any small pull is
- * explained, by a large turn. The root of the share: small parts do turn about points close by. */
-float dmi_joint_hypothesis_arm_cost(const dmi_hold* hold, const dm_joint* joint) {
+/* A turn about an axis close to the grabbed point explains any small pull by a large angle, so it gets a lower prior.
+ * The square root keeps small parts, which do turn about points close by. */
+float dmi_lever_arm_log_prior(const dmi_grasp* grasp, const dm_joint* joint) {
     if (!dmi_joint_turns(joint->type)) return 0;
-    const float arm = distance_to_line(hold->pull.grab, joint) / (GOOD_ARM * hold->size);
-    return 0.5f * logf(fminf(fmaxf(arm, LEAST_ARM), 1));
+    const float arm = distance_to_line(grasp->pull.grab, joint) / (GOOD_ARM * grasp->size);
+    return 0.5f * logf(fminf(fmaxf(arm, MIN_ARM), 1));
 }
 
-dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_hold* hold, const dm_joint* joint, float odds, int open) {
-    const float prior = odds + dmi_joint_hypothesis_arm_cost(hold, joint);
+dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_grasp* grasp, const dm_joint* joint, float log_odds,
+                                               bool range_unknown) {
+    const float log_prior = log_odds + dmi_lever_arm_log_prior(grasp, joint);
     return (dmi_joint_hypothesis){.joint = *joint,
-                       .home = {joint->origin.x, joint->origin.y, joint->origin.z},
-                       .side = side_of(joint),
-                       .open = open,
-                       .prior = prior,
-                       .score = prior};
+                                  .initial_origin = {joint->origin.x, joint->origin.y, joint->origin.z},
+                                  .side = side_of(joint),
+                                  .range_unknown = range_unknown,
+                                  .log_prior = log_prior,
+                                  .log_posterior = log_prior};
 }
 
-/* ---- where it may be ---- */
+/* ---- reachable range ---- */
 
-void dmi_hypothesis_tracker_limits(const dm_joint* joint, dmi_give give, float* out_lower, float* out_upper) {
+void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give, float* out_lower, float* out_upper) {
     *out_lower = -INFINITY, *out_upper = INFINITY;
     if (!dmi_joint_has_limits(joint)) return;
     const float range = joint->upper - joint->lower, near = REST_SHARE * range;
-    const float most = dmi_joint_turns(joint->type) ? ONE_TURN : give.length;
-    const float more = give.share == 0 ? most : fmaxf(give.share, 0) * range;
+    const float most = dmi_joint_turns(joint->type) ? DMI_TWO_PI_F : limit_give.length;
+    const float more = limit_give.share == 0 ? most : fmaxf(limit_give.share, 0) * range;
     *out_lower = fabsf(joint->lower) <= near ? joint->lower : joint->lower - more;
     *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
 }
 
-void dmi_joint_hypothesis_range(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float* out_lower, float* out_upper) {
-    dmi_hypothesis_tracker_limits(&rival->joint, hold->give, out_lower, out_upper);
-    if (side_of(&rival->joint) == 0 || rival->settled) return;
+void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
+                                float* out_upper) {
+    dmi_joint_reachable_range(&hypothesis->joint, grasp->limit_give, out_lower, out_upper);
+    if (side_of(&hypothesis->joint) == 0 || hypothesis->side_decided) return;
     *out_upper = fmaxf(-*out_lower, *out_upper), *out_lower = -*out_upper;
 }
 
-int dmi_joint_hypothesis_is_held(const dmi_joint_hypothesis* rival, float wish) {
-    const float side = side_of(&rival->joint);
-    return side != 0 && rival->settled && side * wish <= 0;
+bool dmi_joint_hypothesis_is_at_stop(const dmi_joint_hypothesis* hypothesis, float pointer_value) {
+    const float side = side_of(&hypothesis->joint);
+    return side != 0 && hypothesis->side_decided && side * pointer_value <= 0;
 }
 
-/* Most slides rest at an end of their range, most turns that are hard to find do not: those stay free. */
-static void give_range(dmi_joint_hypothesis* rival, float size) {
-    dm_joint* joint = &rival->joint;
-    rival->open = 0;
+/* Gives a joint of unknown range one: a slide begins at rest on the side of the pull, a turn stays free. Most slides
+ * of the development set rest at an end of their range, most of its turns that are hard to infer do not. */
+static void set_default_range(dmi_joint_hypothesis* hypothesis, float size) {
+    dm_joint* joint = &hypothesis->joint;
+    hypothesis->range_unknown = false;
     if (joint->type == DM_JOINT_PRISMATIC) {
-        joint->lower = rival->reach < 0 ? -size : 0;
-        joint->upper = rival->reach < 0 ? 0 : size;
+        joint->lower = hypothesis->pointer_value < 0 ? -size : 0;
+        joint->upper = hypothesis->pointer_value < 0 ? 0 : size;
         return;
     }
     joint->type = DM_JOINT_CONTINUOUS;
-    joint->lower = -0.5f * ONE_TURN, joint->upper = 0.5f * ONE_TURN;
+    joint->lower = -0.5f * DMI_TWO_PI_F, joint->upper = 0.5f * DMI_TWO_PI_F;
 }
 
-int dmi_joint_hypothesis_take_side(dmi_joint_hypothesis* rival, float size) {
-    dm_joint* joint = &rival->joint;
-    if (rival->open) give_range(rival, size);
-    if (!(side_of(joint) * rival->reach < 0)) return 0;
+bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float size) {
+    dm_joint* joint = &hypothesis->joint;
+    if (hypothesis->range_unknown) set_default_range(hypothesis, size);
+    if (!(side_of(joint) * hypothesis->pointer_value < 0)) return false;
     const float lower = joint->lower;
     joint->lower = -joint->upper, joint->upper = -lower;
-    return 1;
+    return true;
 }
 
-/* ---- what the pull says ---- */
+/* ---- likelihood ---- */
 
-float dmi_hand_off(const dmi_hold* hold) {
-    return SPREAD * hold->pull.length + TREMOR * hold->size;
+float dmi_expected_residual(const dmi_grasp* grasp) {
+    return NOISE_PER_LENGTH * grasp->pull.length + NOISE_FLOOR * grasp->size;
 }
 
-/* Log likelihood of being so far off. It counts how far that was at most, as a share of the pull by now: a slide
- * crosses the arc of a hinge, and explains it where it does; what a hand did wrong at the start fades. The tail is that
- * of a hand of unknown skill: where no joint is met well, a near one is little better than a farther one. Fitted to
- * drags of generated objects (docs/trials_drag.md). */
-static float met(const dmi_hold* hold, float off) {
-    return -FALL * logf(1 + off / dmi_hand_off(hold));
+/* Power law of the largest residual, relative to the expected one. The largest counts, because a slide crosses the arc
+ * of a hinge and matches it there alone; relative to the pull so far, so that an early error fades. The heavy tail
+ * stands for a hand of unknown skill: where no joint fits well, a near one is little better than a farther one. */
+static float residual_log_likelihood(const dmi_grasp* grasp, float residual) {
+    return -TAIL_EXPONENT * logf(1 + residual / dmi_expected_residual(grasp));
 }
 
-/* Log likelihood of a pull that a joint misses by so much. Some hands don't follow a part round, they go straight to
- * where it should be: no turn misses a straight pull that its circle goes round. */
-float dmi_joint_hypothesis_explains(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float off) {
-    const float followed = met(hold, off);
-    if (followed > STRAIGHT + CLEARLY || !dmi_joint_turns(rival->joint.type)) return followed;
-    const float straight = STRAIGHT + met(hold, hold->pull.bend);
-    if (followed > straight + CLEARLY || !dmi_pull_cuts_corner(&hold->pull, &rival->joint)) return followed;
+/* Adds the case of a pointer that goes straight to where the part should end instead of along its circle: a turn then
+ * has the likelihood of a straight pull, if the pull is straight and lies on a chord of the circle. */
+float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
+                                          float residual) {
+    const float followed = residual_log_likelihood(grasp, residual);
+    if (followed > STRAIGHT_LOG_LIKELIHOOD + NEGLIGIBLE_LOG_RATIO || !dmi_joint_turns(hypothesis->joint.type))
+        return followed;
+    const float straight = STRAIGHT_LOG_LIKELIHOOD + residual_log_likelihood(grasp, grasp->pull.bend);
+    if (followed > straight + NEGLIGIBLE_LOG_RATIO || !dmi_pull_is_on_chord(&grasp->pull, &hypothesis->joint))
+        return followed;
     const float more = fmaxf(followed, straight);
     return more + logf(expf(followed - more) + expf(straight - more));
 }
 
-float dmi_joint_hypothesis_side_cost(const dmi_joint_hypothesis* rival, float side) {
-    return rival->side * side < 0 ? DMI_OTHER_SIDE : 0;
+float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float side) {
+    return hypothesis->side * side < 0 ? DMI_OTHER_SIDE_LOG_PRIOR : 0;
 }
 
-static void score(const dmi_hold* hold, dmi_joint_hypothesis* rival, const dm_ray* ray) {
-    const float now = side_of(&rival->joint);
+static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
+    const float now = side_of(&hypothesis->joint);
     float point[3];
-    dmi_joint_move(&rival->joint, rival->reach, hold->pull.grab, point);
-    rival->worst = fmaxf(rival->worst, dmi_pull_miss(&hold->pull, ray, point));
-    rival->score = rival->prior - rival->lean + dmi_joint_hypothesis_side_cost(rival, rival->reach) +
-                   dmi_joint_hypothesis_explains(hold, rival, rival->worst);
-    rival->stop_score = rival->score;
-    if (now * rival->reach >= 0) return;
-    rival->stop_score = rival->prior - rival->lean + dmi_joint_hypothesis_side_cost(rival, now) +
-                        dmi_joint_hypothesis_explains(hold, rival, dmi_pull_miss(&hold->pull, ray, hold->pull.grab));
+    dmi_joint_move(&hypothesis->joint, hypothesis->pointer_value, grasp->pull.grab, point);
+    hypothesis->max_residual = fmaxf(hypothesis->max_residual, dmi_pull_residual(&grasp->pull, ray, point));
+    hypothesis->log_posterior = hypothesis->log_prior - hypothesis->shift_cost +
+                                dmi_joint_hypothesis_side_log_prior(hypothesis, hypothesis->pointer_value) +
+                                dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
+    hypothesis->log_posterior_at_stop = hypothesis->log_posterior;
+    if (now * hypothesis->pointer_value >= 0) return;
+    hypothesis->log_posterior_at_stop =
+        hypothesis->log_prior - hypothesis->shift_cost + dmi_joint_hypothesis_side_log_prior(hypothesis, now) +
+        dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab));
 }
 
-void dmi_joint_hypothesis_weigh(const dmi_hold* hold, dmi_joint_hypothesis* rival, const dm_ray* ray) {
-    const dmi_pull* pull = &hold->pull;
+void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
+    const dmi_pull* pull = &grasp->pull;
     float lower, upper;
-    dmi_joint_hypothesis_range(hold, rival, &lower, &upper);
-    rival->reach = dmi_follow_ray_roughly(&rival->joint, pull->grab, ray, pull->projection, rival->reach, lower, upper);
-    score(hold, rival, ray);
+    dmi_joint_hypothesis_range(grasp, hypothesis, &lower, &upper);
+    hypothesis->pointer_value = dmi_follow_ray_coarse(&hypothesis->joint, pull->grab, ray, pull->projection,
+                                                      hypothesis->pointer_value, lower, upper);
+    update_posterior(grasp, hypothesis, ray);
 }
 
-/* Followed already, unless a stop at rest holds it, which it may not have; a drawer that was pulled out and
- * is pushed back has it. */
-void dmi_joint_hypothesis_weigh_best(const dmi_hold* hold, dmi_joint_hypothesis* best, float wish, const dm_ray* ray) {
-    const float range = best->joint.upper - best->joint.lower, side = side_of(&best->joint);
-    best->settled |= side * wish > REST_SHARE * range;
-    if (side != 0 && !best->settled) {
-        dmi_joint_hypothesis_weigh(hold, best, ray);
+/* Until its side is decided, the active joint is followed on both sides as all others are: its stop at rest may be on
+ * the wrong one. A drawer that was pulled out and is pushed back has decided. */
+void dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
+                                        const dm_ray* ray) {
+    const float range = active->joint.upper - active->joint.lower, side = side_of(&active->joint);
+    active->side_decided |= side * pointer_value > REST_SHARE * range;
+    if (side != 0 && !active->side_decided) {
+        dmi_joint_hypothesis_update(grasp, active, ray);
         return;
     }
-    best->reach = wish;
-    if (dmi_joint_hypothesis_is_held(best, wish)) return;
-    score(hold, best, ray);
+    active->pointer_value = pointer_value;
+    if (dmi_joint_hypothesis_is_at_stop(active, pointer_value)) return;
+    update_posterior(grasp, active, ray);
 }

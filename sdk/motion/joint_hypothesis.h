@@ -1,68 +1,76 @@
-/* One joint that a dragged part may move by: where it may be, how it follows the pointer, and how well it explains the
- * pull. */
+/* One joint that a dragged part may move by: its reachable range, how it follows the pointer, and the log posterior
+ * that the pull gives it. */
 #ifndef DMI_MOTION_JOINT_HYPOTHESIS_H
 #define DMI_MOTION_JOINT_HYPOTHESIS_H
 
-#include "motion/drag_fit.h"
+#include <stdbool.h>
 
-#define DMI_OTHER_SIDE (-0.2f) /* log of how probable it is that a range lies on the other side of rest */
+#include "motion/pull_fit.h"
 
-/* How far a pull takes a part beyond limits that were only estimated. */
-typedef struct dmi_give {
-    float share;  /* of the range; 0: as far as it is pulled … */
-    float length; /* … up to this along a slide, and up to a turn */
-} dmi_give;
+/* Log probability that a range lies on the other side of rest than it was found on. Fitted (docs/trials_drag.md). */
+#define DMI_OTHER_SIDE_LOG_PRIOR (-0.2f)
 
-/* What all rivals have in common: the part in the hand. */
-typedef struct dmi_hold {
+/* How far a pull may take a part beyond limits that were only estimated. */
+typedef struct dmi_limit_give {
+    float share;  /* of the range; 0: without bound but for `length` or one turn; negative: not at all */
+    float length; /* most that a slide may go beyond when share is 0, host units; a turn: 2 pi */
+} dmi_limit_give;
+
+/* What all hypotheses of one drag share. */
+typedef struct dmi_grasp {
     dmi_pull pull;
-    float size; /* of the part */
-    dmi_give give;
-} dmi_hold;
+    float size; /* of the part, host units */
+    dmi_limit_give limit_give;
+} dmi_grasp;
 
 typedef struct dmi_joint_hypothesis {
-    dm_joint joint;   /* host object frame */
-    float home[3];    /* the origin that it came with; the pull may have shifted it … */
-    float shift[2];   /* … by so much (drag_fit.h), … */
-    float lean;       /* … which costs so much, log */
-    float side;       /* of rest that its range was found on, +1 or -1; 0: both */
-    int open;         /* nothing is known of its range */
-    int settled;      /* the part has gone out on that side: rest is its stop */
-    float prior;      /* log of its probability before the pull, up to a constant */
-    float score;      /* the same after it */
-    float reach;      /* the value the pointer asks of it, on whichever side */
-    float worst;      /* how far it has missed the pull, at most */
-    float stop_score; /* were it held by the stop at rest that its joint has */
+    dm_joint joint;              /* host object frame */
+    float initial_origin[3];     /* origin before any shift by the pull */
+    float shift[2];              /* of the axis line from there, in part sizes (pull_fit.h) */
+    float shift_cost;            /* negative log prior of that shift */
+    float side;                  /* of rest on which its range was found: +1 or -1; 0: both */
+    bool range_unknown;          /* inference found no range for it */
+    bool side_decided;           /* the part has moved out on that side: rest is its stop */
+    float log_prior;             /* before the pull, up to a constant */
+    float log_posterior;         /* after it, up to the same constant */
+    float pointer_value;         /* joint value that the pointer asks for, on either side of rest */
+    float max_residual;          /* largest distance of the grabbed point from the pointer so far, host units */
+    float log_posterior_at_stop; /* the same if the stop at rest holds the part */
 } dmi_joint_hypothesis;
 
-/* Log odds that a joint states itself. */
-float dmi_joint_hypothesis_odds(const dm_joint* joint);
-/* What speaks against a turn by the place where the part was taken hold of, log. */
-float dmi_joint_hypothesis_arm_cost(const dmi_hold* hold, const dm_joint* joint);
-/* odds: of the joint, before it is known where the part was taken hold of. */
-dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_hold* hold, const dm_joint* joint, float odds, int open);
-/* So alike that no pull would tell them apart. */
-int dmi_hypothesis_tracker_alike(const dm_joint* a, const dm_joint* b, float size);
+/* Returns the log odds of the joint's stated confidence. */
+float dmi_joint_log_odds(const dm_joint* joint);
+/* Returns the log prior (0 or less) of a turn by the distance of its axis from the grabbed point; 0 for slides. */
+float dmi_lever_arm_log_prior(const dmi_grasp* grasp, const dm_joint* joint);
+/* Makes a hypothesis from a joint; log_odds: of the joint, before the grabbed point is taken into account. */
+dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_grasp* grasp, const dm_joint* joint, float log_odds,
+                                               bool range_unknown);
+/* Whether two joints are so alike that no pull tells them apart. size: of the part. */
+bool dmi_joints_alike(const dm_joint* a, const dm_joint* b, float size);
 
-/* Where the pull may take a joint that the library found: a stop at rest is a stop, but how far a part opens was only
- * estimated. Infinite without limits. */
-void dmi_hypothesis_tracker_limits(const dm_joint* joint, dmi_give give, float* out_lower, float* out_upper);
-/* Where a rival may be, on either side of rest as long as it has not gone out on one. */
-void dmi_joint_hypothesis_range(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float* out_lower, float* out_upper);
-/* What a stop holds back tells nothing of the joint. */
-int dmi_joint_hypothesis_is_held(const dmi_joint_hypothesis* rival, float wish);
+/* Computes the range that a pull may take an inferred joint to: a stop at rest holds, the far limit was estimated and
+ * may be exceeded by `limit_give`. Infinite without limits. */
+void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give, float* out_lower, float* out_upper);
+/* The same for a hypothesis, which may go to either side of rest until its side is decided. */
+void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
+                                float* out_upper);
+/* Whether the stop at rest holds the part at `pointer_value`; such a ray carries no information on the joint. */
+bool dmi_joint_hypothesis_is_at_stop(const dmi_joint_hypothesis* hypothesis, float pointer_value);
 
-/* Log likelihood of a pull that a rival misses by so much, and of the side of rest that it goes to. */
-float dmi_joint_hypothesis_explains(const dmi_hold* hold, const dmi_joint_hypothesis* rival, float off);
-float dmi_joint_hypothesis_side_cost(const dmi_joint_hypothesis* rival, float side);
-/* How far off a hand is anyway, by now. */
-float dmi_hand_off(const dmi_hold* hold);
+/* Returns the log likelihood of a pull with this largest residual. */
+float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
+                                          float residual);
+/* Returns the log prior of the side of rest that the pull goes to. */
+float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float side);
+/* Returns the residual that the right joint has with an unsteady pointer, host units. */
+float dmi_expected_residual(const dmi_grasp* grasp);
 
-/* Follows one more ray, and weighs what it misses. */
-void dmi_joint_hypothesis_weigh(const dmi_hold* hold, dmi_joint_hypothesis* rival, const dm_ray* ray);
-/* The same of the one in force, which asks for `wish` on its side of rest: it is followed already. */
-void dmi_joint_hypothesis_weigh_best(const dmi_hold* hold, dmi_joint_hypothesis* best, float wish, const dm_ray* ray);
-/* Gives the joint the side of rest that the pull goes to; 1: it had the other. */
-int dmi_joint_hypothesis_take_side(dmi_joint_hypothesis* rival, float size);
+/* Follows one more ray and updates residual and posterior. */
+void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray);
+/* The same for the active hypothesis, which already follows the ray at `pointer_value` on its side of rest. */
+void dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
+                                        const dm_ray* ray);
+/* Gives the joint the side of rest that the pull goes to; true: it had the other. */
+bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float size);
 
 #endif

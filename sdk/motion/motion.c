@@ -1,17 +1,18 @@
-/* A motion: path in, key values out of the network's poses, value and pose at any time. */
+/* Drag paths for the network, projection of its poses onto the joint, and interpolation of the key values. */
 #include "motion/motion.h"
 
 #include <math.h>
 #include <string.h>
 
-#define ONE_TURN 6.28318530717958647692f
-#define HALF_OBJECT 0.5f /* inner units: the object's largest side is 1 */
+#include "math/constants.h"
+
+#define HALF_OBJECT 0.5f /* inner units, the object's largest side is 1: default travel of a slide without limits */
 #define LAST (DM_MOTION_FRAMES - 1)
 
-/* The value at the end of the joint in the direction of `sign`. */
+/* Returns the value at the end of the joint in the direction of `sign`. */
 static float far_end(const dm_joint* joint, float sign) {
     if (dmi_joint_has_limits(joint)) return sign < 0 ? joint->lower : joint->upper;
-    return sign * (dmi_joint_turns(joint->type) ? ONE_TURN : HALF_OBJECT);
+    return sign * (dmi_joint_turns(joint->type) ? DMI_TWO_PI_F : HALF_OBJECT);
 }
 
 void dmi_motion_default_path(const dm_joint* joint, const float drag_point[3], const float drag_vector[3],
@@ -22,8 +23,8 @@ void dmi_motion_default_path(const dm_joint* joint, const float drag_point[3], c
     const float end = far_end(joint, along < 0 ? -1.0f : 1.0f);
     for (int i = 0; i < DMI_VAE_PATH; i++) {
         const float s = (float)i / (DMI_VAE_PATH - 1);
-        const float pace = s * s * s * (10 - 15 * s + 6 * s * s); /* minimum jerk: Flash and Hogan 1985 */
-        dm_pose pose = dmi_joint_pose(joint, end * pace);
+        const float progress = s * s * s * (10 - 15 * s + 6 * s * s); /* minimum jerk: Flash and Hogan 1985 */
+        dm_pose pose = dmi_joint_pose(joint, end * progress);
         dmi_pose_apply(&pose, drag_point, out_path[i]);
     }
 }
@@ -32,7 +33,7 @@ void dmi_motion_resample_path(const float (*path)[3], uint32_t count, float out_
     memset(out_path, 0, sizeof(float[DMI_VAE_PATH][3]));
     if (count == 0) return;
     for (uint32_t i = 0; i < DMI_VAE_PATH; i++) {
-        /* In whole numbers: the ends are the path's own points exactly, however long it is. */
+        /* Integer arithmetic, so that the ends are exactly the path's own points however long it is. */
         const uint64_t place = (uint64_t)i * (count - 1), before = place / (DMI_VAE_PATH - 1);
         const uint64_t after = before + 1 < count ? before + 1 : before;
         const float share = (float)(place % (DMI_VAE_PATH - 1)) / (DMI_VAE_PATH - 1);
@@ -56,12 +57,13 @@ void dmi_motion_project(const dm_joint* joint, const float raw[DM_MOTION_FRAMES]
     out_values[0] = 0;
 }
 
-/* Slope at a key between two secants: their harmonic mean, 0 at a turning point (Fritsch and Butland 1984). */
+/* Returns the slope at a key between two secants: their harmonic mean, 0 at an extremum (Fritsch and Butland 1984). */
 static float inner_slope(float before, float after) {
     return before * after > 0 ? 2 * before * after / (before + after) : 0;
 }
 
-/* Slope at the first or last key: of the parabola through three keys, held where that would overshoot. */
+/* Returns the slope at the first or last key: that of the parabola through three keys, limited to three times the
+ * nearest secant (Fritsch and Carlson 1980). */
 static float end_slope(float nearest, float next) {
     const float slope = 0.5f * (3 * nearest - next);
     if (slope * nearest <= 0) return 0;

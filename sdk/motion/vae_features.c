@@ -1,33 +1,24 @@
-/* What the DQ-VAE reads of a drag and a joint, without any weights (docs/networks.md, "Features of a query"). */
+/* Input features of the DQ-VAE from a drag and a joint (docs/networks.md, "Features of a query"). */
 #include "motion/dq_vae.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
+#include "math/constants.h"
 #include "math/joint.h"
+#include "math/linear3.h"
+#include "math/vec3.h"
 
-#define TWO_PI 6.28318530717958647692f
-#define SCALAR_LIMIT 4.0f
-
-static float dot(const float a[3], const float b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void subtract(const float a[3], const float b[3], float out[3]) {
-    for (int i = 0; i < 3; ++i) out[i] = a[i] - b[i];
-}
-
-static void cross(const float a[3], const float b[3], float out[3]) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
+#define SCALAR_LIMIT 4.0f /* bound of the joint's scalars, as trained (docs/networks.md) */
+#define MIN_TORQUE 1e-8f  /* length of lever x drag below which there is no direction, as trained */
+#define CHORD_STEP 5      /* path points between two chords, as trained */
 
 static float clamp_scalar(float value) {
     return fminf(fmaxf(value, -SCALAR_LIMIT), SCALAR_LIMIT);
 }
 
-/* A point about the joint's axis: how high along it, and the arm at a right angle to it. */
+/* Cylindrical coordinates of a point about the joint's axis: height along it and the lever arm. */
 typedef struct arm {
     float height, length;
     float across[3];
@@ -36,44 +27,45 @@ typedef struct arm {
 static arm arm_of(const float point[3], const float axis[3], const float origin[3]) {
     arm result;
     float offset[3];
-    subtract(point, origin, offset);
-    result.height = dot(offset, axis);
-    for (int i = 0; i < 3; ++i) result.across[i] = offset[i] - result.height * axis[i];
-    result.length = sqrtf(dot(result.across, result.across));
+    dmi_sub3(point, origin, offset);
+    result.height = dmi_dot3(offset, axis);
+    for (int i = 0; i < 3; i++) result.across[i] = offset[i] - result.height * axis[i];
+    result.length = sqrtf(dmi_dot3(result.across, result.across));
     return result;
 }
 
-/* The angle about the axis from one arm to the other, the turn nearest to `near`; `near` itself from or to the axis. */
+/* Returns the angle about the axis from one arm to the other, of the turns the nearest to `near`; `near` itself for a
+ * point on the axis. */
 static float angle_between(const arm* from, const arm* to, const float axis[3], float near) {
     float normal[3];
-    cross(from->across, to->across, normal);
-    const float sine = dot(normal, axis), cosine = dot(from->across, to->across);
+    dmi_cross3(from->across, to->across, normal);
+    const float sine = dmi_dot3(normal, axis), cosine = dmi_dot3(from->across, to->across);
     if (sine == 0.0f && cosine == 0.0f) return near;
     const float angle = atan2f(sine, cosine);
-    return angle + TWO_PI * roundf((near - angle) / TWO_PI);
+    return angle + DMI_TWO_PI_F * roundf((near - angle) / DMI_TWO_PI_F);
 }
 
-/* path[i] = P_i - p, the joint value that brings p nearest to P_i, and how far from P_i that leaves it. A turn keeps
- * the arm's length and (but for a screw's advance) its height, so what is left is the difference of both. */
+/* path[i] = P_i - p, the joint value that brings p nearest to P_i, and the residual distance. A turn keeps the arm's
+ * length and (except for a screw's advance) its height, so the residual is the difference of both. */
 static void make_path(const dmi_vae_query* query, const float axis[3], const float origin[3],
                       float out_path[DMI_VAE_PATH][5]) {
-    const int turns = dmi_joint_turns(query->joint.type), slides = query->joint.type == DM_JOINT_PRISMATIC;
+    const bool turns = dmi_joint_turns(query->joint.type), slides = query->joint.type == DM_JOINT_PRISMATIC;
     const float pitch = query->joint.type == DM_JOINT_SCREW ? query->joint.pitch : 0.0f;
     const arm start = arm_of(query->drag_point, axis, origin);
     float value = 0.0f;
-    for (int i = 0; i < DMI_VAE_PATH; ++i) {
+    for (int i = 0; i < DMI_VAE_PATH; i++) {
         float step[3];
         const arm end = arm_of(query->path[i], axis, origin);
-        subtract(query->path[i], query->drag_point, step);
-        float residual = sqrtf(dot(step, step));
+        dmi_sub3(query->path[i], query->drag_point, step);
+        float residual = sqrtf(dmi_dot3(step, step));
         if (turns) {
             value = angle_between(&start, &end, axis, value);
             residual = hypotf(end.length - start.length, end.height - start.height - pitch * value);
         } else if (slides) {
-            value = dot(step, axis);
+            value = dmi_dot3(step, axis);
             float rest[3];
-            for (int c = 0; c < 3; ++c) rest[c] = step[c] - value * axis[c];
-            residual = sqrtf(dot(rest, rest));
+            for (int c = 0; c < 3; c++) rest[c] = step[c] - value * axis[c];
+            residual = sqrtf(dmi_dot3(rest, rest));
         }
         memcpy(out_path[i], step, sizeof step);
         out_path[i][3] = value;
@@ -82,7 +74,7 @@ static void make_path(const dmi_vae_query* query, const float axis[3], const flo
 }
 
 static void make_scalars(const dm_joint* joint, float out[3]) {
-    const int endless = joint->type == DM_JOINT_CONTINUOUS;
+    const bool endless = joint->type == DM_JOINT_CONTINUOUS;
     out[0] = endless ? 0.0f : clamp_scalar(joint->pitch);
     out[1] = endless ? 0.0f : clamp_scalar(joint->lower);
     out[2] = endless ? 0.0f : clamp_scalar(joint->upper);
@@ -90,44 +82,45 @@ static void make_scalars(const dm_joint* joint, float out[3]) {
 
 static void make_direction(const dmi_vae_query* query, const float origin[3], float out[3]) {
     float lever[3];
-    subtract(query->drag_point, origin, lever);
-    cross(lever, query->drag_vector, out);
-    const float length = sqrtf(dot(out, out));
-    for (int i = 0; i < 3; ++i) out[i] = length < 1e-8f ? 0.0f : out[i] / length;
+    dmi_sub3(query->drag_point, origin, lever);
+    dmi_cross3(lever, query->drag_vector, out);
+    const float length = sqrtf(dmi_dot3(out, out));
+    for (int i = 0; i < 3; i++) out[i] = length < MIN_TORQUE ? 0.0f : out[i] / length;
 }
 
 static float path_length(const float path[DMI_VAE_PATH][3]) {
     float length = 0.0f, step[3];
-    for (int i = 1; i < DMI_VAE_PATH; ++i) {
-        subtract(path[i], path[i - 1], step);
-        length += sqrtf(dot(step, step));
+    for (int i = 1; i < DMI_VAE_PATH; i++) {
+        dmi_sub3(path[i], path[i - 1], step);
+        length += sqrtf(dmi_dot3(step, step));
     }
     return length;
 }
 
 void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_features) {
-    const dm_vec3 a = query->joint.axis, o = query->joint.origin;
-    const float axis[3] = {a.x, a.y, a.z}, origin[3] = {o.x, o.y, o.z};
-    const float whole = (float)DMI_VAE_PATH / (DMI_VAE_PATH - 1);
+    const dmi_float3 axis = dmi_xyz(query->joint.axis), origin = dmi_xyz(query->joint.origin);
+    const float points_over_steps = (float)DMI_VAE_PATH / (DMI_VAE_PATH - 1);
     make_scalars(&query->joint, out_features->joint_scalars);
-    make_direction(query, origin, out_features->rotation_direction);
-    subtract(query->path[DMI_VAE_PATH - 1], query->path[0], out_features->mean_velocity);
-    for (int i = 0; i < 3; ++i) out_features->mean_velocity[i] *= whole;
-    for (size_t i = 0; i < 3; ++i) subtract(query->path[5 * (i + 1)], query->path[0], &out_features->chords[3 * i]);
-    make_path(query, axis, origin, out_features->path);
+    make_direction(query, origin.v, out_features->rotation_direction);
+    dmi_sub3(query->path[DMI_VAE_PATH - 1], query->path[0], out_features->mean_velocity);
+    for (int i = 0; i < 3; i++) out_features->mean_velocity[i] *= points_over_steps;
+    for (size_t i = 0; i < 3; i++)
+        dmi_sub3(query->path[CHORD_STEP * (i + 1)], query->path[0], &out_features->chords[3 * i]);
+    make_path(query, axis.v, origin.v, out_features->path);
     out_features->amplitude[0] = out_features->path[DMI_VAE_PATH - 1][3];
     out_features->amplitude[1] = path_length(query->path);
 }
 
 void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object) {
     const size_t step = DMI_CLOUD_POINTS / DMI_VAE_POINTS;
-    for (size_t i = 0; i < DMI_VAE_POINTS; ++i) {
+    for (size_t i = 0; i < DMI_VAE_POINTS; i++) {
         memcpy(out_object->xyz[i], cloud->xyz[i * step], sizeof out_object->xyz[i]);
         out_object->mask[i] = i * step < DMI_CLOUD_PART ? 1.0f : 0.0f;
     }
 }
 
-/* Distances of points are never negative, so their bits order as they do; the index breaks ties. */
+/* Returns a key that sorts by distance, then by index: the bits of non-negative floats have the order of their values.
+ */
 static uint64_t sort_key(float squared_distance, uint32_t index) {
     uint32_t bits;
     memcpy(&bits, &squared_distance, sizeof bits);
@@ -137,14 +130,14 @@ static uint64_t sort_key(float squared_distance, uint32_t index) {
 void dmi_vae_neighbours(const dmi_vae_object* object, const float centre[3], uint32_t out_indices[DMI_VAE_NEIGHBOURS]) {
     uint64_t nearest[DMI_VAE_NEIGHBOURS]; /* ascending */
     uint32_t count = 0;
-    for (uint32_t i = 0; i < DMI_VAE_POINTS; ++i) {
+    for (uint32_t i = 0; i < DMI_VAE_POINTS; i++) {
         float offset[3];
-        subtract(object->xyz[i], centre, offset);
-        const uint64_t key = sort_key(dot(offset, offset), i);
+        dmi_sub3(object->xyz[i], centre, offset);
+        const uint64_t key = sort_key(dmi_dot3(offset, offset), i);
         if (count == DMI_VAE_NEIGHBOURS && key >= nearest[count - 1]) continue;
         uint32_t place = count < DMI_VAE_NEIGHBOURS ? count++ : count - 1;
-        for (; place > 0 && nearest[place - 1] > key; --place) nearest[place] = nearest[place - 1];
+        for (; place > 0 && nearest[place - 1] > key; place--) nearest[place] = nearest[place - 1];
         nearest[place] = key;
     }
-    for (uint32_t i = 0; i < DMI_VAE_NEIGHBOURS; ++i) out_indices[i] = (uint32_t)nearest[i];
+    for (uint32_t i = 0; i < DMI_VAE_NEIGHBOURS; i++) out_indices[i] = (uint32_t)nearest[i];
 }

@@ -1,4 +1,4 @@
-/* Matrix product on weights packed once: y = act(x W^T + b), one kernel an instruction set.
+/* Matrix product on packed weights: y = act(x W^T + b), one kernel for each instruction set.
  *
  * A panel holds 16 outputs: panel p, element [k][j] is W[16 p + j][k]; outputs past the last are zero. */
 #ifndef DMI_NN_GEMM_H
@@ -7,8 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define DMI_PANEL 16
-#define DMI_ROW_ALIGNMENT 64 /* bytes: a cache line, and the widest register */
+#define DMI_PANEL 16 /* outputs of a panel: one register of AVX-512, two of AVX2, four of NEON */
 
 enum {
     DMI_GEMM_RELU = 1, /* y = max(0, …) */
@@ -38,12 +37,12 @@ static inline uint32_t dmi_padded_columns(uint32_t columns) {
     return (columns + DMI_PANEL - 1) / DMI_PANEL * DMI_PANEL;
 }
 
-/* Floats that `columns` outputs of `depth` inputs take when packed. */
+/* Returns the floats that `columns` outputs of `depth` inputs take when packed. */
 static inline size_t dmi_panels_size(uint32_t columns, uint32_t depth) {
     return (size_t)dmi_padded_columns(columns) * depth;
 }
 
-/* element(output j, input k) = source[j * output_stride + k * input_stride]. */
+/* Packs a matrix: element(output j, input k) = source[j * output_stride + k * input_stride]. */
 void dmi_panels_pack(const float* source, size_t output_stride, size_t input_stride, uint32_t columns, uint32_t depth,
                      float* out_panels);
 

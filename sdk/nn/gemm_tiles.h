@@ -1,9 +1,9 @@
-/* What the kernels with tiles of sums in registers (gemm_avx2.c, gemm_avx512.c, gemm_neon.c) share: the walk over rows
- * and panels. For them alone: they define
+/* Loops over rows and panels, shared by the kernels that keep tiles of sums in registers (gemm_avx2.c, gemm_avx512.c,
+ * gemm_neon.c). They define
  *   TARGET       the attributes of a function of their instruction set
  *   TILE_ROWS    most rows of a tile: 6 or 8
  *   TILE_PANELS  panels of a tile of many rows: 1 or 2
- *   ROW_PANELS   panels of a tile when there is but one row: enough independent sums to hide the latency of FMA
+ *   ROW_PANELS   panels of a tile when there is only one row: enough independent sums to hide the latency of FMA
  * before they include it, and `tile` after. */
 #ifndef DMI_NN_GEMM_TILES_H
 #define DMI_NN_GEMM_TILES_H
@@ -13,26 +13,26 @@
 #define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
 #define TILE (TILE_ROWS * TILE_PANELS) /* most rows x panels of a tile */
 
-/* The start of the sums when there is no bias. */
+/* Start of the sums without a bias. */
 static const float zeros[ROW_PANELS * DMI_PANEL];
 
-/* The end of a tile whose last panel is not full, where an instruction set can't store a part of a register. */
+/* Stores a tile whose last panel is not full, for instruction sets without masked stores. */
 TARGET static inline void store_part(const dmi_gemm* gemm, float* y, size_t columns, const float (*sums)[DMI_PANEL],
                                      size_t rows, size_t panels) {
-    for (size_t r = 0; r < rows; ++r, y += gemm->y_stride, sums += panels)
-        for (size_t j = 0; j < columns; ++j) {
+    for (size_t r = 0; r < rows; r++, y += gemm->y_stride, sums += panels)
+        for (size_t j = 0; j < columns; j++) {
             const float sum = sums[j / DMI_PANEL][j % DMI_PANEL];
             y[j] = gemm->flags & DMI_GEMM_ADD ? y[j] + sum : sum;
         }
 }
 
-/* Rows row.. of the panels first..; `rows` and `panels` are constants where it is inlined. */
+/* Computes rows row.. of the panels first..; `rows` and `panels` are constants where it is inlined. */
 TARGET_INLINE void tile(const dmi_gemm* gemm, size_t row, size_t first, const size_t rows, const size_t panels);
 
-/* All rows for the panels from `first` on, in tiles as even as can be: 16 rows are 6 + 5 + 5. */
+/* Computes all rows for the panels from `first` on, in tiles of nearly equal size: 16 rows are 6 + 5 + 5. */
 TARGET_INLINE void panel_rows(const dmi_gemm* gemm, size_t first, const size_t panels) {
     uint32_t row = 0;
-    for (uint32_t tiles = (gemm->rows + TILE_ROWS - 1) / TILE_ROWS; tiles > 0; --tiles) {
+    for (uint32_t tiles = (gemm->rows + TILE_ROWS - 1) / TILE_ROWS; tiles > 0; tiles--) {
         const uint32_t rows = (gemm->rows - row + tiles - 1) / tiles;
         switch (rows) {
 #if TILE_ROWS == 8
@@ -74,7 +74,7 @@ TARGET static void one_row(const dmi_gemm* gemm) {
     for (; first < gemm->columns; first += DMI_PANEL) tile(gemm, 0, first, 1, 1);
 }
 
-/* The whole product. */
+/* Computes the whole product. */
 TARGET_INLINE void all_tiles(const dmi_gemm* gemm) {
     uint32_t first = 0;
     if (gemm->rows == 1) {

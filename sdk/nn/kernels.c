@@ -1,5 +1,7 @@
-/* Chooses kernels by instruction set. */
+/* Selects kernels by instruction set. */
 #include "nn/kernels.h"
+
+#include <stdbool.h>
 
 const dmi_kernels* dmi_kernels_for(dmi_isa isa) {
 #if defined(__x86_64__)
@@ -12,9 +14,9 @@ const dmi_kernels* dmi_kernels_for(dmi_isa isa) {
     return &dmi_kernels_scalar;
 }
 
-int dmi_kernels_usable(dmi_isa isa) {
-    if (isa == DMI_ISA_SCALAR) return 1;
+bool dmi_kernels_usable(dmi_isa isa) {
+    if (isa == DMI_ISA_SCALAR) return true;
     const dmi_isa best = dmi_cpu_best_isa();
-    const int offered = isa == best || (isa == DMI_ISA_AVX2 && best == DMI_ISA_AVX512);
+    const bool offered = isa == best || (isa == DMI_ISA_AVX2 && best == DMI_ISA_AVX512);
     return offered && dmi_kernels_for(isa) != &dmi_kernels_scalar;
 }

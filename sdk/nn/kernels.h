@@ -1,6 +1,8 @@
-/* The numeric kernels of one instruction set, and which sets this machine can run. */
+/* The numeric kernels of each instruction set, and which sets this machine runs. */
 #ifndef DMI_NN_KERNELS_H
 #define DMI_NN_KERNELS_H
+
+#include <stdbool.h>
 
 #include "base/cpu.h"
 #include "nn/gemm.h"
@@ -17,7 +19,7 @@ typedef struct dmi_kernels {
     void (*gate)(const float* x, uint32_t count, float* y);
     /* x = x scale + shift, column by column (FiLM). */
     void (*modulate)(float* x, uint32_t rows, uint32_t columns, const float* scale, const float* shift);
-    /* Of every column. */
+    /* Maximum and mean of every column. */
     void (*max_rows)(const float* x, uint32_t rows, uint32_t columns, float* out);
     void (*mean_rows)(const float* x, uint32_t rows, uint32_t columns, float* out);
 } dmi_kernels;
@@ -29,9 +31,9 @@ extern const dmi_kernels dmi_kernels_avx2, dmi_kernels_avx512;
 extern const dmi_kernels dmi_kernels_neon;
 #endif
 
-/* The scalar ones for a set this build has no kernels for. */
+/* Returns the kernels of a set; the scalar ones for a set that this build has none for. */
 const dmi_kernels* dmi_kernels_for(dmi_isa isa);
-/* Whether this build has own kernels for the set and this processor runs them. */
-int dmi_kernels_usable(dmi_isa isa);
+/* Whether this build has kernels of its own for the set and this processor runs them. */
+bool dmi_kernels_usable(dmi_isa isa);
 
 #endif

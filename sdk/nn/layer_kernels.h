@@ -1,20 +1,22 @@
-/* Everything between matrix products, written once on vectors of LANES floats: each instruction set's file defines
- * LANES and TARGET (the attribute that lets the compiler use the set) and includes this. */
+/* The kernels other than the matrix product, written once on vectors of LANES floats. The file of each instruction set
+ * defines LANES and TARGET (the attribute that enables the set) and includes this. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "nn/kernels.h"
 
+#define NORM_EPSILON 1e-5f /* added to the variance; PyTorch's default, as trained */
+
 typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
 typedef int32_t int_lanes __attribute__((vector_size(LANES * sizeof(int32_t))));
 
-/* The end of a row: `count` < LANES numbers, then `filler`. Out of line: rows of whole vectors never come here. */
+/* Copies the end of a row: `count` < LANES numbers, then `filler`. Not inlined: rows of whole vectors never need it. */
 TARGET __attribute__((noinline)) static void copy_part(float* to, const float* from, uint32_t count, float filler) {
-    for (uint32_t i = 0; i < LANES; ++i) to[i] = i < count ? from[i] : filler;
+    for (uint32_t i = 0; i < LANES; i++) to[i] = i < count ? from[i] : filler;
 }
 
-/* `count` numbers, LANES of them at most. */
+/* Loads `count` numbers, at most LANES of them. */
 TARGET static inline lanes load(const float* p, uint32_t count, float filler) {
     float part[LANES];
     lanes value;
@@ -31,7 +33,7 @@ TARGET static inline void store(float* p, uint32_t count, lanes value) {
         memcpy(p, &value, sizeof value);
         return;
     }
-    for (uint32_t i = 0; i < count; ++i) p[i] = value[i];
+    for (uint32_t i = 0; i < count; i++) p[i] = value[i];
 }
 
 TARGET static inline lanes select(int_lanes mask, lanes yes, lanes no) {
@@ -44,23 +46,23 @@ TARGET static inline lanes larger(lanes a, lanes b) {
 
 TARGET static inline float sum_of(lanes value) {
     for (int half = LANES / 2; half > 0; half /= 2)
-        for (int i = 0; i < half; ++i) value[i] += value[i + half];
+        for (int i = 0; i < half; i++) value[i] += value[i + half];
     return value[0];
 }
 
 TARGET static inline float max_of(lanes value) {
     float best = value[0];
-    for (int i = 1; i < LANES; ++i) best = value[i] > best ? value[i] : best;
+    for (int i = 1; i < LANES; i++) best = value[i] > best ? value[i] : best;
     return best;
 }
 
-/* e^x to 2 units in the last place, x clamped to where the result is a normal number (Cephes' expf):
- * x = n ln 2 + r, |r| <= ln 2 / 2; a polynomial gives e^r, the exponent bits 2^n. */
+/* Returns e^x to 2 units in the last place, x clamped to where the result is a normal number. Algorithm and
+ * coefficients of Cephes' expf: x = n ln 2 + r, |r| <= ln 2 / 2; a polynomial gives e^r, the exponent bits 2^n. */
 TARGET static inline lanes exponential(lanes x) {
     const float rounder = 12582912.0f; /* 1.5 * 2^23: adding it rounds to a whole number, held in the low bits */
     x = select(x < -87.0f, -87.0f - (lanes){0}, x);
     x = select(x > 88.0f, 88.0f - (lanes){0}, x);
-    const lanes shifted = x * 1.44269504f + rounder;
+    const lanes shifted = x * 1.44269504f + rounder; /* 1 / ln 2 */
     const lanes n = shifted - rounder;
     const lanes r = (x - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 in two parts, the first exact in 10 bits */
     lanes p = r * 1.9875691500e-4f + 1.3981999507e-3f;
@@ -74,7 +76,7 @@ TARGET static inline lanes exponential(lanes x) {
 
 TARGET static void layer_norm(const float* x, uint32_t rows, uint32_t columns, const float* weight, const float* bias,
                               float* y) {
-    for (uint32_t r = 0; r < rows; ++r, x += columns, y += columns) {
+    for (uint32_t r = 0; r < rows; r++, x += columns, y += columns) {
         lanes sum = {0}, squares = {0};
         for (uint32_t c = 0; c < columns; c += LANES) sum += load(x + c, columns - c, 0.0f);
         const float mean = sum_of(sum) / (float)columns;
@@ -82,7 +84,7 @@ TARGET static void layer_norm(const float* x, uint32_t rows, uint32_t columns, c
             const lanes offset = load(x + c, columns - c, mean) - mean;
             squares += offset * offset;
         }
-        const float scale = 1.0f / sqrtf(sum_of(squares) / (float)columns + 1e-5f);
+        const float scale = 1.0f / sqrtf(sum_of(squares) / (float)columns + NORM_EPSILON);
         for (uint32_t c = 0; c < columns; c += LANES) {
             const lanes normal = (load(x + c, columns - c, mean) - mean) * scale;
             store(y + c, columns - c, normal * load(weight + c, columns - c, 0.0f) + load(bias + c, columns - c, 0.0f));
@@ -91,14 +93,14 @@ TARGET static void layer_norm(const float* x, uint32_t rows, uint32_t columns, c
 }
 
 TARGET static void softmax(float* x, uint32_t rows, uint32_t columns) {
-    for (uint32_t r = 0; r < rows; ++r, x += columns) {
+    for (uint32_t r = 0; r < rows; r++, x += columns) {
         lanes best = load(x, columns, -FLT_MAX), sum = {0};
         for (uint32_t c = LANES; c < columns; c += LANES) best = larger(load(x + c, columns - c, -FLT_MAX), best);
         const float top = max_of(best);
         for (uint32_t c = 0; c < columns; c += LANES) {
             const lanes value = exponential(load(x + c, columns - c, -FLT_MAX) - top);
             store(x + c, columns - c, value);
-            sum += value; /* places past the last add e^-87 each: nothing */
+            sum += value; /* lanes past the end add e^-87 each, below rounding */
         }
         const float scale = 1.0f / sum_of(sum);
         for (uint32_t c = 0; c < columns; c += LANES) store(x + c, columns - c, load(x + c, columns - c, 0.0f) * scale);
@@ -111,7 +113,7 @@ TARGET static void gate(const float* x, uint32_t count, float* y) {
 }
 
 TARGET static void modulate(float* x, uint32_t rows, uint32_t columns, const float* scale, const float* shift) {
-    for (uint32_t r = 0; r < rows; ++r, x += columns)
+    for (uint32_t r = 0; r < rows; r++, x += columns)
         for (uint32_t c = 0; c < columns; c += LANES)
             store(x + c, columns - c,
                   load(x + c, columns - c, 0.0f) * load(scale + c, columns - c, 0.0f) +
@@ -121,7 +123,7 @@ TARGET static void modulate(float* x, uint32_t rows, uint32_t columns, const flo
 TARGET static void max_rows(const float* x, uint32_t rows, uint32_t columns, float* out) {
     for (uint32_t c = 0; c < columns; c += LANES) {
         lanes best = load(x + c, columns - c, 0.0f);
-        for (uint32_t r = 1; r < rows; ++r) best = larger(load(x + (size_t)r * columns + c, columns - c, 0.0f), best);
+        for (uint32_t r = 1; r < rows; r++) best = larger(load(x + (size_t)r * columns + c, columns - c, 0.0f), best);
         store(out + c, columns - c, best);
     }
 }
@@ -129,7 +131,7 @@ TARGET static void max_rows(const float* x, uint32_t rows, uint32_t columns, flo
 TARGET static void mean_rows(const float* x, uint32_t rows, uint32_t columns, float* out) {
     for (uint32_t c = 0; c < columns; c += LANES) {
         lanes sum = {0};
-        for (uint32_t r = 0; r < rows; ++r) sum += load(x + (size_t)r * columns + c, columns - c, 0.0f);
+        for (uint32_t r = 0; r < rows; r++) sum += load(x + (size_t)r * columns + c, columns - c, 0.0f);
         store(out + c, columns - c, sum / (float)rows);
     }
 }

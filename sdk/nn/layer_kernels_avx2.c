@@ -1,4 +1,4 @@
-/* The kernels of AVX2; those of AVX-512 differ in the matrix product alone, where the time goes. */
+/* The kernels of AVX2. AVX-512 differs only in the matrix product, which takes most of the time. */
 #if defined(__x86_64__)
 #define LANES 8
 #define TARGET __attribute__((target("avx2,fma")))

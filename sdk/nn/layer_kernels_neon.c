@@ -1,4 +1,4 @@
-/* The kernels of NEON: its matrix product; all else is four lanes, which the compiler makes NEON of. */
+/* The kernels of NEON: its own matrix product; the rest is vectors of four lanes, which compile to NEON. */
 #if defined(__aarch64__)
 #define LANES 4
 #define TARGET

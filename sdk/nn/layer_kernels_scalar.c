@@ -1,4 +1,4 @@
-/* The kernels of machines without a wider set: four lanes, which every compiler knows how to split. */
+/* The kernels of machines without a wider set: vectors of four lanes, which compilers split where necessary. */
 #define LANES 4
 #define TARGET
 #include "nn/layer_kernels.h"

@@ -1,13 +1,13 @@
-/* Reading, packing and applying of plain layers. */
+/* Loads, packs and applies linear layers, perceptrons and normalisation. */
 #include "nn/layers.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define MAX_NAME 96
-#define FORMAT_VERSION 1
-#define BLOCK_SIZE ((size_t)64 * 1024)
+#define MAX_NAME 96                    /* bytes of a tensor name, docs/networks.md has shorter ones */
+#define FORMAT_VERSION 1               /* of the weight files, docs/networks.md */
+#define BLOCK_SIZE ((size_t)64 * 1024) /* bytes of an arena block; by hand */
 
 dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,
                            dmi_read_network* read, void* network, dmi_arena* keep) {
@@ -32,7 +32,7 @@ static void* fail(dmi_loader* loader, dm_result result) {
 static float* push(dmi_loader* loader, dmi_arena* arena, size_t count) {
     if (loader->result != DM_OK) return NULL;
     float* memory = dmi_arena_push(arena, count * sizeof(float));
-    if (!memory) {
+    if (memory == NULL) {
         dmi_fail(loader->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for %zu numbers", count);
         return fail(loader, DM_ERROR_OUT_OF_MEMORY);
     }
@@ -52,9 +52,9 @@ float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint
     const size_t count = (size_t)rows * (cols ? cols : 1);
     if (loader->result != DM_OK) return NULL;
     float* tensor = push(loader, loader->spare, count);
-    if (!tensor) return NULL;
+    if (tensor == NULL) return NULL;
     if (!dmi_weights_read(loader->weights, name, rows, cols, tensor)) return fail(loader, DM_ERROR_BAD_DATA);
-    for (size_t i = 0; i < count; ++i)
+    for (size_t i = 0; i < count; i++)
         if (!isfinite(tensor[i])) {
             dmi_fail(loader->env, DM_ERROR_BAD_DATA, "weights: number %zu of '%s' is not finite", i, name);
             return fail(loader, DM_ERROR_BAD_DATA);
@@ -71,11 +71,11 @@ float* dmi_load_part(dmi_loader* loader, const char* prefix, const char* suffix,
 void dmi_pack_linear(dmi_loader* loader, const float* weight, size_t stride, const float* bias, uint32_t inputs,
                      uint32_t outputs, dmi_linear* out_linear) {
     float* panels = dmi_load_alloc(loader, dmi_panels_size(outputs, inputs));
-    float* padded = bias ? dmi_load_alloc(loader, dmi_padded_columns(outputs)) : NULL;
+    float* padded = bias != NULL ? dmi_load_alloc(loader, dmi_padded_columns(outputs)) : NULL;
     *out_linear = (dmi_linear){panels, padded, inputs, outputs};
     if (loader->result != DM_OK) return;
     dmi_panels_pack(weight, stride, 1, outputs, inputs, panels);
-    if (bias) memcpy(padded, bias, outputs * sizeof(float));
+    if (bias != NULL) memcpy(padded, bias, outputs * sizeof(float));
 }
 
 void dmi_load_linear(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t outputs, dmi_linear* out_linear) {
@@ -95,7 +95,7 @@ void dmi_load_mlp(dmi_loader* loader, const char* name, uint32_t inputs, uint32_
 
 static const float* keep_vector(dmi_loader* loader, const float* vector, uint32_t count) {
     float* kept = dmi_load_alloc(loader, count);
-    if (kept) memcpy(kept, vector, count * sizeof(float));
+    if (kept != NULL) memcpy(kept, vector, count * sizeof(float));
     return kept;
 }
 

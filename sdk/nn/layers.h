@@ -1,4 +1,4 @@
-/* Layers as docs/networks.md names them: read from a file and packed once, then applied to rows of numbers. */
+/* Layers as docs/networks.md names them: loaded and packed once, then applied to rows of numbers. */
 #ifndef DMI_NN_LAYERS_H
 #define DMI_NN_LAYERS_H
 
@@ -23,25 +23,25 @@ typedef struct dmi_norm {
     uint32_t width;
 } dmi_norm;
 
-/* Reads layers; the first failure sticks in `result`, and from then on everything read is zero. */
+/* State of loading; the first failure stays in `result`, and everything loaded after it is zero. */
 typedef struct dmi_loader {
     dmi_env* env;
     const dmi_weights* weights;
-    dmi_arena* keep;  /* what the network holds for life */
-    dmi_arena* spare; /* what goes when loading ends */
+    dmi_arena* keep;  /* lives as long as the network */
+    dmi_arena* spare; /* released when loading ends */
     dm_result result;
 } dmi_loader;
 
-/* Opens the file, lets `read` load every layer of `network` from it, closes it. On a failure `keep` is empty again. */
+/* Opens the file, calls `read` to load every layer of `network`, and closes it. On failure `keep` is empty again. */
 typedef void dmi_read_network(dmi_loader* loader, void* network);
 dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,
                            dmi_read_network* read, void* network, dmi_arena* keep);
 
-/* A copy in `spare`, aligned, every number finite; NULL after a failure. cols 0: a vector. */
+/* Copies a tensor to `spare`, aligned, every number finite; NULL after a failure. cols 0: a vector. */
 float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols);
-/* `prefix` + `suffix` is the tensor's name. */
+/* The same for the tensor named `prefix` + `suffix`. */
 float* dmi_load_part(dmi_loader* loader, const char* prefix, const char* suffix, uint32_t rows, uint32_t cols);
-/* `count` numbers in `keep` or in `spare`, 64-byte aligned, zero; NULL after a failure. */
+/* Allocates `count` zeros in `keep` or in `spare`, 64-byte aligned; NULL after a failure. */
 float* dmi_load_alloc(dmi_loader* loader, size_t count);
 float* dmi_load_spare(dmi_loader* loader, size_t count);
 void dmi_load_linear(dmi_loader* loader, const char* name, uint32_t inputs, uint32_t outputs, dmi_linear* out_linear);
@@ -52,10 +52,10 @@ void dmi_load_norm(dmi_loader* loader, const char* name, uint32_t width, dmi_nor
 void dmi_pack_linear(dmi_loader* loader, const float* weight, size_t stride, const float* bias, uint32_t inputs,
                      uint32_t outputs, dmi_linear* out_linear);
 
-/* y = W x + b for `rows` rows, flags DMI_GEMM_*. Rows of x and y are as long as inputs and outputs. */
+/* Computes y = W x + b for `rows` rows, flags DMI_GEMM_*. Rows of x and y are as long as inputs and outputs. */
 void dmi_linear_apply(const dmi_linear* linear, const dmi_kernels* kernels, const float* x, uint32_t rows,
                       uint32_t flags, float* y);
-/* The hidden numbers go to `hidden`: rows x mlp->first.outputs. */
+/* Applies both layers; hidden: scratch of rows x mlp->first.outputs. */
 void dmi_mlp_apply(const dmi_mlp* mlp, const dmi_kernels* kernels, const float* x, uint32_t rows, uint32_t flags,
                    float* hidden, float* y);
 void dmi_norm_apply(const dmi_norm* norm, const dmi_kernels* kernels, const float* x, uint32_t rows, float* y);

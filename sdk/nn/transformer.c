@@ -1,26 +1,26 @@
-/* Transformer layer: attention is made of the same matrix product as the linear layers, on keys and values that are
- * packed like weights, head by head. */
+/* Transformer layer. Attention uses the matrix product of the linear layers, head by head, on keys and values that are
+ * packed like weights. */
 #include "nn/transformer.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#define MAX_NAME 96
+#define MAX_NAME 96     /* bytes of a tensor name */
 #define ALIGN_FLOATS 16 /* 64 bytes */
 
 static size_t aligned(size_t floats) {
     return (floats + ALIGN_FLOATS - 1) / ALIGN_FLOATS * ALIGN_FLOATS;
 }
 
-/* softmax(q k / sqrt(d)): the division is folded into the layer that makes q. */
+/* Loads q, k and v; the division of softmax(q k / sqrt(d)) is folded into q. */
 static void load_qkv(dmi_loader* loader, const char* name, uint32_t width, uint32_t heads, dmi_linear* out_qkv) {
     float* weight = dmi_load_part(loader, name, ".weight", 3 * width, width);
     float* bias = dmi_load_part(loader, name, ".bias", 3 * width, 0);
     if (loader->result != DM_OK) return;
     const uint32_t head = width / heads;
     const float scale = 1.0f / sqrtf((float)head);
-    for (size_t i = 0; i < (size_t)width * width; ++i) weight[i] *= scale;
-    for (uint32_t i = 0; i < width; ++i) bias[i] *= scale;
+    for (size_t i = 0; i < (size_t)width * width; i++) weight[i] *= scale;
+    for (uint32_t i = 0; i < width; i++) bias[i] *= scale;
     dmi_pack_linear(loader, weight, width, bias, width, 3 * width, out_qkv);
 }
 
@@ -42,7 +42,7 @@ void dmi_load_transformer(dmi_loader* loader, const char* name, uint32_t width, 
     dmi_load_linear(loader, part, hidden, width, &out_layer->ff2);
 }
 
-/* Where the pieces of the scratch lie. */
+/* Layout of the scratch. */
 typedef struct layout {
     size_t normal, wide, mixed, keys, values, scores, size; /* floats from its start */
 } layout;
@@ -63,7 +63,8 @@ size_t dmi_transformer_scratch(uint32_t tokens, uint32_t width, uint32_t heads, 
     return lay_out(tokens, width, heads, hidden).size;
 }
 
-/* One head: mixed = softmax(q k) v. q, k, v are slices of rows `stride` floats apart; so is `mixed`, `width` apart. */
+/* Computes one head: mixed = softmax(q k) v. q, k, v are slices of rows `stride` floats apart; so is `mixed`, `width`
+ * apart. */
 static void attend(const dmi_kernels* kernels, uint32_t tokens, uint32_t head, uint32_t width, const float* q,
                    float* scratch, const layout* at, float* mixed) {
     const size_t stride = 3 * (size_t)width;
@@ -96,7 +97,7 @@ void dmi_transformer_apply(const dmi_transformer* layer, const dmi_kernels* kern
     float *normal = scratch + at.normal, *wide = scratch + at.wide, *mixed = scratch + at.mixed;
     dmi_norm_apply(&layer->norm1, kernels, x, tokens, normal);
     dmi_linear_apply(&layer->qkv, kernels, normal, tokens, 0, wide);
-    for (size_t h = 0; h < layer->heads; ++h)
+    for (size_t h = 0; h < layer->heads; h++)
         attend(kernels, tokens, head, width, wide + h * head, scratch, &at, mixed + h * head);
     dmi_linear_apply(&layer->out, kernels, mixed, tokens, DMI_GEMM_ADD, x);
     dmi_norm_apply(&layer->norm2, kernels, x, tokens, normal);

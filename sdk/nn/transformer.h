@@ -13,7 +13,7 @@ typedef struct dmi_transformer {
 void dmi_load_transformer(dmi_loader* loader, const char* name, uint32_t width, uint32_t heads, uint32_t hidden,
                           dmi_transformer* out_layer);
 
-/* Floats of scratch that layers of at most these sizes need. */
+/* Returns the floats of scratch that layers of at most these sizes need. */
 size_t dmi_transformer_scratch(uint32_t tokens, uint32_t width, uint32_t heads, uint32_t hidden);
 
 /* x: tokens x width, in place. scratch: 64-byte aligned. */

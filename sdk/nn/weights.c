@@ -1,24 +1,24 @@
-/* Reads safetensors: 8 bytes header length, a JSON header, packed tensors. Nothing in the file is believed unchecked.
+/* Reads safetensors files: 8 bytes of header length, a JSON header, packed tensors. Everything in the file is checked.
  */
 #include "nn/weights.h"
 
 #include <cjson/cJSON.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define LENGTH_BYTES 8
-#define MAX_HEADER                                                                                                     \
-    ((size_t)1 << 20) /* ours need some 10 KB; bounds what a hostile file makes the JSON parser build                  \
-                       */
-#define MAX_TENSORS 4096
-#define MAX_DIMENSIONS 8
+#define LENGTH_BYTES 8 /* of the header length, as the format has it */
+/* Bytes of the header; by hand: ours have about 10 KB. Bounds what a malicious file makes the JSON parser allocate. */
+#define MAX_HEADER ((size_t)1 << 20)
+#define MAX_TENSORS 4096 /* by hand: ours have under 200 */
+#define MAX_DIMENSIONS 8 /* by hand: ours have 2 */
 
 typedef struct tensor {
     const char* name;  /* in the JSON tree */
     size_t begin, end; /* bytes, from the start of the tensors */
     uint32_t shape[MAX_DIMENSIONS];
     uint32_t dimensions;
-    int is_half; /* float16; else float32 */
+    bool is_half; /* float16; else float32 */
 } tensor;
 
 struct dmi_weights {
@@ -36,18 +36,18 @@ static dm_result parse_header(dmi_weights* weights, const unsigned char* data, s
     uint64_t length = 0;
     if (size < LENGTH_BYTES)
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: %zu bytes are no safetensors file", size);
-    for (int i = 0; i < LENGTH_BYTES; ++i) length |= (uint64_t)data[i] << (8 * i);
+    for (int i = 0; i < LENGTH_BYTES; i++) length |= (uint64_t)data[i] << (8 * i);
     if (length > size - LENGTH_BYTES || length > MAX_HEADER)
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: header length %llu in a file of %zu bytes",
                         (unsigned long long)length, size);
     char* text = dmi_alloc(weights->env, (size_t)length + 1, 1);
-    if (!text) return dmi_fail(weights->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for the header");
+    if (text == NULL) return dmi_fail(weights->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for the header");
     memcpy(text, data + LENGTH_BYTES, (size_t)length);
     text[length] = 0;
     const char* stop = NULL;
     weights->header = cJSON_ParseWithOpts(text, &stop, 0);
-    const int whole =
-        weights->header && cJSON_IsObject(weights->header) && stop + strspn(stop, " \t\r\n") == text + length;
+    const bool whole =
+        weights->header != NULL && cJSON_IsObject(weights->header) && stop + strspn(stop, " \t\r\n") == text + length;
     dmi_free(weights->env, text, (size_t)length + 1);
     if (!whole) return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: the header is not one JSON object");
     weights->tensors_data = data + LENGTH_BYTES + length;
@@ -55,26 +55,26 @@ static dm_result parse_header(dmi_weights* weights, const unsigned char* data, s
     return DM_OK;
 }
 
-/* A whole number in [0, limit]. */
-static int read_count(const cJSON* item, size_t limit, size_t* out) {
-    if (!cJSON_IsNumber(item) || !(item->valuedouble >= 0) || item->valuedouble > (double)limit) return 0;
+/* Reads a whole number in [0, limit]. */
+static bool read_count(const cJSON* item, size_t limit, size_t* out) {
+    if (!cJSON_IsNumber(item) || !(item->valuedouble >= 0) || item->valuedouble > (double)limit) return false;
     *out = (size_t)item->valuedouble;
     return (double)*out == item->valuedouble && *out <= limit;
 }
 
-/* Shape and its product in bytes; 0 when it is not one. */
-static int read_shape(const cJSON* shape, tensor* out, size_t limit, size_t* out_bytes) {
+/* Reads a shape and its size in bytes; false when it is not one. */
+static bool read_shape(const cJSON* shape, tensor* out, size_t limit, size_t* out_bytes) {
     size_t bytes = out->is_half ? sizeof(uint16_t) : sizeof(float);
-    if (!cJSON_IsArray(shape)) return 0;
-    for (const cJSON* item = shape->child; item; item = item->next) {
+    if (!cJSON_IsArray(shape)) return false;
+    for (const cJSON* item = shape->child; item != NULL; item = item->next) {
         size_t side = 0;
-        if (out->dimensions == MAX_DIMENSIONS || !read_count(item, UINT32_MAX, &side)) return 0;
-        if (side != 0 && bytes > limit / side) return 0;
+        if (out->dimensions == MAX_DIMENSIONS || !read_count(item, UINT32_MAX, &side)) return false;
+        if (side != 0 && bytes > limit / side) return false;
         bytes *= side;
         out->shape[out->dimensions++] = (uint32_t)side;
     }
     *out_bytes = bytes;
-    return 1;
+    return true;
 }
 
 static dm_result read_tensor(const dmi_weights* weights, const cJSON* item, tensor* out) {
@@ -89,7 +89,8 @@ static dm_result read_tensor(const dmi_weights* weights, const cJSON* item, tens
                         item->string);
     if (!read_shape(cJSON_GetObjectItemCaseSensitive(item, "shape"), out, weights->tensors_size, &bytes))
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: tensor '%s' has no usable shape", item->string);
-    if (!first || !first->next || first->next->next || !read_count(first, weights->tensors_size, &out->begin) ||
+    if (first == NULL || first->next == NULL || first->next->next != NULL ||
+        !read_count(first, weights->tensors_size, &out->begin) ||
         !read_count(first->next, weights->tensors_size, &out->end) || out->end < out->begin ||
         out->end - out->begin != bytes)
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: tensor '%s' has wrong data_offsets", item->string);
@@ -106,11 +107,11 @@ static int compare_name(const void* a, const void* b) {
     return strcmp(((const tensor*)a)->name, ((const tensor*)b)->name);
 }
 
-/* As the format asks: the tensors tile their bytes, without overlap or hole; names are unique. */
+/* Checks that the tensors fill their bytes without overlap or gap, and that names are unique. */
 static dm_result check_layout(dmi_weights* weights) {
     size_t end = 0;
     qsort(weights->tensors, weights->tensor_count, sizeof(tensor), compare_begin);
-    for (uint32_t i = 0; i < weights->tensor_count; ++i) {
+    for (uint32_t i = 0; i < weights->tensor_count; i++) {
         if (weights->tensors[i].begin != end)
             return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: tensor '%s' overlaps another or leaves a hole",
                             weights->tensors[i].name);
@@ -120,7 +121,7 @@ static dm_result check_layout(dmi_weights* weights) {
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: tensors take %zu of %zu bytes", end,
                         weights->tensors_size);
     qsort(weights->tensors, weights->tensor_count, sizeof(tensor), compare_name);
-    for (uint32_t i = 1; i < weights->tensor_count; ++i)
+    for (uint32_t i = 1; i < weights->tensor_count; i++)
         if (strcmp(weights->tensors[i - 1].name, weights->tensors[i].name) == 0)
             return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: two tensors named '%s'",
                             weights->tensors[i].name);
@@ -133,10 +134,11 @@ static dm_result read_tensors(dmi_weights* weights) {
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: %d tensors, more than %d", entries, MAX_TENSORS);
     weights->tensors_bytes = (size_t)entries * sizeof(tensor);
     weights->tensors = dmi_alloc(weights->env, weights->tensors_bytes, _Alignof(tensor));
-    if (!weights->tensors) return dmi_fail(weights->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for the index");
-    for (const cJSON* item = weights->header->child; item; item = item->next) {
+    if (weights->tensors == NULL)
+        return dmi_fail(weights->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for the index");
+    for (const cJSON* item = weights->header->child; item != NULL; item = item->next) {
         if (strcmp(item->string, "__metadata__") == 0) {
-            if (weights->metadata || !cJSON_IsObject(item))
+            if (weights->metadata != NULL || !cJSON_IsObject(item))
                 return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: __metadata__ is not one object");
             weights->metadata = item;
             continue;
@@ -151,14 +153,14 @@ static dm_result read_tensors(dmi_weights* weights) {
 static dm_result check_metadata(const dmi_weights* weights, const char* architecture, int max_version) {
     const char* found = dmi_weights_metadata(weights, "architecture");
     const char* version = dmi_weights_metadata(weights, "version");
-    if (!found || strcmp(found, architecture) != 0)
+    if (found == NULL || strcmp(found, architecture) != 0)
         return dmi_fail(weights->env, DM_ERROR_WRONG_MODEL, "weights: architecture '%.64s', expected '%s'",
-                        found ? found : "", architecture);
+                        found != NULL ? found : "", architecture);
     char* stop = NULL;
-    const long number = version ? strtol(version, &stop, 10) : 0;
-    if (!version || stop == version || *stop || number < 1)
+    const long number = version != NULL ? strtol(version, &stop, 10 /* decimal */) : 0;
+    if (version == NULL || stop == version || *stop || number < 1)
         return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: version '%.64s' is no number",
-                        version ? version : "");
+                        version != NULL ? version : "");
     if (number > max_version)
         return dmi_fail(weights->env, DM_ERROR_VERSION, "weights: version %ld, this library reads up to %d", number,
                         max_version);
@@ -168,7 +170,7 @@ static dm_result check_metadata(const dmi_weights* weights, const char* architec
 dm_result dmi_weights_open(dmi_env* env, const void* data, size_t size, const char* architecture, int max_version,
                            dmi_weights** out_weights) {
     dmi_weights* weights = dmi_alloc_zeroed(env, sizeof *weights, _Alignof(dmi_weights));
-    if (!weights) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory");
+    if (weights == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory");
     weights->env = env;
     dm_result result = parse_header(weights, data, size);
     if (result == DM_OK) result = read_tensors(weights);
@@ -182,35 +184,36 @@ dm_result dmi_weights_open(dmi_env* env, const void* data, size_t size, const ch
 }
 
 void dmi_weights_close(dmi_weights* weights) {
-    if (!weights) return;
+    if (weights == NULL) return;
     dmi_env* env = weights->env;
     cJSON_Delete(weights->header);
-    if (weights->tensors) dmi_free(env, weights->tensors, weights->tensors_bytes);
+    if (weights->tensors != NULL) dmi_free(env, weights->tensors, weights->tensors_bytes);
     dmi_free(env, weights, sizeof *weights);
 }
 
-/* IEEE 754 binary16 to binary32: exact, also for subnormals, infinities and NaN. */
+/* Converts IEEE 754 binary16 to binary32 exactly, with subnormals, infinities and NaN. */
 static float widen(uint16_t half) {
     const uint32_t sign = (uint32_t)(half & 0x8000u) << 16, exponent = half >> 10 & 0x1fu, fraction = half & 0x3ffu;
-    const uint32_t bias = exponent == 0x1f ? 0xe0 : 127 - 15;
+    const uint32_t bias = exponent == 0x1f ? 0xe0 : 127 - 15; /* 0x1f + 0xe0 = 0xff: infinity and NaN */
     const uint32_t bits = sign | (exponent + bias) << 23 | fraction << 13;
     float value;
     if (exponent == 0) {
-        value = (float)fraction * 0x1p-24f;
+        value = (float)fraction * 0x1p-24f; /* subnormal */
         return sign ? -value : value;
     }
     memcpy(&value, &bits, sizeof value);
     return value;
 }
 
-/* NULL, and a log line, when there is none of this shape. */
+/* Returns the tensor; NULL, and a log line, when there is none of this shape. */
 static const tensor* find_tensor(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols) {
     const tensor key = {.name = name};
     const tensor* found = weights->tensor_count == 0
                               ? NULL
                               : bsearch(&key, weights->tensors, weights->tensor_count, sizeof(tensor), compare_name);
     const uint32_t dimensions = cols ? 2 : 1;
-    if (!found || found->dimensions != dimensions || found->shape[0] != rows || (cols && found->shape[1] != cols)) {
+    if (found == NULL || found->dimensions != dimensions || found->shape[0] != rows ||
+        (cols && found->shape[1] != cols)) {
         dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: no tensor '%s' of %u x %u numbers", name, rows,
                  cols ? cols : 1);
         return NULL;
@@ -218,17 +221,17 @@ static const tensor* find_tensor(const dmi_weights* weights, const char* name, u
     return found;
 }
 
-int dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out) {
+bool dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out) {
     const tensor* found = find_tensor(weights, name, rows, cols);
-    if (!found) return 0;
+    if (found == NULL) return false;
     const unsigned char* data = weights->tensors_data + found->begin;
     if (!found->is_half) {
         memcpy(out, data, found->end - found->begin);
-        return 1;
+        return true;
     }
-    for (size_t i = 0; i < (found->end - found->begin) / 2; ++i)
+    for (size_t i = 0; i < (found->end - found->begin) / 2; i++)
         out[i] = widen((uint16_t)(data[2 * i] | data[2 * i + 1] << 8));
-    return 1;
+    return true;
 }
 
 const char* dmi_weights_metadata(const dmi_weights* weights, const char* key) {

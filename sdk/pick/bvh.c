@@ -1,4 +1,4 @@
-/* One bounding volume hierarchy a part, over vertices that all parts share. */
+/* Builds one bounding volume hierarchy for each part, over vertices that all parts share. */
 #include "pick/bvh.h"
 
 #include <math.h>
@@ -6,8 +6,7 @@
 
 #include "base/ids.h"
 
-#define ALIGNMENT 64
-#define POSITION_PADDING 16
+#define POSITION_PADDING 16 /* bytes that Embree may read at the last vertex */
 
 static size_t positions_size(const dmi_bvh* bvh) {
     return (size_t)bvh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;
@@ -26,7 +25,7 @@ int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id) {
 
 static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh) {
     dmi_env* env = picker->env;
-    dmi_bvh* bvh = dmi_alloc_zeroed(env, sizeof *bvh, ALIGNMENT);
+    dmi_bvh* bvh = dmi_alloc_zeroed(env, sizeof *bvh, DMI_ALIGNMENT);
     *out_bvh = bvh;
     if (bvh != NULL) {
         size_t faces = mesh->face_count;
@@ -34,11 +33,11 @@ static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** ou
         bvh->vertex_count = mesh->vertex_count;
         bvh->face_count = mesh->face_count;
         bvh->part_count = mesh->part_count;
-        bvh->positions = dmi_alloc(env, positions_size(bvh), ALIGNMENT);
-        bvh->corners = dmi_alloc(env, faces * 3 * sizeof(uint32_t), ALIGNMENT);
-        bvh->faces = dmi_alloc(env, faces * sizeof(uint32_t), ALIGNMENT);
-        bvh->parts = dmi_alloc_zeroed(env, mesh->part_count * sizeof(dmi_bvh_part), ALIGNMENT);
-        if (bvh->positions && bvh->corners && bvh->faces && bvh->parts) return DM_OK;
+        bvh->positions = dmi_alloc(env, positions_size(bvh), DMI_ALIGNMENT);
+        bvh->corners = dmi_alloc(env, faces * 3 * sizeof(uint32_t), DMI_ALIGNMENT);
+        bvh->faces = dmi_alloc(env, faces * sizeof(uint32_t), DMI_ALIGNMENT);
+        bvh->parts = dmi_alloc_zeroed(env, mesh->part_count * sizeof(dmi_bvh_part), DMI_ALIGNMENT);
+        if (bvh->positions != NULL && bvh->corners != NULL && bvh->faces != NULL && bvh->parts != NULL) return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
 }

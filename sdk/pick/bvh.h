@@ -1,4 +1,4 @@
-/* What the scene needs to know of an object's hierarchies. */
+/* The bounding volume hierarchies of an object, as the scene uses them. */
 #ifndef DMI_PICK_BVH_H
 #define DMI_PICK_BVH_H
 

@@ -12,19 +12,20 @@ typedef struct dmi_scene dmi_scene;   /* instances in the host's world frame */
 dm_result dmi_picker_create(dmi_env* env, dmi_picker** out_picker);
 void dmi_picker_destroy(dmi_picker* picker);
 
-/* Keeps its own padded copy of what it needs of the mesh. */
+/* Builds the hierarchies; keeps its own padded copy of the mesh. */
 dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh);
 void dmi_bvh_destroy(dmi_bvh* bvh);
 
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene);
 void dmi_scene_destroy(dmi_scene* scene);
-/* `object` is the handle answered in hits; `frame` is the mesh's. The bvh must outlive the instance. */
+/* Adds an instance. `object` is the handle reported in hits; `frame` is the mesh's. The bvh must outlive the instance.
+ */
 dm_result dmi_scene_add(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                         const dm_pose* host_placement, uint32_t* out_instance);
 /* part_id: the host's, 0 = the placement of the whole. Poses in host units: the part's own is from rest in the object
  * frame, the poses of the parts that carry it included. No allocation. */
 dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, const dm_pose* host_pose);
-/* At once, without a commit. */
+/* Takes effect at once, without a commit. */
 dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance);
 /* Instances added and moves made since the last commit become visible. No allocation of ours. */
 void dmi_scene_commit(dmi_scene* scene);

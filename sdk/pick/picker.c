@@ -6,6 +6,7 @@
  * (rtcJoinCommitScene), and no more threads enter than it has slots: a surplus one would make TBB start a worker. */
 #if defined(__linux__)
 #include <sched.h>
+#include <stdbool.h>
 #else
 #include <unistd.h>
 #endif
@@ -92,7 +93,7 @@ void dmi_picker_destroy(dmi_picker* picker) {
     dmi_free(picker->env, picker, sizeof *picker);
 }
 
-static int enter(dmi_picker* picker) {
+static bool enter(dmi_picker* picker) {
     uint32_t builders = atomic_load_explicit(&picker->builders, memory_order_relaxed);
     return builders < picker->max_builders && atomic_compare_exchange_weak(&picker->builders, &builders, builders + 1);
 }

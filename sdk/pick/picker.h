@@ -14,7 +14,7 @@ struct dmi_picker {
 
 /* Builds what changed in the scene, on the calling thread. */
 void dmi_picker_commit(dmi_picker* picker, RTCScene scene);
-/* What the calling thread's Embree calls have come to since the last time; failures are already in the log. */
+/* Returns the result of the calling thread's Embree calls since the last time; failures are already in the log. */
 dm_result dmi_picker_status(const dmi_picker* picker);
 
 #endif

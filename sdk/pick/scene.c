@@ -1,18 +1,20 @@
-/* Placed objects: an Embree instance a part on top of the parts' own hierarchies, moved by matrices alone.
+/* Instances of objects: one Embree instance for each part over the part's own hierarchy, moved by its matrix.
  *
- * A move only notes the pose. Commit turns what was noted into matrices and rebuilds the small top level, so picks
- * between a move and the commit see the scene as it was. */
+ * A move only stores the pose. Commit computes the matrices and rebuilds the small top level, so picks between a move
+ * and the commit see the scene as it was. */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "pick/bvh.h"
 
-#define ALIGNMENT 64
-#define FIRST_CAPACITY 16
-/* Host units. Embree takes coordinates up to 1.8e18, also in the frame of an instance, where they are divided by its
- * object's size; Debian's build aborts on larger ones. */
-#define MAX_REACH 1e10
-#define MIN_OBJECT_SIZE 1e-6
+#include "math/vec3.h"
+
+#define FIRST_CAPACITY 16 /* instances; doubles when full */
+/* Bounds of the next three, host units: Embree takes coordinates up to 1.8e18, also in the frame of an instance, where
+ * they are divided by its object's size; Debian's build aborts on larger ones. */
+#define MAX_COORDINATE 1e10  /* of ray origins and translations */
+#define MIN_OBJECT_SIZE 1e-6 /* largest side */
 #define MAX_OBJECT_SIZE 1e12
 
 typedef struct placed_object placed_object;
@@ -22,7 +24,7 @@ typedef struct placed_part {
     RTCGeometry geometry;
     uint32_t geometry_id; /* in the top level, when attached */
     dm_pose pose;         /* from rest, object frame */
-    int moved;            /* since the last commit */
+    bool moved;           /* since the last commit */
     uint32_t part;
     double to_object[12], to_world[12]; /* from the object-normalised frame, as committed; 3x4, column-major */
 } placed_part;
@@ -34,9 +36,9 @@ struct placed_object {
     dm_object object;
     dm_pose placement;
     uint32_t id;
-    int dirty;           /* in the scene's list */
-    int moved;           /* placement, since the last commit */
-    int attached;        /* the top level knows it */
+    bool dirty;          /* in the scene's list */
+    bool moved;          /* placement, since the last commit */
+    bool attached;       /* to the top level */
     placed_part parts[]; /* of bvh */
 };
 
@@ -74,13 +76,13 @@ static void apply(const double m[12], const double p[3], double out[3]) {
     for (int i = 0; i < 3; i++) out[i] = m[i] * p[0] + m[3 + i] * p[1] + m[6 + i] * p[2] + m[9 + i];
 }
 
-/* Directions do not shift. */
-static void turn(const double m[12], const double direction[3], double out[3]) {
+/* Applies the matrix without its translation. */
+static void apply_linear(const double m[12], const double direction[3], double out[3]) {
     for (int i = 0; i < 3; i++) out[i] = m[i] * direction[0] + m[3 + i] * direction[1] + m[6 + i] * direction[2];
 }
 
 static void multiply(const double a[12], const double b[12], double out[12]) {
-    for (int column = 0; column < 3; column++) turn(a, b + 3 * column, out + 3 * column);
+    for (int column = 0; column < 3; column++) apply_linear(a, b + 3 * column, out + 3 * column);
     apply(a, b + 9, out + 9);
 }
 
@@ -92,7 +94,7 @@ static size_t placed_size(const dmi_bvh* bvh) {
 
 static void mark_dirty(dmi_scene* scene, placed_object* placed) {
     if (placed->dirty) return;
-    placed->dirty = 1;
+    placed->dirty = true;
     placed->next_dirty = scene->dirty;
     scene->dirty = placed;
 }
@@ -113,7 +115,7 @@ static void release_placed(dmi_env* env, placed_object* placed) {
 static dm_result grow(dmi_scene* scene) {
     dmi_env* env = scene->picker->env;
     uint32_t capacity = scene->capacity > 0 ? 2 * scene->capacity : FIRST_CAPACITY;
-    placed_object** objects = dmi_alloc_zeroed(env, capacity * sizeof(placed_object*), ALIGNMENT);
+    placed_object** objects = dmi_alloc_zeroed(env, capacity * sizeof(placed_object*), DMI_ALIGNMENT);
     if (objects == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u instances", capacity);
     if (scene->capacity > 0) memcpy(objects, scene->objects, scene->capacity * sizeof(placed_object*));
     dmi_free(env, scene->objects, scene->capacity * sizeof(placed_object*));
@@ -136,15 +138,16 @@ static dm_result make_parts(dmi_picker* picker, placed_object* placed) {
     return dmi_picker_status(picker);
 }
 
-/* A pose whose translation leaves picking room. */
+/* Normalises a pose and checks that its translation is within the bounds. */
 static dm_result check_pose(dmi_env* env, const dm_pose* pose, dm_pose* out) {
     float t[3];
     *out = dmi_pose_normalize(pose);
     dmi_pose_translation(out, t);
-    if (fabs((double)t[0]) <= MAX_REACH && fabs((double)t[1]) <= MAX_REACH && fabs((double)t[2]) <= MAX_REACH)
+    if (fabs((double)t[0]) <= MAX_COORDINATE && fabs((double)t[1]) <= MAX_COORDINATE &&
+        fabs((double)t[2]) <= MAX_COORDINATE)
         return DM_OK;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "scene: a pose by (%g, %g, %g), must be within %g units",
-                    (double)t[0], (double)t[1], (double)t[2], MAX_REACH);
+                    (double)t[0], (double)t[1], (double)t[2], MAX_COORDINATE);
 }
 
 static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
@@ -157,7 +160,7 @@ static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
 static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                              const dm_pose* placement, placed_object** out_placed) {
     dmi_env* env = scene->picker->env;
-    placed_object* placed = dmi_alloc_zeroed(env, placed_size(bvh), ALIGNMENT);
+    placed_object* placed = dmi_alloc_zeroed(env, placed_size(bvh), DMI_ALIGNMENT);
     if (placed == NULL) {
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for an instance of %u parts", bvh->part_count);
     }
@@ -165,7 +168,7 @@ static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_fra
     placed->frame = *frame;
     placed->object = object;
     placed->placement = *placement;
-    placed->moved = 1;
+    placed->moved = true;
     dm_result result = make_parts(scene->picker, placed);
     if (result != DM_OK) {
         release_placed(env, placed);
@@ -210,10 +213,10 @@ dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, 
     if (result != DM_OK) return result;
     if (part == 0) {
         placed->placement = pose;
-        placed->moved = 1;
+        placed->moved = true;
     } else {
         placed->parts[part].pose = pose;
-        placed->parts[part].moved = 1;
+        placed->parts[part].moved = true;
     }
     mark_dirty(scene, placed);
     return DM_OK;
@@ -244,7 +247,7 @@ static void place_part(placed_part* part, const double placement[12], const doub
     for (int i = 0; i < 12; i++) transform[i] = (float)part->to_world[i];
     rtcSetGeometryTransform(part->geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform);
     rtcCommitGeometry(part->geometry);
-    part->moved = 0;
+    part->moved = false;
 }
 
 static void update_placed(dmi_scene* scene, placed_object* placed) {
@@ -256,9 +259,9 @@ static void update_placed(dmi_scene* scene, placed_object* placed) {
         if (placed->moved || part->moved) place_part(part, placement, from_inner);
         if (!placed->attached) part->geometry_id = rtcAttachGeometry(scene->top, part->geometry);
     }
-    placed->attached = 1;
-    placed->moved = 0;
-    placed->dirty = 0;
+    placed->attached = true;
+    placed->moved = false;
+    placed->dirty = false;
 }
 
 void dmi_scene_commit(dmi_scene* scene) {
@@ -273,20 +276,16 @@ void dmi_scene_commit(dmi_scene* scene) {
 
 /* ---- pick ---- */
 
-static dm_vec3 narrow(const double p[3]) {
-    return (dm_vec3){(float)p[0], (float)p[1], (float)p[2]};
-}
-
-/* a x b, unit; against the ray where the triangle has no area. */
+/* Returns a x b, unit; the direction against the ray where the triangle has no area. */
 static dm_vec3 edge_normal(const double a[3], const double b[3], const double direction[3]) {
     double n[3];
     for (int k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
     double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (int k = 0; k < 3; k++) n[k] = length > 0 ? n[k] / length : -direction[k];
-    return narrow(n);
+    return dmi_vec3_f64(n);
 }
 
-/* From the corners rather than along the ray: exact on the surface however far the ray has come. */
+/* Computes the hit from the triangle's corners, not along the ray: exact on the surface at any distance. */
 static void describe_hit(const placed_part* part, const struct RTCHit* hit, const double origin[3],
                          const double direction[3], dm_hit* out) {
     const dmi_bvh* bvh = part->owner->bvh;
@@ -300,7 +299,7 @@ static void describe_hit(const placed_part* part, const struct RTCHit* hit, cons
     }
     apply(part->to_object, inner, object);
     apply(part->to_world, inner, world);
-    for (int i = 0; i < 2; i++) turn(part->to_world, edges[i], world_edges[i]);
+    for (int i = 0; i < 2; i++) apply_linear(part->to_world, edges[i], world_edges[i]);
     for (int k = 0; k < 3; k++) distance += (world[k] - origin[k]) * direction[k];
     *out = (dm_hit){.object = part->owner->object,
                     .instance = part->owner->id,
@@ -309,40 +308,40 @@ static void describe_hit(const placed_part* part, const struct RTCHit* hit, cons
                     .distance = (float)distance,
                     .u = hit->u,
                     .v = hit->v,
-                    .point = narrow(world),
+                    .point = dmi_vec3_f64(world),
                     .normal = edge_normal(world_edges[0], world_edges[1], direction),
-                    .object_point = narrow(object)};
+                    .object_point = dmi_vec3_f64(object)};
 }
 
 void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_hit) {
-    const double origin[3] = {(double)host_ray->origin.x, (double)host_ray->origin.y, (double)host_ray->origin.z};
-    double direction[3] = {(double)host_ray->direction.x, (double)host_ray->direction.y, (double)host_ray->direction.z};
-    double length = sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
+    const dmi_double3 origin = dmi_xyz_f64(host_ray->origin);
+    dmi_double3 direction = dmi_xyz_f64(host_ray->direction);
+    const double* d = direction.v;
+    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     *out_hit = (dm_hit){0};
     if (!(length > 0) || isinf(length)) return; /* NaN too, here and below */
     for (int k = 0; k < 3; k++) {
-        direction[k] /= length;
-        if (!(fabs(origin[k]) <= MAX_REACH)) return;
+        direction.v[k] /= length;
+        if (!(fabs(origin.v[k]) <= MAX_COORDINATE)) return;
     }
-    const float from[3] = {host_ray->origin.x, host_ray->origin.y, host_ray->origin.z};
-    const float along[3] = {(float)direction[0], (float)direction[1], (float)direction[2]};
-    struct RTCRayHit ray = dmi_embree_ray(from, along, INFINITY);
+    const dmi_float3 along = dmi_xyz(dmi_vec3_f64(direction.v));
+    struct RTCRayHit ray = dmi_embree_ray(dmi_xyz(host_ray->origin).v, along.v, INFINITY);
     dmi_embree_intersect(scene->top, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     const placed_part* part = rtcGetGeometryUserData(rtcGetGeometry(scene->top, ray.hit.instID[0]));
-    describe_hit(part, &ray.hit, origin, direction, out_hit);
+    describe_hit(part, &ray.hit, origin.v, direction.v, out_hit);
 }
 
 /* ---- scenes ---- */
 
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene) {
-    dmi_scene* scene = dmi_alloc_zeroed(picker->env, sizeof *scene, ALIGNMENT);
+    dmi_scene* scene = dmi_alloc_zeroed(picker->env, sizeof *scene, DMI_ALIGNMENT);
     if (scene == NULL) return dmi_fail(picker->env, DM_ERROR_OUT_OF_MEMORY, "no memory for a scene");
     scene->picker = picker;
     scene->top = rtcNewScene(picker->device);
     if (scene->top != NULL) {
         rtcSetSceneFlags(scene->top, RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
-        dmi_picker_commit(picker, scene->top); /* so that a pick before any commit finds nothing */
+        dmi_picker_commit(picker, scene->top); /* a pick before any other commit then finds nothing */
     }
     dm_result result = dmi_picker_status(picker);
     if (result != DM_OK) {

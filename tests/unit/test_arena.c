@@ -1,4 +1,4 @@
-/* Arena and shelf: alignment, no overlap, reuse of blocks, no leak whichever allocation fails. */
+/* Arena and pool: alignment, no overlap, reuse of blocks, no leak whichever allocation fails. */
 #include "test_env.h"
 
 #include "base/arena_pool.h"
@@ -81,20 +81,20 @@ static void a_shelf_lends_each_arena_once(void** state) {
     enum { TAKEN = DMI_ARENA_POOL_SIZE + 2 };
     test_env t;
     test_env_open(&t, TEST_NEVER);
-    dmi_arena_pool shelf;
-    dmi_arena_pool_init(&shelf, &t.env, 1024);
+    dmi_arena_pool pool;
+    dmi_arena_pool_init(&pool, &t.env, 1024);
     dmi_arena own[TAKEN], *taken[TAKEN];
     for (int round = 0; round < 2; round++) {
         for (int i = 0; i < TAKEN; i++) {
-            taken[i] = dmi_arena_pool_take(&shelf, &own[i]);
+            taken[i] = dmi_arena_pool_take(&pool, &own[i]);
             for (int k = 0; k < i; k++) assert_ptr_not_equal(taken[i], taken[k]);
             assert_int_equal(taken[i] == &own[i], i >= DMI_ARENA_POOL_SIZE);
             assert_non_null(dmi_arena_push(taken[i], 500));
         }
-        for (int i = 0; i < TAKEN; i++) dmi_arena_pool_put(&shelf, taken[i]);
+        for (int i = 0; i < TAKEN; i++) dmi_arena_pool_put(&pool, taken[i]);
     }
-    assert_int_equal(t.memory.calls, TAKEN + 2); /* the shelf's arenas kept theirs */
-    dmi_arena_pool_release(&shelf);
+    assert_int_equal(t.memory.calls, TAKEN + 2); /* the pool's arenas kept theirs */
+    dmi_arena_pool_release(&pool);
     test_env_close(&t);
 }
 

@@ -1,4 +1,5 @@
-/* The feel of a drag: catches, limits that yield, weight, springing back; and the answer does not hang on the rate. */
+/* The feel of a drag: detents, estimated limits, inertia, springing back; the result does not depend on the frame rate.
+ */
 #include "test_math.h"
 
 #include "motion/drag.h"
@@ -40,9 +41,9 @@ static void a_grab_between_catches_moves_nothing(void** state) {
         dmi_drag drag;
         dm_drag_state now;
         dmi_drag_begin(&drag, &slide, grab, value, &feel);
-        dmi_drag_state_now(&drag, &now);
+        dmi_drag_get_state(&drag, &now);
         assert_near(now.value, value, 1e-6);
-        assert_near(dmi_feel_target(&feel, &slide, drag.reach), value, 1e-4);
+        assert_near(dmi_feel_target(&feel, &slide, drag.pointer_value), value, 1e-4);
     }
 }
 
@@ -54,7 +55,7 @@ static void estimated_ends_yield(void** state) {
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &slide, origin, 0, &feel);
-    dmi_drag_doubt(&drag, &slide, 0, 1, (dmi_give){.length = 1});
+    dmi_drag_track_hypotheses(&drag, &slide, 0, 1, (dmi_limit_give){.length = 1});
     float last = 0;
     for (int k = 0; k <= 2500; k++) {
         const float x = 0.001f * (float)k;
@@ -83,7 +84,7 @@ static void ends_yield_as_far_as_asked(void** state) {
         dmi_drag drag;
         dm_drag_state now = {0};
         dmi_drag_begin(&drag, &slide, origin, 0, &feel);
-        dmi_drag_doubt(&drag, &slide, 0, 1, (dmi_give){.share = cases[i].share, .length = 1});
+        dmi_drag_track_hypotheses(&drag, &slide, 0, 1, (dmi_limit_give){.share = cases[i].share, .length = 1});
         for (int k = 0; k <= 600; k++) {
             const dm_ray ray = ray_at(0.01f * (float)k);
             dmi_drag_update(&drag, &ray, FRAME, &now);

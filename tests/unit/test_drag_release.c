@@ -23,7 +23,7 @@ static dmi_drag held_at(const dm_joint* joint, float value, float velocity, cons
 static float run_out(dmi_drag* drag, float dt) {
     dm_drag_state now;
     float last = drag->value, speed = drag->velocity;
-    dmi_drag_state_now(drag, &now);
+    dmi_drag_get_state(drag, &now);
     for (int k = 0; k < 100000 && now.phase != DM_DRAG_AT_REST; k++) {
         dmi_drag_update(drag, NULL, dt, &now);
         assert_near(now.value, last, 0.25 + 12 * (double)dt);
@@ -92,15 +92,15 @@ static void a_motion_of_keys_sets_the_pace(void** state) {
             const float s = (float)k / (DM_MOTION_FRAMES - 1);
             keys[k] = 0.9f * outer * s * s * (3 - 2 * s); /* stops a little short, as networks do */
         }
-        assert_true(dmi_drag_set_pace(&drag, keys));
+        assert_true(dmi_release_set_pace(&drag.release, keys));
         assert_near(run_out(&drag, 1e-3f), i % 2 ? 1.6f : 0.0f, 0);
     }
     const dm_drag_feel feel = {0};
     const float nowhere[DM_MOTION_FRAMES] = {0}, wrong[DM_MOTION_FRAMES] = {[15] = -1};
     dmi_drag drag = held_at(&door, 0.5f, 0, &feel);
     dmi_drag_release(&drag, DM_INTENT_OPEN, 0);
-    assert_false(dmi_drag_set_pace(&drag, nowhere));
-    assert_false(dmi_drag_set_pace(&drag, wrong));
+    assert_false(dmi_release_set_pace(&drag.release, nowhere));
+    assert_false(dmi_release_set_pace(&drag.release, wrong));
 }
 
 static void the_rate_does_not_matter(void** state) {

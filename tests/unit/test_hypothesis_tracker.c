@@ -1,4 +1,4 @@
-/* Early evidence: the pull tells which joint it is, soon, without a jump, in any axes; a hand's tremor does not. */
+/* The pull identifies the joint early, without a jump, in any axes; tremor of the hand does not change it. */
 #include "test_math.h"
 
 #include <string.h>
@@ -43,7 +43,7 @@ static pulled pull(const dm_joint* truth, float to, int frames, float tremor) {
     float last[3], point[3];
     uint32_t changes = 0;
     dmi_drag_begin(&p.drag, &joints[SLIDES], handle, 0, &feel);
-    dmi_drag_doubt(&p.drag, joints, JOINTS, 1, (dmi_give){.length = 4});
+    dmi_drag_track_hypotheses(&p.drag, joints, JOINTS, 1, (dmi_limit_give){.length = 4});
     memcpy(last, handle, sizeof last);
     for (int k = 1; k <= frames + 60; k++) {
         point_on(truth, to * fminf((float)k / (float)frames, 1), point);
@@ -71,11 +71,11 @@ static void the_pull_tells_the_joint(void** state) {
         assert_true(p.longest_step < 0.06f);
         const dm_pose pose = dmi_joint_pose(&p.drag.joint, p.now.value); /* on the joint again */
         assert_same_motion(&pose, &p.now.pose, 1, 1e-6);
-        assert_true(dmi_hypothesis_tracker_confidence(&p.drag.rivals) > 0.3f);
+        assert_true(dmi_hypothesis_tracker_confidence(&p.drag.tracker) > 0.3f);
     }
 }
 
-/* Straight to where the door should be, or straight out: then it is the drawer that it was thought to be. */
+/* Straight to where the door should be, or straight out: then the drawer that was inferred stays. */
 static void a_hand_may_cut_the_corner(void** state) {
     (void)state;
     for (int slides = 0; slides < 2; slides++) {
@@ -87,7 +87,7 @@ static void a_hand_may_cut_the_corner(void** state) {
         float there[3], point[3];
         point_on(&two[slides], slides ? 0.4f : 1.2f, there);
         dmi_drag_begin(&drag, &two[0], handle, 0, &feel);
-        dmi_drag_doubt(&drag, two, 2, 1, (dmi_give){.length = 4});
+        dmi_drag_track_hypotheses(&drag, two, 2, 1, (dmi_limit_give){.length = 4});
         for (int k = 1; k <= 180; k++) {
             const float share = fminf((float)k / 120, 1);
             for (int i = 0; i < 3; i++) point[i] = handle[i] + share * (there[i] - handle[i]);
@@ -117,7 +117,7 @@ static void add_alternatives(dmi_drag* drag, const dm_joint* right) {
         const float x = 0.1f * (float)(k % 8) - 0.35f, y = 0.1f * (float)(k / 8) - 0.35f;
         dm_joint other = {.type = DM_JOINT_REVOLUTE, .confidence = 0.01f, .axis = {0, 0, 1}, .origin = {x, y, 0}};
         if (k == 37) other = *right, other.confidence = 0.005f;
-        dmi_hypothesis_tracker_add_alternative(&drag->rivals, &other);
+        dmi_hypothesis_tracker_add_alternative(&drag->tracker, &other);
     }
 }
 
@@ -144,9 +144,9 @@ static void an_alternative_takes_over(void** state) {
         dmi_drag drag;
         dm_drag_state now = {0};
         dmi_drag_begin(&drag, &joints[SLIDES], handle, 0, &feel);
-        dmi_drag_doubt(&drag, joints, 1, 1, (dmi_give){.length = 4});
+        dmi_drag_track_hypotheses(&drag, joints, 1, 1, (dmi_limit_give){.length = 4});
         add_alternatives(&drag, right[i]);
-        assert_int_equal(drag.rivals.count, DMI_TRACKED_HYPOTHESES); /* what is too many is left out */
+        assert_int_equal(drag.tracker.count, DMI_TRACKED_HYPOTHESES); /* what is too many is left out */
         assert_near(pull_alternative(&drag, right[i], 0, to, &now), 0, 0.2);
         assert_int_equal(drag.joint.type, slides ? DM_JOINT_PRISMATIC : DM_JOINT_CONTINUOUS);
         assert_near3(dmi_xyz(drag.joint.axis).v, dmi_xyz(right[i]->axis).v, 0);
@@ -165,7 +165,7 @@ static void the_pull_tells_the_side(void** state) {
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &door, handle, 0, &feel);
-    dmi_drag_doubt(&drag, &door, 1, 1, (dmi_give){.length = 4});
+    dmi_drag_track_hypotheses(&drag, &door, 1, 1, (dmi_limit_give){.length = 4});
     for (int k = 1; k <= 150; k++) {
         float point[3];
         point_on(&door, -1.2f * fminf((float)k / 120, 1), point);
@@ -193,7 +193,7 @@ static void what_was_opened_shuts_at_rest(void** state) {
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &drawer, handle, 0, &feel);
-    dmi_drag_doubt(&drag, &drawer, 1, 1, (dmi_give){.length = 4});
+    dmi_drag_track_hypotheses(&drag, &drawer, 1, 1, (dmi_limit_give){.length = 4});
     for (int k = 1; k <= 240; k++) {
         float point[3];
         point_on(&drawer, k <= 80 ? 0.3f * (float)k / 80 : 0.3f - 0.8f * (float)(k - 80) / 160, point);
@@ -226,7 +226,7 @@ static void half_the_step_is_the_same_drag(void** state) {
             dm_drag_state now = {0};
             const int steps = fine ? 240 : 120;
             dmi_drag_begin(&drag, &joints[SLIDES], handle, 0, &feel);
-            dmi_drag_doubt(&drag, joints, JOINTS, 1, (dmi_give){.length = 4});
+            dmi_drag_track_hypotheses(&drag, joints, JOINTS, 1, (dmi_limit_give){.length = 4});
             for (int k = 1; k <= steps; k++) {
                 float point[3];
                 point_on(&joints[i], to * (float)k / (float)steps, point);
@@ -255,9 +255,9 @@ static void host_axes_do_not_matter(void** state) {
             dmi_drag inner, outer;
             dm_drag_state a, b;
             dmi_drag_begin(&inner, &joints[SLIDES], handle, 0, &feel);
-            dmi_drag_doubt(&inner, joints, JOINTS, 1, (dmi_give){.length = 4});
+            dmi_drag_track_hypotheses(&inner, joints, JOINTS, 1, (dmi_limit_give){.length = 4});
             dmi_drag_begin(&outer, &host[SLIDES], host_handle, 0, &feel);
-            dmi_drag_doubt(&outer, host, JOINTS, unit, (dmi_give){.length = 4 * unit});
+            dmi_drag_track_hypotheses(&outer, host, JOINTS, unit, (dmi_limit_give){.length = 4 * unit});
             for (int k = 1; k <= 120; k++) {
                 point_on(&joints[i], to * (float)k / 120, point);
                 dmi_frame_point_out(&frame, point, host_point);
@@ -273,8 +273,8 @@ static void host_axes_do_not_matter(void** state) {
     }
 }
 
-/* A turn about an axis a hair beside the grabbed point explains every small pull, by spinning: it is thought less
- * likely before the pull, one about an axis far off is not. */
+/* A turn about an axis a hair beside the grabbed point explains every small pull, by a large angle: its prior is
+ * lower, that of an axis far off is not. */
 static void no_turn_about_the_grabbed_point(void** state) {
     (void)state;
     static const dm_joint panel[2] = {
@@ -282,29 +282,29 @@ static void no_turn_about_the_grabbed_point(void** state) {
         {.type = DM_JOINT_REVOLUTE, .confidence = 0.5f, .axis = {0, 0, 1}, .origin = {0.29f, 0.3f, 0}, .upper = 3.0f}};
     static const dm_joint far_off = {
         .type = DM_JOINT_REVOLUTE, .confidence = 0.5f, .axis = {0, 0, 1}, .origin = {-0.5f, 0, 0}, .upper = 3.0f};
-    dmi_hypothesis_tracker rivals;
-    dmi_hypothesis_tracker_init(&rivals, panel, 2, handle, 1, (dmi_give){.length = 4});
-    dmi_hypothesis_tracker_add_alternative(&rivals, &far_off);
-    assert_near(rivals.list[0].prior, 0, 1e-6);
-    assert_true(rivals.list[1].prior < -1);
-    assert_true(rivals.list[rivals.count - 1].prior > -0.5f);
+    dmi_hypothesis_tracker tracker;
+    dmi_hypothesis_tracker_init(&tracker, panel, 2, handle, 1, (dmi_limit_give){.length = 4});
+    dmi_hypothesis_tracker_add_alternative(&tracker, &far_off);
+    assert_near(tracker.list[0].log_prior, 0, 1e-6);
+    assert_true(tracker.list[1].log_prior < -1);
+    assert_true(tracker.list[tracker.count - 1].log_prior > -0.5f);
 }
 
-/* Rivals whose likelihood overflowed are not weighed in the place of others. */
+/* Hypotheses whose likelihood overflowed are not updated in the place of others. */
 static void what_is_no_number_is_not_waited_for(void** state) {
     (void)state;
     enum { ALONG_X = JOINTS, ALONG_Y }; /* the last resorts; along z there is a slide already */
-    dmi_hypothesis_tracker rivals;
-    dmi_hypothesis_tracker_init(&rivals, joints, JOINTS, handle, 1, (dmi_give){.length = 4});
-    rivals.hope[LEFT] = rivals.hope[RIGHT] = rivals.hope[LOWER] = NAN;
+    dmi_hypothesis_tracker tracker;
+    dmi_hypothesis_tracker_init(&tracker, joints, JOINTS, handle, 1, (dmi_limit_give){.length = 4});
+    tracker.priority[LEFT] = tracker.priority[RIGHT] = tracker.priority[LOWER] = NAN;
     dm_ray ray = ray_to(eye, (const float[3]){handle[0] + 0.1f, handle[1], handle[2]});
     dmi_float3 direction = dmi_xyz(ray.direction);
     dmi_normalize3(direction.v);
     ray.direction = dmi_vec3(direction.v);
-    dmi_hypothesis_tracker_weigh(&rivals, 0, &ray, DMI_PERSPECTIVE);
-    assert_near(rivals.list[ALONG_X].reach, 0.1f, 1e-4);
-    assert_true(rivals.list[ALONG_Y].worst > 0);
-    for (int i = LEFT; i <= LOWER; i++) assert_near(rivals.list[i].worst, 0, 0);
+    dmi_hypothesis_tracker_update(&tracker, 0, &ray, DMI_PERSPECTIVE);
+    assert_near(tracker.list[ALONG_X].pointer_value, 0.1f, 1e-4);
+    assert_true(tracker.list[ALONG_Y].max_residual > 0);
+    for (int i = LEFT; i <= LOWER; i++) assert_near(tracker.list[i].max_residual, 0, 0);
 }
 
 int main(void) {

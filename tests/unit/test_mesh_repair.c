@@ -14,7 +14,7 @@ typedef struct stage {
     test_env t;
     dmi_arena arena;
     dmi_mesh* mesh;
-    dmi_mesh mended;
+    dmi_mesh repaired;
 } stage;
 
 static dm_result run(stage* s, int64_t fail_at) {
@@ -28,7 +28,7 @@ static dm_result run(stage* s, int64_t fail_at) {
     assert_non_null(welded);
     assert_int_equal(dmi_weld_vertices(&s->arena, s->mesh, 1e-5f, welded), DM_OK);
     if (fail_at != TEST_NEVER) s->t.memory.fail_at = (int64_t)s->t.memory.calls + fail_at;
-    return dmi_mesh_repair(&s->arena, s->mesh, welded, &s->mended);
+    return dmi_mesh_repair(&s->arena, s->mesh, welded, &s->repaired);
 }
 
 static void end(stage* s) {
@@ -67,7 +67,7 @@ static void paint(float x, float y, float side, uint32_t part) {
 }
 
 static void assert_parts_are(const stage* s, uint32_t (*part_of)(uint32_t face)) {
-    for (uint32_t f = 0; f < s->mesh->face_count; f++) assert_int_equal(s->mended.face_part[f], part_of(f));
+    for (uint32_t f = 0; f < s->mesh->face_count; f++) assert_int_equal(s->repaired.face_part[f], part_of(f));
 }
 
 static uint32_t by_sheet(uint32_t face) {
@@ -87,8 +87,8 @@ static void patches_come_back(void** state) {
     assert_int_equal(run(&s, TEST_NEVER), DM_OK);
     assert_parts_are(&s, by_sheet);
     /* The parts' boxes follow; the mesh's own labels do not change. */
-    assert_true(s.mended.parts[1].box_min[0] > s.mesh->parts[1].box_min[0]);
-    assert_float_equal(s.mended.parts[0].area, s.mended.parts[1].area, 1e-5);
+    assert_true(s.repaired.parts[1].box_min[0] > s.mesh->parts[1].box_min[0]);
+    assert_float_equal(s.repaired.parts[0].area, s.repaired.parts[1].area, 1e-5);
     for (uint32_t f = 0; f < s.mesh->face_count; f++) assert_int_equal(s.mesh->face_part[f], shape.part[f]);
     end(&s);
 }
@@ -104,7 +104,7 @@ static void coarse_leaks_come_back(void** state) {
     shape.part[knob] = shape.part[knob + 3] = 1;
     stage s;
     assert_int_equal(run(&s, TEST_NEVER), DM_OK);
-    for (uint32_t f = 0; f < s.mesh->face_count; f++) assert_int_equal(s.mended.face_part[f], f < knob);
+    for (uint32_t f = 0; f < s.mesh->face_count; f++) assert_int_equal(s.repaired.face_part[f], f < knob);
     end(&s);
 }
 

@@ -214,7 +214,7 @@ class Object:
         return list(joints[:count.value])
 
     def refine(self, part_id, drag):
-        """Runs the kinematics pass again with a drag as evidence; the result is in force."""
+        """Runs joint inference again with a drag as additional input; the result becomes the active joint."""
         self.context.call("object_refine", self.handle, c.c_uint32(part_id), c.byref(_hint(drag)))
 
     def save(self):

@@ -78,7 +78,7 @@ static dmi_candidate in_frame(const dmi_candidate* c, const dmi_kpp_frame* frame
 void dmi_kpp_candidate_scores(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input,
                               const dmi_kpp_output* output, const dmi_candidate* candidates, uint32_t count,
                               float* out_scores) {
-    _Alignas(DMI_ROW_ALIGNMENT) float numbers[DMI_KPP_SCORE_BATCH][DMI_KPP_CANDIDATE_NUMBERS];
+    _Alignas(DMI_ALIGNMENT) float numbers[DMI_KPP_SCORE_BATCH][DMI_KPP_CANDIDATE_NUMBERS];
     for (uint32_t first = 0; first < count; first += DMI_KPP_SCORE_BATCH) {
         const uint32_t rows = count - first < DMI_KPP_SCORE_BATCH ? count - first : DMI_KPP_SCORE_BATCH;
         for (uint32_t i = 0; i < rows; i++) {

@@ -1,6 +1,7 @@
 /* Converts the network's raw outputs. */
 #include "kinematics/kpp/kpp_prediction.h"
 
+#include "math/constants.h"
 #include "math/linear3.h"
 
 #define MIN_AXIS 1e-6f /* length of a raw axis below which it has no direction; by hand */
@@ -28,7 +29,7 @@ void dmi_prediction_read(const dmi_kpp_frame* frame, const dmi_kpp_output* raw, 
     rotate_out(frame, raw->origin, out->origin);
     for (int k = 0; k < 3; k++) out->origin[k] = frame->origin[k] + out->origin[k] / frame->scale;
     for (int k = 0; k < 2; k++) {
-        out->turn_limits[k] = raw->limits[k] * 3.14159265f; /* literal: pi */
+        out->turn_limits[k] = raw->limits[k] * DMI_PI_F;
         out->slide_limits[k] = raw->limits[2 + k] / frame->scale;
     }
     out->pitch = raw->limits[DMI_KPP_LIMITS - 1] / frame->scale;

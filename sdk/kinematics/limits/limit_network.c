@@ -125,8 +125,8 @@ static void answer(const dmi_limit_network* network, const float probability[DMI
 
 void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
                                uint32_t count, dmi_limit_prediction* out) {
-    _Alignas(DMI_ROW_ALIGNMENT) float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], y[DMI_LIMIT_ROWS][OUTPUTS];
-    _Alignas(DMI_ROW_ALIGNMENT) float hidden[2][DMI_LIMIT_ROWS][HIDDEN];
+    _Alignas(DMI_ALIGNMENT) float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], y[DMI_LIMIT_ROWS][OUTPUTS];
+    _Alignas(DMI_ALIGNMENT) float hidden[2][DMI_LIMIT_ROWS][HIDDEN];
     float* const buffers[2] = {hidden[0][0], hidden[1][0]};
     float probability[DMI_LIMIT_ROWS][DMI_LIMIT_SIZES][DMI_LIMIT_SIZES] = {0};
     for (uint32_t r = 0; r < count; r++) {

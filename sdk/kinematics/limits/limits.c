@@ -3,16 +3,17 @@
 #include "kinematics/limits/limits.h"
 
 #include "kinematics/limits/sweep.h"
+#include "math/constants.h"
 #include "math/joint.h"
 
 #define ROUND 0.02f /* diagonals: least mean distance of a turned part from itself that is no round part; by hand */
-#define ROUND_CELLS 0.5f         /* cells of the part's grid on top of it; by hand */
-#define HALF_TURN 3.14159265f    /* rad */
-#define UNSTOPPED 3.1f           /* rad either way of a part that nothing stops; by hand */
-#define USUAL_OPENING 1.5707963f /* rad: a quarter turn; by hand */
-#define USUAL_TRAVEL 0.8f        /* extents of the part along a slide: drawers stay on their runners; by hand */
-#define AWAY_SHARE 0.2f          /* of the sweep, where it is measured which way leads away from the body; by hand */
-#define AWAY_WEIGHT 4            /* of that, in diagonals, against room, in sweeps; by hand */
+#define ROUND_CELLS 0.5f            /* cells of the part's grid on top of it; by hand */
+#define DMI_PI_F 3.14159265f        /* rad */
+#define UNSTOPPED 3.1f              /* rad either way of a part that nothing stops; by hand */
+#define USUAL_OPENING DMI_HALF_PI_F /* rad: a quarter turn; by hand */
+#define USUAL_TRAVEL 0.8f           /* extents of the part along a slide: drawers stay on their runners; by hand */
+#define AWAY_SHARE 0.2f             /* of the sweep, where it is measured which way leads away from the body; by hand */
+#define AWAY_WEIGHT 4               /* of that, in diagonals, against room, in sweeps; by hand */
 
 static bool is_round(const dmi_sweep* s) {
     return dmi_sweep_roundness(s) < ROUND + ROUND_CELLS * s->analysis->part_grid.cell / s->analysis->diagonal;
@@ -24,7 +25,7 @@ static void limit_turn(const dmi_sweep* s, dm_joint* joint) {
     dmi_sweep_reach(s, -DMI_SWEEP_TURN, DMI_SWEEP_TURNS, down);
     if (up[0] >= UNSTOPPED && down[0] <= -UNSTOPPED && joint->type == DM_JOINT_REVOLUTE && is_round(s)) {
         joint->type = DM_JOINT_CONTINUOUS;
-        joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
+        joint->lower = -DMI_PI_F, joint->upper = DMI_PI_F;
         return;
     }
     /* It rests closed: the side with more room is the one it opens to. */
@@ -70,7 +71,7 @@ static void set_by_rules(const dmi_part_analysis* analysis, dm_joint* joint) {
 static void take_prediction(const dmi_limit_prediction* prediction, float unit, dm_joint* joint) {
     if (joint->type == DM_JOINT_REVOLUTE && prediction->free > 0) {
         joint->type = DM_JOINT_CONTINUOUS;
-        joint->lower = -HALF_TURN, joint->upper = HALF_TURN;
+        joint->lower = -DMI_PI_F, joint->upper = DMI_PI_F;
         return;
     }
     joint->lower = unit * prediction->lower, joint->upper = unit * prediction->upper;

@@ -11,7 +11,7 @@ void dmi_prefilter_read(dmi_loader* loader, dmi_prefilter* out_prefilter) {
 
 static void score(const dmi_prefilter* prefilter, dmi_isa isa, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
                   float* out_scores) {
-    _Alignas(DMI_ROW_ALIGNMENT) float x[BATCH][DMI_CHEAP_COLUMNS], hidden[BATCH][HIDDEN];
+    _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_CHEAP_COLUMNS], hidden[BATCH][HIDDEN];
     float* const buffers[2] = {hidden[0], NULL};
     for (uint32_t first = 0; first < count; first += BATCH) {
         const uint32_t batch = count - first < BATCH ? count - first : BATCH;

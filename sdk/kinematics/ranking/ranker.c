@@ -41,7 +41,7 @@ static void hide_network(float (*rows)[DMI_FEATURE_COUNT], uint32_t count) {
 static void network_score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
                           uint32_t count, float* out_score) {
     const dmi_kernels* kernels = dmi_kernels_for(isa);
-    _Alignas(DMI_ROW_ALIGNMENT) float x[BATCH][DMI_FEATURE_COUNT], hidden[2][BATCH][HIDDEN], alone[BATCH];
+    _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_FEATURE_COUNT], hidden[2][BATCH][HIDDEN], alone[BATCH];
     float* const buffers[2] = {hidden[0][0], hidden[1][0]};
     for (uint32_t first = 0; first < count; first += BATCH) {
         const uint32_t rows = count - first < BATCH ? count - first : BATCH;

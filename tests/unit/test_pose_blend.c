@@ -1,7 +1,7 @@
 /* From one joint to another: the grabbed point goes straight to where the new one has it, the part turns after it. */
 #include "test_math.h"
 
-#include "motion/drag_handover.h"
+#include "motion/pose_blend.h"
 
 enum { CASES = 500, FRAMES = 60 };
 #define FRAME (1.0f / 60)
@@ -39,13 +39,13 @@ static void begins_where_it_was_and_ends_at_the_joint(void** state) {
         const change c = some_change(&random);
         float x[3], expected[3], actual[3];
         test_point(&random, 1, x);
-        dmi_handover handover = dmi_handover_begin(&c.before, &c.now, c.point, 1);
-        dm_pose shown = dmi_handover_pose(&handover, &c.now, c.point);
+        dmi_pose_blend handover = dmi_pose_blend_new_joint(&c.before, &c.now, c.point, 1);
+        dm_pose shown = dmi_pose_blend_apply(&handover, &c.now, c.point);
         dmi_pose_apply(&c.before, x, expected);
         dmi_pose_apply(&shown, x, actual);
         assert_near3(actual, expected, 1e-5);
         handover.age = 1;
-        shown = dmi_handover_pose(&handover, &c.now, c.point);
+        shown = dmi_pose_blend_apply(&handover, &c.now, c.point);
         assert_memory_equal(&shown, &c.now, sizeof shown);
     }
 }
@@ -57,11 +57,11 @@ static void the_grabbed_point_only_comes_nearer(void** state) {
     dmi_random random = dmi_random_make(4, 1);
     for (int i = 0; i < CASES; i++) {
         const change c = some_change(&random);
-        dmi_handover handover = dmi_handover_begin(&c.before, &c.now, c.point, 1);
+        dmi_pose_blend handover = dmi_pose_blend_new_joint(&c.before, &c.now, c.point, 1);
         double last = lag_of(&c, &c.before);
         for (int k = 1; k <= FRAMES; k++) {
             handover.age = (float)k * FRAME;
-            const dm_pose shown = dmi_handover_pose(&handover, &c.now, c.point);
+            const dm_pose shown = dmi_pose_blend_apply(&handover, &c.now, c.point);
             const double lag = lag_of(&c, &shown);
             assert_is_unit(&shown, 5e-6);
             assert_true(lag <= last + 1e-5);
@@ -77,12 +77,12 @@ static void no_frame_jumps(void** state) {
     dmi_random random = dmi_random_make(5, 1);
     for (int i = 0; i < CASES; i++) {
         const change c = some_change(&random);
-        dmi_handover handover = dmi_handover_begin(&c.before, &c.now, c.point, 1);
+        dmi_pose_blend handover = dmi_pose_blend_new_joint(&c.before, &c.now, c.point, 1);
         const double most = fmax(0.1, lag_of(&c, &c.before) / 15);
         dm_pose last = c.before;
         for (int k = 1; k <= FRAMES; k++) {
             handover.age = (float)k * FRAME;
-            const dm_pose shown = dmi_handover_pose(&handover, &c.now, c.point);
+            const dm_pose shown = dmi_pose_blend_apply(&handover, &c.now, c.point);
             float a[3], b[3];
             dmi_pose_apply(&last, c.point, a);
             dmi_pose_apply(&shown, c.point, b);
@@ -96,8 +96,8 @@ static void nothing_to_come_from_is_the_joint_itself(void** state) {
     (void)state;
     dmi_random random = dmi_random_make(6, 1);
     const change c = some_change(&random);
-    const dmi_handover none = dmi_handover_none();
-    const dm_pose shown = dmi_handover_pose(&none, &c.now, c.point);
+    const dmi_pose_blend none = dmi_pose_blend_none();
+    const dm_pose shown = dmi_pose_blend_apply(&none, &c.now, c.point);
     assert_memory_equal(&shown, &c.now, sizeof shown);
 }
 

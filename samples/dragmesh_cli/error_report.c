@@ -1,5 +1,5 @@
-/* Pictures of wrong answers: what to look at to learn why. */
-#include "mistakes.h"
+/* Pictures of wrong answers: strips, sheets of strips, and an index. */
+#include "error_report.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -9,28 +9,30 @@
 #include "files.h"
 #include "render.h"
 
+/* Pixels and counts of the layout; by hand. */
 enum { PANEL = 180, PANELS = 3, GAP = 4, STRIP = PANELS * PANEL + (PANELS - 1) * GAP, COLUMNS = 2, ROWS = 5 };
+static const double DRAG_LENGTH = 0.15; /* of the drawn drag, share of the object's size; by hand */
 enum { PER_SHEET = COLUMNS * ROWS };
 
 static const uint8_t blue[3] = {70, 150, 255}, red[3] = {255, 70, 60}, green[3] = {40, 220, 70};
 
-static int write_named(const mistake_book* book, const picture* picture, const char* format, int number) {
+static int write_named(const error_report* report, const picture* picture, const char* format, int number) {
     char name[32];
     snprintf(name, sizeof name, format, number);
-    char* path = path_join(book->folder, name);
+    char* path = path_join(report->folder, name);
     const int status = picture_write(picture, path);
     free(path);
     return status;
 }
 
-int mistakes_open(mistake_book* book, const char* folder) {
-    *book = (mistake_book){.folder = folder};
+int error_report_open(error_report* report, const char* folder) {
+    *report = (error_report){.folder = folder};
     char* path = path_join(folder, "index.txt");
-    if (mkdir(folder, 0777) == 0 || errno == EEXIST) book->index = fopen(path, "w");
-    if (!book->index) fprintf(stderr, "dragmesh eval: can't write '%s': %s\n", path, strerror(errno));
+    if (mkdir(folder, 0777) == 0 || errno == EEXIST) report->index = fopen(path, "w");
+    if (report->index == NULL) fprintf(stderr, "dragmesh eval: can't write '%s': %s\n", path, strerror(errno));
     free(path);
-    if (!book->index) return -1;
-    fprintf(book->index,
+    if (report->index == NULL) return -1;
+    fprintf(report->index,
             "Strips: at rest, open as it should, open as answered. True axis blue, answered red, drag green.\n"
             "A sheet holds %d: %d rows of %d.\n"
             "%5s %5s  %-22s %9s %9s %8s %5s  %-16s %s\n",
@@ -45,19 +47,19 @@ static void paste(const picture* from, picture* to, int left, int top) {
                from->rgb + 3 * (size_t)y * (size_t)from->width, 3 * (size_t)from->width);
 }
 
-static int flush_sheet(mistake_book* book) {
-    if (!book->sheet.rgb) return 0;
-    const int status = write_named(book, &book->sheet, "sheet_%02d.png", (book->count - 1) / PER_SHEET + 1);
-    picture_free(&book->sheet);
+static int flush_sheet(error_report* report) {
+    if (report->sheet.rgb == NULL) return 0;
+    const int status = write_named(report, &report->sheet, "sheet_%02d.png", (report->count - 1) / PER_SHEET + 1);
+    picture_free(&report->sheet);
     return status;
 }
 
-static int keep_strip(mistake_book* book, const picture* strip) {
-    const int slot = book->count++ % PER_SHEET;
-    if (slot == 0) book->sheet = picture_new(COLUMNS * (STRIP + 4 * GAP), ROWS * (PANEL + 2 * GAP));
-    paste(strip, &book->sheet, slot % COLUMNS * (STRIP + 4 * GAP), slot / COLUMNS * (PANEL + 2 * GAP));
-    const int status = write_named(book, strip, "%03d.png", book->count);
-    return slot == PER_SHEET - 1 ? flush_sheet(book) | status : status;
+static int add_strip(error_report* report, const picture* strip) {
+    const int slot = report->count++ % PER_SHEET;
+    if (slot == 0) report->sheet = picture_new(COLUMNS * (STRIP + 4 * GAP), ROWS * (PANEL + 2 * GAP));
+    paste(strip, &report->sheet, slot % COLUMNS * (STRIP + 4 * GAP), slot / COLUMNS * (PANEL + 2 * GAP));
+    const int status = write_named(report, strip, "%03d.png", report->count);
+    return slot == PER_SHEET - 1 ? flush_sheet(report) | status : status;
 }
 
 static dm_joint true_joint(const metric_case* known) {
@@ -66,7 +68,7 @@ static dm_joint true_joint(const metric_case* known) {
                       .origin = vec_out(known->truth->origin)};
 }
 
-static dm_result draw_strip(renderer* r, const metric_case* known, const answer* answer, picture* strip) {
+static dm_result draw_strip(renderer* r, const metric_case* known, const joint_answer* answer, picture* strip) {
     const dm_joint truth = true_joint(known);
     const float travels[PANELS] = {0, (float)metrics_travel(known),
                                    (float)metrics_answered_travel(known, &answer->joint)};
@@ -79,40 +81,41 @@ static dm_result draw_strip(renderer* r, const metric_case* known, const answer*
     for (int i = 0; i < PANELS && result == DM_OK; i++) {
         const int left = i * (PANEL + GAP);
         result = render_draw(r, &poses[i], strip, left);
-        render_segment(r, known->drag->point, add(known->drag->point, scale(unit(known->drag->vector), 0.15 * r->size)),
-                       green, strip, left);
+        render_segment(r, known->drag->point,
+                       add(known->drag->point, scale(unit(known->drag->vector), DRAG_LENGTH * r->size)), green, strip,
+                       left);
         if (i != 2) render_axis(r, &truth, blue, strip, left);
         if (i != 1) render_axis(r, &answer->joint, red, strip, left);
     }
     return result;
 }
 
-static void note(const mistake_book* book, const metric_case* known, const metric_row* row) {
+static void write_index_line(const error_report* report, const metric_case* known, const metric_row* row) {
     char types[48];
     snprintf(types, sizeof types, "%s -> %s", known->truth->slides ? "slides" : "turns", row->found_type);
-    fprintf(book->index, "%5d %5d  %-22s %9.1f %9.1f %8.1f %5.2f  %-16s %s\n", book->count,
-            (book->count - 1) / PER_SHEET + 1, types, row->value[METRIC_AXIS],
+    fprintf(report->index, "%5d %5d  %-22s %9.1f %9.1f %8.1f %5.2f  %-16s %s\n", report->count,
+            (report->count - 1) / PER_SHEET + 1, types, row->value[METRIC_AXIS],
             isnan(row->value[METRIC_LINE]) ? 0 : row->value[METRIC_LINE], row->value[METRIC_POSE] * 1e3,
             row->value[METRIC_CONFIDENCE], row->category, row->id);
 }
 
-dm_result mistakes_add(mistake_book* book, session* session, const metric_case* known, const answer* answer,
-                       const metric_row* row, char up) {
+dm_result error_report_add(error_report* report, session* session, const metric_case* known, const joint_answer* answer,
+                           const metric_row* row, char up) {
     renderer renderer;
     picture strip = picture_new(STRIP, PANEL);
     dm_result result = render_open(&renderer, session, up);
-    renderer.grid = 1;
+    renderer.grid = 1; /* quick: a fourth of the rays */
     renderer.sky_rays = 3;
     if (result == DM_OK) result = draw_strip(&renderer, known, answer, &strip);
     render_close(&renderer);
-    if (result == DM_OK && keep_strip(book, &strip) != 0)
-        result = session_fail(session, DM_ERROR_NOT_FOUND, "can't write into '%s'", book->folder);
-    if (result == DM_OK) note(book, known, row);
+    if (result == DM_OK && add_strip(report, &strip) != 0)
+        result = session_fail(session, DM_ERROR_NOT_FOUND, "can't write into '%s'", report->folder);
+    if (result == DM_OK) write_index_line(report, known, row);
     picture_free(&strip);
     return result;
 }
 
-int mistakes_close(mistake_book* book) {
-    const int status = flush_sheet(book);
-    return fclose(book->index) == 0 && status == 0 ? 0 : -1;
+int error_report_close(error_report* report) {
+    const int status = flush_sheet(report);
+    return fclose(report->index) == 0 && status == 0 ? 0 : -1;
 }

@@ -1,4 +1,4 @@
-/* The pull tells where the line of a turn lies, a little beside where the geometry has it, and only if it is clear. */
+/* The pull corrects the axis line of a turn that geometry has a little beside the true one, and only if it is clear. */
 #include "test_math.h"
 
 #include <string.h>
@@ -28,12 +28,12 @@ static dm_joint moved(const dm_joint* joint, float x, float z) {
 }
 
 /* How far the handle went in one frame, at most. `wander`: of the hand, half-way. */
-static float pull(dmi_drag* drag, const dm_joint* thought, const dm_joint* truth, float to, float wander,
+static float pull(dmi_drag* drag, const dm_joint* assumed, const dm_joint* truth, float to, float wander,
                   dm_drag_state* now) {
     const dm_drag_feel feel = {0};
     float last[3], point[3], longest = 0;
-    dmi_drag_begin(drag, thought, handle, 0, &feel);
-    dmi_drag_doubt(drag, thought, 1, 1, (dmi_give){.length = 4});
+    dmi_drag_begin(drag, assumed, handle, 0, &feel);
+    dmi_drag_track_hypotheses(drag, assumed, 1, 1, (dmi_limit_give){.length = 4});
     memcpy(last, handle, sizeof last);
     for (int k = 1; k <= 160; k++) {
         const float share = fminf((float)k / 120, 1);
@@ -52,10 +52,10 @@ static void a_line_comes_to_where_the_pull_has_it(void** state) {
     (void)state;
     static const float beside[4][2] = {{0.2f, 0}, {0, 0.2f}, {0, -0.2f}, {0.12f, -0.12f}};
     for (int i = 0; i < 4; i++) {
-        const dm_joint thought = moved(&door, beside[i][0], beside[i][1]);
+        const dm_joint assumed = moved(&door, beside[i][0], beside[i][1]);
         dmi_drag drag;
         dm_drag_state now = {0};
-        const float longest = pull(&drag, &thought, &door, 1.4f, 0, &now);
+        const float longest = pull(&drag, &assumed, &door, 1.4f, 0, &now);
         const float x = drag.joint.origin.x - door.origin.x, z = drag.joint.origin.z - door.origin.z;
         assert_true(hypotf(x, z) < 0.5f * hypotf(beside[i][0], beside[i][1]));
         assert_near3(dmi_xyz(drag.joint.axis).v, dmi_xyz(door.axis).v, 0);
@@ -82,8 +82,8 @@ static void a_slide_has_no_line(void** state) {
     (void)state;
     static const dm_joint slide = {.type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}};
     float outward[3], forward[3];
-    assert_false(dmi_fit_ways(&slide, handle, outward, forward));
-    assert_true(dmi_fit_ways(&door, handle, outward, forward));
+    assert_false(dmi_pull_fit_shift_directions(&slide, handle, outward, forward));
+    assert_true(dmi_pull_fit_shift_directions(&door, handle, outward, forward));
     assert_near3(outward, ((float[3]){0.8f / hypotf(0.8f, 0.02f), 0, 0.02f / hypotf(0.8f, 0.02f)}), 1e-6);
 }
 
@@ -118,7 +118,7 @@ static int cuts_corner(const float place[3]) {
     memory.projection = DMI_PARALLEL;
     const dm_ray ray = {{place[0] - 0.3f, place[1] + 5, place[2]}, {0.06f / 1.0017984f, -1 / 1.0017984f, 0}};
     dmi_pull_add(&memory, &ray);
-    return dmi_pull_cuts_corner(&memory, &door);
+    return dmi_pull_is_on_chord(&memory, &door);
 }
 
 /* Some share of the straight way to a place on the circle, to either side; not of a longer way, not outwards. */
@@ -140,21 +140,21 @@ static void a_corner_is_cut_within_the_circle(void** state) {
 }
 
 /* Half the squared misses, by the line's place. */
-static double misses(const dmi_pull* memory, dm_joint joint, const float outward[3], const float forward[3], double a,
-                     double b, dmi_fit* out) {
+static double half_squares(const dmi_pull* memory, dm_joint joint, const float outward[3], const float forward[3],
+                           double a, double b, dmi_pull_fit* out) {
     joint.origin.x += (float)(a * (double)outward[0] + b * (double)forward[0]);
     joint.origin.y += (float)(a * (double)outward[1] + b * (double)forward[1]);
     joint.origin.z += (float)(a * (double)outward[2] + b * (double)forward[2]);
     double sum = 0;
-    *out = (dmi_fit){.joint = joint, .lower = -INFINITY, .upper = INFINITY, .size = 1};
+    *out = (dmi_pull_fit){.joint = joint, .lower = -INFINITY, .upper = INFINITY, .size = 1};
     memcpy(out->outward, outward, sizeof out->outward);
     memcpy(out->forward, forward, sizeof out->forward);
     for (uint32_t i = 0; i < memory->count; i++) {
-        const float before = out->worst;
-        out->worst = 0;
-        dmi_fit_follow(out, memory);
-        sum += 0.5 * (double)out->worst * (double)out->worst;
-        out->worst = fmaxf(out->worst, before);
+        const float before = out->max_residual;
+        out->max_residual = 0;
+        dmi_pull_fit_step(out, memory);
+        sum += 0.5 * (double)out->max_residual * (double)out->max_residual;
+        out->max_residual = fmaxf(out->max_residual, before);
     }
     return sum;
 }
@@ -162,7 +162,7 @@ static double misses(const dmi_pull* memory, dm_joint joint, const float outward
 static void slopes_are_those_of_the_misses(void** state) {
     (void)state;
     for (int parallel = 0; parallel < 2; parallel++) {
-        const dm_joint thought = moved(&door, 0.1f, -0.1f);
+        const dm_joint assumed = moved(&door, 0.1f, -0.1f);
         dmi_pull memory;
         dmi_pull_begin(&memory, handle, 0.006f);
         memory.projection = parallel ? DMI_PARALLEL : DMI_PERSPECTIVE;
@@ -176,16 +176,16 @@ static void slopes_are_those_of_the_misses(void** state) {
             dmi_pull_add(&memory, &ray);
         }
         float outward[3], forward[3];
-        dmi_fit fit, other;
-        dmi_fit_ways(&thought, handle, outward, forward);
-        const double step = 0.01, here = misses(&memory, thought, outward, forward, 0, 0, &fit);
-        assert_true(here > 1e-6 && fit.worst > 0.005f);
+        dmi_pull_fit fit, other;
+        dmi_pull_fit_shift_directions(&assumed, handle, outward, forward);
+        const double step = 0.01, here = half_squares(&memory, assumed, outward, forward, 0, 0, &fit);
+        assert_true(here > 1e-6 && fit.max_residual > 0.005f);
         for (int i = 0; i < 2; i++) {
             const double a = i == 0 ? step : 0, b = step - a;
-            const double slope = (misses(&memory, thought, outward, forward, a, b, &other) -
-                                  misses(&memory, thought, outward, forward, -a, -b, &other)) /
+            const double slope = (half_squares(&memory, assumed, outward, forward, a, b, &other) -
+                                  half_squares(&memory, assumed, outward, forward, -a, -b, &other)) /
                                  (2 * step);
-            assert_near(fit.slope[i], slope, 0.1 * fabs(slope) + 1e-5);
+            assert_near(fit.gradient[i], slope, 0.1 * fabs(slope) + 1e-5);
         }
     }
 }

@@ -1,19 +1,20 @@
-/* --moving auto: the part that the grabbed point belongs to. */
-#include "grabbed.h"
+/* --moving auto: finds the part at the grabbed point. */
+#include "part_at_point.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "files.h"
 
-int grabbed_asked(const name_list* moving) {
+bool part_at_point_requested(const name_list* moving) {
     return moving->count == 1 && strcmp(moving->names[0], "auto") == 0;
 }
 
-dm_result grabbed_mark(session* session, const float* positions, const dm_drag_hint* drag, int merged,
-                       uint8_t* out_face_ids) {
+dm_result part_at_point_mark(session* session, const float* positions, const dm_drag_hint* drag, bool merged,
+                             uint8_t* out_face_ids) {
     const uint64_t faces = session->mesh.index_count / 3;
     dm_mesh_desc mesh = session->mesh;
     uint32_t* nodes = cli_alloc_zeroed(faces * sizeof *nodes);
@@ -22,7 +23,7 @@ dm_result grabbed_mark(session* session, const float* positions, const dm_drag_h
         dm_gltf_get_node(session->gltf, i, &node);
         for (uint64_t f = 0; f < node.face_count; f++) nodes[node.first_face + f] = i;
     }
-    if (positions) mesh.positions = positions;
+    if (positions != NULL) mesh.positions = positions;
     if (!merged) {
         mesh.part_ids = nodes;
         mesh.part_id_format = DM_UINT32;
@@ -33,8 +34,8 @@ dm_result grabbed_mark(session* session, const float* positions, const dm_drag_h
     return result;
 }
 
-void grabbed_to_json(const session* session, cJSON* out) {
-    uint8_t* moving = job_moving_faces(session);
+void part_at_point_to_json(const session* session, cJSON* out) {
+    uint8_t* moving = session_moving_faces(session);
     for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
         dm_gltf_node node;
         uint64_t inside = 0;
@@ -45,9 +46,9 @@ void grabbed_to_json(const session* session, cJSON* out) {
     free(moving);
 }
 
-int grabbed_write(const session* session, const char* path) {
+int part_at_point_write(const session* session, const char* path) {
     const size_t faces = (size_t)(session->mesh.index_count / 3);
-    uint8_t* moving = job_moving_faces(session);
+    uint8_t* moving = session_moving_faces(session);
     char* text = cli_alloc(2 * faces + 2);
     for (size_t f = 0; f < faces; f++) {
         text[2 * f] = f == 0 ? '[' : ',';

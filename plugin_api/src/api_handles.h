@@ -1,6 +1,6 @@
-/* What stands behind a dm_context and behind the handles it gives out. */
-#ifndef DMI_API_CONTEXT_H
-#define DMI_API_CONTEXT_H
+/* Types behind the context and the handles it gives out, and the look-up of handles. */
+#ifndef DMI_API_HANDLES_H
+#define DMI_API_HANDLES_H
 
 #include "base/cpu.h"
 #include "base/pool.h"
@@ -11,7 +11,7 @@
 
 enum { DMI_KIND_MODEL = 1, DMI_KIND_OBJECT, DMI_KIND_MOTION, DMI_KIND_DRAG, DMI_KIND_SCENE };
 
-/* A motion or a drag in the list of its object, with which it ends. First member of both. */
+/* Link of a motion or a drag in the list of its object, with which it is destroyed. First member of both. */
 typedef struct dmi_dependent {
     struct dmi_dependent *next, *previous;
     uint64_t handle;
@@ -23,7 +23,7 @@ typedef struct dmi_model_slot {
     dmi_joint_models* joints; /* NULL: not given */
 } dmi_model_slot;
 
-/* An object standing in a scene: known to both, so that either can go first. */
+/* One instance of an object in a scene, linked in both, so that either can be destroyed first. */
 typedef struct dmi_placement {
     struct dmi_placement *next_of_scene, *next_of_object;
     struct dmi_scene_slot* scene;
@@ -63,38 +63,24 @@ struct dm_context {
     dmi_isa isa;
     dmi_picker* picker;
     dmi_pool *models, *objects, *motions, *drags, *scenes;
-    atomic_flag
-        lock; /* of the lists in objects and scenes; held for a few loads and stores, never in a [frame] function */
+    /* Spin lock of the lists in objects and scenes; held for a few loads and stores, never in a [frame] function. */
+    atomic_flag lock;
 };
 
 void dmi_lock(dm_context* context);
 void dmi_unlock(dm_context* context);
 
-/* The item of a handle. NULL, after a message in the name of `function`, when the handle is null, stale or foreign. */
+/* Returns the item of a handle; NULL, after a message in the name of `function`, when it is null, stale or foreign. */
 void* dmi_find(dm_context* context, const dmi_pool* pool, const char* function, uint64_t handle);
-/* The same, taking it out of the pool. */
+/* The same, and removes it from the pool. */
 void* dmi_take(dm_context* context, dmi_pool* pool, const char* function, uint64_t handle);
 
-/* Names an item and links it to its object; frees nothing on failure. */
+/* Gives an item a handle and links it to its object; frees nothing on failure. */
 dm_result dmi_dependent_add(dm_context* context, dmi_pool* pool, dmi_dependent** list, dmi_dependent* item);
 void dmi_dependent_unlink(dm_context* context, dmi_dependent** list, dmi_dependent* item);
 
-/* The index of a part by the host's id; NOT_FOUND, with a message, for ids the object lacks and for the body. */
+/* Finds the index of a part by the host's id; NOT_FOUND, with a message, for unknown ids and for the body. */
 dm_result dmi_find_part(dm_context* context, const char* function, const dmi_object* object, uint32_t part_id,
                         uint32_t* out_index);
-
-/* model NULL: geometry and rules. */
-dmi_inference_models dmi_inference_models_of(const dm_context* context, const dmi_model_slot* model);
-
-/* Takes an object over, encodes it for the motion network of `model` (0: none), and names it. */
-dm_result dmi_object_publish(dm_context* context, const char* function, dmi_object* object, dm_model model,
-                             dm_object* out_object);
-
-/* Free one item that has been taken out of its pool, with all that ends with it. */
-void dmi_model_release(dm_context* context, dmi_model_slot* slot);
-void dmi_object_release(dm_context* context, dmi_object_slot* slot);
-void dmi_scene_release(dm_context* context, dmi_scene_slot* slot);
-/* Takes an object out of all scenes it stands in. */
-void dmi_scenes_forget(dm_context* context, dmi_object_slot* slot);
 
 #endif
