@@ -8,7 +8,6 @@
 
 #define ROUND 0.02f /* diagonals: least mean distance of a turned part from itself that is no round part; by hand */
 #define ROUND_CELLS 0.5f            /* cells of the part's grid on top of it; by hand */
-#define DMI_PI_F 3.14159265f        /* rad */
 #define UNSTOPPED 3.1f              /* rad either way of a part that nothing stops; by hand */
 #define USUAL_OPENING DMI_HALF_PI_F /* rad: a quarter turn; by hand */
 #define USUAL_TRAVEL 0.8f           /* extents of the part along a slide: drawers stay on their runners; by hand */
