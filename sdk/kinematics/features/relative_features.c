@@ -27,8 +27,8 @@ static const struct {
 };
 
 /* Returns whether a candidate counts for the least cost. Candidates whose direction was made from the drag follow the
- * drag by construction. They do not count for DRAG_ANGLE, so that this cost is compared with directions of the shape.
- * */
+ * drag by construction. They do not count for DRAG_ANGLE, so that this cost is compared with the shape's directions.
+ */
 static bool counts(const dmi_candidate* candidate, int column) {
     return column != DMI_FEATURE_DRAG_ANGLE || (candidate->direction_families & DMI_DIRECTION_DRAG) == 0;
 }

@@ -76,8 +76,8 @@ static void take_prediction(const dmi_limit_prediction* prediction, float unit, 
     joint->lower = unit * prediction->lower, joint->upper = unit * prediction->upper;
 }
 
-/* Hides the candidate features of slides from the networks. With them the networks overfit to the travel of buttons in
- * each generated category (docs/research/decisions.md, 39). */
+/* Sets limits by the networks. Hides the candidate features of slides from them: with these they overfit to the travel
+ * of buttons in each generated category (docs/research/decisions.md, 39). */
 static void set_by_networks(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
                             const dmi_limit_network* network, dmi_isa isa, const float* const* features,
                             dm_joint* joints, uint32_t count) {
