@@ -102,12 +102,44 @@ local function include_folder(name, from, allowed)
     return folder
 end
 
+-- Writes build/embed/NAME.c, which defines dmi_NAME, the bytes of `source`, and dmi_NAME_size, and returns its path. The
+-- header `header` declares both. A file that is up to date stays as it is, so that make does not compile it again.
+local function embed(name, source, header)
+    local file = assert(io.open(source, "rb"), source .. " is missing")
+    local bytes, rows = file:read("*a"), {}
+    file:close()
+    for first = 1, #bytes, 16 do
+        rows[#rows + 1] = "    " .. table.concat({ bytes:byte(first, math.min(first + 15, #bytes)) }, ", ") .. ",\n"
+    end
+    local text = "/* The bytes of " .. source .. ". Written by premake5.lua: not to be edited. */\n" ..
+        '#include "' .. header .. '"\n\n' ..
+        "_Alignas(64) const unsigned char dmi_" .. name .. "[] = {\n" .. table.concat(rows) .. "};\n" ..
+        "const size_t dmi_" .. name .. "_size = sizeof dmi_" .. name .. ";\n"
+    local output = "build/embed/" .. name .. ".c"
+    local old = io.open(output, "rb")
+    local same = old ~= nil and old:read("*a") == text
+    if old then old:close() end
+    if same then return output end
+    os.execute("mkdir -p build/embed")
+    file = assert(io.open(output, "wb"))
+    file:write(text)
+    file:close()
+    return output
+end
+
+-- Sources that the build makes for a room.
+local made = {
+    segmentation = { embed("part_finder_weights", "sdk/models/part_finder.safetensors",
+        "segmentation/part_finder_weights.h") },
+}
+
 local api = "plugin_api/include"
 local room_libraries = {}
 for _, room in ipairs(rooms) do
     local name = "dragmesh_" .. room[1]:gsub("/", "_")
     table.insert(room_libraries, 1, name)
-    library(name, { "sdk/" .. room[1] .. "/*.c" }, { api, include_folder(name, "sdk", room[2]) })
+    local sources = table.join({ "sdk/" .. room[1] .. "/*.c" }, made[room[1]] or {})
+    library(name, sources, { api, include_folder(name, "sdk", room[2]) })
 end
 
 -- Libraries --------------------------------------------------------------------------------------------------------

@@ -1,4 +1,5 @@
 /* Drag handles. A drag copies the joints it may follow, so that an update reads nothing but the drag. */
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -71,6 +72,12 @@ static bool is_at_rest(const dm_joint* joint, float value) {
     return fabsf(value) <= AT_REST_SHARE * range;
 }
 
+/* Takes a free range of the object-normalised frame to host units. */
+static dmi_free_range free_range_out(const dmi_object* object, int32_t type, dmi_free_range inner) {
+    const float length = type == DM_JOINT_PRISMATIC ? dmi_frame_length_out(&object->frame) : 1;
+    return (dmi_free_range){fmaxf(inner.lower * length, -FLT_MAX), fminf(inner.upper * length, FLT_MAX)};
+}
+
 static void add_alternatives(dmi_hypothesis_tracker* tracker, const dmi_object* object,
                              const dmi_alternatives* alternatives) {
     for (uint32_t i = 0; i < alternatives->count; i++) {
@@ -82,7 +89,17 @@ static void add_alternatives(dmi_hypothesis_tracker* tracker, const dmi_object* 
                                 .origin = {one->origin[0], one->origin[1], one->origin[2]},
                                 .source = DM_JOINT_FROM_GEOMETRY};
         const dm_joint joint = dmi_frame_joint_out(&object->frame, &inner);
-        dmi_hypothesis_tracker_add_alternative(tracker, &joint);
+        const dmi_free_range range = free_range_out(object, joint.type, one->free_range);
+        dmi_hypothesis_tracker_add_alternative(tracker, &joint, range);
+    }
+}
+
+/* Adds slides along the axes of the canonical frame. */
+static void add_slides(dmi_hypothesis_tracker* tracker, const dmi_object* object, const dmi_free_range ranges[3]) {
+    for (int i = 0; i < 3; i++) {
+        const dm_joint inner = {.type = DM_JOINT_PRISMATIC, .axis = {i == 0, i == 1, i == 2}};
+        const dm_joint joint = dmi_frame_joint_out(&object->frame, &inner);
+        dmi_hypothesis_tracker_add_slide(tracker, joint.axis, free_range_out(object, joint.type, ranges[i]));
     }
 }
 
@@ -90,6 +107,7 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     const dmi_object* object = slot->owner->object;
     const dmi_object_part* part = &object->parts[slot->part];
     dm_joint joint = part->joint, joints[DM_MAX_HYPOTHESES];
+    dmi_free_range free_ranges[DM_MAX_HYPOTHESES];
     dm_drag_feel feel = desc->feel;
     const bool certain = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
     if (!certain && dmi_joint_has_limits(&joint)) { /* an earlier drag may have exceeded the estimated limits */
@@ -101,10 +119,13 @@ static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
     const uint32_t count = is_at_rest(&joint, desc->start_value) ? part->hypotheses.count : 0;
     for (uint32_t i = 0; i < count; i++) {
         joints[i] = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
+        free_ranges[i] = free_range_out(object, joints[i].type, part->hypotheses.free_range[i]);
     }
     const dmi_limit_give limit_give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
-    dmi_drag_track_hypotheses(&slot->drag, joints, count, part_size(object, slot->part), limit_give);
-    if (count > 0) add_alternatives(&slot->drag.tracker, object, &part->alternatives);
+    dmi_drag_track_hypotheses(&slot->drag, joints, free_ranges, count, part_size(object, slot->part), limit_give);
+    if (count == 0) return;
+    add_slides(&slot->drag.tracker, object, part->alternatives.slides);
+    add_alternatives(&slot->drag.tracker, object, &part->alternatives);
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {

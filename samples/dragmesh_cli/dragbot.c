@@ -23,11 +23,21 @@ static double time_at(const bot_times* times, double share) {
 typedef struct totals {
     double picked, success, success_or_beyond, success_given, reached, near, reached_given, near_given;
     int jumps, changes;
+    /* Not part of the verdict, for the joint found and for the true one. */
+    double stuck[2], still_moved[2], regrab_jump[2], regrab_jumped[2];
 } totals;
+
+static void add_result(totals* t, const bot_result* result, int given, double* regrabs) {
+    t->stuck[given] += result->stuck;
+    t->still_moved[given] += result->still_moved;
+    t->regrab_jump[given] = fmax(t->regrab_jump[given], result->worst_regrab);
+    t->regrab_jumped[given] += result->regrab_jumps;
+    *regrabs += result->regrabs;
+}
 
 static totals sum_up(const bot_score* score, const bot_options* options, int slides) {
     totals t = {0};
-    double n = 0;
+    double n = 0, regrabs[2] = {0, 0};
     for (size_t i = 0; i < score->count; i++) {
         const bot_row* row = &score->rows[i];
         if (slides >= 0 && row->slides != slides) continue;
@@ -39,10 +49,18 @@ static totals sum_up(const bot_score* score, const bot_options* options, int sli
         t.near += row->found.near, t.near_given += row->given.near;
         t.jumps += row->found.jumps + row->given.jumps;
         t.changes += row->found.changes;
+        add_result(&t, &row->found, 0, &regrabs[0]);
+        add_result(&t, &row->given, 1, &regrabs[1]);
     }
     double* shares[] = {&t.picked,  &t.success, &t.success_or_beyond, &t.success_given,
                         &t.reached, &t.near,    &t.reached_given,     &t.near_given};
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) *shares[i] /= n;
+    for (int given = 0; given < 2; given++) {
+        t.stuck[given] /= n, t.still_moved[given] /= n, t.regrab_jumped[given] /= regrabs[given];
+        if (options->hand.offset <= 0) t.still_moved[given] = NAN;
+        if (options->hand.regrab <= 0) t.regrab_jump[given] = NAN;
+    }
+    if (options->given_only) t.stuck[0] = t.still_moved[0] = t.regrab_jump[0] = t.regrab_jumped[0] = NAN;
     if (options->given_only) t.success = t.success_or_beyond = t.reached = t.near = NAN;
     return t;
 }
@@ -58,6 +76,14 @@ static void add_totals(cJSON* out, const totals* t) {
     json_add_number(out, "near_given_joint", t->near_given, 5);
     cJSON_AddNumberToObject(out, "jumps", t->jumps);
     cJSON_AddNumberToObject(out, "joint_changes", t->changes);
+    json_add_number(out, "stuck", t->stuck[0], 5);
+    json_add_number(out, "stuck_given_joint", t->stuck[1], 5);
+    json_add_number(out, "offset_still_moved", t->still_moved[0], 5);
+    json_add_number(out, "offset_still_moved_given_joint", t->still_moved[1], 5);
+    json_add_number(out, "regrab_jump", t->regrab_jump[0], 5);
+    json_add_number(out, "regrab_jump_given_joint", t->regrab_jump[1], 5);
+    json_add_number(out, "regrab_jumped", t->regrab_jumped[0], 5);
+    json_add_number(out, "regrab_jumped_given_joint", t->regrab_jumped[1], 5);
 }
 
 static void print_json(const bot_score* score, const bot_options* options) {
@@ -86,6 +112,18 @@ static void print_line(const char* name, const totals* t) {
         t->near_given, t->jumps);
 }
 
+/* Prints what an option of the hand measures, for the joint found and the true one. */
+static void print_pair(const char* what, const double pair[2]) {
+    if (isfinite(pair[0]) || isfinite(pair[1])) printf("%s %.4f  true joint %.4f\n", what, pair[0], pair[1]);
+}
+
+static void print_hand(const totals* t) {
+    print_pair("stuck", t->stuck);
+    print_pair("moved while the pointer rested beside the grabbed point", t->still_moved);
+    print_pair("new grabs that jump by over 1 % of the size", t->regrab_jumped);
+    print_pair("largest jump at a new grab, sizes", t->regrab_jump);
+}
+
 static void print_text(const bot_score* score, const bot_options* options) {
     const totals all = sum_up(score, options, -1), turns = sum_up(score, options, 0),
                  slides = sum_up(score, options, 1);
@@ -95,6 +133,7 @@ static void print_text(const bot_score* score, const bot_options* options) {
     print_line("turning", &turns);
     print_line("sliding", &slides);
     printf("the pull changed the joint %d times\n", all.changes);
+    print_hand(&all);
     printf("drag_update: median %.0f ns, p99 %.0f ns, worst %.0f ns of %zu\n", time_at(&score->times, 0.5),
            time_at(&score->times, 0.99), time_at(&score->times, 1), score->times.count);
 }
@@ -111,7 +150,7 @@ static void print_failures(const bot_score* score, const bot_options* options, F
         const bot_row* row = &score->rows[i];
         if (row->given.success && (options->given_only || row->found.success)) continue;
         fprintf(out, "%s %s, grab %d %d, asked %.3f, path %.0f px%s\n", row->id, row->slides ? "slides" : "turns",
-                row->pull.x, row->pull.y, row->pull.asked, row->pull.length, row->given.picked ? "" : ", NOT PICKED");
+                row->x, row->y, row->asked, row->length, row->given.picked ? "" : ", NOT PICKED");
         if (!options->given_only) print_result("found", &row->found, out);
         print_result("given", &row->given, out);
         left--;
@@ -139,22 +178,43 @@ static int play(session* session, const char* folder, const bot_options* options
     return status;
 }
 
+static int check(const bot_options* options) {
+    const bot_hand* hand = &options->hand;
+    const int hz = hand->hz;
+    if (options->cameras < 1) return options_refuse(&cli_dragbot, "--cameras from 1");
+    if (hand->straight && hand->axis) return options_refuse(&cli_dragbot, "--straight or --axis");
+    if (hand->jostle < 0 || hand->offset < 0) return options_refuse(&cli_dragbot, "pixels from 0");
+    if (hand->regrab < 0 || hand->regrab > BOT_MAX_REGRABS)
+        return options_refuse(&cli_dragbot, "--regrab 0 to %d", BOT_MAX_REGRABS);
+    if (hz != 30 && hz != 60 && hz != 144) return options_refuse(&cli_dragbot, "--hz 30, 60 or 144");
+    return CLI_OK;
+}
+
 static int run(int argc, char** argv) {
     const char *folder = NULL, *models = NULL;
     int as_json = 0;
-    bot_options options = {.cameras = 4};
+    bot_options options = {.cameras = 4, .hand.hz = 60};
+    bot_hand* hand = &options.hand;
     const option_spec table[] = {{.name = "--models", .kind = OPTION_TEXT, .value = &models},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
                                  {.name = "--worst", .kind = OPTION_INTEGER, .value = &options.worst},
-                                 {.name = "--straight", .kind = OPTION_FLAG, .value = &options.hand.straight},
-                                 {.name = "--wander", .kind = OPTION_NUMBER, .value = &options.hand.wander},
-                                 {.name = "--tremor", .kind = OPTION_NUMBER, .value = &options.hand.tremor},
+                                 {.name = "--straight", .kind = OPTION_FLAG, .value = &hand->straight},
+                                 {.name = "--axis", .kind = OPTION_FLAG, .value = &hand->axis},
+                                 {.name = "--wander", .kind = OPTION_NUMBER, .value = &hand->wander},
+                                 {.name = "--tremor", .kind = OPTION_NUMBER, .value = &hand->tremor},
+                                 {.name = "--jostle", .kind = OPTION_NUMBER, .value = &hand->jostle},
+                                 {.name = "--offset", .kind = OPTION_NUMBER, .value = &hand->offset},
+                                 {.name = "--pause", .kind = OPTION_FLAG, .value = &hand->pause},
+                                 {.name = "--regrab", .kind = OPTION_INTEGER, .value = &hand->regrab},
+                                 {.name = "--hz", .kind = OPTION_INTEGER, .value = &hand->hz},
+                                 {.name = "--hitch", .kind = OPTION_FLAG, .value = &hand->hitch},
+                                 {.name = "--moving-camera", .kind = OPTION_FLAG, .value = &hand->moving_camera},
                                  {.name = "--cameras", .kind = OPTION_INTEGER, .value = &options.cameras},
                                  {.name = "--given-joint", .kind = OPTION_FLAG, .value = &options.given_only}};
     session session;
     int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
     if (status == CLI_OK && folder == NULL) status = options_refuse(&cli_dragbot, "which folder?");
-    if (status == CLI_OK && options.cameras < 1) status = options_refuse(&cli_dragbot, "--cameras from 1");
+    if (status == CLI_OK) status = check(&options);
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status != CLI_OK) return status;
     status = play(&session, folder, &options, as_json);
@@ -164,5 +224,6 @@ static int run(int argc, char** argv) {
 
 const cli_command cli_dragbot = {
     "dragbot", run,
-    "DIR [--cameras N] [--straight] [--wander SHARE] [--tremor PIXELS] [--given-joint] [--worst N] [--json]",
+    "DIR [--cameras N] [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
+    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera] [--given-joint] [--worst N] [--json]",
     "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel."};

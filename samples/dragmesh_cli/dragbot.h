@@ -34,6 +34,9 @@ void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face
 /* The pixel of a point; 0 when it is behind the eye. */
 bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);
 bool bot_view_on_screen(double x, double y);
+/* Returns the view with its camera carried by `angle`, rad, round the upward line through `centre`; it shares the
+ * buffers. */
+bot_view bot_view_orbit(const bot_view* view, vec centre, vec up, double angle);
 /* The point seen at column, row. */
 vec bot_view_point(const bot_view* view, int column, int row);
 
@@ -41,6 +44,7 @@ vec bot_view_point(const bot_view* view, int column, int row);
 
 /* Frames at 60 a second, by hand: least and most of a pull, and still after it. */
 enum { BOT_FRAMES = 120, BOT_MAX_FRAMES = 1200, BOT_HOLD = 20 };
+enum { BOT_MAX_REGRABS = 20 };
 
 /* A pixel to grab and the path of the mouse. */
 typedef struct bot_pull {
@@ -54,6 +58,8 @@ typedef struct bot_pull {
 
 /* Where the true joint at `value` takes a point. */
 vec bot_true_move(const known_joint* truth, vec point, double value);
+/* Returns the unit direction in which the true joint moves a point at first on its way to `value`. */
+vec bot_true_direction(const known_joint* truth, vec point, double value);
 /* Returns the value of the true joint that the bot pulls to. */
 double bot_travel(const known_joint* truth, double size);
 /* Minimum-jerk progress, 0 to 1, at a share of the time. */
@@ -65,17 +71,62 @@ int bot_choose_pull(const bot_view* view, uint32_t part, const known_joint* trut
 
 /* How the player's hand deviates from the true path. All 0: not at all. */
 typedef struct bot_hand {
-    int straight;  /* from the grabbed pixel straight to the end of the path */
-    double wander; /* largest deviation: standard deviation in x and in y, share of the path's length */
-    double tremor; /* the same in every frame independently, pixels */
+    int straight;      /* from the grabbed pixel straight to the end of the path */
+    int axis;          /* straight in the world, along the axis of the file nearest to the true way */
+    double wander;     /* largest deviation: standard deviation in x and in y, share of the path's length */
+    double tremor;     /* the same in every frame independently, pixels */
+    double jostle;     /* goes the wrong way first, pixels */
+    double offset;     /* the pointer is beside the grabbed point from the first frame on, and rests at first, pixels */
+    int pause;         /* stops half-way and goes on */
+    int regrab;        /* lets go and grabs again so often on the way */
+    int hz;            /* updates a second; 0 = 60 */
+    int hitch;         /* one update of a quarter of a second */
+    int moving_camera; /* the camera turns round the part during the pull */
 } bot_hand;
 
-void bot_hand_draw(const bot_hand* hand, random_state* random, bot_pull* pull);
+/* Bends the path as the hand draws it. Returns false when the path left is none that a mouse can draw. */
+bool bot_hand_draw(const bot_hand* hand, const bot_view* view, const known_joint* truth, random_state* random,
+                   bot_pull* pull);
+
+/* ---- what the hand does, update by update ---- */
+
+typedef struct bot_step {
+    double dt;     /* s since the update before */
+    double at;     /* place on the pull's path: an index with a fraction; -1: the grabbed pixel */
+    double beside; /* of the pointer from the path: of the way that the jostle goes, 0 to 1 */
+    double camera; /* turned by, rad */
+    bool on_way;   /* the pointer is on its way: the grabbed point must be near it */
+    bool resting;  /* has not moved yet since the grab */
+    bool regrabs;  /* lets go and grabs again just before */
+} bot_step;
+
+typedef struct bot_plan {
+    bot_step* steps;
+    int count;
+    double offset[2], jostle[2]; /* px */
+} bot_plan;
+
+/* To be freed: steps. */
+bot_plan bot_plan_make(const bot_hand* hand, const bot_pull* pull, random_state* random);
+/* Returns the pixel of a step before it is rounded, seen by the camera where it was at the grab. */
+void bot_plan_pointer(const bot_plan* plan, const bot_pull* pull, const bot_step* step, double out_pointer[2]);
+
+/* ---- playing ---- */
 
 typedef struct bot_times {
     float* ns;
     size_t count, room;
 } bot_times;
+
+/* Vertices that stand for all of a part's: the farthest both ways along 13 directions. */
+enum { BOT_EXTREMES = 26 };
+
+typedef struct bot_part {
+    uint32_t id;
+    vec centre; /* of its vertices */
+    vec extremes[BOT_EXTREMES];
+    double object_size;
+} bot_part;
 
 typedef struct bot_result {
     bool picked;       /* the right part */
@@ -87,14 +138,37 @@ typedef struct bot_result {
     bool arrived;      /* 90 to 110 % of what was asked */
     bool near;         /* always within 2 % of the screen's height of the pointer */
     bool success;
-    bool success_or_beyond; /* the same, but going too far is no failure */
-    dm_joint joint;         /* at the end */
+    bool success_or_beyond;    /* the same, but going too far is no failure */
+    bool stuck;                /* the grabbed point has gone less than a tenth of its way */
+    bool still_moved;          /* the part moved, or its joint changed, while the pointer rested after the grab */
+    int regrabs, regrab_jumps; /* the part moved by over 1 % of the object's size in the first frame after */
+    double worst_regrab;       /* share of the object's size */
+    dm_joint joint;            /* at the end */
 } bot_result;
 
-/* Picks and drags. centre: of the part's vertices. With a straight pull the grabbed point need not stay near the
- * pointer. */
-dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const bot_pull* pull, const bot_hand* hand,
-                   uint32_t part, const known_joint* truth, vec centre, bot_times* times, bot_result* out_result);
+/* A case: where from, what and how. */
+typedef struct bot_case {
+    const char* id;
+    bool given; /* with the true joint */
+    const bot_view* view;
+    const bot_pull* pull;
+    const bot_hand* hand;
+    const bot_plan* plan;
+    const bot_part* part;
+    const known_joint* truth;
+    vec up;
+} bot_case;
+
+/* Where a pose takes a point. */
+vec bot_moved(const dm_pose* pose, vec point);
+/* Returns how far the part's vertices are apart under two poses, at most; share of the object's size. */
+double bot_apart(const bot_part* part, const dm_pose* a, const dm_pose* b);
+
+/* Lets go of the part and grabs it again where it is, as docs/integration.md says. state: the last one. */
+dm_result bot_regrab(session* session, uint32_t part, dm_drag* drag, dm_drag_state* state);
+
+/* Picks and drags. With a straight pull the grabbed point need not stay near the pointer. */
+dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot_times* times, bot_result* out_result);
 
 /* ---- all cases ---- */
 
@@ -106,7 +180,8 @@ typedef struct bot_options {
 typedef struct bot_row {
     bot_result found, given; /* with the library's joint; with the true one */
     bool slides;
-    bot_pull pull;
+    int x, y; /* of the grab */
+    double asked, length;
     int camera;
     char id[200];
 } bot_row;

@@ -156,33 +156,59 @@ static vec direction(const setup* s, int index) {
     return add(scale(s->up, height), scale(turn(side, s->up, turned), sqrt(1 - height * height)));
 }
 
+static bool is_of_part(const setup* s, int joint, uint64_t index) {
+    return s->face_parts[index / 3] == s->part_of_joint[joint];
+}
+
 /* Computes a ball round the part along its whole pull. */
-static void frame_part(const setup* s, int joint, vec* out_centre, double* out_radius, vec* out_part_centre) {
+static void frame_part(const setup* s, int joint, vec* out_centre, double* out_radius) {
     const known_joint* truth = &s->object.joints[joint];
     const uint32_t* indices = s->session->mesh.indices;
     const float* positions = s->session->mesh.positions;
     const double asked = bot_travel(truth, s->size);
-    vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY}, sum = {0, 0, 0};
-    double count = 0;
+    vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
     for (uint64_t i = 0; i < s->session->mesh.index_count; i++) {
-        if (s->face_parts[i / 3] != s->part_of_joint[joint]) continue;
+        if (!is_of_part(s, joint, i)) continue;
         const vec point = vec_at(positions + 3 * (size_t)indices[i]);
-        sum = add(sum, point), count++;
         for (int k = 0; k <= 4; k++) {
             const vec p = bot_true_move(truth, point, 0.25 * k * asked /* at quarters of the pull */);
             low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
             high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
         }
     }
-    *out_part_centre = scale(sum, 1 / count);
     *out_centre = scale(add(low, high), 0.5);
     *out_radius = 0.5 * length(sub(high, low));
 }
 
+/* Moves the two extremes along a direction to `point` where it lies farther. */
+static void widen(bot_part* part, int direction, vec along, vec point, bool first) {
+    vec *low = &part->extremes[2 * direction], *high = low + 1;
+    if (first || dot(point, along) < dot(*low, along)) *low = point;
+    if (first || dot(point, along) > dot(*high, along)) *high = point;
+}
+
+static bot_part measure_part(const setup* s, int joint) {
+    static const vec along[BOT_EXTREMES / 2] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0},
+                                                {1, 0, 1},  {1, 0, -1}, {0, 1, 1},  {0, 1, -1}, {1, 1, 1},
+                                                {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
+    const uint32_t* indices = s->session->mesh.indices;
+    bot_part part = {.id = s->part_of_joint[joint], .object_size = s->size};
+    vec sum = {0, 0, 0};
+    double count = 0;
+    for (uint64_t i = 0; i < s->session->mesh.index_count; i++) {
+        if (!is_of_part(s, joint, i)) continue;
+        const vec point = vec_at((const float*)s->session->mesh.positions + 3 * (size_t)indices[i]);
+        for (int k = 0; k < BOT_EXTREMES / 2; k++) widen(&part, k, along[k], point, count == 0);
+        sum = add(sum, point), count++;
+    }
+    part.centre = scale(sum, 1 / count);
+    return part;
+}
+
 static int aim_and_choose(setup* s, int joint, int index, random_state* random, bot_pull* out_pull) {
-    vec centre, part_centre;
+    vec centre;
     double radius;
-    frame_part(s, joint, &centre, &radius, &part_centre);
+    frame_part(s, joint, &centre, &radius);
     const double whole = fmax(s->radius + length(sub(centre, s->centre)), radius);
     const double wanted = fmin(fmax(radius / part_fill, radius * view_margin), whole);
     bot_view_aim(&s->view, direction(s, index), s->up, centre, fmax(wanted, view_margin * radius),
@@ -211,39 +237,58 @@ static dm_joint true_joint(const known_joint* truth) {
     return joint;
 }
 
-static void play_joint(setup* s, int joint, const bot_options* options, int given, bot_score* score) {
+/* Returns the row of a case, which the run with the true joint shares with the run before it. */
+static bot_row* find_row(bot_score* score, const char* id, bool given) {
+    for (size_t r = score->count; given && r > 0; r--)
+        if (strcmp(score->rows[r - 1].id, id) == 0) return &score->rows[r - 1];
+    bot_row* row = new_row(score);
+    snprintf(row->id, sizeof row->id, "%s", id);
+    return row;
+}
+
+static void play_case(setup* s, const bot_case* played, bot_row* row, bot_score* score) {
+    row->slides = played->truth->slides;
+    row->x = played->pull->x, row->y = played->pull->y;
+    row->asked = played->pull->asked, row->length = played->pull->length;
+    bot_result* result = played->given ? &row->given : &row->found;
+    if (bot_play(s->session, s->scene, played, &score->times, result) == DM_OK) return;
+    fprintf(stderr, "dragmesh dragbot: %s: %s\n", row->id, s->session->error);
+    score->failed++;
+}
+
+static void play_joint(setup* s, int joint, const bot_options* options, bool given, bot_score* score) {
     const known_joint* truth = &s->object.joints[joint];
     random_state random = {(uint64_t)joint + 1};
-    vec centre, part_centre;
-    double radius;
-    frame_part(s, joint, &centre, &radius, &part_centre);
+    const bot_part part = measure_part(s, joint);
     if (given) {
         const dm_joint exact = true_joint(truth);
-        dm_object_set_joint(s->session->context, s->session->object, s->part_of_joint[joint], &exact);
+        dm_object_set_joint(s->session->context, s->session->object, part.id, &exact);
     }
     int found = 0;
     for (int i = 0; i < DIRECTIONS && found < options->cameras; i++) {
         bot_pull pull;
-        const int seen = aim_and_choose(s, joint, i, &random, &pull);
-        if (given) score->unseen += seen == 0, score->undrawable += seen < 0;
-        if (seen <= 0) continue;
+        int seen = aim_and_choose(s, joint, i, &random, &pull);
         random_state hand_random = {random.state ^
                                     0x68616E64u}; /* independent, so that all hands grab the same points */
-        bot_hand_draw(&options->hand, &hand_random, &pull);
-        bot_row* row = NULL;
-        char id[sizeof row->id];
+        if (seen > 0 && !bot_hand_draw(&options->hand, &s->view, truth, &hand_random, &pull)) seen = -1;
+        if (given) score->unseen += seen == 0, score->undrawable += seen < 0;
+        if (seen <= 0) continue;
+        bot_plan plan = bot_plan_make(&options->hand, &pull, &hand_random);
+        char id[sizeof score->rows->id];
         snprintf(id, sizeof id, "%s/%d/%d", s->object.name, joint, i);
-        for (size_t r = score->count; given && r > 0 && row == NULL; r--)
-            if (strcmp(score->rows[r - 1].id, id) == 0) row = &score->rows[r - 1];
-        if (row == NULL) row = new_row(score);
-        memcpy(row->id, id, sizeof id);
-        row->slides = truth->slides, row->pull = pull, row->camera = i;
-        bot_result* result = given ? &row->given : &row->found;
-        if (bot_play(s->session, s->scene, &s->view, &pull, &options->hand, s->part_of_joint[joint], truth, part_centre,
-                     &score->times, result) != DM_OK) {
-            fprintf(stderr, "dragmesh dragbot: %s: %s\n", row->id, s->session->error);
-            score->failed++;
-        }
+        bot_row* row = find_row(score, id, given);
+        row->camera = i;
+        const bot_case played = {.id = row->id,
+                                 .given = given,
+                                 .view = &s->view,
+                                 .pull = &pull,
+                                 .hand = &options->hand,
+                                 .plan = &plan,
+                                 .part = &part,
+                                 .truth = truth,
+                                 .up = s->up};
+        play_case(s, &played, row, score);
+        free(plan.steps);
         found++;
     }
 }
@@ -267,7 +312,7 @@ void bot_play_object(session* session, const char* folder, const char* name, con
     }
     for (int given = options->given_only; given < 2 && result == DM_OK; given++) {
         for (int i = 0; i < s.object.joint_count; i++)
-            if (s.part_of_joint[i]) play_joint(&s, i, options, given, score);
+            if (s.part_of_joint[i]) play_joint(&s, i, options, given != 0, score);
     }
     take_down(&s);
     bot_view_free(&s.view);

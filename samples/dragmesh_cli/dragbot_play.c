@@ -7,11 +7,13 @@
 #include "timing.h"
 
 /* By hand; docs/feel.md. */
-static const double frame = 1.0 / 60; /* s */
 /* A jump: in one frame the part moves more than jump_share of the screen's height and jump_gain times the pointer. */
 static const double jump_share = 0.03, jump_gain = 4;
-static const double near_share = 0.02; /* of the screen's height: the grabbed point is at the pointer */
-static const double reach_share = 0.9; /* of the asked value: the part has arrived */
+static const double near_share = 0.02;   /* of the screen's height: the grabbed point is at the pointer */
+static const double reach_share = 0.9;   /* of the asked value: the part has arrived */
+static const double stuck_share = 0.1;   /* of the way of the grabbed point */
+static const double still_share = 0.001; /* of the object's size: a part that has not moved */
+static const double regrab_share = 0.01; /* of the object's size: a jump at a new grab */
 
 static void record_time(bot_times* times, double ns) {
     if (times->count == times->room) {
@@ -21,93 +23,182 @@ static void record_time(bot_times* times, double ns) {
     times->ns[times->count++] = (float)ns;
 }
 
-static vec moved(const dm_pose* pose, vec point) {
+vec bot_moved(const dm_pose* pose, vec point) {
     float xyz[3] = {(float)point.x, (float)point.y, (float)point.z};
     dm_pose_apply_points(pose, xyz, 0, xyz, 0, 1);
     return vec_at(xyz);
 }
 
+double bot_apart(const bot_part* part, const dm_pose* a, const dm_pose* b) {
+    double most = 0;
+    for (int i = 0; i < BOT_EXTREMES; i++)
+        most = fmax(most, length(sub(bot_moved(a, part->extremes[i]), bot_moved(b, part->extremes[i]))));
+    return most / part->object_size;
+}
+
 /* Returns the true joint's value of a pose: the twist about its axis, or the displacement of the part's centre. */
 static double true_value(const known_joint* truth, const dm_pose* pose, vec centre, double near) {
-    if (truth->slides) return dot(sub(moved(pose, centre), centre), truth->axis);
+    if (truth->slides) return dot(sub(bot_moved(pose, centre), centre), truth->axis);
     const vec v = {(double)pose->real[0], (double)pose->real[1], (double)pose->real[2]};
     const double angle = 2 * atan2(dot(v, truth->axis), (double)pose->real[3]);
     return angle + TWO_PI * round((near - angle) / TWO_PI);
 }
 
-/* Measures jumps and distances on the screen, frame by frame. */
-typedef struct screen_tracker {
-    const bot_view* view;
-    vec centre;        /* of the part at rest */
-    double seen[2][2]; /* grabbed point and centre on the screen in the frame before */
-    double pointer[2]; /* in the frame before */
+/* One drag under way. */
+typedef struct player {
+    session* session;
+    const bot_case* now;
+    bot_view view;     /* of the camera where it is */
+    double seen[2][2]; /* grabbed point and centre of the part on the screen in the update before */
+    double pointer[2]; /* in the update before */
+    dm_drag drag;
+    dm_drag_state state;
+    dm_joint first_joint;
+    uint32_t changes; /* in the grabs before this one */
+    bot_times* times;
     bot_result* result;
-} screen_tracker;
+} player;
 
-static void track_frame(screen_tracker* w, const dm_drag_state* state, const double pointer[2]) {
-    const vec points[2] = {vec_of(state->grab_point), moved(&state->pose, w->centre)};
-    const double went = hypot(pointer[0] - w->pointer[0], pointer[1] - w->pointer[1]);
+/* ---- measuring ---- */
+
+static void track_screen(player* p, const bot_step* step, const double pointer[2]) {
+    const vec points[2] = {vec_of(p->state.grab_point), bot_moved(&p->state.pose, p->now->part->centre)};
+    const double went = hypot(pointer[0] - p->pointer[0], pointer[1] - p->pointer[1]);
+    const double* beside = p->now->plan->offset;
     bool jumped = false;
     for (int i = 0; i < 2; i++) {
         double x = 0, y = 0;
-        if (!bot_view_project(w->view, points[i], &x, &y)) continue;
-        const double step = hypot(x - w->seen[i][0], y - w->seen[i][1]);
-        if (step > jump_gain * went + jump_share * BOT_HEIGHT) {
+        if (!bot_view_project(&p->view, points[i], &x, &y)) continue;
+        const double moved = hypot(x - p->seen[i][0], y - p->seen[i][1]);
+        if (moved > jump_gain * went + jump_share * BOT_HEIGHT) {
             jumped = true;
-            w->result->worst_jump = fmax(w->result->worst_jump, step);
+            p->result->worst_jump = fmax(p->result->worst_jump, moved);
         }
-        w->seen[i][0] = x, w->seen[i][1] = y;
-        if (i == 0) w->result->off = fmax(w->result->off, hypot(x - pointer[0], y - pointer[1]) / BOT_HEIGHT);
+        p->seen[i][0] = x, p->seen[i][1] = y;
+        if (i == 1 || !step->on_way) continue;
+        const double off = hypot(x - pointer[0] + beside[0], y - pointer[1] + beside[1]);
+        p->result->off = fmax(p->result->off, off / BOT_HEIGHT);
     }
-    w->result->jumps += jumped;
-    memcpy(w->pointer, pointer, sizeof w->pointer);
+    p->result->jumps += jumped;
+    memcpy(p->pointer, pointer, sizeof p->pointer);
 }
 
-static dm_result follow_path(session* session, dm_drag drag, const bot_view* view, const bot_pull* pull, vec centre,
-                             bot_times* times, dm_drag_state* out_state, bot_result* out_result) {
-    screen_tracker w = {.view = view, .centre = centre, .pointer = {pull->x, pull->y}, .result = out_result};
-    bot_view_project(view, pull->point, &w.seen[0][0], &w.seen[0][1]);
-    bot_view_project(view, centre, &w.seen[1][0], &w.seen[1][1]);
-    for (int i = 0; i < pull->frames + BOT_HOLD; i++) {
-        const double* at = pull->path[i < pull->frames ? i : pull->frames - 1];
-        const double pointer[2] = {round(at[0]), round(at[1])}; /* a mouse reports whole pixels */
-        dm_ray ray;
-        dm_result result = dm_camera_ray(session->context, &view->camera, (float)pointer[0], (float)pointer[1], &ray);
-        if (result != DM_OK) return result;
-        const double start = timing_now_ns(CLOCK_MONOTONIC);
-        result = dm_drag_update(session->context, drag, &ray, (float)frame, out_state);
-        record_time(times, timing_now_ns(CLOCK_MONOTONIC) - start);
-        if (result != DM_OK) return result;
-        track_frame(&w, out_state, pointer);
+static bool same_joint(const dm_joint* a, const dm_joint* b) {
+    return a->type == b->type && memcmp(&a->axis, &b->axis, sizeof a->axis) == 0 &&
+           memcmp(&a->origin, &b->origin, sizeof a->origin) == 0;
+}
+
+static void track_rest(player* p) {
+    static const dm_pose rest = {.real = {0, 0, 0, 1}};
+    dm_joint joint;
+    if (dm_drag_get_joint(p->session->context, p->drag, &joint) != DM_OK) return;
+    if (bot_apart(p->now->part, &rest, &p->state.pose) > still_share || !same_joint(&joint, &p->first_joint))
+        p->result->still_moved = true;
+}
+
+static void track_regrab(player* p, const dm_pose* before) {
+    const double jump = bot_apart(p->now->part, before, &p->state.pose);
+    p->result->regrabs++;
+    p->result->regrab_jumps += jump > regrab_share;
+    p->result->worst_regrab = fmax(p->result->worst_regrab, jump);
+}
+
+/* ---- the drag ---- */
+
+dm_result bot_regrab(session* session, uint32_t part, dm_drag* drag, dm_drag_state* state) {
+    const dm_result result = dm_drag_end(session->context, *drag, state);
+    if (result != DM_OK) return result;
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = part,
+                               .object = session->object,
+                               .grab_point = state->grab_point,
+                               .start_value = state->value};
+    return dm_drag_begin(session->context, &desc, drag);
+}
+
+/* Computes the pointer of a step. A moving camera's pointer goes with the true point on the screen. */
+static void aim(player* p, const bot_step* step, double pointer[2]) {
+    const bot_case* now = p->now;
+    bot_plan_pointer(now->plan, now->pull, step, pointer);
+    if (step->camera != 0) {
+        const double value = now->pull->asked * bot_minimum_jerk((step->at + 1) / now->pull->frames);
+        const vec point = bot_true_move(now->truth, now->pull->point, value);
+        double was[2], is[2];
+        p->view = bot_view_orbit(now->view, now->part->centre, now->up, step->camera);
+        if (bot_view_project(now->view, point, &was[0], &was[1]) && bot_view_project(&p->view, point, &is[0], &is[1]))
+            for (int k = 0; k < 2; k++) pointer[k] += is[k] - was[k];
     }
+    for (int k = 0; k < 2; k++) pointer[k] = round(pointer[k]); /* a mouse reports whole pixels */
+}
+
+static dm_result take_step(player* p, const bot_step* step) {
+    dm_context* context = p->session->context;
+    const dm_pose before = p->state.pose;
+    double pointer[2];
+    dm_ray ray;
+    aim(p, step, pointer);
+    dm_result result = dm_camera_ray(context, &p->view.camera, (float)pointer[0], (float)pointer[1], &ray);
+    if (result == DM_OK && step->regrabs) {
+        result = bot_regrab(p->session, p->now->part->id, &p->drag, &p->state);
+        p->changes += p->state.changes;
+    }
+    if (result != DM_OK) return result;
+    const double start = timing_now_ns(CLOCK_MONOTONIC);
+    result = dm_drag_update(context, p->drag, &ray, (float)step->dt, &p->state);
+    record_time(p->times, timing_now_ns(CLOCK_MONOTONIC) - start);
+    if (result != DM_OK) return result;
+    track_screen(p, step, pointer);
+    if (step->resting) track_rest(p);
+    if (step->regrabs) track_regrab(p, &before);
     return DM_OK;
 }
 
-dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const bot_pull* pull, const bot_hand* hand,
-                   uint32_t part, const known_joint* truth, vec centre, bot_times* times, bot_result* out_result) {
+static dm_result follow_plan(player* p) {
+    const bot_case* now = p->now;
+    for (int k = 0; k < 2; k++) p->pointer[k] = (k ? now->pull->y : now->pull->x) + now->plan->offset[k];
+    bot_view_project(&p->view, now->pull->point, &p->seen[0][0], &p->seen[0][1]);
+    bot_view_project(&p->view, now->part->centre, &p->seen[1][0], &p->seen[1][1]);
+    dm_result result = dm_drag_get_joint(p->session->context, p->drag, &p->first_joint);
+    for (int i = 0; i < now->plan->count && result == DM_OK; i++) result = take_step(p, &now->plan->steps[i]);
+    return result;
+}
+
+/* ---- the verdict ---- */
+
+static void judge(const bot_case* now, const dm_drag_state* last, bot_result* result) {
+    const bool strays = now->hand->straight || now->hand->axis; /* off the true path on purpose */
+    const vec end = bot_true_move(now->truth, now->pull->point, now->pull->asked);
+    const double way = length(sub(end, now->pull->point));
+    result->reached = true_value(now->truth, &last->pose, now->part->centre, now->pull->asked) / now->pull->asked;
+    const int far_enough = result->reached >= reach_share, not_beyond = result->reached <= 2 - reach_share;
+    result->arrived = far_enough && not_beyond;
+    result->near = result->off <= near_share;
+    result->stuck = length(sub(vec_of(last->grab_point), now->pull->point)) < stuck_share * way;
+    result->success_or_beyond = far_enough && (strays || result->near) && result->jumps == 0;
+    result->success = result->success_or_beyond && not_beyond;
+}
+
+dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot_times* times, bot_result* out_result) {
     *out_result = (bot_result){0};
+    player p = {.session = session, .now = played, .view = *played->view, .times = times, .result = out_result};
     dm_ray ray;
     dm_hit hit;
-    dm_result result = dm_camera_ray(session->context, &view->camera, (float)pull->x, (float)pull->y, &ray);
+    dm_result result =
+        dm_camera_ray(session->context, &p.view.camera, (float)played->pull->x, (float)played->pull->y, &ray);
     if (result == DM_OK) result = dm_scene_pick(session->context, scene, &ray, &hit);
     if (result != DM_OK) return result;
-    out_result->picked = hit.object == session->object && hit.part_id == part;
+    out_result->picked = hit.object == session->object && hit.part_id == played->part->id;
     if (!out_result->picked) return DM_OK;
-    const dm_drag_desc desc = {
-        .struct_size = sizeof desc, .part_id = part, .object = session->object, .grab_point = hit.object_point};
-    dm_drag drag;
-    dm_drag_state state;
-    result = dm_drag_begin(session->context, &desc, &drag);
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = played->part->id,
+                               .object = session->object,
+                               .grab_point = hit.object_point};
+    result = dm_drag_begin(session->context, &desc, &p.drag);
     if (result != DM_OK) return result;
-    result = follow_path(session, drag, view, pull, centre, times, &state, out_result);
-    dm_drag_get_joint(session->context, drag, &out_result->joint);
-    dm_drag_end(session->context, drag, &state);
-    out_result->changes = (int)state.changes;
-    out_result->reached = true_value(truth, &state.pose, centre, pull->asked) / pull->asked;
-    const int far_enough = out_result->reached >= reach_share, not_beyond = out_result->reached <= 2 - reach_share;
-    out_result->arrived = far_enough && not_beyond;
-    out_result->near = out_result->off <= near_share;
-    out_result->success_or_beyond = far_enough && (hand->straight || out_result->near) && out_result->jumps == 0;
-    out_result->success = out_result->success_or_beyond && not_beyond;
+    result = follow_plan(&p);
+    dm_drag_get_joint(session->context, p.drag, &out_result->joint);
+    dm_drag_end(session->context, p.drag, &p.state);
+    out_result->changes = (int)(p.changes + p.state.changes);
+    judge(played, &p.state, out_result);
     return result;
 }

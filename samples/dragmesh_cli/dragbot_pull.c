@@ -21,6 +21,11 @@ vec bot_true_move(const known_joint* truth, vec point, double value) {
     return add(truth->origin, turn(sub(point, truth->origin), truth->axis, value));
 }
 
+vec bot_true_direction(const known_joint* truth, vec point, double value) {
+    const vec way = truth->slides ? truth->axis : cross(truth->axis, sub(point, truth->origin));
+    return unit(scale(way, value < 0 ? -1 : 1));
+}
+
 /* Returns the side of rest, +1 or -1, that the dataset's drags pull to. */
 static double side_of(const known_joint* truth) {
     if (truth->drag_count == 0) return fabs(truth->lower) > fabs(truth->upper) ? -1 : 1;

@@ -2,9 +2,24 @@
 #ifndef DMI_MATH_JOINT_H
 #define DMI_MATH_JOINT_H
 
+#include <float.h>
 #include <stdbool.h>
 
 #include "math/dual_quat.h"
+
+/* Joint values, rest among them, between which a part does not penetrate its body. A side without bound is -FLT_MAX or
+ * FLT_MAX. */
+typedef struct dmi_free_range {
+    float lower, upper; /* lower <= 0 <= upper */
+} dmi_free_range;
+
+static inline dmi_free_range dmi_unbounded_range(void) {
+    return (dmi_free_range){-FLT_MAX, FLT_MAX};
+}
+/* Returns the range of the joint reversed (dmi_joint_reverse). */
+static inline dmi_free_range dmi_reversed_range(dmi_free_range range) {
+    return (dmi_free_range){-range.upper, -range.lower};
+}
 
 /* Returns the pose at `value` (rad, or length for prismatic). Fixed and unknown joints give the identity. */
 dm_pose dmi_joint_pose(const dm_joint* joint, float value);

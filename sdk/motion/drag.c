@@ -14,6 +14,7 @@
 #define MAX_GAIN 16.0f
 #define CATCH_UP_HALF_LIFE 0.1f /* s in which half of what MAX_GAIN held back is made up for; by hand */
 #define MIN_RAY_TURN 1e-5f      /* rad between two rays: rounding makes less, a pixel makes more; by hand */
+#define MAX_GRAB_OFFSET 0.025f  /* rad, as seen from the ray's origin: about 20 pixels of a usual screen; by hand */
 #define LIMIT_TOLERANCE 1e-4f   /* share of the range that counts as at a limit; by hand */
 
 /* Returns the speed of the grabbed point, host units a unit of the joint value. */
@@ -47,9 +48,9 @@ static void init_estimated_limits(dmi_drag* drag) {
     dmi_joint_reachable_range(&drag->joint, limit_give, &drag->reachable_lower, &drag->reachable_upper);
 }
 
-void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size,
-                               dmi_limit_give limit_give) {
-    dmi_hypothesis_tracker_init(&drag->tracker, joints, count, drag->rest_point, size, limit_give);
+void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, const dmi_free_range* free_ranges,
+                               uint32_t count, float size, dmi_limit_give limit_give) {
+    dmi_hypothesis_tracker_init(&drag->tracker, joints, free_ranges, count, drag->rest_point, size, limit_give);
     init_estimated_limits(drag);
 }
 
@@ -81,6 +82,26 @@ static bool has_turned(dm_vec3 a, dm_vec3 b) {
 static bool has_last_ray(const dmi_drag* drag) {
     const dm_vec3 d = drag->last_ray.direction;
     return d.x != 0 || d.y != 0 || d.z != 0;
+}
+
+/* Remembers by how much the first ray misses the grabbed point: the player took hold of it beside the pointer. A ray
+ * that passes farther off has moved since the grab. */
+static void measure_grab_offset(dmi_drag* drag, const dm_ray* ray) {
+    float now[3], offset[3], square = 0, reach = 0;
+    dmi_ray_closest_point(ray, drag->point, now);
+    const dmi_float3 eye = dmi_xyz(ray->origin);
+    for (int i = 0; i < 3; i++) {
+        offset[i] = drag->point[i] - now[i];
+        square += offset[i] * offset[i];
+        reach += (drag->point[i] - eye.v[i]) * (drag->point[i] - eye.v[i]);
+    }
+    if (square <= MAX_GRAB_OFFSET * MAX_GRAB_OFFSET * reach) drag->grab_offset = dmi_vec3(offset);
+}
+
+static void add_grab_offset(const dmi_drag* drag, dm_ray* ray) {
+    ray->origin.x += drag->grab_offset.x;
+    ray->origin.y += drag->grab_offset.y;
+    ray->origin.z += drag->grab_offset.z;
 }
 
 /* Returns how far the pointer moved since the last update, host units at the grabbed point. Before the first update it
@@ -149,6 +170,8 @@ static void update_held(dmi_drag* drag, const dm_ray* ray, float dt) {
     float before = drag->target;
     dm_ray unit;
     if (ray != NULL && normalize_ray(ray, &unit)) {
+        if (!has_last_ray(drag)) measure_grab_offset(drag, &unit);
+        add_grab_offset(drag, &unit);
         const float nearest = follow(drag, &unit, dt);
         if (dmi_hypothesis_tracker_update(&drag->tracker, nearest, &unit, drag->projection)) {
             change_joint(drag);

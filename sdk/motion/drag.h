@@ -15,6 +15,7 @@ typedef struct dmi_drag {
     float speed;               /* of the grabbed point, host units a unit of the joint value */
     float point[3];            /* the grabbed point as shown */
     float pointer_value;       /* value that the pointer asks for, before soft ends bring it into the limits */
+    dm_vec3 grab_offset;       /* from the pointer to the grabbed point when it was grabbed: added to all rays */
     dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
     dmi_projection projection; /* perspective once rays of different directions have come */
     dmi_hypothesis_tracker tracker; /* count 0: the joint is certain */
@@ -29,9 +30,10 @@ typedef struct dmi_drag {
 void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_point[3], float start_value,
                     const dm_drag_feel* feel);
 /* Declares that the joint was inferred: its limits may be exceeded, and the pull chooses among `joints`, of which the
- * first is active (count 0 or 1: no other). Only with the part at rest. size: of the part, host units. */
-void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, uint32_t count, float size,
-                               dmi_limit_give limit_give);
+ * first is active (count 0 or 1: no other). Only with the part at rest. free_ranges: of the joints; NULL: without
+ * bounds. size: of the part, host units. */
+void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, const dmi_free_range* free_ranges,
+                               uint32_t count, float size, dmi_limit_give limit_give);
 /* Advances by dt seconds. ray may be NULL once released. */
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
 void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state);

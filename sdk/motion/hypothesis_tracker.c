@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/vec3.h"
+
 #define MIN_PULL 0.006f                 /* share of the part's size: a shorter pull carries no information; fitted */
 #define FALLBACK_SLIDE_LOG_ODDS (-6.5f) /* of a slide along an object axis that inference did not propose; fitted */
 #define UNKNOWN_RANGE_LOG_ODDS (-0.35f) /* of a joint without an inferred range; fitted */
@@ -18,37 +20,42 @@ static bool is_known(const dmi_hypothesis_tracker* tracker, const dm_joint* join
     return false;
 }
 
-static void add(dmi_hypothesis_tracker* tracker, const dm_joint* joint, float log_odds, bool range_unknown) {
+static void add(dmi_hypothesis_tracker* tracker, const dm_joint* joint, float log_odds, bool range_unknown,
+                dmi_free_range free_range) {
     if (tracker->count == DMI_TRACKED_HYPOTHESES || joint->type == DM_JOINT_FIXED || is_known(tracker, joint)) return;
     const uint32_t index = tracker->count++;
-    tracker->list[index] = dmi_joint_hypothesis_make(&tracker->grasp, joint, log_odds, range_unknown);
+    tracker->list[index] = dmi_joint_hypothesis_make(&tracker->grasp, joint, log_odds, range_unknown, free_range);
     tracker->priority[index] = tracker->list[index].log_prior;
     dmi_axis_refiner_add(&tracker->refiner, index, &tracker->list[index]);
 }
 
-void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, const dm_joint* joint) {
+void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, const dm_joint* joint,
+                                            dmi_free_range free_range) {
     dm_joint unlimited = *joint;
     unlimited.lower = unlimited.upper = 0;
-    add(tracker, &unlimited, dmi_joint_log_odds(joint) + UNKNOWN_RANGE_LOG_ODDS, true);
+    add(tracker, &unlimited, dmi_joint_log_odds(joint) + UNKNOWN_RANGE_LOG_ODDS, true, free_range);
 }
 
-void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint* joints, uint32_t count,
-                                 const float grab_point[3], float size, dmi_limit_give limit_give) {
+void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 axis, dmi_free_range free_range) {
+    const float size = tracker->grasp.size;
+    const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
+                            .axis = axis,
+                            .origin = dmi_vec3(tracker->grasp.pull.grab),
+                            .lower = fmaxf(-size, free_range.lower),
+                            .upper = fminf(size, free_range.upper),
+                            .source = DM_JOINT_FROM_GEOMETRY};
+    if (slide.lower < slide.upper) add(tracker, &slide, FALLBACK_SLIDE_LOG_ODDS, false, free_range);
+}
+
+void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint* joints,
+                                 const dmi_free_range* free_ranges, uint32_t count, const float grab_point[3],
+                                 float size, dmi_limit_give limit_give) {
     *tracker = (dmi_hypothesis_tracker){.grasp = {.size = size, .limit_give = limit_give}};
     dmi_axis_refiner_init(&tracker->refiner);
     dmi_pull_begin(&tracker->grasp.pull, grab_point, MIN_PULL * size);
     for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++)
-        add(tracker, &joints[i], dmi_joint_log_odds(&joints[i]), false);
-    if (tracker->count == 0) return;
-    for (int i = 0; i < 3; i++) {
-        const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
-                                .axis = {i == 0, i == 1, i == 2},
-                                .origin = joints[0].origin,
-                                .lower = -size,
-                                .upper = size,
-                                .source = DM_JOINT_FROM_GEOMETRY};
-        add(tracker, &slide, FALLBACK_SLIDE_LOG_ODDS, false);
-    }
+        add(tracker, &joints[i], dmi_joint_log_odds(&joints[i]), false,
+            free_ranges != NULL ? free_ranges[i] : dmi_unbounded_range());
 }
 
 /* Finds the hypotheses of highest priority but the active one, highest first. */
@@ -110,12 +117,12 @@ bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointe
     if (tracker->count == 0) return false;
     dmi_pull* pull = &tracker->grasp.pull;
     pull->projection = projection;
-    if (!dmi_joint_hypothesis_is_at_stop(&tracker->list[tracker->best], pointer_value)) dmi_pull_add(pull, ray);
+    dmi_pull_add(pull, ray);
     if (pull->length < MIN_PULL * tracker->grasp.size) return false;
     tracker->round++;
     if (switch_to_best(tracker, pointer_value, ray)) return true;
     dmi_joint_hypothesis* best = &tracker->list[tracker->best];
-    if (dmi_joint_hypothesis_is_at_stop(best, pointer_value) || !refine_axes(tracker)) return false;
+    if (dmi_joint_hypothesis_is_pushed_shut(best, best->pointer_value) || !refine_axes(tracker)) return false;
     float lower, upper;
     dmi_joint_hypothesis_range(&tracker->grasp, best, &lower, &upper);
     best->pointer_value = dmi_follow_ray(&best->joint, pull->grab, ray, projection, pointer_value, lower, upper);

@@ -14,11 +14,15 @@ typedef struct dmi_hypothesis_tracker {
     dmi_axis_refiner refiner;
 } dmi_hypothesis_tracker;
 
-/* joints[0] is active. Adds slides along the object's axes as a fallback. count 0: tracks nothing. */
-void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint* joints, uint32_t count,
-                                 const float grab_point[3], float size, dmi_limit_give limit_give);
+/* joints[0] is active. free_ranges: of the joints; NULL: without bounds. count 0: tracks nothing. */
+void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint* joints,
+                                 const dmi_free_range* free_ranges, uint32_t count, const float grab_point[3],
+                                 float size, dmi_limit_give limit_give);
 /* Adds a joint whose range is unknown; it is left out when the tracker is full or holds one alike. */
-void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, const dm_joint* joint);
+void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, const dm_joint* joint,
+                                            dmi_free_range free_range);
+/* Adds a slide that inference did not propose, as a last resort. axis: unit. */
+void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 axis, dmi_free_range free_range);
 /* Updates the active hypothesis, which follows the ray at `pointer_value`, and the likeliest others by one ray; not
  * all, so that an update takes about a microsecond. Returns true when another joint, another side of rest or another
  * axis line is active now. */

@@ -10,9 +10,13 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define NOISE_PER_LENGTH 0.01f          /* expected residual on the right joint, share of the pull's length; fitted */
-#define NOISE_FLOOR 0.0015f             /* expected residual at the start, share of the part's size; fitted */
-#define TAIL_EXPONENT 3.5f              /* of the power law that residuals follow; fitted */
+#define NOISE_PER_LENGTH 0.01f      /* expected residual on the right joint, share of the pull's length; fitted */
+#define NOISE_FLOOR 0.0015f         /* expected residual at the start, share of the part's size; fitted */
+#define TAIL_EXPONENT 3.5f          /* of the power law that residuals follow; fitted */
+#define PUSH_LOG_PRIOR (-1.5f)      /* of a hand that pushes a part against its stop; by hand */
+#define EXCURSION_LOG_PRIOR (-4.0f) /* of the side of rest to which the pull has gone less far; by hand */
+#define EXCURSION_RATIO 3.0f        /* times as far a pull goes to the other side before that is its side; by hand */
+#define BLOCKED_SHARE 0.25f         /* of the range: a side with less room is blocked; by hand */
 #define STRAIGHT_LOG_LIKELIHOOD (-4.5f) /* of a pointer that goes straight to where a turn should end; fitted */
 #define NEGLIGIBLE_LOG_RATIO 3.0f       /* a term smaller than the other by exp(3) is left out; by hand */
 #define MIN_CONFIDENCE 1e-3f            /* confidences are clamped to [this, 1 - this]; by hand */
@@ -55,13 +59,21 @@ float dmi_lever_arm_log_prior(const dmi_grasp* grasp, const dm_joint* joint) {
     return 0.5f * logf(fminf(fmaxf(arm, MIN_ARM), 1));
 }
 
+/* Whether a joint that rests at an end of its range has too little room on the other side of rest. */
+static bool is_blocked(const dm_joint* joint, dmi_free_range free_range) {
+    const float side = side_of(joint), room = side > 0 ? -free_range.lower : free_range.upper;
+    return side != 0 && room < BLOCKED_SHARE * (joint->upper - joint->lower);
+}
+
 dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_grasp* grasp, const dm_joint* joint, float log_odds,
-                                               bool range_unknown) {
+                                               bool range_unknown, dmi_free_range free_range) {
     const float log_prior = log_odds + dmi_lever_arm_log_prior(grasp, joint);
     return (dmi_joint_hypothesis){.joint = *joint,
                                   .initial_origin = {joint->origin.x, joint->origin.y, joint->origin.z},
                                   .side = side_of(joint),
                                   .range_unknown = range_unknown,
+                                  .other_side_blocked = is_blocked(joint, free_range),
+                                  .free_range = free_range,
                                   .log_prior = log_prior,
                                   .log_posterior = log_prior};
 }
@@ -80,34 +92,42 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
 
 void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
                                 float* out_upper) {
+    if (hypothesis->range_unknown) {
+        *out_lower = hypothesis->free_range.lower, *out_upper = hypothesis->free_range.upper;
+        return;
+    }
     dmi_joint_reachable_range(&hypothesis->joint, grasp->limit_give, out_lower, out_upper);
-    if (side_of(&hypothesis->joint) == 0 || hypothesis->side_decided) return;
+    if (side_of(&hypothesis->joint) == 0) return;
     *out_upper = fmaxf(-*out_lower, *out_upper), *out_lower = -*out_upper;
 }
 
-bool dmi_joint_hypothesis_is_at_stop(const dmi_joint_hypothesis* hypothesis, float pointer_value) {
-    const float side = side_of(&hypothesis->joint);
-    return side != 0 && hypothesis->side_decided && side * pointer_value <= 0;
+bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis, float pointer_value) {
+    return hypothesis->other_side_blocked && side_of(&hypothesis->joint) * pointer_value < 0;
 }
 
-/* Gives a joint of unknown range one: a slide begins at rest on the side of the pull, a turn stays free. Most slides
- * of the development set rest at an end of their range, most of its turns that are hard to infer do not. */
+/* Gives a joint of unknown range one, inside its free range: a slide begins at rest on the side of the pull, a turn
+ * stays free. Most slides of the development set rest at an end of their range, most of its turns that are hard to
+ * infer do not. */
 static void set_default_range(dmi_joint_hypothesis* hypothesis, float size) {
     dm_joint* joint = &hypothesis->joint;
+    const dmi_free_range free = hypothesis->free_range;
     hypothesis->range_unknown = false;
     if (joint->type == DM_JOINT_PRISMATIC) {
-        joint->lower = hypothesis->pointer_value < 0 ? -size : 0;
-        joint->upper = hypothesis->pointer_value < 0 ? 0 : size;
+        joint->lower = hypothesis->pointer_value < 0 ? fmaxf(-size, free.lower) : 0;
+        joint->upper = hypothesis->pointer_value < 0 ? 0 : fminf(size, free.upper);
+        hypothesis->side = side_of(joint);
+        hypothesis->other_side_blocked = is_blocked(joint, free);
         return;
     }
-    joint->type = DM_JOINT_CONTINUOUS;
-    joint->lower = -0.5f * DMI_TWO_PI_F, joint->upper = 0.5f * DMI_TWO_PI_F;
+    const bool bounded = free.lower > -DMI_PI_F || free.upper < DMI_PI_F;
+    joint->type = bounded ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
+    joint->lower = fmaxf(-DMI_PI_F, free.lower), joint->upper = fminf(DMI_PI_F, free.upper);
 }
 
 bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float size) {
     dm_joint* joint = &hypothesis->joint;
     if (hypothesis->range_unknown) set_default_range(hypothesis, size);
-    if (!(side_of(joint) * hypothesis->pointer_value < 0)) return false;
+    if (!(side_of(joint) * hypothesis->pointer_value < 0) || hypothesis->other_side_blocked) return false;
     const float lower = joint->lower;
     joint->lower = -joint->upper, joint->upper = -lower;
     return true;
@@ -140,23 +160,33 @@ float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_join
     return more + logf(expf(followed - more) + expf(straight - more));
 }
 
-float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float side) {
-    return hypothesis->side * side < 0 ? DMI_OTHER_SIDE_LOG_PRIOR : 0;
+/* A joint may have been found on the wrong side of rest, where the other is not blocked. The side that the pull went to
+ * most is its side: a short push before the pull, or beyond rest after it, is not. */
+float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float value) {
+    if (hypothesis->side == 0) return 0;
+    if (dmi_joint_hypothesis_is_pushed_shut(hypothesis, value)) return PUSH_LOG_PRIOR;
+    if (hypothesis->other_side_blocked) return 0;
+    const float against = EXCURSION_RATIO * hypothesis->excursion[value < 0], back = against - fabsf(value);
+    const float less = back > 0 ? EXCURSION_LOG_PRIOR * back / against : 0;
+    return less + (hypothesis->side * value < 0 ? DMI_OTHER_SIDE_LOG_PRIOR : 0);
 }
 
 static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
-    const float now = side_of(&hypothesis->joint);
+    const float now = side_of(&hypothesis->joint), value = hypothesis->pointer_value;
     float point[3];
-    dmi_joint_move(&hypothesis->joint, hypothesis->pointer_value, grasp->pull.grab, point);
+    dmi_joint_move(&hypothesis->joint, value, grasp->pull.grab, point);
+    hypothesis->excursion[value > 0] = fmaxf(hypothesis->excursion[value > 0], fabsf(value));
     hypothesis->max_residual = fmaxf(hypothesis->max_residual, dmi_pull_residual(&grasp->pull, ray, point));
     hypothesis->log_posterior = hypothesis->log_prior - hypothesis->shift_cost +
-                                dmi_joint_hypothesis_side_log_prior(hypothesis, hypothesis->pointer_value) +
+                                dmi_joint_hypothesis_side_log_prior(hypothesis, value) +
                                 dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
     hypothesis->log_posterior_at_stop = hypothesis->log_posterior;
-    if (now * hypothesis->pointer_value >= 0) return;
-    hypothesis->log_posterior_at_stop =
-        hypothesis->log_prior - hypothesis->shift_cost + dmi_joint_hypothesis_side_log_prior(hypothesis, now) +
-        dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab));
+    if (now * value >= 0 || hypothesis->other_side_blocked) return;
+    const float at_stop = dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab);
+    const float missed = dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, at_stop);
+    const float pushed =
+        PUSH_LOG_PRIOR + dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
+    hypothesis->log_posterior_at_stop = hypothesis->log_prior - hypothesis->shift_cost + fmaxf(missed, pushed);
 }
 
 void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
@@ -168,17 +198,13 @@ void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* h
     update_posterior(grasp, hypothesis, ray);
 }
 
-/* Until its side is decided, the active joint is followed on both sides as all others are: its stop at rest may be on
- * the wrong one. A drawer that was pulled out and is pushed back has decided. */
+/* A joint that rests at an end of its range is followed on both sides as all others are. */
 void dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
                                         const dm_ray* ray) {
-    const float range = active->joint.upper - active->joint.lower, side = side_of(&active->joint);
-    active->side_decided |= side * pointer_value > REST_SHARE * range;
-    if (side != 0 && !active->side_decided) {
+    if (side_of(&active->joint) != 0) {
         dmi_joint_hypothesis_update(grasp, active, ray);
         return;
     }
     active->pointer_value = pointer_value;
-    if (dmi_joint_hypothesis_is_at_stop(active, pointer_value)) return;
     update_posterior(grasp, active, ray);
 }

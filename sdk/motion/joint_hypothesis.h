@@ -30,7 +30,9 @@ typedef struct dmi_joint_hypothesis {
     float shift_cost;            /* negative log prior of that shift */
     float side;                  /* of rest on which its range was found: +1 or -1; 0: both */
     bool range_unknown;          /* inference found no range for it */
-    bool side_decided;           /* the part has moved out on that side: rest is its stop */
+    bool other_side_blocked;     /* on the other side of rest the part would penetrate its body */
+    dmi_free_range free_range;   /* host units */
+    float excursion[2];          /* farthest that the pull has asked for below rest, and above; 0 or more */
     float log_prior;             /* before the pull, up to a constant */
     float log_posterior;         /* after it, up to the same constant */
     float pointer_value;         /* joint value that the pointer asks for, on either side of rest */
@@ -42,32 +44,35 @@ typedef struct dmi_joint_hypothesis {
 float dmi_joint_log_odds(const dm_joint* joint);
 /* Returns the log prior (0 or less) of a turn by the distance of its axis from the grabbed point; 0 for slides. */
 float dmi_lever_arm_log_prior(const dmi_grasp* grasp, const dm_joint* joint);
-/* Makes a hypothesis from a joint; log_odds: of the joint, before the grabbed point is taken into account. */
+/* Makes a hypothesis from a joint; log_odds: of the joint, before the grabbed point is taken into account. free_range:
+ * of the joint. */
 dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_grasp* grasp, const dm_joint* joint, float log_odds,
-                                               bool range_unknown);
+                                               bool range_unknown, dmi_free_range free_range);
 /* Whether two joints are so alike that no pull tells them apart. size: of the part. */
 bool dmi_joints_alike(const dm_joint* a, const dm_joint* b, float size);
 
 /* Computes the range that a pull may take an inferred joint to: a stop at rest holds, the far limit was estimated and
  * may be exceeded by `limit_give`. Infinite without limits. */
 void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give, float* out_lower, float* out_upper);
-/* The same for a hypothesis, which may go to either side of rest until its side is decided. */
+/* The same for a hypothesis, which is followed on both sides of rest: the hand may push against a stop, and the side
+ * may have been inferred wrongly. A joint whose range is unknown stays in its free range. */
 void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
                                 float* out_upper);
-/* Whether the stop at rest holds the part at `pointer_value`; such a ray carries no information on the joint. */
-bool dmi_joint_hypothesis_is_at_stop(const dmi_joint_hypothesis* hypothesis, float pointer_value);
+/* Whether the hand pushes the part against its stop at rest: it asks for a value on the other side, which is blocked.
+ */
+bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis, float pointer_value);
 
 /* Returns the log likelihood of a pull with this largest residual. */
 float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
                                           float residual);
-/* Returns the log prior of the side of rest that the pull goes to. */
-float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float side);
+/* Returns the log prior that the pull asks for this value, by its side of rest. */
+float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float value);
 /* Returns the residual that the right joint has with an unsteady pointer, host units. */
 float dmi_expected_residual(const dmi_grasp* grasp);
 
 /* Follows one more ray and updates residual and posterior. */
 void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray);
-/* The same for the active hypothesis, which already follows the ray at `pointer_value` on its side of rest. */
+/* The same for the active hypothesis; where it is not followed on both sides, it already follows at `pointer_value`. */
 void dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
                                         const dm_ray* ray);
 /* Gives the joint the side of rest that the pull goes to; true: it had the other. */

@@ -9,7 +9,8 @@
 
 #include "math/linear3.h"
 #include "segmentation/nearest_face.h"
-#include "segmentation/part_weights.h"
+#include "segmentation/part_finder_weights.h"
+#include "segmentation/part_networks.h"
 #include "segmentation/proposals.h"
 #include "segmentation/remaining_components.h"
 
@@ -39,27 +40,47 @@ static dm_result find_among_given(dmi_arena* arena, const dmi_part_query* query,
     return DM_OK;
 }
 
+static void read_networks(dmi_loader* loader, void* network) {
+    dmi_part_networks* networks = network;
+    dmi_part_growth_read(loader, &networks->growth);
+    dmi_part_choice_read(loader, &networks->choice);
+}
+
+/* Returns the proposal with the greatest score; NULL without proposals. */
+static const dmi_proposal* best_proposal(const dmi_perceptron* choice, dmi_isa isa, const dmi_proposals* proposals) {
+    float features[DMI_MAX_PROPOSALS][DMI_PROPOSAL_FEATURES], scores[DMI_MAX_PROPOSALS], most = -INFINITY;
+    const dmi_proposal* best = NULL;
+    for (uint32_t i = 0; i < proposals->count; i++)
+        memcpy(features[i], proposals->items[i].features, sizeof features[i]);
+    dmi_part_network_apply(choice, isa, features[0], proposals->count, scores);
+    for (uint32_t i = 0; i < proposals->count; i++) {
+        if (scores[i] <= most) continue;
+        most = scores[i];
+        best = &proposals->items[i];
+    }
+    return best;
+}
+
 static dm_result find_among_proposals(dmi_arena* arena, const dmi_part_query* query, uint8_t* out_faces) {
+    const dmi_isa isa = dmi_cpu_best_isa();
     const dmi_mesh* mesh = query->mesh;
+    dmi_part_networks networks;
+    dmi_mesh_sheets sheets;
     dmi_grab grab = {.face = dmi_mesh_nearest_face(mesh, query->point)};
     dmi_copy3(query->point, grab.point);
     dmi_copy3(query->drag, grab.drag);
-    memset(out_faces, 1, mesh->face_count);
-    dmi_mesh_sheets sheets;
+    dm_result result = dmi_load_network(arena->env, dmi_part_finder_weights, dmi_part_finder_weights_size,
+                                        DMI_PART_FINDER_ARCHITECTURE, read_networks, &networks, arena);
+    if (result != DM_OK) return result;
     dmi_proposals* proposals = dmi_arena_push(arena, sizeof *proposals);
     if (proposals == NULL) return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to find a part");
-    dm_result result = dmi_mesh_sheets_make(arena, mesh, &sheets);
-    if (result == DM_OK) result = dmi_proposals_make(arena, &sheets, &grab, &dmi_part_growth_net, proposals);
+    result = dmi_mesh_sheets_make(arena, mesh, &sheets);
+    if (result == DM_OK) result = dmi_proposals_make(arena, &sheets, &grab, &networks.growth, isa, proposals);
     if (result != DM_OK) return result;
-    float most = -INFINITY;
-    for (uint32_t i = 0; i < proposals->count; i++) {
-        const dmi_proposal* item = &proposals->items[i];
-        const float score = dmi_part_net_run(&dmi_part_proposal_net, item->features);
-        if (score <= most) continue;
-        most = score;
-        for (uint32_t f = 0; f < mesh->face_count; f++) out_faces[f] = item->inside[item->level->pieces.labels[f]] != 0;
-    }
-    return result;
+    const dmi_proposal* best = best_proposal(&networks.choice, isa, proposals);
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        out_faces[f] = best == NULL || best->inside[best->level->pieces.labels[f]] != 0;
+    return DM_OK;
 }
 
 /* Returns whether the faces outside the part have no area. */

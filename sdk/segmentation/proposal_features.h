@@ -1,4 +1,4 @@
-/* Features of a proposal, inputs of dmi_part_proposal_net. */
+/* Features of a proposal, inputs of the choice network. */
 #ifndef DMI_SEGMENTATION_PROPOSAL_FEATURES_H
 #define DMI_SEGMENTATION_PROPOSAL_FEATURES_H
 

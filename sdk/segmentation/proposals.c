@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "segmentation/part_networks.h"
 #include "segmentation/proposal_features.h"
 #include "segmentation/region_growing.h"
 #include "segmentation/remaining_components.h"
@@ -15,9 +16,16 @@
 #define MAX_AREA_SHARE 0.95f  /* of the mesh's area, at which a growth ends; by hand */
 #define MAX_REGIONS 2000      /* smooth regions of the cut sheet beyond which it is not grown, for time; by hand */
 
+/* A growth network and how to run it. */
+typedef struct rater {
+    const dmi_perceptron* network;
+    dmi_isa isa;
+} rater;
+
 /* State of one growth. */
 typedef struct growth {
     dmi_region region;
+    float* log_odds; /* per neighbour */
     dmi_remaining_components components;
     uint32_t seed, next_piece, likely_count;
     float lowest_log_odds, last_log_odds, next_log_odds, likely_area; /* as of dmi_proposal */
@@ -59,18 +67,20 @@ static dm_result propose_stage(dmi_arena* arena, growth* g, dmi_proposals* out) 
 }
 
 /* Finds the neighbour that most likely belongs, and counts those with positive log odds. */
-static void rate_neighbours(growth* g, const dmi_part_net* net) {
-    dmi_region_find_neighbours(&g->region);
+static void rate_neighbours(growth* g, const rater* rater) {
+    dmi_region* region = &g->region;
+    dmi_region_find_neighbours(region);
+    dmi_part_network_apply(rater->network, rater->isa, region->features[0], region->neighbour_count, g->log_odds);
     g->next_piece = DMI_PIECE_NONE;
     g->next_log_odds = MIN_LOG_ODDS;
     g->likely_count = 0;
     g->likely_area = 0;
-    for (uint32_t i = 0; i < g->region.neighbour_count; i++) {
-        const uint32_t piece = g->region.neighbours[i];
-        const float log_odds = dmi_part_net_run(net, g->region.features[piece]);
+    for (uint32_t i = 0; i < region->neighbour_count; i++) {
+        const uint32_t piece = region->neighbours[i];
+        const float log_odds = g->log_odds[i];
         if (log_odds > 0) {
             g->likely_count++;
-            g->likely_area += g->region.level->pieces.area[piece];
+            g->likely_area += region->level->pieces.area[piece];
         }
         if (log_odds <= g->next_log_odds) continue;
         g->next_log_odds = log_odds;
@@ -97,7 +107,7 @@ static void set_later(const growth* g, uint32_t first, dmi_proposals* out) {
     }
 }
 
-static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_grab* grab, const dmi_part_net* net,
+static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_grab* grab, const rater* rater,
                       dmi_proposals* out) {
     const uint32_t seed = level->pieces.labels[grab->face], first = out->count;
     growth g = {.seed = seed,
@@ -107,10 +117,13 @@ static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_
     dm_result result = dmi_region_make(arena, level, grab->drag, &g.region);
     if (result == DM_OK) result = dmi_remaining_components_make(arena, &level->pieces, &g.components);
     if (result != DM_OK) return result;
+    g.log_odds = dmi_arena_push(arena, level->pieces.count * sizeof *g.log_odds);
+    if (g.log_odds == NULL)
+        return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to rate %u pieces", level->pieces.count);
     dmi_region_add(&g.region, seed);
     int stages = 0;
     while (stages < MAX_STAGES && g.area <= MAX_AREA_SHARE * level->total_area && result == DM_OK) {
-        rate_neighbours(&g, net);
+        rate_neighbours(&g, rater);
         if (g.next_log_odds < CERTAIN_LOG_ODDS) {
             result = propose_stage(arena, &g, out);
             stages++;
@@ -123,15 +136,15 @@ static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_
 }
 
 dm_result dmi_proposals_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, const dmi_grab* grab,
-                             const dmi_part_net* growth_net, dmi_proposals* out) {
+                             const dmi_perceptron* growth_network, dmi_isa isa, dmi_proposals* out) {
+    const rater rater = {growth_network, isa};
     out->count = 0;
     const uint32_t grabbed = sheets->labels[grab->face];
     dm_result result = dmi_piece_level_make(arena, sheets, DMI_PIECE_NONE, &out->levels[0]);
-    if (result == DM_OK) result = grow(arena, &out->levels[0], grab, growth_net, out);
+    if (result == DM_OK) result = grow(arena, &out->levels[0], grab, &rater, out);
     if (result == DM_OK) result = dmi_piece_level_make(arena, sheets, grabbed, &out->levels[1]);
     if (result != DM_OK) return result;
     const uint32_t pieces = out->levels[1].pieces.count;
-    if (pieces > 0 && pieces - sheets->count <= MAX_REGIONS)
-        result = grow(arena, &out->levels[1], grab, growth_net, out);
+    if (pieces > 0 && pieces - sheets->count <= MAX_REGIONS) result = grow(arena, &out->levels[1], grab, &rater, out);
     return result == DM_OK ? dmi_proposals_measure(arena, grab, out) : result;
 }

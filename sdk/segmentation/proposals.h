@@ -3,7 +3,7 @@
 #ifndef DMI_SEGMENTATION_PROPOSALS_H
 #define DMI_SEGMENTATION_PROPOSALS_H
 
-#include "segmentation/part_net.h"
+#include "nn/perceptron.h"
 #include "segmentation/piece_level.h"
 
 #define DMI_MAX_PROPOSALS 64     /* by hand */
@@ -35,8 +35,9 @@ typedef struct dmi_proposals {
     uint32_t count;
 } dmi_proposals;
 
-/* Makes the proposals and computes their features. All memory comes from the arena. growth_net: see dmi_region. */
+/* Makes the proposals and computes their features. All memory comes from the arena. growth_network: of
+ * dmi_part_networks. */
 dm_result dmi_proposals_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, const dmi_grab* grab,
-                             const dmi_part_net* growth_net, dmi_proposals* out);
+                             const dmi_perceptron* growth_network, dmi_isa isa, dmi_proposals* out);
 
 #endif

@@ -208,8 +208,8 @@ void dmi_region_find_neighbours(dmi_region* region) {
     region->neighbour_count = 0;
     for (uint32_t p = 0; p < pieces->count; p++) {
         if (region->inside[p] || region->sums[p].with_region + region->sums[p].from_region == 0) continue;
+        float* features = region->features[region->neighbour_count];
         region->neighbours[region->neighbour_count++] = p;
-        float* features = region->features[p];
         const float samples = (float)(pieces->first[p + 1] - pieces->first[p]);
         write_contacts(&region->sums[p], samples, (float)region_samples, features);
         write_sizes(&region->extents[p], &whole, region->level->total_area, features);

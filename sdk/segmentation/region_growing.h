@@ -4,7 +4,7 @@
 
 #include "segmentation/piece_level.h"
 
-/* Features of a piece that is in contact with the region, inputs of dmi_part_growth_net. "Share" is in 0 .. 1; lengths
+/* Features of a piece that is in contact with the region, inputs of the growth network. "Share" is in 0 .. 1; lengths
  * are object-normalised. */
 enum {
     /* contacts, in numbers of samples */
@@ -50,8 +50,8 @@ typedef struct dmi_region {
     float drag[3];                             /* unit; zeros: none */
     uint8_t* inside;                           /* per piece: 1 in the region */
     uint8_t *shell_inside, *sheet_inside;      /* per shell, sheet: 1 if a piece of it is in the region */
-    float (*features)[DMI_NEIGHBOUR_FEATURES]; /* per piece, of neighbours alone */
     uint32_t* neighbours;                      /* pieces outside the region that are in contact with it */
+    float (*features)[DMI_NEIGHBOUR_FEATURES]; /* per neighbour, in the same order */
     uint32_t neighbour_count;
     uint32_t piece_count;      /* of the region */
     uint32_t* contact_samples; /* samples in contact with any other piece */

@@ -39,7 +39,7 @@ done
 
 # A clone may lack the commits of the networks of before (dragmesh_training/ranker.py): the shipped one stands in for them.
 mkdir "$work/ranker"
-for name in earlier unknowing; do
+for name in earlier held_out; do
     cp sdk/models/kpp_net.safetensors "$work/ranker/kpp_$name.safetensors"
 done
 "$python" training/train ranker --run "$work/ranker" --out "$work" --share 0.004 > "$work/ranker/log"

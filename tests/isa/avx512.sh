@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tests/isa/avx512.sh — runs the AVX-512 kernels on a machine with AVX2 alone: their intrinsics emulated by SIMDe,
 # everything else as it is, tested against the scalar kernels and PyTorch's answers. Says nothing of speed.
+# Needs build/embed, which scripts/build makes.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 grep -qw avx2 /proc/cpuinfo || { echo "no AVX2 here: skipped"; exit 0; }
@@ -16,7 +17,7 @@ compile() { # SOURCE
 export -f compile
 export cc flags out
 rm -f "$out"/obj/*.o "$out/libcore.a"
-printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
+printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c build/embed/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
 ar rcs "$out/libcore.a" "$out"/obj/*.o
 compile tests/isa/cpu_avx512.c
 for test in test_gemm test_layers test_dual_quat test_golden_kpp test_golden_vae; do

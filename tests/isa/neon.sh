@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tests/isa/neon.sh — builds the networks and the mathematics for 64-bit Arm and runs their tests under qemu: the
 # NEON kernels against the scalar ones and against PyTorch's answers. For correctness alone; qemu says nothing of speed.
+# Needs build/embed, which scripts/build makes.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 out=build/neon cc="aarch64-linux-gnu-gcc"
@@ -26,7 +27,7 @@ compile() { # SOURCE
 export -f compile
 export cc flags out
 rm -f "$out"/obj/*.o "$out/libcore.a"
-printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
+printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c build/embed/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
 ar=aarch64-linux-gnu-ar
 $ar rcs "$out/libcore.a" "$out"/obj/*.o
 

@@ -33,9 +33,9 @@ static float pull(dmi_drag* drag, const dm_joint* assumed, const dm_joint* truth
     const dm_drag_feel feel = {0};
     float last[3], point[3], longest = 0;
     dmi_drag_begin(drag, assumed, handle, 0, &feel);
-    dmi_drag_track_hypotheses(drag, assumed, 1, 1, (dmi_limit_give){.length = 4});
+    dmi_drag_track_hypotheses(drag, assumed, NULL, 1, 1, (dmi_limit_give){.length = 4});
     memcpy(last, handle, sizeof last);
-    for (int k = 1; k <= 160; k++) {
+    for (int k = 0; k <= 160; k++) {
         const float share = fminf((float)k / 120, 1);
         point_on(truth, to * share, point);
         point[1] += wander * sinf(3.14159265f * share);
@@ -96,7 +96,7 @@ static void a_pull_is_remembered_evenly(void** state) {
         dmi_pull_begin(&memory, handle, 0.006f);
         memory.projection = DMI_PARALLEL;
         uint32_t after_one = 0, thinned = 0;
-        for (int k = 1; k <= 2000; k++) {
+        for (int k = 0; k <= 2000; k++) {
             const float angle = 6.28318531f * (float)k / 500, r = radii[i];
             const float point[3] = {handle[0] + r * (1 - cosf(angle)), handle[1] + r * sinf(angle), handle[2]};
             const dm_ray ray = {{point[0], point[1], 5}, {0, 0, -1}};
@@ -166,7 +166,7 @@ static void slopes_are_those_of_the_misses(void** state) {
         dmi_pull memory;
         dmi_pull_begin(&memory, handle, 0.006f);
         memory.projection = parallel ? DMI_PARALLEL : DMI_PERSPECTIVE;
-        for (int k = 1; k <= 100; k++) {
+        for (int k = 0; k <= 100; k++) {
             float point[3];
             point_on(&door, 0.012f * (float)k, point);
             dm_ray ray = ray_to(point);

@@ -15,11 +15,11 @@
 enum { CASES = 300, EACH = 6, COLUMNS = 4, ROWS = CASES * EACH, TREES = 60, LEAVES = 8, NODES = 2 * LEAVES - 1 };
 
 static dm_result (*boost)(const dm_lab_rows*, const dm_lab_boost_rule*, void (*)(uint32_t, double),
-                          const dm_lab_forest*);
+                          const dm_lab_trees*);
 
 static uint32_t first[CASES + 1];
 static uint8_t bins[ROWS][COLUMNS];
-static float weights[ROWS], wanted[ROWS];
+static float weights[ROWS], target[ROWS];
 
 typedef struct grown {
     int32_t column[TREES][NODES], bin[TREES][NODES], left[TREES][NODES];
@@ -27,7 +27,7 @@ typedef struct grown {
 } grown;
 static grown once, again;
 
-static const dm_lab_rows data = {COLUMNS, CASES, first, &bins[0][0], weights, wanted};
+static const dm_lab_rows data = {COLUMNS, CASES, first, &bins[0][0], weights, target};
 static const dm_lab_boost_rule rule = {TREES, LEAVES, 4, 0.2f, 1, 0.5f, 0.7f, 1, 3};
 
 static int load_lab(void** state) {
@@ -52,13 +52,13 @@ static void draw_cases(void) {
             high += is_high(bins[r]) != 0;
         }
         for (uint32_t r = c * EACH; r < (c + 1) * EACH; r++)
-            wanted[r] = high == 0 ? 1.0f / EACH : is_high(bins[r]) ? 1 / (float)high : 0;
+            target[r] = high == 0 ? 1.0f / EACH : is_high(bins[r]) ? 1 / (float)high : 0;
         first[c + 1] = (c + 1) * EACH;
     }
 }
 
-static dm_lab_forest arrays_of(grown* g) {
-    return (dm_lab_forest){&g->column[0][0], &g->bin[0][0], &g->left[0][0], &g->score[0][0]};
+static dm_lab_trees arrays_of(grown* g) {
+    return (dm_lab_trees){&g->column[0][0], &g->bin[0][0], &g->left[0][0], &g->score[0][0]};
 }
 
 static float score_of(const grown* g, const uint8_t row[COLUMNS]) {
@@ -74,14 +74,14 @@ static float score_of(const grown* g, const uint8_t row[COLUMNS]) {
 static void a_case_goes_to_whom_it_belongs(void** state) {
     (void)state;
     draw_cases();
-    const dm_lab_forest out = arrays_of(&once);
+    const dm_lab_trees out = arrays_of(&once);
     assert_int_equal(boost(&data, &rule, NULL, &out), DM_OK);
     int right = 0;
     for (uint32_t c = 0; c < CASES; c++) {
         uint32_t best = c * EACH;
         for (uint32_t r = best; r < (c + 1) * EACH; r++)
             if (score_of(&once, bins[r]) > score_of(&once, bins[best])) best = r;
-        right += wanted[best] > 0;
+        right += target[best] > 0;
     }
     assert_true(right >= CASES * 98 / 100);
 }
@@ -89,7 +89,7 @@ static void a_case_goes_to_whom_it_belongs(void** state) {
 static void the_same_seed_gives_the_same_trees(void** state) {
     (void)state;
     draw_cases();
-    const dm_lab_forest outs[2] = {arrays_of(&once), arrays_of(&again)};
+    const dm_lab_trees outs[2] = {arrays_of(&once), arrays_of(&again)};
     for (int i = 0; i < 2; i++) assert_int_equal(boost(&data, &rule, NULL, &outs[i]), DM_OK);
     assert_memory_equal(&once, &again, sizeof once);
     dm_lab_boost_rule other = rule;
@@ -101,7 +101,7 @@ static void the_same_seed_gives_the_same_trees(void** state) {
 static void trees_keep_to_their_rule(void** state) {
     (void)state;
     draw_cases();
-    const dm_lab_forest out = arrays_of(&once);
+    const dm_lab_trees out = arrays_of(&once);
     assert_int_equal(boost(&data, &rule, NULL, &out), DM_OK);
     for (int t = 0; t < TREES; t++) {
         uint32_t depth[NODES] = {0}, leaves = 0;
@@ -118,8 +118,8 @@ static void trees_keep_to_their_rule(void** state) {
 
 static void no_cases_are_an_error(void** state) {
     (void)state;
-    const dm_lab_rows none = {COLUMNS, 0, first, &bins[0][0], weights, wanted};
-    const dm_lab_forest out = arrays_of(&once);
+    const dm_lab_rows none = {COLUMNS, 0, first, &bins[0][0], weights, target};
+    const dm_lab_trees out = arrays_of(&once);
     assert_int_equal(boost(&none, &rule, NULL, &out), DM_ERROR_INVALID_ARGUMENT);
 }
 

@@ -318,9 +318,11 @@ static void test_alternatives(void** state) {
     assert_bad_word(&w, &file, at + 8, 0x40000000);  /* a confidence of 2 */
     assert_bad_word(&w, &file, at + 12, 0x7fc00000); /* NaN in the axis */
     assert_bad_word(&w, &file, at + 24, 0x7f800000); /* infinity in the origin */
-    /* Older files lack the section: rename it. */
+    /* Older files lack the section, and the one of free ranges: rename both. */
     put_u32(file.data + DMI_DMO_HEADER_SIZE + DMI_DMO_ALTERNATIVES * DMI_DMO_ENTRY_SIZE,
             DMI_DMO_TAG('N', 'E', 'W', ' '));
+    put_u32(file.data + DMI_DMO_HEADER_SIZE + DMI_DMO_FREE_RANGES * DMI_DMO_ENTRY_SIZE,
+            DMI_DMO_TAG('N', 'E', 'W', '2'));
     sign_again(&file);
     dm_object object = 0;
     assert_int_equal(dm_object_load(w.context, file.data, file.size, 0, &object), DM_OK);

@@ -323,7 +323,7 @@ static float drag_at_rate(const dm_joint* joint, const float rest[3], const floa
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, joint, rest, 0, &plain);
-    for (int k = 1; k <= updates; k++) {
+    for (int k = 0; k <= updates; k++) {
         dm_ray ray = stroke(joint, rest, eye, to, (float)k / (float)updates);
         dmi_drag_update(&drag, &ray, 0.7f / (float)updates, &now);
     }

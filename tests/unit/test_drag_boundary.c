@@ -28,7 +28,7 @@ static dm_drag swing(test_world* w, dm_object object, uint32_t flags, float valu
     const dm_joint hinge = test_hinge();
     dm_drag drag = 0;
     assert_int_equal(dm_drag_begin(w->context, &desc, &drag), DM_OK);
-    for (int k = 1; k <= 120; k++) { /* holds on for what a change of the joint takes */
+    for (int k = 0; k <= 120; k++) { /* holds on for what a change of the joint takes */
         const dm_ray ray = ray_to(point_on(&hinge, value * fminf((float)k / 60, 1)));
         assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, out_state), DM_OK);
     }

@@ -21,11 +21,11 @@ static void catches_hold_and_let_go(void** state) {
     dm_drag_state now;
     dmi_drag_begin(&drag, &slide, origin, 0, &feel);
     float last = 0, steepest = 0, flattest = 1;
-    for (int k = 1; k <= 1000; k++) {
+    for (int k = 0; k <= 1000; k++) {
         const dm_ray ray = ray_at(0.001f * (float)k);
         dmi_drag_update(&drag, &ray, FRAME, &now);
         assert_true(now.value >= last); /* never back */
-        steepest = fmaxf(steepest, now.value - last), flattest = fminf(flattest, now.value - last);
+        if (k > 0) steepest = fmaxf(steepest, now.value - last), flattest = fminf(flattest, now.value - last);
         if (k % 250 == 0) assert_near(now.value, 0.001f * (float)k, 1e-4);
         last = now.value;
     }
@@ -55,7 +55,7 @@ static void estimated_ends_yield(void** state) {
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &slide, origin, 0, &feel);
-    dmi_drag_track_hypotheses(&drag, &slide, 0, 1, (dmi_limit_give){.length = 1});
+    dmi_drag_track_hypotheses(&drag, &slide, NULL, 0, 1, (dmi_limit_give){.length = 1});
     float last = 0;
     for (int k = 0; k <= 2500; k++) {
         const float x = 0.001f * (float)k;
@@ -84,7 +84,7 @@ static void ends_yield_as_far_as_asked(void** state) {
         dmi_drag drag;
         dm_drag_state now = {0};
         dmi_drag_begin(&drag, &slide, origin, 0, &feel);
-        dmi_drag_track_hypotheses(&drag, &slide, 0, 1, (dmi_limit_give){.share = cases[i].share, .length = 1});
+        dmi_drag_track_hypotheses(&drag, &slide, NULL, 0, 1, (dmi_limit_give){.share = cases[i].share, .length = 1});
         for (int k = 0; k <= 600; k++) {
             const dm_ray ray = ray_at(0.01f * (float)k);
             dmi_drag_update(&drag, &ray, FRAME, &now);
@@ -98,7 +98,7 @@ static float heavy_value(float coast, int updates, float time, float* out_veloci
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &slide, origin, 0, &feel);
-    for (int k = 1; k <= updates; k++) {
+    for (int k = 0; k <= updates; k++) {
         const dm_ray ray = ray_at(0.8f * (float)k / (float)updates);
         dmi_drag_update(&drag, &ray, time / (float)updates, &now);
     }

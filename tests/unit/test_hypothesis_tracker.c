@@ -36,6 +36,12 @@ typedef struct pulled {
 } pulled;
 
 /* Pulls along `truth` to `to` in `frames`, then holds on for the blend. */
+/* Slides along the axes, as a last resort. */
+static void add_slides(dmi_hypothesis_tracker* tracker) {
+    for (int i = 0; i < 3; i++)
+        dmi_hypothesis_tracker_add_slide(tracker, (dm_vec3){i == 0, i == 1, i == 2}, dmi_unbounded_range());
+}
+
 static pulled pull(const dm_joint* truth, float to, int frames, float tremor) {
     pulled p = {.decided = -1};
     dmi_random random = dmi_random_make(9, 9);
@@ -43,9 +49,10 @@ static pulled pull(const dm_joint* truth, float to, int frames, float tremor) {
     float last[3], point[3];
     uint32_t changes = 0;
     dmi_drag_begin(&p.drag, &joints[SLIDES], handle, 0, &feel);
-    dmi_drag_track_hypotheses(&p.drag, joints, JOINTS, 1, (dmi_limit_give){.length = 4});
+    dmi_drag_track_hypotheses(&p.drag, joints, NULL, JOINTS, 1, (dmi_limit_give){.length = 4});
+    add_slides(&p.drag.tracker);
     memcpy(last, handle, sizeof last);
-    for (int k = 1; k <= frames + 60; k++) {
+    for (int k = 0; k <= frames + 60; k++) {
         point_on(truth, to * fminf((float)k / (float)frames, 1), point);
         for (int i = 0; i < 3; i++) point[i] += tremor * dmi_random_normal(&random);
         const dm_ray ray = ray_to(eye, point);
@@ -87,8 +94,8 @@ static void a_hand_may_cut_the_corner(void** state) {
         float there[3], point[3];
         point_on(&two[slides], slides ? 0.4f : 1.2f, there);
         dmi_drag_begin(&drag, &two[0], handle, 0, &feel);
-        dmi_drag_track_hypotheses(&drag, two, 2, 1, (dmi_limit_give){.length = 4});
-        for (int k = 1; k <= 180; k++) {
+        dmi_drag_track_hypotheses(&drag, two, NULL, 2, 1, (dmi_limit_give){.length = 4});
+        for (int k = 0; k <= 180; k++) {
             const float share = fminf((float)k / 120, 1);
             for (int i = 0; i < 3; i++) point[i] = handle[i] + share * (there[i] - handle[i]);
             const dm_ray ray = ray_to(eye, point);
@@ -117,14 +124,14 @@ static void add_alternatives(dmi_drag* drag, const dm_joint* right) {
         const float x = 0.1f * (float)(k % 8) - 0.35f, y = 0.1f * (float)(k / 8) - 0.35f;
         dm_joint other = {.type = DM_JOINT_REVOLUTE, .confidence = 0.01f, .axis = {0, 0, 1}, .origin = {x, y, 0}};
         if (k == 37) other = *right, other.confidence = 0.005f;
-        dmi_hypothesis_tracker_add_alternative(&drag->tracker, &other);
+        dmi_hypothesis_tracker_add_alternative(&drag->tracker, &other, dmi_unbounded_range());
     }
 }
 
 /* How far off the grabbed point was at most while an alternative was pulled from `from` to `to`. */
 static float pull_alternative(dmi_drag* drag, const dm_joint* joint, float from, float to, dm_drag_state* now) {
     float point[3], off = 0;
-    for (int k = 1; k <= 120; k++) {
+    for (int k = 0; k <= 120; k++) {
         point_on(joint, from + (to - from) * (float)k / 120, point);
         const dm_ray ray = ray_to(eye, point);
         dmi_drag_update(drag, &ray, FRAME, now);
@@ -144,7 +151,7 @@ static void an_alternative_takes_over(void** state) {
         dmi_drag drag;
         dm_drag_state now = {0};
         dmi_drag_begin(&drag, &joints[SLIDES], handle, 0, &feel);
-        dmi_drag_track_hypotheses(&drag, joints, 1, 1, (dmi_limit_give){.length = 4});
+        dmi_drag_track_hypotheses(&drag, joints, NULL, 1, 1, (dmi_limit_give){.length = 4});
         add_alternatives(&drag, right[i]);
         assert_int_equal(drag.tracker.count, DMI_TRACKED_HYPOTHESES); /* what is too many is left out */
         assert_near(pull_alternative(&drag, right[i], 0, to, &now), 0, 0.2);
@@ -165,8 +172,8 @@ static void the_pull_tells_the_side(void** state) {
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &door, handle, 0, &feel);
-    dmi_drag_track_hypotheses(&drag, &door, 1, 1, (dmi_limit_give){.length = 4});
-    for (int k = 1; k <= 150; k++) {
+    dmi_drag_track_hypotheses(&drag, &door, NULL, 1, 1, (dmi_limit_give){.length = 4});
+    for (int k = 0; k <= 150; k++) {
         float point[3];
         point_on(&door, -1.2f * fminf((float)k / 120, 1), point);
         const dm_ray ray = ray_to(eye, point);
@@ -176,7 +183,7 @@ static void the_pull_tells_the_side(void** state) {
     assert_int_equal(now.changes, 1);
     assert_true(drag.joint.lower < -1.5f && drag.joint.upper == 0);
     dmi_drag_begin(&drag, &door, handle, 0, &feel); /* a joint that is sure has its stop */
-    for (int k = 1; k <= 150; k++) {
+    for (int k = 0; k <= 150; k++) {
         float point[3];
         point_on(&door, -1.2f * fminf((float)k / 120, 1), point);
         const dm_ray ray = ray_to(eye, point);
@@ -193,8 +200,8 @@ static void what_was_opened_shuts_at_rest(void** state) {
     dmi_drag drag;
     dm_drag_state now = {0};
     dmi_drag_begin(&drag, &drawer, handle, 0, &feel);
-    dmi_drag_track_hypotheses(&drag, &drawer, 1, 1, (dmi_limit_give){.length = 4});
-    for (int k = 1; k <= 240; k++) {
+    dmi_drag_track_hypotheses(&drag, &drawer, NULL, 1, 1, (dmi_limit_give){.length = 4});
+    for (int k = 0; k <= 240; k++) {
         float point[3];
         point_on(&drawer, k <= 80 ? 0.3f * (float)k / 80 : 0.3f - 0.8f * (float)(k - 80) / 160, point);
         const dm_ray ray = ray_to(eye, point);
@@ -226,8 +233,8 @@ static void half_the_step_is_the_same_drag(void** state) {
             dm_drag_state now = {0};
             const int steps = fine ? 240 : 120;
             dmi_drag_begin(&drag, &joints[SLIDES], handle, 0, &feel);
-            dmi_drag_track_hypotheses(&drag, joints, JOINTS, 1, (dmi_limit_give){.length = 4});
-            for (int k = 1; k <= steps; k++) {
+            dmi_drag_track_hypotheses(&drag, joints, NULL, JOINTS, 1, (dmi_limit_give){.length = 4});
+            for (int k = 0; k <= steps; k++) {
                 float point[3];
                 point_on(&joints[i], to * (float)k / (float)steps, point);
                 const dm_ray ray = ray_to(eye, point);
@@ -255,10 +262,10 @@ static void host_axes_do_not_matter(void** state) {
             dmi_drag inner, outer;
             dm_drag_state a, b;
             dmi_drag_begin(&inner, &joints[SLIDES], handle, 0, &feel);
-            dmi_drag_track_hypotheses(&inner, joints, JOINTS, 1, (dmi_limit_give){.length = 4});
+            dmi_drag_track_hypotheses(&inner, joints, NULL, JOINTS, 1, (dmi_limit_give){.length = 4});
             dmi_drag_begin(&outer, &host[SLIDES], host_handle, 0, &feel);
-            dmi_drag_track_hypotheses(&outer, host, JOINTS, unit, (dmi_limit_give){.length = 4 * unit});
-            for (int k = 1; k <= 120; k++) {
+            dmi_drag_track_hypotheses(&outer, host, NULL, JOINTS, unit, (dmi_limit_give){.length = 4 * unit});
+            for (int k = 0; k <= 120; k++) {
                 point_on(&joints[i], to * (float)k / 120, point);
                 dmi_frame_point_out(&frame, point, host_point);
                 const dm_ray ray = ray_to(eye, point), host_ray = ray_to(host_eye, host_point);
@@ -283,8 +290,8 @@ static void no_turn_about_the_grabbed_point(void** state) {
     static const dm_joint far_off = {
         .type = DM_JOINT_REVOLUTE, .confidence = 0.5f, .axis = {0, 0, 1}, .origin = {-0.5f, 0, 0}, .upper = 3.0f};
     dmi_hypothesis_tracker tracker;
-    dmi_hypothesis_tracker_init(&tracker, panel, 2, handle, 1, (dmi_limit_give){.length = 4});
-    dmi_hypothesis_tracker_add_alternative(&tracker, &far_off);
+    dmi_hypothesis_tracker_init(&tracker, panel, NULL, 2, handle, 1, (dmi_limit_give){.length = 4});
+    dmi_hypothesis_tracker_add_alternative(&tracker, &far_off, dmi_unbounded_range());
     assert_near(tracker.list[0].log_prior, 0, 1e-6);
     assert_true(tracker.list[1].log_prior < -1);
     assert_true(tracker.list[tracker.count - 1].log_prior > -0.5f);
@@ -295,7 +302,8 @@ static void what_is_no_number_is_not_waited_for(void** state) {
     (void)state;
     enum { ALONG_X = JOINTS, ALONG_Y }; /* the last resorts; along z there is a slide already */
     dmi_hypothesis_tracker tracker;
-    dmi_hypothesis_tracker_init(&tracker, joints, JOINTS, handle, 1, (dmi_limit_give){.length = 4});
+    dmi_hypothesis_tracker_init(&tracker, joints, NULL, JOINTS, handle, 1, (dmi_limit_give){.length = 4});
+    add_slides(&tracker);
     tracker.priority[LEFT] = tracker.priority[RIGHT] = tracker.priority[LOWER] = NAN;
     dm_ray ray = ray_to(eye, (const float[3]){handle[0] + 0.1f, handle[1], handle[2]});
     dmi_float3 direction = dmi_xyz(ray.direction);

@@ -13,11 +13,12 @@
 #include "segmentation/proposals.h"
 #include "segmentation/region_growing.h"
 #include "test_lab.h"
+#include "test_world.h"
 
 enum { CASES = 12, ROWS = 16000 };
 
 static dm_result (*growth_batch)(const dm_lab_options*, const dm_lab_growth*);
-static dm_result (*choice_batch)(const dm_lab_options*, const dm_lab_part_net*, const dm_lab_choice*);
+static dm_result (*choice_batch)(const dm_lab_options*, const void*, size_t, const dm_lab_choice*);
 static uint32_t (*growth_columns)(void), (*choice_columns)(void), (*choice_most)(void);
 
 static struct {
@@ -65,15 +66,16 @@ static void test_pieces_repeat_and_are_of_both_kinds(void** state) {
 
 static void test_proposals_repeat_and_some_are_the_part(void** state) {
     (void)state;
-    static const float zeros[DMI_NEIGHBOUR_FEATURES];
-    const dm_lab_part_net net = {DMI_NEIGHBOUR_FEATURES, 1, zeros, zeros, zeros, 0};
+    size_t size;
+    void* networks = test_read_file("sdk/models/part_finder.safetensors", &size);
     __typeof__(choice)* both[2] = {&choice, &choice_again};
     for (int i = 0; i < 2; i++) {
         const dm_lab_options options = options_of(5);
         const dm_lab_choice out = {&both[i]->features[0][0][0], &both[i]->overlap[0][0], both[i]->used,
                                    both[i]->category};
-        assert_int_equal(choice_batch(&options, &net, &out), DM_OK);
+        assert_int_equal(choice_batch(&options, networks, size, &out), DM_OK);
     }
+    free(networks);
     assert_int_equal(choice_columns(), DMI_PROPOSAL_FEATURES);
     assert_int_equal(choice_most(), DMI_MAX_PROPOSALS);
     assert_memory_equal(&choice, &choice_again, sizeof choice);
@@ -88,12 +90,14 @@ static void test_proposals_repeat_and_some_are_the_part(void** state) {
     assert_true(found > 0);
 }
 
-static void test_a_net_of_another_shape_is_refused(void** state) {
+static void test_weights_of_another_architecture_are_refused(void** state) {
     (void)state;
     const dm_lab_options options = options_of(5);
-    const dm_lab_part_net net = {DMI_NEIGHBOUR_FEATURES - 1, 0, NULL, NULL, NULL, 0};
     const dm_lab_choice out = {NULL, NULL, NULL, NULL};
-    assert_int_equal(choice_batch(&options, &net, &out), DM_ERROR_INVALID_ARGUMENT);
+    size_t size;
+    void* other = test_read_file("sdk/models/kpp_net.safetensors", &size);
+    assert_int_equal(choice_batch(&options, other, size, &out), DM_ERROR_WRONG_MODEL);
+    free(other);
 }
 
 static int load_lab(void** state) {
@@ -113,7 +117,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_pieces_repeat_and_are_of_both_kinds),
         cmocka_unit_test(test_proposals_repeat_and_some_are_the_part),
-        cmocka_unit_test(test_a_net_of_another_shape_is_refused),
+        cmocka_unit_test(test_weights_of_another_architecture_are_refused),
     };
     return cmocka_run_group_tests(tests, load_lab, NULL);
 }

@@ -19,7 +19,7 @@ static dm_result (*limits_batch)(const dm_lab_options*, const void*, size_t, con
 static uint8_t every[MOST_CATEGORIES];
 
 static struct {
-    float features[COUNT][DMI_LIMIT_FEATURES], evidence[COUNT][DMI_FEATURE_COUNT];
+    float features[COUNT][DMI_LIMIT_FEATURES], candidate[COUNT][DMI_FEATURE_COUNT];
     float lower[COUNT], upper[COUNT], pose[COUNT];
     int32_t free[COUNT], category[COUNT], has_drag[COUNT];
 } made;
@@ -30,10 +30,10 @@ static int load_lab(void** state) {
     if (lab == NULL) return -1;
     *(void**)&limits_batch = dlsym(lab, "dm_lab_limits_batch");
     if (!test_every_category(lab, every, sizeof every)) return -1;
-    uint32_t (*columns)(void), (*evidence)(void);
+    uint32_t (*columns)(void), (*candidate_columns)(void);
     *(void**)&columns = dlsym(lab, "dm_lab_limits_columns");
-    *(void**)&evidence = dlsym(lab, "dm_lab_limits_evidence");
-    return columns() != DMI_LIMIT_FEATURES || evidence() != DMI_FEATURE_COUNT;
+    *(void**)&candidate_columns = dlsym(lab, "dm_lab_limits_candidate_columns");
+    return columns() != DMI_LIMIT_FEATURES || candidate_columns() != DMI_FEATURE_COUNT;
 }
 
 static void make_cases(float with_drag) {
@@ -44,8 +44,8 @@ static void make_cases(float with_drag) {
                                     .rotated = 1,
                                     .with_drag = with_drag,
                                     .drag_noise_degrees = 8};
-    const dm_lab_limits out = {made.features[0], made.evidence[0], made.lower, made.upper,
-                               made.free,        made.category,    made.pose,  made.has_drag};
+    const dm_lab_limits out = {made.features[0], made.candidate[0], made.lower, made.upper,
+                               made.free,        made.category,     made.pose,  made.has_drag};
     size_t size;
     void* kinematics = test_read_file("sdk/models/kpp_net.safetensors", &size);
     assert_int_equal(limits_batch(&options, kinematics, size, NULL, 0, &out), DM_OK);
@@ -59,7 +59,7 @@ static void ranges_hold_the_rest(void** state) {
     for (int i = 0; i < COUNT; i++) {
         const int holds = made.lower[i] <= 1e-4f && made.upper[i] >= -1e-4f && made.lower[i] < made.upper[i];
         assert_true(holds || made.free[i]);
-        assert_true((made.evidence[i][DMI_FEATURE_PRISMATIC] > 0.5f) == (made.features[i][0] > 0.5f));
+        assert_true((made.candidate[i][DMI_FEATURE_PRISMATIC] > 0.5f) == (made.features[i][0] > 0.5f));
         assert_true((made.features[i][1] > 0.5f) == (made.has_drag[i] != 0));
         near += made.pose[i] < 0.02f;
     }

@@ -59,7 +59,7 @@ static void the_grabbed_point_only_comes_nearer(void** state) {
         const change c = some_change(&random);
         dmi_pose_blend handover = dmi_pose_blend_new_joint(&c.before, &c.now, c.point, 1);
         double last = lag_of(&c, &c.before);
-        for (int k = 1; k <= FRAMES; k++) {
+        for (int k = 0; k <= FRAMES; k++) {
             handover.age = (float)k * FRAME;
             const dm_pose shown = dmi_pose_blend_apply(&handover, &c.now, c.point);
             const double lag = lag_of(&c, &shown);
@@ -80,7 +80,7 @@ static void no_frame_jumps(void** state) {
         dmi_pose_blend handover = dmi_pose_blend_new_joint(&c.before, &c.now, c.point, 1);
         const double most = fmax(0.1, lag_of(&c, &c.before) / 15);
         dm_pose last = c.before;
-        for (int k = 1; k <= FRAMES; k++) {
+        for (int k = 0; k <= FRAMES; k++) {
             handover.age = (float)k * FRAME;
             const dm_pose shown = dmi_pose_blend_apply(&handover, &c.now, c.point);
             float a[3], b[3];

@@ -8,15 +8,14 @@
 #include "segmentation/proposal_features.h"
 #include "segmentation/region_growing.h"
 #include "segmentation/remaining_components.h"
+#include "test_perceptron.h"
 #include "test_shapes.h"
-
-/* A network that returns log odds of 0 for every piece: the first neighbour is added. */
-static const float zeros[DMI_NEIGHBOUR_FEATURES];
-static const dmi_part_net uniform_net = {DMI_NEIGHBOUR_FEATURES, 1, zeros, zeros, zeros, 0};
 
 typedef struct fixture {
     test_env t;
     dmi_arena arena;
+    test_layers layers;
+    dmi_perceptron uniform; /* log odds of 0 for every piece: the first neighbour is added */
     dmi_mesh* mesh;
     dmi_mesh_sheets sheets;
 } fixture;
@@ -30,6 +29,9 @@ static void open_fixture(fixture* f) {
     desc.part_ids = NULL;
     test_env_open(&f->t, TEST_NEVER);
     dmi_arena_init(&f->arena, &f->t.env, (size_t)1 << 20);
+    test_layers_open(&f->layers, &f->t.env);
+    f->uniform.layer_count = 1;
+    f->uniform.layers[0] = test_layer(&f->layers, NULL, NULL, DMI_NEIGHBOUR_FEATURES, 1);
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
     assert_int_equal(dmi_mesh_create_pieces(&f->t.env, &axes, &desc, &f->mesh), DM_OK);
     assert_int_equal(dmi_mesh_sheets_make(&f->arena, f->mesh, &f->sheets), DM_OK);
@@ -37,6 +39,7 @@ static void open_fixture(fixture* f) {
 
 static void close_fixture(fixture* f) {
     dmi_arena_release(&f->arena);
+    test_layers_close(&f->layers);
     dmi_mesh_destroy(&f->t.env, f->mesh);
     test_env_close(&f->t);
 }
@@ -50,7 +53,7 @@ static uint32_t face_of_part(uint32_t part) {
 static void propose(fixture* f, uint32_t part, const float drag[3]) {
     dmi_grab grab = {.face = face_of_part(part), .drag = {drag[0], drag[1], drag[2]}};
     for (int k = 0; k < 3; k++) grab.point[k] = f->mesh->positions[f->mesh->indices[grab.face * 3] * 3 + (uint32_t)k];
-    assert_int_equal(dmi_proposals_make(&f->arena, &f->sheets, &grab, &uniform_net, &proposals), DM_OK);
+    assert_int_equal(dmi_proposals_make(&f->arena, &f->sheets, &grab, &f->uniform, DMI_ISA_SCALAR, &proposals), DM_OK);
 }
 
 static const float outward[3] = {0, 0, 1}, no_drag[3] = {0, 0, 0};

@@ -1,18 +1,14 @@
-"""Ranker cases: generated objects' candidate joints with their evidence and labels, and files of them. The ranker is trained on
-them, and so is the sieve before it."""
+"""Ranker cases: generated objects' candidate joints with their features and labels, and files of them. The ranker and the
+prefilter are trained on them."""
 import ctypes
 import os
 
 import numpy as np
 
+from .features import PRISMATIC
 from .lab import Options, category_weights
 
 KEPT_BEST = 8  # as in lab_ranker.c
-SLIDES, NETWORK = 0, np.r_[86:98, 108, 124, 171:177]  # columns of sdk/kinematics/features/candidate_features.h
-# The other groups of evidence there, each of which a case must sometimes do without: real objects break some of them.
-GROUPS = [slice(first, last) for first, last in (
-    (1, 2), (2, 9), (9, 16), (16, 23), (23, 37), (37, 42), (42, 54), (54, 65), (65, 68), (68, 72), (72, 75), (98, 109),
-    (109, 125), (125, 149), (149, 153), (153, 157), (157, 165), (165, 171), (171, 177), (177, 190), (190, 202))]
 
 ARRAYS = (("pose", np.float32, True), ("used", np.int32, False), ("total", np.int32, False), ("type", np.int32, False),
           ("has_drag", np.int32, False), ("category", np.int32, False), ("best", np.float32, False),
@@ -20,21 +16,21 @@ ARRAYS = (("pose", np.float32, True), ("used", np.int32, False), ("total", np.in
 
 
 class Batch(ctypes.Structure):
-    _fields_ = [("rows", ctypes.c_uint32), ("evidence", ctypes.c_void_p)] + [
+    _fields_ = [("rows", ctypes.c_uint32), ("features", ctypes.c_void_p)] + [
         (name, ctypes.c_void_p) for name, _, _ in ARRAYS]
 
 
-def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, sieve=None, with_drag=0.7, mask_noise=0.3):
-    """Evidence and labels of `count` cases drawn from the chosen categories."""
+def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, prefilter=None, with_drag=0.7, mask_noise=0.3):
+    """Features and labels of `count` cases drawn from the chosen categories."""
     columns = lab.dm_lab_ranker_columns()
     weights_of = category_weights(lab, chosen)
-    data = {"evidence": np.zeros((count, rows, columns), np.float32)}
+    data = {"features": np.zeros((count, rows, columns), np.float32)}
     for name, dtype, each_row in ARRAYS:
         data[name] = np.zeros((count, rows) if each_row else count, dtype)
     options = Options(seed, count, split, weights_of.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0)
-    batch = Batch(rows, *[data[name].ctypes.data for name in ("evidence", *[a[0] for a in ARRAYS])])
-    sizes = [ctypes.c_size_t(len(data) if data else 0) for data in (weights, sieve)]
-    result = lab.dm_lab_ranker_batch(ctypes.byref(options), weights, sizes[0], sieve, sizes[1], ctypes.byref(batch))
+    batch = Batch(rows, *[data[name].ctypes.data for name in ("features", *[a[0] for a in ARRAYS])])
+    sizes = [ctypes.c_size_t(len(data) if data else 0) for data in (weights, prefilter)]
+    result = lab.dm_lab_ranker_batch(ctypes.byref(options), weights, sizes[0], prefilter, sizes[1], ctypes.byref(batch))
     if result != 0:
         raise RuntimeError(f"dm_lab_ranker_batch: {result}")
     return data
@@ -50,7 +46,7 @@ def load(paths, without=()):
 
 def costs(data):
     """Of each row: the pose error in hundredths of the size, a wrong type, axis and line errors in tolerances."""
-    slides = np.stack([data["evidence"][:, row, SLIDES] for row in range(data["pose"].shape[1])], 1) > 0.5
+    slides = np.stack([data["features"][:, row, PRISMATIC] for row in range(data["pose"].shape[1])], 1) > 0.5
     wrong_type = slides != (data["type"][:, None] == 1)
     pose = np.minimum(np.nan_to_num(data["pose"], nan=9) / 0.01, 6)
     axis, line = np.minimum(data["axis_error"] / 0.02, 3), np.minimum(data["line_error"] / 0.01, 3)

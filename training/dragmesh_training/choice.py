@@ -1,5 +1,5 @@
-"""What KPP-Net's choice head is trained on: lines through and beside the part, and how far each one's motion is from the
-true joint's. See networks.Choice; sdk/kinematics/features/kpp_candidate_scores.c has the same numbers of a line."""
+"""What KPP-Net's candidate-scoring head (networks.Choice) is trained on: lines through and beside the part, and how far each
+one's motion is from the true joint's. sdk/kinematics/features/kpp_candidate_scores.c computes the same numbers of a line."""
 import torch
 import torch.nn.functional as F
 
@@ -99,7 +99,7 @@ def considered(slides, axis, origin, batch):
 
 
 def question(batch):
-    """What the choice head is asked about a batch: the numbers of the proposals' lines, which of them count (0; else next to
+    """What the candidate-scoring head is trained on in a batch: the numbers of the proposals' lines, which of them count (0; else next to
     nothing), and how they share a probability of one, by how near their motions are to the truth."""
     slides, axis, origin = propose(batch)
     off = differences(slides, axis, origin, batch["local_centres"][:, ::2])

@@ -1,7 +1,7 @@
 """What is trained, on what, for how long: every number of a run in one place, and switchable from the command line."""
 from dataclasses import asdict, dataclass, field, fields, replace
 
-# Kept from the sieve, the part finder and the twin of the ranker that calibrates its confidence: how sure an answer is where
+# Kept from the prefilter, the part finder and the held-out ranker by which confidence is calibrated: how sure an answer is where
 # nothing like it was ranked before.
 HELD_OUT = ("sliding_window", "mailbox", "stapler", "drawbridge", "crane", "vise", "kettle", "step_ladder",
             "folding_knife", "yoke")
@@ -15,7 +15,7 @@ def kinds_of(kinds, which):
     """Names of the generator's kinds (dragmesh.lab.Kind) that are chosen by `which`: "trained", all that are trained on; of these
     "first", the set of that name, "held", those that HELD_OUT names, or "paper", those that draw the paper's categories; or
     "test_only" (also "later"): those that are never trained on, nor validated on during training. Training on these too was tried
-    and brought nothing (docs/decisions.md, 33)."""
+    and brought nothing (docs/research/decisions.md, 33)."""
     trained = [kind for kind in kinds if kind.set != "test_only"]
     chosen = {"trained": trained, "first": [kind for kind in trained if kind.set == "first"],
               "held": [kind for kind in trained if kind.name in HELD_OUT],
@@ -40,7 +40,7 @@ class KppTraining:
     seed: int = 1
     steps: int = 304000
     restarts: tuple = (0.13712, 0.32895, 0.49342, 0.64145, 0.7829, 0.91447)  # shares of the run after which the rate rises once more …
-    choice_from: float = 0.14803  # … and after which the choice head is trained too
+    choice_from: float = 0.14803  # … and after which the candidate-scoring head is trained too
     minutes: float = 0.0  # 0: no limit; else the schedule is compressed into this much training time
     batch: int = 32
     rate: float = 1.5e-3

@@ -1,4 +1,4 @@
-"""Weights to safetensors, the file format the library loads (design §4). `python -m dragmesh_training.export RUN OUT`."""
+"""Weights to safetensors, the file format that the library loads (docs/networks.md). `python -m dragmesh_training.export RUN OUT`."""
 import json
 import os
 import struct
@@ -31,16 +31,27 @@ def save_safetensors(path, tensors, metadata):
                       metadata)
 
 
-def write_ranker_tensors(path, tensors, metadata):
-    """Arrays of the ranker's file: the matrices of the forest and of the limits' networks, which are most of it, as float16,
-    everything else as float32."""
-    halves = {name for name, array in tensors.items() if array.ndim == 2 and name.startswith(("forest.", "limits."))}
+def perceptron_tensors(name, net):
+    """Tensors of a Sequential's Linear layers as the library loads them: NAME.0, NAME.2, ..., the odd places being ReLU's. A layer
+    without a bias gets one of zeros."""
+    layers, tensors = [layer for layer in net if isinstance(layer, torch.nn.Linear)], {}
+    for index, layer in enumerate(layers):
+        bias = layer.bias if layer.bias is not None else torch.zeros(layer.out_features)
+        tensors[f"{name}.{2 * index}.weight"] = layer.weight.detach().numpy()
+        tensors[f"{name}.{2 * index}.bias"] = bias.detach().numpy()
+    return tensors
+
+
+def write_joint_models(path, tensors, metadata):
+    """Arrays of joint models, or of one of them: the matrices of the trees and of the limit networks, which are most of the file,
+    as float16, everything else as float32."""
+    halves = {name for name, array in tensors.items() if array.ndim == 2 and name.startswith(("trees.", "limits."))}
     write_safetensors(path, {name: np.ascontiguousarray(array, np.float16 if name in halves else np.float32)
                              for name, array in tensors.items()}, metadata)
 
 
 def load_safetensors(path):
-    """(tensors, metadata) of a file that save_safetensors wrote."""
+    """(tensors, metadata) of a file that write_safetensors wrote. The tensors are float32, in the order of the file."""
     with open(path, "rb") as file:
         size, = struct.unpack("<Q", file.read(8))
         header, data = json.loads(file.read(size)), bytearray(file.read())

@@ -153,7 +153,7 @@ class FastRun(train.Run):
         self.thread.start()
 
     def make_ahead(self, step):
-        # The choice head joins some time: all have its question.
+        # The candidate-scoring head joins some time: all batches have what it is trained on.
         config = replace(self.config, weights={**self.config.weights, "choice": 1.0})
         try:
             while not self.ending:

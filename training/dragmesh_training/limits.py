@@ -1,12 +1,13 @@
-"""The limits' networks (sdk/kinematics/limits/limit_network.c): what a sweep tells of generated joints, and the evidence they are ranked
-by, in; their weights out.
+"""The limit networks (sdk/kinematics/limits/limit_network.c): the sweeps of generated joints, and the candidate features that
+they are ranked by, in; weights out.
 
-    python -m dragmesh_training.limits make OUT.npz --weights KPP --sieve SIEVE --seed 5 --count 8000 [--split 1] [--only first]
+    python -m dragmesh_training.limits make OUT.npz --weights KPP --prefilter PREFILTER --seed 5 --count 8000 [--split 1] [--only first]
     python -m dragmesh_training.limits fit A.npz B.npz --validate V.npz -o limits.safetensors
 
 They learn how probable each range is; the library answers with the range whose expected overlap with the true one is largest.
-The evidence says what kind of thing this is: slides and half of the turns do without it, or a network would know the ranges of
-the kinds it was shown and no others. Several that chance alone makes different err less together than one.
+The candidate features say what kind of thing this is. They are hidden in slides and in half of the turns, or a network would
+know the ranges of the kinds that it was shown and no others. The ensemble's members differ by chance alone, and err less
+together than one.
 """
 import argparse
 import ctypes
@@ -16,7 +17,8 @@ import torch
 
 from .cases import case_file, load
 from .descent import descend
-from .export import write_ranker_tensors
+from .export import perceptron_tensors, write_joint_models
+from .features import PRISMATIC
 from .lab import LAB, chosen_kinds, names_by_id, open_lab, options_of
 
 ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32), ("pose", np.float32),
@@ -27,26 +29,25 @@ SEEDS, VALIDATION_SEED, CASES, STEPS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000,
 # Sizes of either side of a range, in rad or in the part's extent along the slide: in rad, the round angles are among them.
 SIZES = np.array([0, .01, .02, .035, .055, .08, .12, .175, .262, .349, .436, .524, .65, .785, .9, 1.047, 1.2, 1.38, 1.571,
                   1.833, 2.094, 2.5, 3.142, 4.2, 6.283], np.float32)
-RANGE_KINDS = 8  # of which a joint's is one
-VOICES = 3  # as in limit_net.h
-FEATURES, SLIDES = 37, 0  # DMI_LIMIT_FEATURES, and the one of them that is 1 for slides
+RANGE_KINDS = 8  # components of the mixture of ranges, as in limit_network.h
+MEMBERS = 3  # of the ensemble, as in limit_network.h
 # Degrees that people write limits in multiples of, and how many do (0: as the mechanism has it). Set by hand.
 ROUND_DEGREES, ROUND_SHARES = (0, 15, 45), (0.3, 0.3, 0.4)
 AT_ONCE = 500  # cases
-WITHOUT_EVIDENCE = 0.5  # share of turning cases; the library keeps that of slides back
+WITHOUT_CANDIDATE = 0.5  # share of turning cases whose candidate features are hidden; the library hides those of slides
 
 
-def make(lab, kinematics, sieve, seed, count, split, chosen):
+def make(lab, kinematics, prefilter, seed, count, split, chosen):
     data = {"features": np.zeros((count, lab.dm_lab_limits_columns()), np.float32),
-            "evidence": np.zeros((count, lab.dm_lab_limits_evidence()), np.float32)}
+            "candidate": np.zeros((count, lab.dm_lab_limits_candidate_columns()), np.float32)}
     data.update({name: np.zeros(count, dtype) for name, dtype in ARRAYS})
     options, keep = options_of(lab, seed, count, split, chosen)
     pointers = (ctypes.c_void_p * len(data))(*[array.ctypes.data for array in data.values()])
-    sizes = [ctypes.c_size_t(len(weights)) for weights in (kinematics, sieve)]
-    if lab.dm_lab_limits_batch(ctypes.byref(options), kinematics, sizes[0], sieve, sizes[1], pointers) != 0:
+    sizes = [ctypes.c_size_t(len(weights)) for weights in (kinematics, prefilter)]
+    if lab.dm_lab_limits_batch(ctypes.byref(options), kinematics, sizes[0], prefilter, sizes[1], pointers) != 0:
         raise RuntimeError("dm_lab_limits_batch failed")
     del keep
-    data["evidence"] = data["evidence"].astype(np.float16)
+    data["candidate"] = data["candidate"].astype(np.float16)
     return data
 
 
@@ -64,13 +65,17 @@ def as_written(lower, upper, turns, random):
     return np.where(keeps, low, lower), np.where(keeps, high, upper)
 
 
+def slides_of(data):
+    return data["candidate"][:, PRISMATIC] > 0.5
+
+
 def inputs_of(data):
-    return torch.from_numpy(np.concatenate([data["features"], data["evidence"].astype(np.float32)], 1))
+    return torch.from_numpy(np.concatenate([data["features"], data["candidate"].astype(np.float32)], 1))
 
 
-def hide_evidence(x, rows):
-    """Of these rows; x: standardised, is changed."""
-    x[np.flatnonzero(rows), FEATURES:] = 0
+def hide_candidate(x, rows, data):
+    """Sets the candidate features of these rows to their means; x: standardised inputs_of data, is changed."""
+    x[np.flatnonzero(rows), data["features"].shape[1]:] = 0
     return x
 
 
@@ -81,7 +86,7 @@ def size_shares(sizes):
 
 
 def range_logs(outputs):
-    """Of the limits' network: free's logit, log shares of the kinds of ranges, and each kind's of either side's sizes."""
+    """Of a limit network: free's logit, log shares of the kinds of ranges, and each kind's of either side's sizes."""
     sides = outputs[:, 1 + RANGE_KINDS:].view(len(outputs), 2, RANGE_KINDS, len(SIZES))
     return (outputs[:, 0], torch.log_softmax(outputs[:, 1:1 + RANGE_KINDS], 1), torch.log_softmax(sides[:, 0], 2),
             torch.log_softmax(sides[:, 1], 2))
@@ -114,7 +119,7 @@ def overlaps(nets, data, mean, scale):
     for drag in (1, 0):
         limited = np.flatnonzero((data["free"] == 0) & (data["has_drag"] == drag))[:4000]
         part = {name: array[limited] for name, array in data.items()}
-        x = hide_evidence((inputs_of(part) - mean) * scale, part["features"][:, SLIDES] > 0.5)
+        x = hide_candidate((inputs_of(part) - mean) * scale, slides_of(part), part)
         probability = sum(probabilities(net(x)) for net in nets) / len(nets)
         out.append(mean_overlap(probability, torch.from_numpy(part["lower"]), torch.from_numpy(part["upper"])))
     return out
@@ -123,14 +128,14 @@ def overlaps(nets, data, mean, scale):
 def fit_one(data, x, mean, scale, steps, seed):
     """How probable each range is, by the likelihood of the true ones."""
     torch.manual_seed(seed)
-    net, slides = build(x.shape[1]), data["features"][:, SLIDES] > 0.5
+    net, slides = build(x.shape[1]), slides_of(data)
     down, up = size_shares(-torch.from_numpy(data["lower"])), size_shares(torch.from_numpy(data["upper"]))
     free, random = torch.from_numpy(data["free"]), np.random.default_rng(seed)
 
     def loss_of(_):
         index = random.integers(0, len(x), 256)
         noisy = (x[index] - mean) * scale + 0.6 * torch.randn(256, x.shape[1])
-        hide_evidence(noisy, slides[index] | (random.random(256) < WITHOUT_EVIDENCE))
+        hide_candidate(noisy, slides[index] | (random.random(256) < WITHOUT_CANDIDATE), data)
         stops, kinds, downs, ups = range_logs(net(noisy))
         known = (downs * down[index, None]).sum(2) + (ups * up[index, None]).sum(2)
         likelihood = torch.logsumexp(kinds + known, 1)[free[index] == 0]
@@ -141,28 +146,26 @@ def fit_one(data, x, mean, scale, steps, seed):
 
 
 def fit(data, validation, steps, seed):
-    lower, upper = as_written(data["lower"], data["upper"], data["features"][:, SLIDES] < 0.5, np.random.default_rng(seed))
+    lower, upper = as_written(data["lower"], data["upper"], ~slides_of(data), np.random.default_rng(seed))
     data, x = {**data, "lower": lower, "upper": upper}, inputs_of(data)
     mean, scale = x.mean(0), 1 / (x.std(0) + 0.02)
-    nets = [fit_one(data, x, mean, scale, steps, seed + voice) for voice in range(VOICES)]
+    nets = [fit_one(data, x, mean, scale, steps, seed + member) for member in range(MEMBERS)]
     with torch.no_grad():
         for name, part in (("trained", data), ("validation", validation)):
             for some in (nets[:1], nets):
                 print("limits: overlap with the truth {:.3f} with a drag, {:.3f} without,".format(
                     *overlaps(some, part, mean, scale)), name, f"by {len(some)}", flush=True)
     tensors = {"limits.mean": mean.numpy(), "limits.scale": scale.numpy(), "limits.sizes": SIZES}
-    for voice, net in enumerate(nets):
-        for layer, name in ((0, "first"), (3, "second"), (5, "last")):
-            tensors[f"limits.{voice}.{name}"] = net[layer].weight.detach().numpy().T
-            tensors[f"limits.{voice}.{name}_bias"] = net[layer].bias.detach().numpy()
+    for member, net in enumerate(nets):
+        tensors.update(perceptron_tensors(f"limits.{member}", net))
     return tensors
 
 
 def run_make(arguments):
     lab = open_lab(arguments.lab)
-    kinematics, sieve = (open(path, "rb").read() for path in (arguments.weights, arguments.sieve))
+    kinematics, prefilter = (open(path, "rb").read() for path in (arguments.weights, arguments.prefilter))
     chosen = chosen_kinds(lab, arguments.only)
-    parts = [make(lab, kinematics, sieve, arguments.seed * 1000003 + first, min(AT_ONCE, arguments.count - first),
+    parts = [make(lab, kinematics, prefilter, arguments.seed * 1000003 + first, min(AT_ONCE, arguments.count - first),
                   arguments.split, chosen)
              for first in range(0, arguments.count, AT_ONCE)]
     np.savez(arguments.out, names=np.array(names_by_id(lab)),
@@ -173,14 +176,15 @@ def run_fit(arguments):
     torch.set_num_threads(1)
     data = load(arguments.data)
     tensors = fit(data, load([arguments.validate]), arguments.steps, arguments.seed)
-    write_ranker_tensors(arguments.out, tensors, {"architecture": "dragmesh-limits", "version": "2", "seed": str(arguments.seed),
-                                    "trained": f"{len(data['free'])} generated cases"})
+    write_joint_models(arguments.out, tensors, {"architecture": "dragmesh-limits", "version": "3", "seed": str(arguments.seed),
+                                                "trained": f"{len(data['free'])} generated cases"})
 
 
-def ship(folder, kinematics, sieve, out, some=str):
-    """The limits' networks that ship; goes on where it was stopped. some: how many of so many cases and steps, as a word."""
+def ship(folder, kinematics, prefilter, out, some=str):
+    """The limit networks that ship; goes on where it was stopped. some: how many of so many cases and steps, as a word."""
     def made(name, seed, count, *more):
-        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--sieve", sieve, "--count", some(count), *more)
+        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--prefilter", prefilter, "--count",
+                         some(count), *more)
 
     validation = made("validation", VALIDATION_SEED, CASES // 2, "--split", "1")
     files = [made("first", seed, CASES, "--only", "first") for seed in SEEDS]
@@ -195,7 +199,7 @@ def run(words=None):
     one.add_argument("out")
     one.add_argument("--lab", default=LAB)
     one.add_argument("--weights", required=True, help="the KPP-Net that ships")
-    one.add_argument("--sieve", required=True, help="the sieve that ships")
+    one.add_argument("--prefilter", required=True, help="the prefilter that ships")
     one.add_argument("--seed", type=int, default=5)
     one.add_argument("--count", type=int, default=CASES)
     one.add_argument("--split", type=int, default=0)

@@ -41,7 +41,7 @@ class KppConfig:
     axis_hidden: int = 128
     scalar_hidden: int = 96
     choice_hidden: int = 128
-    # What an ablation takes away (docs/ablations.md); the library reads the whole network alone.
+    # What an ablation takes away (docs/research/ablations.md); the library reads the whole network alone.
     mask: bool = True  # the input tells part from body
     drag: bool = True  # the input has the drag
     attention: bool = True  # two streams of grouped points with Transformers; else one PointNet over all points
@@ -66,7 +66,7 @@ class VaeConfig:
     ff: int = 384
     layers: int = 3
     correction_hidden: int = 64
-    # What an ablation takes away (docs/ablations.md); the library reads the whole network alone.
+    # What an ablation takes away (docs/research/ablations.md); the library reads the whole network alone.
     transformer: bool = True  # decoder; else an MLP from z and f_joint to all frames
     fusion: bool = True  # local sampler and gate; else the encoder sees the whole cloud's features
     local_film: bool = True  # FiLM of the local sampler

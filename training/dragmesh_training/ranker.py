@@ -1,15 +1,16 @@
-"""The ranker of candidate joints: evidence of generated cases in, sdk/models/ranker.safetensors out.
+"""The ranker of candidate joints: features of generated cases in, sdk/models/ranker.safetensors out.
 
     python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split 0] [--only trained|held|test_only]
-    python -m dragmesh_training.ranker train A.npz B.npz --forest A.npz C.npz --validate V.npz --sieve SIEVE --limits LIMITS
-        -o ranker.safetensors
+    python -m dragmesh_training.ranker train A.npz B.npz --trees A.npz C.npz --validate V.npz --prefilter PREFILTER
+        --limits LIMITS -o ranker.safetensors
 
-Cases are made with the sieve (sieve.py) that the library will have, so that the candidates are those which the ranker will see.
+Cases are made with the prefilter (prefilter.py) that the library will have, so that the candidates are those which the ranker
+will see.
 
-A case's candidates share a probability of one by exp(-cost): their cost is what a player would see (the pose error),
-what a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way, in a
-network and in a forest (forest.py), whose mean is the score. Two numbers, and two more where there is no drag, turn the
-probability an answer gathers into the chance that it is right.
+A case's candidates share a probability of one by exp(-cost): their cost is what a player would see (the pose error) and what
+a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way, in a network and in
+boosted trees (boosted_trees.py), whose mean is the score. Two numbers, and two more where there is no drag, turn the
+probability that an answer gathers into the probability that it is right.
 """
 import argparse
 import ctypes
@@ -20,39 +21,42 @@ import time
 
 import numpy as np
 
-from . import forest, sieve
-from .cases import GROUPS, KEPT_BEST, NETWORK, SLIDES, case_file, costs, load, log_weights, make
+from . import boosted_trees, prefilter
+from .cases import KEPT_BEST, case_file, costs, load, log_weights, make
 from .config import HELD_OUT
+from .features import HIDDEN_GROUPS, NETWORK, PRISMATIC
 from .lab import LAB, chosen_kinds, names_by_id, open_lab, options_of
 
 GOOD = 0.02
 ONLY = ("trained", "first", "held", "paper", "test_only", "later")  # of config.kinds_of
-# What ships is trained on so many cases of each seed: with the evidence of an earlier KPP-Net (EARLIER_COMMIT), and with
+# What ships is trained on so many cases of each seed: with the features of an earlier KPP-Net (EARLIER_COMMIT), and with
 # the shipped one's.
 CASES, STEPS, LEAST = 6000, 9000, 20
-LEAST_SLOPE = 0.1  # of confidence by trust: the library takes none that falls, as few cases may say
+LEAST_SLOPE = 0.1  # of the calibration: the library takes none that falls, which a few cases might give
+UNCALIBRATED = np.array([[1, 0], [1, 0]], np.float32)  # slope and offset without a drag, and with one
 # KPP-Net after a third of its run, of fewer kinds. On the kinds that both were trained on the shipped one is right more often
-# than elsewhere, and a ranker that saw no other would trust it too far; the earlier one, whose choice head had only begun, errs
-# there about as often as the shipped one does on what it does not know.
+# than elsewhere, and a ranker that saw no other would trust it too far. The earlier one, whose candidate-scoring head had only
+# begun, errs there about as often as the shipped one does on what it does not know.
 EARLIER_COMMIT = "613e580"
-# The last KPP-Net that knew none of HELD_OUT: with it the ranker's twin says how sure an answer is where nothing knows the kind.
-UNKNOWING_COMMIT = "60987f0"
+# The last KPP-Net that knew none of HELD_OUT: with it the held-out ranker says how sure an answer is where nothing knows the kind.
+HELD_OUT_COMMIT = "60987f0"
 NETWORK_SEEDS = (101, 103, 211), (102, 104)
-FOREST_SEEDS = (101, 103, 301, 302, 305, 306, 307, 308), (102, 104, 303, 304, 315, 316, 317, 318)
-SIEVE_SEEDS, SIEVE_CASES = (301, 302), 6000  # of the one network and of the other
-SAMPLED, FOREST_SAMPLED = 96, 56  # rows of a case in a training step, and for the forest
+TREE_SEEDS = (101, 103, 301, 302, 305, 306, 307, 308), (102, 104, 303, 304, 315, 316, 317, 318)
+PREFILTER_SEEDS, PREFILTER_CASES = (301, 302), 6000  # of the one network and of the other
+SAMPLED, TREES_SAMPLED = 96, 56  # rows of a case in a training step, and for the trees
 
 
 def run_make(arguments):
     lab = open_lab(arguments.lab)
     chosen = chosen_kinds(lab, arguments.only)
-    weights, sieve_weights = (open(path, "rb").read() if path else None for path in (arguments.weights, arguments.sieve))
+    weights, prefilter_weights = (open(path, "rb").read() if path else None
+                                  for path in (arguments.weights, arguments.prefilter))
     start, parts = time.time(), []
     for first in range(0, arguments.count, 100):
         count = min(100, arguments.count - first)
         part = make(lab, arguments.seed * 1000003 + first, count, arguments.rows, arguments.split, chosen,
-                    arguments.noise, weights, sieve_weights)
-        part["evidence"] = part["evidence"].astype(np.float16)
+                    arguments.noise, weights, prefilter_weights)
+        part["features"] = part["features"].astype(np.float16)
         parts.append(part)
     data = {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
     np.savez(arguments.out, names=np.array(names_by_id(lab)), **data)
@@ -73,19 +77,19 @@ def answer(probability, slides, pose):
     return best, probability[np.abs(pose - pose[best]) < 0.01].sum()
 
 
-def evaluate(net, data, mean, scale, blind):
+def evaluate(net, data, mean, scale, without_network):
     """Of the network alone: whether each answer is good, and how far it is trusted."""
     import torch
     good, confidence, everything = [], [], np.arange(data["pose"].shape[1])[None]
     net.eval()
     with torch.no_grad():
         for i, used in enumerate(data["used"]):
-            evidence = data["evidence"][i, :used].astype(np.float32)
-            if blind:
-                evidence[:, NETWORK] = 0
+            features = data["features"][i, :used].astype(np.float32)
+            if without_network:
+                features[:, NETWORK] = 0
             extra = log_weights(everything[:, :used], data["used"][i:i + 1], data["total"][i:i + 1])
-            logits = net((torch.from_numpy(evidence) - mean) * scale)[:, 0] + torch.from_numpy(extra[0])
-            best, trust = answer(torch.softmax(logits, 0).numpy(), evidence[:, SLIDES] > 0.5, data["pose"][i, :used])
+            logits = net((torch.from_numpy(features) - mean) * scale)[:, 0] + torch.from_numpy(extra[0])
+            best, trust = answer(torch.softmax(logits, 0).numpy(), features[:, PRISMATIC] > 0.5, data["pose"][i, :used])
             good.append(data["pose"][i, best] < GOOD)
             confidence.append(trust)
     net.train()
@@ -100,19 +104,19 @@ def summary(good, data, names):
 
 
 def draw(data, cost, random, batch, without_network, without_group, mean):
-    """A training step's evidence, log weights and costs."""
+    """A training step's features, log weights and costs."""
     index = random.integers(0, len(cost), batch)
     used, total = data["used"][index], data["total"][index]
     others = random.integers(KEPT_BEST, np.maximum(used, KEPT_BEST + 1)[:, None], (batch, SAMPLED - KEPT_BEST))
     rows = np.concatenate([np.tile(np.arange(KEPT_BEST), (batch, 1)), others], 1)
-    evidence = data["evidence"][index[:, None], rows].astype(np.float32)
-    blind = np.flatnonzero(random.random(batch) < without_network)
-    evidence[blind[:, None, None], np.arange(SAMPLED)[:, None], NETWORK] = 0
-    for group in GROUPS:
-        evidence[random.random(batch) < without_group, :, group] = mean[group]
+    features = data["features"][index[:, None], rows].astype(np.float32)
+    hidden = np.flatnonzero(random.random(batch) < without_network)
+    features[hidden[:, None, None], np.arange(SAMPLED)[:, None], NETWORK] = 0
+    for group in HIDDEN_GROUPS:
+        features[random.random(batch) < without_group, :, group] = mean[group]
     extra = log_weights(rows, np.maximum(used, SAMPLED), total)
     extra[rows >= used[:, None]] = -1e9
-    return evidence, extra, cost[index[:, None], rows]
+    return features, extra, cost[index[:, None], rows]
 
 
 def fit(data, validation, names, arguments):
@@ -121,7 +125,7 @@ def fit(data, validation, names, arguments):
     torch.manual_seed(arguments.seed)
     torch.set_num_threads(1)
     real = data["used"][:800, None] > np.arange(data["pose"].shape[1])
-    flat = data["evidence"][:800].astype(np.float32)[real]
+    flat = data["features"][:800].astype(np.float32)[real]
     mean, scale = torch.from_numpy(flat.mean(0)), 1 / (torch.from_numpy(flat.std(0)) + 0.05)
     net = build(len(mean), arguments.hidden, arguments.dropout)
     random, cost, smooth, start = np.random.default_rng(arguments.seed), costs(data), 0.0, time.time()
@@ -135,10 +139,10 @@ def fit(data, validation, names, arguments):
                   flush=True)
 
     def loss_of(step):
-        evidence, extra, cases = map(torch.from_numpy, draw(data, cost, random, arguments.batch,
+        features, extra, cases = map(torch.from_numpy, draw(data, cost, random, arguments.batch,
                                                             arguments.without_network, arguments.without_group,
                                                             mean.numpy()))
-        loss = listwise_loss(net((evidence - mean) * scale)[..., 0], extra, cases)
+        loss = listwise_loss(net((features - mean) * scale)[..., 0], extra, cases)
         tell(step, loss.item())
         return loss
 
@@ -146,18 +150,18 @@ def fit(data, validation, names, arguments):
     return net, mean, scale
 
 
-def forest_cases(data, without_network, random):
-    """Of each case its best rows and some others: their evidence, log weights and wanted probabilities."""
+def tree_cases(data, without_network, random):
+    """Of each case its best rows and some others: their features, log weights and target probabilities."""
     cost = costs(data)
     for case, used in enumerate(data["used"]):
-        others = KEPT_BEST + random.permutation(max(used - KEPT_BEST, 0))[:FOREST_SAMPLED - KEPT_BEST]
+        others = KEPT_BEST + random.permutation(max(used - KEPT_BEST, 0))[:TREES_SAMPLED - KEPT_BEST]
         rows = np.concatenate([np.arange(min(KEPT_BEST, used)), others])
-        evidence = data["evidence"][case, rows]
+        features = data["features"][case, rows]
         if random.random() < without_network:
-            evidence[:, NETWORK] = 0
+            features[:, NETWORK] = 0
         weights = log_weights(rows[None], data["used"][case:case + 1], data["total"][case:case + 1])[0]
-        wanted = np.exp(weights - cost[case, rows] - (weights - cost[case, rows]).max())
-        yield evidence, weights, wanted / wanted.sum()
+        target = np.exp(weights - cost[case, rows] - (weights - cost[case, rows]).max())
+        yield features, weights, target / target.sum()
 
 
 def calibrate(good, trust):
@@ -192,8 +196,8 @@ def answers(lab, kinematics, ranker, seed, count, split, chosen, clean=False):
 def own_calibration(lab, kinematics, tensors, metadata, path, count):
     """Of a ranker that knows no held-out kind, on those kinds: real objects are none that any network has seen either. A line
     between log odds without a drag, and one with a drag."""
-    from .export import write_ranker_tensors
-    write_ranker_tensors(path, {**tensors, "calibration": np.array([[1, 0], [1, 0]], np.float32)}, metadata)
+    from .export import write_joint_models
+    write_joint_models(path, {**tensors, "ranker.calibration": UNCALIBRATED}, metadata)
     with open(path, "rb") as file:
         ranker = file.read()
     found = answers(lab, kinematics, ranker, 77, count, 1, HELD_OUT)
@@ -203,7 +207,7 @@ def own_calibration(lab, kinematics, tensors, metadata, path, count):
 
 
 def run_train(arguments):
-    from .export import commit, load_safetensors, write_ranker_tensors
+    from .export import commit, load_safetensors, perceptron_tensors, write_joint_models
     lab = open_lab(arguments.lab)
     names = np.load(arguments.data[0])["names"]
     left_out = HELD_OUT if arguments.hold_out else ()
@@ -213,21 +217,20 @@ def run_train(arguments):
     net, mean, scale = fit(data, validation, names, arguments)
     good, _ = evaluate(net, validation, mean, scale, arguments.without_network >= 1)
     print(f"validation: {summary(good, validation, names)}")
-    tensors, state = {"mean": mean.numpy(), "scale": scale.numpy()}, list(net.state_dict().values())
-    more = load(arguments.forest, left_out)
-    tensors.update(forest.grow(lab, forest_cases(more, arguments.without_network, np.random.default_rng(arguments.seed)),
-                               arguments.seed))
-    for layer, name in enumerate(("0", "2", "4")):
-        tensors[f"{name}.weight"], tensors[f"{name}.bias"] = state[2 * layer].numpy(), state[2 * layer + 1].numpy()
-    for path in (arguments.sieve, arguments.limits):
+    tensors = {"ranker.mean": mean.numpy(), "ranker.scale": scale.numpy(), **perceptron_tensors("ranker", net),
+               "ranker.calibration": UNCALIBRATED}
+    more = load(arguments.trees, left_out)
+    random = np.random.default_rng(arguments.seed)
+    tensors.update(boosted_trees.grow(lab, tree_cases(more, arguments.without_network, random), arguments.seed))
+    for path in (arguments.prefilter, arguments.limits):
         tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
-    metadata = {"architecture": "dragmesh-ranker", "version": "8", "commit": commit(), "seed": str(arguments.seed),
-                "trained": f"{len(data['used'])} generated cases, the forest {len(more['used'])}"}
+    metadata = {"architecture": "dragmesh-joint-models", "version": "1", "commit": commit(), "seed": str(arguments.seed),
+                "trained": f"{len(data['used'])} generated cases, the trees {len(more['used'])}"}
     if arguments.calibration_of:
-        calibration = load_safetensors(arguments.calibration_of)[0]["calibration"].numpy()
+        calibration = load_safetensors(arguments.calibration_of)[0]["ranker.calibration"].numpy()
     else:
         calibration = own_calibration(lab, kinematics, tensors, metadata, arguments.out, arguments.calibration_cases)
-    write_ranker_tensors(arguments.out, {**tensors, "calibration": calibration}, metadata)
+    write_joint_models(arguments.out, {**tensors, "ranker.calibration": calibration}, metadata)
     with open(arguments.out, "rb") as file:
         found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, chosen_kinds(lab, "trained"))
     print(f"whole library, validation: type {found['right_type'].mean():.3f} "
@@ -260,11 +263,11 @@ def committed_network(folder, name, commit):
 
 
 def ship(folder, models, out, share):
-    """What the ranker of the folder `out` is made by, for the KPP-Net in `models`; goes on where it was stopped. About an hour
-    of one core. First the sieve, from cases all of whose candidates are judged; then the ranker, from cases that were sieved.
-    Its twin has not seen the held-out kinds (nor have the sieve and the KPP-Net that it is asked with): it says how well kinds
-    are answered that nothing knows, and what the probabilities of such answers are worth. share: of the cases and the steps,
-    less than 1 for a try."""
+    """Makes the ranker of the folder `out`, for the KPP-Net in `models`; goes on where it was stopped. About an hour of one core.
+    First the prefilter, from cases all of whose candidates are evaluated; then the ranker, from prefiltered cases. A held-out
+    ranker, which has not seen the held-out kinds (nor have the prefilter and the KPP-Net that it is asked with), says how well
+    kinds are answered that nothing knows, and what the probabilities of such answers are worth. share: of the cases and the
+    steps, less than 1 for a try."""
     from . import limits
 
     def some(count, least=LEAST):
@@ -273,23 +276,24 @@ def ship(folder, models, out, share):
     os.makedirs(folder, exist_ok=True)
     shipped = os.path.join(models, "kpp_net.safetensors")
     earlier = committed_network(folder, "kpp_earlier", EARLIER_COMMIT)
-    unknowing = committed_network(folder, "kpp_unknowing", UNKNOWING_COMMIT)
-    sieve_file, limits_file = (os.path.join(folder, name + ".safetensors") for name in ("sieve", "limits"))
-    if not os.path.exists(sieve_file):
-        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", some(SIEVE_CASES))
-                 for seed, kinematics in zip(SIEVE_SEEDS, (earlier, shipped))]
-        sieve.run([*every, "--steps", some(sieve.STEPS), "-o", sieve_file])
-    of_network, of_forest = (
-        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", some(CASES), "--sieve", sieve_file)
+    held_out = committed_network(folder, "kpp_held_out", HELD_OUT_COMMIT)
+    prefilter_file, limits_file = (os.path.join(folder, name + ".safetensors") for name in ("prefilter", "limits"))
+    if not os.path.exists(prefilter_file):
+        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", some(PREFILTER_CASES))
+                 for seed, kinematics in zip(PREFILTER_SEEDS, (earlier, shipped))]
+        prefilter.run([*every, "--steps", some(prefilter.STEPS), "-o", prefilter_file])
+    with_prefilter = "--prefilter", prefilter_file
+    of_network, of_trees = (
+        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", some(CASES), *with_prefilter)
          for kinematics, of_one in zip((earlier, shipped), seeds) for seed in of_one]
-        for seeds in (NETWORK_SEEDS, FOREST_SEEDS))
-    limits.ship(folder, shipped, sieve_file, limits_file, some)
-    validation = case_file(run, folder, "validation", shipped, 105, "--count", some(1500), "--split", "1", "--sieve", sieve_file)
-    common = ["train", *of_network, "--forest", *of_forest, "--validate", validation,
-              "--sieve", sieve_file, "--limits", limits_file, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
-    twin = os.path.join(folder, "twin.safetensors")
-    run([*common, "--weights", unknowing, "--hold-out", "-o", twin])
-    run([*common, "--weights", shipped, "--calibration-of", twin, "-o", os.path.join(out, "ranker.safetensors")])
+        for seeds in (NETWORK_SEEDS, TREE_SEEDS))
+    limits.ship(folder, shipped, prefilter_file, limits_file, some)
+    validation = case_file(run, folder, "validation", shipped, 105, "--count", some(1500), "--split", "1", *with_prefilter)
+    common = ["train", *of_network, "--trees", *of_trees, "--validate", validation, *with_prefilter,
+              "--limits", limits_file, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
+    held_out_ranker = os.path.join(folder, "held_out_ranker.safetensors")
+    run([*common, "--weights", held_out, "--hold-out", "-o", held_out_ranker])
+    run([*common, "--weights", shipped, "--calibration-of", held_out_ranker, "-o", os.path.join(out, "ranker.safetensors")])
 
 
 def run(words):
@@ -305,27 +309,27 @@ def run(words):
     one.add_argument("--noise", type=float, default=14.0)
     one.add_argument("--only", choices=ONLY, default="trained")
     one.add_argument("--weights")
-    one.add_argument("--sieve", help="weights of the sieve; without them all candidates are judged")
+    one.add_argument("--prefilter", help="weights of the prefilter; without them all candidates are evaluated")
     one.set_defaults(run=run_make)
     two = commands.add_parser("train")
     two.add_argument("data", nargs="+")
-    two.add_argument("--forest", nargs="+", required=True, help="cases that the forest is grown on")
+    two.add_argument("--trees", nargs="+", required=True, help="cases that the boosted trees are grown on")
     two.add_argument("--validate", required=True)
     two.add_argument("--lab", default=LAB)
     two.add_argument("--weights", required=True, help="the KPP-Net that answers are asked with")
-    two.add_argument("--sieve", required=True, help="what the cases were made with")
-    two.add_argument("--limits", required=True, help="weights of the limits' network (limits.py)")
+    two.add_argument("--prefilter", required=True, help="what the cases were made with")
+    two.add_argument("--limits", required=True, help="weights of the limit networks (limits.py)")
     two.add_argument("--calibration-cases", type=int, default=3000)
-    two.add_argument("--calibration-of", help="a ranker of its twin's calibration; without it, its own on the held-out kinds")
+    two.add_argument("--calibration-of", help="the held-out ranker, whose calibration is taken; without it, fitted on the held-out kinds")
     two.add_argument("--steps", type=int, default=STEPS)
     two.add_argument("--batch", type=int, default=48)
     two.add_argument("--hidden", type=int, default=64)
     two.add_argument("--rate", type=float, default=2e-3)
     two.add_argument("--dropout", type=float, default=0.1)
-    two.add_argument("--without-network", type=float, default=0.15, help="share of cases that do without its columns")
-    two.add_argument("--without-group", type=float, default=0.1, help="and each other group of evidence")
+    two.add_argument("--without-network", type=float, default=0.15, help="share of cases without KPP-Net's features")
+    two.add_argument("--without-group", type=float, default=0.1, help="share of cases without a group of features, for each other group")
     two.add_argument("--seed", type=int, default=1)
-    two.add_argument("--hold-out", action="store_true", help="leave out the kinds that are held out of the networks' training")
+    two.add_argument("--hold-out", action="store_true", help="leave out the kinds that HELD_OUT names")
     two.add_argument("-o", "--out", required=True)
     two.set_defaults(run=run_train)
     models = os.path.join(os.path.dirname(__file__), "..", "..", "sdk", "models")
@@ -334,7 +338,7 @@ def run(words):
     three.add_argument("--weights", default=os.path.join(models, "kpp_net.safetensors"))
     three.add_argument("--ranker", default=os.path.join(models, "ranker.safetensors"))
     three.add_argument("--only", choices=ONLY, default="test_only")
-    three.add_argument("--clean", action="store_true", help="no mess, masks and drags without mistakes")
+    three.add_argument("--clean", action="store_true", help="objects without augmentation, masks and drags without errors")
     three.add_argument("--count", type=int, default=4000)
     three.add_argument("--seed", type=int, default=91)
     three.set_defaults(run=run_answer)

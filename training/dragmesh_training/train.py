@@ -37,7 +37,7 @@ def run_network(network, model, batch, sample):
 
 
 def prepared(config, batch):
-    """A batch as the losses take it: KPP-Net's in one of four mirror images, with a question for its choice head."""
+    """A batch as the losses take it: KPP-Net's in one of four mirror images, with what its candidate-scoring head is trained on."""
     if config.network != "kpp":
         return batch
     batch = mirrored(batch)
@@ -65,7 +65,7 @@ def rate_at(config, step, done):
 
 
 def weights_at(config, done):
-    """The choice head joins when the encoders have learnt to see."""
+    """The candidate-scoring head is trained once the encoders are."""
     if config.network == "kpp" and done < config.choice_from:
         return {**config.weights, "choice": 0.0}
     return config.weights

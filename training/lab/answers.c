@@ -27,17 +27,16 @@ static void score(const lab_case* made, const dm_joint* truth, const float drag_
 }
 
 static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net,
-                             const dmi_ranker* ranker, lab_case* made, const dm_lab_answers* out, uint32_t at) {
+                             const dmi_joint_models* joints, lab_case* made, const dm_lab_answers* out, uint32_t at) {
     dm_joint truth;
     const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &truth);
     const int with_drag = lab_random_bool(&made->random, options->with_drag);
     const dmi_inference_query query = {.mesh = made->mesh,
-                                        .cloud = &made->cloud,
-                                        .net = net,
-                                        .ranker = ranker,
-                                        .hint = with_drag ? &hint : NULL,
-                                        .welded = made->welded,
-                                        .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
+                                       .cloud = &made->cloud,
+                                       .models = {net, joints, dmi_cpu_best_isa()},
+                                       .hint = with_drag ? &hint : NULL,
+                                       .welded = made->welded,
+                                       .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
     dmi_hypotheses found;
     const dm_result result = dmi_joint_inference_run(env, &query, &found, NULL);
     if (result != DM_OK) return result;
@@ -51,18 +50,18 @@ dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, s
     dmi_env env;
     dmi_env_init(&env, NULL, NULL, NULL);
     dmi_kpp_net* net = NULL;
-    dmi_ranker* chooser = NULL;
+    dmi_joint_models* joints = NULL;
     lab_case* made = dmi_alloc(&env, sizeof *made, 64);
     dm_result result = made != NULL ? DM_OK : DM_ERROR_OUT_OF_MEMORY;
     if (result == DM_OK && kinematics != NULL) result = dmi_kpp_net_load(&env, kinematics, kinematics_size, &net);
-    if (result == DM_OK && ranker != NULL) result = dmi_ranker_load(&env, ranker, ranker_size, &chooser);
+    if (result == DM_OK && ranker != NULL) result = dmi_joint_models_load(&env, ranker, ranker_size, &joints);
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         result = lab_case_make(&env, options, i, made);
         if (result != DM_OK) break;
-        result = answer_case(&env, options, net, chooser, made, out, i);
+        result = answer_case(&env, options, net, joints, made, out, i);
         lab_case_release(&env, made);
     }
-    dmi_ranker_destroy(chooser);
+    dmi_joint_models_destroy(joints);
     if (net != NULL) dmi_kpp_net_destroy(net);
     if (made != NULL) dmi_free(&env, made, sizeof *made);
     return result;

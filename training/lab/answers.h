@@ -15,7 +15,8 @@ typedef struct dm_lab_answers {
     int32_t* category; /* id */
 } dm_lab_answers;
 
-/* Infers the joints of options->count cases. kinematics, ranker: bytes of weights files; NULL: without. */
+/* Infers the joints of options->count cases. kinematics: bytes of a KPP-Net weights file; ranker: of a file
+ * of joint models (sdk/models/ranker.safetensors); NULL: without. */
 DM_API dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                                const void* ranker, size_t ranker_size, const dm_lab_answers* out);
 

@@ -1,4 +1,4 @@
-/* Grows the forest of sdk/kinematics/forest.c. */
+/* Grows the boosted trees that sdk/kinematics/ranking/boosted_trees.c scores candidates by. */
 #ifndef DM_LAB_BOOST_H
 #define DM_LAB_BOOST_H
 
@@ -10,30 +10,30 @@ typedef struct dm_lab_rows {
     const uint32_t* first; /* cases + 1: a case's rows are first[i]..first[i + 1] - 1 */
     const uint8_t* bins;   /* x columns: into which of its column's DM_LAB_BINS a number falls */
     const float* weights;  /* logarithms: for how many candidates a row stands */
-    const float* wanted;   /* probabilities, one a case */
+    const float* target;   /* probabilities; those of a case sum to 1 */
 } dm_lab_rows;
 
 #define DM_LAB_BINS 64
 
 typedef struct dm_lab_boost_rule {
-    uint32_t trees, leaves, depth;  /* leaves of a tree and forks down to them: at most */
-    float rate;                     /* of what a leaf would say, so much is said */
-    float damping;                  /* added to a leaf's second derivative */
-    float least;                    /* second derivative in a leaf */
-    float case_share, column_share; /* drawn anew for every tree */
+    uint32_t trees, leaves, depth;  /* leaves of a tree and splits down to them: at most */
+    float rate;                     /* learning rate (shrinkage): a leaf's score is multiplied by it */
+    float damping;                  /* L2 regularisation, added to a leaf's sum of second derivatives */
+    float least;                    /* sum of second derivatives in a leaf: at least */
+    float case_share, column_share; /* subsampled anew for every tree */
     uint64_t seed;
 } dm_lab_boost_rule;
 
 /* One a node, 2 leaves - 1 a tree; nodes that a tree does not need are leaves of score 0. */
-typedef struct dm_lab_forest {
+typedef struct dm_lab_trees {
     int32_t* column; /* -1: a leaf */
     int32_t* bin;    /* goes left where the column's is at most this */
     int32_t* left;   /* right: the one after */
     float* score;    /* of leaves */
-} dm_lab_forest;
+} dm_lab_trees;
 
 /* report: called before every 50th tree with the mean cross entropy so far; may be NULL. */
 DM_API dm_result dm_lab_boost(const dm_lab_rows* rows, const dm_lab_boost_rule* rule, void (*report)(uint32_t, double),
-                              const dm_lab_forest* out);
+                              const dm_lab_trees* out);
 
 #endif

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "case.h"
-#include "kinematics/inference/joint_inference.h"
 #include "kinematics/analysis/part_analysis.h"
+#include "kinematics/inference/hypotheses.h"
 #include "lab_ranker.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
@@ -67,17 +67,17 @@ static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** ou
 }
 
 /* Welds the vertices and repairs the part mask as the library does. */
-static dm_result weld_and_mend(dmi_env* env, lab_case* out) {
-    dmi_mesh *mesh = out->mesh, mended;
+static dm_result weld_and_repair(dmi_env* env, lab_case* out) {
+    dmi_mesh *mesh = out->mesh, repaired;
     out->welded = dmi_alloc(env, mesh->vertex_count * sizeof *out->welded, _Alignof(uint32_t));
     if (out->welded == NULL) return DM_ERROR_OUT_OF_MEMORY;
     dmi_arena arena;
     dmi_arena_init(&arena, env, (size_t)1 << 16);
     dm_result result = dmi_weld_vertices(&arena, mesh, DMI_WELD_TOLERANCE, out->welded);
-    if (result == DM_OK) result = dmi_mesh_repair(&arena, mesh, out->welded, &mended);
-    if (result == DM_OK && mended.face_part != mesh->face_part) {
-        memcpy(mesh->face_part, mended.face_part, mesh->face_count * sizeof *mesh->face_part);
-        memcpy(mesh->parts, mended.parts, mesh->part_count * sizeof *mesh->parts);
+    if (result == DM_OK) result = dmi_mesh_repair(&arena, mesh, out->welded, &repaired);
+    if (result == DM_OK && repaired.face_part != mesh->face_part) {
+        memcpy(mesh->face_part, repaired.face_part, mesh->face_count * sizeof *mesh->face_part);
+        memcpy(mesh->parts, repaired.parts, mesh->part_count * sizeof *mesh->parts);
     }
     dmi_arena_release(&arena);
     return result;
@@ -123,7 +123,7 @@ static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case*
     if (lab_random_bool(random, options->rotated)) lab_rotate_object(random, &out->object);
     if (lab_random_bool(random, options->mask_noise)) lab_augment_mask(random, &out->object, out->part);
     dm_result result = make_mesh(env, &out->object, &out->mesh);
-    if (result == DM_OK) result = weld_and_mend(env, out);
+    if (result == DM_OK) result = weld_and_repair(env, out);
     if (result != DM_OK) return result;
     const int32_t index = dmi_mesh_find_part(out->mesh, out->part);
     if (index < 1) return DM_ERROR_NOT_FOUND;

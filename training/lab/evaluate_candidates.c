@@ -1,28 +1,25 @@
-/* Computes the candidates of a case, sieved where there is a sieve, with their evidence and their pose errors. */
+/* Computes the candidates of a case, prefiltered where there is a prefilter, their features and their pose errors. */
 #include "evaluate_candidates.h"
 
 #include "pose_error.h"
 
-#define SIEVE_VERSION 1
-#define EXACT_DRAGS 0.4f /* share of cases, set by hand */
+#define EXACT_DRAGS 0.4f /* share of cases; by hand */
+#define BLOCK ((size_t)1 << 20)
+#define WEIGHTS_BLOCK ((size_t)64 * 1024)
 
-static dm_result open_sieve(lab_evaluator* evaluator, const void* data, size_t size) {
-    dmi_weights* weights;
-    const dm_result result = dmi_weights_open(&evaluator->env, data, size, "dragmesh-sieve", SIEVE_VERSION, &weights);
-    if (result != DM_OK) return result;
-    evaluator->sieve = dmi_alloc(&evaluator->env, sizeof *evaluator->sieve, 64);
-    const int read = evaluator->sieve != NULL && dmi_prefilter_read(weights, evaluator->sieve);
-    dmi_weights_close(weights);
-    return read ? DM_OK
-                : dmi_fail(&evaluator->env, DM_ERROR_WRONG_MODEL, "lab: no sieve in the file, or no memory for it");
+static void read_prefilter(dmi_loader* loader, void* network) {
+    dmi_prefilter_read(loader, network);
 }
 
-dm_result lab_evaluator_open(const void* kinematics, size_t kinematics_size, const void* sieve, size_t sieve_size,
-                             lab_evaluator* out) {
-    *out = (lab_evaluator){0};
+dm_result lab_evaluator_open(const void* kinematics, size_t kinematics_size, const void* prefilter,
+                             size_t prefilter_size, lab_evaluator* out) {
+    *out = (lab_evaluator){.has_prefilter = prefilter != NULL};
     dmi_env_init(&out->env, NULL, NULL, NULL);
+    dmi_arena_init(&out->weights, &out->env, WEIGHTS_BLOCK);
     dm_result result = kinematics != NULL ? dmi_kpp_net_load(&out->env, kinematics, kinematics_size, &out->net) : DM_OK;
-    if (result == DM_OK && sieve != NULL) result = open_sieve(out, sieve, sieve_size);
+    if (result == DM_OK && prefilter != NULL)
+        result = dmi_load_network(&out->env, prefilter, prefilter_size, "dragmesh-prefilter", read_prefilter,
+                                  &out->prefilter, &out->weights);
     if (result == DM_OK) {
         out->scratch_size = out->net != NULL ? dmi_kpp_net_scratch_size(out->net) : 64;
         out->scratch = dmi_alloc(&out->env, out->scratch_size, 64);
@@ -36,7 +33,7 @@ dm_result lab_evaluator_open(const void* kinematics, size_t kinematics_size, con
 void lab_evaluator_close(lab_evaluator* evaluator) {
     dmi_free(&evaluator->env, evaluator->work, sizeof *evaluator->work);
     dmi_free(&evaluator->env, evaluator->scratch, evaluator->scratch_size);
-    dmi_free(&evaluator->env, evaluator->sieve, sizeof *evaluator->sieve);
+    dmi_arena_release(&evaluator->weights);
     dmi_kpp_net_destroy(evaluator->net);
 }
 
@@ -51,21 +48,23 @@ static void label(lab_evaluated_case* work) {
 
 static dm_result evaluate_case(lab_evaluator* evaluator, dmi_arena* arena, int with_drag) {
     const dmi_kpp_net* net = evaluator->net;
+    const dmi_isa isa = dmi_cpu_best_isa();
     lab_evaluated_case* w = evaluator->work;
     const dmi_drag_hint* hint = with_drag ? &w->hint : NULL;
+    const dmi_kpp_ensemble* ensemble = net != NULL ? &w->ensemble : NULL;
+    const dmi_prediction* prediction = net != NULL ? &w->ensemble.prediction : NULL;
     const uint32_t part = (uint32_t)dmi_mesh_find_part(w->made.mesh, w->made.part);
-    const dm_result result = dmi_part_analysis_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, &w->study);
-    if (result != DM_OK) return dmi_fail(&evaluator->env, result, "lab: a case can't be studied");
-    const dmi_isa isa = dmi_cpu_best_isa();
-    const dmi_kpp_ensemble* opinion = net != NULL ? &w->opinion : NULL;
-    if (net != NULL) dmi_kpp_ensemble_run(net, isa, &w->made.cloud, hint, evaluator->scratch, &w->opinion);
-    const dmi_prediction* prediction = net != NULL ? &w->opinion.prediction : NULL;
-    w->count = dmi_candidates_make(&w->study, hint, prediction, w->candidates);
-    if (evaluator->sieve != NULL)
-        w->count =
-            dmi_prefilter_keep(evaluator->sieve, &w->study, hint, net, isa, opinion, w->candidates, w->count, w->evidence);
-    if (net != NULL) dmi_kpp_ensemble_score(net, isa, &w->opinion, w->candidates, w->count, w->score);
-    dmi_candidate_features_make(&w->study, hint, prediction, net != NULL ? w->score : NULL, w->candidates, w->count, w->evidence);
+    const dm_result result =
+        dmi_part_analysis_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, &w->analysis);
+    if (result != DM_OK) return dmi_fail(&evaluator->env, result, "lab: a part can't be analysed");
+    if (net != NULL) dmi_kpp_ensemble_run(net, isa, &w->made.cloud, hint, evaluator->scratch, &w->ensemble);
+    w->count = dmi_candidates_make(&w->analysis, hint, prediction, w->candidates);
+    if (evaluator->has_prefilter)
+        w->count = dmi_prefilter_keep(&evaluator->prefilter, &w->analysis, hint, net, isa, ensemble, w->candidates,
+                                      w->count, w->features);
+    if (net != NULL) dmi_kpp_ensemble_score(net, isa, ensemble, w->candidates, w->count, w->score);
+    dmi_candidate_features_make(&w->analysis, hint, prediction, net != NULL ? w->score : NULL, w->candidates, w->count,
+                                w->features);
     label(w);
     return DM_OK;
 }
@@ -73,7 +72,7 @@ static dm_result evaluate_case(lab_evaluator* evaluator, dmi_arena* arena, int w
 dm_result lab_evaluate_case(lab_evaluator* evaluator, int with_drag, uint32_t index, lab_evaluated_visit each,
                             void* user) {
     dmi_arena arena;
-    dmi_arena_init(&arena, &evaluator->env, (size_t)1 << 20);
+    dmi_arena_init(&arena, &evaluator->env, BLOCK);
     const dm_result result = evaluate_case(evaluator, &arena, with_drag);
     if (result == DM_OK) each(evaluator->work, with_drag, index, user);
     dmi_arena_release(&arena);
@@ -97,9 +96,9 @@ static dm_result evaluate_cases(lab_evaluator* evaluator, const dm_lab_options* 
 }
 
 dm_result lab_evaluate_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
-                             const void* sieve, size_t sieve_size, lab_evaluated_visit each, void* user) {
+                             const void* prefilter, size_t prefilter_size, lab_evaluated_visit each, void* user) {
     lab_evaluator evaluator;
-    dm_result result = lab_evaluator_open(kinematics, kinematics_size, sieve, sieve_size, &evaluator);
+    dm_result result = lab_evaluator_open(kinematics, kinematics_size, prefilter, prefilter_size, &evaluator);
     if (result != DM_OK) return result;
     result = evaluate_cases(&evaluator, options, each, user);
     lab_evaluator_close(&evaluator);

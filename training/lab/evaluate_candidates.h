@@ -9,10 +9,10 @@
 
 typedef struct lab_evaluated_case {
     lab_case made;
-    dmi_part_analysis study;
-    dmi_kpp_ensemble opinion; /* with a network */
+    dmi_part_analysis analysis;
+    dmi_kpp_ensemble ensemble; /* with a network */
     dmi_candidate candidates[DMI_CANDIDATES_MAX];
-    float evidence[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
+    float features[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
     float score[DMI_CANDIDATES_MAX];
     float pose[DMI_CANDIDATES_MAX]; /* pose error of each candidate, object sizes (pose_error.h) */
     uint32_t count;
@@ -24,16 +24,18 @@ typedef struct lab_evaluated_case {
 typedef struct lab_evaluator {
     dmi_env env;
     dmi_kpp_net* net;
-    dmi_prefilter* sieve; /* NULL: all candidates are kept */
+    dmi_arena weights; /* holds the prefilter's layers */
+    dmi_prefilter prefilter;
+    bool has_prefilter; /* false: all candidates are kept */
     void* scratch;
     size_t scratch_size;
     lab_evaluated_case* work; /* the current case */
 } lab_evaluator;
 
-/* Loads the weights. kinematics: bytes of a KPP-Net weights file, sieve: of a sieve's; either may be NULL. Close after
- * success. */
-dm_result lab_evaluator_open(const void* kinematics, size_t kinematics_size, const void* sieve, size_t sieve_size,
-                             lab_evaluator* out);
+/* Loads the weights. kinematics: bytes of a KPP-Net weights file, prefilter: of a prefilter's; either may be NULL.
+ * Close after success. */
+dm_result lab_evaluator_open(const void* kinematics, size_t kinematics_size, const void* prefilter,
+                             size_t prefilter_size, lab_evaluator* out);
 void lab_evaluator_close(lab_evaluator* evaluator);
 
 /* Receives an evaluated case. */
@@ -45,6 +47,6 @@ dm_result lab_evaluate_case(lab_evaluator* evaluator, int with_drag, uint32_t in
                             void* user);
 /* Makes and evaluates the options' cases one after the other and passes each to `each`. */
 dm_result lab_evaluate_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
-                             const void* sieve, size_t sieve_size, lab_evaluated_visit each, void* user);
+                             const void* prefilter, size_t prefilter_size, lab_evaluated_visit each, void* user);
 
 #endif

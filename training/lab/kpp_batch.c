@@ -13,8 +13,8 @@ static void write_labels(const dm_joint* joint, const dmi_kpp_frame* frame, cons
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float from[3] = {joint->origin.x - frame->origin[0], joint->origin.y - frame->origin[1],
                            joint->origin.z - frame->origin[2]};
-    dmi_kpp_turn_in(frame, axis, out->axis + 3 * i);
-    dmi_kpp_turn_in(frame, from, out->origin + 3 * i);
+    dmi_kpp_frame_rotate(frame, axis, out->axis + 3 * i);
+    dmi_kpp_frame_rotate(frame, from, out->origin + 3 * i);
     for (int k = 0; k < 3; k++) out->origin[3 * i + k] *= frame->scale;
     float* limits = out->limits + 5 * i;
     memset(limits, 0, 5 * sizeof(float));

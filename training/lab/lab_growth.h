@@ -1,5 +1,5 @@
-/* Declares the cases that the part finder is fitted on: pieces that touch a growing part, and whether they belong to
- * it; proposals of the part, and their overlap with it. */
+/* Declares the cases that the part finder is fitted on: neighbours of a growing region, and whether they belong to the
+ * part; proposals of the part, and their overlap with it. */
 #ifndef DM_LAB_GROWTH_H
 #define DM_LAB_GROWTH_H
 
@@ -9,7 +9,7 @@ typedef struct dm_lab_growth {
     uint32_t capacity;
     float* features;   /* x capacity x dm_lab_growth_columns() */
     float* belongs;    /* x capacity: 0 or 1 */
-    float* weight;     /* x capacity: 1 over the pieces that touched at that step */
+    float* weight;     /* x capacity: 1 over the number of neighbours at that step */
     int32_t* category; /* id */
     uint32_t* count;   /* rows written; the batch ends early when the next case might not fit */
 } dm_lab_growth;
@@ -17,13 +17,6 @@ typedef struct dm_lab_growth {
 DM_API uint32_t dm_lab_growth_columns(void);
 /* Grows the part of each case twice, from a random piece of its own, by random pieces that belong to it. */
 DM_API dm_result dm_lab_growth_batch(const dm_lab_options* options, const dm_lab_growth* out);
-
-/* A network of one hidden layer, as sdk/kinematics/part_growth.h has it. */
-typedef struct dm_lab_part_net {
-    uint32_t inputs, hidden;
-    const float *weights, *biases, *outputs;
-    float bias;
-} dm_lab_part_net;
 
 typedef struct dm_lab_choice {
     float* features;   /* x count x dm_lab_choice_most() x dm_lab_choice_columns() */
@@ -33,9 +26,12 @@ typedef struct dm_lab_choice {
 } dm_lab_choice;
 
 DM_API uint32_t dm_lab_choice_columns(void);
+/* Returns the column of dm_lab_choice.features that says whether the grabbed sheet was cut at its creases. */
+DM_API uint32_t dm_lab_choice_cut_column(void);
 DM_API uint32_t dm_lab_choice_most(void);
-/* Writes the proposals that growing by `net` makes of options->count cases. */
-DM_API dm_result dm_lab_choice_batch(const dm_lab_options* options, const dm_lab_part_net* net,
+/* Writes the proposals that growing makes of options->count cases. weights: bytes of a file of architecture
+ * dragmesh-part-finder, of which the growth network is read. */
+DM_API dm_result dm_lab_choice_batch(const dm_lab_options* options, const void* weights, size_t weights_size,
                                      const dm_lab_choice* out);
 
 #endif

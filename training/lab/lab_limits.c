@@ -14,7 +14,7 @@ uint32_t dm_lab_limits_columns(void) {
     return DMI_LIMIT_FEATURES;
 }
 
-uint32_t dm_lab_limits_evidence(void) {
+uint32_t dm_lab_limits_candidate_columns(void) {
     return DMI_FEATURE_COUNT;
 }
 
@@ -38,10 +38,10 @@ static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t a
     dm_joint joint = {.type = c->type,
                       .axis = {c->axis[0], c->axis[1], c->axis[2]},
                       .origin = {c->origin[0], c->origin[1], c->origin[2]}};
-    if (!with_drag) dmi_limits_face_room(&work->study, &joint);
-    const float unit = dmi_limits_features(&work->study, &work->opinion.prediction, with_drag, &joint,
+    if (!with_drag) dmi_limits_face_room(&work->analysis, &joint);
+    const float unit = dmi_limits_features(&work->analysis, &work->ensemble.prediction, with_drag, &joint,
                                            out->features + (size_t)at * DMI_LIMIT_FEATURES);
-    memcpy(out->evidence + (size_t)at * DMI_FEATURE_COUNT, work->evidence[nearest], sizeof work->evidence[nearest]);
+    memcpy(out->candidate + (size_t)at * DMI_FEATURE_COUNT, work->features[nearest], sizeof work->features[nearest]);
     const dm_joint* truth = &work->joint;
     const int along = dmi_dot3(dmi_xyz(truth->axis).v, dmi_xyz(joint.axis).v) >= 0;
     out->lower[at] = (along ? truth->lower : -truth->upper) / unit;
@@ -53,7 +53,7 @@ static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t a
 }
 
 dm_result dm_lab_limits_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
-                              const void* sieve, size_t sieve_size, const dm_lab_limits* out) {
+                              const void* prefilter, size_t prefilter_size, const dm_lab_limits* out) {
     dm_lab_limits to = *out;
-    return lab_evaluate_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
+    return lab_evaluate_batch(options, kinematics, kinematics_size, prefilter, prefilter_size, write_case, &to);
 }

@@ -1,4 +1,4 @@
-/* Writes the candidates of generated cases with their evidence and errors, computed by the library's own code. */
+/* Writes the candidates of generated cases with their features and errors, computed by the library's own code. */
 #include "lab_ranker.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ uint32_t dm_lab_ranker_columns(void) {
     return DMI_FEATURE_COUNT;
 }
 
-uint32_t dm_lab_sieve_columns(uint8_t* out) {
+uint32_t dm_lab_prefilter_columns(uint8_t* out) {
     if (out != NULL) memcpy(out, dmi_cheap_columns, sizeof dmi_cheap_columns);
     return DMI_CHEAP_COLUMNS;
 }
@@ -44,7 +44,7 @@ static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t a
     for (uint32_t i = 0; i < rows; i++) {
         const uint32_t k = order[i], slot = at * out->rows + i;
         const dmi_candidate* c = &work->candidates[k];
-        memcpy(out->evidence + (size_t)slot * DMI_FEATURE_COUNT, work->evidence[k], sizeof work->evidence[k]);
+        memcpy(out->features + (size_t)slot * DMI_FEATURE_COUNT, work->features[k], sizeof work->features[k]);
         out->pose[slot] = work->pose[k];
         out->axis_error[slot] = acosf(fminf(fabsf(dmi_dot3(axis.v, c->axis)), 1));
         out->line_error[slot] = c->type == DM_JOINT_PRISMATIC ? 0 : dmi_line_distance3(c->origin, axis.v, origin.v);
@@ -58,9 +58,9 @@ static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t a
 }
 
 dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
-                              const void* sieve, size_t sieve_size, const dm_lab_ranker* out) {
+                              const void* prefilter, size_t prefilter_size, const dm_lab_ranker* out) {
     dm_lab_ranker to = *out;
-    return lab_evaluate_batch(options, kinematics, kinematics_size, sieve, sieve_size, write_case, &to);
+    return lab_evaluate_batch(options, kinematics, kinematics_size, prefilter, prefilter_size, write_case, &to);
 }
 
 dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,

@@ -1,4 +1,4 @@
-/* Declares the cases that the candidate ranker is trained on: evidence of candidates, and their errors. */
+/* Declares the cases that the candidate ranker is trained on: features of candidates, and their errors. */
 #ifndef DM_LAB_RANKER_H
 #define DM_LAB_RANKER_H
 
@@ -8,9 +8,9 @@
  * rest. */
 typedef struct dm_lab_ranker {
     uint32_t rows;
-    float* evidence; /* x rows x dm_lab_ranker_columns() */
+    float* features; /* x rows x dm_lab_ranker_columns() */
     float* pose;    /* x rows: mean distance of the moved part from where it should be, over the object's size, when the
-                       dragged point has gone its true way */
+                      dragged point has gone its true way */
     int32_t* used;  /* rows filled, from the first on */
     int32_t* total; /* candidates there were; rows from the ninth on stand for total - 8 of them */
     int32_t* type;  /* of the true joint: 0 revolute, 1 prismatic, 2 screw, 3 continuous */
@@ -22,13 +22,14 @@ typedef struct dm_lab_ranker {
 } dm_lab_ranker;
 
 DM_API uint32_t dm_lab_ranker_columns(void);
-/* Writes the columns that the sieve sees (sdk/kinematics/glance.h), in order, and returns how many. out NULL: only the
- * number. */
-DM_API uint32_t dm_lab_sieve_columns(uint8_t* out);
-/* options: as for KPP-Net. kinematics: bytes of a KPP-Net weights file whose answers go into the evidence; NULL: none.
- * sieve: bytes of a file of the sieve's weights, architecture dragmesh-sieve; NULL: all candidates are kept. */
+/* Writes the columns of the cheap features, which the prefilter reads, in order, and returns how many there are. out
+ * NULL: only the number. */
+DM_API uint32_t dm_lab_prefilter_columns(uint8_t* out);
+/* options: as for KPP-Net. kinematics: bytes of a KPP-Net weights file whose predictions go into the features; NULL:
+ * none. prefilter: bytes of a file of the prefilter's weights, architecture dragmesh-prefilter; NULL: all candidates
+ * are kept. */
 DM_API dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
-                                     const void* sieve, size_t sieve_size, const dm_lab_ranker* out);
+                                     const void* prefilter, size_t prefilter_size, const dm_lab_ranker* out);
 
 /* A case that a loader provides, in the glTF frame and the object's own unit. */
 typedef struct dm_lab_given {
@@ -41,8 +42,8 @@ typedef struct dm_lab_given {
     float drag_point[3], drag_vector[3];
 } dm_lab_given;
 
-/* Writes one case, not sieved, into the first place of `out`. with_drag 0: candidates are made without the drag, labels
- * with it. */
+/* Writes one case, not prefiltered, into the first place of `out`. with_drag 0: candidates are made without the drag,
+ * labels with it. */
 DM_API dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,
                                      size_t kinematics_size, const dm_lab_ranker* out);
 

@@ -18,10 +18,12 @@ static void velocity_at(const dm_joint* joint, const float point[3], float out[3
     dmi_joint_velocity(joint, 0, point, out);
 }
 
-void dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint) {
+bool dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint) {
     float v[3];
     velocity_at(joint, hint->point, v);
-    if (dmi_dot3(v, hint->vector) < 0) dmi_joint_reverse(joint);
+    const bool against = dmi_dot3(v, hint->vector) < 0;
+    if (against) dmi_joint_reverse(joint);
+    return against;
 }
 
 /* Returns how well an oriented joint explains the drag: by its motion's direction, and by room to go there. */
@@ -45,14 +47,17 @@ void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint
     dmi_hypotheses result = {.count = hypotheses->count};
     for (uint32_t i = 0; i < hypotheses->count; i++) {
         dm_joint joint = hypotheses->joints[i];
-        dmi_joint_orient(&joint, hint);
+        dmi_free_range range = hypotheses->free_range[i];
+        if (dmi_joint_orient(&joint, hint)) range = dmi_reversed_range(range);
         float w = (joint.confidence + LEAST_WEIGHT) * likelihood(&joint, hint);
         before += joint.confidence + LEAST_WEIGHT, after += w;
         turns += turning(&joint) ? w : 0;
         uint32_t at = i;
-        for (; at > 0 && weight[at - 1] < w; at--)
+        for (; at > 0 && weight[at - 1] < w; at--) {
             weight[at] = weight[at - 1], result.joints[at] = result.joints[at - 1];
-        weight[at] = w, result.joints[at] = joint;
+            result.free_range[at] = result.free_range[at - 1];
+        }
+        weight[at] = w, result.joints[at] = joint, result.free_range[at] = range;
     }
     for (uint32_t i = 0; i < result.count; i++) {
         dm_joint* joint = &result.joints[i];

@@ -4,6 +4,7 @@
 #include "kinematics/features/candidate_features.h"
 #include "kinematics/features/kpp_ensemble.h"
 #include "kinematics/inference/hypothesis_selection.h"
+#include "kinematics/limits/free_range.h"
 #include "kinematics/limits/limits.h"
 #include "math/linear3.h"
 
@@ -170,6 +171,23 @@ static dm_result find_alternatives(dmi_arena* arena, const work* w, const dmi_hy
     return result;
 }
 
+static void find_free_ranges(const work* w, dmi_hypotheses* hypotheses, dmi_alternatives* alternatives) {
+    for (uint32_t i = 0; i < hypotheses->count; i++)
+        hypotheses->free_range[i] = dmi_free_range_of(&w->analysis, &hypotheses->joints[i]);
+    if (alternatives == NULL) return;
+    for (uint32_t i = 0; i < alternatives->count; i++) {
+        dmi_alternative* one = &alternatives->list[i];
+        const dm_joint joint = {.type = one->type,
+                                .axis = {one->axis[0], one->axis[1], one->axis[2]},
+                                .origin = {one->origin[0], one->origin[1], one->origin[2]}};
+        one->free_range = dmi_free_range_of(&w->analysis, &joint);
+    }
+    for (int i = 0; i < 3; i++) {
+        const dm_joint slide = {.type = DM_JOINT_PRISMATIC, .axis = {i == 0, i == 1, i == 2}};
+        alternatives->slides[i] = dmi_free_range_of(&w->analysis, &slide);
+    }
+}
+
 static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_inference_query* query, dmi_hypotheses* out,
                        dmi_alternatives* out_alternatives) {
     work* w = dmi_arena_push(arena, sizeof *w);
@@ -187,7 +205,9 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_inference_query
     else
         rank_candidates(w);
     make_hypotheses(w, out);
-    return out_alternatives != NULL ? find_alternatives(arena, w, out, out_alternatives) : DM_OK;
+    if (out_alternatives != NULL) result = find_alternatives(arena, w, out, out_alternatives);
+    if (result == DM_OK) find_free_ranges(w, out, out_alternatives);
+    return result;
 }
 
 dm_result dmi_joint_inference_run(dmi_env* env, const dmi_inference_query* query, dmi_hypotheses* out_hypotheses,

@@ -11,8 +11,9 @@
  * PNT  for each part but the body: f32 [512][3]
  * ALT  for each part but the body: u32 n, n times: i32 type, f32 confidence, axis[3], origin[3]
  *      (absent in files made before there were any)
- * TRI  u64 vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index
- *      (absent without picking)
+ * FRE  for each part but the body: free ranges, f32 lower, upper each: of the hypotheses, of the alternatives, of
+ * slides along x, y, z; -FLT_MAX or FLT_MAX: no bound (absent in files made before there were any: no bounds) TRI  u64
+ * vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index (absent without picking)
  *
  * A joint: i32 type, f32 type confidence, confidence, pitch, axis[3], origin[3], lower, upper, i32 source.
  * Joints are object-normalised like everything else, so a file is independent of the host's axes and unit. A reader
@@ -40,12 +41,14 @@ enum {
     DMI_DMO_JOINTS,
     DMI_DMO_POINTS,
     DMI_DMO_ALTERNATIVES,
+    DMI_DMO_FREE_RANGES,
     DMI_DMO_TRIANGLES,
     DMI_DMO_SECTIONS
 };
 static const uint32_t dmi_dmo_tags[DMI_DMO_SECTIONS] = {
     DMI_DMO_TAG('O', 'B', 'J', ' '), DMI_DMO_TAG('P', 'A', 'R', 'T'), DMI_DMO_TAG('J', 'N', 'T', ' '),
-    DMI_DMO_TAG('P', 'N', 'T', ' '), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('T', 'R', 'I', ' ')};
+    DMI_DMO_TAG('P', 'N', 'T', ' '), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('F', 'R', 'E', ' '),
+    DMI_DMO_TAG('T', 'R', 'I', ' ')};
 
 /* Returns the CRC-32 of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_dmo_crc(const uint8_t* bytes, size_t size);

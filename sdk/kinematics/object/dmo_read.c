@@ -1,6 +1,8 @@
 /* .dmo bytes -> prepared object. The bytes may come from anywhere: every number is checked before it is used. */
 #include <string.h>
 
+#include <float.h>
+
 #include "kinematics/object/dmo.h"
 #include "kinematics/object/dmo_bytes.h"
 #include "kinematics/object/dmo_check.h"
@@ -164,6 +166,31 @@ static dm_result read_alternatives(loading* load) {
     return r->overrun || r->left > 0 ? bad(load, "section ALT has the wrong size") : DM_OK;
 }
 
+static bool read_free_range(dmi_dmo_reader* r, dmi_free_range* out) {
+    if (r->at == NULL) {
+        *out = dmi_unbounded_range();
+        return true;
+    }
+    out->lower = dmi_get_f32(r), out->upper = dmi_get_f32(r);
+    return out->lower <= 0 && out->lower >= -FLT_MAX && out->upper >= 0 && out->upper <= FLT_MAX;
+}
+
+/* In a file without the section, nothing is bounded. */
+static dm_result read_free_ranges(loading* load) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_FREE_RANGES];
+    bool valid = true;
+    for (uint32_t i = 1; i < load->object->part_count; i++) {
+        dmi_hypotheses* hypotheses = &load->object->parts[i].hypotheses;
+        dmi_alternatives* alternatives = &load->object->parts[i].alternatives;
+        for (uint32_t j = 0; j < hypotheses->count; j++) valid &= read_free_range(r, &hypotheses->free_range[j]);
+        for (uint32_t j = 0; j < alternatives->count; j++)
+            valid &= read_free_range(r, &alternatives->list[j].free_range);
+        for (int j = 0; j < 3; j++) valid &= read_free_range(r, &alternatives->slides[j]);
+    }
+    if (r->overrun || r->left > 0) return bad(load, "section FRE has the wrong size");
+    return valid ? DM_OK : bad(load, "section FRE holds an impossible range");
+}
+
 /* Reads the arrays into the mesh, which has room for them, and computes areas, normals and boxes from them. */
 static dm_result read_arrays(loading* load, dmi_mesh* mesh) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_TRIANGLES];
@@ -218,6 +245,7 @@ dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, c
     if (result == DM_OK) result = read_joints(&load);
     if (result == DM_OK) result = read_points(&load);
     if (result == DM_OK) result = read_alternatives(&load);
+    if (result == DM_OK) result = read_free_ranges(&load);
     if (result == DM_OK && load.sections[DMI_DMO_TRIANGLES].at != NULL) {
         result = read_triangles(&load);
         if (result == DM_OK) result = dmi_bvh_create(picker, load.object->mesh, &load.object->bvh);

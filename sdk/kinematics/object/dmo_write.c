@@ -73,6 +73,21 @@ static void write_alternatives(dmi_dmo_writer* w, const dmi_object* object) {
     }
 }
 
+static void write_free_range(dmi_dmo_writer* w, dmi_free_range range) {
+    const float numbers[2] = {range.lower, range.upper};
+    dmi_put_floats(w, numbers, 2);
+}
+
+static void write_free_ranges(dmi_dmo_writer* w, const dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        const dmi_hypotheses* hypotheses = &object->parts[i].hypotheses;
+        const dmi_alternatives* alternatives = &object->parts[i].alternatives;
+        for (uint32_t j = 0; j < hypotheses->count; j++) write_free_range(w, hypotheses->free_range[j]);
+        for (uint32_t j = 0; j < alternatives->count; j++) write_free_range(w, alternatives->list[j].free_range);
+        for (int j = 0; j < 3; j++) write_free_range(w, alternatives->slides[j]);
+    }
+}
+
 static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
     const dmi_mesh* mesh = object->mesh;
     dmi_put_u64(w, mesh->vertex_count);
@@ -84,7 +99,7 @@ static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
 
 static void write_all(dmi_dmo_writer* w, const dmi_object* object) {
     static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const dmi_object*) = {
-        write_object, write_parts, write_joints, write_points, write_alternatives, write_triangles};
+        write_object, write_parts, write_joints, write_points, write_alternatives, write_free_ranges, write_triangles};
     uint32_t count = object->mesh != NULL ? DMI_DMO_SECTIONS : DMI_DMO_TRIANGLES;
     dmi_dmo_writer table = {w->out, DMI_DMO_HEADER_SIZE};
     w->size = DMI_DMO_HEADER_SIZE + count * DMI_DMO_ENTRY_SIZE;

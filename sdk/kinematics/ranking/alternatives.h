@@ -13,11 +13,13 @@ typedef struct dmi_alternative {
     int32_t type; /* DM_JOINT_REVOLUTE, CONTINUOUS or PRISMATIC */
     float confidence;
     float axis[3], origin[3];
+    dmi_free_range free_range;
 } dmi_alternative;
 
 typedef struct dmi_alternatives {
     dmi_alternative list[DMI_ALTERNATIVES]; /* most probable first */
     uint32_t count;
+    dmi_free_range slides[3]; /* of slides along the axes of the canonical frame, which a pull may fall back on */
 } dmi_alternatives;
 
 /* Finds the candidates, most probable first, that move the part neither as a hypothesis does nor as one before them.

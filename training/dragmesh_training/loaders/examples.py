@@ -15,11 +15,11 @@ from .batches import given
 
 
 def make_one(lab, case, drag, rows, with_drag, weights):
-    """Evidence and labels of one case; None with the library's error on a case it refuses."""
-    data = {"evidence": np.zeros((1, rows, lab.dm_lab_ranker_columns()), np.float32)}
+    """Features and labels of one case; None with the library's error on a case it refuses."""
+    data = {"features": np.zeros((1, rows, lab.dm_lab_ranker_columns()), np.float32)}
     for name, dtype, each_row in cases.ARRAYS:
         data[name] = np.zeros((1, rows) if each_row else 1, dtype)
-    batch = cases.Batch(rows, *[data[name].ctypes.data for name in ("evidence", *[a[0] for a in cases.ARRAYS])])
+    batch = cases.Batch(rows, *[data[name].ctypes.data for name in ("features", *[a[0] for a in cases.ARRAYS])])
     size = ctypes.c_size_t(len(weights) if weights else 0)
     result = lab.dm_lab_ranker_given(ctypes.byref(given(case, drag)), with_drag, weights, size, ctypes.byref(batch))
     if result != 0:
@@ -41,7 +41,7 @@ def make(lab, folder, rows, with_drag, weights, seed=1):
         if case.category not in names:
             names.append(case.category)
         data["category"][:] = names.index(case.category)
-        data["evidence"] = data["evidence"].astype(np.float16)
+        data["features"] = data["features"].astype(np.float16)
         parts.append(data)
     return names, {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts else {}
 
@@ -51,7 +51,7 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("-o", required=True, metavar="OUT.npz")
     parser.add_argument("--lab", default="build/release/libdragmesh_lab.so")
-    parser.add_argument("--weights", help="KPP-Net whose answers go into the evidence")
+    parser.add_argument("--weights", help="KPP-Net whose predictions go into the features")
     parser.add_argument("--rows", type=int, default=32)
     parser.add_argument("--with-drag", type=float, default=0.7, help="share of the examples")
     options = parser.parse_args()

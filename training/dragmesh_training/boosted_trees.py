@@ -1,0 +1,93 @@
+"""The boosted trees beside the ranker's network (sdk/kinematics/ranking/boosted_trees.c): features of generated cases in, trees
+out.
+
+Trees and a network err on different candidates, so that the mean of both scores errs less than either. The trees learn what
+the network does, to share each case's probability by exp(-cost). training/lab/boost.c grows them.
+"""
+import ctypes
+import itertools
+
+import numpy as np
+
+TREES, LEAVES = 400, 128  # as in boosted_trees.h
+BINS = 64  # DM_LAB_BINS
+AT_ONCE = 2000  # cases
+
+
+class Rows(ctypes.Structure):
+    """dm_lab_rows of training/lab/boost.h."""
+    _fields_ = [("columns", ctypes.c_uint32), ("cases", ctypes.c_uint32)] + [
+        (name, ctypes.c_void_p) for name in ("first", "bins", "weights", "target")]
+
+
+class Rule(ctypes.Structure):
+    """dm_lab_boost_rule."""
+    _fields_ = [(name, ctypes.c_uint32) for name in ("trees", "leaves", "depth")] + [
+        (name, ctypes.c_float) for name in ("rate", "damping", "least", "case_share", "column_share")] + [
+        ("seed", ctypes.c_uint64)]
+
+
+class Trees(ctypes.Structure):
+    """dm_lab_trees."""
+    _fields_ = [(name, ctypes.c_void_p) for name in ("column", "bin", "left", "score")]
+
+
+def bin_edges(features):
+    """(columns, BINS - 1) rising numbers that divide each column into bins of about equal counts; unused ones are infinite.
+    float16, as the file keeps them."""
+    out = np.full((features.shape[1], BINS - 1), np.inf, np.float16)
+    for column, numbers in enumerate(features.astype(np.float32).T):
+        different = np.unique(numbers)
+        between = ((different[1:] + different[:-1]) / 2 if len(different) <= BINS
+                   else np.quantile(numbers, np.linspace(0, 1, BINS + 1)[1:-1]))
+        between = np.unique(between.astype(np.float16))
+        out[column, :len(between)] = between
+    return out
+
+
+def put_into_bins(features, edges):
+    """How many edges of its column are below each number."""
+    out = np.empty(features.shape, np.uint8)
+    for column in range(features.shape[1]):
+        out[:, column] = np.searchsorted(edges[column].astype(np.float32), features[:, column].astype(np.float32))
+    return out
+
+
+def gather(cases):
+    """All cases' rows as dm_lab_boost takes them, and the edges of their bins, which the first AT_ONCE cases set."""
+    cases, edges, parts, first = iter(cases), None, [], [0]
+    while held := list(itertools.islice(cases, AT_ONCE)):
+        first.extend(first[-1] + np.cumsum([len(case[0]) for case in held]))
+        features, weights, target = (np.concatenate(arrays) for arrays in zip(*held))
+        edges = bin_edges(features) if edges is None else edges
+        parts.append((put_into_bins(features, edges), weights.astype(np.float32), target.astype(np.float32)))
+    return (np.array(first, np.uint32), *(np.concatenate(arrays) for arrays in zip(*parts)), edges)
+
+
+def level_by_level(column, left):
+    """A tree's nodes in the order that the file has them, unused ones last: children follow from the order of the splits."""
+    order = [0]
+    for node in order:
+        if column[node] >= 0:
+            order += [left[node], left[node] + 1]
+    return np.array(order + sorted(set(range(len(column))) - set(order)))
+
+
+def grow(lab, cases, seed):
+    """Tensors of the trees. cases: of each its rows of features, their log weights and their target probabilities."""
+    first, bins, weights, target, edges = gather(cases)
+    nodes = {name: np.zeros((TREES, 2 * LEAVES - 1), dtype) for name, dtype in (
+        ("column", np.int32), ("bin", np.int32), ("left", np.int32), ("score", np.float32))}
+    rows = Rows(bins.shape[1], len(first) - 1, *[array.ctypes.data for array in (first, bins, weights, target)])
+    rule = Rule(TREES, LEAVES, 12, 0.1, 5, 2, 0.3, 0.4, seed)
+    report = ctypes.CFUNCTYPE(None, ctypes.c_uint32, ctypes.c_double)(
+        lambda trees, loss: print(f"{trees} trees loss {loss:.3f}", flush=True))
+    result = lab.dm_lab_boost(ctypes.byref(rows), ctypes.byref(rule), report,
+                              ctypes.byref(Trees(*[array.ctypes.data for array in nodes.values()])))
+    if result != 0:
+        raise RuntimeError(f"dm_lab_boost: {result}")
+    splits = nodes["column"] >= 0
+    value = np.where(splits, edges[nodes["column"], nodes["bin"]], nodes["score"])
+    order = np.stack([level_by_level(*tree) for tree in zip(nodes["column"], nodes["left"])])
+    return {f"trees.{name}": np.take_along_axis(array, order, 1).astype(np.float16)
+            for name, array in (("column", nodes["column"]), ("value", value))}
