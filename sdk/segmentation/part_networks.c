@@ -20,7 +20,7 @@ void dmi_part_choice_read(dmi_loader* loader, dmi_perceptron* out) {
 
 void dmi_part_network_apply(const dmi_perceptron* network, dmi_isa isa, const float* features, uint32_t count,
                             float* out) {
-    _Alignas(64) float hidden[BATCH][CHOICE_HIDDEN];
+    _Alignas(DMI_ALIGNMENT) float hidden[BATCH][CHOICE_HIDDEN];
     float* const buffers[2] = {hidden[0], NULL};
     const uint32_t inputs = network->layers[0].inputs;
     for (uint32_t first = 0; first < count; first += BATCH) {

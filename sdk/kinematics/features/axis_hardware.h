@@ -1,5 +1,5 @@
-/* Hinge hardware: pins, knuckles, sockets, rims and shells that lie on the axis of a candidate joint, on the part and
- * on the body. One of them may be there by chance; a pair in line on both sides is a hinge. */
+/* Axis hardware: pins, knuckles, sockets, rims and shells that lie on the axis of a candidate joint, on the part and on
+ * the body. A pair in line, one on either side, suggests a hinge more strongly than a single one. */
 #ifndef DMI_FEATURES_AXIS_HARDWARE_H
 #define DMI_FEATURES_AXIS_HARDWARE_H
 

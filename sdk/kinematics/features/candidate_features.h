@@ -1,5 +1,5 @@
-/* Measures what speaks for and against candidate joints: one row of numbers a candidate, for prefilter, ranker and
- * limits. No feature depends on the world's axes, the object's unit or its place. */
+/* Computes the features of candidate joints: one row of numbers a candidate, for prefilter, ranker and limits. No
+ * feature depends on the world's axes, the object's unit or its place. */
 #ifndef DMI_FEATURES_CANDIDATE_FEATURES_H
 #define DMI_FEATURES_CANDIDATE_FEATURES_H
 

@@ -116,8 +116,9 @@ static float corner(float wide, float thin, float side_wide, float side_thin, fl
     return expf(-sqrtf(a * a + b * b) / (AT_CORNER * diagonal));
 }
 
-/* The axis in the box's cross-section: across its wider and its thinner side. A slab has a face towards the body and
- * one away from it, and may hang on the edge of either, on its middle, or beside it. */
+/* Computes the place of the axis in the cross-section of the part's box: along its wider side, and along its thinner
+ * side, which runs from the face towards the body to the face away from it. A panel may be hinged at an edge of either
+ * face, at its middle plane, or beside it. */
 static void section_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
     row[DMI_FEATURE_SECTION_WIDE] = row[DMI_FEATURE_SECTION_WIDE_BEYOND] = 0;
     row[DMI_FEATURE_SECTION_THIN] = row[DMI_FEATURE_SECTION_THIN_OFFSET] = row[DMI_FEATURE_SECTION_BODY_SIDE] = 0;

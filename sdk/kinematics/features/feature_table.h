@@ -11,7 +11,8 @@ enum {
     DMI_FEATURE_COUNT
 };
 
-/* What belongs together. Training hides a group at a time, because real objects break some of them. */
+/* Groups of features that are measured together. Training sets a whole group to 0 at random, because real objects may
+ * spoil one (a body without an interior spoils SWEEP) and leave the others. */
 typedef enum dmi_feature_group {
     DMI_GROUP_TYPE,
     DMI_GROUP_SLIP,

@@ -1,5 +1,5 @@
-/* KPP-Net's candidate-scoring head: how likely the network holds each candidate. Regression can only answer the mean of
- * two likely hinges; this says that either is likely. */
+/* KPP-Net's candidate-scoring head: a log-likelihood for each candidate. Where two hinges are likely, regression
+ * answers their mean; the head can rate both. */
 #ifndef DMI_FEATURES_KPP_CANDIDATE_SCORES_H
 #define DMI_FEATURES_KPP_CANDIDATE_SCORES_H
 

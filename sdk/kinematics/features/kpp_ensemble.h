@@ -1,6 +1,5 @@
 /* KPP-Net as an ensemble of one network: it runs several times, each time on other points of the cloud, every second
- * time with two axes of its frame reversed. Their sign is half a convention, and where the members differ the truth is
- * mostly between them. */
+ * time with two axes of its frame reversed, because the sign of these axes is partly a convention. */
 #ifndef DMI_FEATURES_KPP_ENSEMBLE_H
 #define DMI_FEATURES_KPP_ENSEMBLE_H
 

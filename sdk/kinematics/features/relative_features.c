@@ -26,8 +26,9 @@ static const struct {
 #undef COMPARED
 };
 
-/* How well the drag is followed is compared with what the shape alone suggests: a drag that hits one of its directions
- * exactly was meant so. */
+/* Returns whether a candidate counts for the least cost. Candidates whose direction was made from the drag follow the
+ * drag by construction. They do not count for DRAG_ANGLE, so that this cost is compared with the shape's directions.
+ */
 static bool counts(const dmi_candidate* candidate, int column) {
     return column != DMI_FEATURE_DRAG_ANGLE || (candidate->direction_families & DMI_DIRECTION_DRAG) == 0;
 }

@@ -72,7 +72,7 @@ static void measure_twins(const dmi_part_analysis* a, const float normal[3], flo
     out[1] = image_distance(normal, high, part_sample(a), &a->body_grid, a->diagonal);
 }
 
-/* Returns the mirror of a normal, of either sign. The last place serves all that come when the others are taken. */
+/* Returns the mirror plane with this normal, of either sign. When the table is full, its last entry is overwritten. */
 static const dmi_mirror_plane* mirror_of(dmi_symmetry* s, const float normal[3]) {
     for (uint32_t i = 0; i < s->count; i++)
         if (fabsf(dmi_dot3(s->planes[i].normal, normal)) > SAME_COSINE) return &s->planes[i];
@@ -84,8 +84,8 @@ static const dmi_mirror_plane* mirror_of(dmi_symmetry* s, const float normal[3])
     return out;
 }
 
-/* Writes a direction across the axis, along a side of the part's box: the side that leads to the axis from the box's
- * centre or, where the axis runs through that or is a slide's, the side that lies most across. */
+/* Writes the direction of the part's box, perpendicular to the axis, that leads from the box's centre to the axis.
+ * Where the axis runs through the centre, and for slides: the direction that is most perpendicular to the axis. */
 static void direction_towards(const dmi_symmetry* s, const dmi_candidate* c, float out[3]) {
     const dmi_part_analysis* a = s->analysis;
     float way[3];

@@ -1,6 +1,6 @@
-/* Mirror symmetry: what is its own image in a mirror mostly moves alike on both sides of it. A lid that is its own
- * image across the middle of its hinge turns about that normal, a drawer runs along its mirrors, and a door whose image
- * lies beside it opens away from it. */
+/* Mirror symmetry of the part and of the body near it. Joints tend to respect it: the axis of a symmetric lid is
+ * perpendicular to its mirror plane, a drawer slides along its mirror planes, and of two doors side by side each has
+ * its hinge on the side away from the other. */
 #ifndef DMI_FEATURES_SYMMETRY_FEATURES_H
 #define DMI_FEATURES_SYMMETRY_FEATURES_H
 
@@ -13,8 +13,8 @@ typedef struct dmi_mirror_distances {
     float part, body, offset;
 } dmi_mirror_distances;
 
-/* A mirror through the middle of the part's box; twins: how far the part's image beyond its low and beyond its high
- * side along the normal is from the body. */
+/* A mirror plane through the middle of the part's box. twins: the part is mirrored at its low side and at its high side
+ * along the normal; mean distance of each image from the body. Small: there is a second part alike. */
 typedef struct dmi_mirror_plane {
     float normal[3];
     dmi_mirror_distances middle;

@@ -1,4 +1,4 @@
-/* Joint hypotheses of one part, and what a drag says of them in closed form. */
+/* Joint hypotheses of one part, and their order under a drag, in closed form. */
 #ifndef DMI_INFERENCE_HYPOTHESES_H
 #define DMI_INFERENCE_HYPOTHESES_H
 

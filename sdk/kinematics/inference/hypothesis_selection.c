@@ -6,8 +6,9 @@
 
 #define TOP_OF_TYPE DMI_CONSENSUS_MAX /* leading turns, and leading slides, that may become hypotheses; by hand */
 #define TOP (2 * TOP_OF_TYPE)
-/* Differences of two twists (dmi_twist_difference): within the first an answer is near enough, within the second two
- * candidates support one hypothesis, beyond the third they are worth two. Fitted on generated objects. */
+/* Differences of two twists (dmi_twist_difference). Up to NEAR, an answer counts as right. Up to ALIKE, candidates add
+ * to the probability of one hypothesis. Beyond APART, candidates become separate hypotheses. Fitted on generated
+ * objects. */
 #define NEAR 0.03f
 #define ALIKE 0.1f
 #define APART 0.3f
@@ -80,8 +81,8 @@ static uint32_t heaviest(const selection* s, int only) {
     return best;
 }
 
-/* Returns the most probable of the candidates near the best that are nearly as heavy: where a line or direction of the
- * geometry is meant, it is met exactly. */
+/* Returns the most probable candidate among those near the best whose weight is nearly the same. The weight is smooth
+ * over near candidates; the probability singles out the one that lies exactly on a line of the geometry. */
 static uint32_t most_probable_near(const selection* s, uint32_t best) {
     uint32_t chosen = best;
     for (uint32_t i = 0; i < s->count; i++) {
@@ -92,8 +93,7 @@ static uint32_t most_probable_near(const selection* s, uint32_t best) {
     return chosen;
 }
 
-/* Takes a candidate and all that are worth no hypothesis beside it. Returns the probability of those that move the part
- * alike. */
+/* Removes a candidate and all within APART of it from the selection. Returns the probability of those within ALIKE. */
 static float suppress_alike(selection* s, uint32_t chosen) {
     float mass = 0;
     for (uint32_t i = 0; i < s->count; i++) {

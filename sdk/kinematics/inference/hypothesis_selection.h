@@ -22,9 +22,10 @@ typedef struct dmi_selected {
     uint32_t support_count;
 } dmi_selected;
 
-/* Returns how many hypotheses it found, best first. likelier_type_first: the first is of the type that has more
- * probability. Turns are many candidates that share their probability and slides are few, so that a single slide
- * outweighs each turn long before slides outweigh turns. Scores of rules are no probabilities and cannot say. */
+/* Selects hypotheses, best first. Returns their number. likelier_type_first: the first one is of the type (turn or
+ * slide) with more probability in sum; false for scores of rules, which are no probabilities. The sum counts because
+ * turns are many candidates that share their probability and slides are few: a single slide may have more than each
+ * single turn although turns have more together. */
 uint32_t dmi_select_hypotheses(const dmi_ranked_candidates* ranked, int likelier_type_first,
                                dmi_selected out[DM_MAX_HYPOTHESES]);
 

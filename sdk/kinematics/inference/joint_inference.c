@@ -87,7 +87,8 @@ static void rank_candidates(work* w) {
                              w->probability);
 }
 
-/* The plain KPP-Net, a turn and a slide; a given type is certain. The features are for the limits. */
+/* Makes two candidates of KPP-Net's regression, a turn and a slide, with its probabilities. A type that the host has
+ * given has probability 1. The features are computed for the limits. */
 static void take_network_answers(work* w) {
     const int32_t type = w->query->given_type;
     dmi_prediction_candidates(prediction(w), w->analysis.centre, w->candidates, w->probability);
@@ -139,8 +140,8 @@ static void set_limits(const work* w, const dmi_selected* selected, dmi_hypothes
     }
 }
 
-/* Signs a joint along the drag. A part that is being dragged has room that way: when its limits leave none there, the
- * sweep has mistaken the side. */
+/* Signs a joint along the drag. A dragged part can move along the drag. Where the limits leave no room there, they are
+ * mirrored, because the sweep found the wrong side. */
 static void follow_drag(const dmi_drag_hint* hint, dm_joint* joint) {
     dmi_joint_orient(joint, hint);
     if (joint->type == DM_JOINT_CONTINUOUS || joint->upper > LEAST_ROOM * (joint->upper - joint->lower)) return;
@@ -156,7 +157,7 @@ static void make_hypotheses(const work* w, dmi_hypotheses* out) {
     for (uint32_t i = 0; w->query->hint != NULL && i < out->count; i++) follow_drag(w->query->hint, &out->joints[i]);
 }
 
-/* None of screws, whose pitch no geometry tells; the plain network has none. */
+/* Finds alternatives. There are none for screws, whose pitch geometry does not tell, and none for KPP-Net alone. */
 static dm_result find_alternatives(dmi_arena* arena, const work* w, const dmi_hypotheses* hypotheses,
                                    dmi_alternatives* out) {
     const int32_t given = w->query->given_type;

@@ -121,8 +121,8 @@ static uint32_t surrounding_heights(const measure* m, float radius, float height
     return count;
 }
 
-/* A slide: where the body round the part begins and ends along the axis, seen from the part's ends. It tells how far a
- * button stands proud, and how long a drawer is held. */
+/* Of a slide: writes where the body round the part begins and ends along the axis, relative to the part's ends. For a
+ * button this is its height above the body; for a drawer, the length that is inside the body. */
 static void write_surroundings(const measure* m, float* out) {
     const dmi_part_analysis* a = m->analysis;
     const float* axis = m->sweep.moved.axis;

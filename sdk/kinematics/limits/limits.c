@@ -27,7 +27,7 @@ static void limit_turn(const dmi_sweep* s, dm_joint* joint) {
         joint->lower = -DMI_PI_F, joint->upper = DMI_PI_F;
         return;
     }
-    /* It rests closed: the side with more room is the one it opens to. */
+    /* Assumes that the part rests closed: it opens to the side with more room. */
     joint->upper = up[0] >= -down[0] ? fminf(up[0], USUAL_OPENING) : 0;
     joint->lower = up[0] >= -down[0] ? 0 : fmaxf(down[0], -USUAL_OPENING);
     if (joint->upper - joint->lower < DMI_SWEEP_TURN) joint->upper = USUAL_OPENING, joint->lower = 0;
@@ -76,8 +76,8 @@ static void take_prediction(const dmi_limit_prediction* prediction, float unit, 
     joint->lower = unit * prediction->lower, joint->upper = unit * prediction->upper;
 }
 
-/* Of a slide the candidate features are kept from the networks: they would learn by heart how far the buttons of each
- * generated kind go in, and no other is alike (docs/research/decisions.md, 39). */
+/* Sets limits by the networks. Hides the candidate features of slides from them: with these they overfit to the travel
+ * of buttons in each generated category (docs/research/decisions.md, 39). */
 static void set_by_networks(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
                             const dmi_limit_network* network, dmi_isa isa, const float* const* features,
                             dm_joint* joints, uint32_t count) {

@@ -1,5 +1,5 @@
-/* Limits of joints: how far a joint goes from rest before the part meets the body, or as far as its kind usually goes.
- */
+/* Limits of joints: how far a joint goes from rest before the part meets the body; where nothing stops it, a usual
+ * opening. */
 #ifndef DMI_LIMITS_LIMITS_H
 #define DMI_LIMITS_LIMITS_H
 

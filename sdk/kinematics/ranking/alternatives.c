@@ -8,7 +8,7 @@
 #define ALIKE 0.1f /* twist difference up to which candidates are one alternative; as for hypotheses */
 #define TAKEN (-1.0f)
 
-/* Takes the candidates that move the part alike. Returns the sum of their probabilities. */
+/* Removes the candidates that move the part alike. Returns the sum of their probabilities. */
 static float take_alike(const dmi_twist* like, const dmi_twist* motions, uint32_t count, float* left) {
     float mass = 0;
     for (uint32_t i = 0; i < count; i++) {

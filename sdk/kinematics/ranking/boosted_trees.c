@@ -10,8 +10,8 @@ typedef struct raw_tree {
     const float *column, *value;
 } raw_tree;
 
-/* Returns whether a tree is one. Nodes lie level by level: a split's two children come after those of the splits before
- * it, so that every way down ends. */
+/* Reads and checks a tree. Returns whether the nodes form one. Nodes lie level by level: the two children of a split
+ * come after those of the splits before it, so every path ends in a leaf. */
 static int read_tree(const raw_tree* raw, dmi_tree_node* nodes, float* scores, uint32_t* out_depth) {
     uint32_t depth[DMI_TREE_NODES] = {0}, left = 1;
     *out_depth = 0;

@@ -1,5 +1,5 @@
-/* Gradient-boosted regression trees that score a candidate by its features: each was grown on what those before it left
- * wrong, and their leaves add up. */
+/* Gradient-boosted regression trees that score a candidate by its features. Each tree was fitted to the errors of the
+ * trees before it. The score is the sum of their leaves. */
 #ifndef DMI_RANKING_BOOSTED_TREES_H
 #define DMI_RANKING_BOOSTED_TREES_H
 
@@ -9,8 +9,8 @@
 #define DMI_TREES 400
 #define DMI_TREE_NODES 255 /* of a tree: at most 128 leaves */
 
-/* A split goes to the node `left` where the column is at most `value`, else to the one after it; a leaf is its own left
- * child, by a value that nothing exceeds. */
+/* A split goes to the node `left` where the column is at most `value`, else to the node after `left`. A leaf is its own
+ * left child and has an infinite value, so that a walk stays in it. */
 typedef struct dmi_tree_node {
     float value;
     uint8_t column, left;

@@ -16,7 +16,8 @@ typedef struct dmi_weighted_candidate {
     float weight;
 } dmi_weighted_candidate;
 
-/* Returns whether a candidate may support the chosen one: it has its type, and its axis is no other direction. */
+/* Returns whether a candidate may support the chosen one: it has the same type, and the angle between the axes is at
+ * most about 34 degrees. */
 bool dmi_consensus_counts(const dmi_candidate* chosen, const dmi_candidate* other);
 /* Moves the joint that was made from `chosen`, which is among the support. Its axis becomes the mean, unless half of
  * the weight agrees with the chosen one's. Its line becomes the geometric median, which is a candidate's own line where
