@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dragbot.h"
-#include "json.h"
+#include "dragbot_score.h"
 #include "session_open.h"
 
 static int by_time(const void* a, const void* b) {
@@ -13,171 +12,92 @@ static int by_time(const void* a, const void* b) {
     return x < y ? -1 : x > y;
 }
 
-static double time_at(const bot_times* times, double share) {
-    if (times->count == 0) return NAN;
-    const size_t at = (size_t)(share * (double)(times->count - 1));
-    return (double)times->ns[at];
-}
+/* ---- hands ---- */
 
-/* Shares of the cases; a figure that was not measured is NAN. */
-typedef struct totals {
-    double picked, success, success_or_beyond, success_given, reached, near, reached_given, near_given;
-    int jumps, changes;
-    /* Not part of the verdict, for the joint found and for the true one. */
-    double stuck[2], still_moved[2], regrab_jump[2], regrab_jumped[2];
-} totals;
+/* The hands of --all. */
+static const struct {
+    const char* name;
+    bot_hand hand;
+    enum bot_sight sight;
+} hands[] = {
+    {"arc", {0}, BOT_AROUND},
+    {"straight", {.straight = 1}, BOT_AROUND},
+    {"unsteady", {.wander = 0.03, .tremor = 1.5}, BOT_AROUND},
+    {"jostle 8", {.jostle = 8}, BOT_AROUND},
+    {"jostle 16", {.jostle = 16}, BOT_AROUND},
+    {"regrab 3", {.regrab = 3}, BOT_AROUND},
+    {"offset 15", {.offset = 15}, BOT_AROUND},
+    {"pause", {.pause = 1}, BOT_AROUND},
+    {"axis", {.axis = 1}, BOT_AROUND},
+    {"above", {0}, BOT_ABOVE},
+    {"behind", {0}, BOT_BEHIND},
+    {"end-on", {0}, BOT_END_ON},
+    {"30 Hz", {.hz = 30}, BOT_AROUND},
+    {"144 Hz", {.hz = 144}, BOT_AROUND},
+    {"hitch", {.hitch = 1}, BOT_AROUND},
+    {"moving camera", {.moving_camera = 1}, BOT_AROUND},
+};
+enum { HANDS = sizeof hands / sizeof *hands };
 
-static void add_result(totals* t, const bot_result* result, int given, double* regrabs) {
-    t->stuck[given] += result->stuck;
-    t->still_moved[given] += result->still_moved;
-    t->regrab_jump[given] = fmax(t->regrab_jump[given], result->worst_regrab);
-    t->regrab_jumped[given] += result->regrab_jumps;
-    *regrabs += result->regrabs;
-}
+/* ---- running ---- */
 
-static totals sum_up(const bot_score* score, const bot_options* options, int slides) {
-    totals t = {0};
-    double n = 0, regrabs[2] = {0, 0};
-    for (size_t i = 0; i < score->count; i++) {
-        const bot_row* row = &score->rows[i];
-        if (slides >= 0 && row->slides != slides) continue;
-        n++;
-        t.picked += row->given.picked;
-        t.success += row->found.success, t.success_given += row->given.success;
-        t.success_or_beyond += row->found.success_or_beyond;
-        t.reached += row->found.arrived, t.reached_given += row->given.arrived;
-        t.near += row->found.near, t.near_given += row->given.near;
-        t.jumps += row->found.jumps + row->given.jumps;
-        t.changes += row->found.changes;
-        add_result(&t, &row->found, 0, &regrabs[0]);
-        add_result(&t, &row->given, 1, &regrabs[1]);
+static int report(bot_run* runs, int count, bool as_table, bool as_json) {
+    int failed = 0;
+    for (int i = 0; i < count; i++) {
+        bot_times* times = &runs[i].score.times;
+        if (times->count) qsort(times->ns, times->count, sizeof *times->ns, by_time);
+        failed += runs[i].score.failed;
     }
-    double* shares[] = {&t.picked,  &t.success, &t.success_or_beyond, &t.success_given,
-                        &t.reached, &t.near,    &t.reached_given,     &t.near_given};
-    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) *shares[i] /= n;
-    for (int given = 0; given < 2; given++) {
-        t.stuck[given] /= n, t.still_moved[given] /= n, t.regrab_jumped[given] /= regrabs[given];
-        if (options->hand.offset <= 0) t.still_moved[given] = NAN;
-        if (options->hand.regrab <= 0) t.regrab_jump[given] = NAN;
+    if (as_table)
+        bot_report_table(runs, count, as_json);
+    else if (as_json)
+        bot_report_json(runs);
+    else
+        bot_report_text(runs);
+    for (int i = 0; i < count; i++) {
+        FILE* out = as_json ? stderr : stdout;
+        if (as_table && runs[i].options.worst) fprintf(out, "%s:\n", runs[i].name);
+        bot_report_failures(&runs[i], out);
     }
-    if (options->given_only) t.stuck[0] = t.still_moved[0] = t.regrab_jump[0] = t.regrab_jumped[0] = NAN;
-    if (options->given_only) t.success = t.success_or_beyond = t.reached = t.near = NAN;
-    return t;
+    return failed ? CLI_FAILED : CLI_OK;
 }
 
-static void add_totals(cJSON* out, const totals* t) {
-    json_add_number(out, "picked", t->picked, 5);
-    json_add_number(out, "success", t->success, 5);
-    json_add_number(out, "success_or_beyond", t->success_or_beyond, 5);
-    json_add_number(out, "success_given_joint", t->success_given, 5);
-    json_add_number(out, "reached", t->reached, 5);
-    json_add_number(out, "near", t->near, 5);
-    json_add_number(out, "reached_given_joint", t->reached_given, 5);
-    json_add_number(out, "near_given_joint", t->near_given, 5);
-    cJSON_AddNumberToObject(out, "jumps", t->jumps);
-    cJSON_AddNumberToObject(out, "joint_changes", t->changes);
-    json_add_number(out, "stuck", t->stuck[0], 5);
-    json_add_number(out, "stuck_given_joint", t->stuck[1], 5);
-    json_add_number(out, "offset_still_moved", t->still_moved[0], 5);
-    json_add_number(out, "offset_still_moved_given_joint", t->still_moved[1], 5);
-    json_add_number(out, "regrab_jump", t->regrab_jump[0], 5);
-    json_add_number(out, "regrab_jump_given_joint", t->regrab_jump[1], 5);
-    json_add_number(out, "regrab_jumped", t->regrab_jumped[0], 5);
-    json_add_number(out, "regrab_jumped_given_joint", t->regrab_jumped[1], 5);
-}
-
-static void print_json(const bot_score* score, const bot_options* options) {
-    cJSON* out = cJSON_CreateObject();
-    const totals all = sum_up(score, options, -1), turns = sum_up(score, options, 0),
-                 slides = sum_up(score, options, 1);
-    cJSON_AddNumberToObject(out, "cases", (double)score->count);
-    add_totals(out, &all);
-    json_add_number(out, "p99_update_ns", time_at(&score->times, 0.99), 4);
-    json_add_number(out, "median_update_ns", time_at(&score->times, 0.5), 4);
-    json_add_number(out, "worst_update_ns", time_at(&score->times, 1), 4);
-    cJSON_AddNumberToObject(out, "updates", (double)score->times.count);
-    cJSON_AddNumberToObject(out, "hidden", score->unseen);
-    cJSON_AddNumberToObject(out, "undrawable", score->undrawable);
-    cJSON_AddNumberToObject(out, "failed", score->failed);
-    add_totals(cJSON_AddObjectToObject(out, "turning"), &turns);
-    add_totals(cJSON_AddObjectToObject(out, "sliding"), &slides);
-    json_print(out);
-}
-
-static void print_line(const char* name, const totals* t) {
-    printf(
-        "%-8s picked %.4f  success %.4f (or beyond %.4f, reached %.4f, near %.4f)  true joint %.4f (reached %.4f, near "
-        "%.4f)  jumps %d\n",
-        name, t->picked, t->success, t->success_or_beyond, t->reached, t->near, t->success_given, t->reached_given,
-        t->near_given, t->jumps);
-}
-
-/* Prints what an option of the hand measures, for the joint found and the true one. */
-static void print_pair(const char* what, const double pair[2]) {
-    if (isfinite(pair[0]) || isfinite(pair[1])) printf("%s %.4f  true joint %.4f\n", what, pair[0], pair[1]);
-}
-
-static void print_hand(const totals* t) {
-    print_pair("stuck", t->stuck);
-    print_pair("moved while the pointer rested beside the grabbed point", t->still_moved);
-    print_pair("new grabs that jump by over 1 % of the size", t->regrab_jumped);
-    print_pair("largest jump at a new grab, sizes", t->regrab_jump);
-}
-
-static void print_text(const bot_score* score, const bot_options* options) {
-    const totals all = sum_up(score, options, -1), turns = sum_up(score, options, 0),
-                 slides = sum_up(score, options, 1);
-    printf("%zu cases; %d views hid the part, in %d its way was too short or left the screen; %d failed\n",
-           score->count, score->unseen, score->undrawable, score->failed);
-    print_line("all", &all);
-    print_line("turning", &turns);
-    print_line("sliding", &slides);
-    printf("the pull changed the joint %d times\n", all.changes);
-    print_hand(&all);
-    printf("drag_update: median %.0f ns, p99 %.0f ns, worst %.0f ns of %zu\n", time_at(&score->times, 0.5),
-           time_at(&score->times, 0.99), time_at(&score->times, 1), score->times.count);
-}
-
-static void print_result(const char* name, const bot_result* r, FILE* out) {
-    fprintf(out, "  %s: %s reached %6.3f off %.3f jumps %d (%.0f px) changes %d joint %d p %.2f [%.2f, %.2f]\n", name,
-            r->success ? "ok  " : "FAIL", r->reached, r->off, r->jumps, r->worst_jump, r->changes, r->joint.type,
-            (double)r->joint.confidence, (double)r->joint.lower, (double)r->joint.upper);
-}
-
-static void print_failures(const bot_score* score, const bot_options* options, FILE* out) {
-    int left = options->worst;
-    for (size_t i = 0; i < score->count && left > 0; i++) {
-        const bot_row* row = &score->rows[i];
-        if (row->given.success && (options->given_only || row->found.success)) continue;
-        fprintf(out, "%s %s, grab %d %d, asked %.3f, path %.0f px%s\n", row->id, row->slides ? "slides" : "turns",
-                row->x, row->y, row->asked, row->length, row->given.picked ? "" : ", NOT PICKED");
-        if (!options->given_only) print_result("found", &row->found, out);
-        print_result("given", &row->given, out);
-        left--;
-    }
-}
-
-static int play(session* session, const char* folder, const bot_options* options, int as_json) {
+/* Plays with one hand, or with all. */
+static int play(session* session, const char* folder, const bot_options* options, bool all, bool as_json) {
+    bot_run runs[HANDS];
+    const int count = all ? HANDS : 1;
     name_list names = dataset_list(folder);
     if (names.count == 0) {
         fprintf(stderr, "dragmesh dragbot: '%s' has no folders with a joints.json\n", folder);
         return CLI_USAGE;
     }
-    bot_score score = {0};
-    for (unsigned i = 0; i < names.count; i++) bot_play_object(session, folder, names.names[i], options, &score);
-    if (score.times.count) qsort(score.times.ns, score.times.count, sizeof *score.times.ns, by_time);
-    if (as_json)
-        print_json(&score, options);
-    else
-        print_text(&score, options);
-    print_failures(&score, options, as_json ? stderr : stdout);
-    const int status = score.failed ? CLI_FAILED : CLI_OK;
-    free(score.rows);
-    free(score.times.ns);
+    for (int i = 0; i < count; i++) {
+        runs[i] = (bot_run){.name = hands[i].name, .options = *options};
+        if (all) runs[i].options.hand = hands[i].hand, runs[i].options.sight = hands[i].sight;
+    }
+    for (unsigned i = 0; i < names.count; i++) bot_play_object(session, folder, names.names[i], runs, count);
+    const int status = report(runs, count, all, as_json);
+    for (int i = 0; i < count; i++) {
+        free(runs[i].score.rows);
+        free(runs[i].score.times.ns);
+    }
     name_list_free(&names);
     return status;
 }
 
+/* ---- options ---- */
+
+static bool read_sight(const char* name, enum bot_sight* out_sight) {
+    static const char* const names[] = {"around", "end-on", "above", "behind"};
+    for (int i = 0; i < 4; i++) {
+        if (strcmp(name, names[i]) != 0) continue;
+        *out_sight = (enum bot_sight)i;
+        return true;
+    }
+    return false;
+}
+
+/* Refuses numbers out of range, and hands that can't be one hand. */
 static int check(const bot_options* options) {
     const bot_hand* hand = &options->hand;
     const int hz = hand->hz;
@@ -187,12 +107,40 @@ static int check(const bot_options* options) {
     if (hand->regrab < 0 || hand->regrab > BOT_MAX_REGRABS)
         return options_refuse(&cli_dragbot, "--regrab 0 to %d", BOT_MAX_REGRABS);
     if (hz != 30 && hz != 60 && hz != 144) return options_refuse(&cli_dragbot, "--hz 30, 60 or 144");
+    if (options->sight == BOT_END_ON && (hand->straight || hand->axis || hand->moving_camera))
+        return options_refuse(&cli_dragbot,
+                              "--view end-on pulls to four sides: no --straight, --axis, --moving-camera");
     return CLI_OK;
 }
 
+/* Whether any option says how the hand moves or where the camera is; --all has its own. */
+static bool is_plain(const bot_options* options) {
+    const bot_hand* hand = &options->hand;
+    return !hand->straight && !hand->axis && hand->wander == 0 && hand->tremor == 0 && hand->jostle == 0 &&
+           hand->offset == 0 && !hand->pause && !hand->regrab && hand->hz == 60 && !hand->hitch &&
+           !hand->moving_camera && options->sight == BOT_AROUND;
+}
+
+/* Opens the file of poses and plays. */
+static int run_session(const char* folder, const char* models, const char* poses, bot_options* options, bool all,
+                       bool as_json) {
+    session session;
+    if (poses != NULL && (options->poses = fopen(poses, "w")) == NULL) {
+        fprintf(stderr, "dragmesh dragbot: '%s' can't be written\n", poses);
+        return CLI_FAILED;
+    }
+    int status = session_open(&session, models, NULL);
+    if (status == CLI_OK) {
+        status = play(&session, folder, options, all, as_json);
+        session_close(&session);
+    }
+    if (options->poses != NULL && fclose(options->poses) != 0) status = CLI_FAILED;
+    return status;
+}
+
 static int run(int argc, char** argv) {
-    const char *folder = NULL, *models = NULL;
-    int as_json = 0;
+    const char *folder = NULL, *models = NULL, *view = "around", *poses = NULL;
+    int as_json = 0, all = 0;
     bot_options options = {.cameras = 4, .hand.hz = 60};
     bot_hand* hand = &options.hand;
     const option_spec table[] = {{.name = "--models", .kind = OPTION_TEXT, .value = &models},
@@ -209,21 +157,24 @@ static int run(int argc, char** argv) {
                                  {.name = "--hz", .kind = OPTION_INTEGER, .value = &hand->hz},
                                  {.name = "--hitch", .kind = OPTION_FLAG, .value = &hand->hitch},
                                  {.name = "--moving-camera", .kind = OPTION_FLAG, .value = &hand->moving_camera},
+                                 {.name = "--view", .kind = OPTION_TEXT, .value = &view},
+                                 {.name = "--poses", .kind = OPTION_TEXT, .value = &poses},
+                                 {.name = "--all", .kind = OPTION_FLAG, .value = &all},
                                  {.name = "--cameras", .kind = OPTION_INTEGER, .value = &options.cameras},
                                  {.name = "--given-joint", .kind = OPTION_FLAG, .value = &options.given_only}};
-    session session;
-    int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
-    if (status == CLI_OK && folder == NULL) status = options_refuse(&cli_dragbot, "which folder?");
-    if (status == CLI_OK) status = check(&options);
-    if (status == CLI_OK) status = session_open(&session, models, NULL);
+    const int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
     if (status != CLI_OK) return status;
-    status = play(&session, folder, &options, as_json);
-    session_close(&session);
-    return status;
+    if (folder == NULL) return options_refuse(&cli_dragbot, "which folder?");
+    if (!read_sight(view, &options.sight)) return options_refuse(&cli_dragbot, "--view end-on, above or behind");
+    if (check(&options) != CLI_OK) return CLI_USAGE;
+    if (all && (poses != NULL || !is_plain(&options)))
+        return options_refuse(&cli_dragbot, "--all has hands and views of its own, and writes no poses");
+    return run_session(folder, models, poses, &options, all, as_json);
 }
 
 const cli_command cli_dragbot = {
     "dragbot", run,
-    "DIR [--cameras N] [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
-    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera] [--given-joint] [--worst N] [--json]",
+    "DIR [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
+    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera] [--view end-on|above|behind] "
+    "[--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json]",
     "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel."};

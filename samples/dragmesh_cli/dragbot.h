@@ -4,6 +4,7 @@
 #define CLI_DRAGBOT_H
 
 #include <stdbool.h>
+#include <stdio.h>
 
 #include "dataset.h"
 #include "random.h"
@@ -67,6 +68,11 @@ double bot_minimum_jerk(double share);
 /* Chooses a grab point and path. Returns 1; 0: the part is not visible; -1: visible, but no point of it has a path that
  * a mouse can draw. */
 int bot_choose_pull(const bot_view* view, uint32_t part, const known_joint* truth, double size, random_state* random,
+                    bot_pull* out_pull);
+
+/* Grabs the point in the middle of the screen and pulls `pixels` straight to a side: 0 up, 1 down, 2 left, 3 right.
+ * Returns false when the part is not what is seen there, or not near `point`. */
+bool bot_pull_aside(const bot_view* view, uint32_t part, vec point, double tolerance, int side, double pixels,
                     bot_pull* out_pull);
 
 /* How the player's hand deviates from the true path. All 0: not at all. */
@@ -142,11 +148,14 @@ typedef struct bot_result {
     bool stuck;                /* the grabbed point has gone less than a tenth of its way */
     bool still_moved;          /* the part moved, or its joint changed, while the pointer rested after the grab */
     int regrabs, regrab_jumps; /* the part moved by over 1 % of the object's size in the first frame after */
+    double through;            /* how deep the part was in the body, share of the object's size */
+    bool own_way;              /* the part is where its true joint can take it */
     double worst_regrab;       /* share of the object's size */
     dm_joint joint;            /* at the end */
 } bot_result;
 
 /* A case: where from, what and how. */
+struct bot_body;
 typedef struct bot_case {
     const char* id;
     bool given; /* with the true joint */
@@ -157,7 +166,20 @@ typedef struct bot_case {
     const bot_part* part;
     const known_joint* truth;
     vec up;
+    struct bot_body* body; /* what the part must not go through */
+    FILE* poses;           /* NULL, or where every update is written */
 } bot_case;
+
+/* An update, kept until the drag has ended, so that nothing but the drag runs during it. */
+typedef struct bot_frame {
+    dm_pose pose;
+    float value;
+    dm_ray ray;
+    dm_joint joint; /* set when the poses are written */
+} bot_frame;
+
+/* Writes every update as a line of JSON. */
+void bot_poses_write(const bot_case* played, const bot_frame* frames, int count);
 
 /* Where a pose takes a point. */
 vec bot_moved(const dm_pose* pose, vec point);
@@ -169,33 +191,5 @@ dm_result bot_regrab(session* session, uint32_t part, dm_drag* drag, dm_drag_sta
 
 /* Picks and drags. With a straight pull the grabbed point need not stay near the pointer. */
 dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot_times* times, bot_result* out_result);
-
-/* ---- all cases ---- */
-
-typedef struct bot_options {
-    int cameras, given_only, worst;
-    bot_hand hand;
-} bot_options;
-
-typedef struct bot_row {
-    bot_result found, given; /* with the library's joint; with the true one */
-    bool slides;
-    int x, y; /* of the grab */
-    double asked, length;
-    int camera;
-    char id[200];
-} bot_row;
-
-typedef struct bot_score {
-    bot_row* rows;
-    size_t count, room;
-    int unseen, undrawable; /* joint and camera: the part is hidden; a mouse can't draw its path */
-    int failed;             /* objects and joints without an answer */
-    bot_times times;
-} bot_score;
-
-/* Plays all joints of an object. */
-void bot_play_object(session* session, const char* folder, const char* name, const bot_options* options,
-                     bot_score* score);
 
 #endif

@@ -1,31 +1,8 @@
-/* The scripted player on one object: prepares all parts at once and plays every joint from several cameras. */
-#include <math.h>
-#include <stdbool.h>
-#include <stdio.h>
+/* Parts of an object for the scripted player: which faces are whose, and what it takes to drag them. */
 #include <stdlib.h>
 #include <string.h>
 
-#include "dragbot.h"
-
-/* All by hand. */
-enum { DIRECTIONS = 32, MAX_PARTS = 250 }; /* camera directions tried; parts, whose ids fit a byte */
-static const double part_fill = 0.35;      /* least share of the view's radius that the part fills */
-static const double view_margin = 1.05;    /* radius of the view over that of the part's ball */
-static const double camera_distance = 2.5; /* from the centre, in radii of the whole */
-static const double min_elevation = -0.2, max_elevation = 0.95; /* sine of the camera's elevation */
-
-/* An object prepared and placed for the player. */
-typedef struct setup {
-    session* session;
-    known_object object;
-    uint8_t* face_parts;
-    uint32_t* part_of_joint; /* 0: none of its own */
-    uint32_t part_count;
-    vec up, centre;
-    double radius, size;
-    dm_scene scene;
-    bot_view view;
-} setup;
+#include "dragbot_object.h"
 
 /* ---- parts ---- */
 
@@ -42,23 +19,23 @@ static bool includes(const name_list* outer, const name_list* inner) {
 }
 
 /* Joints of the same nodes share a part; ids from 1 on. */
-static void number_parts(setup* s) {
-    const known_joint* joints = s->object.joints;
-    for (int i = 0; i < s->object.joint_count; i++) {
+static void number_parts(bot_object* s) {
+    const known_joint* joints = s->known.joints;
+    for (int i = 0; i < s->known.joint_count; i++) {
         for (int k = 0; k < i && !s->part_of_joint[i]; k++) {
             const int same =
                 includes(&joints[i].moving, &joints[k].moving) && includes(&joints[k].moving, &joints[i].moving);
             if (same) s->part_of_joint[i] = s->part_of_joint[k];
         }
-        if (!s->part_of_joint[i] && s->part_count < MAX_PARTS) s->part_of_joint[i] = ++s->part_count;
+        if (!s->part_of_joint[i] && s->part_count < BOT_MAX_PARTS) s->part_of_joint[i] = ++s->part_count;
     }
 }
 
 /* Returns the joint whose part carries a joint's part: the smallest that holds all its nodes; -1: the body. */
-static int carrier_of(const setup* s, int joint) {
-    const known_joint* joints = s->object.joints;
+static int carrier_of(const bot_object* s, int joint) {
+    const known_joint* joints = s->known.joints;
     int best = -1;
-    for (int i = 0; i < s->object.joint_count; i++) {
+    for (int i = 0; i < s->known.joint_count; i++) {
         if (s->part_of_joint[i] == s->part_of_joint[joint]) continue;
         if (!includes(&joints[i].moving, &joints[joint].moving)) continue;
         if (best < 0 || joints[i].moving.count < joints[best].moving.count) best = i;
@@ -67,14 +44,14 @@ static int carrier_of(const setup* s, int joint) {
 }
 
 /* Larger parts first, so that what they carry is marked over them. */
-static dm_result mark_faces(setup* s) {
+static dm_result mark_faces(bot_object* s) {
     const uint64_t faces = s->session->mesh.index_count / 3;
     unsigned most = 0;
-    for (int i = 0; i < s->object.joint_count; i++)
-        most = s->object.joints[i].moving.count > most ? s->object.joints[i].moving.count : most;
+    for (int i = 0; i < s->known.joint_count; i++)
+        most = s->known.joints[i].moving.count > most ? s->known.joints[i].moving.count : most;
     for (unsigned count = most; count > 0; count--) {
-        for (int i = 0; i < s->object.joint_count; i++) {
-            const name_list* moving = &s->object.joints[i].moving;
+        for (int i = 0; i < s->known.joint_count; i++) {
+            const name_list* moving = &s->known.joints[i].moving;
             if (moving->count != count || !s->part_of_joint[i]) continue;
             const dm_result result = dm_gltf_mark_faces(s->session->gltf, (const char* const*)moving->names, count,
                                                         (uint8_t)s->part_of_joint[i], s->face_parts, faces);
@@ -84,19 +61,19 @@ static dm_result mark_faces(setup* s) {
     return DM_OK;
 }
 
-static void drop_faceless_parts(setup* s) {
+static void drop_faceless_parts(bot_object* s) {
     const uint64_t faces = s->session->mesh.index_count / 3;
-    uint64_t own[MAX_PARTS + 1] = {0};
+    uint64_t own[BOT_MAX_PARTS + 1] = {0};
     for (uint64_t i = 0; i < faces; i++) own[s->face_parts[i]]++;
-    for (int i = 0; i < s->object.joint_count; i++)
+    for (int i = 0; i < s->known.joint_count; i++)
         if (!own[s->part_of_joint[i]]) s->part_of_joint[i] = 0;
 }
 
-static dm_result prepare(setup* s) {
-    dm_part_desc parts[MAX_PARTS];
-    uint8_t known[MAX_PARTS + 1] = {0};
+static dm_result prepare(bot_object* s) {
+    dm_part_desc parts[BOT_MAX_PARTS];
+    uint8_t known[BOT_MAX_PARTS + 1] = {0};
     uint32_t count = 0;
-    for (int i = 0; i < s->object.joint_count; i++) {
+    for (int i = 0; i < s->known.joint_count; i++) {
         const uint32_t id = s->part_of_joint[i];
         if (!id || known[id]) continue;
         const int carrier = carrier_of(s, i);
@@ -116,11 +93,11 @@ static dm_result prepare(setup* s) {
 
 /* ---- setup ---- */
 
-static dm_result set_up(setup* s) {
+dm_result bot_object_set_up(bot_object* s) {
     const dm_scene_desc scene = {.struct_size = sizeof scene};
     uint32_t instance;
     s->face_parts = cli_alloc_zeroed(s->session->mesh.index_count / 3);
-    s->part_of_joint = cli_alloc_zeroed((size_t)s->object.joint_count * sizeof *s->part_of_joint);
+    s->part_of_joint = cli_alloc_zeroed((size_t)s->known.joint_count * sizeof *s->part_of_joint);
     number_parts(s);
     dm_result result = mark_faces(s);
     if (result != DM_OK) return result;
@@ -138,46 +115,25 @@ static dm_result set_up(setup* s) {
     return DM_OK;
 }
 
-static void take_down(setup* s) {
+void bot_object_take_down(bot_object* s) {
     if (s->scene) dm_scene_destroy(s->session->context, s->scene);
     session_release_object(s->session);
     free(s->face_parts);
     free(s->part_of_joint);
 }
 
-/* ---- cameras ---- */
+/* ---- one part ---- */
 
-/* Returns a camera direction: elevations spread evenly in golden-ratio order, azimuths by the golden angle. */
-static vec direction(const setup* s, int index) {
-    const double turned = 2.399963229728653 * index; /* the golden angle, rad */
-    const double height = min_elevation + (max_elevation - min_elevation) *
-                                              fmod(0.618033988749895 * (index + 1), 1); /* golden ratio - 1 */
-    const vec side = fabs(s->up.z) > 0.5 ? (vec){1, 0, 0} : (vec){0, 0, 1};
-    return add(scale(s->up, height), scale(turn(side, s->up, turned), sqrt(1 - height * height)));
+bool bot_object_owns(const bot_object* s, int joint, uint64_t face) {
+    return s->face_parts[face] == s->part_of_joint[joint];
 }
 
-static bool is_of_part(const setup* s, int joint, uint64_t index) {
-    return s->face_parts[index / 3] == s->part_of_joint[joint];
-}
-
-/* Computes a ball round the part along its whole pull. */
-static void frame_part(const setup* s, int joint, vec* out_centre, double* out_radius) {
-    const known_joint* truth = &s->object.joints[joint];
-    const uint32_t* indices = s->session->mesh.indices;
-    const float* positions = s->session->mesh.positions;
-    const double asked = bot_travel(truth, s->size);
-    vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint64_t i = 0; i < s->session->mesh.index_count; i++) {
-        if (!is_of_part(s, joint, i)) continue;
-        const vec point = vec_at(positions + 3 * (size_t)indices[i]);
-        for (int k = 0; k <= 4; k++) {
-            const vec p = bot_true_move(truth, point, 0.25 * k * asked /* at quarters of the pull */);
-            low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
-            high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
-        }
-    }
-    *out_centre = scale(add(low, high), 0.5);
-    *out_radius = 0.5 * length(sub(high, low));
+void bot_object_moving(const bot_object* s, int joint, bool out_moves[BOT_MAX_PARTS + 1]) {
+    const known_joint* joints = s->known.joints;
+    memset(out_moves, 0, (BOT_MAX_PARTS + 1) * sizeof *out_moves);
+    for (int i = 0; i < s->known.joint_count; i++)
+        if (s->part_of_joint[i] && includes(&joints[joint].moving, &joints[i].moving))
+            out_moves[s->part_of_joint[i]] = true;
 }
 
 /* Moves the two extremes along a direction to `point` where it lies farther. */
@@ -187,7 +143,7 @@ static void widen(bot_part* part, int direction, vec along, vec point, bool firs
     if (first || dot(point, along) > dot(*high, along)) *high = point;
 }
 
-static bot_part measure_part(const setup* s, int joint) {
+bot_part bot_object_part(const bot_object* s, int joint) {
     static const vec along[BOT_EXTREMES / 2] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0},
                                                 {1, 0, 1},  {1, 0, -1}, {0, 1, 1},  {0, 1, -1}, {1, 1, 1},
                                                 {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
@@ -196,7 +152,7 @@ static bot_part measure_part(const setup* s, int joint) {
     vec sum = {0, 0, 0};
     double count = 0;
     for (uint64_t i = 0; i < s->session->mesh.index_count; i++) {
-        if (!is_of_part(s, joint, i)) continue;
+        if (!bot_object_owns(s, joint, i / 3)) continue;
         const vec point = vec_at((const float*)s->session->mesh.positions + 3 * (size_t)indices[i]);
         for (int k = 0; k < BOT_EXTREMES / 2; k++) widen(&part, k, along[k], point, count == 0);
         sum = add(sum, point), count++;
@@ -205,116 +161,39 @@ static bot_part measure_part(const setup* s, int joint) {
     return part;
 }
 
-static int aim_and_choose(setup* s, int joint, int index, random_state* random, bot_pull* out_pull) {
-    vec centre;
-    double radius;
-    frame_part(s, joint, &centre, &radius);
-    const double whole = fmax(s->radius + length(sub(centre, s->centre)), radius);
-    const double wanted = fmin(fmax(radius / part_fill, radius * view_margin), whole);
-    bot_view_aim(&s->view, direction(s, index), s->up, centre, fmax(wanted, view_margin * radius),
-                 camera_distance * whole);
-    bot_view_draw(&s->view, &s->session->mesh, s->face_parts);
-    return bot_choose_pull(&s->view, s->part_of_joint[joint], &s->object.joints[joint], s->size, random, out_pull);
+static vec corner_of(const bot_object* s, uint64_t index) {
+    const uint32_t* indices = s->session->mesh.indices;
+    return vec_at((const float*)s->session->mesh.positions + 3 * (size_t)indices[index]);
 }
 
-/* ---- playing ---- */
-
-static bot_row* new_row(bot_score* score) {
-    if (score->count == score->room) {
-        score->room = score->room ? 2 * score->room : 1024;
-        score->rows = cli_grow(score->rows, score->room * sizeof *score->rows);
-    }
-    bot_row* row = &score->rows[score->count++];
-    memset(row, 0, sizeof *row);
-    return row;
+static double area_of(const bot_object* s, uint64_t face) {
+    const vec a = corner_of(s, 3 * face);
+    return 0.5 * length(cross(sub(corner_of(s, 3 * face + 1), a), sub(corner_of(s, 3 * face + 2), a)));
 }
 
-static dm_joint true_joint(const known_joint* truth) {
-    dm_joint joint = {.axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
-    const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
-    joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
-    if (limited) joint.lower = (float)truth->lower, joint.upper = (float)truth->upper;
-    return joint;
+static vec point_on(const bot_object* s, uint64_t face, random_state* random) {
+    const vec a = corner_of(s, 3 * face), b = corner_of(s, 3 * face + 1), c = corner_of(s, 3 * face + 2);
+    const double root = sqrt(random_unit(random)), share = random_unit(random);
+    return add(a, scale(add(scale(sub(b, a), 1 - share), scale(sub(c, a), share)), root));
 }
 
-/* Returns the row of a case, which the run with the true joint shares with the run before it. */
-static bot_row* find_row(bot_score* score, const char* id, bool given) {
-    for (size_t r = score->count; given && r > 0; r--)
-        if (strcmp(score->rows[r - 1].id, id) == 0) return &score->rows[r - 1];
-    bot_row* row = new_row(score);
-    snprintf(row->id, sizeof row->id, "%s", id);
-    return row;
-}
-
-static void play_case(setup* s, const bot_case* played, bot_row* row, bot_score* score) {
-    row->slides = played->truth->slides;
-    row->x = played->pull->x, row->y = played->pull->y;
-    row->asked = played->pull->asked, row->length = played->pull->length;
-    bot_result* result = played->given ? &row->given : &row->found;
-    if (bot_play(s->session, s->scene, played, &score->times, result) == DM_OK) return;
-    fprintf(stderr, "dragmesh dragbot: %s: %s\n", row->id, s->session->error);
-    score->failed++;
-}
-
-static void play_joint(setup* s, int joint, const bot_options* options, bool given, bot_score* score) {
-    const known_joint* truth = &s->object.joints[joint];
-    random_state random = {(uint64_t)joint + 1};
-    const bot_part part = measure_part(s, joint);
-    if (given) {
-        const dm_joint exact = true_joint(truth);
-        dm_object_set_joint(s->session->context, s->session->object, part.id, &exact);
+void bot_object_sample(const bot_object* s, const bool parts[BOT_MAX_PARTS + 1], random_state* random, vec* out_points,
+                       int count) {
+    const uint64_t faces = s->session->mesh.index_count / 3;
+    double area = 0, passed = 0;
+    uint64_t last = 0;
+    int done = 0;
+    for (uint64_t i = 0; i < faces; i++)
+        if (parts[s->face_parts[i]]) area += area_of(s, i), last = i;
+    for (uint64_t i = 0; i < faces && done < count; i++) {
+        if (!parts[s->face_parts[i]]) continue;
+        passed += area_of(s, i);
+        while (done < count && passed >= (done + 0.5) * area / count) out_points[done++] = point_on(s, i, random);
     }
-    int found = 0;
-    for (int i = 0; i < DIRECTIONS && found < options->cameras; i++) {
-        bot_pull pull;
-        int seen = aim_and_choose(s, joint, i, &random, &pull);
-        random_state hand_random = {random.state ^
-                                    0x68616E64u}; /* independent, so that all hands grab the same points */
-        if (seen > 0 && !bot_hand_draw(&options->hand, &s->view, truth, &hand_random, &pull)) seen = -1;
-        if (given) score->unseen += seen == 0, score->undrawable += seen < 0;
-        if (seen <= 0) continue;
-        bot_plan plan = bot_plan_make(&options->hand, &pull, &hand_random);
-        char id[sizeof score->rows->id];
-        snprintf(id, sizeof id, "%s/%d/%d", s->object.name, joint, i);
-        bot_row* row = find_row(score, id, given);
-        row->camera = i;
-        const bot_case played = {.id = row->id,
-                                 .given = given,
-                                 .view = &s->view,
-                                 .pull = &pull,
-                                 .hand = &options->hand,
-                                 .plan = &plan,
-                                 .part = &part,
-                                 .truth = truth,
-                                 .up = s->up};
-        play_case(s, &played, row, score);
-        free(plan.steps);
-        found++;
+    while (done < count) out_points[done++] = point_on(s, last, random); /* rounding */
+    for (int i = count - 1; i > 0; i--) {
+        const int k = (int)(random_u64(random) % (uint64_t)(i + 1));
+        const vec swapped = out_points[i];
+        out_points[i] = out_points[k], out_points[k] = swapped;
     }
-}
-
-void bot_play_object(session* session, const char* folder, const char* name, const bot_options* options,
-                     bot_score* score) {
-    setup s = {.session = session};
-    char error[512];
-    if (dataset_read(folder, name, &s.object, error, sizeof error) != 0) {
-        fprintf(stderr, "dragmesh dragbot: %s\n", error);
-        score->failed++;
-        return;
-    }
-    s.up = (vec){s.object.up == 'x', s.object.up == 'y', s.object.up == 'z'};
-    s.view = bot_view_new();
-    dm_result result = session_use_file(session, s.object.glb);
-    if (result == DM_OK) result = set_up(&s);
-    if (result != DM_OK) {
-        fprintf(stderr, "dragmesh dragbot: %s: %s\n", name, session->error);
-        score->failed++;
-    }
-    for (int given = options->given_only; given < 2 && result == DM_OK; given++) {
-        for (int i = 0; i < s.object.joint_count; i++)
-            if (s.part_of_joint[i]) play_joint(&s, i, options, given != 0, score);
-    }
-    take_down(&s);
-    bot_view_free(&s.view);
-    dataset_free(&s.object);
 }

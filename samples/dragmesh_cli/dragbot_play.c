@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "dragbot.h"
+#include "dragbot_body.h"
 #include "timing.h"
 
 /* By hand; docs/feel.md. */
@@ -14,6 +15,7 @@ static const double reach_share = 0.9;   /* of the asked value: the part has arr
 static const double stuck_share = 0.1;   /* of the way of the grabbed point */
 static const double still_share = 0.001; /* of the object's size: a part that has not moved */
 static const double regrab_share = 0.01; /* of the object's size: a jump at a new grab */
+static const double own_share = 0.05;    /* of the object's size: the part is where its true joint can take it */
 
 static void record_time(bot_times* times, double ns) {
     if (times->count == times->room) {
@@ -55,6 +57,8 @@ typedef struct player {
     dm_drag_state state;
     dm_joint first_joint;
     uint32_t changes; /* in the grabs before this one */
+    bot_frame* frames;
+    int frame_count;
     bot_times* times;
     bot_result* result;
 } player;
@@ -131,6 +135,12 @@ static void aim(player* p, const bot_step* step, double pointer[2]) {
     for (int k = 0; k < 2; k++) pointer[k] = round(pointer[k]); /* a mouse reports whole pixels */
 }
 
+static void keep_frame(player* p, const dm_ray* ray) {
+    bot_frame* frame = &p->frames[p->frame_count++];
+    *frame = (bot_frame){.pose = p->state.pose, .value = p->state.value, .ray = *ray};
+    if (p->now->poses != NULL) dm_drag_get_joint(p->session->context, p->drag, &frame->joint);
+}
+
 static dm_result take_step(player* p, const bot_step* step) {
     dm_context* context = p->session->context;
     const dm_pose before = p->state.pose;
@@ -147,6 +157,7 @@ static dm_result take_step(player* p, const bot_step* step) {
     result = dm_drag_update(context, p->drag, &ray, (float)step->dt, &p->state);
     record_time(p->times, timing_now_ns(CLOCK_MONOTONIC) - start);
     if (result != DM_OK) return result;
+    keep_frame(p, &ray);
     track_screen(p, step, pointer);
     if (step->resting) track_rest(p);
     if (step->regrabs) track_regrab(p, &before);
@@ -165,6 +176,22 @@ static dm_result follow_plan(player* p) {
 
 /* ---- the verdict ---- */
 
+/* Whether the part is near a place to which its true joint can take it. */
+static bool is_on_own_way(const bot_case* now, const dm_pose* pose, double value) {
+    const known_joint* truth = now->truth;
+    if (isfinite(truth->lower) && isfinite(truth->upper)) {
+        const double lower = fmin(truth->lower, 0), upper = fmax(truth->upper, 0);
+        if (!truth->slides) value += TWO_PI * round((0.5 * (lower + upper) - value) / TWO_PI);
+        value = fmin(fmax(value, lower), upper);
+    }
+    double apart = 0;
+    for (int i = 0; i < BOT_EXTREMES; i++) {
+        const vec point = now->part->extremes[i];
+        apart = fmax(apart, length(sub(bot_moved(pose, point), bot_true_move(truth, point, value))));
+    }
+    return apart <= own_share * now->part->object_size;
+}
+
 static void judge(const bot_case* now, const dm_drag_state* last, bot_result* result) {
     const bool strays = now->hand->straight || now->hand->axis; /* off the true path on purpose */
     const vec end = bot_true_move(now->truth, now->pull->point, now->pull->asked);
@@ -175,6 +202,7 @@ static void judge(const bot_case* now, const dm_drag_state* last, bot_result* re
     result->near = result->off <= near_share;
     result->stuck = length(sub(vec_of(last->grab_point), now->pull->point)) < stuck_share * way;
     result->success_or_beyond = far_enough && (strays || result->near) && result->jumps == 0;
+    result->own_way = is_on_own_way(now, &last->pose, result->reached * now->pull->asked);
     result->success = result->success_or_beyond && not_beyond;
 }
 
@@ -195,10 +223,14 @@ dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot
                                .grab_point = hit.object_point};
     result = dm_drag_begin(session->context, &desc, &p.drag);
     if (result != DM_OK) return result;
+    p.frames = cli_alloc((size_t)played->plan->count * sizeof *p.frames);
     result = follow_plan(&p);
     dm_drag_get_joint(session->context, p.drag, &out_result->joint);
     dm_drag_end(session->context, p.drag, &p.state);
     out_result->changes = (int)(p.changes + p.state.changes);
     judge(played, &p.state, out_result);
+    out_result->through = bot_body_depth(played->body, played->part, p.frames, p.frame_count);
+    if (played->poses != NULL) bot_poses_write(played, p.frames, p.frame_count);
+    free(p.frames);
     return result;
 }

@@ -138,3 +138,21 @@ int bot_choose_pull(const bot_view* view, uint32_t part, const known_joint* trut
     free(places);
     return found;
 }
+
+bool bot_pull_aside(const bot_view* view, uint32_t part, vec point, double tolerance, int side, double pixels,
+                    bot_pull* out_pull) {
+    static const double ways[4][2] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
+    const int column = BOT_COLUMNS / 2, row = BOT_ROWS / 2;
+    if (!is_inside(view, column, row, part)) return false;
+    out_pull->point = bot_view_point(view, column, row);
+    if (length(sub(out_pull->point, point)) > tolerance) return false;
+    out_pull->x = column * BOT_STEP, out_pull->y = row * BOT_STEP;
+    out_pull->frames = BOT_FRAMES;
+    out_pull->length = pixels;
+    for (int i = 0; i < BOT_FRAMES; i++) {
+        const double gone = pixels * bot_minimum_jerk((i + 1.0) / BOT_FRAMES);
+        out_pull->path[i][0] = out_pull->x + gone * ways[side][0];
+        out_pull->path[i][1] = out_pull->y + gone * ways[side][1];
+    }
+    return true;
+}

@@ -3,8 +3,11 @@
 
     make_session.py DIR OUT.session [--joint N] [--drag N] [--yaw A] [--pitch A] [--zoom F] [--size WxH] [--share S]
                     [--frames N] [--events "FRAME WHAT,..."] [--back] [--all-parts] [--aim] [--still] [--start FRAME]
+                    [--straight | --axis] [--jostle PX] [--pause] [--regrab N]
 
 The pointer goes from the drag's point on the screen to where the true joint would take that point, with a hand's ease.
+Or as `dragmesh dragbot` has it: straight on the screen, straight along the axis of the file nearest to the true way, a
+few pixels the wrong way first, with a stop half-way, letting go and grabbing again on the way.
 """
 import argparse
 import json
@@ -84,6 +87,56 @@ def hand(t):
     return t * t * t * (10 - 15 * t + 6 * t * t)
 
 
+# Frames, as samples/dragmesh_cli/dragbot_plan.c has them.
+JOSTLE_OUT, JOSTLE_BACK, PAUSE, REGRAB, REGRAB_AT = 6, 10, 45, 12, 10
+
+
+def along_axis(point, first, end):
+    """How far the end lies along the axis of the file nearest to the first direction."""
+    k = max(range(3), key=lambda i: abs(first[i] - point[i]))
+    return [end[i] - point[i] if i == k else 0 for i in range(3)]
+
+
+def path(o, camera, joint, point, goal):
+    """The pointer's pixels, frame by frame."""
+    shares = [hand(i / o.frames) if not o.back else math.sin(math.pi * hand(i / o.frames)) for i in range(o.frames + 1)]
+    end = moved(joint, point, goal)
+    if o.axis:
+        way = along_axis(point, moved(joint, point, 0.001 * goal), end)
+        return [camera.pixel(add(point, mul(way, t))) for t in shares]
+    if o.straight:
+        (x, y), (to_x, to_y) = camera.pixel(point), camera.pixel(end)
+        return [(x + t * (to_x - x), y + t * (to_y - y)) for t in shares]
+    return [camera.pixel(moved(joint, point, goal * t)) for t in shares]
+
+
+def jostled(pixels, far):
+    """The path with a push of `far` pixels the wrong way first."""
+    (x, y) = pixels[0]
+    there = next(p for p in pixels if math.dist(p, pixels[0]) >= 2)
+    gone = math.dist(there, pixels[0])
+    out = [-far * (there[0] - x) / gone, -far * (there[1] - y) / gone]
+    push = [(x + out[0] * i / JOSTLE_OUT, y + out[1] * i / JOSTLE_OUT) for i in range(JOSTLE_OUT)]
+    rest = [max(0, 1 - i / JOSTLE_BACK) for i in range(len(pixels))]
+    return push + [(px + out[0] * r, py + out[1] * r) for (px, py), r in zip(pixels, rest)]
+
+
+def strokes(o, pixels):
+    """Events of the hand from frame 0 on: the press, the way with its stops, new grabs."""
+    stops = {len(pixels) // 2: "pause"} if o.pause else {}
+    stops.update({len(pixels) * (i + 1) // (o.regrab + 1): "regrab" for i in range(o.regrab)})
+    events, frame = [(-1, "move %.2f %.2f" % pixels[0]), (0, "press left")], 0
+    for i, pixel in enumerate(pixels[1:], 1):
+        frame += 1
+        events.append((frame, "move %.2f %.2f" % pixel))
+        if stops.get(i) == "pause":
+            frame += PAUSE
+        if stops.get(i) == "regrab":
+            events += [(frame + REGRAB_AT, "release left"), (frame + REGRAB_AT + 1, "press left")]
+            frame += REGRAB
+    return events, frame
+
+
 def part_lines(known, joint, all_parts):
     """The joints' parts, each with all that moves with it; the one in question alone, or all."""
     parts, seen = [], set()
@@ -108,17 +161,16 @@ def session(folder, o):
     lines += part_lines(known, joint, o.all_parts)
     events = [(0, camera.line()[2:])]
     start = o.start
-    for i in range(o.frames + 1):
-        t = hand(i / o.frames) if not o.back else math.sin(math.pi * hand(i / o.frames))
-        x, y = camera.pixel(moved(joint, point, goal * t))
-        events.append((start + i - (i == 0), f"move {x:.2f} {y:.2f}"))
-        if i == 0:
-            events.append((start, "press left"))
-    events.append((start + o.frames + 10, "release left"))
+    pixels = path(o, camera, joint, point, goal)
+    if o.jostle:
+        pixels = jostled(pixels, o.jostle)
+    events_of_hand, frames = strokes(o, pixels)
+    events += [(start + frame, what) for frame, what in events_of_hand]
+    events.append((start + frames + 10, "release left"))
     for word in filter(None, o.events.split(",")):
         frame, what = word.strip().split(" ", 1)
         events.append((int(frame), what))
-    events.append((start + o.frames + o.after, "end"))
+    events.append((start + frames + o.after, "end"))
     if o.still:  # the pointer stays where it is; what happens comes with --events alone
         events = [e for e in events if e[0] in (0, start) and "press" not in e[1] or e[1] == "end" or e[1] in o.events]
     events.sort(key=lambda e: e[0])
@@ -131,12 +183,16 @@ def main():
     parser.add_argument("out")
     for name, kind, value in [("joint", int, 0), ("drag", int, 0), ("yaw", float, 0.6), ("pitch", float, 0.38),
                               ("zoom", float, 1.0), ("size", str, "640x400"), ("share", float, 0.95),
-                              ("frames", int, 60), ("start", int, 6), ("events", str, ""), ("after", int, 20)]:
+                              ("frames", int, 60), ("start", int, 6), ("events", str, ""), ("after", int, 20), ("jostle", float, 0),
+                              ("regrab", int, 0)]:
         parser.add_argument("--" + name, type=kind, default=value)
     parser.add_argument("--back", action="store_true", help="there and back again")
     parser.add_argument("--all-parts", action="store_true", help="all joints' parts may move, not this one alone")
     parser.add_argument("--still", action="store_true", help="point, but don't drag")
     parser.add_argument("--aim", action="store_true", help="look at the drag's point, not at the object's middle")
+    parser.add_argument("--straight", action="store_true", help="straight on the screen")
+    parser.add_argument("--axis", action="store_true", help="straight along an axis of the file")
+    parser.add_argument("--pause", action="store_true", help="stop half-way and go on")
     o = parser.parse_args()
     with open(o.out, "w") as file:
         file.write("\n".join(session(o.folder, o)) + "\n")

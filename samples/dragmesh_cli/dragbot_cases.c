@@ -1,0 +1,138 @@
+/* The scripted player on one object: every joint, from several places, with every hand. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dragbot_body.h"
+#include "dragbot_score.h"
+
+enum { END_ON_CASES = 4 }; /* of a joint: up, down, left and right */
+
+static bot_row* new_row(bot_score* score) {
+    if (score->count == score->room) {
+        score->room = score->room ? 2 * score->room : 1024;
+        score->rows = cli_grow(score->rows, score->room * sizeof *score->rows);
+    }
+    bot_row* row = &score->rows[score->count++];
+    memset(row, 0, sizeof *row);
+    return row;
+}
+
+static dm_joint true_joint(const known_joint* truth) {
+    dm_joint joint = {.axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
+    const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
+    joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
+    if (limited) joint.lower = (float)truth->lower, joint.upper = (float)truth->upper;
+    return joint;
+}
+
+/* Returns the row of a case, which the run with the true joint shares with the run before it. */
+static bot_row* find_row(bot_score* score, const char* id, bool given) {
+    for (size_t r = score->count; given && r > 0; r--)
+        if (strcmp(score->rows[r - 1].id, id) == 0) return &score->rows[r - 1];
+    bot_row* row = new_row(score);
+    snprintf(row->id, sizeof row->id, "%s", id);
+    return row;
+}
+
+static void play_case(bot_object* s, const bot_case* played, bot_row* row, bot_score* score) {
+    row->slides = played->truth->slides;
+    row->x = played->pull->x, row->y = played->pull->y;
+    row->asked = played->pull->asked, row->length = played->pull->length;
+    bot_result* result = played->given ? &row->given : &row->found;
+    if (bot_play(s->session, s->scene, played, &score->times, result) == DM_OK) return;
+    fprintf(stderr, "dragmesh dragbot: %s: %s\n", row->id, s->session->error);
+    score->failed++;
+}
+
+/* A joint to be played. */
+typedef struct joint_setup {
+    bot_object* object;
+    int joint;
+    bool given; /* the true joint is in force */
+    bot_part part;
+    bot_body* body;
+} joint_setup;
+
+/* Plays a case from the camera where it is. */
+static void play_pull(const joint_setup* j, bot_run* run, int place, const bot_pull* pull, random_state* random) {
+    bot_object* s = j->object;
+    bot_plan plan = bot_plan_make(&run->options.hand, pull, random);
+    char id[sizeof run->score.rows->id];
+    snprintf(id, sizeof id, "%s/%d/%d", s->known.name, j->joint, place);
+    bot_row* row = find_row(&run->score, id, j->given);
+    row->camera = place;
+    const bot_case played = {.id = row->id,
+                             .given = j->given,
+                             .view = &s->view,
+                             .pull = pull,
+                             .hand = &run->options.hand,
+                             .plan = &plan,
+                             .part = &j->part,
+                             .truth = &s->known.joints[j->joint],
+                             .up = s->up,
+                             .body = j->body,
+                             .poses = run->options.poses};
+    play_case(s, &played, row, &run->score);
+    free(plan.steps);
+}
+
+static void play_hand(const joint_setup* j, bot_run* run) {
+    const bot_options* options = &run->options;
+    const int places = bot_sight_places(options->sight),
+              wanted = options->sight == BOT_END_ON ? END_ON_CASES : options->cameras;
+    random_state random = {(uint64_t)j->joint + 1};
+    int found = 0;
+    for (int i = 0; i < places && found < wanted; i++) {
+        bot_pull pull;
+        int seen = bot_sight_choose(j->object, j->joint, options->sight, i, &random, &pull);
+        /* Independent, so that all hands grab the same points. */
+        random_state hand_random = {random.state ^ 0x68616E64u};
+        if (seen > 0 &&
+            !bot_hand_draw(&options->hand, &j->object->view, &j->object->known.joints[j->joint], &hand_random, &pull))
+            seen = -1;
+        if (j->given) run->score.unseen += seen == 0, run->score.undrawable += seen < 0;
+        if (seen <= 0) continue;
+        play_pull(j, run, i, &pull, &hand_random);
+        found++;
+    }
+}
+
+static void play_joint(bot_object* s, int joint, bool given, bot_run* runs, int run_count) {
+    const joint_setup j = {s, joint, given, bot_object_part(s, joint), bot_body_new(s, joint)};
+    if (given) {
+        const dm_joint exact = true_joint(&s->known.joints[joint]);
+        dm_object_set_joint(s->session->context, s->session->object, j.part.id, &exact);
+    }
+    for (int i = 0; i < run_count; i++) play_hand(&j, &runs[i]);
+    bot_body_free(j.body);
+}
+
+static void fail_all(bot_run* runs, int run_count) {
+    for (int i = 0; i < run_count; i++) runs[i].score.failed++;
+}
+
+void bot_play_object(session* session, const char* folder, const char* name, bot_run* runs, int run_count) {
+    bot_object s = {.session = session};
+    char error[512];
+    if (dataset_read(folder, name, &s.known, error, sizeof error) != 0) {
+        fprintf(stderr, "dragmesh dragbot: %s\n", error);
+        fail_all(runs, run_count);
+        return;
+    }
+    s.up = (vec){s.known.up == 'x', s.known.up == 'y', s.known.up == 'z'};
+    s.view = bot_view_new();
+    dm_result result = session_use_file(session, s.known.glb);
+    if (result == DM_OK) result = bot_object_set_up(&s);
+    if (result != DM_OK) {
+        fprintf(stderr, "dragmesh dragbot: %s: %s\n", name, session->error);
+        fail_all(runs, run_count);
+    }
+    for (int given = runs[0].options.given_only; given < 2 && result == DM_OK; given++) {
+        for (int i = 0; i < s.known.joint_count; i++)
+            if (s.part_of_joint[i]) play_joint(&s, i, given != 0, runs, run_count);
+    }
+    bot_object_take_down(&s);
+    bot_view_free(&s.view);
+    dataset_free(&s.known);
+}

@@ -1,0 +1,36 @@
+/* Every update of the scripted player's drags as lines of JSON, for others to score. */
+#include <stdlib.h>
+
+#include "dragbot.h"
+#include "json.h"
+
+static void print_vector(FILE* out, const char* name, dm_vec3 v) {
+    fprintf(out, "\"%s\": [%.9g, %.9g, %.9g]", name, (double)v.x, (double)v.y, (double)v.z);
+}
+
+static void print_frame(FILE* out, const bot_frame* frame) {
+    fprintf(out, "\"pose\": [");
+    for (int k = 0; k < 8; k++)
+        fprintf(out, k ? ", %.9g" : "%.9g", (double)(k < 4 ? frame->pose.real[k] : frame->pose.dual[k - 4]));
+    fprintf(out, "], \"value\": %.9g, \"joint\": {\"type\": %d, ", (double)frame->value, frame->joint.type);
+    print_vector(out, "axis", frame->joint.axis);
+    fprintf(out, ", ");
+    print_vector(out, "origin", frame->joint.origin);
+    fprintf(out, "}, \"ray\": {");
+    print_vector(out, "origin", frame->ray.origin);
+    fprintf(out, ", ");
+    print_vector(out, "direction", frame->ray.direction);
+    fprintf(out, "}}\n");
+}
+
+void bot_poses_write(const bot_case* played, const bot_frame* frames, int count) {
+    cJSON* id = cJSON_CreateString(played->id);
+    char* quoted = cJSON_PrintUnformatted(id);
+    for (int i = 0; i < count; i++) {
+        fprintf(played->poses, "{\"id\": %s, \"given\": %s, \"frame\": %d, ", quoted, played->given ? "true" : "false",
+                i);
+        print_frame(played->poses, &frames[i]);
+    }
+    cJSON_free(quoted);
+    cJSON_Delete(id);
+}
