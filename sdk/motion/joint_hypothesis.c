@@ -10,13 +10,14 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define NOISE_PER_LENGTH 0.01f      /* expected residual on the right joint, share of the pull's length; fitted */
-#define NOISE_FLOOR 0.0015f         /* expected residual at the start, share of the part's size; fitted */
-#define TAIL_EXPONENT 3.5f          /* of the power law that residuals follow; fitted */
-#define PUSH_LOG_PRIOR (-1.5f)      /* of a hand that pushes a part against its stop; by hand */
-#define EXCURSION_LOG_PRIOR (-4.0f) /* of the side of rest to which the pull has gone less far; by hand */
-#define EXCURSION_RATIO 3.0f        /* times as far a pull goes to the other side before that is its side; by hand */
-#define BLOCKED_SHARE 0.25f         /* of the range: a side with less room is blocked; by hand */
+#define NOISE_PER_LENGTH 0.01f          /* expected residual on the right joint, share of the pull's length; fitted */
+#define NOISE_FLOOR 0.0015f             /* expected residual at the start, share of the part's size; fitted */
+#define TAIL_EXPONENT 3.5f              /* of the power law that residuals follow; fitted */
+#define PUSH_LOG_PRIOR (-1.5f)          /* of a hand that pushes a part against its stop; by hand */
+#define EXCURSION_LOG_PRIOR (-4.0f)     /* of the side of rest to which the pull has gone less far; by hand */
+#define LEAVE_RATIO 2.5f                /* times as far a pull goes to the other side before that is its side; fitted */
+#define RETURN_RATIO 0.5f               /* the same for the way back to the side where the range was found; fitted */
+#define BLOCKED_SHARE 0.25f             /* of the range: a side with less room is blocked; by hand */
 #define STRAIGHT_LOG_LIKELIHOOD (-4.5f) /* of a pointer that goes straight to where a turn should end; fitted */
 #define NEGLIGIBLE_LOG_RATIO 3.0f       /* a term smaller than the other by exp(3) is left out; by hand */
 #define MIN_CONFIDENCE 1e-3f            /* confidences are clamped to [this, 1 - this]; by hand */
@@ -166,7 +167,8 @@ float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis
     if (hypothesis->side == 0) return 0;
     if (dmi_joint_hypothesis_is_pushed_shut(hypothesis, value)) return PUSH_LOG_PRIOR;
     if (hypothesis->other_side_blocked) return 0;
-    const float against = EXCURSION_RATIO * hypothesis->excursion[value < 0], back = against - fabsf(value);
+    const float ratio = hypothesis->side * value < 0 ? LEAVE_RATIO : RETURN_RATIO;
+    const float against = ratio * hypothesis->excursion[value < 0], back = against - fabsf(value);
     const float less = back > 0 ? EXCURSION_LOG_PRIOR * back / against : 0;
     return less + (hypothesis->side * value < 0 ? DMI_OTHER_SIDE_LOG_PRIOR : 0);
 }
