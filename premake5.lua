@@ -52,6 +52,7 @@ end
 local function shared(name, sources, includes, libraries, map)
     make(name, "SharedLib", sources, includes, libraries)
         targetdir "build/%{cfg.buildcfg}"
+        defines { "DM_BUILDING" }
         linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,--gc-sections" }
         filter "configurations:asan or tsan"
             linkoptions { "-Wl,-z,undefs" }
@@ -114,6 +115,7 @@ end
 
 -- The boundary with all rooms in one archive: the whole library for static linking, C alone.
 library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, room_libraries)
+    defines { "DM_BUILDING" }
     -- The archive is made anew from its objects and the rooms' archives: ar by itself only ever adds.
     local folder, add = "../%{cfg.buildcfg}/lib/lib", ""
     for _, name in ipairs(room_libraries) do add = add .. " 'addlib " .. folder .. name .. ".a'" end

@@ -106,6 +106,7 @@ static dm_result prepare(setup* s) {
     }
     dm_mesh_desc mesh = s->session->mesh;
     mesh.part_ids = s->face_parts;
+    mesh.part_id_bytes = mesh.index_count / 3;
     mesh.part_id_format = DM_UINT8;
     mesh.part_id_scope = DM_PER_FACE;
     const dm_object_desc desc = {
@@ -204,7 +205,7 @@ static bot_row* new_row(bot_score* score) {
 }
 
 static dm_joint true_joint(const known_joint* truth) {
-    dm_joint joint = {.axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
+    dm_joint joint = {.struct_size = sizeof joint, .axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
     const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
     joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
     if (limited) joint.lower = (float)truth->lower, joint.upper = (float)truth->upper;

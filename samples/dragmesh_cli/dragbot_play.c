@@ -87,7 +87,7 @@ dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const
                    uint32_t part, const known_joint* truth, vec centre, bot_times* times, bot_result* out_result) {
     *out_result = (bot_result){0};
     dm_ray ray;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     dm_result result = dm_camera_ray(session->context, &view->camera, (float)pull->x, (float)pull->y, &ray);
     if (result == DM_OK) result = dm_scene_pick(session->context, scene, &ray, &hit);
     if (result != DM_OK) return result;
@@ -96,12 +96,13 @@ dm_result bot_play(session* session, dm_scene scene, const bot_view* view, const
     const dm_drag_desc desc = {
         .struct_size = sizeof desc, .part_id = part, .object = session->object, .grab_point = hit.object_point};
     dm_drag drag;
-    dm_drag_state state;
+    dm_drag_state state = {.struct_size = sizeof state};
     result = dm_drag_begin(session->context, &desc, &drag);
     if (result != DM_OK) return result;
     result = follow_path(session, drag, view, pull, centre, times, &state, out_result);
-    dm_drag_get_joint(session->context, drag, &out_result->joint);
-    dm_drag_end(session->context, drag, &state);
+    dm_part_state end = dm_part_state_default();
+    dm_drag_end(session->context, drag, &end);
+    out_result->joint = end.joint;
     out_result->changes = (int)state.changes;
     out_result->reached = true_value(truth, &state.pose, centre, pull->asked) / pull->asked;
     const int far_enough = out_result->reached >= reach_share, not_beyond = out_result->reached <= 2 - reach_share;

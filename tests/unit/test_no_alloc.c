@@ -35,11 +35,11 @@ static void play_frame(playground* p, int frame) {
     float values[DM_MOTION_FRAMES], value, matrix[16], points[6] = {0, 0, 0, 1, 1, 1};
     dm_camera camera = {.struct_size = sizeof camera, .fov_y = 1, .eye = {0.5f, 0.5f, 5}, .forward = {0, 0, -1}};
     camera.up.y = 1;
-    camera.width = 800;
-    camera.height_px = 600;
+    camera.viewport_width = 800;
+    camera.viewport_height = 600;
     dm_ray ray;
-    dm_drag_state drag;
-    dm_hit hit;
+    dm_drag_state drag = {.struct_size = sizeof drag};
+    dm_hit hit = {.struct_size = sizeof hit};
     assert_int_equal(dm_camera_ray(context, &camera, 400 + (float)frame, 300, &ray), DM_OK);
     assert_int_equal(dm_drag_update(context, p->drag, &ray, 0.016f, &drag), DM_OK);
     assert_int_equal(dm_motion_sample(context, p->motion, (float)frame / 100, &pose, &value), DM_OK);
@@ -49,7 +49,7 @@ static void play_frame(playground* p, int frame) {
     assert_int_equal(dm_scene_move(context, p->scene, p->instance, 0, &poses[0]), DM_OK);
     assert_int_equal(dm_scene_commit(context, p->scene), DM_OK);
     assert_int_equal(dm_scene_pick(context, p->scene, &ray, &hit), DM_OK);
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_get_joint(context, p->object, TEST_DOOR, &joint), DM_OK);
     assert_int_equal(dm_joint_pose(&joint, value, &pose), DM_OK);
     dm_pose_multiply(&pose, &drag.pose, &pose);

@@ -19,7 +19,7 @@ static void score(const lab_case* made, const dm_joint* truth, const float drag_
     lab_pose_target target;
     lab_pose_target_make(&made->cloud, truth, drag_point, &target);
     out->pose[at] = lab_pose_error(&target, slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE, axis, origin);
-    out->confidence[at] = answer->confidence;
+    out->confidence[at] = answer->joint_confidence;
     out->right_type[at] = slides == (truth->type == DM_JOINT_PRISMATIC);
     out->axis_error[at] = acosf(fminf(fabsf(dmi_dot3(axis, true_axis)), 1));
     out->line_error[at] = slides ? -1 : dmi_line_distance3(origin, true_axis, true_origin);
@@ -32,12 +32,12 @@ static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const 
     const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &truth);
     const int with_drag = lab_random_bool(&made->random, options->with_drag);
     const dmi_inference_query query = {.mesh = made->mesh,
-                                        .cloud = &made->cloud,
-                                        .net = net,
-                                        .ranker = ranker,
-                                        .hint = with_drag ? &hint : NULL,
-                                        .welded = made->welded,
-                                        .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
+                                       .cloud = &made->cloud,
+                                       .net = net,
+                                       .ranker = ranker,
+                                       .hint = with_drag ? &hint : NULL,
+                                       .welded = made->welded,
+                                       .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
     dmi_hypotheses found;
     const dm_result result = dmi_joint_inference_run(env, &query, &found, NULL);
     if (result != DM_OK) return result;
