@@ -79,6 +79,42 @@ static void test_memory_is_accounted_to_the_byte(void** state) {
     test_world_close(&w);
 }
 
+/* ---- sizes of buffers ---- */
+
+/* A forgotten format, scope or size is refused before anything is read. */
+static void test_buffers_that_do_not_fit_are_refused(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    uint8_t* bytes = malloc(w.shape.face_count); /* not a byte longer, for the address sanitizer */
+    assert_non_null(bytes);
+    for (uint32_t i = 0; i < w.shape.face_count; i++) bytes[i] = (uint8_t)w.shape.part[i];
+    dm_mesh_desc mesh = test_shape_desc(&w.shape);
+    mesh.part_ids = bytes, mesh.part_id_bytes = w.shape.face_count;
+    const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh};
+    dm_object object = 0;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "part_id_format");
+    mesh.part_id_format = DM_UINT8, mesh.part_id_scope = DM_PER_VERTEX;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "24 vertices");
+    mesh.part_id_scope = DM_PER_FACE, mesh.part_id_bytes = 0;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "part_id_bytes is 0");
+    mesh.part_id_bytes = w.shape.face_count, mesh.index_bytes = mesh.index_count * sizeof(uint16_t);
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "index_format");
+    mesh.index_bytes = mesh.index_count * sizeof(uint32_t), mesh.position_bytes = mesh.vertex_count * 12 - 1;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "position_bytes is 287");
+    mesh.position_bytes++;
+    uint8_t faces[64];
+    const dm_drag_hint hint = test_pull();
+    mesh.part_id_format = DM_UINT32;
+    assert_error(&w, dm_mesh_find_part(w.context, &mesh, &hint, faces, sizeof faces), DM_ERROR_INVALID_ARGUMENT,
+                 "dm_mesh_find_part: mesh.part_id_bytes");
+    mesh.part_id_format = DM_UINT8;
+    assert_int_equal(dm_object_prepare(w.context, &desc, &object), DM_OK);
+    free(bytes);
+    test_world_close(&w);
+}
+
 /* ---- struct_size ---- */
 
 /* A descriptor as a newer caller has it: ours, then fields that we can't know. */
@@ -358,6 +394,7 @@ int main(void) {
         cmocka_unit_test(test_context_with_all_defaults),
         cmocka_unit_test(test_context_names_the_wrong_field),
         cmocka_unit_test(test_memory_is_accounted_to_the_byte),
+        cmocka_unit_test(test_buffers_that_do_not_fit_are_refused),
         cmocka_unit_test(test_inputs_of_other_versions),
         cmocka_unit_test(test_every_descriptor_checks_its_size),
         cmocka_unit_test(test_arrays_of_newer_parts),
