@@ -173,6 +173,10 @@ for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     end
 end
 
+for _, source in ipairs(os.matchfiles("samples/09_recipes/*.c")) do
+    program("recipe_" .. source:match("([%w_]+)%.c$"), { source }, { api }, { "dragmesh", "m" }, "/samples")
+end
+
 if has_viewer then
     program("dragmesh_viewer", { "samples/10_viewer/*.c" }, { api },
         { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" })

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code, and
-# every relative link names a file or folder that exists.
+# tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code, every
+# relative link names a file or folder that exists, and code that names its file (```c FILE) stands in it, line by line.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 expected="docs/ARCHITECTURE.md CONTRIBUTING.md" # may be linked before they are there
@@ -23,6 +23,13 @@ broken=$(awk 'FNR == 1 { code = 0 }
         [ -e "$path" ] || [[ " $expected " == *" $path "* ]] || echo "$file:$line: link to $link, which does not exist"
     done)
 
-[ -z "$long$broken" ] && exit 0
-printf '%s\n' "$long" "$broken" | grep . >&2
+# Blanks aside: code is set shorter on a page than in its file.
+invented=$(awk '/^```c / { source = $2; next } /^```/ { source = "" } source && NF { print FILENAME "\t" source "\t" $0 }' $files |
+    while IFS=$'\t' read -r page source line; do
+        sed 's/[[:blank:]]//g' "$source" | grep -qxF -- "$(sed 's/[[:blank:]]//g' <<< "$line")" ||
+            echo "$page: not in $source: $line"
+    done)
+
+[ -z "$long$broken$invented" ] && exit 0
+printf '%s\n' "$long" "$broken" "$invented" | grep . >&2
 exit 1

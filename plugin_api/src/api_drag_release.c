@@ -46,6 +46,10 @@ static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const 
         dmi_check_range(env, "dm_drag_release: desc.intent", desc->intent, DM_INTENT_AUTO, DM_INTENT_FREEZE);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_release: desc.duration", &desc->duration, 1);
     if (result != DM_OK) return result;
+    if (desc->flags & ~(uint32_t)DM_RELEASE_BY_RULE) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_release: desc.flags is 0x%x: unknown flag",
+                        desc->flags);
+    }
     if (desc->duration < 0.0f) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_release: desc.duration is %g s",
                         (double)desc->duration);
@@ -73,7 +77,7 @@ dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_re
     dm_release_desc known = {0};
     dm_result result = DM_OK;
     if (desc != NULL) {
-        result = dmi_read_desc(env, "dm_drag_release: desc", desc, DMI_FIRST_SIZE(dm_release_desc, seed), sizeof known,
+        result = dmi_read_desc(env, "dm_drag_release: desc", desc, DMI_FIRST_SIZE(dm_release_desc, flags), sizeof known,
                                &known);
     }
     if (result == DM_OK && out_plan != NULL) {
@@ -84,7 +88,8 @@ dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_re
     if (result != DM_OK) return result;
     dmi_drag_slot_warn(env, "dm_drag_release", slot);
     dmi_drag_release(&slot->drag, possible_intent(slot, known.intent), known.duration);
-    if (known.intent != DM_INTENT_REPLAY) pace_by_network(context, slot, known.seed);
+    const bool by_rule = (known.flags & DM_RELEASE_BY_RULE) != 0;
+    if (known.intent != DM_INTENT_REPLAY && !by_rule) pace_by_network(context, slot, known.seed);
     if (out_plan != NULL) write_plan(&slot->drag.release, out_plan);
     return DM_OK;
 }

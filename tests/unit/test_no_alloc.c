@@ -52,6 +52,16 @@ static void play_frame(playground* p, int frame) {
     dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_get_joint(context, p->object, TEST_DOOR, &joint), DM_OK);
     assert_int_equal(dm_joint_pose(&joint, value, &pose), DM_OK);
+    float angle_error, distance_error;
+    dm_part_state part = dm_part_state_default();
+    dm_joint_frame constraint = dm_joint_frame_default();
+    static uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+    assert_int_equal(dm_joint_value(&joint, &pose, &value, &angle_error, &distance_error), DM_OK);
+    assert_int_equal(dm_joint_get_frame(&joint, &constraint), DM_OK);
+    assert_int_equal(dm_joint_scale(&joint, (dm_vec3){1, 2, 3}, &joint), DM_OK);
+    assert_int_equal(dm_drag_get_part_state(context, p->drag, &part), DM_OK);
+    assert_int_equal(dm_drag_save(context, p->drag, saved, sizeof saved), DM_OK);
+    assert_int_equal(dm_drag_restore(context, p->drag, saved, sizeof saved), DM_OK);
     dm_pose_multiply(&pose, &drag.pose, &pose);
     dm_pose_to_matrix(&pose, matrix);
     dm_pose_apply_points(&pose, points, 0, points, 0, 2);

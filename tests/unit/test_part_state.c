@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "../../plugin_api/src/api_handles.h" /* for the instruction set of a context */
 #include "test_world.h"
 
 static const dm_vec3 camera = {2.5f, 1.8f, 4};
@@ -452,6 +453,43 @@ static void snapshots_of_other_things_are_refused(void** state) {
     test_world_close(&w);
 }
 
+/* Plays a drag and a release by rule on the object of a file, on one instruction set. */
+static void play_on(dmi_isa isa, const uint8_t* file, size_t size, recording* out) {
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    w.context->isa = isa;
+    test_world_load_model(&w);
+    const dm_joint hinge = test_hinge();
+    dm_object object = 0;
+    assert_int_equal(dm_object_load(w.context, file, size, w.model, &object), DM_OK);
+    const dm_release_desc rule = {.struct_size = sizeof rule, .intent = DM_INTENT_OPEN, .flags = DM_RELEASE_BY_RULE};
+    const dm_drag drag = begin(&w, object, test_pull().point, NULL);
+    memset(out, 0, sizeof *out);
+    for (int k = 0; k < 120; k++) {
+        const dm_ray ray = ray_to(moved(&hinge, 0.01f * (float)k, test_pull().point));
+        out->frames[k].struct_size = sizeof out->frames[k];
+        if (k == 60) assert_int_equal(dm_drag_release(w.context, drag, &rule, NULL), DM_OK);
+        assert_int_equal(dm_drag_update(w.context, drag, k < 60 ? &ray : NULL, 0.016f, &out->frames[k]), DM_OK);
+    }
+    test_world_close(&w);
+}
+
+static void drags_have_the_same_bits_on_every_instruction_set(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    static uint8_t file[1 << 20];
+    size_t size = 0;
+    static recording plain, fast;
+    assert_int_equal(dm_object_save(w.context, object, file, sizeof file, &size), DM_OK);
+    play_on(DMI_ISA_SCALAR, file, size, &plain);
+    play_on(dmi_cpu_best_isa(), file, size, &fast);
+    assert_memory_equal(&plain, &fast, sizeof plain);
+    test_world_close(&w);
+}
+
 /* The checksum of a snapshot, computed anew, as someone would who means harm (plugin_api/src/api_snapshot.c). */
 static void sign(uint8_t* data, size_t size) {
     const size_t at = 24, start = 32;
@@ -515,6 +553,7 @@ int main(void) {
         cmocka_unit_test(scaled_instances_open_without_shear),
         cmocka_unit_test(a_scaled_release_is_paced_by_the_network),
         cmocka_unit_test(a_restored_drag_gives_the_same_bits),
+        cmocka_unit_test(drags_have_the_same_bits_on_every_instruction_set),
         cmocka_unit_test(snapshots_of_other_things_are_refused),
         cmocka_unit_test(hostile_snapshots_do_no_harm),
     };

@@ -143,7 +143,8 @@ class DragState(Sized):
 
 
 class ReleaseDesc(Sized):
-    _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("duration", c.c_float), ("seed", c.c_uint32)]
+    _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("duration", c.c_float), ("seed", c.c_uint32),
+                ("flags", c.c_uint32)]
 
 
 class ReleasePlan(Sized):

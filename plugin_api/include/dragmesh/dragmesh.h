@@ -18,6 +18,9 @@
  *    dm_joint_*, dm_pose_*) and anything of OTHER contexts, nothing of the context that calls them. They return
  * normally: no C++ exception and no longjmp may pass through the library. What the interrupted call held would be lost,
  * and a lock would stay locked.
+ *  - Determinism: one build of the library gives the same bits for the same calls on every x86-64 processor, drags of a
+ *    loaded .dmo included: begin, update, and a release with DM_RELEASE_BY_RULE. What runs a network (prepare, refine,
+ *    motions, other releases) may differ in its last bits between instruction sets.
  *  - Threading tags:
  *      [any-thread]        callable at any time from any thread.
  *      [exclusive context] no other call on this context at the same time.
@@ -421,11 +424,16 @@ enum {
     DM_INTENT_FREEZE = 5  /* stops dead */
 };
 
+enum {
+    DM_RELEASE_BY_RULE = 1 /* paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets */
+};
+
 typedef struct dm_release_desc {
     uint32_t struct_size;
     int32_t intent; /* DM_INTENT_* */
     float duration; /* s from here to the end; 0 = as far and fast as it goes asks for */
     uint32_t seed;  /* of the DQ-VAE, as dm_motion_desc.seed */
+    uint32_t flags; /* DM_RELEASE_BY_RULE */
 } dm_release_desc;
 
 typedef struct dm_release_plan {
@@ -475,7 +483,8 @@ typedef struct dm_hit {
     X(dm_memory_info)                                                                                                  \
     X(dm_model_desc)                                                                                                   \
     X(dm_mesh_desc)                                                                                                    \
-    X(dm_part_desc) X(dm_joint) X(dm_joint_frame) X(dm_part_state) X(dm_object_desc) X(dm_object_info) X(dm_part_info) \
+    X(dm_part_desc)                                                                                                    \
+    X(dm_joint) X(dm_joint_frame) X(dm_part_state) X(dm_object_desc) X(dm_object_info) X(dm_part_info)                 \
         X(dm_motion_desc) X(dm_drag_desc) X(dm_drag_state) X(dm_release_desc) X(dm_release_plan) X(dm_camera)          \
             X(dm_scene_desc) X(dm_hit)
 
@@ -645,9 +654,9 @@ DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const
                                         dm_drag_state* out_state);
 
 /* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE
- * paces it where the object has its weights. dm_drag_update moves it, dm_drag_end ends it at any time; a second release
- * changes its mind or replays. desc NULL = all defaults; out_plan may be NULL, else its struct_size must be set.
- * Microseconds to a millisecond. One caller at a time per drag. [any-thread] */
+ * paces it where the object has its weights and desc.flags doesn't forbid it. dm_drag_update moves it, dm_drag_end ends
+ * it at any time; a second release changes its mind or replays. desc NULL = all defaults; out_plan may be NULL, else
+ * its struct_size must be set. Microseconds to a millisecond. One caller at a time per drag. [any-thread] */
 DM_API dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
                                          dm_release_plan* out_plan);
 
