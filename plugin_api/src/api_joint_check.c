@@ -101,7 +101,9 @@ dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint*
         *a = (dm_vec3){(float)(x / length), (float)(y / length), (float)(z / length)};
     if (joint->type != DM_JOINT_SCREW) joint->pitch = 0;
     if (has_value_limits(joint->type)) return accept_limits(env, what, size, joint);
-    joint->lower = joint->upper = 0; /* where there are no limits, hosts leave anything, often infinities */
+    /* Where there are no limits, hosts leave anything, often infinities; what a drag gave stays as it is. */
+    const bool harmless = joint->lower <= joint->upper && joint->lower > -FAR_TURN && joint->upper < FAR_TURN;
+    if (!harmless) joint->lower = joint->upper = 0;
     return DM_OK;
 }
 

@@ -484,9 +484,20 @@ typedef struct dm_hit {
     X(dm_model_desc)                                                                                                   \
     X(dm_mesh_desc)                                                                                                    \
     X(dm_part_desc)                                                                                                    \
-    X(dm_joint) X(dm_joint_frame) X(dm_part_state) X(dm_object_desc) X(dm_object_info) X(dm_part_info)                 \
-        X(dm_motion_desc) X(dm_drag_desc) X(dm_drag_state) X(dm_release_desc) X(dm_release_plan) X(dm_camera)          \
-            X(dm_scene_desc) X(dm_hit)
+    X(dm_joint)                                                                                                        \
+    X(dm_joint_frame)                                                                                                  \
+    X(dm_part_state)                                                                                                   \
+    X(dm_object_desc)                                                                                                  \
+    X(dm_object_info)                                                                                                  \
+    X(dm_part_info)                                                                                                    \
+    X(dm_motion_desc)                                                                                                  \
+    X(dm_drag_desc)                                                                                                    \
+    X(dm_drag_state)                                                                                                   \
+    X(dm_release_desc)                                                                                                 \
+    X(dm_release_plan)                                                                                                 \
+    X(dm_camera)                                                                                                       \
+    X(dm_scene_desc)                                                                                                   \
+    X(dm_hit)
 
 #if defined(__cplusplus)
 #define DM_ZEROS                                                                                                       \
