@@ -52,6 +52,7 @@ end
 local function shared(name, sources, includes, libraries, map)
     make(name, "SharedLib", sources, includes, libraries)
         targetdir "build/%{cfg.buildcfg}"
+        defines { "DM_BUILDING" }
         linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,--gc-sections" }
         filter "configurations:asan or tsan"
             linkoptions { "-Wl,-z,undefs" }
@@ -146,6 +147,7 @@ end
 
 -- The boundary with all rooms in one archive: the whole library for static linking, C alone.
 library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, room_libraries)
+    defines { "DM_BUILDING" }
     -- The archive is made anew from its objects and the rooms' archives: ar by itself only ever adds.
     local folder, add = "../%{cfg.buildcfg}/lib/lib", ""
     for _, name in ipairs(room_libraries) do add = add .. " 'addlib " .. folder .. name .. ".a'" end
@@ -201,6 +203,10 @@ for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     if name and not missing[name] then
         program("sample_" .. name, { source }, { api }, needs[name] or { "dragmesh", "m" }, "/samples")
     end
+end
+
+for _, source in ipairs(os.matchfiles("samples/09_recipes/*.c")) do
+    program("recipe_" .. source:match("([%w_]+)%.c$"), { source }, { api }, { "dragmesh", "m" }, "/samples")
 end
 
 if has_viewer then

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code,
-# every relative link names a file or folder that exists, and so does every path in code style outside docs/research.
+# every relative link names a file or folder that exists, so does every path in code style outside docs/research, and
+# code that names its file (```c FILE) stands in it, line by line.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$(find docs -name '*.md'; find samples -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
@@ -29,6 +30,13 @@ gone=$(grep -noE '`(sdk|plugin_api|training|tests|scripts|docs|samples|bindings)
         [ -e "$path" ] || echo "$file:$line: $path does not exist"
     done)
 
-[ -z "$long$broken$gone" ] && exit 0
-printf '%s\n' "$long" "$broken" "$gone" | grep . >&2
+# Blanks aside: code is set shorter on a page than in its file.
+invented=$(awk '/^```c / { source = $2; next } /^```/ { source = "" } source && NF { print FILENAME "\t" source "\t" $0 }' $files |
+    while IFS=$'\t' read -r page source line; do
+        sed 's/[[:blank:]]//g' "$source" | grep -qxF -- "$(sed 's/[[:blank:]]//g' <<< "$line")" ||
+            echo "$page: not in $source: $line"
+    done)
+
+[ -z "$long$broken$gone$invented" ] && exit 0
+printf '%s\n' "$long" "$broken" "$gone" "$invented" | grep . >&2
 exit 1

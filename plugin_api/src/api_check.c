@@ -2,14 +2,28 @@
 #include "api_check.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "math/dual_quat.h"
 
 #define MAX_STRUCT_SIZE 4096 /* bytes; by hand: a larger struct_size was never set */
+#define MAX_WARNING 512      /* bytes of a warning, longer ones are cut; as of an error */
 /* Length of a rotation quaternion that still counts as unit; by hand, generous to accumulated rounding. */
 #define MIN_QUATERNION_LENGTH 0.5f
 #define MAX_QUATERNION_LENGTH 2.0f
+
+void dmi_warn(dmi_env* env, const char* format, ...) {
+    if (env->log.message == NULL) return;
+    char text[MAX_WARNING];
+    va_list arguments;
+    va_start(arguments, format);
+    /* NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): as in dmi_fail */
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    env->log.message(env->log.user, DM_LOG_WARNING, DM_OK, text);
+}
 
 static dm_result check_size(dmi_env* env, const char* what, const void* desc, size_t first, uint32_t* out_size) {
     if (desc == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);

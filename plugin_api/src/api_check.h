@@ -17,6 +17,9 @@ dm_result dmi_check_out(dmi_env* env, const char* what, const void* out, size_t 
 /* Writes as much of `value` as the caller's version holds and zeroes the rest; out->struct_size stays. */
 void dmi_write_out(void* out, const void* value, size_t size);
 
+/* Logs a warning: the call goes on. Not in [frame] functions. */
+void dmi_warn(dmi_env* env, const char* format, ...) DMI_PRINTF(2, 3);
+
 dm_result dmi_check_finite(dmi_env* env, const char* what, const float* values, uint32_t count);
 dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t first, int32_t last);
 /* Checks that a ray has finite numbers and a direction. */

@@ -111,11 +111,15 @@ void DM_CALL dm_context_destroy(dm_context* context) {
 }
 
 dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_info* out_info) {
-    if (context == NULL || out_info == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_env* env = &context->env;
-    *out_info = (dm_memory_info){.bytes = env->bytes,
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &((dm_context*)context)->env; /* for its log */
+    dm_result result =
+        dmi_check_out(env, "dm_context_get_memory: out_info", out_info, DMI_FIRST_SIZE(dm_memory_info, pick_bytes));
+    if (result != DM_OK) return result;
+    const dm_memory_info info = {.bytes = env->bytes,
                                  .peak_bytes = env->peak_bytes,
                                  .allocations = env->allocations,
                                  .pick_bytes = env->pick_bytes};
+    dmi_write_out(out_info, &info, sizeof info);
     return DM_OK;
 }

@@ -1,21 +1,26 @@
 /* Drag handles. A drag copies the joints it may follow, so that an update reads nothing but the drag. */
+#include "api_drag.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
 #include "api_check.h"
-#include "api_handles.h"
-#include "api_motion.h"
+#include "api_joint_check.h"
 #include "math/vec3.h"
-
-/* Bytes of the first version of the struct, which ended with desc.feel.soft_limit. */
-#define FIRST_DRAG_DESC (offsetof(dm_drag_desc, feel) + 2 * sizeof(float))
 
 /* By hand; docs/feel.md. */
 #define BUTTON_TRAVEL 0.04f      /* most travel of a push button, share of the object's size */
 #define BUTTON_SIZE 0.25f        /* largest side of a push button, share of the object's size */
 #define BUTTON_RETURN_TIME 0.12f /* s */
 #define AT_REST_SHARE 0.02f /* of the range (of 1 rad or unit without limits): a part this near to rest is at rest */
+
+/* What can't be meant, by hand: other units are off by a hundred or more, and frame times by a thousand. */
+#define FAR_POINT 50.0f      /* object sizes between object and grabbed point */
+#define FAR_SLIDE 50.0f      /* object sizes of a slide's value */
+#define FAR_TURN 12.6f       /* rad beyond the limits of a turn: two turns, twice what a pull exceeds them by */
+#define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
+#define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
 
 static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
     const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,
@@ -46,24 +51,117 @@ static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
     if (desc->flags & ~(uint32_t)DM_DRAG_KEEP_JOINT) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.flags is 0x%x: unknown flag", desc->flags);
     }
-    return DM_OK;
+    if (desc->reserved == 0) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.reserved is %u: it must be 0", desc->reserved);
 }
 
-/* Returns the largest side of a part's box, host units. */
-static float part_size(const dmi_object* object, uint32_t part) {
-    const dmi_part* shape = &object->parts[part].shape;
-    float size = 0;
-    for (int i = 0; i < 3; i++) size = fmaxf(size, shape->box_max[i] - shape->box_min[i]);
-    return size * dmi_frame_length_out(&object->frame);
+/* ---- the start of a drag ---- */
+
+/* What a drag begins with, in the frame of the scaled instance. */
+typedef struct start {
+    const dm_drag_desc* desc;
+    const dmi_object* object;
+    uint32_t part;
+    dm_vec3 scale;
+    dm_vec3 centre; /* of the object's box */
+    float object_size, part_size;
+    dm_joint joint; /* in force */
+    float value;
+    bool has_pose; /* pose: where the part is shown */
+    dm_pose pose;
+} start;
+
+static bool is_unscaled(dm_vec3 scale) {
+    return scale.x == 1 && scale.y == 1 && scale.z == 1;
 }
+
+/* Returns the largest side of a box of the inner frame, host units of the scaled instance; out_centre: of that box. */
+static float scaled_size(const start* s, const float min[3], const float max[3], dm_vec3* out_centre) {
+    dm_vec3 low, high;
+    dmi_object_box_out(&s->object->frame, min, max, &low, &high);
+    *out_centre = (dm_vec3){0.5f * s->scale.x * (low.x + high.x), 0.5f * s->scale.y * (low.y + high.y),
+                            0.5f * s->scale.z * (low.z + high.z)};
+    if (is_unscaled(s->scale)) {
+        const float side = fmaxf(max[0] - min[0], fmaxf(max[1] - min[1], max[2] - min[2]));
+        return side * dmi_frame_length_out(&s->object->frame);
+    }
+    const float x = fabsf(s->scale.x) * (high.x - low.x), y = fabsf(s->scale.y) * (high.y - low.y);
+    return fmaxf(x, fmaxf(y, fabsf(s->scale.z) * (high.z - low.z)));
+}
+
+static void measure(start* s) {
+    const dmi_part* shape = &s->object->parts[s->part].shape;
+    dm_vec3 unused;
+    s->part_size = scaled_size(s, shape->box_min, shape->box_max, &unused);
+    s->object_size = scaled_size(s, s->object->box_min, s->object->box_max, &s->centre);
+    if (is_unscaled(s->scale)) s->object_size = dmi_frame_length_out(&s->object->frame);
+}
+
+/* Reads the instance's own joint and value. */
+static dm_result read_state(dmi_env* env, start* s) {
+    dm_part_state state;
+    dm_result result = dmi_read_desc(env, "dm_drag_begin: desc.state", s->desc->state,
+                                     DMI_FIRST_SIZE(dm_part_state, joint), sizeof state, &state);
+    if (result == DM_OK) result = dmi_joint_read(env, "dm_drag_begin: desc.state.joint", &state.joint, &s->joint);
+    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.state.value", &state.value, 1);
+    if (result == DM_OK) result = dmi_joint_accept(env, "dm_drag_begin: desc.state.joint", s->object_size, &s->joint);
+    if (result == DM_OK)
+        result = dmi_check_range(env, "dm_drag_begin: desc.state.joint.source", s->joint.source, DM_JOINT_FROM_NETWORK,
+                                 DM_JOINT_FROM_HOST);
+    if (result != DM_OK) return result;
+    s->value = state.value;
+    const float* r = state.pose.real;
+    s->has_pose = r[0] != 0 || r[1] != 0 || r[2] != 0 || r[3] != 0;
+    return s->has_pose ? dmi_check_pose(env, "dm_drag_begin: desc.state.pose", &state.pose, &s->pose) : DM_OK;
+}
+
+static dm_result read_start(dmi_env* env, start* s) {
+    dm_result result = dmi_scale_read(env, "dm_drag_begin: desc.scale", s->desc->scale, &s->scale);
+    if (result != DM_OK) return result;
+    measure(s);
+    s->joint = s->object->parts[s->part].joint;
+    s->value = s->desc->start_value;
+    dmi_joint_scale(&s->joint, s->scale);
+    if (s->desc->state == NULL) return DM_OK;
+    if (s->desc->start_value == 0) return read_state(env, s);
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.start_value is %g, but desc.state has a value",
+                    (double)s->desc->start_value);
+}
+
+static void warn_of_point(dmi_env* env, const start* s) {
+    const dm_vec3 p = s->desc->grab_point;
+    const float x = p.x - s->centre.x, y = p.y - s->centre.y, z = p.z - s->centre.z;
+    const float far = fmaxf(fabsf(x), fmaxf(fabsf(y), fabsf(z))) / s->object_size;
+    if (!(far > FAR_POINT)) return;
+    dmi_warn(env,
+             "dm_drag_begin: desc.grab_point (%g, %g, %g) is %.0f object sizes away from the object, which is %g host "
+             "units large. Is it in another unit, or in the world's frame?",
+             (double)p.x, (double)p.y, (double)p.z, (double)far, (double)s->object_size);
+}
+
+static void warn_of_value(dmi_env* env, const start* s) {
+    const char* field = s->desc->state != NULL ? "desc.state.value" : "desc.start_value";
+    const dm_joint* joint = &s->joint;
+    const float value = s->value, beyond = fmaxf(value - joint->upper, joint->lower - value);
+    if (joint->type == DM_JOINT_PRISMATIC && fabsf(value) > FAR_SLIDE * s->object_size) {
+        dmi_warn(env,
+                 "dm_drag_begin: %s is %g host units, the object is %g large. Were millimetres or another unit meant?",
+                 field, (double)value, (double)s->object_size);
+    } else if (joint->type == DM_JOINT_REVOLUTE && dmi_joint_has_limits(joint) && beyond > FAR_TURN) {
+        dmi_warn(env, "dm_drag_begin: %s is %g rad, the joint ends at %g and %g. Were degrees meant?", field,
+                 (double)value, (double)joint->lower, (double)joint->upper);
+    }
+}
+
+/* ---- hypotheses ---- */
 
 /* Whether a part is a push button: small, and sliding a short way to one side of rest only. */
-static bool is_button(const dmi_object* object, uint32_t part) {
-    const dm_joint* joint = &object->parts[part].joint;
-    const float whole = dmi_frame_length_out(&object->frame), range = joint->upper - joint->lower;
-    if (joint->type != DM_JOINT_PRISMATIC || !(range > 0) || range > BUTTON_TRAVEL * whole) return false;
+static bool is_button(const start* s) {
+    const dm_joint* joint = &s->joint;
+    const float range = joint->upper - joint->lower;
+    if (joint->type != DM_JOINT_PRISMATIC || !(range > 0) || range > BUTTON_TRAVEL * s->object_size) return false;
     const bool one_way = joint->lower >= -AT_REST_SHARE * range || joint->upper <= AT_REST_SHARE * range;
-    return one_way && part_size(object, part) <= BUTTON_SIZE * whole;
+    return one_way && s->part_size <= BUTTON_SIZE * s->object_size;
 }
 
 /* Whether the part is at rest, where all hypotheses agree on its pose. */
@@ -72,87 +170,167 @@ static bool is_at_rest(const dm_joint* joint, float value) {
     return fabsf(value) <= AT_REST_SHARE * range;
 }
 
-/* Takes a free range of the object-normalised frame to host units. */
-static dmi_free_range free_range_out(const dmi_object* object, int32_t type, dmi_free_range inner) {
-    const float length = type == DM_JOINT_PRISMATIC ? dmi_frame_length_out(&object->frame) : 1;
+/* Takes a free range of the object-normalised frame to host units. Unbounded for an instance that is not scaled evenly:
+ * its part and body no longer have the shape that the range was found with. */
+static dmi_free_range free_range_out(const start* s, int32_t type, dmi_free_range inner) {
+    if (!(s->scale.x > 0 && s->scale.x == s->scale.y && s->scale.x == s->scale.z)) return dmi_unbounded_range();
+    const float length = type == DM_JOINT_PRISMATIC ? s->scale.x * dmi_frame_length_out(&s->object->frame) : 1;
     return (dmi_free_range){fmaxf(inner.lower * length, -FLT_MAX), fminf(inner.upper * length, FLT_MAX)};
 }
 
-static void add_alternatives(dmi_hypothesis_tracker* tracker, const dmi_object* object,
-                             const dmi_alternatives* alternatives) {
+/* Adds slides along the axes of the canonical frame. */
+static void add_slides(dmi_hypothesis_tracker* tracker, const start* s) {
+    const dmi_free_range* ranges = s->object->parts[s->part].alternatives.slides;
+    for (int i = 0; i < 3; i++) {
+        const dm_joint inner = {.type = DM_JOINT_PRISMATIC, .axis = {i == 0, i == 1, i == 2}};
+        dm_joint joint = dmi_frame_joint_out(&s->object->frame, &inner);
+        dmi_joint_scale(&joint, s->scale);
+        dmi_hypothesis_tracker_add_slide(tracker, joint.axis, free_range_out(s, joint.type, ranges[i]));
+    }
+}
+
+static void add_alternatives(dmi_hypothesis_tracker* tracker, const start* s) {
+    const dmi_alternatives* alternatives = &s->object->parts[s->part].alternatives;
     for (uint32_t i = 0; i < alternatives->count; i++) {
         const dmi_alternative* one = &alternatives->list[i];
         const dm_joint inner = {.type = one->type,
                                 .type_confidence = one->confidence,
-                                .confidence = one->confidence,
+                                .joint_confidence = one->confidence,
                                 .axis = {one->axis[0], one->axis[1], one->axis[2]},
                                 .origin = {one->origin[0], one->origin[1], one->origin[2]},
                                 .source = DM_JOINT_FROM_GEOMETRY};
-        const dm_joint joint = dmi_frame_joint_out(&object->frame, &inner);
-        const dmi_free_range range = free_range_out(object, joint.type, one->free_range);
+        dm_joint joint = dmi_frame_joint_out(&s->object->frame, &inner);
+        dmi_joint_scale(&joint, s->scale);
+        const dmi_free_range range = free_range_out(s, joint.type, one->free_range);
         dmi_hypothesis_tracker_add_alternative(tracker, &joint, range);
     }
 }
 
-/* Adds slides along the axes of the canonical frame. */
-static void add_slides(dmi_hypothesis_tracker* tracker, const dmi_object* object, const dmi_free_range ranges[3]) {
-    for (int i = 0; i < 3; i++) {
-        const dm_joint inner = {.type = DM_JOINT_PRISMATIC, .axis = {i == 0, i == 1, i == 2}};
-        const dm_joint joint = dmi_frame_joint_out(&object->frame, &inner);
-        dmi_hypothesis_tracker_add_slide(tracker, joint.axis, free_range_out(object, joint.type, ranges[i]));
-    }
+/* Whether the axes of two joints that are alike point the same way. */
+static bool same_direction(const dm_joint* a, const dm_joint* b) {
+    return a->axis.x * b->axis.x + a->axis.y * b->axis.y + a->axis.z * b->axis.z > 0;
 }
 
-static void begin(dmi_drag_slot* slot, const dm_drag_desc* desc) {
-    const dmi_object* object = slot->owner->object;
-    const dmi_object_part* part = &object->parts[slot->part];
-    dm_joint joint = part->joint, joints[DM_MAX_HYPOTHESES];
+/* Collects the hypotheses: the instance's own joint first, where it has one. */
+static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESES],
+                                   dmi_free_range out_ranges[DM_MAX_HYPOTHESES]) {
+    const dmi_hypotheses* all = &s->object->parts[s->part].hypotheses;
+    uint32_t count = 0;
+    if (s->desc->state != NULL) {
+        out_ranges[count] = dmi_unbounded_range();
+        out[count++] = s->joint;
+    }
+    for (uint32_t i = 0; i < all->count && count < DM_MAX_HYPOTHESES; i++) {
+        dm_joint joint = dmi_frame_joint_out(&s->object->frame, &all->joints[i]);
+        dmi_joint_scale(&joint, s->scale);
+        const bool again = s->desc->state != NULL && dmi_joints_alike(&s->joint, &joint, s->part_size);
+        const dmi_free_range range = free_range_out(s, joint.type, all->free_range[i]);
+        if (!again) {
+            out_ranges[count] = range;
+            out[count++] = joint;
+        } else {
+            out_ranges[0] = same_direction(&s->joint, &joint) ? range : dmi_reversed_range(range);
+        }
+    }
+    return count;
+}
+
+static void track(dmi_drag* drag, const start* s) {
+    dm_joint joints[DM_MAX_HYPOTHESES];
     dmi_free_range free_ranges[DM_MAX_HYPOTHESES];
-    dm_drag_feel feel = desc->feel;
-    const bool certain = desc->flags & DM_DRAG_KEEP_JOINT || joint.source == DM_JOINT_FROM_HOST;
-    if (!certain && dmi_joint_has_limits(&joint)) { /* an earlier drag may have exceeded the estimated limits */
-        joint.lower = fminf(joint.lower, desc->start_value), joint.upper = fmaxf(joint.upper, desc->start_value);
-    }
-    if (feel.return_time == 0.0f && is_button(object, slot->part)) feel.return_time = BUTTON_RETURN_TIME;
-    dmi_drag_begin(&slot->drag, &joint, dmi_xyz(desc->grab_point).v, desc->start_value, &feel);
-    if (certain) return;
-    const uint32_t count = is_at_rest(&joint, desc->start_value) ? part->hypotheses.count : 0;
-    for (uint32_t i = 0; i < count; i++) {
-        joints[i] = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
-        free_ranges[i] = free_range_out(object, joints[i].type, part->hypotheses.free_range[i]);
-    }
-    const dmi_limit_give limit_give = {.share = desc->limit_give, .length = dmi_frame_length_out(&object->frame)};
-    dmi_drag_track_hypotheses(&slot->drag, joints, free_ranges, count, part_size(object, slot->part), limit_give);
+    const uint32_t count = is_at_rest(&s->joint, s->value) ? collect_hypotheses(s, joints, free_ranges) : 0;
+    const dmi_limit_give limit_give = {.share = s->desc->limit_give, .length = s->object_size};
+    dmi_drag_track_hypotheses(drag, joints, free_ranges, count, s->part_size, limit_give);
     if (count == 0) return;
-    add_slides(&slot->drag.tracker, object, part->alternatives.slides);
-    add_alternatives(&slot->drag.tracker, object, &part->alternatives);
+    add_slides(&drag->tracker, s);
+    add_alternatives(&drag->tracker, s);
 }
 
-dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {
-    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+/* ---- begin ---- */
+
+/* Starts where the part is shown, and comes over to the joint from there. */
+static void begin_at_pose(dmi_drag* drag, const start* s, const dm_drag_feel* feel) {
+    const dm_pose on_joint = dmi_joint_pose(&s->joint, s->value), back = dmi_pose_inverse(&s->pose);
+    float rest[3], grab[3];
+    dmi_pose_apply(&back, dmi_xyz(s->desc->grab_point).v, rest);
+    dmi_pose_apply(&on_joint, rest, grab);
+    dmi_drag_begin(drag, &s->joint, grab, s->value, feel);
+    const dm_pose now = dmi_joint_pose(&drag->joint, drag->value);
+    drag->blend = dmi_pose_blend_new_joint(&s->pose, &now, drag->rest_point, s->part_size);
+    const dmi_float3 shown = dmi_xyz(s->desc->grab_point);
+    for (int i = 0; i < 3; i++) drag->point[i] = shown.v[i];
+}
+
+static bool same_pose(const dm_pose* a, const dm_pose* b) {
+    bool same = true;
+    for (int i = 0; i < 4; i++) same = same && a->real[i] == b->real[i] && a->dual[i] == b->dual[i];
+    return same;
+}
+
+static void begin(dmi_drag_slot* slot, start* s) {
+    dm_drag_feel feel = s->desc->feel;
+    const bool certain = s->desc->flags & DM_DRAG_KEEP_JOINT || s->joint.source == DM_JOINT_FROM_HOST;
+    const dm_pose on_joint = dmi_joint_pose(&s->joint, s->value);
+    if (!certain && dmi_joint_has_limits(&s->joint)) { /* an earlier drag may have exceeded the estimated limits */
+        s->joint.lower = fminf(s->joint.lower, s->value), s->joint.upper = fmaxf(s->joint.upper, s->value);
+    }
+    if (feel.return_time == 0.0f && is_button(s)) feel.return_time = BUTTON_RETURN_TIME;
+    slot->scale = s->scale;
+    slot->open_side = (int8_t)dmi_joint_open_side(&s->joint, s->object_size);
+    slot->value_unit = dmi_joint_value_unit(&s->joint, s->object_size);
+    if (slot->open_side != 0) feel.soft_limit *= slot->value_unit / (s->joint.upper - s->joint.lower);
+    if (s->has_pose && !same_pose(&s->pose, &on_joint)) {
+        begin_at_pose(&slot->drag, s, &feel);
+    } else {
+        dmi_drag_begin(&slot->drag, &s->joint, dmi_xyz(s->desc->grab_point).v, s->value, &feel);
+    }
+    if (!certain) track(&slot->drag, s);
+}
+
+static dm_result publish(dm_context* context, dmi_object_slot* owner, start* s, dm_drag* out_drag) {
     dmi_env* env = &context->env;
-    dm_drag_desc known;
-    dm_result result = dmi_read_desc(env, "dm_drag_begin: desc", desc, FIRST_DRAG_DESC, sizeof known, &known);
-    if (result != DM_OK) return result;
-    if (out_drag == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: out_drag is NULL");
-    dmi_object_slot* owner = dmi_find(context, context->objects, "dm_drag_begin: desc.object", known.object);
-    if (owner == NULL) return DM_ERROR_STALE_HANDLE;
-    uint32_t part = 0;
-    result = dmi_find_part(context, "dm_drag_begin: desc.part_id", owner->object, known.part_id, &part);
-    if (result == DM_OK) result = check_desc(env, &known);
-    if (result != DM_OK) return result;
     dmi_drag_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_drag_slot));
     if (slot == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_drag_begin: no memory");
     slot->owner = owner;
-    slot->part = part;
-    begin(slot, &known);
-    result = dmi_dependent_add(context, context->drags, &owner->drags, &slot->link);
+    slot->part = s->part;
+    begin(slot, s);
+    dm_result result = dmi_dependent_add(context, context->drags, &owner->drags, &slot->link);
     if (result != DM_OK) {
         dmi_free(env, slot, sizeof *slot);
         return result;
     }
     *out_drag = slot->link.handle;
     return DM_OK;
+}
+
+dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dm_drag_desc known;
+    dm_result result =
+        dmi_read_desc(env, "dm_drag_begin: desc", desc, DMI_FIRST_SIZE(dm_drag_desc, reserved), sizeof known, &known);
+    if (result != DM_OK) return result;
+    if (out_drag == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: out_drag is NULL");
+    dmi_object_slot* owner = dmi_find(context, context->objects, "dm_drag_begin: desc.object", known.object);
+    if (owner == NULL) return DM_ERROR_STALE_HANDLE;
+    start s = {.desc = &known, .object = owner->object};
+    result = dmi_find_part(context, "dm_drag_begin: desc.part_id", s.object, known.part_id, &s.part);
+    if (result == DM_OK) result = check_desc(env, &known);
+    if (result == DM_OK) result = read_start(env, &s);
+    if (result != DM_OK) return result;
+    warn_of_point(env, &s);
+    warn_of_value(env, &s);
+    return publish(context, owner, &s, out_drag);
+}
+
+/* ---- update and end ---- */
+
+/* Where only one limit is a limit, shares of the range say nothing. */
+static int32_t only_limit_at(const dmi_drag_slot* slot) {
+    const dm_joint* joint = &slot->drag.joint;
+    const float value = slot->drag.value, tolerance = STOP_TOLERANCE * slot->value_unit;
+    if (slot->open_side > 0) return value <= joint->lower + tolerance ? -1 : 0;
+    return value >= joint->upper - tolerance ? 1 : 0;
 }
 
 dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
@@ -167,102 +345,61 @@ dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_update: dt", &dt, 1);
     if (result != DM_OK) return result;
     if (dt < 0.0f) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_update: dt is %g s", (double)dt);
-    if (out_state == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_update: out_state is NULL");
-    dmi_drag_update(&slot->drag, ray, dt, out_state);
-    return DM_OK;
-}
-
-dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_drag_state* out_state) {
-    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_drag_slot* slot = dmi_take(context, context->drags, "dm_drag_end", drag);
-    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    if (out_state != NULL) dmi_drag_get_state(&slot->drag, out_state);
-    dmi_dependent_unlink(context, &slot->owner->drags, &slot->link);
-    dmi_free(&context->env, slot, sizeof *slot);
-    return DM_OK;
-}
-
-dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint* out_joint) {
-    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_get_joint", drag);
-    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    if (out_joint == NULL) {
-        return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_get_joint: out_joint is NULL");
-    }
-    *out_joint = slot->drag.joint;
-    if (slot->drag.tracker.count > 0) out_joint->confidence = dmi_hypothesis_tracker_confidence(&slot->drag.tracker);
-    return DM_OK;
-}
-
-/* ---- release ---- */
-
-/* Paces the release by the motion that the network generates for pulling the grabbed point to the plan's outer end. */
-static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t seed) {
-    const dmi_release* plan = &slot->drag.release;
-    const dmi_model_slot* model = dmi_pool_get(context->models, slot->owner->model);
-    if (plan->phase != DM_DRAG_RELEASED || plan->glides || slot->drag.feel.return_time > 0) return;
-    if (model == NULL || model->motion == NULL || slot->owner->features == NULL)
-        return; /* keeps the minimum-jerk pace */
-    const float outer = fabsf(plan->end) > fabsf(plan->start) ? plan->end : plan->start;
-    float pull[3], values[DM_MOTION_FRAMES];
-    dmi_joint_velocity(&slot->drag.joint, 0, slot->drag.rest_point, pull);
-    const float* grab = slot->drag.rest_point;
-    const dm_drag_hint host = {{grab[0], grab[1], grab[2]}, {outer * pull[0], outer * pull[1], outer * pull[2]}};
-    dmi_drag_hint hint;
-    dm_result result = dmi_object_hint(&context->env, "dm_drag_release: the grabbed point", slot->owner->object,
-                                       slot->part, &host, &hint);
-    if (result == DM_OK) {
-        result = dmi_motion_opening(context, slot->owner, slot->part, &slot->drag.joint, &hint, seed, values);
-    }
-    if (result == DM_OK) dmi_release_set_pace(&slot->drag.release, values);
-}
-
-static void write_plan(const dmi_release* release, dm_release_plan* out_plan) {
-    const dm_release_plan plan = {.intent = release->intent,
-                                  .start_value = release->start,
-                                  .end_value = release->end,
-                                  .duration = release->duration,
-                                  .from_network = (uint32_t)release->paced};
-    dmi_write_out(out_plan, &plan, sizeof plan);
-}
-
-static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const dmi_release* last) {
-    dm_result result =
-        dmi_check_range(env, "dm_drag_release: desc.intent", desc->intent, DM_INTENT_AUTO, DM_INTENT_FREEZE);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_release: desc.duration", &desc->duration, 1);
+    result = dmi_check_out(env, "dm_drag_update: out_state", out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
     if (result != DM_OK) return result;
-    if (desc->duration < 0.0f) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_release: desc.duration is %g s",
-                        (double)desc->duration);
-    }
-    if (desc->intent == DM_INTENT_REPLAY && last->phase == DM_DRAG_HELD) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
-                        "dm_drag_release: desc.intent is DM_INTENT_REPLAY, but the drag "
-                        "was never released");
-    }
+    if (dt > LONG_FRAME && slot->longest_frame == 0) slot->longest_frame = dt;
+    dm_drag_state state;
+    dmi_drag_update(&slot->drag, ray, dt, &state);
+    if (slot->open_side != 0) state.at_limit = only_limit_at(slot);
+    dmi_write_out(out_state, &state, sizeof state);
     return DM_OK;
 }
 
-dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
-                                  dm_release_plan* out_plan) {
+void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot) {
+    if (!(slot->longest_frame > 0)) return;
+    dmi_warn(env, "%s: an update of this drag had dt %g s. Were milliseconds meant?", function,
+             (double)slot->longest_frame);
+    slot->longest_frame = -1;
+}
+
+static void write_part_state(const dmi_drag_slot* slot, dm_part_state* out_state) {
+    const dmi_drag* drag = &slot->drag;
+    dm_drag_state now;
+    dmi_drag_get_state(drag, &now);
+    dm_part_state state = {.value = drag->value, .pose = now.pose, .joint = drag->joint};
+    const uint32_t room = out_state->struct_size - (uint32_t)offsetof(dm_part_state, joint);
+    state.joint.struct_size = room < sizeof state.joint ? room : (uint32_t)sizeof state.joint;
+    if (drag->tracker.count > 0) state.joint.joint_confidence = dmi_hypothesis_tracker_confidence(&drag->tracker);
+    state.joint.type_confidence = fmaxf(state.joint.type_confidence, state.joint.joint_confidence);
+    dmi_write_out(out_state, &state, sizeof state);
+}
+
+static dm_result check_part_state(dmi_env* env, const char* what, const dm_part_state* out_state) {
+    return dmi_check_out(env, what, out_state, DMI_FIRST_SIZE(dm_part_state, joint));
+}
+
+dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* out_state) {
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
-    dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_release", drag);
+    if (out_state != NULL) {
+        dm_result result = check_part_state(env, "dm_drag_end: out_state", out_state);
+        if (result != DM_OK) return result;
+    }
+    dmi_drag_slot* slot = dmi_take(context, context->drags, "dm_drag_end", drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dm_release_desc known = {0};
-    dm_result result = DM_OK;
-    if (desc != NULL) {
-        result = dmi_read_desc(env, "dm_drag_release: desc", desc, DMI_FIRST_SIZE(dm_release_desc, seed), sizeof known,
-                               &known);
-    }
-    if (result == DM_OK && out_plan != NULL) {
-        result =
-            dmi_check_out(env, "dm_drag_release: out_plan", out_plan, DMI_FIRST_SIZE(dm_release_plan, from_network));
-    }
-    if (result == DM_OK) result = check_release(env, &known, &slot->drag.release);
-    if (result != DM_OK) return result;
-    dmi_drag_release(&slot->drag, known.intent, known.duration);
-    if (known.intent != DM_INTENT_REPLAY) pace_by_network(context, slot, known.seed);
-    if (out_plan != NULL) write_plan(&slot->drag.release, out_plan);
+    if (out_state != NULL) write_part_state(slot, out_state);
+    dmi_drag_slot_warn(env, "dm_drag_end", slot);
+    dmi_dependent_unlink(context, &slot->owner->drags, &slot->link);
+    dmi_free(env, slot, sizeof *slot);
     return DM_OK;
+}
+
+dm_result DM_CALL dm_drag_get_part_state(dm_context* context, dm_drag drag, dm_part_state* out_state) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_get_part_state", drag);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    dm_result result = check_part_state(env, "dm_drag_get_part_state: out_state", out_state);
+    if (result == DM_OK) write_part_state(slot, out_state);
+    return result;
 }

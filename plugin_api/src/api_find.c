@@ -1,6 +1,7 @@
 /* Finds the part at the grabbed point, for hosts without a mask. */
 #include "api_check.h"
 #include "api_handles.h"
+#include "api_mesh.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 #include "segmentation/part_finder.h"
@@ -44,8 +45,7 @@ dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mes
     if (drag == NULL || out_face_ids == NULL)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_find_part: %s is NULL",
                         drag != NULL ? "out_face_ids" : "drag");
-    dm_result result = dmi_read_desc(env, "dm_mesh_find_part: mesh", mesh, DMI_FIRST_SIZE(dm_mesh_desc, reserved),
-                                     sizeof known, &known);
+    dm_result result = dmi_mesh_desc_read(env, "dm_mesh_find_part: mesh", mesh, &known);
     dmi_mesh* inner = NULL;
     if (result == DM_OK) result = dmi_mesh_create_pieces(env, &context->axes, &known, &inner);
     if (result != DM_OK) return result;

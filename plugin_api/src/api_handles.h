@@ -48,7 +48,11 @@ typedef struct dmi_motion_slot {
 typedef struct dmi_drag_slot {
     dmi_dependent link;
     dmi_object_slot* owner;
-    uint32_t part; /* index in the object */
+    uint32_t part;       /* index in the object */
+    dm_vec3 scale;       /* of the instance */
+    int8_t open_side;    /* +1: no upper limit, but a lower one; -1: the reverse; 0: both or none */
+    float value_unit;    /* the object's size for slides, 1 rad for turns */
+    float longest_frame; /* s: dt of an update too long to be meant; 0: none, -1: reported */
     dmi_drag drag;
 } dmi_drag_slot;
 

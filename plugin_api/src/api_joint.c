@@ -1,13 +1,13 @@
 /* The joints of an object: inferred ones, and those that the host sets. */
 #include <math.h>
+#include <string.h>
 
 #include "api_check.h"
 #include "api_handles.h"
+#include "api_joint_check.h"
 #include "api_model.h"
 
-#define MIN_AXIS_LENGTH 1e-6 /* of a host's axis; shorter ones have no direction; by hand */
-
-enum { WITHOUT_LIMITS = 7, WITH_LIMITS = 9 }; /* numbers of a joint that are checked */
+#define DEGREES_BEYOND 25.0f /* rad: four turns. A hinge with a farther limit was meant in degrees; by hand */
 
 /* Finds object and part of a call; messages are in the name of `function`. */
 static dm_result find(dm_context* context, const char* function, dm_object object, uint32_t part_id,
@@ -19,14 +19,23 @@ static dm_result find(dm_context* context, const char* function, dm_object objec
 
 dm_result DM_CALL dm_object_get_joint(dm_context* context, dm_object object, uint32_t part_id, dm_joint* out_joint) {
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    if (out_joint == NULL) {
-        return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_object_get_joint: out_joint is NULL");
-    }
     dmi_object_slot* slot;
     uint32_t index;
-    dm_result result = find(context, "dm_object_get_joint", object, part_id, &slot, &index);
-    if (result == DM_OK) *out_joint = slot->object->parts[index].joint;
+    dm_result result = dmi_joint_check_out(&context->env, "dm_object_get_joint: out_joint", out_joint);
+    if (result == DM_OK) result = find(context, "dm_object_get_joint", object, part_id, &slot, &index);
+    if (result == DM_OK) dmi_write_out(out_joint, &slot->object->parts[index].joint, sizeof(dm_joint));
     return result;
+}
+
+/* Writes joints into the host's array, whose stride is the host's struct_size. */
+static void write_joints(const dmi_frame* frame, const dmi_hypotheses* ranked, uint32_t count, dm_joint* out_joints) {
+    const uint32_t step = out_joints[0].struct_size;
+    for (uint32_t i = 0; i < count; i++) {
+        uint8_t* out = (uint8_t*)out_joints + (size_t)i * step;
+        const dm_joint joint = dmi_frame_joint_out(frame, &ranked->joints[i]);
+        memcpy(out, &step, sizeof step);
+        dmi_write_out(out, &joint, sizeof joint);
+    }
 }
 
 dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object, uint32_t part_id,
@@ -41,6 +50,8 @@ dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object
     dmi_object_slot* slot;
     uint32_t index;
     dm_result result = find(context, "dm_object_get_hypotheses", object, part_id, &slot, &index);
+    if (result == DM_OK && capacity > 0)
+        result = dmi_joint_check_out(env, "dm_object_get_hypotheses: out_joints[0]", out_joints);
     if (result != DM_OK) return result;
     dmi_hypotheses ranked = slot->object->parts[index].hypotheses;
     if (drag != NULL) {
@@ -50,7 +61,7 @@ dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object
         dmi_hypotheses_rerank(&slot->object->parts[index].hypotheses, &hint, &ranked);
     }
     uint32_t count = ranked.count < capacity ? ranked.count : capacity;
-    for (uint32_t i = 0; i < count; i++) out_joints[i] = dmi_frame_joint_out(&slot->object->frame, &ranked.joints[i]);
+    if (count > 0) write_joints(&slot->object->frame, &ranked, count, out_joints);
     *out_count = count;
     return DM_OK;
 }
@@ -79,49 +90,61 @@ dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32
     return dmi_object_refine(env, slot->object, index, &models, &hint);
 }
 
-/* Copies a host's joint with a unit axis and only the limits that its type has; errors name the field. */
-static dm_result accept_joint(dmi_env* env, const dm_joint* given, dm_joint* out) {
-    const float numbers[WITH_LIMITS] = {given->axis.x,   given->axis.y, given->axis.z, given->origin.x, given->origin.y,
-                                        given->origin.z, given->pitch,  given->lower,  given->upper};
-    static const char* const names[WITH_LIMITS] = {"axis.x",   "axis.y", "axis.z", "origin.x", "origin.y",
-                                                   "origin.z", "pitch",  "lower",  "upper"};
-    *out = *given;
-    dm_result result =
-        dmi_check_range(env, "dm_object_set_joint: joint.type", given->type, DM_JOINT_REVOLUTE, DM_JOINT_FIXED);
-    if (result != DM_OK) return result;
-    /* A continuous joint has no limits, so their fields may hold anything, often infinities. */
-    const int count = given->type == DM_JOINT_CONTINUOUS ? WITHOUT_LIMITS : WITH_LIMITS;
-    for (int i = 0; i < count; i++) {
-        if (isfinite(numbers[i])) continue;
-        return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_object_set_joint: joint.%s is %g", names[i], (double)numbers[i]);
-    }
-    double length =
-        sqrt((double)numbers[0] * numbers[0] + (double)numbers[1] * numbers[1] + (double)numbers[2] * numbers[2]);
-    if (!(length > MIN_AXIS_LENGTH) && given->type != DM_JOINT_FIXED) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint.axis has length %g", length);
-    }
-    if (count == WITH_LIMITS && given->lower > given->upper) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint.lower %g is above joint.upper %g",
-                        (double)given->lower, (double)given->upper);
-    }
-    const double inverse = length > MIN_AXIS_LENGTH ? 1.0 / length : 0.0;
-    out->axis = (dm_vec3){(float)(numbers[0] * inverse), (float)(numbers[1] * inverse), (float)(numbers[2] * inverse)};
-    if (inverse == 0.0) out->axis.y = 1.0f; /* a fixed joint needs an axis, any will do */
-    if (given->type == DM_JOINT_CONTINUOUS || given->type == DM_JOINT_FIXED) out->lower = out->upper = 0.0f;
-    if (given->type != DM_JOINT_SCREW) out->pitch = 0.0f;
-    out->type_confidence = out->confidence = 1.0f;
-    out->source = DM_JOINT_FROM_HOST;
-    return DM_OK;
+/* ---- the host's joint ---- */
+
+/* Returns the library's own answer. */
+static dm_joint own_joint(const dmi_object* object, uint32_t index) {
+    const dmi_object_part* part = &object->parts[index];
+    return part->hypotheses.count > 0 ? dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[0]) : part->joint;
+}
+
+/* Whether two joints are the same motion, bit for bit; confidences and source aside. */
+static bool same_motion(const dm_joint* a, const dm_joint* b) {
+    const float x[9] = {a->axis.x,   a->axis.y, a->axis.z, a->origin.x, a->origin.y,
+                        a->origin.z, a->pitch,  a->lower,  a->upper};
+    const float y[9] = {b->axis.x,   b->axis.y, b->axis.z, b->origin.x, b->origin.y,
+                        b->origin.z, b->pitch,  b->lower,  b->upper};
+    return a->type == b->type && memcmp(x, y, sizeof x) == 0;
+}
+
+static void warn_of_degrees(dmi_env* env, const dm_joint* joint) {
+    if (joint->type != DM_JOINT_REVOLUTE || !dmi_joint_has_limits(joint)) return;
+    const float most = fmaxf(fabsf(joint->lower), fabsf(joint->upper));
+    if (most <= DEGREES_BEYOND || dmi_joint_open_side(joint, 1) != 0) return;
+    dmi_warn(env, "dm_object_set_joint: joint has limits %g to %g: they are taken as radians. Were degrees meant?",
+             (double)joint->lower, (double)joint->upper);
 }
 
 dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id, const dm_joint* joint) {
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    if (joint == NULL) return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_object_set_joint: joint is NULL");
+    dmi_env* env = &context->env;
     dmi_object_slot* slot;
     uint32_t index;
-    dm_result result = find(context, "dm_object_set_joint", object, part_id, &slot, &index);
-    dm_joint accepted;
-    if (result == DM_OK) result = accept_joint(&context->env, joint, &accepted);
-    if (result == DM_OK) slot->object->parts[index].joint = accepted;
+    dm_joint given;
+    dm_result result = dmi_joint_read(env, "dm_object_set_joint: joint", joint, &given);
+    if (result == DM_OK) result = find(context, "dm_object_set_joint", object, part_id, &slot, &index);
+    if (result != DM_OK) return result;
+    dm_joint* in_force = &slot->object->parts[index].joint;
+    const dm_joint own = own_joint(slot->object, index);
+    if (same_motion(&given, in_force)) return DM_OK;
+    if (same_motion(&given, &own)) {
+        *in_force = own;
+        return DM_OK;
+    }
+    result = dmi_joint_accept(env, "dm_object_set_joint: joint", dmi_frame_length_out(&slot->object->frame), &given);
+    if (result != DM_OK) return result;
+    warn_of_degrees(env, &given);
+    given.type_confidence = given.joint_confidence = 1;
+    given.source = DM_JOINT_FROM_HOST;
+    *in_force = given;
+    return DM_OK;
+}
+
+dm_result DM_CALL dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_object_slot* slot;
+    uint32_t index;
+    dm_result result = find(context, "dm_object_reset_joint", object, part_id, &slot, &index);
+    if (result == DM_OK) slot->object->parts[index].joint = own_joint(slot->object, index);
     return result;
 }

@@ -4,32 +4,13 @@
 
 #include "api_check.h"
 #include "api_handles.h"
+#include "api_mesh.h"
 #include "api_model.h"
 #include "api_object.h"
 #include "api_scene.h"
 #include "math/vec3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
-
-static dm_result check_mesh(dmi_env* env, const dm_mesh_desc* mesh) {
-    dm_result result =
-        dmi_check_range(env, "dm_object_prepare: desc.mesh.position_format", mesh->position_format, 0, DM_FLOAT64);
-    if (result == DM_OK) {
-        result = dmi_check_range(env, "dm_object_prepare: desc.mesh.index_format", mesh->index_format, 0, DM_UINT8);
-    }
-    if (result == DM_OK) {
-        result = dmi_check_range(env, "dm_object_prepare: desc.mesh.part_id_format", mesh->part_id_format, 0, DM_INT32);
-    }
-    if (result == DM_OK) {
-        result =
-            dmi_check_range(env, "dm_object_prepare: desc.mesh.part_id_scope", mesh->part_id_scope, 0, DM_PER_FACE);
-    }
-    if (result == DM_OK && mesh->reserved != 0) {
-        result = dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.mesh.reserved is %u: it must be 0",
-                          mesh->reserved);
-    }
-    return result;
-}
 
 static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
     if (desc->flags & ~(uint32_t)(DM_PREPARE_WITHOUT_PICKING | DM_PREPARE_NETWORK_ALONE)) {
@@ -135,9 +116,7 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
                          dm_object* out_object) {
     dmi_env* env = &context->env;
     dm_mesh_desc mesh;
-    dm_result result = dmi_read_desc(env, "dm_object_prepare: desc.mesh", desc->mesh,
-                                     DMI_FIRST_SIZE(dm_mesh_desc, reserved), sizeof mesh, &mesh);
-    if (result == DM_OK) result = check_mesh(env, &mesh);
+    dm_result result = dmi_mesh_desc_read(env, "dm_object_prepare: desc.mesh", desc->mesh, &mesh);
     if (result != DM_OK) return result;
     const dmi_model_slot* model = NULL;
     if (desc->model) {

@@ -1,20 +1,5 @@
-/* Poses and joints as plain values: no context, no state, any thread. */
-#include <math.h>
-
-#include "dragmesh/dragmesh.h"
-#include "math/joint.h"
-
-dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose) {
-    if (joint == NULL || out_pose == NULL || joint->type < DM_JOINT_UNKNOWN || joint->type > DM_JOINT_FIXED) {
-        return DM_ERROR_INVALID_ARGUMENT;
-    }
-    const dm_vec3 a = joint->axis, o = joint->origin;
-    if (!isfinite(a.x + a.y + a.z) || !isfinite(o.x + o.y + o.z) || !isfinite(joint->pitch) || !isfinite(value)) {
-        return DM_ERROR_NOT_FINITE;
-    }
-    *out_pose = dmi_joint_pose(joint, value);
-    return DM_OK;
-}
+/* Poses as plain values: no context, no state, any thread. */
+#include "math/dual_quat.h"
 
 void DM_CALL dm_pose_multiply(const dm_pose* a, const dm_pose* b, dm_pose* out_pose) {
     if (a != NULL && b != NULL && out_pose != NULL) *out_pose = dmi_pose_multiply(a, b);

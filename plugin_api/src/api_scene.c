@@ -9,8 +9,8 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &((dm_context*)context)->env; /* for its log */
     dm_camera known;
-    dm_result result =
-        dmi_read_desc(env, "dm_camera_ray: camera", camera, DMI_FIRST_SIZE(dm_camera, height), sizeof known, &known);
+    dm_result result = dmi_read_desc(env, "dm_camera_ray: camera", camera, DMI_FIRST_SIZE(dm_camera, ortho_height),
+                                     sizeof known, &known);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_camera_ray: x", &x, 1);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_camera_ray: y", &y, 1);
     if (result != DM_OK) return result;
@@ -19,9 +19,10 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
     if (!dmi_camera_ray(&known, context->axes.handedness, x, y, &ray)) {
         return dmi_fail(
             env, DM_ERROR_INVALID_ARGUMENT,
-            "dm_camera_ray: camera has no view: fov_y %g, viewport %g x %g, height %g, or forward and up do not "
-            "span a plane",
-            (double)known.fov_y, (double)known.width, (double)known.height_px, (double)known.height);
+            "dm_camera_ray: camera has no view: fov_y %g, viewport %g x %g, ortho_height %g, or forward and up do "
+            "not span a plane",
+            (double)known.fov_y, (double)known.viewport_width, (double)known.viewport_height,
+            (double)known.ortho_height);
     }
     *out_ray = ray;
     return DM_OK;
@@ -172,7 +173,10 @@ dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ra
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_result result = dmi_check_ray(&context->env, "dm_scene_pick: ray", ray);
     if (result != DM_OK) return result;
-    if (out_hit == NULL) return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_scene_pick: out_hit is NULL");
-    dmi_scene_pick(slot->scene, ray, out_hit);
+    result = dmi_check_out(&context->env, "dm_scene_pick: out_hit", out_hit, DMI_FIRST_SIZE(dm_hit, object_point));
+    if (result != DM_OK) return result;
+    dm_hit hit = {0};
+    dmi_scene_pick(slot->scene, ray, &hit);
+    dmi_write_out(out_hit, &hit, sizeof hit);
     return DM_OK;
 }

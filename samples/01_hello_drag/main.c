@@ -54,14 +54,14 @@ int main(int argc, char** argv) {
     make_cabinet();
     dm_mesh_desc mesh = {.struct_size = sizeof mesh, .positions = positions, .vertex_count = BOXES * 8};
     mesh.indices = indices, mesh.index_count = BOXES * 36, mesh.index_format = DM_UINT16;
-    mesh.part_ids = parts, mesh.part_id_format = DM_UINT8;
+    mesh.part_ids = parts, mesh.part_id_bytes = sizeof parts, mesh.part_id_format = DM_UINT8;
     dm_object cabinet;
-    dm_joint j;
+    dm_joint j = {.struct_size = sizeof j};
     dm_object_desc object = {.struct_size = sizeof object, .mesh = &mesh, .model = model};
     if (dm_object_prepare(context, &object, &cabinet) || dm_object_get_joint(context, cabinet, DOOR, &j)) return 1;
     printf("%s: axis (%.2f, %.2f, %.2f), origin (%.2f, %.2f, %.2f), %.2f to %.2f, confidence %.2f\n",
            j.type == DM_JOINT_REVOLUTE ? "hinge" : "not a hinge", j.axis.x, j.axis.y, j.axis.z, j.origin.x, j.origin.y,
-           j.origin.z, j.lower, j.upper, j.confidence);
+           j.origin.z, j.lower, j.upper, j.joint_confidence);
 
     const dm_vec3 handle = {0.55f, 0.4f, 0.45f}; /* someone pulls it towards themselves */
     dm_motion motion;

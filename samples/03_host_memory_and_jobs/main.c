@@ -64,7 +64,7 @@ static dm_result drag_the_door(dm_context* context, dm_object object, const budg
     const dm_drag_desc desc = {
         .struct_size = sizeof desc, .object = object, .part_id = CABINET_DOOR, .grab_point = {0.55f, 0.45f, 0.45f}};
     dm_drag drag;
-    dm_drag_state state = {.value = 0};
+    dm_drag_state state = {.struct_size = sizeof state, .value = 0};
     dm_result result = dm_drag_begin(context, &desc, &drag);
     const size_t before = atomic_load(&budget->calls);
     for (int frame = 0; frame < 100 && result == DM_OK; frame++) {

@@ -48,8 +48,8 @@ int main(int argc, char** argv) {
                               .eye = {1.3f, 1.7f, 2.0f},
                               .forward = {-1.0f, -0.95f, -1.8f},
                               .up = {0, 1, 0},
-                              .width = 1280,
-                              .height_px = 720};
+                              .viewport_width = 1280,
+                              .viewport_height = 720};
     float x = 640, y = 320;
     dm_ray ray;
     dm_camera_ray(context, &camera, x, y, &ray);
@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
     const dm_drag_desc grab = {
         .struct_size = sizeof grab, .object = object, .part_id = (uint32_t)picked.part, .grab_point = picked.point};
     dm_drag drag;
-    dm_drag_state state;
+    dm_drag_state state = {.struct_size = sizeof state};
     if (dm_drag_begin(context, &grab, &drag) != DM_OK) return 1;
     for (int frame = 0; frame <= 60; frame++, x -= 2.0f, y += 2.4f) {
         dm_camera_ray(context, &camera, x, y, &ray);

@@ -20,7 +20,7 @@ static void print_parts(dm_context* context, dm_object object) {
     dm_object_get_info(context, object, &info);
     for (uint32_t i = 0; i < info.part_count; i++) {
         dm_part_info part = {.struct_size = sizeof part};
-        dm_joint joint;
+        dm_joint joint = {.struct_size = sizeof joint};
         dm_object_get_part(context, object, i, &part);
         dm_object_get_joint(context, object, part.id, &joint);
         printf("  part %u: %s, axis (%.2f, %.2f, %.2f), %.3f to %.3f\n", (unsigned)part.id, joint_name(joint.type),
@@ -69,7 +69,8 @@ static int prepare(dm_context* context, const char* file, const char* body, cons
     free(bytes);
     dm_gltf_get_mesh(gltf, &mesh);
     uint8_t* parts = number_parts(gltf, body, mesh.index_count / 3);
-    mesh.part_ids = parts, mesh.part_id_format = DM_UINT8, mesh.part_id_scope = DM_PER_FACE;
+    mesh.part_ids = parts, mesh.part_id_bytes = mesh.index_count / 3;
+    mesh.part_id_format = DM_UINT8, mesh.part_id_scope = DM_PER_FACE;
     const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = model};
     const double start = now_ms();
     const dm_result result = dm_object_prepare(context, &desc, &object);

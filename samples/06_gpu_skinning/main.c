@@ -108,8 +108,10 @@ static dm_result prepare(dm_context* context, dm_mesh_desc mesh, const char* mod
     dm_result result = load_weights(context, models, &model);
     const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = model};
     if (result == DM_OK) result = dm_object_prepare(context, &desc, &object);
-    for (uint32_t part = 1; part < PARTS && result == DM_OK; part++)
+    for (uint32_t part = 1; part < PARTS && result == DM_OK; part++) {
+        joints[part] = dm_joint_default();
         result = dm_object_get_joint(context, object, part, &joints[part]);
+    }
     return result;
 }
 

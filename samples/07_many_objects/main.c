@@ -44,11 +44,11 @@ static dm_result grab_all(dm_context* context, dm_object object, dm_drag drags[C
 static dm_result play_frame(dm_context* context, dm_scene scene, const uint32_t instances[COUNT],
                             const dm_drag drags[COUNT], int frame) {
     dm_result result = DM_OK;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     const dm_ray look = {{3, 1.5f, 4}, {-0.2f, -0.3f, -1}};
     for (int i = 0; i < COUNT && result == DM_OK; i++) {
         const dm_ray hand = {{0.5f - 0.004f * (float)frame, 2.0f, 1.0f + 0.002f * (float)frame}, {0, -1.5f, -0.6f}};
-        dm_drag_state state;
+        dm_drag_state state = {.struct_size = sizeof state};
         result = dm_drag_update(context, drags[i], &hand, 1.0f / 60, &state);
         if (result == DM_OK)
             result = dm_scene_move(context, scene, instances[i], i % 2 ? CABINET_DRAWER : CABINET_DOOR, &state.pose);
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
         worst = now_us() - begun > worst ? now_us() - begun : worst;
     }
     const double mean = (now_us() - start) / FRAMES;
-    dm_memory_info memory;
+    dm_memory_info memory = {.struct_size = sizeof memory};
     dm_context_get_memory(context, &memory);
     printf(
         "%d cabinets, each with a part in someone's hand: %.0f us a frame, worst %.0f; %.1f KiB + %.1f KiB to pick\n",

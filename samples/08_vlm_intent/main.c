@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
                                  .intent_user = &endpoint};
     if (dm_object_prepare(context, &desc, &object) != DM_OK) return 1;
     for (uint32_t part = CABINET_DOOR; part <= CABINET_DRAWER; part++) {
-        dm_joint joint;
+        dm_joint joint = {.struct_size = sizeof joint};
         dm_object_get_joint(context, object, part, &joint);
         printf("part %u moves: %s, axis (%.2f, %.2f, %.2f), confidence %.2f\n", (unsigned)part, joint_name(joint.type),
                (double)joint.axis.x, (double)joint.axis.y, (double)joint.axis.z, (double)joint.type_confidence);

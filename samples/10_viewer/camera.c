@@ -62,8 +62,8 @@ dm_camera camera_for_picking(const camera* camera) {
                        .eye = camera_eye(camera),
                        .forward = camera_forward(camera),
                        .up = camera_up(camera),
-                       .width = (float)camera->width,
-                       .height_px = (float)camera->height};
+                       .viewport_width = (float)camera->width,
+                       .viewport_height = (float)camera->height};
 }
 
 bool camera_project(const camera* camera, vec3 p, float out[3]) {

@@ -170,6 +170,7 @@ int world_prepare(world* world) {
         descs[i] = (dm_part_desc){.struct_size = sizeof descs[i], .id = i + 1, .parent = world->parts[i + 1].parent};
     dm_mesh_desc mesh = world->mesh;
     mesh.part_ids = world->face_part;
+    mesh.part_id_bytes = world->face_count;
     mesh.part_id_format = DM_UINT8;
     mesh.part_id_scope = DM_PER_FACE;
     const dm_object_desc desc = {.struct_size = sizeof desc,

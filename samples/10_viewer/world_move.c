@@ -1,11 +1,11 @@
 /* Parts in motion: picked, grabbed, pulled, let go; their joints read, weighed and overridden. */
-#include <stdbool.h>
 #include <string.h>
 
 #include "world.h"
 
 void world_read_joint(world* world, uint32_t id) {
     world_part* part = &world->parts[id];
+    part->joint = part->hypotheses[0] = dm_joint_default();
     dm_object_get_joint(world->context, world->object, id, &part->joint);
     if (dm_object_get_hypotheses(world->context, world->object, id, NULL, part->hypotheses, DM_MAX_HYPOTHESES,
                                  &part->hypothesis_count) != DM_OK)
@@ -46,7 +46,7 @@ static float meet(const dm_ray* ray, vec3 a, vec3 b, vec3 c) {
 static dm_hit pick_file(const world* world, const dm_ray* ray) {
     const float* positions = world->mesh.positions;
     const uint32_t* indices = world->mesh.indices;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     memset(&hit, 0, sizeof hit);
     for (uint32_t face = 0; face < world->face_count; face++) {
         const uint32_t* corners = indices + 3 * (size_t)face;
@@ -63,7 +63,7 @@ static dm_hit pick_file(const world* world, const dm_ray* ray) {
 }
 
 dm_hit world_pick(world* world, const dm_ray* ray) {
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     if (!world->scene) return pick_file(world, ray);
     if (dm_scene_pick(world->context, world->scene, ray, &hit) != DM_OK || !hit.object) memset(&hit, 0, sizeof hit);
     return hit;
@@ -83,14 +83,13 @@ static dm_ray carried_ray(const world* world, const dm_ray* ray) {
 /* The hand is off, and the part stands. A joint that the pull decided on stays in force. */
 static void end_drag(world* world, uint32_t id) {
     world_part* part = &world->parts[id];
-    dm_joint joint;
-    const bool changed = part->state.changes > 0 && dm_drag_get_joint(world->context, part->drag, &joint) == DM_OK;
-    dm_drag_end(world->context, part->drag, NULL);
+    dm_part_state end = dm_part_state_default();
+    dm_drag_end(world->context, part->drag, &end);
     part->drag = 0;
     part->value = part->state.value;
-    if (!changed) return;
-    world_set_joint(world, id, &joint);
-    part->joint.type_confidence = joint.type_confidence;
+    if (part->state.changes == 0) return;
+    world_set_joint(world, id, &end.joint);
+    part->joint.type_confidence = end.joint.type_confidence;
     part->pulled = 1;
 }
 
@@ -108,7 +107,8 @@ int world_grab(world* world, const dm_hit* hit) {
     world->held = hit->part_id;
     world->pull = (dm_drag_hint){.point = desc.grab_point};
     world->grab_normal = pose_direction(&inverse, hit->normal);
-    part->state = (dm_drag_state){.pose = part->pose, .grab_point = desc.grab_point, .value = part->value};
+    part->state = (dm_drag_state){
+        .struct_size = sizeof(dm_drag_state), .pose = part->pose, .grab_point = desc.grab_point, .value = part->value};
     return 0;
 }
 
@@ -140,7 +140,9 @@ static void step_part(world* world, uint32_t id, const dm_ray* ray, float dt) {
     if (dm_drag_update(world->context, part->drag, ray, dt, &part->state) != DM_OK) return;
     part->value = part->state.value;
     if (part->state.changes != changes) {
-        dm_drag_get_joint(world->context, part->drag, &part->joint);
+        dm_part_state now = dm_part_state_default();
+        dm_drag_get_part_state(world->context, part->drag, &now);
+        part->joint = now.joint;
         part->has_keys = 0;
     }
     if (part->state.phase == DM_DRAG_AT_REST) end_drag(world, id);

@@ -46,8 +46,10 @@ static inline dm_mesh_desc cabinet_make(cabinet* out) {
                           .vertex_count = CABINET_VERTICES,
                           .indices = out->indices,
                           .index_count = CABINET_INDICES,
+                          .index_bytes = sizeof out->indices,
                           .index_format = DM_UINT16,
                           .part_ids = out->parts,
+                          .part_id_bytes = sizeof out->parts,
                           .part_id_format = DM_UINT8};
 }
 

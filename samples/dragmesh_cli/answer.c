@@ -9,7 +9,7 @@
 void joint_to_json(const dm_joint* joint, cJSON* out) {
     cJSON_AddStringToObject(out, "type", joint_type_name(joint->type));
     json_add_number(out, "type_confidence", (double)joint->type_confidence, 4);
-    json_add_number(out, "confidence", (double)joint->confidence, 4);
+    json_add_number(out, "confidence", (double)joint->joint_confidence, 4);
     json_add_vector(out, "axis", joint->axis);
     json_add_vector(out, "origin", joint->origin);
     const bool limited = joint->type != DM_JOINT_CONTINUOUS;
@@ -37,7 +37,7 @@ void answer_to_json(const joint_answer* answer, cJSON* out) {
 void joint_print(const dm_joint* joint) {
     const char* unit = joint->type == DM_JOINT_PRISMATIC ? "units" : "rad";
     printf("%-10s %3.0f %%  axis (%.4f, %.4f, %.4f)  origin (%.4f, %.4f, %.4f)", joint_type_name(joint->type),
-           (double)joint->confidence * 100, (double)joint->axis.x, (double)joint->axis.y, (double)joint->axis.z,
+           (double)joint->joint_confidence * 100, (double)joint->axis.x, (double)joint->axis.y, (double)joint->axis.z,
            (double)joint->origin.x, (double)joint->origin.y, (double)joint->origin.z);
     if (joint->type != DM_JOINT_CONTINUOUS)
         printf("  from %.4f to %.4f %s", (double)joint->lower, (double)joint->upper, unit);

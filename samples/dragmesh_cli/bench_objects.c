@@ -60,6 +60,7 @@ static void measure(session* session, costs* out) {
     dm_part_desc parts[MAX_PARTS];
     dm_mesh_desc mesh = session->mesh;
     mesh.part_ids = ids;
+    mesh.part_id_bytes = mesh.index_count / 3 * sizeof *ids;
     mesh.part_id_format = DM_UINT16;
     mesh.part_id_scope = DM_PER_FACE;
     const uint32_t count = list_parts(session, body, parts);

@@ -66,6 +66,7 @@ dm_mesh_desc box_object_mesh(const box_object* object) {
                           .indices = object->indices,
                           .index_count = 3 * (uint64_t)object->face_count,
                           .part_ids = object->part_ids,
+                          .part_id_bytes = object->face_count,
                           .part_id_format = DM_UINT8,
                           .part_id_scope = DM_PER_FACE};
 }

@@ -102,7 +102,7 @@ static dm_result call_object_refine(bench* b) {
 }
 
 static dm_result call_object_get_hypotheses(bench* b) {
-    dm_joint joints[DM_MAX_HYPOTHESES];
+    dm_joint joints[DM_MAX_HYPOTHESES] = {{.struct_size = sizeof *joints}};
     uint32_t count;
     return dm_object_get_hypotheses(b->session.context, b->session.object, 1, &box_object_drag, joints,
                                     DM_MAX_HYPOTHESES, &count);
@@ -147,12 +147,16 @@ static dm_result call_motion_sample_many(bench* b) {
 
 static dm_result call_drag_update(bench* b) {
     const dm_ray ray = {{0.6f, 0.9f, 2}, {-0.4f - 0.2f * wave(b), -0.5f, -1.9f}};
-    dm_drag_state state;
+    dm_drag_state state = {.struct_size = sizeof state};
     return dm_drag_update(b->session.context, b->drag, &ray, 1 / 60.0f, &state);
 }
 
 static dm_result call_joint_pose(bench* b) {
-    const dm_joint hinge = {.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}, .origin = {-0.25f, 0.4f, 0.01f}, .upper = 2};
+    const dm_joint hinge = {.struct_size = sizeof hinge,
+                            .type = DM_JOINT_REVOLUTE,
+                            .axis = {0, 1, 0},
+                            .origin = {-0.25f, 0.4f, 0.01f},
+                            .upper = 2};
     return dm_joint_pose(&hinge, wave(b), &b->pose);
 }
 
@@ -176,7 +180,7 @@ static dm_result call_scene_commit(bench* b) {
 
 static dm_result call_scene_pick(bench* b) {
     const dm_ray ray = {{0.6f, 0.9f, 2}, {-0.6f - 0.2f * wave(b), -0.5f, -2}};
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     return dm_scene_pick(b->session.context, b->scene, &ray, &hit);
 }
 
@@ -324,8 +328,8 @@ static dm_result set_up(bench* b) {
                             .eye = {0, 1, 3},
                             .forward = {0, -0.2f, -1},
                             .up = {0, 1, 0},
-                            .width = 1920,
-                            .height_px = 1080};
+                            .viewport_width = 1920,
+                            .viewport_height = 1080};
     dm_result result = set_up_objects(b);
     if (result != DM_OK) return result;
     const dm_drag_desc drag = {

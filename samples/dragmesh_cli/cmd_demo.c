@@ -37,6 +37,7 @@ static dm_result ray_through(const player* p, double share, dm_ray* out_ray) {
 static dm_result grab_part(player* p) {
     dm_ray ray;
     dm_result result = ray_through(p, 0, &ray);
+    p->grab = dm_hit_default();
     if (result == DM_OK) result = dm_scene_commit(p->session->context, p->view->scene);
     if (result == DM_OK) result = dm_scene_pick(p->session->context, p->view->scene, &ray, &p->grab);
     if (result != DM_OK) return result;
@@ -73,7 +74,7 @@ static dm_result follow(const player* p, dm_pose poses[UPDATES], float* out_valu
     dm_drag drag;
     dm_result result = dm_drag_begin(context, &desc, &drag);
     if (result != DM_OK) return result;
-    dm_drag_state state = {0};
+    dm_drag_state state = {.struct_size = sizeof state};
     for (int i = 0; i < UPDATES && result == DM_OK; i++) {
         dm_ray ray;
         result = ray_through(p, (double)minimum_jerk((float)i / (UPDATES - 1)), &ray);
@@ -105,7 +106,8 @@ static void print_joint_beside_truth(const known_joint* truth, const dm_joint* f
 /* Poses along the true joint, so that the camera sees all of the motion. */
 static void true_poses(const metric_case* known, dm_pose poses[PANELS]) {
     const known_joint* truth = known->truth;
-    const dm_joint joint = {.type = truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE,
+    const dm_joint joint = {.struct_size = sizeof joint,
+                            .type = truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE,
                             .axis = vec_out(truth->axis),
                             .origin = vec_out(truth->origin)};
     for (int i = 0; i < PANELS; i++)
@@ -127,6 +129,7 @@ static dm_result open_view(player* p, metric_case* known, const job* job, joint_
 static dm_result play(player* p, const metric_case* known, joint_answer* answer, dm_pose poses[UPDATES]) {
     dm_drag_hint hint;
     float value = 0;
+    answer->joint = dm_joint_default();
     dm_result result = grab_part(p);
     if (result == DM_OK) result = drag_in_space(p, &hint);
     if (result == DM_OK && p->session->model)

@@ -21,6 +21,7 @@ static dm_result prepare_for_picking(session* session) {
     doubled.indices = indices;
     doubled.index_count += 3;
     doubled.part_ids = ids;
+    doubled.part_id_bytes = faces + 1;
     doubled.part_id_format = DM_UINT8;
     doubled.part_id_scope = DM_PER_FACE;
     const dm_part_desc part = {.struct_size = sizeof part, .id = 1, .joint_type = DM_JOINT_FIXED};
@@ -81,7 +82,7 @@ static int run(int argc, char** argv) {
     if (status == CLI_OK) status = session_open(&session, "none", NULL);
     if (status != CLI_OK) return status;
     const dm_ray ray = {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     dm_result result = session_use_file(&session, file);
     if (result == DM_OK) result = pick(&session, &ray, &hit);
     if (result == DM_OK)

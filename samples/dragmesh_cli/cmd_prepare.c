@@ -36,6 +36,7 @@ static dm_result prepare(session* session, const name_list* moving) {
     if (result == DM_OK) {
         dm_mesh_desc mesh = session->mesh;
         mesh.part_ids = ids;
+        mesh.part_id_bytes = mesh.index_count / 3 * sizeof *ids;
         mesh.part_id_format = DM_UINT16;
         mesh.part_id_scope = DM_PER_FACE;
         const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = session->model};
@@ -76,6 +77,7 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
         joint_answer found = {0};
         char name[256] = "";
         dm_object_get_part(session->context, session->object, i, &part);
+        found.joint = dm_joint_default();
         dm_object_get_joint(session->context, session->object, part.id, &found.joint);
         part_name(session, moving, part.id, name, sizeof name);
         cJSON* item = cJSON_CreateObject();

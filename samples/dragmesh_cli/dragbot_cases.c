@@ -19,7 +19,7 @@ static bot_row* new_row(bot_score* score) {
 }
 
 static dm_joint true_joint(const known_joint* truth) {
-    dm_joint joint = {.axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
+    dm_joint joint = {.struct_size = sizeof joint, .axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
     const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
     joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
     if (limited) joint.lower = (float)truth->lower, joint.upper = (float)truth->upper;

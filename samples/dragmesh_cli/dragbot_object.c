@@ -83,6 +83,7 @@ static dm_result prepare(bot_object* s) {
     }
     dm_mesh_desc mesh = s->session->mesh;
     mesh.part_ids = s->face_parts;
+    mesh.part_id_bytes = mesh.index_count / 3;
     mesh.part_id_format = DM_UINT8;
     mesh.part_id_scope = DM_PER_FACE;
     const dm_object_desc desc = {

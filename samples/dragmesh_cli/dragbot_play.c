@@ -94,9 +94,9 @@ static bool same_joint(const dm_joint* a, const dm_joint* b) {
 
 static void track_rest(player* p) {
     static const dm_pose rest = {.real = {0, 0, 0, 1}};
-    dm_joint joint;
-    if (dm_drag_get_joint(p->session->context, p->drag, &joint) != DM_OK) return;
-    if (bot_apart(p->now->part, &rest, &p->state.pose) > still_share || !same_joint(&joint, &p->first_joint))
+    dm_part_state now = dm_part_state_default();
+    if (dm_drag_get_part_state(p->session->context, p->drag, &now) != DM_OK) return;
+    if (bot_apart(p->now->part, &rest, &p->state.pose) > still_share || !same_joint(&now.joint, &p->first_joint))
         p->result->still_moved = true;
 }
 
@@ -110,13 +110,14 @@ static void track_regrab(player* p, const dm_pose* before) {
 /* ---- the drag ---- */
 
 dm_result bot_regrab(session* session, uint32_t part, dm_drag* drag, dm_drag_state* state) {
-    const dm_result result = dm_drag_end(session->context, *drag, state);
+    dm_part_state kept = dm_part_state_default();
+    const dm_result result = dm_drag_end(session->context, *drag, &kept);
     if (result != DM_OK) return result;
     const dm_drag_desc desc = {.struct_size = sizeof desc,
                                .part_id = part,
                                .object = session->object,
                                .grab_point = state->grab_point,
-                               .start_value = state->value};
+                               .state = &kept};
     return dm_drag_begin(session->context, &desc, drag);
 }
 
@@ -138,7 +139,9 @@ static void aim(player* p, const bot_step* step, double pointer[2]) {
 static void keep_frame(player* p, const dm_ray* ray) {
     bot_frame* frame = &p->frames[p->frame_count++];
     *frame = (bot_frame){.pose = p->state.pose, .value = p->state.value, .ray = *ray};
-    if (p->now->poses != NULL) dm_drag_get_joint(p->session->context, p->drag, &frame->joint);
+    if (p->now->poses == NULL) return;
+    dm_part_state now = dm_part_state_default();
+    if (dm_drag_get_part_state(p->session->context, p->drag, &now) == DM_OK) frame->joint = now.joint;
 }
 
 static dm_result take_step(player* p, const bot_step* step) {
@@ -169,7 +172,9 @@ static dm_result follow_plan(player* p) {
     for (int k = 0; k < 2; k++) p->pointer[k] = (k ? now->pull->y : now->pull->x) + now->plan->offset[k];
     bot_view_project(&p->view, now->pull->point, &p->seen[0][0], &p->seen[0][1]);
     bot_view_project(&p->view, now->part->centre, &p->seen[1][0], &p->seen[1][1]);
-    dm_result result = dm_drag_get_joint(p->session->context, p->drag, &p->first_joint);
+    dm_part_state first = dm_part_state_default();
+    dm_result result = dm_drag_get_part_state(p->session->context, p->drag, &first);
+    p->first_joint = first.joint;
     for (int i = 0; i < now->plan->count && result == DM_OK; i++) result = take_step(p, &now->plan->steps[i]);
     return result;
 }
@@ -210,7 +215,8 @@ dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot
     *out_result = (bot_result){0};
     player p = {.session = session, .now = played, .view = *played->view, .times = times, .result = out_result};
     dm_ray ray;
-    dm_hit hit;
+    dm_hit hit = dm_hit_default();
+    p.state = dm_drag_state_default();
     dm_result result =
         dm_camera_ray(session->context, &p.view.camera, (float)played->pull->x, (float)played->pull->y, &ray);
     if (result == DM_OK) result = dm_scene_pick(session->context, scene, &ray, &hit);
@@ -225,8 +231,9 @@ dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot
     if (result != DM_OK) return result;
     p.frames = cli_alloc((size_t)played->plan->count * sizeof *p.frames);
     result = follow_plan(&p);
-    dm_drag_get_joint(session->context, p.drag, &out_result->joint);
-    dm_drag_end(session->context, p.drag, &p.state);
+    dm_part_state end = dm_part_state_default();
+    dm_drag_end(session->context, p.drag, &end);
+    out_result->joint = end.joint;
     out_result->changes = (int)(p.changes + p.state.changes);
     judge(played, &p.state, out_result);
     out_result->through = bot_body_depth(played->body, played->part, p.frames, p.frame_count);

@@ -157,7 +157,7 @@ void bot_report_text(const bot_run* run) {
 static void print_result(const char* name, const bot_result* r, FILE* out) {
     fprintf(out, "  %s: %s reached %6.3f off %.3f jumps %d (%.0f px) changes %d joint %d p %.2f [%.2f, %.2f]\n", name,
             r->success ? "ok  " : "FAIL", r->reached, r->off, r->jumps, r->worst_jump, r->changes, r->joint.type,
-            (double)r->joint.confidence, (double)r->joint.lower, (double)r->joint.upper);
+            (double)r->joint.joint_confidence, (double)r->joint.lower, (double)r->joint.upper);
 }
 
 static void print_failures(const bot_run* run, FILE* out) {

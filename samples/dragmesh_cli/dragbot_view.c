@@ -33,8 +33,8 @@ void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, d
                                .eye = vec_out(view->eye),
                                .forward = vec_out(view->forward),
                                .up = vec_out(view->up),
-                               .width = BOT_WIDTH,
-                               .height_px = BOT_HEIGHT};
+                               .viewport_width = BOT_WIDTH,
+                               .viewport_height = BOT_HEIGHT};
     memset(view->depth, 0, PIXELS * sizeof *view->depth);
     memset(view->part, 0, PIXELS * sizeof *view->part);
 }

@@ -63,7 +63,8 @@ static int add_strip(error_report* report, const picture* strip) {
 }
 
 static dm_joint true_joint(const metric_case* known) {
-    return (dm_joint){.type = known->truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE,
+    return (dm_joint){.struct_size = sizeof(dm_joint),
+                      .type = known->truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE,
                       .axis = vec_out(known->truth->axis),
                       .origin = vec_out(known->truth->origin)};
 }

@@ -157,6 +157,7 @@ static dm_result part_ids(trial* t, const metric_case* known, dm_mesh_desc* mesh
     uint8_t* ids = cli_alloc_zeroed(faces + mesh->vertex_count);
     *out_ids = ids;
     mesh->part_ids = ids;
+    mesh->part_id_bytes = faces;
     mesh->part_id_format = DM_UINT8;
     mesh->part_id_scope = DM_PER_FACE;
     dm_result result =
@@ -167,6 +168,7 @@ static dm_result part_ids(trial* t, const metric_case* known, dm_mesh_desc* mesh
     mask_vertices_of_faces(mesh->indices, faces, ids, mesh->vertex_count, vertices);
     mask_noise_apply(t->positions, mesh->vertex_count, t->options->mask_noise, t->random, vertices);
     mesh->part_ids = vertices;
+    mesh->part_id_bytes = mesh->vertex_count;
     mesh->part_id_scope = DM_PER_VERTEX;
     return DM_OK;
 }

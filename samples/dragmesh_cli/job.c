@@ -116,6 +116,7 @@ static dm_result refine(session* session, const job* job, joint_answer* answer) 
 }
 
 static dm_result read_joints(session* session, const job* job, joint_answer* answer) {
+    answer->joint = answer->hypotheses[0] = dm_joint_default();
     dm_result result = dm_object_get_joint(session->context, session->object, JOB_PART, &answer->joint);
     if (result == DM_OK)
         result = dm_object_get_hypotheses(session->context, session->object, JOB_PART, NULL, answer->hypotheses,
@@ -146,6 +147,7 @@ dm_result job_answer(session* session, const job* job, joint_answer* out_answer)
     } else if (result == DM_OK) {
         dm_mesh_desc mesh = session->mesh;
         mesh.part_ids = selected.ids;
+        mesh.part_id_bytes = selected.count;
         mesh.part_id_format = DM_UINT8;
         mesh.part_id_scope = selected.scope;
         result = prepare(session, &mesh, job, out_answer);

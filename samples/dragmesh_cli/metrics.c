@@ -123,7 +123,7 @@ void metrics_of_joint(const metric_case* known, const joint_answer* answer, metr
     value[METRIC_POSE] = value[METRIC_POSE_TOP3] = pose_error(known, joint);
     for (uint32_t i = 0; i < answer->hypothesis_count && i < 3; i++)
         value[METRIC_POSE_TOP3] = fmin(value[METRIC_POSE_TOP3], pose_error(known, &answer->hypotheses[i]));
-    value[METRIC_CONFIDENCE] = (double)joint->confidence;
+    value[METRIC_CONFIDENCE] = (double)joint->joint_confidence;
     if (known->dragged) {
         const vec way = sub(move(known->drag->point, slides, axis, origin, 1e-4), known->drag->point);
         value[METRIC_SIGN] = dot(way, known->drag->vector) > 0;

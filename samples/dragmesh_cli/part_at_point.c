@@ -26,6 +26,7 @@ dm_result part_at_point_mark(session* session, const float* positions, const dm_
     if (positions != NULL) mesh.positions = positions;
     if (!merged) {
         mesh.part_ids = nodes;
+        mesh.part_id_bytes = faces * sizeof *nodes;
         mesh.part_id_format = DM_UINT32;
         mesh.part_id_scope = DM_PER_FACE;
     }

@@ -92,7 +92,7 @@ static vec sky_direction(renderer* r, vec normal, int i) {
 
 /* Returns the light on a surface: the sun where it is not occluded, and the unoccluded part of the sky. */
 static vec light_at(renderer* r, vec point, vec normal) {
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     vec light = {0, 0, 0};
     const vec start =
         add(point, scale(normal, 2e-4 * r->size /* off the surface, so that a ray does not hit it again */));
@@ -144,11 +144,11 @@ static vec floor_or_sky(renderer* r, vec origin, vec direction, double height) {
 
 static vec trace(renderer* r, double x, double y) {
     dm_ray ray;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     if (dm_camera_ray(r->session->context, &r->camera, (float)x, (float)y, &ray) != DM_OK) return (vec){0, 0, 0};
     const vec origin = vec_of(ray.origin), direction = unit(vec_of(ray.direction));
     if (cast(r, origin, direction, &hit)) return surface(r, &hit, direction);
-    return floor_or_sky(r, origin, direction, 1 - y / (double)r->camera.height_px);
+    return floor_or_sky(r, origin, direction, 1 - y / (double)r->camera.viewport_height);
 }
 
 /* ---- pictures ---- */
@@ -159,8 +159,8 @@ dm_result render_draw(renderer* r, const dm_pose* pose, picture* picture, int le
     if (result == DM_OK) result = dm_scene_commit(context, r->scene);
     if (result != DM_OK) return result;
     r->pose = *pose;
-    for (int y = 0; y < (int)r->camera.height_px; y++) {
-        for (int x = 0; x < (int)r->camera.width; x++) {
+    for (int y = 0; y < (int)r->camera.viewport_height; y++) {
+        for (int x = 0; x < (int)r->camera.viewport_width; x++) {
             vec sum = {0, 0, 0};
             for (int row = 0; row < r->grid; row++)
                 for (int column = 0; column < r->grid; column++)
@@ -176,7 +176,7 @@ void render_segment(const renderer* r, vec from, vec to, const uint8_t rgb[3], p
     double x0, y0, x1, y1;
     render_project(r, from, &x0, &y0);
     render_project(r, to, &x1, &y1);
-    const int right = left + (int)r->camera.width;
+    const int right = left + (int)r->camera.viewport_width;
     picture_line(picture, x0 + left, y0, x1 + left, y1, 4, dark, left, right);
     picture_line(picture, x0 + left, y0, x1 + left, y1, 2, rgb, left, right);
 }
@@ -187,7 +187,7 @@ void render_axis(const renderer* r, const dm_joint* joint, const uint8_t rgb[3],
 }
 
 dm_result render_film(renderer* r, const dm_pose* poses, uint32_t count, const dm_joint* axis, const char* path) {
-    const int width = (int)r->camera.width, height = (int)r->camera.height_px;
+    const int width = (int)r->camera.viewport_width, height = (int)r->camera.viewport_height;
     picture strip = picture_new((width + GAP) * (int)count - GAP, height);
     dm_result result = DM_OK;
     static const uint8_t blue[3] = {70, 150, 255};

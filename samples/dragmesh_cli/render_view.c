@@ -70,8 +70,8 @@ void render_aim(renderer* r, vec toward, const dm_pose* poses, uint32_t count, i
                             .fov_y = (float)fov_y,
                             .forward = vec_out(scale(away, -1)),
                             .up = vec_out(r->up),
-                            .width = (float)width,
-                            .height_px = (float)height};
+                            .viewport_width = (float)width,
+                            .viewport_height = (float)height};
     const basis b = camera_basis(&r->camera);
     const double slope_y = tan(fov_y / 2), slope_x = slope_y * width / height;
     vec target = r->centre;
@@ -89,7 +89,7 @@ void render_aim(renderer* r, vec toward, const dm_pose* poses, uint32_t count, i
 void render_project(const renderer* r, vec point, double* out_x, double* out_y) {
     const basis b = camera_basis(&r->camera);
     const vec d = sub(point, vec_of(r->camera.eye));
-    const double depth = dot(d, b.forward), pixels = (double)r->camera.height_px / (2 * tan(fov_y / 2));
-    *out_x = (double)r->camera.width / 2 + pixels * dot(d, b.right) / depth;
-    *out_y = (double)r->camera.height_px / 2 - pixels * dot(d, b.up) / depth;
+    const double depth = dot(d, b.forward), pixels = (double)r->camera.viewport_height / (2 * tan(fov_y / 2));
+    *out_x = (double)r->camera.viewport_width / 2 + pixels * dot(d, b.right) / depth;
+    *out_y = (double)r->camera.viewport_height / 2 - pixels * dot(d, b.up) / depth;
 }

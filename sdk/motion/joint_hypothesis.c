@@ -48,7 +48,7 @@ bool dmi_joints_alike(const dm_joint* a, const dm_joint* b, float size) {
 
 /* Odds, not probabilities: the confidences of an object's hypotheses do not add up to 1. */
 float dmi_joint_log_odds(const dm_joint* joint) {
-    const float p = fminf(fmaxf(joint->confidence, MIN_CONFIDENCE), 1 - MIN_CONFIDENCE);
+    const float p = fminf(fmaxf(joint->joint_confidence, MIN_CONFIDENCE), 1 - MIN_CONFIDENCE);
     return logf(p / (1 - p));
 }
 

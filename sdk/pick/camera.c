@@ -48,13 +48,14 @@ static bool make_basis(const dm_camera* camera, double handedness, basis* out) {
 
 /* Returns half the height of the picture: at distance 1, or of the orthographic box; 0 for an invalid camera. */
 static double half_height(const dm_camera* camera) {
-    double fov = (double)camera->fov_y, height = (double)camera->height;
+    double fov = (double)camera->fov_y, height = (double)camera->ortho_height;
     if (fov > 0 && fov < DMI_PI) return tan(0.5 * fov);
     return fov == 0 && height > 0 && isfinite(height) ? 0.5 * height : 0;
 }
 
 bool dmi_camera_ray(const dm_camera* camera, float handedness, float x, float y, dm_ray* out_ray) {
-    double width = (double)camera->width, height = (double)camera->height_px, half = half_height(camera), eye[3];
+    double width = (double)camera->viewport_width, height = (double)camera->viewport_height, half = half_height(camera),
+           eye[3];
     basis b;
     if (!(width > 0 && height > 0 && half > 0) || !isfinite(width) || !isfinite(height)) return false;
     if (!isfinite(x) || !isfinite(y) || !load(camera->eye, eye) || !make_basis(camera, (double)handedness, &b))

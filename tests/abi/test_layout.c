@@ -55,6 +55,8 @@ static const layout_line layout[] = {
     F(dm_context_desc, log),
     F(dm_context_desc, jobs),
     S(dm_memory_info),
+    F(dm_memory_info, struct_size),
+    F(dm_memory_info, reserved),
     F(dm_memory_info, bytes),
     F(dm_memory_info, peak_bytes),
     F(dm_memory_info, allocations),
@@ -72,9 +74,12 @@ static const layout_line layout[] = {
     F(dm_mesh_desc, position_stride),
     F(dm_mesh_desc, positions),
     F(dm_mesh_desc, vertex_count),
+    F(dm_mesh_desc, position_bytes),
     F(dm_mesh_desc, indices),
     F(dm_mesh_desc, index_count),
+    F(dm_mesh_desc, index_bytes),
     F(dm_mesh_desc, part_ids),
+    F(dm_mesh_desc, part_id_bytes),
     F(dm_mesh_desc, part_id_stride),
     F(dm_mesh_desc, position_format),
     F(dm_mesh_desc, index_format),
@@ -91,15 +96,33 @@ static const layout_line layout[] = {
     F(dm_part_desc, joint_type),
     F(dm_part_desc, drag),
     S(dm_joint),
+    F(dm_joint, struct_size),
     F(dm_joint, type),
     F(dm_joint, type_confidence),
-    F(dm_joint, confidence),
+    F(dm_joint, joint_confidence),
     F(dm_joint, pitch),
     F(dm_joint, axis),
     F(dm_joint, origin),
     F(dm_joint, lower),
     F(dm_joint, upper),
     F(dm_joint, source),
+    S(dm_joint_frame),
+    F(dm_joint_frame, struct_size),
+    F(dm_joint_frame, type),
+    F(dm_joint_frame, origin),
+    F(dm_joint_frame, x),
+    F(dm_joint_frame, y),
+    F(dm_joint_frame, z),
+    F(dm_joint_frame, rotation),
+    F(dm_joint_frame, lower),
+    F(dm_joint_frame, upper),
+    F(dm_joint_frame, limits),
+    F(dm_joint_frame, pitch),
+    S(dm_part_state),
+    F(dm_part_state, struct_size),
+    F(dm_part_state, value),
+    F(dm_part_state, pose),
+    F(dm_part_state, joint),
     S(dm_object_desc),
     F(dm_object_desc, struct_size),
     F(dm_object_desc, flags),
@@ -154,7 +177,11 @@ static const layout_line layout[] = {
     F(dm_drag_desc, feel),
     F(dm_drag_desc, flags),
     F(dm_drag_desc, limit_give),
+    F(dm_drag_desc, state),
+    F(dm_drag_desc, scale),
+    F(dm_drag_desc, reserved),
     S(dm_drag_state),
+    F(dm_drag_state, struct_size),
     F(dm_drag_state, pose),
     F(dm_drag_state, grab_point),
     F(dm_drag_state, value),
@@ -168,6 +195,7 @@ static const layout_line layout[] = {
     F(dm_release_desc, intent),
     F(dm_release_desc, duration),
     F(dm_release_desc, seed),
+    F(dm_release_desc, flags),
     S(dm_release_plan),
     F(dm_release_plan, struct_size),
     F(dm_release_plan, intent),
@@ -181,15 +209,16 @@ static const layout_line layout[] = {
     F(dm_camera, eye),
     F(dm_camera, forward),
     F(dm_camera, up),
-    F(dm_camera, width),
-    F(dm_camera, height_px),
-    F(dm_camera, height),
+    F(dm_camera, viewport_width),
+    F(dm_camera, viewport_height),
+    F(dm_camera, ortho_height),
     S(dm_scene_desc),
     F(dm_scene_desc, struct_size),
     F(dm_scene_desc, reserved),
     S(dm_hit),
-    F(dm_hit, object),
+    F(dm_hit, struct_size),
     F(dm_hit, instance),
+    F(dm_hit, object),
     F(dm_hit, part_id),
     F(dm_hit, triangle),
     F(dm_hit, distance),
@@ -254,12 +283,15 @@ static const value_line values[] = {V(DM_OK),
                                     V(DM_JOINT_FROM_NETWORK),
                                     V(DM_JOINT_FROM_GEOMETRY),
                                     V(DM_JOINT_FROM_HOST),
+                                    V(DM_LIMIT_LOWER),
+                                    V(DM_LIMIT_UPPER),
                                     V(DM_PREPARE_WITHOUT_PICKING),
                                     V(DM_PREPARE_NETWORK_ALONE),
                                     V(DM_DRAG_KEEP_JOINT),
                                     V(DM_DRAG_HELD),
                                     V(DM_DRAG_RELEASED),
                                     V(DM_DRAG_AT_REST),
+                                    V(DM_RELEASE_BY_RULE),
                                     V(DM_INTENT_AUTO),
                                     V(DM_INTENT_STAY),
                                     V(DM_INTENT_OPEN),
@@ -269,7 +301,8 @@ static const value_line values[] = {V(DM_OK),
                                     V(DM_MOTION_FRAMES),
                                     V(DM_MAX_HYPOTHESES),
                                     V(DM_MAX_PARTS),
-                                    V(DM_MAX_ELEMENTS)};
+                                    V(DM_MAX_ELEMENTS),
+                                    V(DM_DRAG_SNAPSHOT_MAX)};
 
 #define T(result, name, arguments) #name " " #result " " #arguments,
 static const char* const table[] = {DM_CORE_FUNCTIONS(T)};
@@ -327,6 +360,19 @@ static void test_growing_structs_end_with_a_field(void** state) {
     }
 }
 
+/* Initialisers set the size and nothing else. */
+static void test_defaults_are_zeros_with_their_size(void** state) {
+    (void)state;
+#define CHECK_DEFAULT(type)                                                                                            \
+    do {                                                                                                               \
+        const type value = type##_default();                                                                           \
+        assert_int_equal(value.struct_size, sizeof value);                                                             \
+        for (size_t i = sizeof value.struct_size; i < sizeof value; i++)                                               \
+            assert_int_equal(((const uint8_t*)&value)[i], 0);                                                          \
+    } while (0);
+    DM_SIZED_STRUCTS(CHECK_DEFAULT)
+}
+
 static void test_table_holds_the_linked_functions(void** state) {
     (void)state;
     const dm_core_1* core = dm_get_interface("dm.core/1");
@@ -348,6 +394,7 @@ int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_layout_is_that_of_the_golden_file),
         cmocka_unit_test(test_growing_structs_end_with_a_field),
+        cmocka_unit_test(test_defaults_are_zeros_with_their_size),
         cmocka_unit_test(test_table_holds_the_linked_functions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -35,12 +35,12 @@ COUNTED static void frame_motion_sample(frame* f) {
 }
 
 COUNTED static void frame_drag_update_turn(frame* f) {
-    dm_drag_state state;
+    dm_drag_state state = {.struct_size = sizeof state};
     CHECK(dm_drag_update(f->world.context, f->turn, &f->ray, 1 / 60.0f, &state));
 }
 
 COUNTED static void frame_drag_update_slide(frame* f) {
-    dm_drag_state state;
+    dm_drag_state state = {.struct_size = sizeof state};
     CHECK(dm_drag_update(f->world.context, f->slide, &f->ray, 1 / 60.0f, &state));
 }
 
@@ -61,7 +61,7 @@ COUNTED static void frame_scene_commit(frame* f) {
 }
 
 COUNTED static void frame_scene_pick(frame* f) {
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     CHECK(dm_scene_pick(f->world.context, f->scene, &f->ray, &hit));
 }
 
@@ -94,8 +94,8 @@ static void set_up(frame* f, const char* models) {
                             .eye = {0.4f, 1, 3},
                             .forward = {0, -0.2f, -1},
                             .up = {0, 1, 0},
-                            .width = 1000,
-                            .height_px = 1000};
+                            .viewport_width = 1000,
+                            .viewport_height = 1000};
 }
 
 int main(int argc, char** argv) {

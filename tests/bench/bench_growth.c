@@ -52,7 +52,7 @@ static void move_once(void* user) {
 
 static void pick_once(void* user) {
     subject* s = user;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     CHECK(dm_scene_pick(s->world->context, s->scene, &s->ray, &hit));
 }
 
@@ -66,7 +66,7 @@ static size_t saved_size(bench_world* world, dm_object object) {
 static void show_object(bench_world* world, uint32_t triangles, uint32_t parts) {
     bench_mesh mesh = bench_mesh_new(triangles, parts);
     subject s = {.world = world, .mesh = &mesh, .flags = DM_PREPARE_WITHOUT_PICKING};
-    dm_memory_info before = {0}, after = {0};
+    dm_memory_info before = {.struct_size = sizeof before}, after = {.struct_size = sizeof after};
     s.pose.real[3] = 1;
     const double bare = least_ms(prepare_once, &s);
     s.flags = 0;
@@ -113,7 +113,7 @@ static void update_all(void* user) {
     const float turn = 0.01f * (float)(c->frame++ % 50);
     for (uint32_t i = 0; i < c->count; i++) {
         const dm_ray ray = {{0.458f, 0.6f, 2}, {-turn, -0.1f, -1}};
-        dm_drag_state state;
+        dm_drag_state state = {.struct_size = sizeof state};
         CHECK(dm_drag_update(c->world->context, c->drags[i], &ray, 1 / 60.0f, &state));
     }
 }
@@ -137,7 +137,7 @@ static void grow_drags(bench_world* world, uint32_t most) {
     const dm_drag_desc drag = {.struct_size = sizeof drag, .part_id = 1, .object = object, .grab_point = pull.point};
     const dm_motion_desc motion = {.struct_size = sizeof motion, .part_id = 1, .drag = pull};
     for (uint32_t next = 1; next <= most; next *= 10) {
-        dm_memory_info before = {0}, after = {0};
+        dm_memory_info before = {.struct_size = sizeof before}, after = {.struct_size = sizeof after};
         const uint32_t added = next - c.count;
         CHECK(dm_context_get_memory(world->context, &before));
         for (uint32_t i = c.count; i < next; i++) {

@@ -40,7 +40,7 @@ static const dm_ray* next_ray(peers* p) {
 
 static void pick_ours(void* user) {
     peers* p = user;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     CHECK(dm_scene_pick(p->world.context, p->scene, next_ray(p), &hit));
     p->hits += hit.object != 0;
 }

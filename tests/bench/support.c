@@ -87,6 +87,7 @@ dm_mesh_desc bench_mesh_desc(const bench_mesh* mesh) {
                           .indices = mesh->indices,
                           .index_count = 3 * (uint64_t)mesh->face_count,
                           .part_ids = mesh->part_ids,
+                          .part_id_bytes = mesh->face_count * sizeof *mesh->part_ids,
                           .part_id_format = DM_UINT32,
                           .part_id_scope = DM_PER_FACE};
 }

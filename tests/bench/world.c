@@ -66,7 +66,8 @@ dm_object bench_world_prepare(bench_world* world, const bench_mesh* mesh, uint32
 
 void bench_world_hinge(bench_world* world, dm_object object, uint32_t part, int32_t type) {
     const dm_vec3 handle = bench_mesh_drag(part).point;
-    const dm_joint joint = {.type = type,
+    const dm_joint joint = {.struct_size = sizeof joint,
+                            .type = type,
                             .axis = {0, type == DM_JOINT_PRISMATIC ? 0 : -1.0f, type == DM_JOINT_PRISMATIC ? 1.0f : 0},
                             .origin = {handle.x - 0.458f, 0.4f, 0.012f},
                             .upper = type == DM_JOINT_PRISMATIC ? 0.4f : 2.0f};

@@ -203,6 +203,19 @@ static void test_model_is_down(void** state) {
     assert_says("DRAGMESH_VLM_URL is not set: geometry decides");
 }
 
+/* The recipes of docs/integration.md check what they claim. */
+static void test_recipes(void** state) {
+    (void)state;
+    static const char* const names[] = {"instances",   "saving",  "undo",   "rollback",
+                                        "replication", "physics", "scaled", "vr"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char program[128];
+        snprintf(program, sizeof program, "samples/recipe_%s", names[i]);
+        tool_run(&out, program, NULL, "%s", "");
+        if (out.status != 0) fail_msg("%s: %s%s", names[i], out.text, out.errors);
+    }
+}
+
 int main(void) {
     setenv("SDL_VIDEODRIVER", "offscreen", 1);
     setenv("XDG_RUNTIME_DIR", "/tmp", 0);
@@ -213,6 +226,7 @@ int main(void) {
                                        cmocka_unit_test(test_prepare_offline),
                                        cmocka_unit_test(test_gpu_skinning),
                                        cmocka_unit_test(test_many_objects),
+                                       cmocka_unit_test(test_recipes),
                                        cmocka_unit_test_teardown(test_model_decides, stub_stop),
                                        cmocka_unit_test_teardown(test_model_is_no_use, stub_stop),
                                        cmocka_unit_test(test_model_is_down)};

@@ -13,7 +13,7 @@ static void use(dm_context* context, dm_object object) {
     if (dm_object_get_info(context, object, &info) != DM_OK) abort();
     for (uint32_t i = 0; i < info.part_count; i++) {
         dm_part_info part = {.struct_size = sizeof part};
-        dm_joint joint;
+        dm_joint joint = {.struct_size = sizeof joint};
         dm_pose pose;
         if (dm_object_get_part(context, object, i, &part) != DM_OK) abort();
         if (dm_object_get_joint(context, object, part.id, &joint) != DM_OK) abort();
@@ -25,7 +25,7 @@ static void use(dm_context* context, dm_object object) {
     if (again && dm_object_save(context, object, again, size, &size) != DM_OK) abort();
     free(again);
     dm_scene scene;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     uint32_t instance;
     const dm_scene_desc desc = {.struct_size = sizeof desc};
     const dm_ray ray = {info.box_min, {info.box_max.x - info.box_min.x, info.box_max.y - info.box_min.y, 1.0f}};

@@ -61,6 +61,7 @@ static inline dm_mesh_desc test_shape_desc(const test_shape* shape) {
                           .indices = shape->corners,
                           .index_count = (uint64_t)shape->face_count * 3,
                           .part_ids = shape->part,
+                          .part_id_bytes = shape->face_count * sizeof *shape->part,
                           .part_id_scope = DM_PER_FACE};
 }
 

@@ -104,7 +104,11 @@ static inline dm_object test_world_cabinet(test_world* world) {
 
 /* The door's true hinge: the edge x = 0 of its panel; opening swings the handle towards +z. */
 static inline dm_joint test_hinge(void) {
-    return (dm_joint){.type = DM_JOINT_REVOLUTE, .axis = {0, -1, 0}, .origin = {0, 0.5f, 1.03f}, .upper = 1.5f};
+    return (dm_joint){.struct_size = sizeof(dm_joint),
+                      .type = DM_JOINT_REVOLUTE,
+                      .axis = {0, -1, 0},
+                      .origin = {0, 0.5f, 1.03f},
+                      .upper = 1.5f};
 }
 
 /* A hand pulling the handle. */

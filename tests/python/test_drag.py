@@ -41,9 +41,29 @@ class Door(unittest.TestCase):
     def test_follows_and_tells_its_joint(self):
         drag, state = self.dragged(smoothing_time=-1)
         self.assertAlmostEqual(state.value, 0.8, places=3)
-        joint = drag.joint()
+        joint = drag.part_state().joint
         self.assertEqual((joint.type, joint.upper), (dragmesh.JointType.REVOLUTE, 1.5))
         self.assertAlmostEqual(drag.end().value, 0.8, places=3)
+
+    def test_ends_with_a_state_that_the_next_drag_goes_on_from(self):
+        drag, last = self.dragged()
+        state = drag.end()
+        again = self.object.drag(1, last.grab_point, state=state)
+        self.assertEqual(bytes(again.part_state().pose), bytes(last.pose))
+        value, angle, distance = dragmesh.joint_value(state.joint, state.pose)
+        self.assertAlmostEqual(value, state.value, places=5)
+        self.assertLess(max(angle, distance), 1e-5)
+        frame = dragmesh.joint_frame(state.joint)
+        self.assertEqual((frame.limits, frame.upper, frame.x.y), (3, 1.5, -1))
+
+    def test_is_put_back_into_a_saved_state(self):
+        drag, before = self.dragged()
+        saved = drag.save()
+        first = bytes(self.pull(drag, 1.1))
+        drag.restore(saved)
+        self.assertEqual(bytes(self.pull(drag, 1.1)), first)
+        with self.assertRaises(dragmesh.Error):
+            drag.restore(saved[:-1])
 
     def test_released_it_does_as_planned(self):
         drag, _ = self.dragged()
@@ -60,7 +80,7 @@ class Door(unittest.TestCase):
             drag.release(dragmesh.Intent.REPLAY)
         drag.end()
         with self.assertRaises(dragmesh.Error):
-            drag.joint()
+            drag.part_state()
         with self.assertRaises(TypeError):
             self.object.drag(1, HANDLE, softness=1)
 

@@ -99,7 +99,7 @@ static dm_drag_hint pull_in(const host* h) {
 }
 
 static void record_joint(record* r, const host* h, test_world* w, dm_object object) {
-    dm_joint joints[DM_MAX_HYPOTHESES];
+    dm_joint joints[DM_MAX_HYPOTHESES] = {{.struct_size = sizeof *joints}};
     uint32_t count = 0;
     const dm_drag_hint pull = pull_in(h);
     assert_int_equal(dm_object_get_hypotheses(w->context, object, TEST_DOOR, &pull, joints, DM_MAX_HYPOTHESES, &count),
@@ -108,7 +108,7 @@ static void record_joint(record* r, const host* h, test_world* w, dm_object obje
     dm_pose pose;
     assert_int_equal(dm_joint_pose(&joints[0], angle, &pose), DM_OK);
     note(r, (float)joints[0].type);
-    r->confidence = joints[0].confidence;
+    r->confidence = joints[0].joint_confidence;
     assert_int_equal(r->count, LOWER);
     note(r, joints[0].lower);
     note(r, joints[0].upper);
@@ -150,7 +150,7 @@ static void record_drag(record* r, const host* h, test_world* w, dm_object objec
     assert_int_equal(dm_drag_begin(w->context, &desc, &drag), DM_OK);
     for (int i = 0; i < 8; i++) {
         const dm_ray ray = ray_out(h, (dm_vec3){0.5f, 2, 4}, (dm_vec3){0.4f - 0.06f * (float)i, -1.5f, -3});
-        dm_drag_state now;
+        dm_drag_state now = {.struct_size = sizeof now};
         assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, &now), DM_OK);
         note(r, now.value);
         note_point(r, in(h, now.grab_point));
@@ -164,14 +164,14 @@ static void record_pick(record* r, const host* h, test_world* w, dm_object objec
     uint32_t instance;
     assert_int_equal(dm_scene_create(w->context, &desc, &scene), DM_OK);
     assert_int_equal(dm_scene_add(w->context, scene, object, NULL, &instance), DM_OK);
-    dm_joint hinge;
+    dm_joint hinge = {.struct_size = sizeof hinge};
     dm_pose open;
     assert_int_equal(dm_object_get_joint(w->context, object, TEST_DOOR, &hinge), DM_OK);
     assert_int_equal(dm_joint_pose(&hinge, 0.5f, &open), DM_OK);
     assert_int_equal(dm_scene_move(w->context, scene, instance, TEST_DOOR, &open), DM_OK);
     assert_int_equal(dm_scene_commit(w->context, scene), DM_OK);
     const dm_ray ray = ray_out(h, (dm_vec3){0.6f, 0.4f, 5}, (dm_vec3){0, 0.01f, -1});
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     assert_int_equal(dm_scene_pick(w->context, scene, &ray, &hit), DM_OK);
     assert_int_equal(hit.part_id, TEST_DOOR);
     note(r, (float)hit.triangle);
@@ -184,7 +184,7 @@ static void record_pick(record* r, const host* h, test_world* w, dm_object objec
 
 /* The middle of the screen looks forward, and right of it lies on the viewer's right, in left-handed hosts too. */
 static void record_camera(record* r, const host* h, test_world* w) {
-    dm_camera camera = {.struct_size = sizeof camera, .fov_y = 0.9f, .width = 640, .height_px = 480};
+    dm_camera camera = {.struct_size = sizeof camera, .fov_y = 0.9f, .viewport_width = 640, .viewport_height = 480};
     camera.eye = out(h, (dm_vec3){1, 0.5f, 5});
     camera.forward = turn_out(h, (dm_vec3){0, 0, -1});
     camera.up = turn_out(h, (dm_vec3){0, 1, 0});

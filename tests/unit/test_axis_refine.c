@@ -9,7 +9,7 @@
 
 /* A door on the left edge of a panel of size 1, with its range; and the hand. */
 static const dm_joint door = {
-    .type = DM_JOINT_REVOLUTE, .confidence = 0.6f, .axis = {0, -1, 0}, .origin = {-0.5f, 0, 0}, .upper = 1.57f};
+    .type = DM_JOINT_REVOLUTE, .joint_confidence = 0.6f, .axis = {0, -1, 0}, .origin = {-0.5f, 0, 0}, .upper = 1.57f};
 static const float handle[3] = {0.3f, 0.3f, 0.02f}, eye[3] = {1.2f, 1.4f, 3};
 
 static dm_ray ray_to(const float point[3]) {

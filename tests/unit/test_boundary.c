@@ -31,7 +31,7 @@ static void test_context_with_all_defaults(void** state) {
     (void)state;
     dm_context* context = NULL;
     assert_int_equal(dm_context_create(NULL, &context), DM_OK);
-    dm_memory_info info;
+    dm_memory_info info = {.struct_size = sizeof info};
     assert_int_equal(dm_context_get_memory(context, &info), DM_OK);
     assert_true(info.bytes > 0 && info.peak_bytes >= info.bytes && info.allocations > 0);
     dm_context_destroy(context);
@@ -65,7 +65,7 @@ static void test_memory_is_accounted_to_the_byte(void** state) {
     test_world w;
     test_world_init(&w);
     test_world_open(&w);
-    dm_memory_info info;
+    dm_memory_info info = {.struct_size = sizeof info};
     dm_object object = test_world_cabinet(&w);
     assert_int_equal(dm_context_get_memory(w.context, &info), DM_OK);
     assert_int_equal(info.bytes, w.memory.live_bytes);
@@ -76,6 +76,42 @@ static void test_memory_is_accounted_to_the_byte(void** state) {
     assert_int_equal(info.bytes, w.memory.live_bytes);
     assert_int_equal(dm_context_get_memory(w.context, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_context_get_memory(NULL, &info), DM_ERROR_INVALID_ARGUMENT);
+    test_world_close(&w);
+}
+
+/* ---- sizes of buffers ---- */
+
+/* A forgotten format, scope or size is refused before anything is read. */
+static void test_buffers_that_do_not_fit_are_refused(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    uint8_t* bytes = malloc(w.shape.face_count); /* not a byte longer, for the address sanitizer */
+    assert_non_null(bytes);
+    for (uint32_t i = 0; i < w.shape.face_count; i++) bytes[i] = (uint8_t)w.shape.part[i];
+    dm_mesh_desc mesh = test_shape_desc(&w.shape);
+    mesh.part_ids = bytes, mesh.part_id_bytes = w.shape.face_count;
+    const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh};
+    dm_object object = 0;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "part_id_format");
+    mesh.part_id_format = DM_UINT8, mesh.part_id_scope = DM_PER_VERTEX;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "24 vertices");
+    mesh.part_id_scope = DM_PER_FACE, mesh.part_id_bytes = 0;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "part_id_bytes is 0");
+    mesh.part_id_bytes = w.shape.face_count, mesh.index_bytes = mesh.index_count * sizeof(uint16_t);
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "index_format");
+    mesh.index_bytes = mesh.index_count * sizeof(uint32_t), mesh.position_bytes = mesh.vertex_count * 12 - 1;
+    assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "position_bytes is 287");
+    mesh.position_bytes++;
+    uint8_t faces[64];
+    const dm_drag_hint hint = test_pull();
+    mesh.part_id_format = DM_UINT32;
+    assert_error(&w, dm_mesh_find_part(w.context, &mesh, &hint, faces, sizeof faces), DM_ERROR_INVALID_ARGUMENT,
+                 "dm_mesh_find_part: mesh.part_id_bytes");
+    mesh.part_id_format = DM_UINT8;
+    assert_int_equal(dm_object_prepare(w.context, &desc, &object), DM_OK);
+    free(bytes);
     test_world_close(&w);
 }
 
@@ -92,7 +128,8 @@ static void test_inputs_of_other_versions(void** state) {
     test_world w;
     test_world_init(&w);
     test_world_open(&w);
-    newer_camera camera = {.known = {.fov_y = 1, .forward = {0, 0, -1}, .up = {0, 1, 0}, .width = 8, .height_px = 6}};
+    newer_camera camera = {
+        .known = {.fov_y = 1, .forward = {0, 0, -1}, .up = {0, 1, 0}, .viewport_width = 8, .viewport_height = 6}};
     dm_ray ray;
     camera.known.struct_size = sizeof camera;
     assert_int_equal(dm_camera_ray(w.context, &camera.known, 1, 1, &ray), DM_OK);
@@ -157,7 +194,7 @@ static void test_arrays_of_newer_parts(void** state) {
     const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .parts = &parts[0].known, .part_count = 2};
     dm_object object;
     assert_int_equal(dm_object_prepare(w.context, &desc, &object), DM_OK);
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_get_joint(w.context, object, 2, &joint), DM_OK);
     assert_int_equal(joint.type, DM_JOINT_FIXED);
     assert_int_equal(dm_object_get_joint(w.context, object, 1, &joint), DM_OK);
@@ -203,7 +240,7 @@ static void test_null_stale_and_foreign_handles(void** state) {
     test_world_init(&other);
     test_world_open(&other);
     dm_object object = test_world_cabinet(&w);
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_error(&w, dm_object_get_joint(w.context, 0, 1, &joint), DM_ERROR_STALE_HANDLE, "0x0000000000000000");
     assert_error(&w, dm_scene_destroy(w.context, object), DM_ERROR_STALE_HANDLE, "an object");
     assert_error(&w, dm_motion_destroy(w.context, object), DM_ERROR_STALE_HANDLE, "dm_motion_destroy");
@@ -262,7 +299,7 @@ static void test_drag_arguments(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     dm_drag drag = 0;
-    dm_drag_state out;
+    dm_drag_state out = {.struct_size = sizeof out};
     dm_drag_desc desc = {.struct_size = sizeof desc, .part_id = 9, .object = test_world_cabinet(&w)};
     assert_error(&w, dm_drag_begin(w.context, &desc, &drag), DM_ERROR_NOT_FOUND, "no part 9");
     desc.part_id = 0;
@@ -284,7 +321,7 @@ static void test_drag_arguments(void** state) {
     assert_error(&w, dm_drag_update(w.context, drag, &ray, (float)INFINITY, &out), DM_ERROR_NOT_FINITE, "dt is inf");
     assert_error(&w, dm_drag_update(w.context, drag, &ray, 0, NULL), DM_ERROR_INVALID_ARGUMENT, "out_state");
     assert_int_equal(dm_drag_update(w.context, drag, &ray, 0, &out), DM_OK);
-    assert_int_equal(dm_drag_end(w.context, drag, &out), DM_OK);
+    assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
     assert_error(&w, dm_drag_update(w.context, drag, &ray, 0, &out), DM_ERROR_STALE_HANDLE, "a drag");
     assert_error(&w, dm_drag_end(w.context, drag, NULL), DM_ERROR_STALE_HANDLE, "dm_drag_end");
     test_world_close(&w);
@@ -300,7 +337,7 @@ static void test_scene_arguments(void** state) {
     const dm_scene_desc desc = {.struct_size = sizeof desc};
     dm_scene scene;
     uint32_t instance = 0;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     assert_error(&w, dm_scene_create(w.context, &desc, NULL), DM_ERROR_INVALID_ARGUMENT, "out_scene");
     assert_int_equal(dm_scene_create(w.context, &desc, &scene), DM_OK);
     assert_error(&w, dm_scene_add(w.context, scene, bare, NULL, &instance), DM_ERROR_UNSUPPORTED, "no triangles");
@@ -331,7 +368,7 @@ static void test_camera_and_pose_arguments(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     dm_camera camera = {.struct_size = sizeof camera, .fov_y = 1, .forward = {0, 0, -1}, .up = {0, 0, 2}};
-    camera.width = camera.height_px = 100;
+    camera.viewport_width = camera.viewport_height = 100;
     dm_ray ray;
     assert_error(&w, dm_camera_ray(w.context, &camera, 1, 1, &ray), DM_ERROR_INVALID_ARGUMENT, "forward and up");
     camera.up.y = 1;
@@ -357,6 +394,7 @@ int main(void) {
         cmocka_unit_test(test_context_with_all_defaults),
         cmocka_unit_test(test_context_names_the_wrong_field),
         cmocka_unit_test(test_memory_is_accounted_to_the_byte),
+        cmocka_unit_test(test_buffers_that_do_not_fit_are_refused),
         cmocka_unit_test(test_inputs_of_other_versions),
         cmocka_unit_test(test_every_descriptor_checks_its_size),
         cmocka_unit_test(test_arrays_of_newer_parts),

@@ -12,9 +12,9 @@ static dm_camera camera(void) {
                        .eye = {1, 2, 3},
                        .forward = {0, 0, -5},
                        .up = {0, 0.5f, 0},
-                       .width = 400,
-                       .height_px = 200,
-                       .height = 3};
+                       .viewport_width = 400,
+                       .viewport_height = 200,
+                       .ortho_height = 3};
 }
 
 static void expect_vec(dm_vec3 v, float x, float y, float z) {
@@ -106,14 +106,14 @@ static void cameras_without_a_picture_give_no_ray(void** state) {
     const float bad_sizes[] = {0, -1, NAN, INFINITY};
     for (int i = 0; i < 4; i++) {
         dm_camera c = camera();
-        c.width = bad_sizes[i];
+        c.viewport_width = bad_sizes[i];
         expect_no_ray(c);
         c = camera();
-        c.height_px = bad_sizes[i];
+        c.viewport_height = bad_sizes[i];
         expect_no_ray(c);
         c = camera();
         c.fov_y = 0;
-        c.height = bad_sizes[i];
+        c.ortho_height = bad_sizes[i];
         expect_no_ray(c);
     }
     const float bad_angles[] = {-1, 3.1416f, NAN, INFINITY};

@@ -45,7 +45,8 @@ static void assert_same_part(dm_context* a, dm_object in_a, dm_context* b, dm_ob
     assert_int_equal(dm_object_get_part(a, in_a, index, &part_a), DM_OK);
     assert_int_equal(dm_object_get_part(b, in_b, index, &part_b), DM_OK);
     assert_memory_equal(&part_a, &part_b, sizeof part_a);
-    dm_joint ranked_a[DM_MAX_HYPOTHESES], ranked_b[DM_MAX_HYPOTHESES];
+    dm_joint ranked_a[DM_MAX_HYPOTHESES] = {{.struct_size = sizeof *ranked_a}},
+             ranked_b[DM_MAX_HYPOTHESES] = {{.struct_size = sizeof *ranked_b}};
     uint32_t count_a = 0, count_b = 0;
     assert_int_equal(dm_object_get_hypotheses(a, in_a, part_a.id, NULL, ranked_a, DM_MAX_HYPOTHESES, &count_a), DM_OK);
     assert_int_equal(dm_object_get_hypotheses(b, in_b, part_a.id, NULL, ranked_b, DM_MAX_HYPOTHESES, &count_b), DM_OK);
@@ -74,7 +75,7 @@ static void test_loading_gives_the_saved_bits(void** state) {
     assert_int_equal(dm_object_get_info(w.context, object, &a), DM_OK);
     assert_int_equal(dm_object_get_info(fresh.context, loaded, &b), DM_OK);
     assert_memory_equal(&a, &b, sizeof a);
-    dm_joint joint_a, joint_b;
+    dm_joint joint_a = {.struct_size = sizeof joint_a}, joint_b = {.struct_size = sizeof joint_b};
     for (uint32_t i = 0; i < 2; i++) assert_same_part(w.context, object, fresh.context, loaded, i);
     dm_object_get_joint(w.context, object, TEST_DOOR, &joint_a);
     dm_object_get_joint(fresh.context, loaded, TEST_DOOR, &joint_b);
@@ -150,7 +151,7 @@ static void test_loaded_objects_can_be_picked(void** state) {
     const dm_scene_desc desc = {.struct_size = sizeof desc};
     dm_scene scene;
     uint32_t instance;
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     const dm_ray ray = {{0.5f, 0.25f, 5}, {0, 0, -1}};
     assert_int_equal(dm_scene_create(w.context, &desc, &scene), DM_OK);
     assert_int_equal(dm_scene_add(w.context, scene, loaded, NULL, &instance), DM_OK);
@@ -176,7 +177,7 @@ static void test_a_file_serves_hosts_of_other_axes(void** state) {
     bytes file = save(w.context, make_object(&w, 0));
     dm_object loaded;
     dm_object_info info = {.struct_size = sizeof info};
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_load(unreal.context, file.data, file.size, 0, &loaded), DM_OK);
     assert_int_equal(dm_object_get_info(unreal.context, loaded, &info), DM_OK);
     assert_true(fabsf(info.size - 200) < 1e-3f && fabsf(info.box_max.z - 100) < 1e-3f);
@@ -247,7 +248,7 @@ static void test_any_changed_word_is_rejected_or_valid(void** state) {
         put_u32(file.data + at, edge);
         sign_again(&file);
         dm_object object = 0;
-        dm_joint joints[DM_MAX_HYPOTHESES];
+        dm_joint joints[DM_MAX_HYPOTHESES] = {{.struct_size = sizeof *joints}};
         uint32_t count;
         dm_result result = dm_object_load(w.context, file.data, file.size, 0, &object);
         if (result == DM_OK) {
@@ -359,7 +360,7 @@ static void test_the_first_version_still_loads(void** state) {
     void* data = test_read_file(CORPUS, &size);
     dm_object object;
     dm_object_info info = {.struct_size = sizeof info};
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_load(w.context, data, size, 0, &object), DM_OK);
     assert_int_equal(dm_object_get_info(w.context, object, &info), DM_OK);
     assert_int_equal(info.part_count, 2);

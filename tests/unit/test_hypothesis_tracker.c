@@ -12,10 +12,10 @@
 /* A front panel that might slide out, or swing on either side, or on its lower edge. */
 enum { SLIDES, LEFT, RIGHT, LOWER, JOINTS };
 static const dm_joint joints[JOINTS] = {
-    {.type = DM_JOINT_PRISMATIC, .confidence = 0.5f, .axis = {0, 0, 1}, .upper = 0.5f},
-    {.type = DM_JOINT_REVOLUTE, .confidence = 0.3f, .axis = {0, -1, 0}, .origin = {-0.5f, 0, 0}, .upper = 1.57f},
-    {.type = DM_JOINT_REVOLUTE, .confidence = 0.1f, .axis = {0, 1, 0}, .origin = {0.5f, 0, 0}, .upper = 1.57f},
-    {.type = DM_JOINT_REVOLUTE, .confidence = 0.1f, .axis = {1, 0, 0}, .origin = {0, -0.5f, 0}, .upper = 1.57f},
+    {.type = DM_JOINT_PRISMATIC, .joint_confidence = 0.5f, .axis = {0, 0, 1}, .upper = 0.5f},
+    {.type = DM_JOINT_REVOLUTE, .joint_confidence = 0.3f, .axis = {0, -1, 0}, .origin = {-0.5f, 0, 0}, .upper = 1.57f},
+    {.type = DM_JOINT_REVOLUTE, .joint_confidence = 0.1f, .axis = {0, 1, 0}, .origin = {0.5f, 0, 0}, .upper = 1.57f},
+    {.type = DM_JOINT_REVOLUTE, .joint_confidence = 0.1f, .axis = {1, 0, 0}, .origin = {0, -0.5f, 0}, .upper = 1.57f},
 };
 static const float handle[3] = {0.3f, 0.3f, 0.02f}, eye[3] = {1.2f, 1.4f, 3};
 
@@ -87,7 +87,7 @@ static void a_hand_may_cut_the_corner(void** state) {
     (void)state;
     for (int slides = 0; slides < 2; slides++) {
         dm_joint two[2] = {joints[LEFT], joints[SLIDES]};
-        two[0].confidence = slides ? 0.2f : 0.6f;
+        two[0].joint_confidence = slides ? 0.2f : 0.6f;
         const dm_drag_feel feel = {0};
         dmi_drag drag;
         dm_drag_state now;
@@ -122,8 +122,8 @@ static void a_hand_that_trembles_decides_the_same(void** state) {
 static void add_alternatives(dmi_drag* drag, const dm_joint* right) {
     for (int k = 0; k < 80; k++) {
         const float x = 0.1f * (float)(k % 8) - 0.35f, y = 0.1f * (float)(k / 8) - 0.35f;
-        dm_joint other = {.type = DM_JOINT_REVOLUTE, .confidence = 0.01f, .axis = {0, 0, 1}, .origin = {x, y, 0}};
-        if (k == 37) other = *right, other.confidence = 0.005f;
+        dm_joint other = {.type = DM_JOINT_REVOLUTE, .joint_confidence = 0.01f, .axis = {0, 0, 1}, .origin = {x, y, 0}};
+        if (k == 37) other = *right, other.joint_confidence = 0.005f;
         dmi_hypothesis_tracker_add_alternative(&drag->tracker, &other, dmi_unbounded_range());
     }
 }
@@ -285,10 +285,14 @@ static void host_axes_do_not_matter(void** state) {
 static void no_turn_about_the_grabbed_point(void** state) {
     (void)state;
     static const dm_joint panel[2] = {
-        {.type = DM_JOINT_PRISMATIC, .confidence = 0.5f, .axis = {0, 0, 1}, .upper = 0.5f},
-        {.type = DM_JOINT_REVOLUTE, .confidence = 0.5f, .axis = {0, 0, 1}, .origin = {0.29f, 0.3f, 0}, .upper = 3.0f}};
+        {.type = DM_JOINT_PRISMATIC, .joint_confidence = 0.5f, .axis = {0, 0, 1}, .upper = 0.5f},
+        {.type = DM_JOINT_REVOLUTE,
+         .joint_confidence = 0.5f,
+         .axis = {0, 0, 1},
+         .origin = {0.29f, 0.3f, 0},
+         .upper = 3.0f}};
     static const dm_joint far_off = {
-        .type = DM_JOINT_REVOLUTE, .confidence = 0.5f, .axis = {0, 0, 1}, .origin = {-0.5f, 0, 0}, .upper = 3.0f};
+        .type = DM_JOINT_REVOLUTE, .joint_confidence = 0.5f, .axis = {0, 0, 1}, .origin = {-0.5f, 0, 0}, .upper = 3.0f};
     dmi_hypothesis_tracker tracker;
     dmi_hypothesis_tracker_init(&tracker, panel, NULL, 2, handle, 1, (dmi_limit_give){.length = 4});
     dmi_hypothesis_tracker_add_alternative(&tracker, &far_off, dmi_unbounded_range());

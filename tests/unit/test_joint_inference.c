@@ -95,9 +95,9 @@ static void check_hypotheses(const dmi_hypotheses* h) {
         float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
         assert_float_equal(dmi_length3(axis), 1, 1e-4f);
         assert_true(joint->upper > joint->lower && isfinite(joint->upper) && isfinite(joint->lower));
-        assert_true(joint->confidence >= 0 && joint->type_confidence >= joint->confidence - 1e-4f);
-        if (i > 0) assert_true(joint->confidence <= h->joints[i - 1].confidence + 1e-4f);
-        sum += joint->confidence;
+        assert_true(joint->joint_confidence >= 0 && joint->type_confidence >= joint->joint_confidence - 1e-4f);
+        if (i > 0) assert_true(joint->joint_confidence <= h->joints[i - 1].joint_confidence + 1e-4f);
+        sum += joint->joint_confidence;
     }
     assert_true(sum <= 1.001f);
 }
@@ -202,13 +202,16 @@ static void orienting_follows_the_drag(void** state) {
 
 static dmi_hypotheses slide_or_turn(void) {
     dmi_hypotheses h = {.count = 2};
-    h.joints[0] = (dm_joint){
-        .type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .upper = 0.5f, .confidence = 0.6f, .type_confidence = 0.6f};
+    h.joints[0] = (dm_joint){.type = DM_JOINT_PRISMATIC,
+                             .axis = {1, 0, 0},
+                             .upper = 0.5f,
+                             .joint_confidence = 0.6f,
+                             .type_confidence = 0.6f};
     h.joints[1] = (dm_joint){.type = DM_JOINT_REVOLUTE,
                              .axis = {0, 0, 1},
                              .origin = {-1, 0, 0},
                              .upper = 1.5f,
-                             .confidence = 0.3f,
+                             .joint_confidence = 0.3f,
                              .type_confidence = 0.4f};
     return h;
 }
@@ -219,12 +222,12 @@ static void a_drag_reranks(void** state) {
     dmi_drag_hint along = {{0, 0, 0}, {1, 0.1f, 0}}, across = {{0, 0, 0}, {0.05f, 1, 0}};
     dmi_hypotheses_rerank(&before, &along, &after);
     assert_int_equal(after.joints[0].type, DM_JOINT_PRISMATIC);
-    assert_true(after.joints[0].confidence > 0.6f);
+    assert_true(after.joints[0].joint_confidence > 0.6f);
     dmi_hypotheses_rerank(&before, &across, &after);
     assert_int_equal(after.count, 2);
     assert_int_equal(after.joints[0].type, DM_JOINT_REVOLUTE);
-    assert_true(after.joints[0].confidence > 0.8f && after.joints[0].type_confidence > 0.8f);
-    assert_float_equal(after.joints[0].confidence + after.joints[1].confidence, 0.9f, 1e-4f);
+    assert_true(after.joints[0].joint_confidence > 0.8f && after.joints[0].type_confidence > 0.8f);
+    assert_float_equal(after.joints[0].joint_confidence + after.joints[1].joint_confidence, 0.9f, 1e-4f);
     /* In place. */
     dmi_hypotheses_rerank(&before, &across, &before);
     assert_int_equal(before.joints[0].type, DM_JOINT_REVOLUTE);

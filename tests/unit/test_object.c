@@ -63,16 +63,17 @@ static void test_a_door_is_revolute_without_weights(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     dm_object object = test_world_cabinet(&w);
-    dm_joint joint, ranked[DM_MAX_HYPOTHESES];
+    dm_joint joint = {.struct_size = sizeof joint}, ranked[DM_MAX_HYPOTHESES] = {{.struct_size = sizeof *ranked}};
     uint32_t count = 0;
     assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &joint), DM_OK);
     assert_true(turns(&joint));
-    assert_true(joint.confidence > 0 && joint.confidence <= 1);
+    assert_true(joint.joint_confidence > 0 && joint.joint_confidence <= 1);
     assert_int_equal(dm_object_get_hypotheses(w.context, object, TEST_DOOR, NULL, ranked, DM_MAX_HYPOTHESES, &count),
                      DM_OK);
     assert_true(count >= 2 && count <= DM_MAX_HYPOTHESES);
     assert_joint_bits(&joint, &ranked[0]);
-    for (uint32_t i = 1; i < count; i++) assert_true(ranked[i].confidence <= ranked[i - 1].confidence + 1e-6f);
+    for (uint32_t i = 1; i < count; i++)
+        assert_true(ranked[i].joint_confidence <= ranked[i - 1].joint_confidence + 1e-6f);
     assert_int_equal(dm_object_get_hypotheses(w.context, object, TEST_DOOR, NULL, ranked, 1, &count), DM_OK);
     assert_int_equal(count, 1);
     assert_int_equal(dm_object_get_hypotheses(w.context, object, TEST_DOOR, NULL, NULL, 0, &count), DM_OK);
@@ -99,7 +100,7 @@ static void test_a_drag_signs_the_hypotheses(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     dm_object object = test_world_cabinet(&w);
-    dm_joint ranked[DM_MAX_HYPOTHESES];
+    dm_joint ranked[DM_MAX_HYPOTHESES] = {{.struct_size = sizeof *ranked}};
     uint32_t count = 0;
     dm_drag_hint pull = test_pull();
     assert_int_equal(dm_object_get_hypotheses(w.context, object, TEST_DOOR, &pull, ranked, DM_MAX_HYPOTHESES, &count),
@@ -126,7 +127,7 @@ static void test_given_types_are_kept(void** state) {
         cabinet.desc.parts = &part;
         cabinet.desc.part_count = 1;
         dm_object object;
-        dm_joint joint;
+        dm_joint joint = {.struct_size = sizeof joint};
         assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_OK);
         assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &joint), DM_OK);
         assert_int_equal(joint.type, type);
@@ -166,7 +167,7 @@ static void test_intent_callback(void** state) {
     cabinet.desc.intent = answer;
     cabinet.desc.intent_user = &a;
     dm_object object;
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_OK);
     assert_int_equal(a.calls, 2);
     assert_int_equal(a.last_id, TEST_HANDLE);
@@ -185,12 +186,12 @@ static void test_set_joint(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     dm_object object = test_world_cabinet(&w);
-    dm_joint joint = test_hinge(), now;
+    dm_joint joint = test_hinge(), now = dm_joint_default();
     joint.axis.y = -3; /* any length */
     assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &joint), DM_OK);
     assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &now), DM_OK);
     assert_int_equal(now.source, DM_JOINT_FROM_HOST);
-    assert_true(now.confidence == 1 && now.type_confidence == 1 && now.axis.y == -1 && now.upper == joint.upper);
+    assert_true(now.joint_confidence == 1 && now.type_confidence == 1 && now.axis.y == -1 && now.upper == joint.upper);
     const struct {
         float* field;
         float value;
@@ -200,8 +201,9 @@ static void test_set_joint(void** state) {
         {&joint.axis.y, 0, DM_ERROR_INVALID_ARGUMENT, "joint.axis has length 0"},
         {&joint.axis.z, (float)NAN, DM_ERROR_NOT_FINITE, "joint.axis.z"},
         {&joint.origin.x, (float)INFINITY, DM_ERROR_NOT_FINITE, "joint.origin.x is inf"},
-        {&joint.upper, -1, DM_ERROR_INVALID_ARGUMENT, "joint.lower 0 is above joint.upper -1"},
-        {&joint.lower, (float)-INFINITY, DM_ERROR_NOT_FINITE, "joint.lower"},
+        {&joint.upper, -1, DM_ERROR_INVALID_ARGUMENT, "joint.lower 0 is above upper -1"},
+        {&joint.lower, (float)NAN, DM_ERROR_NOT_FINITE, "joint.lower"},
+        {&joint.upper, (float)-INFINITY, DM_ERROR_INVALID_ARGUMENT, "is above upper -inf"},
         {&joint.pitch, (float)NAN, DM_ERROR_NOT_FINITE, "joint.pitch"},
     };
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
@@ -295,7 +297,7 @@ static void test_invalid_drags_are_reported(void** state) {
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_NOT_FINITE);
     drag = test_pull();
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_OK);
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &joint), DM_OK);
     assert_true(along_pull(&joint) > 0);
     test_world_close(&w);
@@ -400,7 +402,7 @@ static void test_refine_needs_weights_and_triangles(void** state) {
     object = test_world_cabinet(&w);
     assert_int_equal(dm_object_refine(w.context, object, TEST_DOOR, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_object_refine(w.context, object, TEST_DOOR, &pull), DM_OK);
-    dm_joint joint;
+    dm_joint joint = {.struct_size = sizeof joint};
     assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &joint), DM_OK);
     assert_true(along_pull(&joint) > 0);
     dm_object bare;
@@ -423,7 +425,7 @@ static void test_refine_equals_prepare(void** state) {
     cabinet.desc.parts = &part;
     cabinet.desc.part_count = 1;
     dm_object refined, prepared;
-    dm_joint a, b;
+    dm_joint a = {.struct_size = sizeof a}, b = {.struct_size = sizeof b};
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &refined), DM_OK);
     assert_int_equal(dm_object_refine(w.context, refined, TEST_DOOR, &pull), DM_OK);
     part.drag = &pull;
@@ -441,7 +443,7 @@ static void test_picking_does_not_change_joints(void** state) {
     test_world_open(&w);
     dm_object full = test_world_cabinet(&w), bare;
     assert_int_equal(test_world_prepare(&w, DM_PREPARE_WITHOUT_PICKING, &bare), DM_OK);
-    dm_joint a, b;
+    dm_joint a = {.struct_size = sizeof a}, b = {.struct_size = sizeof b};
     assert_int_equal(dm_object_get_joint(w.context, full, TEST_DOOR, &a), DM_OK);
     assert_int_equal(dm_object_get_joint(w.context, bare, TEST_DOOR, &b), DM_OK);
     assert_joint_bits(&a, &b);
@@ -481,7 +483,11 @@ static void test_motion_follows_the_joint_in_use(void** state) {
         assert_true(value == values[DM_MOTION_FRAMES - 1]);
         assert_int_equal(dm_motion_sample(w.context, motion, -1, &pose, NULL), DM_OK);
         /* The same hinge with its axis negated: the same motion with negated values. */
-        hinge = (dm_joint){.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}, .origin = {0, 0.5f, 1.03f}, .lower = -1.5f};
+        hinge = (dm_joint){.struct_size = sizeof(dm_joint),
+                           .type = DM_JOINT_REVOLUTE,
+                           .axis = {0, 1, 0},
+                           .origin = {0, 0.5f, 1.03f},
+                           .lower = -1.5f};
         assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
     }
     test_world_close(&w);
@@ -557,7 +563,7 @@ static void test_a_fixed_part_stays(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     dm_object object = test_world_cabinet(&w);
-    const dm_joint fixed = {.type = DM_JOINT_FIXED};
+    const dm_joint fixed = {.struct_size = sizeof fixed, .type = DM_JOINT_FIXED};
     assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &fixed), DM_OK);
     const dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = TEST_DOOR, .drag = test_pull()};
     dm_motion motion;
@@ -577,7 +583,7 @@ static void test_destroying_an_object_invalidates_its_handles(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     test_world_load_model(&w);
-    dm_memory_info before, after;
+    dm_memory_info before = {.struct_size = sizeof before}, after = {.struct_size = sizeof after};
     const dm_scene_desc scene_desc = {.struct_size = sizeof scene_desc};
     dm_scene scenes[2];
     dm_object stays = test_world_cabinet(&w);
@@ -603,12 +609,12 @@ static void test_destroying_an_object_invalidates_its_handles(void** state) {
     }
     assert_int_equal(dm_object_destroy(w.context, object), DM_OK);
     dm_pose pose;
-    dm_drag_state drag_state;
+    dm_drag_state drag_state = {.struct_size = sizeof drag_state};
     const dm_ray ray = {{10.5f, 0.5f, 5}, {0, 0, -1}};
     assert_int_equal(dm_motion_sample(w.context, motions[0], 0, &pose, NULL), DM_ERROR_STALE_HANDLE);
     assert_int_equal(dm_drag_update(w.context, drags[2], &ray, 0, &drag_state), DM_ERROR_STALE_HANDLE);
     assert_int_equal(dm_drag_end(w.context, drags[2], NULL), DM_ERROR_STALE_HANDLE);
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     for (int i = 0; i < 2; i++) {
         assert_int_equal(dm_scene_commit(w.context, scenes[i]), DM_OK);
         assert_int_equal(dm_scene_pick(w.context, scenes[i], &ray, &hit), DM_OK);

@@ -53,6 +53,7 @@ static dm_object prepare_fine_cabinet(test_world* w) {
                                .indices = corners,
                                .index_count = 3 * (uint64_t)faces,
                                .part_ids = part,
+                               .part_id_bytes = faces * sizeof *part,
                                .part_id_format = DM_UINT8,
                                .part_id_scope = DM_PER_FACE};
     const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = w->model};
@@ -74,7 +75,7 @@ static void test_the_library_starts_no_thread(void** state) {
     assert_int_equal(thread_count(), before);
     dm_scene scene = scene_with(w.context, object);
     const dm_ray ray = {{0.5f, 0.5f, 5}, {0, 0, -1}};
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     assert_int_equal(dm_scene_pick(w.context, scene, &ray, &hit), DM_OK);
     assert_int_equal(hit.object, object);
     assert_int_equal(thread_count(), before);
@@ -119,7 +120,7 @@ static void play_round(player* player) {
     PLAYER_CHECK(dm_drag_begin(context, &drag_desc, &drag) == DM_OK);
     for (int i = 0; i < 20; i++) {
         const dm_ray ray = {{0.9f, 0.5f, 5}, {-0.01f * (float)i, 0, -1}};
-        dm_drag_state drag_state;
+        dm_drag_state drag_state = {.struct_size = sizeof drag_state};
         dm_pose pose;
         PLAYER_CHECK(dm_drag_update(context, drag, &ray, 0.016f, &drag_state) == DM_OK);
         PLAYER_CHECK(dm_motion_sample(context, motion, (float)i / 20, &pose, NULL) == DM_OK);
@@ -170,7 +171,7 @@ static void* pick_many(void* data) {
     picker* p = data;
     for (int i = 0; i < 500; i++) {
         const dm_ray ray = {{0.05f + 0.9f * (float)(i % 25) / 25, 0.05f + 0.9f * (float)(i / 25) / 20, 5}, {0, 0, -1}};
-        dm_hit hit;
+        dm_hit hit = {.struct_size = sizeof hit};
         if (dm_scene_pick(p->context, p->scene, &ray, &hit) != DM_OK || hit.object != p->object)
             p->others++;
         else
@@ -222,7 +223,7 @@ static int32_t DM_CALL two_threads(void* user, uint32_t count, dm_task task, voi
 
 static void test_prepare_on_the_hosts_workers(void** state) {
     (void)state;
-    dm_joint joints[2];
+    dm_joint joints[2] = {dm_joint_default(), dm_joint_default()};
     for (int i = 0; i < 2; i++) {
         test_world w;
         test_world_init(&w);
@@ -249,7 +250,7 @@ static void test_two_contexts_at_once(void** state) {
     dm_scene scene_a = scene_with(a.context, in_a), scene_b = scene_with(b.context, in_b);
     test_world_close(&a); /* the other one goes on */
     const dm_ray ray = {{0.5f, 0.5f, 5}, {0, 0, -1}};
-    dm_hit hit;
+    dm_hit hit = {.struct_size = sizeof hit};
     assert_int_equal(dm_scene_pick(b.context, scene_b, &ray, &hit), DM_OK);
     assert_int_equal(hit.object, in_b);
     assert_int_equal(dm_scene_pick(b.context, scene_a, &ray, &hit), DM_ERROR_STALE_HANDLE);

@@ -19,7 +19,7 @@ static void score(const lab_case* made, const dm_joint* truth, const float drag_
     lab_pose_target target;
     lab_pose_target_make(&made->cloud, truth, drag_point, &target);
     out->pose[at] = lab_pose_error(&target, slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE, axis, origin);
-    out->confidence[at] = answer->confidence;
+    out->confidence[at] = answer->joint_confidence;
     out->right_type[at] = slides == (truth->type == DM_JOINT_PRISMATIC);
     out->axis_error[at] = acosf(fminf(fabsf(dmi_dot3(axis, true_axis)), 1));
     out->line_error[at] = slides ? -1 : dmi_line_distance3(origin, true_axis, true_origin);

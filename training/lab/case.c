@@ -95,7 +95,7 @@ static dm_joint flipped(dm_joint joint) {
 static dm_joint true_joint(const dmi_mesh* mesh, const dmg_joint* source, uint32_t part_index) {
     dm_joint joint = {.type = source->type,
                       .type_confidence = 1.0f,
-                      .confidence = 1.0f,
+                      .joint_confidence = 1.0f,
                       .pitch = source->pitch,
                       .axis = {source->axis[0], source->axis[1], source->axis[2]},
                       .origin = {source->origin[0], source->origin[1], source->origin[2]},

@@ -42,11 +42,32 @@ def load():
         _library.dm_version.restype = c.c_uint32
         for name in ("dm_context_destroy", "dm_pose_multiply", "dm_pose_to_matrix", "dm_pose_apply_points"):
             getattr(_library, name).restype = None
+        _library.dm_drag_snapshot_size.restype = c.c_size_t
     return _library
 
 
-def _described(struct, **values):
-    return struct(struct_size=c.sizeof(struct), **values)
+def joint_pose(joint, value):
+    """Pose of a joint at a value."""
+    out = s.Pose()
+    if load().dm_joint_pose(c.byref(joint), c.c_float(value), c.byref(out)) < 0:
+        raise ValueError("no joint, or not finite")
+    return out
+
+
+def joint_value(joint, pose):
+    """(value, angle off the joint, distance off the joint) of a pose: the inverse of joint_pose."""
+    out = [c.c_float(), c.c_float(), c.c_float()]
+    if load().dm_joint_value(c.byref(joint), c.byref(pose), *map(c.byref, out)) < 0:
+        raise ValueError("no joint, or not finite")
+    return tuple(number.value for number in out)
+
+
+def joint_frame(joint):
+    """The joint as a physics engine's constraint."""
+    out = s.JointFrame()
+    if load().dm_joint_get_frame(c.byref(joint), c.byref(out)) < 0:
+        raise ValueError("no joint, or not finite")
+    return out
 
 
 def _hint(drag):
@@ -81,7 +102,7 @@ class Context:
     def __init__(self, axes=Axes.GLTF, unit_in_metres=1.0):
         self.library, self.message = load(), ""
         self._log = s.LOG_CALLBACK(self._remember)  # kept: the library calls it
-        desc = _described(s.ContextDesc, axes=int(axes), unit_in_metres=unit_in_metres,
+        desc = s.ContextDesc(axes=int(axes), unit_in_metres=unit_in_metres,
                           log=s.Log(None, self._log))
         self.pointer = c.c_void_p()
         self.check(self.library.dm_context_create(c.byref(desc), c.byref(self.pointer)))
@@ -123,7 +144,7 @@ class Context:
                 with open(data, "rb") as file:
                     data = file.read()
             values.update({name: data, name + "_size": len(data or b"")})
-        desc = _described(s.ModelDesc, **values)
+        desc = s.ModelDesc(**values)
         handle = c.c_uint64()
         self.call("model_load", c.byref(desc), c.byref(handle))
         return Model(self, handle)
@@ -137,9 +158,10 @@ class Context:
         per_face = len(part_ids) != len(positions)
         if per_face and len(part_ids) * 3 != len(indices):
             raise ValueError(f"{len(part_ids)} part ids for {len(positions)} vertices and {len(indices) // 3} triangles")
-        mesh = _described(
-            s.MeshDesc, positions=positions.ctypes.data, vertex_count=len(positions), indices=indices.ctypes.data,
+        mesh = s.MeshDesc(
+            positions=positions.ctypes.data, vertex_count=len(positions), indices=indices.ctypes.data,
             index_count=len(indices), part_ids=part_ids.ctypes.data,
+            position_bytes=positions.nbytes, index_bytes=indices.nbytes, part_id_bytes=part_ids.nbytes,
             position_format=_POSITIONS.index(positions.dtype), index_format=_INDICES.index(indices.dtype),
             part_id_format=_PART_IDS.index(part_ids.dtype), part_id_scope=int(per_face))
         rows = (s.PartDesc * len(parts or []))()
@@ -150,7 +172,7 @@ class Context:
             if part.get("drag") is not None:
                 hints.append(_hint(part["drag"]))
                 row.drag = c.pointer(hints[-1])
-        desc = _described(s.ObjectDesc, flags=0 if picking else 1, mesh=c.pointer(mesh),
+        desc = s.ObjectDesc(flags=0 if picking else 1, mesh=c.pointer(mesh),
                           parts=rows if parts else None, part_count=len(rows),
                           model=model.handle if model else 0, seed=seed)
         handle = c.c_uint64()
@@ -185,14 +207,14 @@ class Object:
         self.context.call("object_destroy", self.handle)
 
     def info(self):
-        info = _described(s.ObjectInfo)
+        info = s.ObjectInfo()
         self.context.call("object_get_info", self.handle, c.byref(info))
         return info
 
     def parts(self):
         parts = []
         for index in range(self.info().part_count):
-            parts.append(_described(s.PartInfo))
+            parts.append(s.PartInfo())
             self.context.call("object_get_part", self.handle, c.c_uint32(index), c.byref(parts[-1]))
         return parts
 
@@ -205,9 +227,14 @@ class Object:
     def set_joint(self, part_id, joint):
         self.context.call("object_set_joint", self.handle, c.c_uint32(part_id), c.byref(joint))
 
+    def reset_joint(self, part_id):
+        """Puts the library's own answer back in force."""
+        self.context.call("object_reset_joint", self.handle, c.c_uint32(part_id))
+
     def hypotheses(self, part_id, drag=None):
         """Ranked joints, best first; drag=(point, vector) ranks them anew."""
         joints, count = (s.Joint * s.MAX_HYPOTHESES)(), c.c_uint32()
+        joints[0].struct_size = c.sizeof(s.Joint)
         hint = c.byref(_hint(drag)) if drag is not None else None
         self.context.call("object_get_hypotheses", self.handle, c.c_uint32(part_id), hint, joints,
                           c.c_uint32(len(joints)), c.byref(count))
@@ -227,7 +254,7 @@ class Object:
 
     def motion(self, part_id, drag, path=None, seed=0):
         """The DQ-VAE's motion for a drag=(point, vector), or for the path (n x 3) a pointer drew."""
-        desc = _described(s.MotionDesc, part_id=part_id, drag=_hint(drag), seed=seed)
+        desc = s.MotionDesc(part_id=part_id, drag=_hint(drag), seed=seed)
         if path is not None:
             points = np.ascontiguousarray(path, np.float32).reshape(-1, 3)
             desc.path, desc.path_count = points.ctypes.data, len(points)
@@ -235,14 +262,20 @@ class Object:
         self.context.call("motion_generate", self.handle, c.byref(desc), c.byref(handle))
         return Motion(self.context, handle)
 
-    def drag(self, part_id, grab_point, start_value=0.0, keep_joint=False, limit_give=0.0, **feel):
-        """The player grabs the part at a point. feel: fields of dm_drag_feel, such as smoothing_time=0.06."""
+    def drag(self, part_id, grab_point, start_value=0.0, keep_joint=False, limit_give=0.0, state=None, scale=None,
+             **feel):
+        """The player grabs the part at a point. state: what an earlier drag of this instance ended with; scale: of the
+        instance; feel: fields of dm_drag_feel, such as smoothing_time=0.06."""
         unknown = set(feel) - {name for name, _ in s.DragFeel._fields_}
         if unknown:
             raise TypeError(f"dm_drag_feel has no {', '.join(sorted(unknown))}")
-        desc = _described(s.DragDesc, part_id=part_id, object=self.handle, start_value=start_value,
+        desc = s.DragDesc(part_id=part_id, object=self.handle, start_value=start_value,
                           grab_point=s.Vec3(*map(float, grab_point)), feel=s.DragFeel(**feel),
                           flags=int(keep_joint), limit_give=limit_give)
+        if state is not None:
+            desc.state = c.pointer(state)
+        if scale is not None:
+            desc.scale = s.Vec3(*map(float, scale))
         handle = c.c_uint64()
         self.context.call("drag_begin", c.byref(desc), c.byref(handle))
         return Drag(self.context, handle)
@@ -282,16 +315,26 @@ class Drag:
         self.context.call("drag_update", self.handle, c.byref(ray), c.c_float(dt), c.byref(state))
         return state
 
-    def joint(self):
-        """The joint that the drag follows now, as the pull has left it; Object.set_joint keeps it."""
-        joint = s.Joint()
-        self.context.call("drag_get_joint", self.handle, c.byref(joint))
-        return joint
+    def part_state(self):
+        """Joint, value and pose now, as the pull has left them: Object.drag(state=...) goes on from there."""
+        state = s.PartState()
+        self.context.call("drag_get_part_state", self.handle, c.byref(state))
+        return state
+
+    def save(self):
+        """The whole state, for rollback, as bytes."""
+        buffer = c.create_string_buffer(load().dm_drag_snapshot_size())
+        self.context.call("drag_save", self.handle, buffer, c.c_size_t(len(buffer)))
+        return buffer.raw
+
+    def restore(self, data):
+        """Goes back to what save() gave."""
+        self.context.call("drag_restore", self.handle, data, c.c_size_t(len(data)))
 
     def release(self, intent=Intent.AUTO, duration=0.0, seed=0):
         """The player lets go: the plan of what the part does now. advance() moves it."""
-        desc = _described(s.ReleaseDesc, intent=int(intent), duration=duration, seed=seed)
-        plan = _described(s.ReleasePlan)
+        desc = s.ReleaseDesc(intent=int(intent), duration=duration, seed=seed)
+        plan = s.ReleasePlan()
         self.context.call("drag_release", self.handle, c.byref(desc), c.byref(plan))
         return plan
 
@@ -302,7 +345,7 @@ class Drag:
         return state
 
     def end(self):
-        """Lets go; the last state."""
-        state = s.DragState()
+        """Lets go; the part's state, to keep with the instance."""
+        state = s.PartState()
         self.context.call("drag_end", self.handle, c.byref(state))
         return state

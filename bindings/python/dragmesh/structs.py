@@ -5,6 +5,13 @@ MOTION_FRAMES = 16
 MAX_HYPOTHESES = 8
 
 
+class Sized(c.Structure):
+    """A struct that states its size, as dm_*_default() makes them."""
+
+    def __init__(self, **values):
+        super().__init__(**{"struct_size": c.sizeof(type(self)), **values})
+
+
 class Vec3(c.Structure):
     _fields_ = [("x", c.c_float), ("y", c.c_float), ("z", c.c_float)]
 
@@ -37,25 +44,26 @@ class Jobs(c.Structure):
     _fields_ = [("user", c.c_void_p), ("parallel_for", c.c_void_p)]
 
 
-class ContextDesc(c.Structure):
+class ContextDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("axes", c.c_int32), ("unit_in_metres", c.c_float),
                 ("custom_axes", c.c_float * 9), ("allocator", Allocator), ("log", Log), ("jobs", Jobs)]
 
 
-class MemoryInfo(c.Structure):
-    _fields_ = [("bytes", c.c_uint64), ("peak_bytes", c.c_uint64), ("allocations", c.c_uint64),
-                ("pick_bytes", c.c_uint64)]
+class MemoryInfo(Sized):
+    _fields_ = [("struct_size", c.c_uint32), ("reserved", c.c_uint32), ("bytes", c.c_uint64), ("peak_bytes", c.c_uint64),
+                ("allocations", c.c_uint64), ("pick_bytes", c.c_uint64)]
 
 
-class ModelDesc(c.Structure):
+class ModelDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("kinematics", c.c_char_p), ("kinematics_size", c.c_size_t),
                 ("motion", c.c_char_p), ("motion_size", c.c_size_t), ("ranker", c.c_char_p), ("ranker_size", c.c_size_t)]
 
 
-class MeshDesc(c.Structure):
+class MeshDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("position_stride", c.c_uint32), ("positions", c.c_void_p),
-                ("vertex_count", c.c_uint64), ("indices", c.c_void_p), ("index_count", c.c_uint64),
-                ("part_ids", c.c_void_p), ("part_id_stride", c.c_uint32), ("position_format", c.c_int32),
+                ("vertex_count", c.c_uint64), ("position_bytes", c.c_uint64), ("indices", c.c_void_p),
+                ("index_count", c.c_uint64), ("index_bytes", c.c_uint64), ("part_ids", c.c_void_p),
+                ("part_id_bytes", c.c_uint64), ("part_id_stride", c.c_uint32), ("position_format", c.c_int32),
                 ("index_format", c.c_int32), ("part_id_format", c.c_int32), ("part_id_scope", c.c_int32),
                 ("reserved", c.c_uint32)]
 
@@ -64,38 +72,53 @@ class DragHint(c.Structure):
     _fields_ = [("point", Vec3), ("vector", Vec3)]
 
 
-class PartDesc(c.Structure):
+class PartDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("id", c.c_uint32), ("parent", c.c_uint32), ("joint_type", c.c_int32),
                 ("drag", c.POINTER(DragHint))]
 
 
-class Joint(c.Structure):
+class Joint(Sized):
     """How a part moves; see dm_joint."""
 
-    _fields_ = [("type", c.c_int32), ("type_confidence", c.c_float), ("confidence", c.c_float), ("pitch", c.c_float),
-                ("axis", Vec3), ("origin", Vec3), ("lower", c.c_float), ("upper", c.c_float), ("source", c.c_int32)]
+    _fields_ = [("struct_size", c.c_uint32), ("type", c.c_int32), ("type_confidence", c.c_float),
+                ("joint_confidence", c.c_float), ("pitch", c.c_float), ("axis", Vec3), ("origin", Vec3),
+                ("lower", c.c_float), ("upper", c.c_float), ("source", c.c_int32)]
 
 
-class ObjectDesc(c.Structure):
+class JointFrame(Sized):
+    """A joint as a physics engine's constraint; see dm_joint_frame."""
+
+    _fields_ = [("struct_size", c.c_uint32), ("type", c.c_int32), ("origin", Vec3), ("x", Vec3), ("y", Vec3),
+                ("z", Vec3), ("rotation", c.c_float * 4), ("lower", c.c_float), ("upper", c.c_float),
+                ("limits", c.c_uint32), ("pitch", c.c_float)]
+
+
+class PartState(Sized):
+    """Where an instance's part stands, and by which joint; see dm_part_state."""
+
+    _fields_ = [("struct_size", c.c_uint32), ("value", c.c_float), ("pose", Pose), ("joint", Joint)]
+
+
+class ObjectDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("flags", c.c_uint32), ("mesh", c.POINTER(MeshDesc)),
                 ("parts", c.POINTER(PartDesc)), ("part_count", c.c_uint32), ("reserved", c.c_uint32),
                 ("model", c.c_uint64), ("seed", c.c_uint64), ("intent", c.c_void_p), ("intent_user", c.c_void_p),
                 ("progress", c.c_void_p), ("progress_user", c.c_void_p)]
 
 
-class ObjectInfo(c.Structure):
+class ObjectInfo(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("part_count", c.c_uint32), ("vertex_count", c.c_uint64),
                 ("triangle_count", c.c_uint64), ("box_min", Vec3), ("box_max", Vec3), ("size", c.c_float),
                 ("pickable", c.c_uint32)]
 
 
-class PartInfo(c.Structure):
+class PartInfo(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("id", c.c_uint32), ("parent", c.c_uint32),
                 ("triangle_count", c.c_uint32), ("box_min", Vec3), ("box_max", Vec3), ("centre", Vec3),
                 ("area", c.c_float)]
 
 
-class MotionDesc(c.Structure):
+class MotionDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("part_id", c.c_uint32), ("drag", DragHint), ("path", c.c_void_p),
                 ("path_count", c.c_uint32), ("seed", c.c_uint32)]
 
@@ -105,23 +128,26 @@ class DragFeel(c.Structure):
                 ("detent", c.c_float), ("detent_pull", c.c_float), ("return_time", c.c_float)]
 
 
-class DragDesc(c.Structure):
+class DragDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("part_id", c.c_uint32), ("object", c.c_uint64), ("grab_point", Vec3),
-                ("start_value", c.c_float), ("feel", DragFeel), ("flags", c.c_uint32), ("limit_give", c.c_float)]
+                ("start_value", c.c_float), ("feel", DragFeel), ("flags", c.c_uint32), ("limit_give", c.c_float),
+                ("state", c.POINTER(PartState)), ("scale", Vec3), ("reserved", c.c_uint32)]
 
 
-class DragState(c.Structure):
+class DragState(Sized):
     """Where a dragged part is; see dm_drag_state."""
 
-    _fields_ = [("pose", Pose), ("grab_point", Vec3), ("value", c.c_float), ("target", c.c_float),
-                ("velocity", c.c_float), ("at_limit", c.c_int32), ("phase", c.c_int32), ("changes", c.c_uint32)]
+    _fields_ = [("struct_size", c.c_uint32), ("pose", Pose), ("grab_point", Vec3), ("value", c.c_float),
+                ("target", c.c_float), ("velocity", c.c_float), ("at_limit", c.c_int32), ("phase", c.c_int32),
+                ("changes", c.c_uint32)]
 
 
-class ReleaseDesc(c.Structure):
-    _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("duration", c.c_float), ("seed", c.c_uint32)]
+class ReleaseDesc(Sized):
+    _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("duration", c.c_float), ("seed", c.c_uint32),
+                ("flags", c.c_uint32)]
 
 
-class ReleasePlan(c.Structure):
+class ReleasePlan(Sized):
     """What a released part will do; see dm_release_plan."""
 
     _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("start_value", c.c_float),

@@ -7,12 +7,20 @@
  *  - Frames and units are the HOST's, as stated in dm_context_desc (axes preset, unit). Angles are radians.
  *  - Functions return DM_OK (0) or a negative dm_result. On an error the outputs are untouched, a message that
  *    names the field and the value goes to the log callback, and the context stays usable. Nothing aborts.
- *  - Every descriptor starts with struct_size = sizeof(the struct). A zero in any other field means its default,
- *    for ever. A caller that is newer than the library may only send zeros in the part the library can't know, and gets
- *    zeros there in outputs. Elements of an array all have the struct_size of the first.
+ *  - Every descriptor, and every output that may grow, starts with struct_size = sizeof(the struct); the caller sets
+ * it, or starts from dm_NAME_default(). A zero in any other field means its default, for ever. A caller that is newer
+ * than the library may only send zeros in the part the library can't know, and gets zeros there in outputs. Elements of
+ * an array all have the struct_size of the first.
  *  - Handles are 64-bit ids with a generation. 0 is null. A handle to something destroyed answers
  *    DM_ERROR_STALE_HANDLE, and so does one of another context.
  *  - Memory the host passes in is borrowed for the call alone, never kept, never written unless it is an output.
+ *  - Callbacks (allocator, log, jobs, intent, progress) may call functions that take no context (dm_result_string,
+ *    dm_joint_*, dm_pose_*) and anything of OTHER contexts, nothing of the context that calls them. They return
+ * normally: no C++ exception and no longjmp may pass through the library. What the interrupted call held would be lost,
+ * and a lock would stay locked.
+ *  - Determinism: one build of the library gives the same bits for the same calls on every x86-64 processor, drags of a
+ *    loaded .dmo included: begin, update, and a release with DM_RELEASE_BY_RULE. What runs a network (prepare, refine,
+ *    motions, other releases) may differ in its last bits between instruction sets.
  *  - Threading tags:
  *      [any-thread]        callable at any time from any thread.
  *      [exclusive context] no other call on this context at the same time.
@@ -27,12 +35,24 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* DM_BUILDING: defined while the library itself is built, which exports; DM_STATIC: by hosts on Windows that link it
+ * statically. */
 #if defined(_WIN32)
 #define DM_CALL __cdecl
+#if defined(DM_BUILDING)
 #define DM_API __declspec(dllexport)
+#elif defined(DM_STATIC)
+#define DM_API
+#else
+#define DM_API __declspec(dllimport)
+#endif
 #else
 #define DM_CALL
+#if defined(DM_BUILDING)
 #define DM_API __attribute__((visibility("default")))
+#else
+#define DM_API
+#endif
 #endif
 
 #ifdef __cplusplus
@@ -52,6 +72,9 @@ extern "C" {
 #define DM_MAX_PARTS 4096
 /* Most vertices or triangles of one object. */
 #define DM_MAX_ELEMENTS 268435456
+/* No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by
+ * dm_drag_snapshot_size. */
+#define DM_DRAG_SNAPSHOT_MAX 65536
 
 /* ---- results ------------------------------------------------------------------------------------------------ */
 
@@ -109,7 +132,9 @@ typedef uint64_t dm_scene;  /* placed objects that rays can pick */
 
 /* ---- context ------------------------------------------------------------------------------------------------ */
 
-/* Host memory. allocate returns memory aligned to `alignment` (a power of two) or NULL; release gets the size
+/* Hooks: see "Callbacks" above.
+ *
+ * Host memory. allocate returns memory aligned to `alignment` (a power of two) or NULL; release gets the size
  * that was asked for. Both may be called from any thread the host calls the library on. */
 typedef struct dm_allocator {
     void* user;
@@ -155,6 +180,8 @@ typedef struct dm_context_desc {
 } dm_context_desc;
 
 typedef struct dm_memory_info {
+    uint32_t struct_size;
+    uint32_t reserved;    /* 0 */
     uint64_t bytes;       /* held now through the context's allocator */
     uint64_t peak_bytes;  /* most ever held */
     uint64_t allocations; /* calls of allocate so far */
@@ -189,17 +216,22 @@ enum { DM_FLOAT32 = 0, DM_FLOAT64 = 1 };                           /* positions:
 enum { DM_UINT32 = 0, DM_UINT16 = 1, DM_UINT8 = 2, DM_INT32 = 3 }; /* indices and part ids */
 enum { DM_PER_VERTEX = 0, DM_PER_FACE = 1 };
 
-/* The host's mesh, read in place. Triangles. */
+/* The host's mesh, read in place. Triangles. The sizes of the buffers guard against a forgotten format, scope or
+ * stride: one that does not hold what counts, formats and strides say is refused, and nothing is read past its end. */
 typedef struct dm_mesh_desc {
     uint32_t struct_size;
     uint32_t position_stride; /* bytes between vertices; 0 = packed */
     const void* positions;    /* vertex_count x 3 */
     uint64_t vertex_count;
-    const void* indices; /* index_count, a multiple of 3; NULL = vertices in order, three a triangle */
+    uint64_t position_bytes; /* of the buffer from `positions` on; 0 = not stated, and not checked */
+    const void* indices;     /* index_count, a multiple of 3; NULL = vertices in order, three a triangle */
     uint64_t index_count;
+    uint64_t index_bytes;    /* of the buffer; 0 = not stated, and not checked */
     const void* part_ids;    /* which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that
                                 dm_object_desc.parts does not list are the body's. Per vertex, a triangle belongs to
                                 the id that two of its corners share (else the smallest) */
+    uint64_t part_id_bytes;  /* of the buffer from `part_ids` on; required with part_ids. It must be that of one id a
+                                vertex or a face, as part_id_scope says, neither less nor more */
     uint32_t part_id_stride; /* bytes; 0 = packed */
     int32_t position_format; /* DM_FLOAT32 | DM_FLOAT64 */
     int32_t index_format;    /* DM_UINT32 | DM_UINT16 | DM_UINT8 */
@@ -224,20 +256,49 @@ typedef struct dm_part_desc {
 
 /* How a part moves. */
 typedef struct dm_joint {
-    int32_t type;          /* DM_JOINT_* */
-    float type_confidence; /* probability that the type is right, 0..1 */
-    float confidence;      /* probability that type, axis and origin are all right, 0..1 */
-    float pitch;           /* screws: host units a radian, signed along the axis */
-    dm_vec3 axis;          /* unit; host object frame. A positive value turns right-handed in a right-handed host
-                              frame (left-handed in a left-handed one), or slides along it. Found with a drag,
-                              positive goes its way; without one, the longer way is positive, so `upper` opens */
+    uint32_t struct_size;
+    int32_t type;           /* DM_JOINT_* */
+    float type_confidence;  /* probability that the type is right, 0..1 */
+    float joint_confidence; /* probability that type, axis and origin are all right, 0..1; never above the other */
+    float pitch;            /* screws: host units a radian, signed along the axis */
+    dm_vec3 axis;           /* unit; host object frame. A positive value turns right-handed in a right-handed host
+                               frame (left-handed in a left-handed one), or slides along it. Found with a drag,
+                               positive goes its way; without one, the longer way is positive, so `upper` opens */
     dm_vec3 origin;     /* the point of the axis line nearest the part's centre; a host's own stays as it was given */
     float lower, upper; /* limits of the joint value (rad or host units); the rest pose is value 0. None when they are
-                           equal, and for continuous joints */
+                           equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad
+                           or 100 object sizes (FLT_MAX, 1e10, infinity) is none; where only one side is, a little more
+                           than that stands for it */
     int32_t source;     /* DM_JOINT_FROM_* */
 } dm_joint;
 
 enum { DM_JOINT_FROM_NETWORK = 0, DM_JOINT_FROM_GEOMETRY = 1, DM_JOINT_FROM_HOST = 2 };
+
+/* A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y
+ * and z are any, the same for the same joint; x, y, z and `rotation` have determinant +1 in the host's coordinates. */
+typedef struct dm_joint_frame {
+    uint32_t struct_size;
+    int32_t type;       /* DM_JOINT_* */
+    dm_vec3 origin;     /* host object frame */
+    dm_vec3 x, y, z;    /* unit */
+    float rotation[4];  /* unit quaternion x, y, z, w that takes the frame's coordinates to the object's */
+    float lower, upper; /* hinges and screws: rad about x; sliders: host units along x; 0 where there is none */
+    uint32_t limits;    /* DM_LIMIT_LOWER | DM_LIMIT_UPPER: which there are */
+    float pitch;        /* screws: host units along x a radian */
+} dm_joint_frame;
+
+enum { DM_LIMIT_LOWER = 1, DM_LIMIT_UPPER = 2 };
+
+/* Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes.
+ * Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch,
+ * axis, origin, limits, source, both confidences, value). */
+typedef struct dm_part_state {
+    uint32_t struct_size;
+    float value;  /* joint value; 0 = rest */
+    dm_pose pose; /* as shown, from rest. It differs from dm_joint_pose(joint, value) only while the part comes over to
+                     a joint that has just changed. Zeros: that of joint and value */
+    dm_joint joint; /* stays the last field */
+} dm_part_state;
 
 /* Asks the host for a joint type (a designer's tag, a rule, a vision-language model). Return DM_JOINT_UNKNOWN to
  * leave the question to the library. */
@@ -320,12 +381,18 @@ typedef struct dm_drag_desc {
     uint32_t part_id;
     dm_object object;
     dm_vec3 grab_point; /* on the part as it is now, host object frame */
-    float start_value;  /* joint value the part has now; 0 = rest */
+    float start_value;  /* joint value the part has now; 0 = rest. Not with `state` */
     dm_drag_feel feel;
     uint32_t flags;   /* DM_DRAG_KEEP_JOINT */
     float limit_give; /* how far a pull that goes on takes the part beyond limits that the library estimated, as a share
                          of the range. 0 = as far as it is pulled, by a turn or the object's size at most; negative =
                          not at all. The host's own limits never give, nor does a stop at rest */
+    const dm_part_state* state; /* the instance's own joint and value, as an earlier drag ended with them: the first
+                                   pose is the last one of then. NULL = the object's joint in force, at start_value */
+    dm_vec3 scale;              /* of the instance along the axes of the object frame, negative = mirrored; 0 = 1. Then
+                                   grab_point, rays, state and poses are in the scaled frame (object coordinates times
+                                   scale), and poses are rigid in it */
+    uint32_t reserved;          /* 0 */
 } dm_drag_desc;
 
 enum {
@@ -335,6 +402,7 @@ enum {
 };
 
 typedef struct dm_drag_state {
+    uint32_t struct_size;
     dm_pose pose;       /* of the part from rest, object frame; compose with the parent part's own pose */
     dm_vec3 grab_point; /* where the grabbed point is now */
     float value;        /* joint value */
@@ -342,8 +410,8 @@ typedef struct dm_drag_state {
     float velocity;     /* d value / dt */
     int32_t at_limit;   /* -1 at lower, +1 at upper, 0 between */
     int32_t phase;      /* DM_DRAG_HELD … */
-    uint32_t changes;   /* how often the pull has changed the joint that the drag follows: dm_drag_get_joint. The pose
-                           comes over to a new joint within 0.6 s; the grabbed point first, mostly in 0.1 s */
+    uint32_t changes;   /* how often the pull has changed the joint that the drag follows: dm_drag_get_part_state.
+                           The pose comes over to a new joint within 0.6 s; the grabbed point first, mostly in 0.1 s */
 } dm_drag_state;
 
 /* What a released part does next. */
@@ -356,11 +424,16 @@ enum {
     DM_INTENT_FREEZE = 5  /* stops dead */
 };
 
+enum {
+    DM_RELEASE_BY_RULE = 1 /* paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets */
+};
+
 typedef struct dm_release_desc {
     uint32_t struct_size;
     int32_t intent; /* DM_INTENT_* */
     float duration; /* s from here to the end; 0 = as far and fast as it goes asks for */
     uint32_t seed;  /* of the DQ-VAE, as dm_motion_desc.seed */
+    uint32_t flags; /* DM_RELEASE_BY_RULE */
 } dm_release_desc;
 
 typedef struct dm_release_plan {
@@ -375,11 +448,11 @@ typedef struct dm_release_plan {
 
 typedef struct dm_camera {
     uint32_t struct_size;
-    float fov_y;            /* rad; 0 = orthographic with `height` */
-    dm_vec3 eye;            /* host world frame */
-    dm_vec3 forward, up;    /* need not be unit or orthogonal, not parallel */
-    float width, height_px; /* of the viewport, pixels */
-    float height;           /* orthographic: host units from bottom to top */
+    float fov_y;                           /* rad; 0 = orthographic with ortho_height */
+    dm_vec3 eye;                           /* host world frame */
+    dm_vec3 forward, up;                   /* need not be unit or orthogonal, not parallel */
+    float viewport_width, viewport_height; /* pixels */
+    float ortho_height;                    /* orthographic: host units from bottom to top; else not used */
 } dm_camera;
 
 typedef struct dm_scene_desc {
@@ -388,8 +461,9 @@ typedef struct dm_scene_desc {
 } dm_scene_desc;
 
 typedef struct dm_hit {
-    dm_object object;
+    uint32_t struct_size;
     uint32_t instance;    /* as dm_scene_add gave it */
+    dm_object object;     /* 0 = nothing hit */
     uint32_t part_id;     /* 0 = the body */
     uint32_t triangle;    /* index in the host's mesh */
     float distance;       /* host units from the ray's origin */
@@ -399,7 +473,50 @@ typedef struct dm_hit {
     dm_vec3 object_point; /* the same point in the object's frame with the part as it is now: dm_drag_desc.grab_point */
 } dm_hit;
 
-/* ---- functions ---------------------------------------------------------------------------------------------- */
+/* ---- defaults: struct_size set, the rest zeros ---------------------------------------------------------------------
+ */
+
+/* Inline, so that struct_size is that of the caller's header: dm_drag_desc desc = dm_drag_desc_default(). Callers from
+ * other languages zero the struct and set struct_size to its size. [any-thread] */
+#define DM_SIZED_STRUCTS(X)                                                                                            \
+    X(dm_context_desc)                                                                                                 \
+    X(dm_memory_info)                                                                                                  \
+    X(dm_model_desc)                                                                                                   \
+    X(dm_mesh_desc)                                                                                                    \
+    X(dm_part_desc)                                                                                                    \
+    X(dm_joint)                                                                                                        \
+    X(dm_joint_frame)                                                                                                  \
+    X(dm_part_state)                                                                                                   \
+    X(dm_object_desc)                                                                                                  \
+    X(dm_object_info)                                                                                                  \
+    X(dm_part_info)                                                                                                    \
+    X(dm_motion_desc)                                                                                                  \
+    X(dm_drag_desc)                                                                                                    \
+    X(dm_drag_state)                                                                                                   \
+    X(dm_release_desc)                                                                                                 \
+    X(dm_release_plan)                                                                                                 \
+    X(dm_camera)                                                                                                       \
+    X(dm_scene_desc)                                                                                                   \
+    X(dm_hit)
+
+#if defined(__cplusplus)
+#define DM_ZEROS                                                                                                       \
+    {}
+#else
+#define DM_ZEROS                                                                                                       \
+    { 0 }
+#endif
+#define DM_DEFAULT(type)                                                                                               \
+    static inline type type##_default(void) {                                                                          \
+        type value = DM_ZEROS;                                                                                         \
+        value.struct_size = (uint32_t)sizeof value;                                                                    \
+        return value;                                                                                                  \
+    }
+DM_SIZED_STRUCTS(DM_DEFAULT)
+#undef DM_DEFAULT
+#undef DM_ZEROS
+
+/* ---- functions: the library -------------------------------------------------------------------------------------- */
 
 /* NAME of a result, such as "DM_ERROR_EMPTY_MASK"; "DM_ERROR_UNKNOWN" for others. Never NULL. [any-thread] */
 DM_API const char* DM_CALL dm_result_string(dm_result result);
@@ -410,14 +527,18 @@ DM_API uint32_t DM_CALL dm_version(void);
 /* The function table of an interface id, NULL for an unknown one. "dm.core/1" -> const dm_core_1*. [any-thread] */
 DM_API const void* DM_CALL dm_get_interface(const char* id);
 
+/* ---- functions: context ------------------------------------------------------------------------------------------ */
+
 /* Makes a context. desc NULL = all defaults. [any-thread] */
 DM_API dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** out_context);
 
 /* Destroys it and everything made with it; NULL does nothing. [exclusive context] */
 DM_API void DM_CALL dm_context_destroy(dm_context* context);
 
-/* [any-thread] */
+/* out_info->struct_size must be set. [any-thread] */
 DM_API dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_info* out_info);
+
+/* ---- functions: weights ------------------------------------------------------------------------------------------ */
 
 /* Reads weights. Errors: BAD_DATA, WRONG_MODEL, VERSION. [any-thread] */
 DM_API dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc* desc, dm_model* out_model);
@@ -425,6 +546,18 @@ DM_API dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc*
 /* Objects prepared with it keep their joints, and motions made with it stay; new motions and refinements of such
  * objects answer NO_MODEL. [exclusive object] */
 DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
+
+/* ---- functions: objects and their joints ------------------------------------------------------------------------- */
+
+/* Finds the part that a point of the surface belongs to, when no mask names it: 1 in out_face_ids for every triangle
+ * that moves with it, 0 for the others; as part ids per face they go straight into a dm_mesh_desc. mesh->part_ids tell
+ * pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or
+ * one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was
+ * pulled; a zero vector: no direction. Milliseconds to tens of them. Errors: as dm_object_prepare's of the mesh;
+ * BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays.
+ * [any-thread] */
+DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
+                                           uint8_t* out_face_ids, uint64_t face_count);
 
 /* Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs.
  * Errors: NOT_FINITE, INDEX_OUT_OF_RANGE, EMPTY_MASK, FULL_MASK, DEGENERATE_MESH, ZERO_DRAG, DRAG_OFF_PART,
@@ -452,12 +585,13 @@ DM_API dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object objec
 DM_API dm_result DM_CALL dm_object_get_part(dm_context* context, dm_object object, uint32_t index,
                                             dm_part_info* out_info);
 
-/* The joint in force: the best hypothesis, or the host's own. [any-thread] */
+/* The joint in force: the best hypothesis, or the host's own. out_joint->struct_size must be set. [any-thread] */
 DM_API dm_result DM_CALL dm_object_get_joint(dm_context* context, dm_object object, uint32_t part_id,
                                              dm_joint* out_joint);
 
 /* Ranked hypotheses, best first, re-ranked by `drag` when it is given (microseconds; no network pass). capacity up to
- * DM_MAX_HYPOTHESES; out_count gets how many were written. [any-thread] */
+ * DM_MAX_HYPOTHESES; out_joints[0].struct_size must be set, the others get it; out_count gets how many were written.
+ * [any-thread] */
 DM_API dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object, uint32_t part_id,
                                                   const dm_drag_hint* drag, dm_joint* out_joints, uint32_t capacity,
                                                   uint32_t* out_count);
@@ -468,10 +602,36 @@ DM_API dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object
 DM_API dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32_t part_id,
                                           const dm_drag_hint* drag);
 
-/* The host knows better: puts its joint in force. The axis may have any length; confidence and source are ignored.
- * Drags and motions that already run keep the joint they began with. [exclusive object] */
+/* The host knows better: puts its joint in force. The axis may have any length, limits may be infinite
+ * (dm_joint.lower). Source becomes DM_JOINT_FROM_HOST and both confidences 1, unless the joint is, bit for bit, the one
+ * in force or the library's own answer: then source and confidences are those of that one. Drags and motions that
+ * already run keep the joint they began with. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id,
                                              const dm_joint* joint);
+
+/* Puts the library's own answer back in force. [exclusive object] */
+DM_API dm_result DM_CALL dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id);
+
+/* ---- functions: joints as values --------------------------------------------------------------------------------- */
+
+/* Pose of a joint at a value, in the frame of the joint. [frame] */
+DM_API dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
+
+/* Inverse of dm_joint_pose: the value at which the joint comes nearest to a pose (from rest), and how far off the joint
+ * the pose is: the angle between both, rad, and the distance of the joint's origin under both, host units. Of values a
+ * turn apart: inside the limits, else nearest to 0; of a screw, by its advance. Both errors may be NULL. [frame] */
+DM_API dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value,
+                                        float* out_angle_error, float* out_distance_error);
+
+/* The joint as a constraint of a physics engine; out_frame->struct_size must be set. [frame] */
+DM_API dm_result DM_CALL dm_joint_get_frame(const dm_joint* joint, dm_joint_frame* out_frame);
+
+/* Carries a joint over into the frame of an instance scaled by (x, y, z), as dm_drag_begin does: the line through the
+ * scaled points; limits of slides and the pitch in scaled units, angles as they are. out_joint->struct_size must be
+ * set; it may be `joint`. Zeros = 1. [frame] */
+DM_API dm_result DM_CALL dm_joint_scale(const dm_joint* joint, dm_vec3 scale, dm_joint* out_joint);
+
+/* ---- functions: motions ------------------------------------------------------------------------------------------ */
 
 /* The DQ-VAE's motion for a drag, projected exactly onto the joint in force; a fixed part's motion is rest. Errors:
  * NO_MODEL, ZERO_DRAG, DRAG_OFF_PART. [any-thread] */
@@ -490,21 +650,50 @@ DM_API dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion mot
 /* [any-thread] */
 DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion);
 
+/* ---- functions: drags -------------------------------------------------------------------------------------------- */
+
 /* The player grabs a part. Where the library found the joint, a pull tells more about it: the drag holds the part's
  * other hypotheses, and likely joints beyond them, and follows the one that explains the pull best (a part at rest),
- * and limits that were estimated yield when the pull goes on beyond them. docs/feel.md. [any-thread] */
+ * and limits that were estimated yield when the pull goes on beyond them. docs/feel.md. A grab point or value that
+ * can't be meant (other units, degrees) gets a warning. [any-thread] */
 DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 
-/* The grabbed point follows the pointer ray (object frame) as closely as its joint allows; dt in seconds. After
- * dm_drag_release it moves by itself, and ray may be NULL. [frame] */
+/* The grabbed point follows the pointer ray (object frame; scaled with dm_drag_desc.scale) as closely as its joint
+ * allows; dt in seconds. After dm_drag_release it moves by itself, and ray may be NULL. out_state->struct_size must be
+ * set. [frame] */
 DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                         dm_drag_state* out_state);
 
-/* Lets go; out_state (may be NULL) gets the last state. [any-thread] */
-DM_API dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_drag_state* out_state);
+/* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE
+ * paces it where the object has its weights and desc.flags doesn't forbid it. dm_drag_update moves it, dm_drag_end ends
+ * it at any time; a second release changes its mind or replays. desc NULL = all defaults; out_plan may be NULL, else
+ * its struct_size must be set. Microseconds to a millisecond. One caller at a time per drag. [any-thread] */
+DM_API dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
+                                         dm_release_plan* out_plan);
 
-/* Pose of a joint at a value, in the host object frame of the joint. [frame] */
-DM_API dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
+/* Lets go. out_state (may be NULL, else its struct_size must be set) gets what dm_drag_get_part_state gives.
+ * [any-thread] */
+DM_API dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* out_state);
+
+/* Where the part stands and the joint that the drag follows now, with the limits and the confidence that the pull so
+ * far has left it. The same piece taken back by dm_drag_desc.state goes on where this one is. out_state->struct_size
+ * must be set. [frame] */
+DM_API dm_result DM_CALL dm_drag_get_part_state(dm_context* context, dm_drag drag, dm_part_state* out_state);
+
+/* Bytes that dm_drag_save writes: the same for every drag of this library, DM_DRAG_SNAPSHOT_MAX at most. [any-thread]
+ */
+DM_API size_t DM_CALL dm_drag_snapshot_size(void);
+
+/* Writes the whole state of a drag, for rollback: after dm_drag_restore the same calls give the same bits. For this
+ * very version of the library on this kind of machine; what lasts is dm_part_state. BUFFER_TOO_SMALL when capacity is
+ * less than dm_drag_snapshot_size. [frame] */
+DM_API dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, size_t capacity);
+
+/* Puts a drag back into a saved state, of this or any other drag of the same part. Errors leave it as it is: BAD_DATA,
+ * VERSION, and INVALID_ARGUMENT when the state is of another part. [frame] */
+DM_API dm_result DM_CALL dm_drag_restore(dm_context* context, dm_drag drag, const void* data, size_t size);
+
+/* ---- functions: poses -------------------------------------------------------------------------------------------- */
 
 /* out = a after b: x -> a(b(x)). [frame] */
 DM_API void DM_CALL dm_pose_multiply(const dm_pose* a, const dm_pose* b, dm_pose* out_pose);
@@ -515,6 +704,8 @@ DM_API void DM_CALL dm_pose_to_matrix(const dm_pose* pose, float out_matrix[16])
 /* Moves `count` float32 points; strides in bytes, 0 = packed. src may equal dst. [frame] */
 DM_API void DM_CALL dm_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst,
                                          size_t dst_stride, size_t count);
+
+/* ---- functions: camera and scene --------------------------------------------------------------------------------- */
 
 /* Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. [frame] */
 DM_API dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y,
@@ -544,29 +735,8 @@ DM_API dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, ui
 DM_API dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene);
 
 /* Nearest hit of a ray. DM_OK with out_hit->object 0 when nothing is hit. Several threads may pick at once while none
- * moves or commits. [frame] */
+ * moves or commits. out_hit->struct_size must be set. [frame] */
 DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
-
-/* The joint that the drag follows now, with the limits and the confidence that the pull so far has left it. To keep it:
- * dm_object_set_joint. [frame] */
-DM_API dm_result DM_CALL dm_drag_get_joint(dm_context* context, dm_drag drag, dm_joint* out_joint);
-
-/* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE
- * paces it where the object has its weights. dm_drag_update moves it, dm_drag_end ends it at any time; a second release
- * changes its mind or replays. desc NULL = all defaults; out_plan may be NULL, else its struct_size must be set.
- * Microseconds to a millisecond. One caller at a time per drag. [any-thread] */
-DM_API dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
-                                         dm_release_plan* out_plan);
-
-/* Finds the part that a point of the surface belongs to, when no mask names it: 1 in out_face_ids for every triangle
- * that moves with it, 0 for the others; as part ids per face they go straight into a dm_mesh_desc. mesh->part_ids tell
- * pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or
- * one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was
- * pulled; a zero vector: no direction. Milliseconds to tens of them. Errors: as dm_object_prepare's of the mesh;
- * BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays.
- * [any-thread] */
-DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
-                                           uint8_t* out_face_ids, uint64_t face_count);
 
 /* ---- the same functions as a table ---------------------------------------------------------------------------
  * NEVER REARRANGE: the order is the binary interface "dm.core/1". New functions go to the end. */
@@ -579,6 +749,9 @@ DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_de
     X(dm_result, context_get_memory, (const dm_context* context, dm_memory_info* out_info))                            \
     X(dm_result, model_load, (dm_context * context, const dm_model_desc* desc, dm_model* out_model))                   \
     X(dm_result, model_unload, (dm_context * context, dm_model model))                                                 \
+    X(dm_result, mesh_find_part,                                                                                       \
+      (dm_context * context, const dm_mesh_desc* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids,                \
+       uint64_t face_count))                                                                                           \
     X(dm_result, object_prepare, (dm_context * context, const dm_object_desc* desc, dm_object* out_object))            \
     X(dm_result, object_save,                                                                                          \
       (dm_context * context, dm_object object, void* buffer, size_t capacity, size_t* out_size))                       \
@@ -593,6 +766,13 @@ DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_de
        uint32_t capacity, uint32_t* out_count))                                                                        \
     X(dm_result, object_refine, (dm_context * context, dm_object object, uint32_t part_id, const dm_drag_hint* drag))  \
     X(dm_result, object_set_joint, (dm_context * context, dm_object object, uint32_t part_id, const dm_joint* joint))  \
+    X(dm_result, object_reset_joint, (dm_context * context, dm_object object, uint32_t part_id))                       \
+    X(dm_result, joint_pose, (const dm_joint* joint, float value, dm_pose* out_pose))                                  \
+    X(dm_result, joint_value,                                                                                          \
+      (const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error,                           \
+       float* out_distance_error))                                                                                     \
+    X(dm_result, joint_get_frame, (const dm_joint* joint, dm_joint_frame* out_frame))                                  \
+    X(dm_result, joint_scale, (const dm_joint* joint, dm_vec3 scale, dm_joint* out_joint))                             \
     X(dm_result, motion_generate,                                                                                      \
       (dm_context * context, dm_object object, const dm_motion_desc* desc, dm_motion* out_motion))                     \
     X(dm_result, motion_sample,                                                                                        \
@@ -602,8 +782,13 @@ DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_de
     X(dm_result, drag_begin, (dm_context * context, const dm_drag_desc* desc, dm_drag* out_drag))                      \
     X(dm_result, drag_update,                                                                                          \
       (dm_context * context, dm_drag drag, const dm_ray* ray, float dt, dm_drag_state* out_state))                     \
-    X(dm_result, drag_end, (dm_context * context, dm_drag drag, dm_drag_state * out_state))                            \
-    X(dm_result, joint_pose, (const dm_joint* joint, float value, dm_pose* out_pose))                                  \
+    X(dm_result, drag_release,                                                                                         \
+      (dm_context * context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan))                    \
+    X(dm_result, drag_end, (dm_context * context, dm_drag drag, dm_part_state * out_state))                            \
+    X(dm_result, drag_get_part_state, (dm_context * context, dm_drag drag, dm_part_state * out_state))                 \
+    X(size_t, drag_snapshot_size, (void))                                                                              \
+    X(dm_result, drag_save, (dm_context * context, dm_drag drag, void* buffer, size_t capacity))                       \
+    X(dm_result, drag_restore, (dm_context * context, dm_drag drag, const void* data, size_t size))                    \
     X(void, pose_multiply, (const dm_pose* a, const dm_pose* b, dm_pose* out_pose))                                    \
     X(void, pose_to_matrix, (const dm_pose* pose, float out_matrix[16]))                                               \
     X(void, pose_apply_points,                                                                                         \
@@ -617,13 +802,7 @@ DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_de
       (dm_context * context, dm_scene scene, uint32_t instance, uint32_t part_id, const dm_pose* pose))                \
     X(dm_result, scene_remove, (dm_context * context, dm_scene scene, uint32_t instance))                              \
     X(dm_result, scene_commit, (dm_context * context, dm_scene scene))                                                 \
-    X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))               \
-    X(dm_result, drag_get_joint, (dm_context * context, dm_drag drag, dm_joint * out_joint))                           \
-    X(dm_result, drag_release,                                                                                         \
-      (dm_context * context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan))                    \
-    X(dm_result, mesh_find_part,                                                                                       \
-      (dm_context * context, const dm_mesh_desc* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids,                \
-       uint64_t face_count))
+    X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;

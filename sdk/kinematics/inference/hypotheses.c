@@ -49,8 +49,8 @@ void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint
         dm_joint joint = hypotheses->joints[i];
         dmi_free_range range = hypotheses->free_range[i];
         if (dmi_joint_orient(&joint, hint)) range = dmi_reversed_range(range);
-        float w = (joint.confidence + LEAST_WEIGHT) * likelihood(&joint, hint);
-        before += joint.confidence + LEAST_WEIGHT, after += w;
+        float w = (joint.joint_confidence + LEAST_WEIGHT) * likelihood(&joint, hint);
+        before += joint.joint_confidence + LEAST_WEIGHT, after += w;
         turns += turning(&joint) ? w : 0;
         uint32_t at = i;
         for (; at > 0 && weight[at - 1] < w; at--) {
@@ -61,7 +61,7 @@ void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint
     }
     for (uint32_t i = 0; i < result.count; i++) {
         dm_joint* joint = &result.joints[i];
-        joint->confidence = weight[i] / after * fminf(before, 1);
+        joint->joint_confidence = weight[i] / after * fminf(before, 1);
         joint->type_confidence = (turning(joint) ? turns : after - turns) / after;
     }
     *out = result;

@@ -112,7 +112,7 @@ static dm_joint make_joint(const work* w, const dmi_selected* selected) {
     const dmi_candidate* c = selected->candidate;
     const float confidence = dmi_ranker_confidence(ranker(w), w->query->hint != NULL, selected->mass);
     dm_joint joint = {.type = c->type,
-                      .confidence = confidence,
+                      .joint_confidence = confidence,
                       .type_confidence = fminf(fmaxf(selected->type_mass, confidence), 1),
                       .axis = {c->axis[0], c->axis[1], c->axis[2]},
                       .origin = {c->origin[0], c->origin[1], c->origin[2]},

@@ -59,7 +59,7 @@ static dm_vec3 get_vec3(dmi_dmo_reader* r) {
 void dmi_get_joint(dmi_dmo_reader* r, dm_joint* out) {
     *out = (dm_joint){.type = (int32_t)dmi_get_u32(r)};
     out->type_confidence = dmi_get_f32(r);
-    out->confidence = dmi_get_f32(r);
+    out->joint_confidence = dmi_get_f32(r);
     out->pitch = dmi_get_f32(r);
     out->axis = get_vec3(r);
     out->origin = get_vec3(r);
@@ -112,7 +112,7 @@ static void put_vec3(dmi_dmo_writer* w, dm_vec3 v) {
 void dmi_put_joint(dmi_dmo_writer* w, const dm_joint* joint) {
     dmi_put_u32(w, (uint32_t)joint->type);
     dmi_put_f32(w, joint->type_confidence);
-    dmi_put_f32(w, joint->confidence);
+    dmi_put_f32(w, joint->joint_confidence);
     dmi_put_f32(w, joint->pitch);
     put_vec3(w, joint->axis);
     put_vec3(w, joint->origin);

@@ -57,7 +57,7 @@ bool dmi_dmo_valid_joint(const dm_joint* joint) {
     const dm_vec3 a = joint->axis;
     const float numbers[JOINT_NUMBERS] = {joint->origin.x, joint->origin.y, joint->origin.z,
                                           joint->pitch,    joint->lower,    joint->upper};
-    const float shares[2] = {joint->type_confidence - 0.5f, joint->confidence - 0.5f};
+    const float shares[2] = {joint->type_confidence - 0.5f, joint->joint_confidence - 0.5f};
     return joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_FIXED &&
            fabsf(a.x * a.x + a.y * a.y + a.z * a.z - 1.0f) <= UNIT_TOLERANCE &&
            dmi_dmo_within(numbers, JOINT_NUMBERS, FLT_MAX) && joint->lower <= joint->upper &&

@@ -50,7 +50,7 @@ static dm_result report(dmi_env* env, const dmi_prepare_desc* desc, float done) 
 static dmi_hypotheses fixed_joint(const dmi_part* shape) {
     const dm_joint joint = {.type = DM_JOINT_FIXED,
                             .type_confidence = 1.0f,
-                            .confidence = 1.0f,
+                            .joint_confidence = 1.0f,
                             .axis = {0.0f, 1.0f, 0.0f},
                             .origin = {shape->centre[0], shape->centre[1], shape->centre[2]},
                             .source = DM_JOINT_FROM_HOST};

@@ -1,0 +1,10 @@
+/* Drag handles for other parts of the boundary. */
+#ifndef DMI_API_DRAG_H
+#define DMI_API_DRAG_H
+
+#include "api_handles.h"
+
+/* Reports, once, what an update noticed and may not log itself. */
+void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot);
+
+#endif

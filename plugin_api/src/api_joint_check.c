@@ -1,0 +1,139 @@
+/* Checks of joints that a host hands in, and the joint of a scaled instance. */
+#include "api_joint_check.h"
+
+#include <math.h>
+
+#include "api_check.h"
+#include "math/joint.h"
+
+#define MIN_AXIS_LENGTH 1e-6 /* of a host's axis; shorter ones have no direction; by hand */
+#define UNIT_TOLERANCE 1e-6  /* an axis whose length is this near to 1 keeps its bits: rounding of three floats */
+
+/* Hosts write "no limit" as FLT_MAX, 1e10, infinity and the like. By hand: a limit farther from rest than FAR is none;
+ * STAND_IN takes its place where the other limit is meant, and is FAR again when it is read back. */
+#define FAR_TURN 1000.0f      /* rad: 159 turns */
+#define STAND_IN_TURN 1024.0f /* rad */
+#define FAR_SLIDE 100.0f      /* object sizes */
+#define STAND_IN_SLIDE 128.0f /* object sizes */
+
+enum { WITHOUT_LIMITS = 7, WITH_LIMITS = 9 }; /* numbers of a joint */
+
+dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, dm_joint* out) {
+    dm_result result = dmi_read_desc(env, what, joint, DMI_FIRST_SIZE(dm_joint, source), sizeof *out, out);
+    out->struct_size = 0;
+    return result;
+}
+
+dm_result dmi_joint_check_out(dmi_env* env, const char* what, const dm_joint* out) {
+    return dmi_check_out(env, what, out, DMI_FIRST_SIZE(dm_joint, source));
+}
+
+/* ---- limits ---- */
+
+static bool has_value_limits(int32_t type) {
+    return type == DM_JOINT_REVOLUTE || type == DM_JOINT_PRISMATIC || type == DM_JOINT_SCREW;
+}
+
+float dmi_joint_value_unit(const dm_joint* joint, float size) {
+    return joint->type == DM_JOINT_PRISMATIC ? size : 1;
+}
+
+static float far_limit(const dm_joint* joint, float size) {
+    return joint->type == DM_JOINT_PRISMATIC ? FAR_SLIDE * size : FAR_TURN;
+}
+
+static float stand_in(const dm_joint* joint, float size) {
+    return joint->type == DM_JOINT_PRISMATIC ? STAND_IN_SLIDE * size : STAND_IN_TURN;
+}
+
+int32_t dmi_joint_open_side(const dm_joint* joint, float size) {
+    const float far = far_limit(joint, size);
+    if (!dmi_joint_has_limits(joint)) return 0;
+    return joint->upper >= far ? 1 : joint->lower <= -far ? -1 : 0;
+}
+
+static dm_result accept_limits(dmi_env* env, const char* what, float size, dm_joint* joint) {
+    const float far = far_limit(joint, size), lower = joint->lower, upper = joint->upper;
+    if (isnan(lower) || isnan(upper)) {
+        return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.%s is %g", what, isnan(lower) ? "lower" : "upper", (double)NAN);
+    }
+    if (lower > upper) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.lower %g is above upper %g", what, (double)lower,
+                        (double)upper);
+    }
+    if (lower >= far || upper <= -far) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                        "%s.lower %g and upper %g: a limit beyond %g stands for none, so this one is on the wrong side",
+                        what, (double)lower, (double)upper, (double)far);
+    }
+    if (lower <= -far) joint->lower = upper >= far ? 0 : -stand_in(joint, size);
+    if (upper >= far) joint->upper = lower <= -far ? 0 : stand_in(joint, size);
+    return DM_OK;
+}
+
+/* ---- the joint ---- */
+
+static dm_result check_numbers(dmi_env* env, const char* what, const dm_joint* j) {
+    const float numbers[WITHOUT_LIMITS] = {j->axis.x,   j->axis.y,   j->axis.z, j->origin.x,
+                                           j->origin.y, j->origin.z, j->pitch};
+    static const char* const names[WITHOUT_LIMITS] = {"axis.x",   "axis.y",   "axis.z", "origin.x",
+                                                      "origin.y", "origin.z", "pitch"};
+    for (int i = 0; i < WITHOUT_LIMITS; i++) {
+        if (isfinite(numbers[i])) continue;
+        return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.%s is %g", what, names[i], (double)numbers[i]);
+    }
+    if (j->type >= DM_JOINT_REVOLUTE && j->type <= DM_JOINT_FIXED) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.type is %d: it must be %d to %d", what, j->type,
+                    DM_JOINT_REVOLUTE, DM_JOINT_FIXED);
+}
+
+dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint) {
+    dm_result result = check_numbers(env, what, joint);
+    if (result != DM_OK) return result;
+    dm_vec3* a = &joint->axis;
+    const double x = (double)a->x, y = (double)a->y, z = (double)a->z, length = sqrt(x * x + y * y + z * z);
+    const bool fixed = joint->type == DM_JOINT_FIXED;
+    if (!(length > MIN_AXIS_LENGTH) && !fixed)
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.axis has length %g", what, length);
+    if (!(length > MIN_AXIS_LENGTH))
+        *a = (dm_vec3){0, 1, 0}; /* a fixed joint needs an axis, any will do */
+    else if (fabs(length - 1) > UNIT_TOLERANCE)
+        *a = (dm_vec3){(float)(x / length), (float)(y / length), (float)(z / length)};
+    if (joint->type != DM_JOINT_SCREW) joint->pitch = 0;
+    if (has_value_limits(joint->type)) return accept_limits(env, what, size, joint);
+    /* Where there are no limits, hosts leave anything, often infinities; what a drag gave stays as it is. */
+    const bool harmless = joint->lower <= joint->upper && joint->lower > -FAR_TURN && joint->upper < FAR_TURN;
+    if (!harmless) joint->lower = joint->upper = 0;
+    return DM_OK;
+}
+
+/* ---- scaled instances ---- */
+
+dm_result dmi_scale_read(dmi_env* env, const char* what, dm_vec3 scale, dm_vec3* out) {
+    const float numbers[3] = {scale.x, scale.y, scale.z};
+    dm_result result = dmi_check_finite(env, what, numbers, 3);
+    if (result != DM_OK) return result;
+    *out = scale;
+    const int zeros = (scale.x == 0) + (scale.y == 0) + (scale.z == 0);
+    if (zeros == 3) *out = (dm_vec3){1, 1, 1};
+    if (zeros == 0 || zeros == 3) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is (%g, %g, %g): a scale of 0 flattens the object", what,
+                    (double)scale.x, (double)scale.y, (double)scale.z);
+}
+
+/* The line goes through the scaled points. A mirror turns a turn's direction round, so its axis is reversed (a slide's
+ * is not), and with it the pitch. */
+float dmi_joint_scale(dm_joint* joint, dm_vec3 scale) {
+    if (scale.x == 1 && scale.y == 1 && scale.z == 1) return 1;
+    const double s[3] = {(double)scale.x, (double)scale.y, (double)scale.z};
+    const double a[3] = {s[0] * (double)joint->axis.x, s[1] * (double)joint->axis.y, s[2] * (double)joint->axis.z};
+    const double length = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    const double sign = dmi_joint_turns(joint->type) && s[0] * s[1] * s[2] < 0 ? -1 : 1;
+    joint->origin.x *= scale.x, joint->origin.y *= scale.y, joint->origin.z *= scale.z;
+    if (!(length > 0)) return 1;
+    joint->axis =
+        (dm_vec3){(float)(sign * a[0] / length), (float)(sign * a[1] / length), (float)(sign * a[2] / length)};
+    joint->pitch *= (float)(sign * length);
+    if (joint->type == DM_JOINT_PRISMATIC) joint->lower *= (float)length, joint->upper *= (float)length;
+    return (float)length;
+}

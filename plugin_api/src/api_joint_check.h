@@ -1,0 +1,27 @@
+/* Joints that cross the boundary: read from any version of dm_joint, checked, written back, carried into a scaled
+ * frame.
+ */
+#ifndef DMI_API_JOINT_CHECK_H
+#define DMI_API_JOINT_CHECK_H
+
+#include "base/env.h"
+
+/* Copies a host's joint of any version; struct_size of the copy is 0, as of all joints inside. */
+dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, dm_joint* out);
+/* Checks numbers and type of a host's joint, makes its axis unit and keeps the limits that its type has; limits that
+ * mean "none" become none. Errors name the field. size: of the object, host units. Confidences and source stay. */
+dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint);
+/* Checks the struct_size of a joint to be written. */
+dm_result dmi_joint_check_out(dmi_env* env, const char* what, const dm_joint* out);
+
+/* Returns the limit of an accepted joint that stands for none: +1 upper, -1 lower, 0: neither. */
+int32_t dmi_joint_open_side(const dm_joint* joint, float size);
+/* Returns the unit of the joint's value that shares refer to where there is no range: `size`, or 1 rad. */
+float dmi_joint_value_unit(const dm_joint* joint, float size);
+
+/* Checks an instance's scale; zeros become ones. */
+dm_result dmi_scale_read(dmi_env* env, const char* what, dm_vec3 scale, dm_vec3* out);
+/* Carries a joint into the scaled frame. Returns by how much lengths along its axis grow. */
+float dmi_joint_scale(dm_joint* joint, dm_vec3 scale);
+
+#endif

@@ -1,0 +1,174 @@
+/* Saves a drag's whole state and puts it back: a header and the drag as it lies in memory. Any bytes may come back, so
+ * what could lead outside an array, or is no value of its type, is checked before it is used. */
+#include <math.h>
+#include <string.h>
+
+#include "api_check.h"
+#include "api_drag.h"
+
+#define MAGIC 0x53444D44u /* "DMDS" */
+
+typedef struct snapshot {
+    uint32_t magic, version, size, reserved;
+    uint64_t part;     /* which part of which object */
+    uint64_t checksum; /* of everything after it */
+    dm_vec3 scale;
+    float value_unit;
+    int32_t open_side;
+    dmi_drag drag;
+} snapshot;
+
+_Static_assert(sizeof(snapshot) <= DM_DRAG_SNAPSHOT_MAX, "hosts reserve DM_DRAG_SNAPSHOT_MAX bytes");
+
+size_t DM_CALL dm_drag_snapshot_size(void) {
+    return sizeof(snapshot);
+}
+
+/* FNV-1a by words of 8 bytes; bytes at the end that fill no word count one by one. */
+static uint64_t hash(uint64_t seed, const void* data, size_t size) {
+    const uint64_t prime = 0x100000001b3u;
+    const uint8_t* bytes = data;
+    uint64_t sum = seed, word;
+    for (; size >= sizeof word; size -= sizeof word, bytes += sizeof word) {
+        memcpy(&word, bytes, sizeof word);
+        sum = (sum ^ word) * prime;
+        sum ^= sum >> 32; /* a multiplication carries upwards alone */
+    }
+    for (; size > 0; size--, bytes++) sum = (sum ^ *bytes) * prime;
+    return sum;
+}
+
+static uint64_t checksum_of(const snapshot* s) {
+    const size_t start = offsetof(snapshot, checksum) + sizeof s->checksum;
+    return hash(0xcbf29ce484222325u, (const uint8_t*)s + start, sizeof *s - start);
+}
+
+/* Returns what tells a part from others: its id, its box, and the counts of part and object. */
+static uint64_t part_key(const dmi_drag_slot* slot) {
+    const dmi_object* object = slot->owner->object;
+    const dmi_part* shape = &object->parts[slot->part].shape;
+    const uint64_t counts[4] = {shape->id, shape->face_count, object->vertex_count, object->triangle_count};
+    const uint64_t sum = hash(0xcbf29ce484222325u, counts, sizeof counts);
+    return hash(hash(sum, shape->box_min, sizeof shape->box_min), shape->box_max, sizeof shape->box_max);
+}
+
+dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, size_t capacity) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_save", drag);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    if (buffer == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_save: buffer is NULL");
+    if (capacity < sizeof(snapshot)) {
+        return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_drag_save: capacity is %zu, a drag takes %zu bytes",
+                        capacity, sizeof(snapshot));
+    }
+    snapshot s;
+    memset(&s, 0, sizeof s); /* gaps between fields too */
+    s.magic = MAGIC, s.version = DM_VERSION, s.size = sizeof s;
+    s.part = part_key(slot);
+    s.scale = slot->scale, s.value_unit = slot->value_unit, s.open_side = slot->open_side;
+    memcpy(&s.drag, &slot->drag, sizeof s.drag);
+    s.checksum = checksum_of(&s);
+    memcpy(buffer, &s, sizeof s);
+    return DM_OK;
+}
+
+/* ---- checks ---- */
+
+/* Whether a bool holds 0 or 1: any other byte in it must not be read as one. */
+static bool is_bool(const bool* value) {
+    uint8_t byte;
+    memcpy(&byte, value, 1);
+    return byte <= 1;
+}
+
+static bool are_finite(const float* values, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(values[i])) return false;
+    }
+    return true;
+}
+
+static bool is_sound_joint(const dm_joint* j) {
+    const float numbers[9] = {j->axis.x,   j->axis.y, j->axis.z, j->origin.x, j->origin.y,
+                              j->origin.z, j->pitch,  j->lower,  j->upper};
+    return j->type >= DM_JOINT_UNKNOWN && j->type <= DM_JOINT_FIXED && are_finite(numbers, 9);
+}
+
+static bool is_projection(const dmi_projection* projection) {
+    uint32_t value = 0;
+    memcpy(&value, projection, sizeof value < sizeof *projection ? sizeof value : sizeof *projection);
+    return value == DMI_PARALLEL || value == DMI_PERSPECTIVE;
+}
+
+static bool is_sound_tracker(const dmi_hypothesis_tracker* t) {
+    const dmi_pull* pull = &t->grasp.pull;
+    const dmi_axis_refiner* refiner = &t->refiner;
+    if (t->count > DMI_TRACKED_HYPOTHESES || (t->count > 0 ? t->best >= t->count : t->best != 0)) return false;
+    if (pull->count > DMI_PULL_RAYS || refiner->fit.count > DMI_PULL_RAYS) return false;
+    if (t->count > 0 && refiner->hypothesis != DMI_NO_HYPOTHESIS && refiner->hypothesis >= t->count) return false;
+    if (!is_projection(&pull->projection) || !is_bool(&refiner->shifted)) return false;
+    for (uint32_t i = 0; i < t->count; i++) {
+        const dmi_joint_hypothesis* h = &t->list[i];
+        if (!is_sound_joint(&h->joint) || !is_bool(&h->range_unknown) || !is_bool(&h->other_side_blocked)) return false;
+        if (!(h->free_range.lower <= 0 && h->free_range.upper >= 0) || !are_finite(h->excursion, 2)) return false;
+    }
+    return true;
+}
+
+static bool is_sound_release(const dmi_release* r) {
+    const float numbers[8] = {r->start,   r->end,         r->velocity, r->duration,
+                              r->elapsed, r->return_time, r->first,    r->last};
+    return r->phase >= DM_DRAG_HELD && r->phase <= DM_DRAG_AT_REST && r->intent >= DM_INTENT_AUTO &&
+           r->intent <= DM_INTENT_FREEZE && is_bool(&r->glides) && is_bool(&r->paced) && are_finite(numbers, 8) &&
+           are_finite(r->keys, DM_MOTION_FRAMES);
+}
+
+static bool is_sound_drag(const dmi_drag* d) {
+    const dm_drag_feel* f = &d->feel;
+    const float numbers[15] = {d->value,         d->target,          d->velocity,       d->speed,
+                               d->pointer_value, d->blend.turn_time, d->blend.lag_time, f->smoothing_time,
+                               f->soft_limit,    f->coast_time,      f->detent,         f->return_time,
+                               d->grab_offset.x, d->grab_offset.y,   d->grab_offset.z};
+    return is_sound_joint(&d->joint) && are_finite(numbers, 15) && are_finite(d->rest_point, 3) &&
+           are_finite(d->point, 3) && are_finite(d->blend.offset.real, 4) && are_finite(d->blend.offset.dual, 4) &&
+           are_finite(d->blend.lag, 3) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
+           is_sound_tracker(&d->tracker) && is_sound_release(&d->release);
+}
+
+static bool is_sound(const snapshot* s) {
+    const float numbers[4] = {s->scale.x, s->scale.y, s->scale.z, s->value_unit};
+    return s->open_side >= -1 && s->open_side <= 1 && are_finite(numbers, 4) &&
+           s->scale.x * s->scale.y * s->scale.z != 0 && s->value_unit > 0 && is_sound_drag(&s->drag);
+}
+
+static dm_result check_snapshot(dmi_env* env, const dmi_drag_slot* slot, const snapshot* s) {
+    if (s->magic != MAGIC) return dmi_fail(env, DM_ERROR_BAD_DATA, "dm_drag_restore: data is no saved drag");
+    if (s->version != DM_VERSION || s->size != sizeof *s) {
+        return dmi_fail(env, DM_ERROR_VERSION,
+                        "dm_drag_restore: saved by version 0x%x in %u bytes; this is version 0x%x with %zu", s->version,
+                        s->size, (unsigned)DM_VERSION, sizeof *s);
+    }
+    if (s->checksum != checksum_of(s) || !is_sound(s))
+        return dmi_fail(env, DM_ERROR_BAD_DATA, "dm_drag_restore: data is corrupt");
+    if (s->part == part_key(slot)) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_restore: data is of another part");
+}
+
+dm_result DM_CALL dm_drag_restore(dm_context* context, dm_drag drag, const void* data, size_t size) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_restore", drag);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    if (data == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_restore: data is NULL");
+    snapshot s;
+    memset(&s, 0, sizeof s);
+    memcpy(&s, data, size < sizeof s ? size : sizeof s);
+    if (s.magic == MAGIC && s.size == sizeof s && size < sizeof s)
+        return dmi_fail(env, DM_ERROR_BAD_DATA, "dm_drag_restore: %zu of %zu bytes", size, sizeof s);
+    dm_result result = check_snapshot(env, slot, &s);
+    if (result != DM_OK) return result;
+    slot->scale = s.scale, slot->value_unit = s.value_unit, slot->open_side = (int8_t)s.open_side;
+    memcpy(&slot->drag, &s.drag, sizeof s.drag);
+    return DM_OK;
+}

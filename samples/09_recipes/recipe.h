@@ -1,0 +1,85 @@
+/* What the recipes share: a prepared cabinet, a player's hand, and a little vector arithmetic that an engine has
+ * itself.
+ */
+#ifndef SAMPLES_RECIPE_H
+#define SAMPLES_RECIPE_H
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../common/cabinet.h"
+
+/* The recipes are tests of what they claim. */
+#define EXPECT(condition)                                                                                              \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            fprintf(stderr, "%s:%d: %s does not hold\n", __FILE__, __LINE__, #condition);                              \
+            exit(1);                                                                                                   \
+        }                                                                                                              \
+    } while (0)
+
+enum { FPS = 60 };
+
+static const dm_vec3 handle_point = {0.55f, 0.45f, 0.45f}; /* on the door's handle */
+static const dm_vec3 eye = {1.2f, 1.4f, 2.2f};             /* of the player, object frame */
+
+/* Prepares the cabinet by geometry alone: no weights, no triangles for picking. */
+static inline dm_object recipe_open(dm_context** out_context) {
+    static cabinet shape;
+    dm_context_desc host = dm_context_desc_default();
+    host.log = (dm_log){NULL, print_message};
+    EXPECT(dm_context_create(&host, out_context) == DM_OK);
+    const dm_mesh_desc mesh = cabinet_make(&shape);
+    dm_object_desc desc = dm_object_desc_default();
+    dm_object object = 0;
+    desc.mesh = &mesh, desc.flags = DM_PREPARE_WITHOUT_PICKING;
+    EXPECT(dm_object_prepare(*out_context, &desc, &object) == DM_OK);
+    return object;
+}
+
+/* A part at rest, by the joint that the library found. */
+static inline dm_part_state recipe_closed(dm_context* context, dm_object object, uint32_t part) {
+    dm_part_state state = dm_part_state_default();
+    state.joint = dm_joint_default();
+    EXPECT(dm_object_get_joint(context, object, part, &state.joint) == DM_OK);
+    return state;
+}
+
+static inline dm_vec3 move_point(const dm_pose* pose, dm_vec3 point) {
+    float p[3] = {point.x, point.y, point.z};
+    dm_pose_apply_points(pose, p, 0, p, 0, 1);
+    return (dm_vec3){p[0], p[1], p[2]};
+}
+
+static inline float distance(dm_vec3 a, dm_vec3 b) {
+    const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return sqrtf(x * x + y * y + z * z);
+}
+
+/* A ray from `from` through `to`. */
+static inline dm_ray ray_through(dm_vec3 from, dm_vec3 to) {
+    return (dm_ray){from, {to.x - from.x, to.y - from.y, to.z - from.z}};
+}
+
+/* Where a hand is that swings the door's handle open by `angle` about its left edge. */
+static inline dm_vec3 hand_at(float angle) {
+    const float x = handle_point.x, z = handle_point.z - 0.41f;
+    return (dm_vec3){x * cosf(angle) - z * sinf(angle), handle_point.y, 0.41f + x * sinf(angle) + z * cosf(angle)};
+}
+
+/* Half a second of pulling from one angle to another. */
+static inline dm_drag_state recipe_pull(dm_context* context, dm_drag drag, float from, float to) {
+    dm_drag_state now = dm_drag_state_default();
+    for (int frame = 1; frame <= FPS / 2; frame++) {
+        const dm_ray ray = ray_through(eye, hand_at(from + (to - from) * (float)frame / (FPS / 2)));
+        EXPECT(dm_drag_update(context, drag, &ray, 1.0f / FPS, &now) == DM_OK);
+    }
+    return now;
+}
+
+static inline float shift_between(const dm_pose* a, const dm_pose* b) {
+    return distance(move_point(a, handle_point), move_point(b, handle_point));
+}
+
+#endif

@@ -1,0 +1,558 @@
+/* What a drag ends with and begins with: joint and value in one piece, snapshots, the joints in force, scaled
+ * instances, limits that mean "none", and numbers that can't be meant. */
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+#include "../../plugin_api/src/api_handles.h" /* for the instruction set of a context */
+#include "test_world.h"
+
+static const dm_vec3 camera = {2.5f, 1.8f, 4};
+
+static dm_ray ray_to(dm_vec3 point) {
+    return (dm_ray){camera, {point.x - camera.x, point.y - camera.y, point.z - camera.z}};
+}
+
+static dm_vec3 moved(const dm_joint* joint, float value, dm_vec3 from) {
+    dm_pose pose;
+    float point[3] = {from.x, from.y, from.z};
+    assert_int_equal(dm_joint_pose(joint, value, &pose), DM_OK);
+    dm_pose_apply_points(&pose, point, 0, point, 0, 1);
+    return (dm_vec3){point[0], point[1], point[2]};
+}
+
+static dm_drag begin(const test_world* w, dm_object object, dm_vec3 grab, const dm_part_state* state) {
+    const dm_drag_desc desc = {
+        .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .grab_point = grab, .state = state};
+    dm_drag drag = 0;
+    assert_int_equal(dm_drag_begin(w->context, &desc, &drag), DM_OK);
+    return drag;
+}
+
+/* Pulls the door's handle along a joint to `value`; rest: frames that the pointer then stays. */
+static dm_drag_state pull(const test_world* w, dm_drag drag, const dm_joint* along, float from, float value, int rest) {
+    dm_drag_state now = dm_drag_state_default();
+    for (int k = 1; k <= 60 + rest; k++) {
+        const dm_ray ray = ray_to(moved(along, from + (value - from) * fminf((float)k / 60, 1), test_pull().point));
+        assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, &now), DM_OK);
+    }
+    return now;
+}
+
+static void open_world(test_world* w, dm_object* out_object) {
+    test_world_init(w);
+    test_world_open(w);
+    *out_object = test_world_cabinet(w);
+    w->messages.count = 0;
+}
+
+/* Largest distance between the places of the door's corners under two poses. */
+static float jump(const dm_pose* a, const dm_pose* b) {
+    float most = 0;
+    for (int corner = 0; corner < 8; corner++) {
+        const float at[3] = {corner & 1 ? 1 : 0.0f, corner & 2 ? 1 : 0.0f, corner & 4 ? 1.05f : 1.01f};
+        float p[3], q[3], sum = 0;
+        dm_pose_apply_points(a, at, 0, p, 0, 1);
+        dm_pose_apply_points(b, at, 0, q, 0, 1);
+        for (int i = 0; i < 3; i++) sum += (p[i] - q[i]) * (p[i] - q[i]);
+        most = fmaxf(most, sqrtf(sum));
+    }
+    return most;
+}
+
+/* ---- one piece, out and in ---- */
+
+/* The pull follows another joint than the one in force; the next grab goes on where this one ends, be it at rest or in
+ * the middle of coming over to the new joint. */
+static void the_next_drag_begins_where_the_last_ended(void** state) {
+    (void)state;
+    const dm_joint hinge = test_hinge();
+    const dm_joint flap = {
+        .struct_size = sizeof flap, .type = DM_JOINT_REVOLUTE, .axis = {1, 0, 0}, .origin = {0, 0, 1.03f}};
+    const dm_joint* pulls[] = {&hinge, &flap};
+    uint32_t changes = 0;
+    for (int i = 0; i < 2; i++) {
+        for (int rest = 0; rest < 60; rest += 30) {
+            test_world w;
+            dm_object object;
+            open_world(&w, &object);
+            const dm_drag first = begin(&w, object, test_pull().point, NULL);
+            const dm_drag_state last = pull(&w, first, pulls[i], 0, 0.9f, rest);
+            changes += last.changes;
+            dm_part_state end = dm_part_state_default(), again = dm_part_state_default();
+            assert_int_equal(dm_drag_end(w.context, first, &end), DM_OK);
+            assert_true(end.value == last.value);
+            assert_memory_equal(&end.pose, &last.pose, sizeof end.pose);
+            const dm_drag second = begin(&w, object, last.grab_point, &end);
+            assert_int_equal(dm_drag_get_part_state(w.context, second, &again), DM_OK);
+            assert_true(again.value == end.value && end.value != 0);
+            assert_memory_equal(&again.joint, &end.joint, sizeof end.joint); /* source and confidences too */
+            assert_true(jump(&again.pose, &last.pose) < 1e-5f);
+            dm_drag_state now = dm_drag_state_default();
+            const dm_ray still = ray_to(last.grab_point);
+            assert_int_equal(dm_drag_update(w.context, second, &still, 0.016f, &now), DM_OK);
+            assert_true(jump(&now.pose, &last.pose) < 0.01f);
+            test_world_close(&w);
+        }
+    }
+    assert_true(changes > 0); /* or this tests nothing */
+}
+
+/* A door of two is another door: what one was pulled to does not touch the other, or the object. */
+static void states_belong_to_instances(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    dm_joint before = dm_joint_default(), after = dm_joint_default();
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &before), DM_OK);
+    dm_part_state left = {.struct_size = sizeof left, .value = 0.7f, .joint = test_hinge()};
+    left.joint.source = DM_JOINT_FROM_HOST;
+    const dm_drag a = begin(&w, object, moved(&left.joint, 0.7f, test_pull().point), &left);
+    const dm_drag b = begin(&w, object, test_pull().point, NULL);
+    const dm_drag_state now = pull(&w, a, &left.joint, 0.7f, 1.2f, 30);
+    assert_true(fabsf(now.value - 1.2f) < 0.01f && now.changes == 0); /* certain: it is the host's */
+    dm_part_state right = dm_part_state_default();
+    assert_int_equal(dm_drag_get_part_state(w.context, b, &right), DM_OK);
+    assert_true(right.value == 0);
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &after), DM_OK);
+    assert_memory_equal(&before, &after, sizeof before);
+    dm_pose pose;
+    assert_int_equal(dm_joint_pose(&left.joint, now.value, &pose), DM_OK);
+    assert_true(jump(&pose, &now.pose) < 1e-5f); /* the pose is on the joint */
+    test_world_close(&w);
+}
+
+static void a_bad_state_is_refused_by_name(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_part_state good = {.struct_size = sizeof good, .value = 0.5f, .joint = test_hinge()};
+    dm_part_state bad[6] = {good, good, good, good, good, good};
+    bad[0].struct_size = 0;
+    bad[1].joint.struct_size = 0;
+    bad[2].value = (float)NAN;
+    bad[3].joint.axis = (dm_vec3){0, 0, 0};
+    bad[4].joint.source = 7;
+    bad[5].pose.real[0] = 9;
+    const char* const fields[6] = {"desc.state.struct_size", "desc.state.joint.struct_size", "desc.state.value",
+                                   "desc.state.joint.axis",  "desc.state.joint.source",      "desc.state.pose"};
+    for (int i = 0; i < 6; i++) {
+        const dm_drag_desc desc = {
+            .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .state = &bad[i]};
+        dm_drag drag = 0;
+        assert_true(dm_drag_begin(w.context, &desc, &drag) < 0);
+        if (!strstr(w.messages.text, fields[i])) fail_msg("no %s in: %s", fields[i], w.messages.text);
+    }
+    const dm_drag_desc both = {
+        .struct_size = sizeof both, .part_id = TEST_DOOR, .object = object, .start_value = 0.1f, .state = &good};
+    dm_drag drag = 0;
+    assert_int_equal(dm_drag_begin(w.context, &both, &drag), DM_ERROR_INVALID_ARGUMENT);
+    test_world_close(&w);
+}
+
+/* ---- the joint in force ---- */
+
+static void setting_the_joint_that_is_there_changes_nothing(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    dm_joint own = dm_joint_default(), now = dm_joint_default();
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &own), DM_OK);
+    assert_int_not_equal(own.source, DM_JOINT_FROM_HOST);
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &own), DM_OK);
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &now), DM_OK);
+    assert_memory_equal(&own, &now, sizeof own);
+    dm_joint hinge = test_hinge();
+    hinge.axis.y = -3;
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &now), DM_OK);
+    assert_true(now.source == DM_JOINT_FROM_HOST && now.joint_confidence == 1 && now.axis.y == -1);
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &own), DM_OK); /* as undo does */
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &now), DM_OK);
+    assert_memory_equal(&own, &now, sizeof own);
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
+    assert_int_equal(dm_object_reset_joint(w.context, object, TEST_DOOR), DM_OK);
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &now), DM_OK);
+    assert_memory_equal(&own, &now, sizeof own);
+    assert_int_equal(dm_object_reset_joint(w.context, object, 99), DM_ERROR_NOT_FOUND);
+    test_world_close(&w);
+}
+
+/* ---- limits that mean none ---- */
+
+typedef struct limit_case {
+    int32_t type;
+    float lower, upper;
+    int32_t limits; /* -1: only a lower one stays, +1: only an upper one, 0: none, 2: both */
+} limit_case;
+
+static void play_limits(test_world* w, dm_object object, const limit_case* c) {
+    dm_joint joint = test_hinge(), kept = dm_joint_default();
+    joint.type = c->type;
+    if (c->type == DM_JOINT_PRISMATIC) joint.axis = (dm_vec3){0, 0, 1};
+    joint.lower = c->lower, joint.upper = c->upper;
+    assert_int_equal(dm_object_set_joint(w->context, object, TEST_DOOR, &joint), DM_OK);
+    assert_int_equal(dm_object_get_joint(w->context, object, TEST_DOOR, &kept), DM_OK);
+    assert_true(isfinite(kept.lower) && isfinite(kept.upper));
+    assert_int_equal(kept.lower == kept.upper, c->limits == 0);
+    const dm_drag drag = begin(w, object, test_pull().point, NULL);
+    const dm_joint free = {.struct_size = sizeof free, .type = c->type, .axis = joint.axis, .origin = joint.origin};
+    dm_drag_state now = pull(w, drag, &free, 0, 0.5f, 30);
+    assert_true(fabsf(now.value - 0.5f) < 0.01f && now.at_limit == 0);
+    dm_release_plan plan = dm_release_plan_default();
+    assert_int_equal(dm_drag_release(w->context, drag, NULL, &plan), DM_OK);
+    assert_int_equal(plan.intent, DM_INTENT_STAY);
+    assert_true(isfinite(plan.end_value) && isfinite(plan.duration));
+    for (int k = 0; k < 300; k++) assert_int_equal(dm_drag_update(w->context, drag, NULL, 0.016f, &now), DM_OK);
+    assert_true(now.phase == DM_DRAG_AT_REST && fabsf(now.value - 0.5f) < 0.2f && isfinite(now.velocity));
+    assert_int_equal(dm_drag_end(w->context, drag, NULL), DM_OK);
+    const dm_drag back = begin(w, object, test_pull().point, NULL); /* from rest, the other way */
+    now = pull(w, back, &free, 0, -0.4f, 30);
+    const bool stops = c->limits == -1;
+    assert_true(stops ? now.value == 0 && now.at_limit == -1 : fabsf(now.value + 0.4f) < 0.01f && now.at_limit == 0);
+    assert_int_equal(dm_drag_end(w->context, back, NULL), DM_OK);
+    assert_int_equal(dm_object_set_joint(w->context, object, TEST_DOOR, &kept), DM_OK); /* and it stays what it is */
+    dm_joint again = dm_joint_default();
+    assert_int_equal(dm_object_get_joint(w->context, object, TEST_DOOR, &again), DM_OK);
+    assert_memory_equal(&kept, &again, sizeof kept);
+}
+
+static void other_engines_words_for_no_limit_are_understood(void** state) {
+    (void)state;
+    const float inf = (float)INFINITY;
+    const limit_case cases[] = {{DM_JOINT_PRISMATIC, -FLT_MAX, FLT_MAX, 0},
+                                {DM_JOINT_PRISMATIC, -1e30f, 1e30f, 0},
+                                {DM_JOINT_PRISMATIC, 0, FLT_MAX, -1},
+                                {DM_JOINT_PRISMATIC, 0, 1e10f, -1},
+                                {DM_JOINT_PRISMATIC, 0, inf, -1},
+                                {DM_JOINT_PRISMATIC, -inf, 1.5f, 1},
+                                {DM_JOINT_REVOLUTE, -FLT_MAX, FLT_MAX, 0},
+                                {DM_JOINT_REVOLUTE, -inf, inf, 0},
+                                {DM_JOINT_REVOLUTE, 0, inf, -1},
+                                {DM_JOINT_REVOLUTE, -1e10f, 1.5f, 1},
+                                {DM_JOINT_SCREW, -1e16f, 1e16f, 0},
+                                {DM_JOINT_REVOLUTE, -174, 174, 2}};
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (cases[i].limits == 2) continue;
+        play_limits(&w, object, &cases[i]);
+    }
+    dm_joint joint = test_hinge();
+    joint.lower = joint.upper = FLT_MAX;
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &joint), DM_ERROR_INVALID_ARGUMENT);
+    test_world_close(&w);
+}
+
+/* ---- numbers that can't be meant ---- */
+
+/* Begins with a point and a value; returns how many warnings came. */
+static uint64_t warnings(test_world* w, dm_object object, dm_vec3 point, float value, float dt) {
+    const dm_drag_desc desc = {
+        .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .grab_point = point, .start_value = value};
+    dm_drag drag = 0;
+    dm_drag_state now = dm_drag_state_default();
+    const dm_ray ray = ray_to(test_pull().point);
+    w->messages.count = 0, w->messages.text[0] = 0;
+    assert_int_equal(dm_drag_begin(w->context, &desc, &drag), DM_OK);
+    for (int i = 0; i < 3; i++) assert_int_equal(dm_drag_update(w->context, drag, &ray, dt, &now), DM_OK);
+    assert_true(isfinite(now.value) && isfinite(now.pose.real[0]) && isfinite(now.pose.dual[0]));
+    assert_int_equal(dm_drag_end(w->context, drag, NULL), DM_OK);
+    return (uint64_t)w->messages.count;
+}
+
+static void what_cannot_be_meant_is_named_once(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_joint hinge = test_hinge();
+    const dm_vec3 grab = test_pull().point, far = {910, 500, 1070};
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
+    assert_int_equal(warnings(&w, object, grab, 0.4f, 0.016f), 0);
+    assert_int_equal(warnings(&w, object, far, 0, 0.016f), 1);
+    assert_non_null(strstr(w.messages.text, "object sizes away"));
+    assert_int_equal(warnings(&w, object, grab, 60, 0.016f), 1);
+    assert_non_null(strstr(w.messages.text, "degrees"));
+    assert_int_equal(warnings(&w, object, grab, 0, 16), 1);
+    assert_non_null(strstr(w.messages.text, "milliseconds"));
+    dm_joint slide = {.struct_size = sizeof slide, .type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .upper = 0.5f};
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &slide), DM_OK);
+    assert_int_equal(warnings(&w, object, grab, 300, 0.016f), 1);
+    assert_non_null(strstr(w.messages.text, "millimetres"));
+    dm_joint degrees = hinge;
+    degrees.upper = 90;
+    w.messages.count = 0;
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &degrees), DM_OK);
+    assert_int_equal(w.messages.count, 1);
+    assert_non_null(strstr(w.messages.text, "Were degrees meant"));
+    test_world_close(&w);
+}
+
+/* ---- scaled instances ---- */
+
+static dm_vec3 times(dm_vec3 a, dm_vec3 b) {
+    return (dm_vec3){a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+/* A hinge of an instance with any scale keeps the grabbed point on the pointer, by rigid poses. */
+static void scaled_instances_open_without_shear(void** state) {
+    (void)state;
+    const dm_vec3 scales[] = {{1, 1, 1}, {2, 1, 0.5f}, {3, 3, 3}, {-1, 1, 1}, {0.5f, -2, 1.5f}};
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_joint hinge = test_hinge();
+    for (int held = 0; held < 2; held++) {
+        if (held) assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
+        for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
+            dm_joint joint = dm_joint_default();
+            assert_int_equal(dm_joint_scale(&hinge, scales[i], &joint), DM_OK);
+            const dm_vec3 grab = times(test_pull().point, scales[i]);
+            const dm_drag_desc desc = {.struct_size = sizeof desc,
+                                       .part_id = TEST_DOOR,
+                                       .object = object,
+                                       .grab_point = grab,
+                                       .scale = scales[i]};
+            dm_drag drag = 0;
+            dm_drag_state now = dm_drag_state_default();
+            assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
+            dm_vec3 aim = grab;
+            for (int k = 1; k <= 90; k++) {
+                aim = moved(&joint, 1.2f * fminf((float)k / 60, 1), grab);
+                const dm_ray ray = {{9, 7, 16}, {aim.x - 9, aim.y - 7, aim.z - 16}};
+                assert_int_equal(dm_drag_update(w.context, drag, &ray, 0.016f, &now), DM_OK);
+            }
+            if (held) assert_true(fabsf(now.value - 1.2f) < 0.01f);
+            const float* r = now.pose.real;
+            assert_true(fabsf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3] - 1) < 1e-5f);
+            if (held) {
+                const dm_vec3 g = now.grab_point;
+                assert_true(fabsf(g.x - aim.x) + fabsf(g.y - aim.y) + fabsf(g.z - aim.z) < 0.05f);
+            }
+            dm_release_plan plan = dm_release_plan_default();
+            assert_int_equal(dm_drag_release(w.context, drag, NULL, &plan), DM_OK);
+            dm_part_state end = dm_part_state_default();
+            assert_int_equal(dm_drag_end(w.context, drag, &end), DM_OK);
+            if (held) assert_memory_equal(&end.joint.axis, &joint.axis, sizeof joint.axis);
+        }
+    }
+    dm_drag drag = 0;
+    dm_drag_desc flat = {.struct_size = sizeof flat, .part_id = TEST_DOOR, .object = object, .scale = {1, 0, 1}};
+    assert_int_equal(dm_drag_begin(w.context, &flat, &drag), DM_ERROR_INVALID_ARGUMENT);
+    assert_non_null(strstr(w.messages.text, "desc.scale"));
+    flat.scale.y = (float)NAN;
+    assert_int_equal(dm_drag_begin(w.context, &flat, &drag), DM_ERROR_NOT_FINITE);
+    test_world_close(&w);
+}
+
+/* The network paces a scaled slide as it paces the plain one. */
+static void a_scaled_release_is_paced_by_the_network(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    test_world_load_model(&w);
+    const dm_object object = test_world_cabinet(&w);
+    const dm_joint slide = {.struct_size = sizeof slide, .type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .upper = 0.5f};
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &slide), DM_OK);
+    for (int scaled = 0; scaled < 2; scaled++) {
+        const dm_vec3 scale = {1, 1, scaled ? 6.0f : 1.0f};
+        const dm_drag_desc desc = {.struct_size = sizeof desc,
+                                   .part_id = TEST_DOOR,
+                                   .object = object,
+                                   .grab_point = times(test_pull().point, scale),
+                                   .scale = scale};
+        const dm_release_desc wish = {.struct_size = sizeof wish, .intent = DM_INTENT_OPEN};
+        dm_release_plan plan = dm_release_plan_default();
+        dm_drag drag = 0;
+        assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
+        assert_int_equal(dm_drag_release(w.context, drag, &wish, &plan), DM_OK);
+        assert_int_equal(plan.from_network, 1);
+        assert_true(plan.end_value == 0.5f * scale.z);
+    }
+    test_world_close(&w);
+}
+
+/* ---- snapshots ---- */
+
+typedef struct recording {
+    dm_drag_state frames[120];
+} recording;
+
+static void record(const test_world* w, dm_drag drag, const dm_joint* along, recording* out) {
+    memset(out, 0, sizeof *out);
+    for (int k = 0; k < 120; k++) {
+        const dm_ray ray = ray_to(moved(along, 0.2f + 0.01f * (float)k, test_pull().point));
+        out->frames[k].struct_size = sizeof out->frames[k];
+        if (k == 80) assert_int_equal(dm_drag_release(w->context, drag, NULL, NULL), DM_OK);
+        assert_int_equal(dm_drag_update(w->context, drag, k < 80 ? &ray : NULL, 0.016f, &out->frames[k]), DM_OK);
+    }
+}
+
+static void a_restored_drag_gives_the_same_bits(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_joint hinge = test_hinge();
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+    recording first, second, third;
+    const size_t size = dm_drag_snapshot_size();
+    assert_true(size > 0 && size <= sizeof saved);
+    const dm_drag drag = begin(&w, object, test_pull().point, NULL);
+    pull(&w, drag, &hinge, 0, 0.2f, 0);
+    const int64_t calls = w.memory.calls;
+    assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
+    record(&w, drag, &hinge, &first);
+    assert_int_equal(dm_drag_restore(w.context, drag, saved, size), DM_OK);
+    record(&w, drag, &hinge, &second);
+    assert_memory_equal(&first, &second, sizeof first);
+    assert_int_equal(w.memory.calls, calls); /* no memory, not a word */
+    assert_int_equal(w.messages.count, 0);
+    const dm_drag other = begin(&w, object, test_pull().point, NULL);
+    assert_int_equal(dm_drag_restore(w.context, other, saved, size), DM_OK);
+    record(&w, other, &hinge, &third);
+    assert_memory_equal(&first, &third, sizeof first);
+    test_world_close(&w);
+}
+
+static void snapshots_of_other_things_are_refused(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX], bad[DM_DRAG_SNAPSHOT_MAX];
+    const size_t size = dm_drag_snapshot_size();
+    const dm_drag drag = begin(&w, object, test_pull().point, NULL);
+    const dm_drag_desc handle = {.struct_size = sizeof handle, .part_id = TEST_HANDLE, .object = object};
+    dm_drag other = 0;
+    assert_int_equal(dm_drag_begin(w.context, &handle, &other), DM_OK);
+    assert_int_equal(dm_drag_save(w.context, drag, saved, size - 1), DM_ERROR_BUFFER_TOO_SMALL);
+    assert_int_equal(dm_drag_save(w.context, drag, NULL, size), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_drag_save(w.context, drag, saved, size), DM_OK);
+    assert_int_equal(dm_drag_restore(w.context, other, saved, size), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_drag_restore(w.context, drag, NULL, size), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_drag_restore(w.context, drag, saved, size - 1), DM_ERROR_BAD_DATA);
+    assert_int_equal(dm_drag_restore(w.context, drag, saved, 0), DM_ERROR_BAD_DATA);
+    for (size_t i = 0; i < size; i += 13) { /* any byte that is off */
+        memcpy(bad, saved, size);
+        bad[i] ^= 0x55;
+        const dm_result result = dm_drag_restore(w.context, drag, bad, size);
+        if (i >= 4 && i < 12) assert_int_equal(result, DM_ERROR_VERSION);
+        if (result == DM_OK) assert_true(i >= 12 && i < 16); /* reserved */
+    }
+    assert_int_equal(dm_drag_restore(w.context, object, saved, size), DM_ERROR_STALE_HANDLE);
+    test_world_close(&w);
+}
+
+/* Plays a drag and a release by rule on the object of a file, on one instruction set. */
+static void play_on(dmi_isa isa, const uint8_t* file, size_t size, recording* out) {
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    w.context->isa = isa;
+    test_world_load_model(&w);
+    const dm_joint hinge = test_hinge();
+    dm_object object = 0;
+    assert_int_equal(dm_object_load(w.context, file, size, w.model, &object), DM_OK);
+    const dm_release_desc rule = {.struct_size = sizeof rule, .intent = DM_INTENT_OPEN, .flags = DM_RELEASE_BY_RULE};
+    const dm_drag drag = begin(&w, object, test_pull().point, NULL);
+    memset(out, 0, sizeof *out);
+    for (int k = 0; k < 120; k++) {
+        const dm_ray ray = ray_to(moved(&hinge, 0.01f * (float)k, test_pull().point));
+        out->frames[k].struct_size = sizeof out->frames[k];
+        if (k == 60) assert_int_equal(dm_drag_release(w.context, drag, &rule, NULL), DM_OK);
+        assert_int_equal(dm_drag_update(w.context, drag, k < 60 ? &ray : NULL, 0.016f, &out->frames[k]), DM_OK);
+    }
+    test_world_close(&w);
+}
+
+static void drags_have_the_same_bits_on_every_instruction_set(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    static uint8_t file[1 << 20];
+    size_t size = 0;
+    static recording plain, fast;
+    assert_int_equal(dm_object_save(w.context, object, file, sizeof file, &size), DM_OK);
+    play_on(DMI_ISA_SCALAR, file, size, &plain);
+    play_on(dmi_cpu_best_isa(), file, size, &fast);
+    assert_memory_equal(&plain, &fast, sizeof plain);
+    test_world_close(&w);
+}
+
+/* The checksum of a snapshot, computed anew, as someone would who means harm (plugin_api/src/api_snapshot.c). */
+static void sign(uint8_t* data, size_t size) {
+    const size_t at = 24, start = 32;
+    uint64_t sum = 0xcbf29ce484222325u, word;
+    size_t i = start;
+    for (; i + sizeof word <= size; i += sizeof word) {
+        memcpy(&word, data + i, sizeof word);
+        sum = (sum ^ word) * 0x100000001b3u;
+        sum ^= sum >> 32;
+    }
+    for (; i < size; i++) sum = (sum ^ data[i]) * 0x100000001b3u;
+    memcpy(data + at, &sum, sizeof sum);
+}
+
+/* Bytes that mean harm are refused or harmless: no crash, whatever they hold. */
+static void hostile_snapshots_do_no_harm(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_joint hinge = test_hinge();
+    static const uint8_t values[] = {0, 1, 2, 0x7f, 0x80, 0xff};
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX], bad[DM_DRAG_SNAPSHOT_MAX];
+    const size_t size = dm_drag_snapshot_size();
+    const dm_drag drag = begin(&w, object, test_pull().point, NULL);
+    pull(&w, drag, &hinge, 0, 0.4f, 0);
+    assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
+    memcpy(bad, saved, size);
+    sign(bad, size);
+    assert_memory_equal(bad, saved, size); /* or this tests nothing */
+    uint32_t taken = 0, refused = 0;
+    for (size_t i = 32; i < size; i++) {
+        for (size_t k = 0; k < sizeof values; k++) {
+            memcpy(bad, saved, size);
+            bad[i] = values[k];
+            if (k == 5 && i + 4 < size) memset(bad + i, 0xff, 4);
+            sign(bad, size);
+            const dm_result result = dm_drag_restore(w.context, drag, bad, size);
+            assert_true(result == DM_OK || result == DM_ERROR_BAD_DATA);
+            taken += result == DM_OK, refused += result != DM_OK;
+            if (result != DM_OK || k % 3 != 0) continue;
+            dm_drag_state now = dm_drag_state_default();
+            for (int frame = 0; frame < 4; frame++) {
+                const dm_ray ray = ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
+                assert_int_equal(dm_drag_update(w.context, drag, &ray, 0.016f, &now), DM_OK);
+            }
+        }
+    }
+    assert_true(taken > 0 && refused > 0);
+    test_world_close(&w);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_next_drag_begins_where_the_last_ended),
+        cmocka_unit_test(states_belong_to_instances),
+        cmocka_unit_test(a_bad_state_is_refused_by_name),
+        cmocka_unit_test(setting_the_joint_that_is_there_changes_nothing),
+        cmocka_unit_test(other_engines_words_for_no_limit_are_understood),
+        cmocka_unit_test(what_cannot_be_meant_is_named_once),
+        cmocka_unit_test(scaled_instances_open_without_shear),
+        cmocka_unit_test(a_scaled_release_is_paced_by_the_network),
+        cmocka_unit_test(a_restored_drag_gives_the_same_bits),
+        cmocka_unit_test(drags_have_the_same_bits_on_every_instruction_set),
+        cmocka_unit_test(snapshots_of_other_things_are_refused),
+        cmocka_unit_test(hostile_snapshots_do_no_harm),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
