@@ -349,9 +349,12 @@ dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray
     if (result != DM_OK) return result;
     if (dt > LONG_FRAME && slot->longest_frame == 0) slot->longest_frame = dt;
     dm_drag_state state;
-    dmi_drag_update(&slot->drag, ray, dt, &state);
-    if (slot->open_side != 0) state.at_limit = only_limit_at(slot);
-    dmi_write_out(out_state, &state, sizeof state);
+    const uint32_t given = out_state->struct_size;
+    dm_drag_state* now = given == sizeof state ? out_state : &state; /* mostly of our own version: no copy */
+    dmi_drag_update(&slot->drag, ray, dt, now);
+    if (slot->open_side != 0) now->at_limit = only_limit_at(slot);
+    if (now == &state) dmi_write_out(out_state, &state, sizeof state);
+    out_state->struct_size = given;
     return DM_OK;
 }
 

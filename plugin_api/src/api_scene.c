@@ -175,8 +175,11 @@ dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ra
     if (result != DM_OK) return result;
     result = dmi_check_out(&context->env, "dm_scene_pick: out_hit", out_hit, DMI_FIRST_SIZE(dm_hit, object_point));
     if (result != DM_OK) return result;
-    dm_hit hit = {0};
-    dmi_scene_pick(slot->scene, ray, &hit);
-    dmi_write_out(out_hit, &hit, sizeof hit);
+    dm_hit other;
+    const uint32_t given = out_hit->struct_size;
+    dm_hit* hit = given == sizeof other ? out_hit : &other; /* mostly of our own version: no copy */
+    dmi_scene_pick(slot->scene, ray, hit);
+    if (hit == &other) dmi_write_out(out_hit, &other, sizeof other);
+    out_hit->struct_size = given;
     return DM_OK;
 }

@@ -55,7 +55,9 @@ int main(void) {
     roll_back(context, drag, FRAMES - LATE);
     for (int again = FRAMES - LATE; again < FRAMES; again++) play(context, drag, again, FRAMES);
     const dm_pose* found = &frames[(FRAMES - 1) % WINDOW].pose;
-    printf("%zu bytes a frame; after %d rollbacks the bits are the same\n", dm_drag_snapshot_size(), FRAMES - LATE + 2);
+    printf("%zu bytes a frame; the pose after %d rollbacks:", dm_drag_snapshot_size(), FRAMES - LATE + 2);
+    for (int i = 0; i < 4; i++) printf(" %a", (double)found->real[i]);
+    printf("\n");
     EXPECT(memcmp(&truth, found, sizeof truth) == 0);
     dm_context_destroy(context);
     return 0;

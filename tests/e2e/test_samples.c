@@ -216,6 +216,18 @@ static void test_recipes(void** state) {
     }
 }
 
+/* A processor without FMA and AVX2 gives the same bits. glibc alone listens to this; elsewhere it changes nothing. */
+static void test_rollback_has_the_same_bits_without_fma(void** state) {
+    (void)state;
+    static tool_output here;
+    tool_run(&here, "samples/recipe_rollback", NULL, "%s", "");
+    setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX2_Usable,-FMA_Usable", 1);
+    tool_run(&out, "samples/recipe_rollback", NULL, "%s", "");
+    unsetenv("GLIBC_TUNABLES");
+    assert_int_equal(out.status, 0);
+    assert_string_equal(out.text, here.text);
+}
+
 int main(void) {
     setenv("SDL_VIDEODRIVER", "offscreen", 1);
     setenv("XDG_RUNTIME_DIR", "/tmp", 0);
@@ -227,6 +239,7 @@ int main(void) {
                                        cmocka_unit_test(test_gpu_skinning),
                                        cmocka_unit_test(test_many_objects),
                                        cmocka_unit_test(test_recipes),
+                                       cmocka_unit_test(test_rollback_has_the_same_bits_without_fma),
                                        cmocka_unit_test_teardown(test_model_decides, stub_stop),
                                        cmocka_unit_test_teardown(test_model_is_no_use, stub_stop),
                                        cmocka_unit_test(test_model_is_down)};

@@ -152,6 +152,42 @@ static void a_bad_state_is_refused_by_name(void** state) {
     test_world_close(&w);
 }
 
+/* Outputs of callers that are newer: what the library can't know comes back as zeros; no other size is taken. */
+static void outputs_fit_the_callers_version(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    struct {
+        dm_drag_state known;
+        uint32_t unknown[2];
+    } newer, same;
+    memset(&newer, 0xAA, sizeof newer), memset(&same, 0xAA, sizeof same);
+    newer.known.struct_size = sizeof newer, same.known.struct_size = sizeof same.known;
+    const dm_ray ray = ray_to(test_pull().point);
+    const dm_drag a = begin(&w, object, test_pull().point, NULL), b = begin(&w, object, test_pull().point, NULL);
+    assert_int_equal(dm_drag_update(w.context, a, &ray, 0.016f, &newer.known), DM_OK);
+    assert_int_equal(dm_drag_update(w.context, b, &ray, 0.016f, &same.known), DM_OK);
+    assert_true(newer.unknown[0] == 0 && newer.unknown[1] == 0 && same.unknown[0] == 0xAAAAAAAAu);
+    assert_true(newer.known.struct_size == sizeof newer && same.known.struct_size == sizeof same.known);
+    assert_memory_equal(&newer.known.pose, &same.known.pose, sizeof same.known - sizeof(uint32_t));
+    newer.known.struct_size = sizeof newer.known - 4;
+    assert_int_equal(dm_drag_update(w.context, a, &ray, 0.016f, &newer.known), DM_ERROR_STRUCT_SIZE);
+    dm_joint joint = {0};
+    dm_part_state part = {0};
+    dm_memory_info memory = {0};
+    uint32_t count = 0;
+    assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &joint), DM_ERROR_STRUCT_SIZE);
+    assert_int_equal(dm_object_get_hypotheses(w.context, object, TEST_DOOR, NULL, &joint, 1, &count),
+                     DM_ERROR_STRUCT_SIZE);
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &joint), DM_ERROR_STRUCT_SIZE);
+    assert_int_equal(dm_drag_get_part_state(w.context, a, &part), DM_ERROR_STRUCT_SIZE);
+    assert_int_equal(dm_drag_end(w.context, a, &part), DM_ERROR_STRUCT_SIZE); /* and the drag lives on */
+    assert_int_equal(dm_context_get_memory(w.context, &memory), DM_ERROR_STRUCT_SIZE);
+    assert_int_equal(dm_drag_end(w.context, a, NULL), DM_OK);
+    test_world_close(&w);
+}
+
 /* ---- the joint in force ---- */
 
 static void setting_the_joint_that_is_there_changes_nothing(void** state) {
@@ -544,6 +580,7 @@ int main(void) {
         cmocka_unit_test(the_next_drag_begins_where_the_last_ended),
         cmocka_unit_test(states_belong_to_instances),
         cmocka_unit_test(a_bad_state_is_refused_by_name),
+        cmocka_unit_test(outputs_fit_the_callers_version),
         cmocka_unit_test(setting_the_joint_that_is_there_changes_nothing),
         cmocka_unit_test(other_engines_words_for_no_limit_are_understood),
         cmocka_unit_test(what_cannot_be_meant_is_named_once),

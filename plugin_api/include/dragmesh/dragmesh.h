@@ -18,9 +18,10 @@
  *    dm_joint_*, dm_pose_*) and anything of OTHER contexts, nothing of the context that calls them. They return
  * normally: no C++ exception and no longjmp may pass through the library. What the interrupted call held would be lost,
  * and a lock would stay locked.
- *  - Determinism: one build of the library gives the same bits for the same calls on every x86-64 processor, drags of a
- *    loaded .dmo included: begin, update, and a release with DM_RELEASE_BY_RULE. What runs a network (prepare, refine,
- *    motions, other releases) may differ in its last bits between instruction sets.
+ *  - Determinism: one build of the library with one C library gives the same bits for the same calls on every x86-64
+ *    processor, drags of a loaded .dmo included: begin, update, and a release with DM_RELEASE_BY_RULE. Two things may
+ *    differ in their last bits between instruction sets: what runs a network (prepare, refine, motions, other
+ * releases), and a drag with feel.coast_time above 0 in the hand, which needs double-precision exp, sin and cos.
  *  - Threading tags:
  *      [any-thread]        callable at any time from any thread.
  *      [exclusive context] no other call on this context at the same time.
