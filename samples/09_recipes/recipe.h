@@ -68,10 +68,10 @@ static inline dm_vec3 hand_at(float angle) {
     return (dm_vec3){x * cosf(angle) - z * sinf(angle), handle_point.y, 0.41f + x * sinf(angle) + z * cosf(angle)};
 }
 
-/* Half a second of pulling from one angle to another. */
+/* Half a second of pulling from one angle to another. The first ray is the one that grabbed the part. */
 static inline dm_drag_state recipe_pull(dm_context* context, dm_drag drag, float from, float to) {
     dm_drag_state now = dm_drag_state_default();
-    for (int frame = 1; frame <= FPS / 2; frame++) {
+    for (int frame = 0; frame <= FPS / 2; frame++) {
         const dm_ray ray = ray_through(eye, hand_at(from + (to - from) * (float)frame / (FPS / 2)));
         EXPECT(dm_drag_update(context, drag, &ray, 1.0f / FPS, &now) == DM_OK);
     }

@@ -24,7 +24,7 @@ int main(void) {
     EXPECT(dm_joint_scale(&joint, scale, &joint) == DM_OK); /* for a physics constraint, or to draw the axis */
     dm_drag_state now = dm_drag_state_default();
     dm_vec3 hand = grabbed;
-    for (int frame = 1; frame <= FPS; frame++) {
+    for (int frame = 0; frame <= FPS; frame++) {
         dm_pose pose;
         EXPECT(dm_joint_pose(&joint, 0.8f * fminf(2.0f * (float)frame / FPS, 1), &pose) == DM_OK);
         hand = move_point(&pose, grabbed);

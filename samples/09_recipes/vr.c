@@ -23,7 +23,7 @@ int main(void) {
     squeeze(context, object, &left);
     squeeze(context, object, &right);
     dm_drag_state drawer = dm_drag_state_default(), door = dm_drag_state_default();
-    for (int frame = 1; frame <= 90; frame++) { /* a second at 90 Hz; the head moves meanwhile, as heads do */
+    for (int frame = 0; frame <= 90; frame++) { /* a second at 90 Hz; the head moves meanwhile, as heads do */
         const float share = (float)frame / 90;
         const dm_vec3 looks_from = {head.x + 0.05f * share, head.y, head.z};
         const dm_vec3 left_hand = {left.held.x, left.held.y, left.held.z + 0.25f * share};

@@ -358,7 +358,7 @@ static void scaled_instances_open_without_shear(void** state) {
             dm_drag_state now = dm_drag_state_default();
             assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
             dm_vec3 aim = grab;
-            for (int k = 1; k <= 90; k++) {
+            for (int k = 0; k <= 90; k++) {
                 aim = moved(&joint, 1.2f * fminf((float)k / 60, 1), grab);
                 const dm_ray ray = {{9, 7, 16}, {aim.x - 9, aim.y - 7, aim.z - 16}};
                 assert_int_equal(dm_drag_update(w.context, drag, &ray, 0.016f, &now), DM_OK);
