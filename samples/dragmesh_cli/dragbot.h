@@ -97,7 +97,7 @@ bool bot_hand_draw(const bot_hand* hand, const bot_view* view, const known_joint
 /* ---- what the hand does, update by update ---- */
 
 typedef struct bot_step {
-    double dt;     /* s since the update before */
+    double dt;     /* s since the update before, or since the frame before the grab */
     double at;     /* place on the pull's path: an index with a fraction; -1: the grabbed pixel */
     double beside; /* of the pointer from the path: of the way that the jostle goes, 0 to 1 */
     double camera; /* turned by, rad */

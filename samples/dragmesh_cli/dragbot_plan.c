@@ -111,15 +111,15 @@ static void jostle_way(const bot_pull* pull, double pixels, double out[2]) {
 bot_plan bot_plan_make(const bot_hand* hand, const bot_pull* pull, random_state* random) {
     const timeline line = make_timeline(hand, pull);
     const double tick = 60.0 / (hand->hz ? hand->hz : 60);
-    bot_plan plan = {.steps = cli_alloc((size_t)(line.ticks / tick + 2) * sizeof *plan.steps)};
+    bot_plan plan = {.steps = cli_alloc((size_t)(line.ticks / tick + 3) * sizeof *plan.steps)};
     if (hand->jostle > 0) jostle_way(pull, hand->jostle, plan.jostle);
     if (hand->offset > 0) {
         const double angle = TWO_PI * random_unit(random);
         plan.offset[0] = hand->offset * cos(angle), plan.offset[1] = hand->offset * sin(angle);
     }
     const double hitch = hand->hitch ? floor(0.5 * line.ticks) : line.ticks;
-    double last = 0;
-    for (int i = 1; i * tick <= line.ticks + 1e-9; i++) {
+    double last = -tick;
+    for (int i = 0; i * tick <= line.ticks + 1e-9; i++) { /* the first ray is the one that grabs */
         const double now = i * tick;
         if (now > hitch && now < hitch + HITCH) continue;
         bot_step* step = &plan.steps[plan.count++];

@@ -1,7 +1,7 @@
 /* Prior, reachable range and likelihood of one joint hypothesis.
  *
  * All numbers of the priors and the likelihood are fitted to scripted drags of generated objects
- * (docs/trials_drag.md), unless their comment says otherwise. */
+ * (docs/research/trials_drag.md), unless their comment says otherwise. */
 #include "motion/joint_hypothesis.h"
 
 #include <math.h>

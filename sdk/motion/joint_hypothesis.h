@@ -7,7 +7,8 @@
 
 #include "motion/pull_fit.h"
 
-/* Log probability that a range lies on the other side of rest than it was found on. Fitted (docs/trials_drag.md). */
+/* Log probability that a range lies on the other side of rest than it was found on. Fitted
+ * (docs/research/trials_drag.md). */
 #define DMI_OTHER_SIDE_LOG_PRIOR (-0.2f)
 
 /* How far a pull may take a part beyond limits that were only estimated. */

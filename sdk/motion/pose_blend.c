@@ -7,7 +7,7 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-/* Fitted by the scripted player (docs/trials_drag.md). */
+/* Fitted by the scripted player (docs/research/trials_drag.md). */
 #define TURN_TIME 0.1f       /* s for the rotation at least */
 #define TURN_TIME_SLOPE 0.3f /* s more a radian */
 #define MAX_TURN_TIME 0.6f   /* s */
