@@ -28,13 +28,13 @@ typedef struct stages {
     dmi_drag_hint hint;
     uint32_t* welded;
     dmi_cloud* cloud;
-    dmi_part_analysis study;
-    dmi_arena study_arena;
-    dmi_kpp_ensemble opinion;
+    dmi_part_analysis analysis;
+    dmi_arena analysis_arena;
+    dmi_kpp_ensemble ensemble;
     void* scratch;
-    dmi_candidate *all, *candidates; /* before the sieve and after it */
+    dmi_candidate *all, *candidates; /* before the prefilter and after it */
     uint32_t all_count, candidate_count;
-    float (*evidence)[DMI_FEATURE_COUNT];
+    float (*features)[DMI_FEATURE_COUNT];
     float *score, *probability;
     const char* only; /* NULL: every stage is measured */
 } stages;
@@ -71,48 +71,48 @@ static void stage_weld(void* user) {
     dmi_arena_release(&arena);
 }
 
-static void stage_study(void* user) {
+static void stage_analysis(void* user) {
     stages* s = user;
-    dmi_arena_release(&s->study_arena);
-    dmi_arena_init(&s->study_arena, &s->env, ARENA_BLOCK);
-    check(dmi_part_analysis_make(&s->study_arena, s->mesh, s->cloud, 1, s->welded, &s->study), "study");
+    dmi_arena_release(&s->analysis_arena);
+    dmi_arena_init(&s->analysis_arena, &s->env, ARENA_BLOCK);
+    check(dmi_part_analysis_make(&s->analysis_arena, s->mesh, s->cloud, 1, s->welded, &s->analysis), "analysis");
 }
 
-static void stage_opinion(void* user) {
+static void stage_ensemble(void* user) {
     stages* s = user;
-    dmi_kpp_ensemble_run(s->models.kpp, s->models.isa, s->cloud, &s->hint, s->scratch, &s->opinion);
+    dmi_kpp_ensemble_run(s->models.kpp, s->models.isa, s->cloud, &s->hint, s->scratch, &s->ensemble);
 }
 
 static void stage_candidates(void* user) {
     stages* s = user;
-    s->all_count = dmi_candidates_make(&s->study, &s->hint, &s->opinion.prediction, s->all);
+    s->all_count = dmi_candidates_make(&s->analysis, &s->hint, &s->ensemble.prediction, s->all);
 }
 
-static void stage_sieve(void* user) {
+static void stage_prefilter(void* user) {
     stages* s = user;
-    const dmi_prefilter* sieve = s->models.joints != NULL ? &s->models.joints->prefilter : NULL;
+    const dmi_prefilter* prefilter = s->models.joints != NULL ? &s->models.joints->prefilter : NULL;
     memcpy(s->candidates, s->all, s->all_count * sizeof *s->all);
     s->candidate_count = s->all_count;
-    if (sieve != NULL)
-        s->candidate_count = dmi_prefilter_keep(sieve, &s->study, &s->hint, s->models.kpp, s->models.isa, &s->opinion,
-                                                s->candidates, s->all_count, s->evidence);
+    if (prefilter != NULL)
+        s->candidate_count = dmi_prefilter_keep(prefilter, &s->analysis, &s->hint, s->models.kpp, s->models.isa,
+                                                &s->ensemble, s->candidates, s->all_count, s->features);
 }
 
 static void stage_choice(void* user) {
     stages* s = user;
-    dmi_kpp_ensemble_score(s->models.kpp, s->models.isa, &s->opinion, s->candidates, s->candidate_count, s->score);
+    dmi_kpp_ensemble_score(s->models.kpp, s->models.isa, &s->ensemble, s->candidates, s->candidate_count, s->score);
 }
 
-static void stage_evidence(void* user) {
+static void stage_features(void* user) {
     stages* s = user;
-    dmi_candidate_features_make(&s->study, &s->hint, &s->opinion.prediction, s->score, s->candidates,
-                                s->candidate_count, s->evidence);
+    dmi_candidate_features_make(&s->analysis, &s->hint, &s->ensemble.prediction, s->score, s->candidates,
+                                s->candidate_count, s->features);
 }
 
 static void stage_ranker(void* user) {
     stages* s = user;
     dmi_ranker_probabilities(s->models.joints != NULL ? &s->models.joints->ranker : NULL, s->models.isa,
-                             (const float(*)[DMI_FEATURE_COUNT])s->evidence, s->candidate_count, s->probability);
+                             (const float(*)[DMI_FEATURE_COUNT])s->features, s->candidate_count, s->probability);
 }
 
 static void stage_infer(void* user) {
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
     const double point[3] = {(double)drag.point.x, (double)drag.point.y, (double)drag.point.z};
     const float vector[3] = {drag.vector.x, drag.vector.y, drag.vector.z};
     dmi_env_init(&s.env, NULL, NULL, NULL);
-    dmi_arena_init(&s.study_arena, &s.env, ARENA_BLOCK);
+    dmi_arena_init(&s.analysis_arena, &s.env, ARENA_BLOCK);
     dmi_axes_init(&s.axes, DM_AXES_GLTF, NULL, 1);
     check(dmi_picker_create(&s.env, &s.picker), "picker");
     load_models(argc > 2 ? argv[2] : "sdk/models", &s);
@@ -165,7 +165,7 @@ int main(int argc, char** argv) {
     s.cloud = bench_alloc(sizeof *s.cloud);
     s.all = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.all);
     s.candidates = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.candidates);
-    s.evidence = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.evidence);
+    s.features = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.features);
     s.score = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.score);
     s.probability = bench_alloc(DMI_CANDIDATES_MAX * sizeof *s.probability);
     printf("%u triangles    median ms   least ms\n", s.shape.face_count);
@@ -176,12 +176,12 @@ int main(int argc, char** argv) {
     s.welded = bench_alloc(s.mesh->vertex_count * sizeof *s.welded);
     show("weld", &s, stage_weld);
     show("cloud", &s, stage_cloud);
-    show("study", &s, stage_study);
-    show("network", &s, stage_opinion);
+    show("analysis", &s, stage_analysis);
+    show("network", &s, stage_ensemble);
     show("candidates", &s, stage_candidates);
-    show("sieve", &s, stage_sieve);
+    show("prefilter", &s, stage_prefilter);
     show("choice", &s, stage_choice);
-    show("evidence", &s, stage_evidence);
+    show("features", &s, stage_features);
     show("ranker", &s, stage_ranker);
     show("infer", &s, stage_infer);
     printf("%u candidates, %u kept\n", s.all_count, s.candidate_count);

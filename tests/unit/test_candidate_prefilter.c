@@ -1,4 +1,4 @@
-/* The glance at candidates agrees with their features, and the sieve keeps the best in their order. */
+/* The cheap features of candidates agree with their full ones, and the prefilter keeps the best in their order. */
 #include "test_env.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 
 static test_shape shape;
 static dmi_cloud cloud;
-static dmi_part_analysis study;
+static dmi_part_analysis analysis;
 static dmi_candidate candidates[DMI_CANDIDATES_MAX], kept[DMI_CANDIDATES_MAX];
 static float features[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT], rows[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
 static dmi_prefilter prefilter;
@@ -41,9 +41,9 @@ static void open_bench(bench* b) {
     assert_int_equal(dmi_mesh_create(&b->t.env, &axes, &desc, NULL, 0, &b->mesh), DM_OK);
     assert_int_equal(dmi_cloud_sample(&b->t.env, b->mesh, 1, 3, &cloud), DM_OK);
     dmi_arena_init(&b->arena, &b->t.env, (size_t)1 << 20);
-    assert_int_equal(dmi_part_analysis_make(&b->arena, b->mesh, &cloud, 1, NULL, &study), DM_OK);
+    assert_int_equal(dmi_part_analysis_make(&b->arena, b->mesh, &cloud, 1, NULL, &analysis), DM_OK);
     test_layers_open(&b->layers, &b->t.env);
-    dmi_copy3(study.points[0], b->hint.point);
+    dmi_copy3(analysis.points[0], b->hint.point);
     dmi_copy3((const float[]){0.1f, 1, 0.2f}, b->hint.vector);
 }
 
@@ -67,7 +67,7 @@ static void prefilter_by(bench* b, int column, float sign, float last) {
 
 static uint32_t keep(const dmi_drag_hint* hint, uint32_t count) {
     memcpy(kept, candidates, sizeof kept);
-    return dmi_prefilter_keep(&prefilter, &study, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
+    return dmi_prefilter_keep(&prefilter, &analysis, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
 }
 
 /* The cheap columns hold what the full rows have there; the others stay as they were. */
@@ -83,11 +83,11 @@ static void cheap_features_fill_their_columns(void** state) {
     for (int with = 0; with < 2; with++) {
         const dmi_drag_hint* hint = with ? &b.hint : NULL;
         const dmi_prediction* said = with ? &prediction : NULL;
-        const uint32_t count = dmi_candidates_make(&study, hint, said, candidates);
+        const uint32_t count = dmi_candidates_make(&analysis, hint, said, candidates);
         for (uint32_t i = 0; i < count; i++) scores[i] = -0.01f * (float)i;
-        dmi_candidate_features_make(&study, hint, said, with ? scores : NULL, candidates, count, features);
+        dmi_candidate_features_make(&analysis, hint, said, with ? scores : NULL, candidates, count, features);
         dmi_cheap_features cheap;
-        dmi_cheap_features_begin(&study, hint, said, &cheap);
+        dmi_cheap_features_begin(&analysis, hint, said, &cheap);
         for (uint32_t i = 0; i < count; i++) {
             for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[i][k] = -7;
             dmi_cheap_features_row(&cheap, &candidates[i], rows[i]);
@@ -112,7 +112,7 @@ static void the_best_are_kept_in_order(void** state) {
     (void)state;
     bench b;
     open_bench(&b);
-    const uint32_t count = dmi_candidates_make(&study, NULL, NULL, candidates);
+    const uint32_t count = dmi_candidates_make(&analysis, NULL, NULL, candidates);
     assert_true(count > DMI_PREFILTER_KEPT + 50);
     for (int sign = -1; sign <= 1; sign += 2) {
         const int column = DMI_FEATURE_BOX_OFFSET;
@@ -138,7 +138,7 @@ static void equals_and_few_pass(void** state) {
     (void)state;
     bench b;
     open_bench(&b);
-    const uint32_t count = dmi_candidates_make(&study, &b.hint, NULL, candidates);
+    const uint32_t count = dmi_candidates_make(&analysis, &b.hint, NULL, candidates);
     assert_true(count > DMI_PREFILTER_KEPT);
     prefilter_by(&b, DMI_FEATURE_HAS_DRAG, 1, 1); /* 1 for every candidate */
     assert_int_equal(keep(&b.hint, count), DMI_PREFILTER_KEPT);
