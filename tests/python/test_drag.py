@@ -34,8 +34,8 @@ class Door(unittest.TestCase):
 
     def dragged(self, **feel):
         drag = self.object.drag(1, HANDLE, **feel)
-        for frame in range(60):
-            state = self.pull(drag, 0.8 * (frame + 1) / 60)
+        for frame in range(61):  # the first ray is the one that grabs
+            state = self.pull(drag, 0.8 * frame / 60)
         return drag, state
 
     def test_follows_and_tells_its_joint(self):
