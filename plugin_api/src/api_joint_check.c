@@ -9,12 +9,11 @@
 #define MIN_AXIS_LENGTH 1e-6 /* of a host's axis; shorter ones have no direction; by hand */
 #define UNIT_TOLERANCE 1e-6  /* an axis whose length is this near to 1 keeps its bits: rounding of three floats */
 
-/* Hosts write "no limit" as FLT_MAX, 1e10, infinity and the like. By hand: a limit farther from rest than FAR is none;
- * STAND_IN takes its place where the other limit is meant, and is FAR again when it is read back. */
-#define FAR_TURN 1000.0f      /* rad: 159 turns */
-#define STAND_IN_TURN 1024.0f /* rad */
-#define FAR_SLIDE 100.0f      /* object sizes */
-#define STAND_IN_SLIDE 128.0f /* object sizes */
+/* By hand: a limit farther from rest than UNLIMITED is none. STAND_IN takes its place where the other limit is meant,
+ * and is beyond UNLIMITED again when it is read back. */
+#define UNLIMITED_SLIDE 100.0f /* object sizes */
+#define STAND_IN_TURN 1024.0f  /* rad */
+#define STAND_IN_SLIDE 128.0f  /* object sizes */
 
 enum { WITHOUT_LIMITS = 7, WITH_LIMITS = 9 }; /* numbers of a joint */
 
@@ -39,7 +38,7 @@ float dmi_joint_value_unit(const dm_joint* joint, float size) {
 }
 
 static float far_limit(const dm_joint* joint, float size) {
-    return joint->type == DM_JOINT_PRISMATIC ? FAR_SLIDE * size : FAR_TURN;
+    return joint->type == DM_JOINT_PRISMATIC ? UNLIMITED_SLIDE * size : DMI_UNLIMITED_TURN;
 }
 
 static float stand_in(const dm_joint* joint, float size) {
@@ -102,7 +101,8 @@ dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint*
     if (joint->type != DM_JOINT_SCREW) joint->pitch = 0;
     if (has_value_limits(joint->type)) return accept_limits(env, what, size, joint);
     /* Where there are no limits, hosts leave anything, often infinities; what a drag gave stays as it is. */
-    const bool harmless = joint->lower <= joint->upper && joint->lower > -FAR_TURN && joint->upper < FAR_TURN;
+    const bool harmless =
+        joint->lower <= joint->upper && joint->lower > -DMI_UNLIMITED_TURN && joint->upper < DMI_UNLIMITED_TURN;
     if (!harmless) joint->lower = joint->upper = 0;
     return DM_OK;
 }

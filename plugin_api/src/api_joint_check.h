@@ -6,6 +6,10 @@
 
 #include "base/env.h"
 
+/* Hosts write "no limit" as FLT_MAX, 1e10, infinity and the like. A limit of a turn at least this far from rest is
+ * none, rad: 159 turns; by hand. */
+#define DMI_UNLIMITED_TURN 1000.0f
+
 /* Copies a host's joint of any version; struct_size of the copy is 0, as of all joints inside. */
 dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, dm_joint* out);
 /* Checks numbers and type of a host's joint, makes its axis unit and keeps the limits that its type has; limits that

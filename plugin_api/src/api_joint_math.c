@@ -9,8 +9,7 @@
 #include "math/vec3.h"
 
 #define LIMIT_TOLERANCE 1e-4f /* rad by which rounding may put a value beyond its limit; by hand */
-#define NO_TURN_LIMIT 1e3f    /* rad: a limit this far from rest is none, as dm_object_set_joint has it */
-#define NO_SLIDE_LIMIT 1e9f   /* host units, the same; the object's size is not known here */
+#define UNLIMITED_LENGTH 1e9f /* host units: a slide's limit this far from rest is none; by hand */
 
 /* Reads a joint whose numbers a pose can be made of. */
 static dm_result read_joint(const dm_joint* joint, dm_joint* out) {
@@ -104,7 +103,7 @@ static void rotation_to(const float x[3], float out[4]) {
 }
 
 static void set_limits(const dm_joint* joint, dm_joint_frame* frame) {
-    const float far = joint->type == DM_JOINT_PRISMATIC ? NO_SLIDE_LIMIT : NO_TURN_LIMIT;
+    const float far = joint->type == DM_JOINT_PRISMATIC ? UNLIMITED_LENGTH : DMI_UNLIMITED_TURN;
     if (!dmi_joint_has_limits(joint) || joint->type == DM_JOINT_FIXED || joint->type == DM_JOINT_UNKNOWN) return;
     if (joint->lower > -far) frame->limits |= DM_LIMIT_LOWER, frame->lower = joint->lower;
     if (joint->upper < far) frame->limits |= DM_LIMIT_UPPER, frame->upper = joint->upper;

@@ -7,6 +7,8 @@
 #include "api_drag.h"
 
 #define MAGIC 0x53444D44u /* "DMDS" */
+#define FNV_START 0xcbf29ce484222325u
+#define FNV_PRIME 0x100000001b3u
 
 typedef struct snapshot {
     uint32_t magic, version, size, reserved;
@@ -26,21 +28,20 @@ size_t DM_CALL dm_drag_snapshot_size(void) {
 
 /* FNV-1a by words of 8 bytes; bytes at the end that fill no word count one by one. */
 static uint64_t hash(uint64_t seed, const void* data, size_t size) {
-    const uint64_t prime = 0x100000001b3u;
     const uint8_t* bytes = data;
     uint64_t sum = seed, word;
     for (; size >= sizeof word; size -= sizeof word, bytes += sizeof word) {
         memcpy(&word, bytes, sizeof word);
-        sum = (sum ^ word) * prime;
+        sum = (sum ^ word) * FNV_PRIME;
         sum ^= sum >> 32; /* a multiplication carries upwards alone */
     }
-    for (; size > 0; size--, bytes++) sum = (sum ^ *bytes) * prime;
+    for (; size > 0; size--, bytes++) sum = (sum ^ *bytes) * FNV_PRIME;
     return sum;
 }
 
 static uint64_t checksum_of(const snapshot* s) {
     const size_t start = offsetof(snapshot, checksum) + sizeof s->checksum;
-    return hash(0xcbf29ce484222325u, (const uint8_t*)s + start, sizeof *s - start);
+    return hash(FNV_START, (const uint8_t*)s + start, sizeof *s - start);
 }
 
 /* Returns what tells a part from others: its id, its box, and the counts of part and object. */
@@ -48,7 +49,7 @@ static uint64_t part_key(const dmi_drag_slot* slot) {
     const dmi_object* object = slot->owner->object;
     const dmi_part* shape = &object->parts[slot->part].shape;
     const uint64_t counts[4] = {shape->id, shape->face_count, object->vertex_count, object->triangle_count};
-    const uint64_t sum = hash(0xcbf29ce484222325u, counts, sizeof counts);
+    const uint64_t sum = hash(FNV_START, counts, sizeof counts);
     return hash(hash(sum, shape->box_min, sizeof shape->box_min), shape->box_max, sizeof shape->box_max);
 }
 
