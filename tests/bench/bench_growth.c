@@ -7,6 +7,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "test_hash.h"
 #include "world.h"
 
 #define PARTS_TRIANGLES 100000
@@ -217,14 +218,14 @@ static void run_effort(effort* e, const team* t, int whole_objects) {
         prepare_task(e, 0);
 }
 
-/* FNV-1a over all that the objects are saved as. */
+/* Hash of all that the objects are saved as. */
 static uint64_t hash_objects(effort* e) {
-    uint64_t hash = 0xcbf29ce484222325u;
+    uint64_t hash = TEST_HASH_START;
     for (uint32_t i = 0; i < e->count; i++) {
         size_t size = saved_size(&e->world, e->objects[i]);
         uint8_t* saved = bench_alloc(size);
         CHECK(dm_object_save(e->world.context, e->objects[i], saved, size, &size));
-        for (size_t k = 0; k < size; k++) hash = (hash ^ saved[k]) * 0x100000001b3u;
+        hash = test_hash_bytes(hash, saved, size);
         free(saved);
     }
     return hash;

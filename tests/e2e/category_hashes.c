@@ -9,6 +9,7 @@
 #include "../../training/lab/case.h"
 #include "core/build.h"
 #include "generator.h"
+#include "test_object_hash.h"
 
 enum { SEEDS = 4, SPLIT_SEEDS = 1000, CASES = 60, MOST_IDS = 1 << 16 };
 
@@ -20,30 +21,16 @@ void dmg_build_added_kind(dmg_builder* b) {
     dmg_box(b, v3(0, 0.5f, 0.52f), v3(1, 1, 0.02f));
 }
 
-/* FNV-1a. */
-static uint64_t hash_bytes(uint64_t hash, const void* data, size_t size) {
-    const unsigned char* bytes = data;
-    for (size_t i = 0; i < size; i++) hash = (hash ^ bytes[i]) * 0x100000001b3u;
-    return hash;
-}
-
-static uint64_t hash_object(uint64_t hash, const dmg_object* o) {
-    hash = hash_bytes(hash, o->positions, (size_t)o->vertex_count * 12);
-    hash = hash_bytes(hash, o->indices, (size_t)o->face_count * 12);
-    hash = hash_bytes(hash, o->face_part, (size_t)o->face_count * 4);
-    return hash_bytes(hash, o->joints, o->joint_count * sizeof *o->joints);
-}
-
 static int print_kind(uint32_t row) {
-    uint64_t splits = 0xcbf29ce484222325u, objects = splits;
+    uint64_t splits = TEST_HASH_START, objects = splits;
     for (uint64_t seed = 0; seed < SPLIT_SEEDS; seed++) {
         const int32_t split = dmg_split(row, seed);
-        splits = hash_bytes(splits, &split, sizeof split);
+        splits = test_hash_bytes(splits, &split, sizeof split);
     }
     for (uint64_t seed = 1; seed <= SEEDS; seed++) {
         dmg_object object;
         if (dmg_make(row, seed, seed % 2 == 0 ? DMG_MESSY : 0, &object) != 0) return 0;
-        objects = hash_object(objects, &object);
+        objects = test_hash_object(objects, &object);
         dmg_object_release(&object);
     }
     printf("kind %s %" PRIu32 " set %" PRId32 " %016" PRIx64 " %016" PRIx64 "\n", dmg_category_name(row),
@@ -62,7 +49,7 @@ static int print_cases(uint32_t id_end) {
         .seed = 5, .categories = weights, .messy = 0.5f, .mask_noise = 0.3f, .rotated = 0.5f};
     for (uint64_t i = 0; i < CASES; i++) {
         if (lab_case_make(&env, &options, i, &made) != DM_OK) return 0;
-        const uint64_t hash = hash_object(0xcbf29ce484222325u, &made.object);
+        const uint64_t hash = test_hash_object(TEST_HASH_START, &made.object);
         printf("case %" PRIu64 " of %" PRIu32 " %" PRIu32 " %016" PRIx64 "\n", i, made.category_id, made.part, hash);
         lab_case_release(&env, &made);
     }

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 table=training/generator/categories.h lib=build/release/lib
-flags="-std=gnu17 -O1 -ffp-contract=off -fno-math-errno -fno-trapping-math -Iplugin_api/include -Isdk -Itraining/generator -Itraining/lab"
+flags="-std=gnu17 -O1 -ffp-contract=off -fno-math-errno -fno-trapping-math -Iplugin_api/include -Isdk -Itraining/generator -Itraining/lab -Itests/include"
 embree=$(ls /usr/include/embree*/rtcore.h | tail -1 | cut -d/ -f4)
 grep -o '^ *X([a-z0-9_]*, [0-9][0-9]*, [A-Z_]*)' $table | tr -d ' ' > "$work/rows"
 next=$(($(cut -d, -f2 "$work/rows" | sort -n | tail -1) + 1))

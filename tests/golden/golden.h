@@ -8,6 +8,7 @@
 #include "nn/kernels.h"
 #include "nn/weights.h"
 #include "test_env.h"
+#include "test_hash.h"
 
 #define GOLDEN_TOLERANCE 1e-4f
 
@@ -35,9 +36,8 @@ static inline golden_file golden_read(const char* path) {
 static inline dmi_weights* golden_open(dmi_env* env, golden_file answers, const char* architecture,
                                        golden_file weights) {
     dmi_weights* golden = NULL;
-    uint64_t hash = 0xcbf29ce484222325u; /* FNV-1a */
+    const uint64_t hash = test_hash_bytes(TEST_HASH_START, weights.data, weights.size);
     char mark[17];
-    for (size_t i = 0; i < weights.size; ++i) hash = (hash ^ ((const uint8_t*)weights.data)[i]) * 0x100000001b3u;
     snprintf(mark, sizeof mark, "%016llx", (unsigned long long)hash);
     assert_int_equal(dmi_weights_open(env, answers.data, answers.size, architecture, 1, &golden), DM_OK);
     const char* made_with = dmi_weights_metadata(golden, "weights");

@@ -7,28 +7,41 @@
 #include "kinematics/candidates/candidates.h"
 #include "test_shapes.h"
 
+typedef struct test_analysis {
+    test_env t;
+    dmi_arena arena;
+    dmi_mesh* mesh;
+    dmi_cloud cloud;
+    dmi_part_analysis of_part;
+} test_analysis;
+
+/* Large: keep it static. seed: of the cloud. */
+static inline void test_analysis_open(test_analysis* a, const test_shape* shape, uint64_t seed) {
+    const dm_mesh_desc desc = test_shape_desc(shape);
+    dmi_axes axes;
+    test_env_open(&a->t, TEST_NEVER);
+    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
+    assert_int_equal(dmi_mesh_create(&a->t.env, &axes, &desc, NULL, 0, &a->mesh), DM_OK);
+    assert_int_equal(dmi_cloud_sample(&a->t.env, a->mesh, 1, seed, &a->cloud), DM_OK);
+    dmi_arena_init(&a->arena, &a->t.env, (size_t)1 << 20);
+    assert_int_equal(dmi_part_analysis_make(&a->arena, a->mesh, &a->cloud, 1, NULL, &a->of_part), DM_OK);
+}
+
+static inline void test_analysis_close(test_analysis* a) {
+    dmi_arena_release(&a->arena);
+    dmi_mesh_destroy(&a->t.env, a->mesh);
+    test_env_close(&a->t);
+}
+
 static inline void test_with_analysis(void (*make)(test_shape* shape),
                                       void (*check)(const dmi_mesh* mesh, const dmi_part_analysis* analysis)) {
     static test_shape shape;
-    static dmi_cloud cloud;
-    static dmi_part_analysis analysis;
-    test_env t;
-    dmi_arena arena;
-    dmi_axes axes;
-    dmi_mesh* mesh = NULL;
-    test_env_open(&t, TEST_NEVER);
+    static test_analysis a;
     shape.vertex_count = shape.face_count = 0;
     make(&shape);
-    const dm_mesh_desc desc = test_shape_desc(&shape);
-    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
-    assert_int_equal(dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, &mesh), DM_OK);
-    assert_int_equal(dmi_cloud_sample(&t.env, mesh, 1, 3, &cloud), DM_OK);
-    dmi_arena_init(&arena, &t.env, (size_t)1 << 20);
-    assert_int_equal(dmi_part_analysis_make(&arena, mesh, &cloud, 1, NULL, &analysis), DM_OK);
-    check(mesh, &analysis);
-    dmi_arena_release(&arena);
-    dmi_mesh_destroy(&t.env, mesh);
-    test_env_close(&t);
+    test_analysis_open(&a, &shape, 3);
+    check(a.mesh, &a.of_part);
+    test_analysis_close(&a);
 }
 
 /* Returns a candidate; axis and origin are in the coordinates of the shape's vertices. */

@@ -1,5 +1,5 @@
 /* The cheap features of candidates agree with their full ones, and the prefilter keeps the best in their order. */
-#include "test_env.h"
+#include "test_analysis.h"
 
 #include <math.h>
 
@@ -8,50 +8,37 @@
 #include "kinematics/ranking/candidate_prefilter.h"
 #include "math/linear3.h"
 #include "test_perceptron.h"
-#include "test_shapes.h"
 
 static test_shape shape;
-static dmi_cloud cloud;
-static dmi_part_analysis analysis;
 static dmi_candidate candidates[DMI_CANDIDATES_MAX], kept[DMI_CANDIDATES_MAX];
 static float features[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT], rows[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
 static dmi_prefilter prefilter;
 
+static test_analysis a;
+
 typedef struct bench {
-    test_env t;
-    dmi_arena arena;
-    dmi_mesh* mesh;
     dmi_drag_hint hint;
     test_layers layers;
 } bench;
 
 /* A crooked pile of boxes with a slab leaning on it: many directions, so many candidates. */
 static void open_bench(bench* b) {
-    dmi_axes axes;
     dmi_random random = dmi_random_make(5, 2);
-    test_env_open(&b->t, TEST_NEVER);
     shape.vertex_count = shape.face_count = 0;
     for (int i = 0; i < 6; i++) {
         const float x = 0.13f * (float)i, y = 0.1f * dmi_random_unit(&random);
         test_shape_box(&shape, (const float[]){x, y, 0}, (const float[]){x + 0.12f, y + 0.4f, 0.5f}, 0);
         test_shape_box(&shape, (const float[]){x, 0.52f, y}, (const float[]){x + 0.1f, 0.56f + 0.3f * y, 0.5f}, 1);
     }
-    const dm_mesh_desc desc = test_shape_desc(&shape);
-    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
-    assert_int_equal(dmi_mesh_create(&b->t.env, &axes, &desc, NULL, 0, &b->mesh), DM_OK);
-    assert_int_equal(dmi_cloud_sample(&b->t.env, b->mesh, 1, 3, &cloud), DM_OK);
-    dmi_arena_init(&b->arena, &b->t.env, (size_t)1 << 20);
-    assert_int_equal(dmi_part_analysis_make(&b->arena, b->mesh, &cloud, 1, NULL, &analysis), DM_OK);
-    test_layers_open(&b->layers, &b->t.env);
-    dmi_copy3(analysis.points[0], b->hint.point);
+    test_analysis_open(&a, &shape, 3);
+    test_layers_open(&b->layers, &a.t.env);
+    dmi_copy3(a.of_part.points[0], b->hint.point);
     dmi_copy3((const float[]){0.1f, 1, 0.2f}, b->hint.vector);
 }
 
 static void close_bench(bench* b) {
     test_layers_close(&b->layers);
-    dmi_arena_release(&b->arena);
-    dmi_mesh_destroy(&b->t.env, b->mesh);
-    test_env_close(&b->t);
+    test_analysis_close(&a);
 }
 
 /* Makes a prefilter that scores by one cheap column alone: times `sign` with `last` after it. */
@@ -67,7 +54,7 @@ static void prefilter_by(bench* b, int column, float sign, float last) {
 
 static uint32_t keep(const dmi_drag_hint* hint, uint32_t count) {
     memcpy(kept, candidates, sizeof kept);
-    return dmi_prefilter_keep(&prefilter, &analysis, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
+    return dmi_prefilter_keep(&prefilter, &a.of_part, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
 }
 
 /* The cheap columns hold what the full rows have there; the others stay as they were. */
@@ -83,11 +70,11 @@ static void cheap_features_fill_their_columns(void** state) {
     for (int with = 0; with < 2; with++) {
         const dmi_drag_hint* hint = with ? &b.hint : NULL;
         const dmi_prediction* said = with ? &prediction : NULL;
-        const uint32_t count = dmi_candidates_make(&analysis, hint, said, candidates);
+        const uint32_t count = dmi_candidates_make(&a.of_part, hint, said, candidates);
         for (uint32_t i = 0; i < count; i++) scores[i] = -0.01f * (float)i;
-        dmi_candidate_features_make(&analysis, hint, said, with ? scores : NULL, candidates, count, features);
+        dmi_candidate_features_make(&a.of_part, hint, said, with ? scores : NULL, candidates, count, features);
         dmi_cheap_features cheap;
-        dmi_cheap_features_begin(&analysis, hint, said, &cheap);
+        dmi_cheap_features_begin(&a.of_part, hint, said, &cheap);
         for (uint32_t i = 0; i < count; i++) {
             for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[i][k] = -7;
             dmi_cheap_features_row(&cheap, &candidates[i], rows[i]);
@@ -112,7 +99,7 @@ static void the_best_are_kept_in_order(void** state) {
     (void)state;
     bench b;
     open_bench(&b);
-    const uint32_t count = dmi_candidates_make(&analysis, NULL, NULL, candidates);
+    const uint32_t count = dmi_candidates_make(&a.of_part, NULL, NULL, candidates);
     assert_true(count > DMI_PREFILTER_KEPT + 50);
     for (int sign = -1; sign <= 1; sign += 2) {
         const int column = DMI_FEATURE_BOX_OFFSET;
@@ -138,7 +125,7 @@ static void equals_and_few_pass(void** state) {
     (void)state;
     bench b;
     open_bench(&b);
-    const uint32_t count = dmi_candidates_make(&analysis, &b.hint, NULL, candidates);
+    const uint32_t count = dmi_candidates_make(&a.of_part, &b.hint, NULL, candidates);
     assert_true(count > DMI_PREFILTER_KEPT);
     prefilter_by(&b, DMI_FEATURE_HAS_DRAG, 1, 1); /* 1 for every candidate */
     assert_int_equal(keep(&b.hint, count), DMI_PREFILTER_KEPT);

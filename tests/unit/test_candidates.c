@@ -1,5 +1,5 @@
 /* Part analysis, the distance grid, and candidates. */
-#include "test_env.h"
+#include "test_analysis.h"
 
 #include <math.h>
 
@@ -8,31 +8,18 @@
 #include "kinematics/features/candidate_features.h"
 #include "kinematics/ranking/ranker.h"
 #include "math/linear3.h"
-#include "test_shapes.h"
 
 static test_shape shape;
-static dmi_cloud cloud;
-static dmi_part_analysis analysis;
+static test_analysis lid;
 static dmi_candidate candidates[DMI_CANDIDATES_MAX];
 static float features[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
 
-/* Makes a body with a lid, whose hinge lies along its back lower edge. */
-static void make_lid(void) {
+/* Analyses a body with a lid, whose hinge lies along its back lower edge. */
+static void open_lid(void) {
     shape.vertex_count = shape.face_count = 0;
     test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){0.8f, 0.4f, 0.5f}, 0);
     test_shape_box(&shape, (const float[]){0, 0.402f, 0}, (const float[]){0.8f, 0.45f, 0.5f}, 1);
-}
-
-static dmi_mesh* analyse_shape(dmi_env* env, dmi_arena* arena) {
-    dm_mesh_desc desc = test_shape_desc(&shape);
-    dmi_axes axes;
-    dmi_mesh* mesh = NULL;
-    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
-    assert_int_equal(dmi_mesh_create(env, &axes, &desc, NULL, 0, &mesh), DM_OK);
-    assert_int_equal(dmi_cloud_sample(env, mesh, 1, 3, &cloud), DM_OK);
-    dmi_arena_init(arena, env, (size_t)1 << 20);
-    assert_int_equal(dmi_part_analysis_make(arena, mesh, &cloud, 1, NULL, &analysis), DM_OK);
-    return mesh;
+    test_analysis_open(&lid, &shape, 3);
 }
 
 static void eigenvectors_of_a_known_matrix(void** state) {
@@ -136,21 +123,17 @@ static float nearest_line(uint32_t count, const float axis[3], const float point
 /* The true hinge of a lid is among the candidates, with a drag and without, and all features are finite. */
 static void the_hinge_of_a_lid_is_a_candidate(void** state) {
     (void)state;
-    test_env t;
-    dmi_arena arena;
-    test_env_open(&t, TEST_NEVER);
-    make_lid();
-    dmi_mesh* mesh = analyse_shape(&t.env, &arena);
+    open_lid();
     const float axis[3] = {1, 0, 0};
     float hinge[3];
-    dmi_frame_point_in(&mesh->frame, (const double[]){0.4, 0.402, 0}, hinge);
+    dmi_frame_point_in(&lid.mesh->frame, (const double[]){0.4, 0.402, 0}, hinge);
     dmi_drag_hint hint = {{0, 0, 0}, {0, 1, 0.15f}};
-    dmi_frame_point_in(&mesh->frame, (const double[]){0.4, 0.43, 0.5}, hint.point);
+    dmi_frame_point_in(&lid.mesh->frame, (const double[]){0.4, 0.43, 0.5}, hint.point);
     for (int with = 0; with < 2; with++) {
-        uint32_t count = dmi_candidates_make(&analysis, with ? &hint : NULL, NULL, candidates);
+        uint32_t count = dmi_candidates_make(&lid.of_part, with ? &hint : NULL, NULL, candidates);
         assert_in_range(count, 20, DMI_CANDIDATES_MAX);
         assert_true(nearest_line(count, axis, hinge) < 0.005f);
-        dmi_candidate_features_make(&analysis, with ? &hint : NULL, NULL, NULL, candidates, count, features);
+        dmi_candidate_features_make(&lid.of_part, with ? &hint : NULL, NULL, NULL, candidates, count, features);
         float sum = 0, probability[DMI_CANDIDATES_MAX];
         for (uint32_t i = 0; i < count; i++) {
             for (int k = 0; k < DMI_FEATURE_COUNT; k++) assert_true(isfinite(features[i][k]));
@@ -163,48 +146,36 @@ static void the_hinge_of_a_lid_is_a_candidate(void** state) {
         for (uint32_t i = 0; i < count; i++) sum += probability[i];
         assert_float_equal(sum, 1, 1e-4f);
     }
-    dmi_arena_release(&arena);
-    dmi_mesh_destroy(&t.env, mesh);
-    test_env_close(&t);
+    test_analysis_close(&lid);
 }
 
 /* The network's prediction is among the candidates unchanged. */
 static void the_networks_joint_is_a_candidate(void** state) {
     (void)state;
-    test_env t;
-    dmi_arena arena;
-    test_env_open(&t, TEST_NEVER);
-    make_lid();
-    dmi_mesh* mesh = analyse_shape(&t.env, &arena);
+    open_lid();
     dmi_prediction prediction = {.type = {1, 0, 0, 0},
                                  .turn_axis = {0.6f, 0.48f, 0.64f},
                                  .slide_axis = {0, 0.6f, 0.8f},
                                  .origin = {0.1f, 0.2f, 0.05f}};
-    uint32_t count = dmi_candidates_make(&analysis, NULL, &prediction, candidates);
+    uint32_t count = dmi_candidates_make(&lid.of_part, NULL, &prediction, candidates);
     assert_true(nearest_line(count, prediction.turn_axis, prediction.origin) < 1e-5f);
     int slides = 0;
     for (uint32_t i = 0; i < count; i++)
         slides += candidates[i].type == DM_JOINT_PRISMATIC &&
                   fabsf(dmi_dot3(candidates[i].axis, prediction.slide_axis)) > 0.99999f;
     assert_int_equal(slides, 1);
-    dmi_arena_release(&arena);
-    dmi_mesh_destroy(&t.env, mesh);
-    test_env_close(&t);
+    test_analysis_close(&lid);
 }
 
 /* Features of the candidate-scoring head: probabilities sum to 1, the best candidate has relative probability 1, low
  * scores are clamped; without scores the features are 0. */
 static void candidate_scores_become_probabilities(void** state) {
     (void)state;
-    test_env t;
-    dmi_arena arena;
-    test_env_open(&t, TEST_NEVER);
-    make_lid();
-    dmi_mesh* mesh = analyse_shape(&t.env, &arena);
-    uint32_t count = dmi_candidates_make(&analysis, NULL, NULL, candidates), best = count / 2;
+    open_lid();
+    uint32_t count = dmi_candidates_make(&lid.of_part, NULL, NULL, candidates), best = count / 2;
     float* scores = calloc(count, sizeof *scores);
     for (uint32_t i = 0; i < count; i++) scores[i] = i == best ? 2.0f : i == 0 ? -1e30f : -0.01f * (float)i;
-    dmi_candidate_features_make(&analysis, NULL, NULL, scores, candidates, count, features);
+    dmi_candidate_features_make(&lid.of_part, NULL, NULL, scores, candidates, count, features);
     float sum = 0;
     for (uint32_t i = 0; i < count; i++) {
         const float* row = features[i];
@@ -218,28 +189,22 @@ static void candidate_scores_become_probabilities(void** state) {
     }
     assert_float_equal(sum, 1, 1e-3f);
     assert_float_equal(features[best][DMI_FEATURE_SCORE_LIKENESS], 1, 1e-6f);
-    dmi_candidate_features_make(&analysis, NULL, NULL, NULL, candidates, count, features);
+    dmi_candidate_features_make(&lid.of_part, NULL, NULL, NULL, candidates, count, features);
     for (uint32_t i = 0; i < count; i++)
         for (int k = DMI_FEATURE_SCORE_BELOW_BEST; k <= DMI_FEATURE_SCORE_LOG_SHARE; k++)
             assert_true(features[i][k] == 0);
     free(scores);
-    dmi_arena_release(&arena);
-    dmi_mesh_destroy(&t.env, mesh);
-    test_env_close(&t);
+    test_analysis_close(&lid);
 }
 
 /* A drag keeps candidates that move its point within 37 degrees of it, and not only those that follow it closely: hands
  * are off by 5 to 10 degrees, and pull straight where a part turns. */
 static void a_drag_keeps_what_moves_its_point_along_it(void** state) {
     (void)state;
-    test_env t;
-    dmi_arena arena;
-    test_env_open(&t, TEST_NEVER);
-    make_lid();
-    dmi_mesh* mesh = analyse_shape(&t.env, &arena);
+    open_lid();
     dmi_drag_hint hint = {{0, 0, 0}, {0, 1, 0.3f}};
-    dmi_frame_point_in(&mesh->frame, (const double[]){0.4, 0.43, 0.5}, hint.point);
-    const uint32_t count = dmi_candidates_make(&analysis, &hint, NULL, candidates);
+    dmi_frame_point_in(&lid.mesh->frame, (const double[]){0.4, 0.43, 0.5}, hint.point);
+    const uint32_t count = dmi_candidates_make(&lid.of_part, &hint, NULL, candidates);
     float least = 1;
     for (uint32_t i = 0; i < count; i++) {
         float velocity[3];
@@ -247,9 +212,7 @@ static void a_drag_keeps_what_moves_its_point_along_it(void** state) {
         least = fminf(least, dmi_dot3(velocity, hint.vector) / (dmi_length3(velocity) * dmi_length3(hint.vector)));
     }
     assert_true(least >= 0.8f - 1e-5f && least < 0.85f);
-    dmi_arena_release(&arena);
-    dmi_mesh_destroy(&t.env, mesh);
-    test_env_close(&t);
+    test_analysis_close(&lid);
 }
 
 int main(void) {
