@@ -37,15 +37,7 @@ int main(void) {
     dm_context* context = NULL;
     const dm_object object = recipe_open(&context);
     dm_part_state door = recipe_closed(context, object, CABINET_DOOR);
-    dm_drag_desc desc = {.struct_size = sizeof desc,
-                         .object = object,
-                         .part_id = CABINET_DOOR,
-                         .grab_point = handle_point,
-                         .state = &door};
-    dm_drag drag = 0;
-    EXPECT(dm_drag_begin(context, &desc, &drag) == DM_OK);
-    const dm_drag_state last = recipe_pull(context, drag, 0, 0.6f);
-    EXPECT(dm_drag_end(context, drag, &door) == DM_OK);
+    const dm_drag_state last = recipe_open_door(context, object, 0.6f, &door);
 
     engine_hinge hinge = make_hinge(&door); /* the engine takes over, at the speed of the hand */
     hinge.speed = last.velocity;
@@ -60,8 +52,13 @@ int main(void) {
            (double)distance_off);
     EXPECT(fabsf(door.value - hinge.angle) < 1e-3f && angle_off < 1e-3f && distance_off < 1e-3f);
 
-    desc.grab_point = move_point(&body, handle_point);
-    EXPECT(dm_drag_begin(context, &desc, &drag) == DM_OK);
+    const dm_drag_desc again = {.struct_size = sizeof again,
+                                .object = object,
+                                .part_id = CABINET_DOOR,
+                                .grab_point = move_point(&body, handle_point),
+                                .state = &door};
+    dm_drag drag = 0;
+    EXPECT(dm_drag_begin(context, &again, &drag) == DM_OK);
     dm_part_state now = dm_part_state_default();
     EXPECT(dm_drag_get_part_state(context, drag, &now) == DM_OK);
     EXPECT(shift_between(&now.pose, &body) < 1e-3f);

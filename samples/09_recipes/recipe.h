@@ -78,6 +78,20 @@ static inline dm_drag_state recipe_pull(dm_context* context, dm_drag drag, float
     return now;
 }
 
+/* Grabs the handle of a shut door, pulls it open by `angle` and lets go: the door's state, and the last update. */
+static inline dm_drag_state recipe_open_door(dm_context* context, dm_object object, float angle, dm_part_state* door) {
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .object = object,
+                               .part_id = CABINET_DOOR,
+                               .grab_point = handle_point,
+                               .state = door};
+    dm_drag drag = 0;
+    EXPECT(dm_drag_begin(context, &desc, &drag) == DM_OK);
+    const dm_drag_state last = recipe_pull(context, drag, 0, angle);
+    EXPECT(dm_drag_end(context, drag, door) == DM_OK);
+    return last;
+}
+
 static inline float shift_between(const dm_pose* a, const dm_pose* b) {
     return distance(move_point(a, handle_point), move_point(b, handle_point));
 }

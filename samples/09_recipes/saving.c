@@ -31,15 +31,7 @@ int main(void) {
     dm_context* context = NULL;
     const dm_object object = recipe_open(&context);
     dm_part_state door = recipe_closed(context, object, CABINET_DOOR);
-    dm_drag_desc desc = {.struct_size = sizeof desc,
-                         .object = object,
-                         .part_id = CABINET_DOOR,
-                         .grab_point = handle_point,
-                         .state = &door};
-    dm_drag drag = 0;
-    EXPECT(dm_drag_begin(context, &desc, &drag) == DM_OK);
-    const dm_drag_state last = recipe_pull(context, drag, 0, 0.9f);
-    EXPECT(dm_drag_end(context, drag, &door) == DM_OK);
+    const dm_drag_state last = recipe_open_door(context, object, 0.9f, &door);
 
     FILE* file = tmpfile();
     EXPECT(file != NULL);
@@ -50,8 +42,13 @@ int main(void) {
     printf("saved at %.3f, loaded at %.3f\n", (double)door.value, (double)loaded.value);
     EXPECT(loaded.value == door.value && memcmp(&loaded.joint, &door.joint, sizeof door.joint) == 0);
 
-    desc.state = &loaded, desc.grab_point = last.grab_point;
-    EXPECT(dm_drag_begin(context, &desc, &drag) == DM_OK);
+    const dm_drag_desc again = {.struct_size = sizeof again,
+                                .object = object,
+                                .part_id = CABINET_DOOR,
+                                .grab_point = last.grab_point,
+                                .state = &loaded};
+    dm_drag drag = 0;
+    EXPECT(dm_drag_begin(context, &again, &drag) == DM_OK);
     dm_part_state now = dm_part_state_default();
     EXPECT(dm_drag_end(context, drag, &now) == DM_OK);
     EXPECT(shift_between(&now.pose, &loaded.pose) < 1e-5f);
