@@ -6,8 +6,6 @@
 #include "dragbot_body.h"
 #include "dragbot_score.h"
 
-enum { END_ON_CASES = 4 }; /* of a joint: up, down, left and right */
-
 static bot_row* new_row(bot_score* score) {
     if (score->count == score->room) {
         score->room = score->room ? 2 * score->room : 1024;
@@ -80,7 +78,7 @@ static void play_pull(const joint_setup* j, bot_run* run, int place, const bot_p
 static void play_hand(const joint_setup* j, bot_run* run) {
     const bot_options* options = &run->options;
     const int places = bot_sight_places(options->sight),
-              wanted = options->sight == BOT_END_ON ? END_ON_CASES : options->cameras;
+              wanted = options->sight == BOT_END_ON ? places : options->cameras; /* to all sides */
     random_state random = {(uint64_t)j->joint + 1};
     int found = 0;
     for (int i = 0; i < places && found < wanted; i++) {
