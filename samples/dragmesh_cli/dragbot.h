@@ -131,6 +131,8 @@ typedef struct bot_part {
     uint32_t id;
     vec centre; /* of its vertices */
     vec extremes[BOT_EXTREMES];
+    vec swept_centre; /* of a ball round the part along its whole pull */
+    double swept_radius;
     double object_size;
 } bot_part;
 

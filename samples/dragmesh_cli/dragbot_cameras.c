@@ -30,31 +30,12 @@ static vec direction(const bot_object* s, enum bot_sight sight, int index) {
     return spread(s, index, min_elevation + (max_elevation - min_elevation) * share);
 }
 
-/* Computes a ball round the part along its whole pull. */
-static void frame_part(const bot_object* s, int joint, vec* out_centre, double* out_radius) {
-    const known_joint* truth = &s->known.joints[joint];
-    const uint32_t* indices = s->session->mesh.indices;
-    const float* positions = s->session->mesh.positions;
-    const double asked = bot_travel(truth, s->size);
-    vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint64_t i = 0; i < s->session->mesh.index_count; i++) {
-        if (!bot_object_owns(s, joint, i / 3)) continue;
-        const vec point = vec_at(positions + 3 * (size_t)indices[i]);
-        for (int k = 0; k <= 4; k++) {
-            const vec p = bot_true_move(truth, point, 0.25 * k * asked /* at quarters of the pull */);
-            low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
-            high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
-        }
-    }
-    *out_centre = scale(add(low, high), 0.5);
-    *out_radius = 0.5 * length(sub(high, low));
-}
-
 /* ---- a camera on a direction ---- */
 
 /* Looks along -from at `centre`. */
-static void aim(bot_object* s, vec from, vec centre, vec ball_centre, double radius) {
-    const double whole = fmax(s->radius + length(sub(ball_centre, s->centre)), radius);
+static void aim(bot_object* s, const bot_part* part, vec from, vec centre) {
+    const double radius = part->swept_radius;
+    const double whole = fmax(s->radius + length(sub(part->swept_centre, s->centre)), radius);
     const double wanted = fmin(fmax(radius / part_fill, radius * view_margin), whole);
     const vec other = fabs(s->up.x) > 0.5 ? (vec){0, 1, 0} : (vec){1, 0, 0};
     const vec up = fabs(dot(from, s->up)) > along_up ? other : s->up;
@@ -63,17 +44,14 @@ static void aim(bot_object* s, vec from, vec centre, vec ball_centre, double rad
 }
 
 /* Looks at the part's whole pull from a direction. From behind, only where the opening leads away from the camera. */
-static int choose_from(bot_object* s, int joint, enum bot_sight sight, int place, random_state* random,
-                       bot_pull* out_pull) {
+static int choose_from(bot_object* s, int joint, const bot_part* part, enum bot_sight sight, int place,
+                       random_state* random, bot_pull* out_pull) {
     const known_joint* truth = &s->known.joints[joint];
-    const vec from = direction(s, sight, place);
-    vec centre;
-    double radius;
-    frame_part(s, joint, &centre, &radius);
+    const vec from = direction(s, sight, place), centre = part->swept_centre;
     const vec opening = bot_true_direction(truth, centre, bot_travel(truth, s->size));
     if (sight == BOT_BEHIND && dot(from, opening) > behind_cosine) return 0;
-    aim(s, from, centre, centre, radius);
-    return bot_choose_pull(&s->view, s->part_of_joint[joint], truth, s->size, random, out_pull);
+    aim(s, part, from, centre);
+    return bot_choose_pull(&s->view, part->id, truth, s->size, random, out_pull);
 }
 
 /* ---- end-on ---- */
@@ -83,22 +61,20 @@ static double arm_of(const known_joint* truth, vec point) {
 }
 
 /* Looks at points of the part from where they would go, until one is seen. All sides get the same point. */
-static int choose_end_on(bot_object* s, int joint, int side, bot_pull* out_pull) {
+static int choose_end_on(bot_object* s, int joint, const bot_part* part, int side, bot_pull* out_pull) {
     const known_joint* truth = &s->known.joints[joint];
     random_state random = {(uint64_t)joint + 1};
-    vec points[END_ON_TRIES], ball_centre;
-    double radius, most = 0;
+    vec points[END_ON_TRIES];
+    double most = 0;
     bool own[BOT_MAX_PARTS + 1] = {false};
-    own[s->part_of_joint[joint]] = true;
+    own[part->id] = true;
     bot_object_sample(s, own, &random, points, END_ON_TRIES);
-    frame_part(s, joint, &ball_centre, &radius);
     for (int i = 0; i < END_ON_TRIES; i++) most = fmax(most, arm_of(truth, points[i]));
     for (int i = 0; i < END_ON_TRIES; i++) {
         if (arm_of(truth, points[i]) < end_on_arm * most) continue;
         out_pull->asked = bot_travel(truth, s->size);
-        aim(s, bot_true_direction(truth, points[i], out_pull->asked), points[i], ball_centre, radius);
-        if (bot_pull_aside(&s->view, s->part_of_joint[joint], points[i], end_on_near * s->size, side, end_on_pixels,
-                           out_pull))
+        aim(s, part, bot_true_direction(truth, points[i], out_pull->asked), points[i]);
+        if (bot_pull_aside(&s->view, part->id, points[i], end_on_near * s->size, side, end_on_pixels, out_pull))
             return 1;
     }
     return 0;
@@ -108,8 +84,8 @@ int bot_sight_places(enum bot_sight sight) {
     return sight == BOT_END_ON ? SIDES : sight == BOT_BEHIND ? DIRECTIONS_BEHIND : DIRECTIONS;
 }
 
-int bot_sight_choose(bot_object* s, int joint, enum bot_sight sight, int place, random_state* random,
-                     bot_pull* out_pull) {
-    if (sight == BOT_END_ON) return choose_end_on(s, joint, place, out_pull);
-    return choose_from(s, joint, sight, place, random, out_pull);
+int bot_sight_choose(bot_object* s, int joint, const bot_part* part, enum bot_sight sight, int place,
+                     random_state* random, bot_pull* out_pull) {
+    if (sight == BOT_END_ON) return choose_end_on(s, joint, part, place, out_pull);
+    return choose_from(s, joint, part, sight, place, random, out_pull);
 }

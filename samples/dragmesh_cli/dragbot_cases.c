@@ -83,7 +83,7 @@ static void play_hand(const joint_setup* j, bot_run* run) {
     int found = 0;
     for (int i = 0; i < places && found < wanted; i++) {
         bot_pull pull;
-        int seen = bot_sight_choose(j->object, j->joint, options->sight, i, &random, &pull);
+        int seen = bot_sight_choose(j->object, j->joint, &j->part, options->sight, i, &random, &pull);
         /* Independent, so that all hands grab the same points. */
         random_state hand_random = {random.state ^ 0x68616E64u};
         if (seen > 0 &&

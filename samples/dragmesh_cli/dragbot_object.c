@@ -125,6 +125,8 @@ void bot_object_take_down(bot_object* s) {
 
 /* ---- one part ---- */
 
+enum { QUARTERS = 4 }; /* at which a part is looked at along its pull; by hand */
+
 bool bot_object_owns(const bot_object* s, int joint, uint64_t face) {
     return s->face_parts[face] == s->part_of_joint[joint];
 }
@@ -144,11 +146,28 @@ static void widen(bot_part* part, int direction, vec along, vec point, bool firs
     if (first || dot(point, along) > dot(*high, along)) *high = point;
 }
 
+/* A box that grows. */
+typedef struct bounds {
+    vec low, high;
+} bounds;
+
+/* Takes in where a point is along its joint's whole pull: at quarters of it. */
+static void sweep(bounds* b, const known_joint* truth, vec point, double asked) {
+    for (int k = 0; k <= QUARTERS; k++) {
+        const vec p = bot_true_move(truth, point, k * asked / QUARTERS);
+        b->low = (vec){fmin(b->low.x, p.x), fmin(b->low.y, p.y), fmin(b->low.z, p.z)};
+        b->high = (vec){fmax(b->high.x, p.x), fmax(b->high.y, p.y), fmax(b->high.z, p.z)};
+    }
+}
+
 bot_part bot_object_part(const bot_object* s, int joint) {
     static const vec along[BOT_EXTREMES / 2] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0},
                                                 {1, 0, 1},  {1, 0, -1}, {0, 1, 1},  {0, 1, -1}, {1, 1, 1},
                                                 {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
     const uint32_t* indices = s->session->mesh.indices;
+    const known_joint* truth = &s->known.joints[joint];
+    const double asked = bot_travel(truth, s->size);
+    bounds swept = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     bot_part part = {.id = s->part_of_joint[joint], .object_size = s->size};
     vec sum = {0, 0, 0};
     double count = 0;
@@ -156,9 +175,12 @@ bot_part bot_object_part(const bot_object* s, int joint) {
         if (!bot_object_owns(s, joint, i / 3)) continue;
         const vec point = vec_at((const float*)s->session->mesh.positions + 3 * (size_t)indices[i]);
         for (int k = 0; k < BOT_EXTREMES / 2; k++) widen(&part, k, along[k], point, count == 0);
+        sweep(&swept, truth, point, asked);
         sum = add(sum, point), count++;
     }
     part.centre = scale(sum, 1 / count);
+    part.swept_centre = scale(add(swept.low, swept.high), 0.5);
+    part.swept_radius = 0.5 * length(sub(swept.high, swept.low));
     return part;
 }
 

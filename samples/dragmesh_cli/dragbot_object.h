@@ -43,7 +43,7 @@ enum bot_sight {
 int bot_sight_places(enum bot_sight sight);
 /* Looks at a joint's part from a place of a sight and chooses what to grab and where to pull. Returns 1; 0: the part is
  * not visible; -1: visible, but no point of it has a path that a mouse can draw. */
-int bot_sight_choose(bot_object* object, int joint, enum bot_sight sight, int place, random_state* random,
-                     bot_pull* out_pull);
+int bot_sight_choose(bot_object* object, int joint, const bot_part* part, enum bot_sight sight, int place,
+                     random_state* random, bot_pull* out_pull);
 
 #endif
