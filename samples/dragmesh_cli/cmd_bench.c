@@ -276,20 +276,6 @@ static dm_result measure(bench* b, const row* row, unsigned char* cold, timing* 
     return result;
 }
 
-static const char* best_isa(void) {
-#if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
-        return "avx512";
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "avx2" : "sse2";
-#elif defined(__aarch64__)
-    return "neon";
-#else
-    return "scalar";
-#endif
-}
-
 /* ---- setting up ---- */
 
 static dm_result save(bench* b, dm_object object, saved_object* out) {
@@ -353,14 +339,14 @@ static void tear_down(bench* b) {
 static dm_result run_rows(bench* b, int as_json) {
     unsigned char* cold = cli_alloc_zeroed(COLD_BYTES);
     cJSON* out = cJSON_CreateObject();
-    cJSON_AddStringToObject(out, "isa", best_isa());
+    cJSON_AddStringToObject(out, "isa", timing_isa());
     cJSON_AddNumberToObject(out, "triangles", b->shape.face_count);
     cJSON_AddNumberToObject(out, "points", POINTS);
     cJSON_AddNumberToObject(out, "dmo_bytes", (double)b->saved.size);
     cJSON_AddNumberToObject(out, "dmo_bare_bytes", (double)b->saved_bare.size);
     cJSON* list = cJSON_AddArrayToObject(out, "rows");
     dm_result result = DM_OK;
-    if (!as_json) printf("%-24s %12s %12s %12s %7s\n", best_isa(), "median ns", "p99 ns", "cold ns", "allocs");
+    if (!as_json) printf("%-24s %12s %12s %12s %7s\n", timing_isa(), "median ns", "p99 ns", "cold ns", "allocs");
     for (int i = 0; i < ROWS && result == DM_OK; i++) {
         timing t;
         if ((rows[i].needs_model == 1 && !b->session.model) || (rows[i].needs_model == 2 && !b->session.has_motion))

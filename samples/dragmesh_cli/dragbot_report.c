@@ -4,6 +4,7 @@
 
 #include "dragbot_score.h"
 #include "json.h"
+#include "timing.h"
 
 static const double through_share = 0.01; /* of the object's size: the part goes through the body; by hand */
 
@@ -15,7 +16,8 @@ static double time_at(const bot_times* times, double share) {
 
 /* Shares of the cases; a figure that was not measured is NAN. */
 typedef struct totals {
-    double picked, success, success_or_beyond, success_given, reached, near, reached_given, near_given;
+    double picked, success, success_or_beyond, reached, near;
+    double success_given, success_or_beyond_given, reached_given, near_given;
     int jumps, changes;
     /* Not part of the verdict, for the joint found and for the true one. */
     double stuck[2], through[2], still_moved[2], regrab_jump[2], regrab_jumped[2], own_way[2];
@@ -54,6 +56,7 @@ static totals sum_up(const bot_run* run, int slides) {
         t.picked += row->given.picked;
         t.success += row->found.success, t.success_given += row->given.success;
         t.success_or_beyond += row->found.success_or_beyond;
+        t.success_or_beyond_given += row->given.success_or_beyond;
         t.reached += row->found.arrived, t.reached_given += row->given.arrived;
         t.near += row->found.near, t.near_given += row->given.near;
         t.jumps += row->found.jumps + row->given.jumps;
@@ -61,7 +64,7 @@ static totals sum_up(const bot_run* run, int slides) {
         add_result(&t, &row->found, 0, &regrabs[0]);
         add_result(&t, &row->given, 1, &regrabs[1]);
     }
-    double* shares[] = {&t.picked,  &t.success, &t.success_or_beyond, &t.success_given,
+    double* shares[] = {&t.picked,  &t.success, &t.success_or_beyond, &t.success_given, &t.success_or_beyond_given,
                         &t.reached, &t.near,    &t.reached_given,     &t.near_given};
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) *shares[i] /= n;
     for (int given = 0; given < 2; given++) finish(&t, options, given, n, regrabs[given]);
@@ -82,6 +85,7 @@ static void add_totals(cJSON* out, const totals* t) {
     json_add_number(out, "success", t->success, 5);
     json_add_number(out, "success_or_beyond", t->success_or_beyond, 5);
     json_add_number(out, "success_given_joint", t->success_given, 5);
+    json_add_number(out, "success_or_beyond_given_joint", t->success_or_beyond_given, 5);
     json_add_number(out, "reached", t->reached, 5);
     json_add_number(out, "near", t->near, 5);
     json_add_number(out, "reached_given_joint", t->reached_given, 5);
@@ -105,6 +109,7 @@ static cJSON* figures(const bot_run* run) {
     json_add_number(out, "p99_update_ns", time_at(&score->times, 0.99), 4);
     json_add_number(out, "median_update_ns", time_at(&score->times, 0.5), 4);
     json_add_number(out, "worst_update_ns", time_at(&score->times, 1), 4);
+    cJSON_AddStringToObject(out, "isa", timing_isa());
     cJSON_AddNumberToObject(out, "updates", (double)score->times.count);
     cJSON_AddNumberToObject(out, "hidden", score->unseen);
     cJSON_AddNumberToObject(out, "undrawable", score->undrawable);
@@ -150,8 +155,8 @@ void bot_report_text(const bot_run* run) {
     print_line("sliding", &slides);
     printf("the pull changed the joint %d times\n", all.changes);
     print_hand(&all);
-    printf("drag_update: median %.0f ns, p99 %.0f ns, worst %.0f ns of %zu\n", time_at(&score->times, 0.5),
-           time_at(&score->times, 0.99), time_at(&score->times, 1), score->times.count);
+    printf("drag_update, %s: median %.0f ns, p99 %.0f ns, worst %.0f ns of %zu\n", timing_isa(),
+           time_at(&score->times, 0.5), time_at(&score->times, 0.99), time_at(&score->times, 1), score->times.count);
 }
 
 static void print_result(const char* name, const bot_result* r, FILE* out) {
@@ -214,22 +219,23 @@ static void print_cell(double figure, int width) {
 
 static void print_row(const bot_run* run) {
     const totals all = sum_up(run, -1), turns = sum_up(run, 0), slides = sum_up(run, 1);
-    printf("%-14s %6zu", run->name, run->score.count);
+    printf("%-16s %6zu", run->name, run->score.count);
     const double cells[] = {
-        all.success,    all.success_or_beyond, turns.success_or_beyond, slides.success_or_beyond, all.stuck[0],
-        all.through[0], all.still_moved[0],    all.regrab_jumped[0],    all.own_way[0],           all.success_given,
-        all.stuck[1],   all.through[1]};
-    for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) print_cell(cells[i], 7);
+        all.success,    all.success_or_beyond, turns.success_or_beyond,     slides.success_or_beyond,
+        all.stuck[0],   all.through[0],        all.still_moved[0],          all.regrab_jumped[0],
+        all.own_way[0], all.success_given,     all.success_or_beyond_given, all.stuck[1],
+        all.through[1]};
+    for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) print_cell(cells[i], 8);
     printf("\n");
 }
 
 void bot_report_table(const bot_run* runs, int count, bool as_json) {
-    static const char* const heads[] = {"success", "beyond", "turning", "sliding", "stuck",   "through",
-                                        "rested",  "regrab", "own way", "true",    "t.stuck", "t.thro."};
+    static const char* const heads[] = {"success", "beyond",  "turning", "sliding",  "stuck",   "through", "rested",
+                                        "regrab",  "own way", "true",    "t.beyond", "t.stuck", "t.thro."};
     cJSON* rows = cJSON_CreateArray();
     if (!as_json) {
-        printf("%-14s %6s", "hand", "cases");
-        for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) printf(" %7s", heads[i]);
+        printf("%-16s %6s", "hand", "cases");
+        for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) printf(" %8s", heads[i]);
         printf("\n");
     }
     for (int i = 0; i < count; i++) {

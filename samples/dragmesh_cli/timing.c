@@ -1,4 +1,4 @@
-/* Reads clocks and sorts measurements. */
+/* Reads clocks, sorts measurements, names the instruction set. */
 #include "timing.h"
 
 #include <stdlib.h>
@@ -16,4 +16,18 @@ static int by_value(const void* a, const void* b) {
 
 void timing_sort(double* values, size_t count) {
     qsort(values, count, sizeof *values, by_value);
+}
+
+const char* timing_isa(void) {
+#if defined(__x86_64__)
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+        return "avx512";
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "avx2" : "sse2";
+#elif defined(__aarch64__)
+    return "neon";
+#else
+    return "scalar";
+#endif
 }
