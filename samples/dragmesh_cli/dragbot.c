@@ -36,6 +36,7 @@ static const struct {
     {"144 Hz", {.hz = 144}, BOT_AROUND},
     {"hitch", {.hitch = 1}, BOT_AROUND},
     {"moving camera", {.moving_camera = 1}, BOT_AROUND},
+    {"moving instance", {.moving_instance = 1}, BOT_AROUND},
 };
 enum { HANDS = sizeof hands / sizeof *hands };
 
@@ -107,9 +108,12 @@ static int check(const bot_options* options) {
     if (hand->regrab < 0 || hand->regrab > BOT_MAX_REGRABS)
         return options_refuse(&cli_dragbot, "--regrab 0 to %d", BOT_MAX_REGRABS);
     if (hz != 30 && hz != 60 && hz != 144) return options_refuse(&cli_dragbot, "--hz 30, 60 or 144");
-    if (options->sight == BOT_END_ON && (hand->straight || hand->axis || hand->moving_camera))
+    if (hand->moving_camera && hand->moving_instance)
+        return options_refuse(&cli_dragbot, "--moving-camera or --moving-instance");
+    if (options->sight == BOT_END_ON && (hand->straight || hand->axis || hand->moving_camera || hand->moving_instance))
         return options_refuse(&cli_dragbot,
-                              "--view end-on pulls to four sides: no --straight, --axis, --moving-camera");
+                              "--view end-on pulls to four sides: no --straight, --axis, --moving-camera, "
+                              "--moving-instance");
     return CLI_OK;
 }
 
@@ -118,7 +122,7 @@ static bool is_plain(const bot_options* options) {
     const bot_hand* hand = &options->hand;
     return !hand->straight && !hand->axis && hand->wander == 0 && hand->tremor == 0 && hand->jostle == 0 &&
            hand->offset == 0 && !hand->pause && !hand->regrab && hand->hz == 60 && !hand->hitch &&
-           !hand->moving_camera && options->sight == BOT_AROUND;
+           !hand->moving_camera && !hand->moving_instance && options->sight == BOT_AROUND;
 }
 
 /* Opens the file of poses and plays. */
@@ -157,6 +161,7 @@ static int run(int argc, char** argv) {
                                  {.name = "--hz", .kind = OPTION_INTEGER, .value = &hand->hz},
                                  {.name = "--hitch", .kind = OPTION_FLAG, .value = &hand->hitch},
                                  {.name = "--moving-camera", .kind = OPTION_FLAG, .value = &hand->moving_camera},
+                                 {.name = "--moving-instance", .kind = OPTION_FLAG, .value = &hand->moving_instance},
                                  {.name = "--view", .kind = OPTION_TEXT, .value = &view},
                                  {.name = "--poses", .kind = OPTION_TEXT, .value = &poses},
                                  {.name = "--all", .kind = OPTION_FLAG, .value = &all},
@@ -175,6 +180,6 @@ static int run(int argc, char** argv) {
 const cli_command cli_dragbot = {
     "dragbot", run,
     "DIR [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
-    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera] [--view end-on|above|behind] "
-    "[--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json]",
+    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera | --moving-instance] "
+    "[--view end-on|above|behind] [--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json]",
     "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel."};

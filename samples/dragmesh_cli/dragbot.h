@@ -35,11 +35,23 @@ void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face
 /* The pixel of a point; 0 when it is behind the eye. */
 bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);
 bool bot_view_on_screen(double x, double y);
-/* Returns the view with its camera carried by `angle`, rad, round the upward line through `centre`; it shares the
- * buffers. */
-bot_view bot_view_orbit(const bot_view* view, vec centre, vec up, double angle);
 /* The point seen at column, row. */
 vec bot_view_point(const bot_view* view, int column, int row);
+
+/* ---- what moves while the player pulls ---- */
+
+/* A motion in the world: a turn round the upward line through a point, and a rise along it. Zeros: none. */
+typedef struct bot_carry {
+    vec centre, up;
+    double angle; /* rad */
+    double rise;
+} bot_carry;
+
+vec bot_carry_point(const bot_carry* carry, vec point);
+/* Returns a ray of the world as seen by an instance that was carried from where its frame is the world's. */
+dm_ray bot_carry_ray_back(const bot_carry* carry, const dm_ray* ray);
+/* Returns the view with its camera carried; it shares the buffers. */
+bot_view bot_carry_view(const bot_carry* carry, const bot_view* view);
 
 /* ---- one case ---- */
 
@@ -88,6 +100,7 @@ typedef struct bot_hand {
     int hz;            /* updates a second; 0 = 60 */
     int hitch;         /* one update of a quarter of a second */
     int moving_camera; /* the camera turns round the part during the pull */
+    int moving_instance; /* the object turns and rises in the world during the pull */
 } bot_hand;
 
 /* Bends the path as the hand draws it. Returns false when the path left is none that a mouse can draw. */
@@ -100,7 +113,7 @@ typedef struct bot_step {
     double dt;     /* s since the update before, or since the frame before the grab */
     double at;     /* place on the pull's path: an index with a fraction; -1: the grabbed pixel */
     double beside; /* of the pointer from the path: of the way that the jostle goes, 0 to 1 */
-    double camera; /* turned by, rad */
+    double moved;  /* of the way of a moving camera or instance, 0 to 1 */
     bool on_way;   /* the pointer is on its way: the grabbed point must be near it */
     bool resting;  /* has not moved yet since the grab */
     bool regrabs;  /* lets go and grabs again just before */
@@ -114,7 +127,7 @@ typedef struct bot_plan {
 
 /* To be freed: steps. */
 bot_plan bot_plan_make(const bot_hand* hand, const bot_pull* pull, random_state* random);
-/* Returns the pixel of a step before it is rounded, seen by the camera where it was at the grab. */
+/* Returns the pixel of a step before it is rounded, with the camera and the instance where they were at the grab. */
 void bot_plan_pointer(const bot_plan* plan, const bot_pull* pull, const bot_step* step, double out_pointer[2]);
 
 /* ---- playing ---- */
@@ -176,7 +189,7 @@ typedef struct bot_case {
 typedef struct bot_frame {
     dm_pose pose;
     float value;
-    dm_ray ray;
+    dm_ray ray;     /* object frame */
     dm_joint joint; /* set when the poses are written */
 } bot_frame;
 

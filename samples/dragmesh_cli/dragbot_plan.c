@@ -14,9 +14,8 @@ enum {
     REGRAB_AT = 10,
     HITCH = 15
 };
-static const double orbit = 10 * PI / 180; /* rad that a moving camera turns by in a pull; by hand */
-static const double first_way = 2;         /* px after which the path has a direction */
-static const double first_share = 0.02;    /* and the share of its length */
+static const double first_way = 2;      /* px after which the path has a direction; by hand */
+static const double first_share = 0.02; /* and the share of its length; by hand */
 
 enum { MAX_STAGES = 2 * BOT_MAX_REGRABS + 8 };
 
@@ -80,7 +79,7 @@ static bot_step step_at(const timeline* line, const bot_hand* hand, double tick)
     if (hand->jostle > 0) step.beside = s->jostles ? since / JOSTLE_OUT : fmax(0, 1 - (step.at + 1) / JOSTLE_BACK);
     if (s->resting) step.beside = 0;
     if (step.beside > 0) step.on_way = false;
-    if (hand->moving_camera) step.camera = orbit * bot_minimum_jerk(fmin(1, tick / line->ticks));
+    if (hand->moving_camera || hand->moving_instance) step.moved = bot_minimum_jerk(fmin(1, tick / line->ticks));
     return step;
 }
 

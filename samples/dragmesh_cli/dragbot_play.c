@@ -16,6 +16,9 @@ static const double stuck_share = 0.1;   /* of the way of the grabbed point */
 static const double still_share = 0.001; /* of the object's size: a part that has not moved */
 static const double regrab_share = 0.01; /* of the object's size: a jump at a new grab */
 static const double own_share = 0.05;    /* of the object's size: the part is where its true joint can take it */
+/* In a pull a moving camera turns round the part by move_turn, rad. A moving instance turns as far, and rises by
+ * move_rise of the radius of the ball round the part's way. */
+static const double move_turn = 10 * PI / 180, move_rise = 0.2;
 
 static void record_time(bot_times* times, double ns) {
     if (times->count == times->room) {
@@ -50,9 +53,10 @@ static double true_value(const known_joint* truth, const dm_pose* pose, vec cent
 typedef struct player {
     session* session;
     const bot_case* now;
-    bot_view view;     /* of the camera where it is */
-    double seen[2][2]; /* grabbed point and centre of the part on the screen in the update before */
-    double pointer[2]; /* in the update before */
+    bot_view view;      /* of the camera where it is */
+    bot_carry instance; /* from the object's frame to the world where it is */
+    double seen[2][2];  /* grabbed point and centre of the part on the screen in the update before */
+    double pointer[2];  /* in the update before */
     dm_drag drag;
     dm_drag_state state;
     dm_joint first_joint;
@@ -65,6 +69,11 @@ typedef struct player {
 
 /* ---- measuring ---- */
 
+/* The pixel of a point of the object's frame; false when it is behind the eye. */
+static bool see(const player* p, vec point, double* out_x, double* out_y) {
+    return bot_view_project(&p->view, bot_carry_point(&p->instance, point), out_x, out_y);
+}
+
 static void track_screen(player* p, const bot_step* step, const double pointer[2]) {
     const vec points[2] = {vec_of(p->state.grab_point), bot_moved(&p->state.pose, p->now->part->centre)};
     const double went = hypot(pointer[0] - p->pointer[0], pointer[1] - p->pointer[1]);
@@ -72,7 +81,7 @@ static void track_screen(player* p, const bot_step* step, const double pointer[2
     bool jumped = false;
     for (int i = 0; i < 2; i++) {
         double x = 0, y = 0;
-        if (!bot_view_project(&p->view, points[i], &x, &y)) continue;
+        if (!see(p, points[i], &x, &y)) continue;
         const double moved = hypot(x - p->seen[i][0], y - p->seen[i][1]);
         if (moved > jump_gain * went + jump_share * BOT_HEIGHT) {
             jumped = true;
@@ -121,16 +130,24 @@ dm_result bot_regrab(session* session, uint32_t part, dm_drag* drag, dm_drag_sta
     return dm_drag_begin(session->context, &desc, drag);
 }
 
-/* Computes the pointer of a step. A moving camera's pointer goes with the true point on the screen. */
-static void aim(player* p, const bot_step* step, double pointer[2]) {
+/* Puts the camera and the instance where they are in a step. */
+static void move_world(player* p, const bot_step* step) {
+    const bot_case* now = p->now;
+    bot_carry carry = {now->part->centre, now->up, move_turn * step->moved, 0};
+    if (now->hand->moving_camera) p->view = bot_carry_view(&carry, now->view);
+    carry.rise = move_rise * now->part->swept_radius * step->moved;
+    if (now->hand->moving_instance) p->instance = carry;
+}
+
+/* Computes the pointer of a step. Where the camera or the instance moves, it goes with the true point on the screen. */
+static void aim(const player* p, const bot_step* step, double pointer[2]) {
     const bot_case* now = p->now;
     bot_plan_pointer(now->plan, now->pull, step, pointer);
-    if (step->camera != 0) {
+    if (step->moved > 0) {
         const double value = now->pull->asked * bot_minimum_jerk((step->at + 1) / now->pull->frames);
         const vec point = bot_true_move(now->truth, now->pull->point, value);
         double was[2], is[2];
-        p->view = bot_view_orbit(now->view, now->part->centre, now->up, step->camera);
-        if (bot_view_project(now->view, point, &was[0], &was[1]) && bot_view_project(&p->view, point, &is[0], &is[1]))
+        if (bot_view_project(now->view, point, &was[0], &was[1]) && see(p, point, &is[0], &is[1]))
             for (int k = 0; k < 2; k++) pointer[k] += is[k] - was[k];
     }
     for (int k = 0; k < 2; k++) pointer[k] = round(pointer[k]); /* a mouse reports whole pixels */
@@ -149,8 +166,10 @@ static dm_result take_step(player* p, const bot_step* step) {
     const dm_pose before = p->state.pose;
     double pointer[2];
     dm_ray ray;
+    move_world(p, step);
     aim(p, step, pointer);
     dm_result result = dm_camera_ray(context, &p->view.camera, (float)pointer[0], (float)pointer[1], &ray);
+    ray = bot_carry_ray_back(&p->instance, &ray);
     if (result == DM_OK && step->regrabs) {
         result = bot_regrab(p->session, p->now->part->id, &p->drag, &p->state);
         p->changes += p->state.changes;
@@ -170,8 +189,8 @@ static dm_result take_step(player* p, const bot_step* step) {
 static dm_result follow_plan(player* p) {
     const bot_case* now = p->now;
     for (int k = 0; k < 2; k++) p->pointer[k] = (k ? now->pull->y : now->pull->x) + now->plan->offset[k];
-    bot_view_project(&p->view, now->pull->point, &p->seen[0][0], &p->seen[0][1]);
-    bot_view_project(&p->view, now->part->centre, &p->seen[1][0], &p->seen[1][1]);
+    see(p, now->pull->point, &p->seen[0][0], &p->seen[0][1]);
+    see(p, now->part->centre, &p->seen[1][0], &p->seen[1][1]);
     dm_part_state first = dm_part_state_default();
     dm_result result = dm_drag_get_part_state(p->session->context, p->drag, &first);
     p->first_joint = first.joint;

@@ -48,18 +48,6 @@ bool bot_view_project(const bot_view* view, vec point, double* out_x, double* ou
     return true;
 }
 
-bot_view bot_view_orbit(const bot_view* view, vec centre, vec up, double angle) {
-    bot_view moved = *view;
-    moved.eye = add(centre, turn(sub(view->eye, centre), up, angle));
-    moved.forward = turn(view->forward, up, angle);
-    moved.right = turn(view->right, up, angle);
-    moved.up = turn(view->up, up, angle);
-    moved.camera.eye = vec_out(moved.eye);
-    moved.camera.forward = vec_out(moved.forward);
-    moved.camera.up = vec_out(moved.up);
-    return moved;
-}
-
 bool bot_view_on_screen(double x, double y) {
     return x >= 0 && y >= 0 && x < BOT_WIDTH && y < BOT_HEIGHT;
 }
