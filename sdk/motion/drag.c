@@ -9,10 +9,11 @@
 #include "math/constants.h"
 #include "math/vec3.h"
 
-/* Largest step of the grabbed point in one update, as a multiple of the pointer's own. By hand: where the path runs
- * within 1/16 rad of the ray, less than that decides where on it the pointer is. */
+/* Largest step of the grabbed point that one update makes whole, as a multiple of the pointer's own. By hand: where the
+ * path runs within 1/16 rad of the ray, less than that decides where on it the pointer is. */
 #define MAX_GAIN 16.0f
-#define CATCH_UP_HALF_LIFE 0.1f /* s in which half of what MAX_GAIN held back is made up for; by hand */
+#define GLIDE_GAIN 2.0f         /* the same on the way to a place that is farther off than that; by hand */
+#define CATCH_UP_HALF_LIFE 0.1f /* s in which half of what is left is made up for; by hand */
 #define MIN_RAY_TURN 1e-5f      /* rad between two rays: rounding makes less, a pixel makes more; by hand */
 #define MAX_GRAB_OFFSET 0.025f  /* rad, as seen from the ray's origin: about 20 pixels of a usual screen; by hand */
 #define LIMIT_TOLERANCE 1e-4f   /* share of the range that counts as at a limit; by hand */
@@ -118,11 +119,12 @@ static float pointer_motion(const dmi_drag* drag, const dm_ray* ray) {
     return sqrtf(sum);
 }
 
-/* Returns the pointer value after dt, on its way to `nearest`: at most MAX_GAIN times the pointer's own motion at once,
- * the rest exponentially. */
+/* Returns the pointer value after dt, on its way to `nearest`: there at once when that is at most MAX_GAIN times the
+ * pointer's own motion away, else it glides there, GLIDE_GAIN times that motion and a share of the rest. */
 static float limit_gain(const dmi_drag* drag, const dm_ray* ray, float nearest, float dt) {
     const float gap = nearest - drag->pointer_value;
-    const float at_once = fminf(MAX_GAIN * pointer_motion(drag, ray) / drag->speed, fabsf(gap));
+    const float motion = pointer_motion(drag, ray) / drag->speed;
+    const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : fminf(GLIDE_GAIN * motion, fabsf(gap));
     const float step = at_once + (fabsf(gap) - at_once) * (1 - expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
     return isfinite(step) ? drag->pointer_value + copysignf(step, gap) : drag->pointer_value;
 }

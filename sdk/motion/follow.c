@@ -21,6 +21,9 @@
 #define MAX_FOLD_AT_LIMIT 0.5f /* rad, the same when the pointer may only have passed a limit */
 #define MIN_SLANT 0.8f         /* sine of the slant at which a circle is seen nearly edge on */
 #define FOLD_MARGIN 0.01f      /* share of the lever arm by which the other branch must look nearer */
+#define BRANCH_MISS 0.2f       /* share of the lever arm by which a point has clearly left the pointer */
+#define BRANCH_GAIN 0.4f       /* a place farther on must miss the pointer by less than this share of it */
+#define BRANCH_PLACES 12       /* places tried in the range: two in the width of a branch of a full circle, and more */
 #define MIN_ARM 1e-6f          /* lever arm of a turning point, share of its coordinates; below: rounding */
 
 /* A sliding point relative to the ray's origin at value v: P = arm + (along + v) a, with the arm perpendicular to a. */
@@ -181,6 +184,23 @@ static float pass_fold(turn_view* view, float value, float lower, float upper) {
     return passed < 0 && then < here - FOLD_MARGIN * arm ? there : value;
 }
 
+/* A pointer that goes straight to where a turn should end leaves the circle. The place downhill may then be a stop or a
+ * fold, while a place farther on is at the pointer. Searches the range for that one once the pointer has clearly left
+ * the point. */
+static float find_branch(turn_view* view, float value, float lower, float upper) {
+    const float here = distance_from_ray(view, value);
+    if (here < BRANCH_MISS * glm_vec3_norm(view->u)) return value;
+    const float spacing = (upper - lower) / BRANCH_PLACES;
+    float best = value, least = here;
+    for (int i = 0; i < BRANCH_PLACES; i++) {
+        const float other = lower + spacing * ((float)i + 0.5f), distance = distance_from_ray(view, other);
+        if (distance < least) least = distance, best = other;
+    }
+    if (best == value) return value;
+    const float there = descend(view, best, lower, upper);
+    return distance_from_ray(view, there) < BRANCH_GAIN * here ? there : value;
+}
+
 static float follow(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
                     float start, float lower, float upper, bool coarse) {
     float value = start;
@@ -192,7 +212,7 @@ static float follow(const dm_joint* joint, const float rest_point[3], const dm_r
         if (!moves_point(joint, rest_point, &view)) return start;
         const float least = fmaxf(lower, start - DMI_PI_F), most = fminf(upper, start + DMI_PI_F);
         value = descend(&view, start, least, most);
-        if (!coarse) value = pass_fold(&view, value, least, most);
+        if (!coarse) value = find_branch(&view, pass_fold(&view, value, least, most), least, most);
     }
     return isfinite(value) ? glm_clamp(value, lower, upper) : start;
 }

@@ -522,6 +522,29 @@ static void beyond_the_vanishing_point_the_end_holds(void** state) {
     }
 }
 
+/* A closed door stands half in profile: its handle first goes left on the screen, then right. A hand that pulls it
+ * straight to where it is open goes right from the start. The door must open, without a jump. */
+static void a_straight_pull_passes_the_turning_point(void** state) {
+    (void)state;
+    const dm_joint door = {.type = DM_JOINT_REVOLUTE, .axis = {0, 0, 1}, .upper = 2.8f};
+    const float rest[3] = {-0.8f, -0.6f, 0}, eye[3] = {0, -4, 2};
+    float end[3], last = 0;
+    point_at(&door, 2.7f, rest, end);
+    dmi_drag drag;
+    dm_drag_state now;
+    dmi_drag_begin(&drag, &door, rest, 0, &immediate);
+    for (int i = 0; i <= 150; i++) {
+        const float share = fminf((float)i / 90, 1);
+        float point[3];
+        for (int k = 0; k < 3; k++) point[k] = rest[k] + share * (end[k] - rest[k]);
+        const dm_ray ray = ray_through(eye, point);
+        dmi_drag_update(&drag, &ray, FRAME, &now);
+        assert_true(fabsf(now.value - last) < 0.3f);
+        last = now.value;
+    }
+    assert_near(now.value, 2.7f, 0.1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_rays_recover_the_value),
@@ -540,6 +563,7 @@ int main(void) {
         cmocka_unit_test(drags_start_where_the_part_is),
         cmocka_unit_test(a_part_outside_its_limits_comes_in_on_its_joint),
         cmocka_unit_test(rays_along_a_slide_keep_it),
+        cmocka_unit_test(a_straight_pull_passes_the_turning_point),
         cmocka_unit_test(beyond_the_vanishing_point_the_end_holds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
