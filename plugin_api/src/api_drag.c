@@ -164,12 +164,6 @@ static bool is_button(const start* s) {
     return one_way && s->part_size <= BUTTON_SIZE * s->object_size;
 }
 
-/* Whether the part is at rest, where all hypotheses agree on its pose. */
-static bool is_at_rest(const dm_joint* joint, float value) {
-    const float range = dmi_joint_has_limits(joint) ? joint->upper - joint->lower : 1.0f;
-    return fabsf(value) <= AT_REST_SHARE * range;
-}
-
 /* Takes a free range of the object-normalised frame to host units. Unbounded for an instance that is not scaled evenly:
  * its part and body no longer have the shape that the range was found with. */
 static dmi_free_range free_range_out(const start* s, int32_t type, dmi_free_range inner) {
@@ -238,7 +232,7 @@ static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESE
 static void track(dmi_drag* drag, const start* s) {
     dm_joint joints[DM_MAX_HYPOTHESES];
     dmi_free_range free_ranges[DM_MAX_HYPOTHESES];
-    const uint32_t count = is_at_rest(&s->joint, s->value) ? collect_hypotheses(s, joints, free_ranges) : 0;
+    const uint32_t count = collect_hypotheses(s, joints, free_ranges);
     const dmi_limit_give limit_give = {.share = s->desc->limit_give, .length = s->object_size};
     dmi_drag_track_hypotheses(drag, joints, free_ranges, count, s->part_size, limit_give);
     if (count == 0) return;
@@ -372,7 +366,7 @@ static void write_part_state(const dmi_drag_slot* slot, dm_part_state* out_state
     dm_part_state state = {.value = drag->value, .pose = now.pose, .joint = drag->joint};
     const uint32_t room = out_state->struct_size - (uint32_t)offsetof(dm_part_state, joint);
     state.joint.struct_size = room < sizeof state.joint ? room : (uint32_t)sizeof state.joint;
-    if (drag->tracker.count > 0) state.joint.joint_confidence = dmi_hypothesis_tracker_confidence(&drag->tracker);
+    if (drag->tracker.round > 0) state.joint.joint_confidence = dmi_hypothesis_tracker_confidence(&drag->tracker);
     state.joint.type_confidence = fmaxf(state.joint.type_confidence, state.joint.joint_confidence);
     dmi_write_out(out_state, &state, sizeof state);
 }

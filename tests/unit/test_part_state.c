@@ -98,6 +98,28 @@ static void the_next_drag_begins_where_the_last_ended(void** state) {
     assert_true(changes > 0); /* or this tests nothing */
 }
 
+/* A part that stands open on a joint that an earlier pull left unsure still changes to the one that the pull shows. */
+static void a_new_grab_may_change_the_joint(void** state) {
+    (void)state;
+    const dm_joint hinge = test_hinge();
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    dm_part_state left = {.struct_size = sizeof left, .value = 0.1f, .joint = dm_joint_default()};
+    left.joint.type = DM_JOINT_REVOLUTE;
+    left.joint.axis = (dm_vec3){1, 0, 0}, left.joint.origin = (dm_vec3){0, 0, 1.03f};
+    left.joint.joint_confidence = left.joint.type_confidence = 0.3f;
+    left.joint.source = DM_JOINT_FROM_GEOMETRY;
+    left.joint.lower = -1.5f, left.joint.upper = 1.5f;
+    const dm_drag drag = begin(&w, object, moved(&left.joint, left.value, test_pull().point), &left);
+    const dm_drag_state now = pull(&w, drag, &hinge, 0.1f, 1.2f, 30);
+    dm_part_state end = dm_part_state_default();
+    assert_int_equal(dm_drag_end(w.context, drag, &end), DM_OK);
+    assert_true(now.changes > 0);
+    assert_memory_not_equal(&end.joint.axis, &left.joint.axis, sizeof end.joint.axis);
+    test_world_close(&w);
+}
+
 /* A door of two is another door: what one was pulled to does not touch the other, or the object. */
 static void states_belong_to_instances(void** state) {
     (void)state;
@@ -578,6 +600,7 @@ static void hostile_snapshots_do_no_harm(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_next_drag_begins_where_the_last_ended),
+        cmocka_unit_test(a_new_grab_may_change_the_joint),
         cmocka_unit_test(states_belong_to_instances),
         cmocka_unit_test(a_bad_state_is_refused_by_name),
         cmocka_unit_test(outputs_fit_the_callers_version),
