@@ -13,7 +13,7 @@
 #define BUTTON_TRAVEL 0.04f      /* most travel of a push button, share of the object's size */
 #define BUTTON_SIZE 0.25f        /* largest side of a push button, share of the object's size */
 #define BUTTON_RETURN_TIME 0.12f /* s */
-#define AT_REST_SHARE 0.02f /* of the range (of 1 rad or unit without limits): a part this near to rest is at rest */
+#define AT_REST_SHARE 0.02f      /* of the range: a limit this near to rest is at rest */
 
 /* What can't be meant, by hand: other units are off by a hundred or more, and frame times by a thousand. */
 #define FAR_POINT 50.0f      /* object sizes between object and grabbed point */

@@ -124,7 +124,7 @@ static float pointer_motion(const dmi_drag* drag, const dm_ray* ray) {
 static float limit_gain(const dmi_drag* drag, const dm_ray* ray, float nearest, float dt) {
     const float gap = nearest - drag->pointer_value;
     const float motion = pointer_motion(drag, ray) / drag->speed;
-    const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : fminf(GLIDE_GAIN * motion, fabsf(gap));
+    const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : GLIDE_GAIN * motion;
     const float step = at_once + (fabsf(gap) - at_once) * (1 - expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
     return isfinite(step) ? drag->pointer_value + copysignf(step, gap) : drag->pointer_value;
 }

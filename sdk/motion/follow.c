@@ -23,7 +23,7 @@
 #define FOLD_MARGIN 0.01f      /* share of the lever arm by which the other branch must look nearer */
 #define BRANCH_MISS 0.2f       /* share of the lever arm by which a point has clearly left the pointer */
 #define BRANCH_GAIN 0.4f       /* a place farther on must miss the pointer by less than this share of it */
-#define BRANCH_PLACES 12       /* places tried in the range: two in the width of a branch of a full circle, and more */
+#define BRANCH_PLACES 12       /* tried in the range: 30 degrees apart on a whole circle, whose branches are 180 wide */
 #define MIN_ARM 1e-6f          /* lever arm of a turning point, share of its coordinates; below: rounding */
 
 /* A sliding point relative to the ray's origin at value v: P = arm + (along + v) a, with the arm perpendicular to a. */

@@ -655,8 +655,8 @@ DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion
 
 /* The player grabs a part. Where the library found the joint, a pull tells more about it: the drag holds the part's
  * other hypotheses, and likely joints beyond them, and follows the one that explains the pull best, and limits that
- * were estimated yield when the pull goes on beyond them. docs/feel.md. A grab point or value that
- * can't be meant (other units, degrees) gets a warning. [any-thread] */
+ * were estimated yield when the pull goes on beyond them. docs/feel.md. A grab point or value that can't be meant
+ * (other units, degrees) gets a warning. [any-thread] */
 DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 
 /* The grabbed point follows the pointer ray (object frame; scaled with dm_drag_desc.scale) as closely as its joint
