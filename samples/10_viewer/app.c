@@ -103,7 +103,7 @@ void app_event(app* app, const event* event) {
 
 /* There and back along the whole range, two seconds each way. */
 static void play(app* app) {
-    const dm_joint* joint = &app->world->parts[app->selected].joint;
+    const dm_joint* joint = &app->world->parts[app->selected].state.joint;
     const float whole = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI_F : 0;
     const float lower = whole > 0 ? 0 : joint->lower, upper = whole > 0 ? whole : joint->upper;
     const float t = 0.5f - 0.5f * cosf(app->playing * PI_F / 2);

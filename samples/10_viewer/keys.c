@@ -55,7 +55,15 @@ static void next_part(app* app) {
 
 static void to_rest(app* app) {
     app->playing = 0;
-    for (uint32_t id = 1; id <= app->world->part_count; id++) world_set_value(app->world, id, 0);
+    for (uint32_t id = 1; id <= app->world->part_count; id++) {
+        if (app->world->parts[id].state.value != 0) world_remember(app->world, id);
+        world_set_value(app->world, id, 0);
+    }
+}
+
+static void undo(app* app) {
+    app->playing = 0;
+    if (world_undo(app->world) != 0) snprintf(app->world->message, sizeof app->world->message, "nothing to undo");
 }
 
 static void play(app* app) {
@@ -123,7 +131,7 @@ static void override(app* app, const dm_joint* joint) {
 }
 
 static void next_type(app* app) {
-    dm_joint joint = app->world->parts[app->selected].joint;
+    dm_joint joint = app->world->parts[app->selected].state.joint;
     const bool was_slide = joint.type == DM_JOINT_PRISMATIC;
     joint.type = joint.type % DM_JOINT_FIXED + 1;
     const bool is_slide = joint.type == DM_JOINT_PRISMATIC;
@@ -136,7 +144,7 @@ static void next_type(app* app) {
 }
 
 static void axis_along(app* app, vec3 axis) {
-    dm_joint joint = app->world->parts[app->selected].joint;
+    dm_joint joint = app->world->parts[app->selected].state.joint;
     joint.axis = axis;
     override(app, &joint);
 }
@@ -155,7 +163,7 @@ static void axis_z(app* app) {
 
 /* The same motion, counted the other way. */
 static void invert(app* app) {
-    dm_joint joint = app->world->parts[app->selected].joint;
+    dm_joint joint = app->world->parts[app->selected].state.joint;
     const float lower = joint.lower;
     joint.axis = scale(joint.axis, -1);
     joint.lower = -joint.upper;
@@ -165,14 +173,14 @@ static void invert(app* app) {
 
 /* The axis goes through the point under the pointer. */
 static void origin_here(app* app) {
-    dm_joint joint = app->world->parts[app->selected].joint;
+    dm_joint joint = app->world->parts[app->selected].state.joint;
     if (app->under.distance <= 0) return;
     joint.origin = app->under.object_point;
     override(app, &joint);
 }
 
 static void move_limit(app* app, float lower_steps, float upper_steps) {
-    dm_joint joint = app->world->parts[app->selected].joint;
+    dm_joint joint = app->world->parts[app->selected].state.joint;
     const float step = joint.type == DM_JOINT_PRISMATIC ? 0.02f * app->world->info.size : PI_F / 36;
     joint.lower = fminf(joint.lower + lower_steps * step, 0);
     joint.upper = fmaxf(joint.upper + upper_steps * step, 0);
@@ -185,6 +193,12 @@ static void limit_down(app* app) {
 
 static void limit_up(app* app) {
     move_limit(app, app->shift ? 1.0f : 0, app->shift ? 0 : 1.0f);
+}
+
+/* What the pull found becomes the object's own, for other instances and for S. */
+static void adopt_pulled(app* app) {
+    const dm_joint joint = app->world->parts[app->selected].state.joint;
+    override(app, &joint);
 }
 
 static void forget_overrides(app* app) {
@@ -204,6 +218,7 @@ const key_binding key_bindings[] = {
     {"U", "U", "y or z is up", turn_up},
     {"Space", "Space", "play the part's travel", play},
     {"R", "R", "everything to rest", to_rest},
+    {"B", "B", "undo: back to before the last grab", undo},
     {"V", "V", "a part let go: as meant, stays, goes on, goes back", next_intent},
     {"M", "M", "piece under pointer: part or body", toggle_node},
     {"P", "P", "paint the part (shift erases); again to finish", paint},
@@ -218,15 +233,16 @@ const key_binding key_bindings[] = {
     {"O", "O", "axis through the point under the pointer", origin_here},
     {"[", "[ ]", "upper limit (shift: lower)", limit_down},
     {"]", "", "", limit_up},
+    {"J", "J", "the joint as pulled becomes the object's own", adopt_pulled},
     {"Backspace", "Backsp", "forget what was overridden", forget_overrides},
     {"S", "S", "save the prepared object (.dmo)", save},
     {"Escape", "Esc", "quit", quit},
 };
 const int key_binding_count = (int)(sizeof key_bindings / sizeof *key_bindings);
 
-/* Keys from T to ] change the selected part's joint and need one. */
+/* Keys from T to J change the selected part's joint and need one. */
 static bool needs_part(const key_binding* binding) {
-    static const char* const names[] = {"T", "X", "Y", "Z", "I", "O", "[", "]", "Space"};
+    static const char* const names[] = {"T", "X", "Y", "Z", "I", "O", "[", "]", "J", "Space"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(binding->key, names[i]) == 0) return true;
     return false;

@@ -252,7 +252,7 @@ static int replay(const options* options, const session* session, world* world) 
     if (status == 0) printf("poses %016llx over %u frames\n", (unsigned long long)poses.hash, session->end + 1);
     for (uint32_t id = 1; id <= world->part_count && status == 0; id++)
         printf("part %u '%s': %.6g\n", (unsigned)id, world->parts[id].name,
-               (double)world->parts[id].value + 0.0); /* no -0 */
+               (double)world->parts[id].state.value + 0.0); /* no -0 */
     return status;
 }
 

@@ -116,9 +116,9 @@ static void draw_joint(const app* app, draw* draw, uint32_t id) {
     const world_part* part = &app->world->parts[id];
     const dm_pose carrier = carrier_pose(app->world, id);
     const float pixel = fmaxf(1, (float)app->camera.height / 420);
-    if (!moves(&part->joint)) return;
-    draw_axis(draw, part, &part->joint, &carrier, 2.6f * pixel, axis_colour);
-    draw_travel(draw, part, &part->joint, &carrier, 2.2f * pixel, limit_colour);
+    if (!moves(&part->state.joint)) return;
+    draw_axis(draw, part, &part->state.joint, &carrier, 2.6f * pixel, axis_colour);
+    draw_travel(draw, part, &part->state.joint, &carrier, 2.2f * pixel, limit_colour);
 }
 
 /* The hypothesis that is in force already. */
@@ -131,7 +131,7 @@ static void draw_hypotheses(const app* app, draw* draw, uint32_t id) {
     const dm_pose carrier = carrier_pose(app->world, id);
     for (uint32_t i = 0; i < part->hypothesis_count && i < 4; i++) {
         const dm_joint* other = &part->hypotheses[i];
-        if (!moves(other) || same_line(other, &part->joint)) continue;
+        if (!moves(other) || same_line(other, &part->state.joint)) continue;
         draw_axis(draw, part, other, &carrier, 1.5f, hypothesis_colour);
         draw_travel(draw, part, other, &carrier, 1.2f, hypothesis_colour);
     }
@@ -140,7 +140,7 @@ static void draw_hypotheses(const app* app, draw* draw, uint32_t id) {
 /* ---- key poses ---- */
 
 static void key_pose(const world_part* part, int key, dm_pose* out_pose) {
-    const dm_joint* joint = &part->joint;
+    const dm_joint* joint = &part->state.joint;
     const float span = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI_F : joint->upper - joint->lower;
     const float start = joint->type == DM_JOINT_CONTINUOUS ? 0 : joint->lower;
     *out_pose = pose_identity;
@@ -168,7 +168,7 @@ void overlay_ghosts(const app* app, render* render, const surface* surface) {
 static void draw_hand(const app* app, draw* draw) {
     const world* world = app->world;
     const dm_pose carrier = carrier_pose(world, world->held);
-    const vec3 grabbed = pose_point(&carrier, world->parts[world->held].state.grab_point);
+    const vec3 grabbed = pose_point(&carrier, world->parts[world->held].last.grab_point);
     const float size = fmaxf(3, (float)app->camera.height / 140);
     float p[3];
     if (!camera_project(&app->camera, grabbed, p)) return;

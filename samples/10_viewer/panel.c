@@ -21,19 +21,18 @@ static const char* type_name(int32_t type) {
 }
 
 static void write_value(const world_part* part, char* out, size_t room) {
-    if (part->joint.type == DM_JOINT_PRISMATIC)
-        snprintf(out, room, "%.3f", (double)roundf(part->value * 1e3f) * 1e-3 + 0.0);
+    if (part->state.joint.type == DM_JOINT_PRISMATIC)
+        snprintf(out, room, "%.3f", (double)roundf(part->state.value * 1e3f) * 1e-3 + 0.0);
     else
-        snprintf(out, room, "%.0f deg", (double)roundf(part->value * 180 / PI_F) + 0.0); /* no -0 */
+        snprintf(out, room, "%.0f deg", (double)roundf(part->state.value * 180 / PI_F) + 0.0); /* no -0 */
 }
 
 static void write_part(const world_part* part, char* out, size_t room) {
     char value[32], sure[32];
     write_value(part, value, sizeof value);
-    snprintf(sure, sizeof sure, "%.0f%%", (double)(100 * part->joint.type_confidence));
-    if (part->joint.source == DM_JOINT_FROM_HOST)
-        snprintf(sure, sizeof sure, part->pulled ? "as pulled" : "as you say");
-    snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->joint.type), sure, value);
+    snprintf(sure, sizeof sure, "%.0f%%", (double)(100 * part->state.joint.type_confidence));
+    if (part->state.joint.source == DM_JOINT_FROM_HOST) snprintf(sure, sizeof sure, "as you say");
+    snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->state.joint.type), sure, value);
 }
 
 /* Lines of text on a dark ground, the first one bright. */

@@ -13,7 +13,8 @@ uint32_t parts_add(world* world, const char* name) {
     world_part* part = &world->parts[++world->part_count];
     memset(part, 0, sizeof *part);
     part->id = world->part_count;
-    part->pose = part->carried = pose_identity;
+    part->state = dm_part_state_default();
+    part->state.pose = part->carried = pose_identity;
     snprintf(part->name, sizeof part->name, "%s", name);
     return part->id;
 }

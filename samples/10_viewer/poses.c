@@ -19,10 +19,15 @@ static void mix_in(poses* poses, const void* data, size_t size) {
     for (size_t i = 0; i < size; i++) poses->hash = (poses->hash ^ ((const uint8_t*)data)[i]) * 1099511628211u;
 }
 
+static bool same_line(const dm_joint* a, const dm_joint* b) {
+    return a->type == b->type && same_bits(&a->axis, &b->axis, sizeof a->axis) &&
+           same_bits(&a->origin, &b->origin, sizeof a->origin);
+}
+
 /* A joint that is new, or that the pull has changed, as a line that starts with #. */
 static void write_joint(poses* poses, const world_part* part, uint32_t frame, uint32_t id) {
-    const dm_joint* j = &part->joint;
-    if (same_bits(j, &poses->joints[id], sizeof *j)) return;
+    const dm_joint* j = &part->state.joint;
+    if (same_line(j, &poses->joints[id])) return;
     poses->joints[id] = *j;
     fprintf(poses->file, "# %u %u type %d %.2f axis %.4f %.4f %.4f origin %.4f %.4f %.4f from %.4f to %.4f\n",
             (unsigned)frame, (unsigned)id, (int)j->type, (double)j->type_confidence, (double)j->axis.x,
@@ -40,7 +45,7 @@ void poses_frame(poses* poses, const world* world, uint32_t frame) {
         poses->last[id] = *p;
         if (poses->file != NULL)
             fprintf(poses->file, "%u %u %.6g %a %a %a %a %a %a %a %a\n", (unsigned)frame, (unsigned)id,
-                    (double)part->value, (double)p->real[0], (double)p->real[1], (double)p->real[2], (double)p->real[3],
-                    (double)p->dual[0], (double)p->dual[1], (double)p->dual[2], (double)p->dual[3]);
+                    (double)part->state.value, (double)p->real[0], (double)p->real[1], (double)p->real[2],
+                    (double)p->real[3], (double)p->dual[0], (double)p->dual[1], (double)p->dual[2], (double)p->dual[3]);
     }
 }

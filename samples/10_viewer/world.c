@@ -134,9 +134,7 @@ static void read_part(world* world, uint32_t index) {
     part->centre = info.centre;
     part->box_min = info.box_min;
     part->box_max = info.box_max;
-    part->value = 0;
     part->has_keys = 0;
-    part->pulled = 0;
     world_read_joint(world, info.id);
 }
 
@@ -155,6 +153,7 @@ static int adopt(world* world) {
 
 static void let_go_of_object(world* world) {
     world->held = 0;
+    world->history_count = 0;
     for (uint32_t id = 1; id <= world->part_count; id++) world->parts[id].drag = 0; /* they end with their object */
     if (world->scene) dm_scene_destroy(world->context, world->scene);
     if (world->object) dm_object_destroy(world->context, world->object);

@@ -7,24 +7,28 @@
 #include "dragmesh/ext/gltf.h"
 #include "vec.h"
 
-enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64 }; /* parts, whose ids fit a byte; bytes of a name */
+/* Parts, whose ids fit a byte; bytes of a name; steps back that undo knows. */
+enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64, WORLD_HISTORY = 64 };
 
 typedef struct world_part {
     char name[WORLD_NAME];
     uint32_t id, parent; /* ids given to the library; 1.. */
-    dm_joint joint;      /* in force */
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
-    float value;
-    dm_pose pose;    /* of its own joint, from rest */
-    dm_pose carried; /* with the parts that carry it */
+    dm_part_state state; /* this instance's own joint, value and pose; during a drag, those of now */
+    dm_pose carried;     /* state.pose with the parts that carry it */
     vec3 centre, box_min, box_max;
     dm_pose keys[DM_MOTION_FRAMES]; /* the motion the last pull asked for */
     int has_keys;
-    dm_drag drag; /* in hand, or still moving after the hand let go; 0 = neither */
-    dm_drag_state state;
-    int pulled; /* the pull decided on the joint, not the host */
+    dm_drag drag;       /* in hand, or still moving after the hand let go; 0 = neither */
+    dm_drag_state last; /* of the drag's last update */
 } world_part;
+
+/* A part as it was before the hand took it. */
+typedef struct world_past {
+    uint32_t part;
+    dm_part_state state;
+} world_past;
 
 /* Which nodes of the file move as one: names, comma-separated. */
 typedef struct world_options {
@@ -56,7 +60,9 @@ typedef struct world {
     uint32_t held;     /* the part in hand; 0 = none */
     dm_drag_hint pull; /* of the hand so far, in the frame of the part's carrier; vector 0 = none yet */
     vec3 grab_normal;
-    int32_t intent; /* DM_INTENT_*: what parts do when they are let go */
+    int32_t intent;                    /* DM_INTENT_*: what parts do when they are let go */
+    world_past history[WORLD_HISTORY]; /* the latest last */
+    uint32_t history_count;
 } world;
 
 /* 0, or -1 with a line in message. The world is closed in either case. */
@@ -82,11 +88,17 @@ void world_step(world* world, const dm_ray* ray, float dt);
 /* Generates the key poses of the motion for the pull so far. */
 void world_imagine(world* world, const dm_ray* ray);
 
-/* Reads the active joint and its other hypotheses. */
+/* Reads the object's joint and its other hypotheses; the part is at rest on it. */
 void world_read_joint(world* world, uint32_t part);
 
 void world_set_value(world* world, uint32_t part, float value);
+
+/* A designer's joint: the object gets it, and this instance with it. Undo does not go back beyond it. */
 void world_set_joint(world* world, uint32_t part, const dm_joint* joint);
+
+/* Keeps the part as it is now; a grab does so by itself. Puts back what was kept last; 0, or -1 when there is none. */
+void world_remember(world* world, uint32_t part);
+int world_undo(world* world);
 
 /* Poses of all parts from their values, into the scene too. */
 void world_update(world* world);

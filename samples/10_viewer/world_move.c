@@ -5,8 +5,10 @@
 
 void world_read_joint(world* world, uint32_t id) {
     world_part* part = &world->parts[id];
-    part->joint = part->hypotheses[0] = dm_joint_default();
-    dm_object_get_joint(world->context, world->object, id, &part->joint);
+    part->state = dm_part_state_default();
+    part->state.pose = pose_identity;
+    part->state.joint = part->hypotheses[0] = dm_joint_default();
+    dm_object_get_joint(world->context, world->object, id, &part->state.joint);
     if (dm_object_get_hypotheses(world->context, world->object, id, NULL, part->hypotheses, DM_MAX_HYPOTHESES,
                                  &part->hypothesis_count) != DM_OK)
         part->hypothesis_count = 0;
@@ -15,17 +17,10 @@ void world_read_joint(world* world, uint32_t id) {
 void world_update(world* world) {
     if (!world->object) return;
     for (uint32_t id = 1; id <= world->part_count; id++) {
-        world_part* part = &world->parts[id];
-        if (part->drag)
-            part->pose = part->state.pose;
-        else
-            dm_joint_pose(&part->joint, part->value, &part->pose);
-    }
-    for (uint32_t id = 1; id <= world->part_count; id++) {
-        dm_pose pose = world->parts[id].pose;
+        dm_pose pose = world->parts[id].state.pose;
         /* Chains are short; ids of carriers may be larger, and a loop has been refused by the library. */
         for (uint32_t carrier = world->parts[id].parent; carrier; carrier = world->parts[carrier].parent)
-            dm_pose_multiply(&world->parts[carrier].pose, &pose, &pose);
+            dm_pose_multiply(&world->parts[carrier].state.pose, &pose, &pose);
         world->parts[id].carried = pose;
         dm_scene_move(world->context, world->scene, world->instance, id, &pose);
     }
@@ -80,17 +75,11 @@ static dm_ray carried_ray(const world* world, const dm_ray* ray) {
     return (dm_ray){pose_point(&inverse, ray->origin), pose_direction(&inverse, ray->direction)};
 }
 
-/* The hand is off, and the part stands. A joint that the pull decided on stays in force. */
+/* The hand is off, and the part stands. Joint and value stay with this instance: the object learns nothing. */
 static void end_drag(world* world, uint32_t id) {
     world_part* part = &world->parts[id];
-    dm_part_state end = dm_part_state_default();
-    dm_drag_end(world->context, part->drag, &end);
+    dm_drag_end(world->context, part->drag, &part->state);
     part->drag = 0;
-    part->value = part->state.value;
-    if (part->state.changes == 0) return;
-    world_set_joint(world, id, &end.joint);
-    part->joint.type_confidence = end.joint.type_confidence;
-    part->pulled = 1;
 }
 
 int world_grab(world* world, const dm_hit* hit) {
@@ -102,13 +91,13 @@ int world_grab(world* world, const dm_hit* hit) {
                                .part_id = hit->part_id,
                                .object = world->object,
                                .grab_point = pose_point(&inverse, hit->point),
-                               .start_value = part->value};
+                               .state = &part->state};
     if (dm_drag_begin(world->context, &desc, &part->drag) != DM_OK) return -1;
+    world_remember(world, hit->part_id);
     world->held = hit->part_id;
     world->pull = (dm_drag_hint){.point = desc.grab_point};
     world->grab_normal = pose_direction(&inverse, hit->normal);
-    part->state = (dm_drag_state){
-        .struct_size = sizeof(dm_drag_state), .pose = part->pose, .grab_point = desc.grab_point, .value = part->value};
+    part->last = (dm_drag_state){.struct_size = sizeof part->last, .grab_point = desc.grab_point};
     return 0;
 }
 
@@ -136,16 +125,11 @@ void world_imagine(world* world, const dm_ray* ray) {
 
 static void step_part(world* world, uint32_t id, const dm_ray* ray, float dt) {
     world_part* part = &world->parts[id];
-    const uint32_t changes = part->state.changes;
-    if (dm_drag_update(world->context, part->drag, ray, dt, &part->state) != DM_OK) return;
-    part->value = part->state.value;
-    if (part->state.changes != changes) {
-        dm_part_state now = dm_part_state_default();
-        dm_drag_get_part_state(world->context, part->drag, &now);
-        part->joint = now.joint;
-        part->has_keys = 0;
-    }
-    if (part->state.phase == DM_DRAG_AT_REST) end_drag(world, id);
+    const uint32_t changes = part->last.changes;
+    if (dm_drag_update(world->context, part->drag, ray, dt, &part->last) != DM_OK) return;
+    dm_drag_get_part_state(world->context, part->drag, &part->state);
+    if (part->last.changes != changes) part->has_keys = 0;
+    if (part->last.phase == DM_DRAG_AT_REST) end_drag(world, id);
 }
 
 void world_step(world* world, const dm_ray* ray, float dt) {
@@ -177,17 +161,48 @@ static float within(const dm_joint* joint, float value) {
 }
 
 void world_set_value(world* world, uint32_t id, float value) {
+    dm_part_state* state = &world->parts[id].state;
     let_go(world, id);
-    world->parts[id].value = within(&world->parts[id].joint, value);
+    state->value = within(&state->joint, value);
+    dm_joint_pose(&state->joint, state->value, &state->pose);
     world_update(world);
+}
+
+/* ---- undo ---- */
+
+void world_remember(world* world, uint32_t id) {
+    world_past* history = world->history;
+    if (world->history_count == WORLD_HISTORY) { /* the oldest goes */
+        world->history_count--;
+        memmove(history, history + 1, world->history_count * sizeof *history);
+    }
+    history[world->history_count++] = (world_past){id, world->parts[id].state};
+}
+
+int world_undo(world* world) {
+    if (world->history_count == 0) return -1;
+    const world_past* past = &world->history[--world->history_count];
+    let_go(world, past->part);
+    world->parts[past->part].state = past->state;
+    world->parts[past->part].has_keys = 0;
+    world_update(world);
+    return 0;
+}
+
+/* A part's pieces that were by another joint. */
+static void forget_past(world* world, uint32_t id) {
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < world->history_count; i++)
+        if (world->history[i].part != id) world->history[kept++] = world->history[i];
+    world->history_count = kept;
 }
 
 void world_set_joint(world* world, uint32_t id, const dm_joint* joint) {
     let_go(world, id);
     if (dm_object_set_joint(world->context, world->object, id, joint) != DM_OK) return;
     world_part* part = &world->parts[id];
-    dm_object_get_joint(world->context, world->object, id, &part->joint);
+    dm_object_get_joint(world->context, world->object, id, &part->state.joint);
     part->has_keys = 0;
-    part->pulled = 0;
-    world_set_value(world, id, part->value);
+    forget_past(world, id);
+    world_set_value(world, id, part->state.value);
 }

@@ -152,6 +152,90 @@ static void test_from_the_file_alone(void** state) {
     assert_string_equal(first, second);
 }
 
+/* ---- what belongs to the instance, and what to the object ---- */
+
+/* Writes a recorded session that goes on with `events` in place of its events from the first `cut` on. */
+static void write_other_session(const char* name, const char* cut, const char* events, const char* path) {
+    char own[TOOL_PATH];
+    size_t size;
+    snprintf(own, sizeof own, "tests/replay/%s/hand.session", name);
+    char* text = tool_read(own, &size);
+    char* end = strstr(text, cut);
+    if (end == NULL) fail_msg("%s: no '%s'", own, cut);
+    while (end > text && end[-1] != '\n') end--;
+    char* other = calloc(1, size + strlen(events) + 1);
+    memcpy(other, text, (size_t)(end - text));
+    strcat(other, events);
+    tool_write(path, other, strlen(other));
+    free(other);
+    free(text);
+}
+
+/* Runs such a session, which may save the object as saved.dmo in `folder`, and returns where a part stands then. */
+static double value_after(const char* folder, const char* name, const char* cut, const char* events, const char* part) {
+    char path[TOOL_PATH + 16], label[64];
+    snprintf(path, sizeof path, "%s/other.session", folder);
+    write_other_session(name, cut, events, path);
+    tool_run(
+        &out, "dragmesh_viewer", NULL,
+        "tests/replay/%s/object.glb|--replay|%s|--dmo|tests/replay/%s/object.dmo|--models|none|--save|%s/saved.dmo",
+        name, path, name, folder);
+    if (out.status != 0) fail_msg("%s: %s", name, out.errors);
+    snprintf(label, sizeof label, "'%s': ", part);
+    const char* line = strstr(out.text, label);
+    assert_non_null(line);
+    return strtod(line + strlen(label), NULL);
+}
+
+static void test_undo_puts_back_the_part(void** state) {
+    (void)state;
+    char folder[TOOL_PATH], moved[64], undone[64];
+    if (!has_viewer()) skip();
+    tool_folder_make(folder);
+    const double open = value_after(folder, "cabinet_door", " end", "200 end\n", "door_left");
+    assert_true(fabs(open) > 1);
+    const double at_rest = value_after(folder, "cabinet_door", " end", "200 key R\n201 end\n", "door_left");
+    assert_true(at_rest == 0);
+    const double again = value_after(folder, "cabinet_door", " end", "200 key R\n201 key B\n202 end\n", "door_left");
+    assert_true(again == open);
+    const double before =
+        value_after(folder, "cabinet_door", " end", "200 key R\n201 key B\n202 key B\n203 end\n", "door_left");
+    assert_true(before == 0);
+    const double too_far = value_after(folder, "cabinet_door", " end", "200 key B\n201 key B\n202 end\n", "door_left");
+    assert_true(too_far == 0);
+    assert_non_null(strstr(out.errors, "nothing to undo"));
+    /* While the part swings on by itself, and in the hand: it stands still where it was. */
+    assert_true(value_after(folder, "cabinet_door", " end", "140 key B\n200 end\n", "door_left") == 0);
+    read_hash(undone);
+    value_after(folder, "cabinet_door", " end", "200 end\n", "door_left");
+    read_hash(moved);
+    assert_string_not_equal(moved, undone);
+    tool_folder_remove(folder);
+}
+
+/* Other instances of the object, and the file that is saved, know nothing of what a pull found out … */
+static void test_pull_leaves_the_object_as_it_is(void** state) {
+    (void)state;
+    char folder[TOOL_PATH], path[TOOL_PATH + 16];
+    if (!has_viewer()) skip();
+    tool_folder_make(folder);
+    snprintf(path, sizeof path, "%s/saved.dmo", folder);
+    static const char* const events[3] = {"0 key S\n1 end\n", "200 key S\n201 end\n",
+                                          "200 key J\n201 key S\n202 end\n"};
+    char* saved[3];
+    size_t size[3];
+    for (int i = 0; i < 3; i++) {
+        value_after(folder, "door_decided_by_the_pull", i == 0 ? " camera" : " end", events[i], "door");
+        saved[i] = tool_read(path, &size[i]);
+    }
+    assert_int_equal(size[0], size[1]);
+    assert_memory_equal(saved[0], saved[1], size[0]);
+    /* … until the designer says so. */
+    assert_true(size[2] != size[0] || memcmp(saved[2], saved[0], size[0]) != 0);
+    for (int i = 0; i < 3; i++) free(saved[i]);
+    tool_folder_remove(folder);
+}
+
 static void test_recording_is_read_strictly(void** state) {
     (void)state;
     static const char* const bad[] = {"not a session\n",
@@ -204,6 +288,8 @@ int main(void) {
                                        SESSION(names[10]),
                                        SESSION(names[11]),
                                        cmocka_unit_test(test_from_the_file_alone),
+                                       cmocka_unit_test(test_undo_puts_back_the_part),
+                                       cmocka_unit_test(test_pull_leaves_the_object_as_it_is),
                                        cmocka_unit_test(test_recording_is_read_strictly)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
