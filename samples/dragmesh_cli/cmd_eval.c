@@ -251,6 +251,7 @@ static int read_method(const char* name) {
 
 static int check(const char* folder, const char* baseline, const eval_options* options) {
     if (folder == NULL) return options_refuse(&cli_eval, "which folder?");
+    if (options->pull == PULL_KINDS) return options_refuse(&cli_eval, "--pull: exact, chord or axis");
     if (read_method(baseline) < 0) return options_refuse(&cli_eval, "--baseline: full, kpp, geometry or rules");
     if (options->drags < 1 || options->drag_noise < 0 || options->mask_noise < 0 || options->mask_noise >= 1)
         return options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
@@ -258,7 +259,7 @@ static int check(const char* folder, const char* baseline, const eval_options* o
 }
 
 static int run(int argc, char** argv) {
-    const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL;
+    const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL, *pull = "exact";
     int as_json = 0, worst = 0;
     eval_options options = {.drags = 1};
     error_report report;
@@ -269,6 +270,7 @@ static int run(int argc, char** argv) {
         {.name = "--drags", .kind = OPTION_INTEGER, .value = &options.drags},
         {.name = "--no-drag", .kind = OPTION_FLAG, .value = &options.no_drag},
         {.name = "--given-type", .kind = OPTION_FLAG, .value = &options.given_type},
+        {.name = "--pull", .kind = OPTION_TEXT, .value = &pull},
         {.name = "--drag-noise", .kind = OPTION_NUMBER, .value = &options.drag_noise},
         {.name = "--mask-noise", .kind = OPTION_NUMBER, .value = &options.mask_noise},
         {.name = "--turn", .kind = OPTION_SEED, .value = &options.turn_seed, .given = &options.has_turn},
@@ -278,6 +280,7 @@ static int run(int argc, char** argv) {
         {.name = "--mistakes", .kind = OPTION_TEXT, .value = &pictures}};
     session session;
     int status = options_read(&cli_eval, argc, argv, table, sizeof table / sizeof *table, &folder);
+    options.pull = pull_kind_of(pull);
     options.find_part = moving != NULL && strcmp(moving, "auto") == 0;
     if (status == CLI_OK && moving != NULL && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
     if (status == CLI_OK) status = check(folder, baseline, &options);
@@ -293,10 +296,14 @@ static int run(int argc, char** argv) {
 
 const cli_command cli_eval = {
     "eval", run,
-    "DIR [--json] [--no-drag] [--drag-noise DEGREES] [--turn [SEED]] [--mask-noise FRACTION] [--given-type]\n"
-    "    [--drags N] [--baseline kpp|geometry|rules|full] [--moving auto [--merge]]\n"
+    "DIR [--json] [--no-drag] [--pull exact|chord|axis] [--drag-noise DEGREES] [--turn [SEED]]\n"
+    "    [--mask-noise FRACTION] [--given-type] [--drags N] [--baseline kpp|geometry|rules|full] [--moving auto "
+    "[--merge]]\n"
     "    [--worst N] [--mistakes OUT_DIR]",
-    "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category. --baseline: the\n"
-    "    network alone, no network, or hand-set rules in the ranker's place. --mistakes draws every wrong answer. "
+    "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category. --pull: the "
+    "stored\n"
+    "    drag; as people pull, at the far end straight to where it is half open; or along the room's nearest axis. "
+    "--baseline:\n"
+    "    the network alone, no network, or hand-set rules in the ranker's place. --mistakes draws every wrong answer. "
     "--moving auto\n"
     "    finds the part from the drag's point instead of the true mask, with --merge as if the file were one mesh."};

@@ -95,10 +95,10 @@ static void place_object(trial* t) {
 
 /* ---- one joint ---- */
 
-/* Vertices of the named nodes, thinned. */
+/* Vertices of the named nodes. */
 static vec* moving_vertices(const trial* t, const name_list* moving, size_t* out_count) {
     vec* points = cli_alloc(t->session->mesh.vertex_count * sizeof *points);
-    size_t count = 0, kept = 0;
+    size_t count = 0;
     for (unsigned n = 0; n < moving->count; n++) {
         for (uint32_t i = 0; i < dm_gltf_node_count(t->session->gltf); i++) {
             dm_gltf_node node;
@@ -108,10 +108,16 @@ static vec* moving_vertices(const trial* t, const name_list* moving, size_t* out
                 points[count++] = vec_at(t->positions + 3 * (node.first_vertex + v));
         }
     }
-    const size_t step = count > MAX_VERTICES ? count / MAX_VERTICES : 1;
-    for (size_t i = 0; i < count; i += step) points[kept++] = points[i];
-    *out_count = kept;
+    *out_count = count;
     return points;
+}
+
+/* Keeps every n-th point, so that about MAX_VERTICES are left. Returns how many. */
+static size_t thin(vec* points, size_t count) {
+    const size_t step = count > MAX_VERTICES ? count / MAX_VERTICES : 1;
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i += step) points[kept++] = points[i];
+    return kept;
 }
 
 /* Rotates a drag direction by `degrees` x |N(0, 1)| about a random perpendicular axis. */
@@ -243,13 +249,19 @@ static metric_row* new_row(eval_rows* rows) {
 static void evaluate_joint(trial* t, int index) {
     const known_joint* truth = &t->object.joints[index];
     metric_case known = {.truth = truth, .size = t->size, .dragged = !t->options->no_drag};
-    vec* moving = moving_vertices(t, &truth->moving, &known.moving_count);
-    known.moving = moving;
+    size_t count;
+    vec* moving = moving_vertices(t, &truth->moving, &count);
     const int drags = truth->drag_count < t->options->drags ? truth->drag_count : t->options->drags;
+    known_drag pulled[DATASET_DRAGS];
+    for (int d = 0; d < drags; d++)
+        pulled[d] =
+            count > 0 ? pull_make(t->options->pull, truth, &truth->drags[d], moving, count, t->size) : truth->drags[d];
+    known.moving = moving;
+    known.moving_count = thin(moving, count);
     for (int d = 0; d < drags; d++) {
         metric_row* row = new_row(t->rows);
         joint_answer answer;
-        known.drag = &truth->drags[d];
+        known.drag = &pulled[d];
         snprintf(row->id, sizeof row->id, "%s/%d/%d", t->object.name, index, d);
         snprintf(row->category, sizeof row->category, "%s", t->object.category);
         row->source = dataset_source(t->object.name);

@@ -4,11 +4,13 @@
 
 #include "error_report.h"
 #include "metrics.h"
+#include "pull.h"
 #include "random.h"
 #include "session.h"
 
 typedef struct eval_options {
     int no_drag, given_type, drags; /* drags: how many of each joint's */
+    pull_kind pull;                 /* what is made of the stored drags */
     double drag_noise;              /* degrees: standard deviation of the error of drag directions */
     double mask_noise;              /* share of the part's vertices lost and leaked, in patches */
     int turn_seed, has_turn;        /* every object in a random pose and unit */
