@@ -2,6 +2,7 @@
 #include "api_joint_check.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "api_check.h"
 #include "math/joint.h"
@@ -15,7 +16,16 @@
 #define STAND_IN_TURN 1024.0f  /* rad */
 #define STAND_IN_SLIDE 128.0f  /* object sizes */
 
-enum { WITHOUT_LIMITS = 7, WITH_LIMITS = 9 }; /* numbers of a joint */
+/* A joint's numbers that must be finite; the limits, which may be infinite in a host's joint, are the last. */
+static const struct {
+    const char* name;
+    size_t offset;
+} numbers[] = {{"axis.x", offsetof(dm_joint, axis.x)},     {"axis.y", offsetof(dm_joint, axis.y)},
+               {"axis.z", offsetof(dm_joint, axis.z)},     {"origin.x", offsetof(dm_joint, origin.x)},
+               {"origin.y", offsetof(dm_joint, origin.y)}, {"origin.z", offsetof(dm_joint, origin.z)},
+               {"pitch", offsetof(dm_joint, pitch)},       {"lower", offsetof(dm_joint, lower)},
+               {"upper", offsetof(dm_joint, upper)}};
+enum { NUMBERS = sizeof numbers / sizeof numbers[0], LIMITS = 2 };
 
 dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, dm_joint* out) {
     dm_result result = dmi_read_desc(env, what, joint, DMI_FIRST_SIZE(dm_joint, source), sizeof *out, out);
@@ -72,22 +82,20 @@ static dm_result accept_limits(dmi_env* env, const char* what, float size, dm_jo
 
 /* ---- the joint ---- */
 
-static dm_result check_numbers(dmi_env* env, const char* what, const dm_joint* j) {
-    const float numbers[WITHOUT_LIMITS] = {j->axis.x,   j->axis.y,   j->axis.z, j->origin.x,
-                                           j->origin.y, j->origin.z, j->pitch};
-    static const char* const names[WITHOUT_LIMITS] = {"axis.x",   "axis.y",   "axis.z", "origin.x",
-                                                      "origin.y", "origin.z", "pitch"};
-    for (int i = 0; i < WITHOUT_LIMITS; i++) {
-        if (isfinite(numbers[i])) continue;
-        return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.%s is %g", what, names[i], (double)numbers[i]);
+dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint, int32_t first_type, bool with_limits) {
+    for (int i = 0; i < (with_limits ? NUMBERS : NUMBERS - LIMITS); i++) {
+        float number;
+        memcpy(&number, (const uint8_t*)joint + numbers[i].offset, sizeof number);
+        if (isfinite(number)) continue;
+        return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.%s is %g", what, numbers[i].name, (double)number);
     }
-    if (j->type >= DM_JOINT_REVOLUTE && j->type <= DM_JOINT_FIXED) return DM_OK;
-    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.type is %d: it must be %d to %d", what, j->type,
-                    DM_JOINT_REVOLUTE, DM_JOINT_FIXED);
+    if (joint->type >= first_type && joint->type <= DM_JOINT_FIXED) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.type is %d: it must be %d to %d", what, joint->type, first_type,
+                    DM_JOINT_FIXED);
 }
 
 dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint) {
-    dm_result result = check_numbers(env, what, joint);
+    dm_result result = dmi_joint_check(env, what, joint, DM_JOINT_REVOLUTE, false);
     if (result != DM_OK) return result;
     dm_vec3* a = &joint->axis;
     const double x = (double)a->x, y = (double)a->y, z = (double)a->z, length = sqrt(x * x + y * y + z * z);

@@ -14,11 +14,7 @@
 /* Reads a joint whose numbers a pose can be made of. */
 static dm_result read_joint(const dm_joint* joint, dm_joint* out) {
     dm_result result = dmi_joint_read(NULL, "", joint, out);
-    if (result != DM_OK) return result;
-    if (out->type < DM_JOINT_UNKNOWN || out->type > DM_JOINT_FIXED) return DM_ERROR_INVALID_ARGUMENT;
-    const dm_vec3 a = out->axis, o = out->origin;
-    const bool finite = isfinite(a.x + a.y + a.z) && isfinite(o.x + o.y + o.z) && isfinite(out->pitch);
-    return finite ? DM_OK : DM_ERROR_NOT_FINITE;
+    return result == DM_OK ? dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN, false) : result;
 }
 
 dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose) {

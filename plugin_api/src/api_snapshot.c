@@ -5,6 +5,7 @@
 
 #include "api_check.h"
 #include "api_drag.h"
+#include "api_joint_check.h"
 
 #define MAGIC 0x53444D44u /* "DMDS" */
 #define FNV_START 0xcbf29ce484222325u
@@ -91,9 +92,7 @@ static bool are_finite(const float* values, size_t count) {
 }
 
 static bool is_sound_joint(const dm_joint* j) {
-    const float numbers[9] = {j->axis.x,   j->axis.y, j->axis.z, j->origin.x, j->origin.y,
-                              j->origin.z, j->pitch,  j->lower,  j->upper};
-    return j->type >= DM_JOINT_UNKNOWN && j->type <= DM_JOINT_FIXED && are_finite(numbers, 9);
+    return dmi_joint_check(NULL, "", j, DM_JOINT_UNKNOWN, true) == DM_OK;
 }
 
 static bool is_projection(const dmi_projection* projection) {

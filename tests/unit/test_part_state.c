@@ -174,6 +174,74 @@ static void a_bad_state_is_refused_by_name(void** state) {
     test_world_close(&w);
 }
 
+/* The checksum of a snapshot, computed anew, as someone would who means harm (plugin_api/src/api_snapshot.c). */
+static void sign(uint8_t* data, size_t size) {
+    const size_t at = 24, start = 32;
+    uint64_t sum = 0xcbf29ce484222325u, word;
+    size_t i = start;
+    for (; i + sizeof word <= size; i += sizeof word) {
+        memcpy(&word, data + i, sizeof word);
+        sum = (sum ^ word) * 0x100000001b3u;
+        sum ^= sum >> 32;
+    }
+    for (; i < size; i++) sum = (sum ^ data[i]) * 0x100000001b3u;
+    memcpy(data + at, &sum, sizeof sum);
+}
+
+/* As a value, in a state, in a saved drag: where a joint comes in, each of its numbers is checked. */
+static void every_number_of_a_joint_is_checked(void** state) {
+    (void)state;
+    static const struct {
+        const char* name;
+        size_t offset;
+    } fields[] = {{"axis.x", offsetof(dm_joint, axis.x)},     {"axis.y", offsetof(dm_joint, axis.y)},
+                  {"axis.z", offsetof(dm_joint, axis.z)},     {"origin.x", offsetof(dm_joint, origin.x)},
+                  {"origin.y", offsetof(dm_joint, origin.y)}, {"origin.z", offsetof(dm_joint, origin.z)},
+                  {"pitch", offsetof(dm_joint, pitch)},       {"lower", offsetof(dm_joint, lower)},
+                  {"upper", offsetof(dm_joint, upper)}};
+    enum { FIELDS = sizeof fields / sizeof *fields, LIMITS = 2 };
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX], bad[DM_DRAG_SNAPSHOT_MAX];
+    const size_t size = dm_drag_snapshot_size();
+    const dm_part_state good = {.struct_size = sizeof good, .value = 0.5f, .joint = test_hinge()};
+    const dm_drag drag = begin(&w, object, test_pull().point, &good);
+    assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
+    size_t at = 0; /* of the joint */
+    while (memcmp(saved + at + offsetof(dm_joint, axis), &good.joint.axis, 2 * sizeof(dm_vec3)) != 0) at++;
+    for (int i = 0; i < 2 * FIELDS; i++) {
+        const size_t offset = fields[i / 2].offset;
+        const float number = i % 2 ? (float)NAN : (float)INFINITY;
+        dm_part_state state_now = good;
+        memcpy((uint8_t*)&state_now.joint + offset, &number, sizeof number);
+        memcpy(bad, saved, size);
+        memcpy(bad + at + offset, &number, sizeof number);
+        sign(bad, size);
+        assert_int_equal(dm_drag_restore(w.context, drag, bad, size), DM_ERROR_BAD_DATA);
+        if (i / 2 >= FIELDS - LIMITS) continue; /* a host's limits may be infinite */
+        dm_pose pose;
+        const dm_drag_desc desc = {
+            .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .state = &state_now};
+        dm_drag other = 0;
+        assert_int_equal(dm_joint_pose(&state_now.joint, 0.5f, &pose), DM_ERROR_NOT_FINITE);
+        assert_int_equal(dm_drag_begin(w.context, &desc, &other), DM_ERROR_NOT_FINITE);
+        if (!strstr(w.messages.text, fields[i / 2].name)) fail_msg("no %s in: %s", fields[i / 2].name, w.messages.text);
+    }
+    for (int32_t type = DM_JOINT_UNKNOWN - 1; type <= DM_JOINT_FIXED + 1; type++) {
+        const bool known = type >= DM_JOINT_UNKNOWN && type <= DM_JOINT_FIXED;
+        dm_joint joint = good.joint;
+        joint.type = type;
+        dm_pose pose;
+        memcpy(bad, saved, size);
+        memcpy(bad + at + offsetof(dm_joint, type), &type, sizeof type);
+        sign(bad, size);
+        assert_int_equal(dm_joint_pose(&joint, 0.5f, &pose), known ? DM_OK : DM_ERROR_INVALID_ARGUMENT);
+        assert_int_equal(dm_drag_restore(w.context, drag, bad, size), known ? DM_OK : DM_ERROR_BAD_DATA);
+    }
+    test_world_close(&w);
+}
+
 /* Outputs of callers that are newer: what the library can't know comes back as zeros; no other size is taken. */
 static void outputs_fit_the_callers_version(void** state) {
     (void)state;
@@ -545,20 +613,6 @@ static void drags_have_the_same_bits_on_every_instruction_set(void** state) {
     test_world_close(&w);
 }
 
-/* The checksum of a snapshot, computed anew, as someone would who means harm (plugin_api/src/api_snapshot.c). */
-static void sign(uint8_t* data, size_t size) {
-    const size_t at = 24, start = 32;
-    uint64_t sum = 0xcbf29ce484222325u, word;
-    size_t i = start;
-    for (; i + sizeof word <= size; i += sizeof word) {
-        memcpy(&word, data + i, sizeof word);
-        sum = (sum ^ word) * 0x100000001b3u;
-        sum ^= sum >> 32;
-    }
-    for (; i < size; i++) sum = (sum ^ data[i]) * 0x100000001b3u;
-    memcpy(data + at, &sum, sizeof sum);
-}
-
 /* Bytes that mean harm are refused or harmless: no crash, whatever they hold. */
 static void hostile_snapshots_do_no_harm(void** state) {
     (void)state;
@@ -603,6 +657,7 @@ int main(void) {
         cmocka_unit_test(a_new_grab_may_change_the_joint),
         cmocka_unit_test(states_belong_to_instances),
         cmocka_unit_test(a_bad_state_is_refused_by_name),
+        cmocka_unit_test(every_number_of_a_joint_is_checked),
         cmocka_unit_test(outputs_fit_the_callers_version),
         cmocka_unit_test(setting_the_joint_that_is_there_changes_nothing),
         cmocka_unit_test(other_engines_words_for_no_limit_are_understood),
