@@ -6,7 +6,7 @@ import os
 import numpy as np
 
 from .features import PRISMATIC
-from .lab import Options, category_weights
+from .lab import PULLS, Options, category_weights
 
 KEPT_BEST = 8  # as in lab_ranker.c
 
@@ -20,14 +20,16 @@ class Batch(ctypes.Structure):
         (name, ctypes.c_void_p) for name, _, _ in ARRAYS]
 
 
-def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, prefilter=None, with_drag=0.7, mask_noise=0.3):
-    """Features and labels of `count` cases drawn from the chosen categories."""
+def make(lab, seed, count, rows, split, chosen, noise_degrees, weights=None, prefilter=None, with_drag=0.7, mask_noise=0.3,
+         pull="mixed"):
+    """Features and labels of `count` cases drawn from the chosen categories. pull: one of PULLS."""
     columns = lab.dm_lab_ranker_columns()
     weights_of = category_weights(lab, chosen)
     data = {"features": np.zeros((count, rows, columns), np.float32)}
     for name, dtype, each_row in ARRAYS:
         data[name] = np.zeros((count, rows) if each_row else count, dtype)
-    options = Options(seed, count, split, weights_of.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0)
+    options = Options(seed, count, split, weights_of.ctypes.data, 0.5, mask_noise, 1.0, with_drag, noise_degrees, 0, 0,
+                      PULLS[pull])
     batch = Batch(rows, *[data[name].ctypes.data for name in ("features", *[a[0] for a in ARRAYS])])
     sizes = [ctypes.c_size_t(len(data) if data else 0) for data in (weights, prefilter)]
     result = lab.dm_lab_ranker_batch(ctypes.byref(options), weights, sizes[0], prefilter, sizes[1], ctypes.byref(batch))

@@ -24,11 +24,12 @@ def kinds_of(kinds, which):
     return [kind.name for kind in chosen["test_only" if which == "later" else which]]
 
 
-# Shares of dm_lab_options (training/lab/dragmesh_lab.h).
+# Shares of dm_lab_options (training/lab/dragmesh_lab.h), and the kind of pulls by its name (dragmesh.lab.PULLS; "tangent").
 MIX = dict(messy=0.7, mask_noise=0.2, rotated=0.25, with_drag=0.75, drag_noise_degrees=7.5, joint_noise=0.3,
            hand_noise=0.6)
 # KPP-Net is trained on hands as unsteady as players' (off by 5 to 10 degrees); its tests keep the milder mix of before.
-TRAINING_MIX = dict(kpp={**MIX, "drag_noise_degrees": 12.0}, vae=MIX)
+# They pull as people do (training/lab/pull.c); the tests' drags follow the tangent.
+TRAINING_MIX = dict(kpp={**MIX, "drag_noise_degrees": 12.0, "pull": "mixed"}, vae=MIX)
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,9 @@ import numpy as np
 from .config import kinds_of
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "bindings", "python"))
-from dragmesh.lab import VAE_FEATURES, Lab, Options, kinds, load  # noqa: E402
+from dragmesh.lab import PULLS, VAE_FEATURES, Lab, Options, kinds, load  # noqa: E402
 
-__all__ = ["VAE_FEATURES", "LAB", "Lab", "Options", "kinds", "open_lab", "names_by_id", "chosen_kinds", "category_weights",
+__all__ = ["PULLS", "VAE_FEATURES", "LAB", "Lab", "Options", "kinds", "open_lab", "names_by_id", "chosen_kinds", "category_weights",
            "options_of"]
 
 LAB = os.path.join(os.path.dirname(__file__), "..", "..", "build", "release", "libdragmesh_lab.so")
@@ -42,9 +42,11 @@ def category_weights(lab, chosen):
     return weights
 
 
-def options_of(lab, seed, count, split, chosen, clean=False):
+def options_of(lab, seed, count, split, chosen, clean=False, pull="mixed"):
     """Options of cases as the ranker is trained on them (cases.make), with drags 8 degrees off, or of clean ones: clean objects,
-    exact masks, exact drags. The weights of the categories, returned with them, must live as long as the options."""
+    exact masks, drags without errors. pull: one of PULLS. The weights of the categories, returned with them, must live as long as
+    the options."""
     weights = category_weights(lab, chosen)
     messy, mask_noise, noise_degrees = (0, 0, 0) if clean else (0.5, 0.3, 8.0)
-    return Options(seed, count, split, weights.ctypes.data, messy, mask_noise, 1.0, 0.7, noise_degrees, 0, 0), weights
+    options = Options(seed, count, split, weights.ctypes.data, messy, mask_noise, 1.0, 0.7, noise_degrees, 0, 0, PULLS[pull])
+    return options, weights

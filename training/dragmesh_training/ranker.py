@@ -25,7 +25,7 @@ from . import boosted_trees, prefilter
 from .cases import KEPT_BEST, case_file, costs, load, log_weights, make
 from .config import HELD_OUT
 from .features import HIDDEN_GROUPS, NETWORK, PRISMATIC
-from .lab import LAB, chosen_kinds, names_by_id, open_lab, options_of
+from .lab import LAB, PULLS, chosen_kinds, names_by_id, open_lab, options_of
 
 GOOD = 0.02
 ONLY = ("trained", "first", "held", "paper", "test_only", "later")  # of config.kinds_of
@@ -55,7 +55,7 @@ def run_make(arguments):
     for first in range(0, arguments.count, 100):
         count = min(100, arguments.count - first)
         part = make(lab, arguments.seed * 1000003 + first, count, arguments.rows, arguments.split, chosen,
-                    arguments.noise, weights, prefilter_weights)
+                    arguments.noise, weights, prefilter_weights, pull=arguments.pull)
         part["features"] = part["features"].astype(np.float16)
         parts.append(part)
     data = {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
@@ -180,10 +180,10 @@ ANSWER_ARRAYS = (("pose", np.float32), ("confidence", np.float32), ("right_type"
                  ("line_error", np.float32), ("has_drag", np.int32), ("category", np.int32))
 
 
-def answers(lab, kinematics, ranker, seed, count, split, chosen, clean=False):
+def answers(lab, kinematics, ranker, seed, count, split, chosen, clean=False, pull="mixed"):
     """What the whole library answers on fresh cases."""
     data = {name: np.zeros(count, dtype) for name, dtype in ANSWER_ARRAYS}
-    options, keep = options_of(lab, seed, count, split, chosen, clean)
+    options, keep = options_of(lab, seed, count, split, chosen, clean, pull)
     pointers = (ctypes.c_void_p * len(data))(*[array.ctypes.data for array in data.values()])
     result = lab.dm_lab_answer(ctypes.byref(options), kinematics, ctypes.c_size_t(len(kinematics)), ranker,
                                ctypes.c_size_t(len(ranker)), pointers)
@@ -242,7 +242,7 @@ def run_answer(arguments):
     lab = open_lab(arguments.lab)
     kinematics, ranker = (open(path, "rb").read() for path in (arguments.weights, arguments.ranker))
     found = answers(lab, kinematics, ranker, arguments.seed, arguments.count, 1,
-                    chosen_kinds(lab, arguments.only), arguments.clean)
+                    chosen_kinds(lab, arguments.only), arguments.clean, arguments.pull)
     for name, mask in (("with a drag", found["has_drag"] != 0), ("without", found["has_drag"] == 0)):
         right = mask & (found["right_type"] != 0)
         axis, line = 1000 * found["axis_error"][right], 1000 * found["line_error"][right & (found["line_error"] >= 0)]
@@ -308,6 +308,7 @@ def run(words):
     one.add_argument("--split", type=int, default=0)
     one.add_argument("--noise", type=float, default=14.0)
     one.add_argument("--only", choices=ONLY, default="trained")
+    one.add_argument("--pull", choices=PULLS, default="mixed", help="how the parts are pulled (training/lab/pull.c)")
     one.add_argument("--weights")
     one.add_argument("--prefilter", help="weights of the prefilter; without them all candidates are evaluated")
     one.set_defaults(run=run_make)
@@ -339,6 +340,7 @@ def run(words):
     three.add_argument("--ranker", default=os.path.join(models, "ranker.safetensors"))
     three.add_argument("--only", choices=ONLY, default="test_only")
     three.add_argument("--clean", action="store_true", help="objects without augmentation, masks and drags without errors")
+    three.add_argument("--pull", choices=PULLS, default="tangent", help="how the parts are pulled (training/lab/pull.c)")
     three.add_argument("--count", type=int, default=4000)
     three.add_argument("--seed", type=int, default=91)
     three.set_defaults(run=run_answer)

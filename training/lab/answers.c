@@ -4,10 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "case.h"
 #include "kinematics/inference/joint_inference.h"
 #include "math/linear3.h"
 #include "pose_error.h"
+#include "pull.h"
 
 static void score(const lab_case* made, const dm_joint* truth, const float drag_point[3], const dm_joint* answer,
                   const dm_lab_answers* out, uint32_t at) {
@@ -29,7 +29,7 @@ static void score(const lab_case* made, const dm_joint* truth, const float drag_
 static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net,
                              const dmi_joint_models* joints, lab_case* made, const dm_lab_answers* out, uint32_t at) {
     dm_joint truth;
-    const dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &truth);
+    const dmi_drag_hint hint = lab_case_drag(made, options->pull, options->drag_noise_degrees, &truth);
     const int with_drag = lab_random_bool(&made->random, options->with_drag);
     const dmi_inference_query query = {.mesh = made->mesh,
                                        .cloud = &made->cloud,

@@ -3,15 +3,15 @@
 
 #include "case.h"
 
-void lab_rotate_object(dmi_random* random, dmg_object* object) {
-    float axis[3], rotation[9];
+void lab_rotate_object(dmi_random* random, dmg_object* object, float out_rotation[9]) {
+    float axis[3];
     lab_random_direction(random, axis);
-    lab_rotation(axis, lab_random_uniform(random, 0.0f, 3.14159265f), rotation);
+    lab_rotation(axis, lab_random_uniform(random, 0.0f, 3.14159265f), out_rotation);
     for (uint32_t v = 0; v < object->vertex_count; v++)
-        lab_rotate(rotation, object->positions + 3 * v, object->positions + 3 * v);
+        lab_rotate(out_rotation, object->positions + 3 * v, object->positions + 3 * v);
     for (uint32_t j = 0; j < object->joint_count; j++) {
-        lab_rotate(rotation, object->joints[j].axis, object->joints[j].axis);
-        lab_rotate(rotation, object->joints[j].origin, object->joints[j].origin);
+        lab_rotate(out_rotation, object->joints[j].axis, object->joints[j].axis);
+        lab_rotate(out_rotation, object->joints[j].origin, object->joints[j].origin);
     }
 }
 

@@ -120,7 +120,8 @@ static dm_result try_case(dmi_env* env, const dm_lab_options* options, lab_case*
     out->part = 1 + dmi_random_u32(random) % out->object.joint_count;
     const dmg_joint* joint = &out->object.joints[out->part - 1];
     if (joint->type < DM_JOINT_REVOLUTE || joint->type > DM_JOINT_CONTINUOUS) return DM_ERROR_NOT_FOUND;
-    if (lab_random_bool(random, options->rotated)) lab_rotate_object(random, &out->object);
+    lab_rotation((const float[3]){0, 0, 1}, 0, out->rotation);
+    if (lab_random_bool(random, options->rotated)) lab_rotate_object(random, &out->object, out->rotation);
     if (lab_random_bool(random, options->mask_noise)) lab_augment_mask(random, &out->object, out->part);
     dm_result result = make_mesh(env, &out->object, &out->mesh);
     if (result == DM_OK) result = weld_and_repair(env, out);
@@ -172,23 +173,6 @@ void lab_case_release(dmi_env* env, lab_case* made) {
     dmg_object_release(&made->object);
     made->mesh = NULL;
     made->welded = NULL;
-}
-
-dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_joint) {
-    const float noise = lab_random_uniform(&made->random, 0.0f, noise_degrees);
-    float point[3], vector[3];
-    dmg_drag(&made->object, made->part, noise, dmi_random_u32(&made->random), point, vector);
-    const dm_joint* joint = &made->joint;
-    const float range = joint->upper - joint->lower;
-    const int closing = joint->type == DM_JOINT_CONTINUOUS || -joint->lower > 0.2f * range;
-    if (closing && lab_random_bool(&made->random, 0.4f))
-        for (int i = 0; i < 3; i++) vector[i] = -vector[i];
-    dmi_drag_hint hint;
-    dmi_frame_point_in(&made->mesh->frame, (const double[3]){point[0], point[1], point[2]}, hint.point);
-    dmi_frame_vector_in(&made->mesh->frame, vector, hint.vector);
-    *out_joint = *joint;
-    dmi_joint_orient(out_joint, &hint);
-    return hint;
 }
 
 dmi_drag_hint lab_given_drag(lab_case* made, const dm_lab_given* given, float noise_degrees, dm_joint* out_joint) {

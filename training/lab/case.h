@@ -17,6 +17,7 @@ typedef struct lab_case {
     dm_joint joint;       /* object-normalised, positive opens, origin nearest the part's centre */
     uint32_t category_id; /* dmg_category_id */
     uint32_t part;        /* the generator's id */
+    float rotation[9];    /* columns: axes of the room that the object was modelled in; of a generated case */
 } lab_case;
 
 /* Makes the `index`-th case of the options' stream. Release after success. */
@@ -26,10 +27,6 @@ void lab_case_release(dmi_env* env, lab_case* made);
 /* Makes a case from a mesh and joint of the caller, which it borrows. Release after success. */
 struct dm_lab_given;
 dm_result lab_case_given(dmi_env* env, const struct dm_lab_given* given, lab_case* out_case);
-
-/* Draws a drag on the case's part, in the object-normalised frame: mostly opening, sometimes closing where the joint
- * has room for that. Returns the joint signed so that positive follows the drag. */
-dmi_drag_hint lab_case_drag(lab_case* made, float noise_degrees, dm_joint* out_joint);
 
 /* Rotates the given drag about a random direction by a random angle, and signs the joint along it. */
 dmi_drag_hint lab_given_drag(lab_case* made, const struct dm_lab_given* given, float noise_degrees,
@@ -45,8 +42,8 @@ void lab_random_direction(dmi_random* random, float out[3]);
 void lab_rotation(const float axis[3], float angle, float out[9]);
 void lab_rotate(const float rotation[9], const float v[3], float out[3]);
 
-/* Rotates the whole object, labels too, by a random rotation. */
-void lab_rotate_object(dmi_random* random, dmg_object* object);
+/* Rotates the whole object, labels too, by a random rotation, which is written. */
+void lab_rotate_object(dmi_random* random, dmg_object* object, float out_rotation[9]);
 /* Removes patches from the part's mask or extends it by patches of the body: one to three, each at most a seventh of
  * the part's area. */
 void lab_augment_mask(dmi_random* random, dmg_object* object, uint32_t part);

@@ -14,6 +14,16 @@
 /* Which objects: seeds are dealt to the splits by a hash of category id and seed, 18 : 1 : 1 (dmg_split). */
 enum { DM_LAB_TRAIN = 0, DM_LAB_VALIDATION = 1, DM_LAB_TEST = 2 };
 
+/* Kinds of pulls. Where a hand takes hold, and their shares in the mixture, are in one table (pull.c). */
+enum {
+    DM_LAB_PULL_TANGENT = 0, /* anywhere on the part, the way in which the point starts to move, with an error */
+    DM_LAB_PULL_EXACT = 1,   /* the same without an error */
+    DM_LAB_PULL_CHORD = 2,   /* straight to where the point is after any share of its way */
+    DM_LAB_PULL_ROOM = 3,    /* along the nearest axis of the room that the object was modelled in */
+    DM_LAB_PULL_SCREEN = 4,  /* along the nearest axis of a camera in any orientation */
+    DM_LAB_PULL_MIXED = 5    /* any of these */
+};
+
 typedef struct dm_lab_options {
     uint64_t seed;
     uint32_t count;
@@ -25,9 +35,11 @@ typedef struct dm_lab_options {
     float mask_noise;         /* share of objects whose part mask loses or leaks patches */
     float rotated;            /* share of objects turned by a random rotation */
     float with_drag;          /* share of cases with a drag (KPP alone: the VAE always has one) */
-    float drag_noise_degrees; /* each case's drag error has a sigma between 0 and this many degrees */
+    float drag_noise_degrees; /* each case's drag error has a sigma between 0 and this many degrees; exact pulls have
+                                 none, half of the straight ones either */
     float joint_noise;        /* VAE: share of cases whose given joint is slightly off */
     float hand_noise;         /* VAE: share of cases whose path is drawn by an unsteady hand */
+    int32_t pull;             /* DM_LAB_PULL_*; the VAE's and the part finder's cases are tangential */
 } dm_lab_options;
 
 /* A batch for KPP-Net: its input (docs/networks.md), and labels in the input's frame. */

@@ -2,8 +2,8 @@
 #include "evaluate_candidates.h"
 
 #include "pose_error.h"
+#include "pull.h"
 
-#define EXACT_DRAGS 0.4f /* share of cases; by hand */
 #define BLOCK ((size_t)1 << 20)
 #define WEIGHTS_BLOCK ((size_t)64 * 1024)
 
@@ -86,9 +86,7 @@ static dm_result evaluate_cases(lab_evaluator* evaluator, const dm_lab_options* 
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         result = lab_case_make(&evaluator->env, options, i, &w->made);
         if (result != DM_OK) break;
-        /* Some drags are exact, as from a host that computes the tangent. */
-        const float noise = lab_random_bool(&w->made.random, EXACT_DRAGS) ? 0 : options->drag_noise_degrees;
-        w->hint = lab_case_drag(&w->made, noise, &w->joint);
+        w->hint = lab_case_drag(&w->made, options->pull, options->drag_noise_degrees, &w->joint);
         result = lab_evaluate_case(evaluator, lab_random_bool(&w->made.random, options->with_drag), i, each, user);
         lab_case_release(&evaluator->env, &w->made);
     }

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "case.h"
 #include "lab_given.h"
+#include "pull.h"
 
 static float clamped(float value, float most) {
     return fmaxf(-most, fminf(most, value));
@@ -49,7 +49,7 @@ static void write_generated(lab_case* made, const dm_lab_options* options, dmi_k
     dm_joint joint = made->joint;
     const int with_drag = lab_random_bool(&made->random, options->with_drag);
     dmi_drag_hint hint;
-    if (with_drag) hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
+    if (with_drag) hint = lab_case_drag(made, options->pull, options->drag_noise_degrees, &joint);
     write_case(made, with_drag ? &hint : NULL, &joint, input, out, i);
 }
 

@@ -10,8 +10,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "case.h"
 #include "mesh/connectivity.h"
+#include "pull.h"
 #include "segmentation/nearest_face.h"
 #include "segmentation/part_networks.h"
 #include "segmentation/proposal_features.h"
@@ -60,7 +60,7 @@ uint32_t dm_lab_choice_most(void) {
 
 static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
     dm_joint joint;
-    const dmi_drag_hint hint = lab_case_drag(made, noise_degrees, &joint);
+    const dmi_drag_hint hint = lab_case_drag(made, DM_LAB_PULL_TANGENT, noise_degrees, &joint);
     float length = 0;
     for (int k = 0; k < 3; k++) length += hint.vector[k] * hint.vector[k];
     const int has_drag = !lab_random_bool(&made->random, WITHOUT_DRAG) && length > 0;

@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "case.h"
 #include "lab_given.h"
 #include "math/linear3.h"
 #include "motion/dq_vae.h"
+#include "pull.h"
 
 #define STROKES 4      /* of every object: simulating one is much cheaper than making an object */
 #define THREADED 0.12f /* share of turning joints */
@@ -99,7 +99,7 @@ dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out)
         dmi_vae_object_points(&made->cloud, object);
         for (uint32_t k = 0; k < STROKES && i < options->count; k++, i++) {
             dm_joint joint;
-            dmi_drag_hint hint = lab_case_drag(made, options->drag_noise_degrees, &joint);
+            dmi_drag_hint hint = lab_case_drag(made, DM_LAB_PULL_TANGENT, options->drag_noise_degrees, &joint);
             const int turns = joint.type == DM_JOINT_REVOLUTE || joint.type == DM_JOINT_CONTINUOUS;
             if (turns && options->split == DM_LAB_TRAIN && lab_random_bool(&made->random, THREADED))
                 thread(&made->random, &hint, &joint);

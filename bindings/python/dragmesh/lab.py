@@ -11,6 +11,7 @@ import numpy as np
 from .library import find_library
 
 SPLITS = {"train": 0, "validation": 1, "test": 2}
+PULLS = {name: pull for pull, name in enumerate(("tangent", "exact", "chord", "room", "screen", "mixed"))}  # DM_LAB_PULL_*
 SETS = ("first", "trained", "test_only")  # DMG_SET_* of training/generator/generator.h
 
 
@@ -25,7 +26,8 @@ class Options(c.Structure):
     """dm_lab_options. categories: address of a weight for each id, uint8, as many as dm_lab_category_id_limit says."""
     _fields_ = [("seed", c.c_uint64), ("count", c.c_uint32), ("split", c.c_int32), ("categories", c.c_void_p),
                 ("messy", c.c_float), ("mask_noise", c.c_float), ("rotated", c.c_float), ("with_drag", c.c_float),
-                ("drag_noise_degrees", c.c_float), ("joint_noise", c.c_float), ("hand_noise", c.c_float)]
+                ("drag_noise_degrees", c.c_float), ("joint_noise", c.c_float), ("hand_noise", c.c_float),
+                ("pull", c.c_int32)]
 
 
 # Name, dtype and shape of one case, in the order of the C structs.
@@ -59,6 +61,11 @@ def kinds(lib):
             for row in range(lib.dm_lab_category_count())]
 
 
+def numbers_of(mix):
+    """The mix with the name of its pull, where it has one, as a number."""
+    return {**mix, "pull": PULLS[mix.get("pull", "tangent")]}
+
+
 class Lab:
     """One loaded lab library."""
 
@@ -86,7 +93,7 @@ class Lab:
         layout = KPP_ARRAYS if network == "kpp" else VAE_ARRAYS
         function = self._lib.dm_lab_kpp_given if network == "kpp" else self._lib.dm_lab_vae_given
         arrays, pointers = self._arrays(layout, 1 if network == "kpp" else count)
-        options = Options(seed=seed, count=count, **mix)
+        options = Options(seed=seed, count=count, **numbers_of(mix))
         return arrays if function(c.byref(case), c.byref(options), pointers) == 0 else None
 
     @staticmethod
@@ -97,7 +104,8 @@ class Lab:
     def _batch(self, function, layout, seed, count, categories, split, mix):
         allowed = np.zeros(self._lib.dm_lab_category_id_limit(), np.uint8)
         allowed[[self._ids[name] for name in categories]] = 1
-        options = Options(seed=seed, count=count, split=SPLITS[split], categories=allowed.ctypes.data, **mix)
+        options = Options(seed=seed, count=count, split=SPLITS[split], categories=allowed.ctypes.data,
+                          **numbers_of(mix))
         arrays, pointers = self._arrays(layout, count)
         result = function(c.byref(options), pointers)
         if result != 0:
