@@ -31,6 +31,14 @@ workspace "dragmesh"
         sanitize { "Thread" }
     filter {}
 
+-- Whether a package with that header is there.
+local function installed(header)
+    for _, folder in ipairs { "", "x86_64-linux-gnu/", "aarch64-linux-gnu/" } do
+        if os.isfile("/usr/include/" .. folder .. header) then return true end
+    end
+    return false
+end
+
 local embree = os.isfile("/usr/include/embree4/rtcore.h") and "embree4" or "embree3"
 
 -- Declares a program or library: its sources, the folders it may include from, and what it links.
@@ -159,11 +167,21 @@ local core = { "dragmesh_core", "cjson", embree, "m" }
 
 shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plugin_api/dragmesh.map")
 
--- glTF in and out: the one room with C++ (tinygltf behind a thin C file).
+-- glTF in and out. Draco's decoder is the one part in C++; a build without a library refuses its extension by name.
+local compression = { { "draco", "draco/compression/decode.h" }, { "meshoptimizer", "meshoptimizer.h" } }
+local gltf_libraries, gltf_macros = { "dragmesh_core", "cjson", "m" }, {}
+for _, library in ipairs(compression) do
+    if installed(library[2]) then
+        table.insert(gltf_libraries, library[1])
+    else
+        table.insert(gltf_macros, library[1] == "draco" and "DMI_NO_DRACO" or "DMI_NO_MESHOPT")
+    end
+end
 shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
     { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh" }) },
-    { "dragmesh_core", "tinygltf", "cjson", "m" }, "plugin_api/dragmesh_gltf.map")
+    gltf_libraries, "plugin_api/dragmesh_gltf.map")
     language "C++"
+    defines(gltf_macros)
 
 -- The procedural generator, and the library through which training sees the sdk's own samplers.
 local generator = "training/generator"
@@ -182,12 +200,6 @@ program("dragmesh_generate", { "training/generate/*.c" }, { api, "sdk", generato
     { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
 
 -- What samples link beside the library; one whose library is missing is left out (scripts/install viewer).
-local function installed(header)
-    for _, folder in ipairs { "", "x86_64-linux-gnu/", "aarch64-linux-gnu/" } do
-        if os.isfile("/usr/include/" .. folder .. header) then return true end
-    end
-    return false
-end
 local has_viewer = installed "SDL2/SDL.h" and installed "epoxy/gl.h"
 local needs = {
     dynamic_load = { "dl" },

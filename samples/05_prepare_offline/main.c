@@ -57,16 +57,12 @@ static int write_object(dm_context* context, dm_object object, const char* path)
 
 /* On the build machine. */
 static int prepare(dm_context* context, const char* file, const char* body, const char* out, const char* models) {
-    size_t size;
-    void* bytes = read_whole(file, &size);
-    const dm_gltf_desc source = {
-        .struct_size = sizeof source, .data = bytes, .size = size, .log = {NULL, print_message}};
+    const dm_gltf_desc source = {.struct_size = sizeof source, .log = {NULL, print_message}};
     dm_gltf* gltf;
     dm_model model;
     dm_mesh_desc mesh;
     dm_object object;
-    if (load_weights(context, models, &model) != DM_OK || dm_gltf_open(&source, &gltf) != DM_OK) return 1;
-    free(bytes);
+    if (load_weights(context, models, &model) != DM_OK || dm_gltf_open_file(file, &source, &gltf) != DM_OK) return 1;
     dm_gltf_get_mesh(gltf, &mesh);
     uint8_t* parts = number_parts(gltf, body, mesh.index_count / 3);
     mesh.part_ids = parts, mesh.part_id_bytes = mesh.index_count / 3;

@@ -74,12 +74,8 @@ static float mesh_diagonal(const dm_mesh_desc* mesh) {
 }
 
 static int open_file(world* world, const char* path) {
-    size_t size = 0;
-    char* data = file_read(path, &size);
-    if (data == NULL) return fail(world, "can't read '%s': %s", path, strerror(errno));
-    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = data, .size = size, .log = {world, keep_message}};
-    dm_result result = dm_gltf_open(&desc, &world->gltf);
-    free(data);
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .log = {world, keep_message}};
+    dm_result result = dm_gltf_open_file(path, &desc, &world->gltf);
     if (result == DM_OK) result = dm_gltf_get_mesh(world->gltf, &world->mesh);
     if (result != DM_OK) return -1;
     world->face_count = (uint32_t)(world->mesh.index_count / 3);

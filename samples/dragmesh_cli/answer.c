@@ -6,12 +6,12 @@
 #include "job.h"
 #include "json.h"
 
-void joint_to_json(const dm_joint* joint, cJSON* out) {
+void joint_to_json(const dm_joint* joint, const double frame[3], cJSON* out) {
     cJSON_AddStringToObject(out, "type", joint_type_name(joint->type));
     json_add_number(out, "type_confidence", (double)joint->type_confidence, 4);
     json_add_number(out, "confidence", (double)joint->joint_confidence, 4);
     json_add_vector(out, "axis", joint->axis);
-    json_add_vector(out, "origin", joint->origin);
+    json_add_point(out, "origin", joint->origin, frame);
     const bool limited = joint->type != DM_JOINT_CONTINUOUS;
     json_add_number(out, "lower", limited ? (double)joint->lower : NAN, 9);
     json_add_number(out, "upper", limited ? (double)joint->upper : NAN, 9);
@@ -19,11 +19,11 @@ void joint_to_json(const dm_joint* joint, cJSON* out) {
 }
 
 void answer_to_json(const joint_answer* answer, cJSON* out) {
-    joint_to_json(&answer->joint, out);
+    joint_to_json(&answer->joint, answer->frame, out);
     cJSON* hypotheses = cJSON_AddArrayToObject(out, "hypotheses");
     for (uint32_t i = 0; i < answer->hypothesis_count; i++) {
         cJSON* hypothesis = cJSON_CreateObject();
-        joint_to_json(&answer->hypotheses[i], hypothesis);
+        joint_to_json(&answer->hypotheses[i], answer->frame, hypothesis);
         cJSON_AddItemToArray(hypotheses, hypothesis);
     }
     if (answer->ambiguous_mask)
@@ -34,21 +34,21 @@ void answer_to_json(const joint_answer* answer, cJSON* out) {
     json_add_number(ms, "motion", answer->motion_ms, 5);
 }
 
-void joint_print(const dm_joint* joint) {
+void joint_print(const dm_joint* joint, const double frame[3]) {
     const char* unit = joint->type == DM_JOINT_PRISMATIC ? "units" : "rad";
     printf("%-10s %3.0f %%  axis (%.4f, %.4f, %.4f)  origin (%.4f, %.4f, %.4f)", joint_type_name(joint->type),
            (double)joint->joint_confidence * 100, (double)joint->axis.x, (double)joint->axis.y, (double)joint->axis.z,
-           (double)joint->origin.x, (double)joint->origin.y, (double)joint->origin.z);
+           (double)joint->origin.x + frame[0], (double)joint->origin.y + frame[1], (double)joint->origin.z + frame[2]);
     if (joint->type != DM_JOINT_CONTINUOUS)
         printf("  from %.4f to %.4f %s", (double)joint->lower, (double)joint->upper, unit);
     printf("\n");
 }
 
 void answer_print(const joint_answer* answer) {
-    joint_print(&answer->joint);
+    joint_print(&answer->joint, answer->frame);
     for (uint32_t i = 1; i < answer->hypothesis_count; i++) {
         printf("   or ");
-        joint_print(&answer->hypotheses[i]);
+        joint_print(&answer->hypotheses[i], answer->frame);
     }
     printf("%.1f ms to prepare, %.1f ms of them kinematics; %.2f ms for the motion\n", answer->prepare_ms,
            answer->kinematics_ms, answer->motion_ms);

@@ -8,7 +8,7 @@
 enum { DEFAULT_FRAMES = 60, MAX_FRAMES = 100000 }; /* key frames of the opening; by hand */
 static const float seconds_open = 2;               /* duration of the opening, s; by hand */
 
-static dm_result animate(session* session, const job* job, int frames, const char* out_path) {
+static dm_result animate(session* session, job* job, int frames, const char* out_path) {
     joint_answer answer;
     dm_result result = job_answer(session, job, &answer);
     if (result != DM_OK) return result;

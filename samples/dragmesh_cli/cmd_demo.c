@@ -94,7 +94,7 @@ static void aim_pointer(player* p, const metric_case* known) {
 
 static void print_joint_beside_truth(const known_joint* truth, const dm_joint* found, const metric_row* row) {
     printf("found  ");
-    joint_print(found);
+    joint_print(found, (double[3]){0, 0, 0});
     printf("true   %-10s        axis (%.4f, %.4f, %.4f)  origin (%.4f, %.4f, %.4f)  from %.4f to %.4f %s\n",
            truth->slides ? "prismatic" : "revolute", truth->axis.x, truth->axis.y, truth->axis.z, truth->origin.x,
            truth->origin.y, truth->origin.z, truth->lower, truth->upper, truth->slides ? "units" : "rad");
@@ -114,7 +114,7 @@ static void true_poses(const metric_case* known, dm_pose poses[PANELS]) {
         dm_joint_pose(&joint, (float)(metrics_travel(known) * i / (PANELS - 1)), &poses[i]);
 }
 
-static dm_result open_view(player* p, metric_case* known, const job* job, joint_answer* answer) {
+static dm_result open_view(player* p, metric_case* known, job* job, joint_answer* answer) {
     dm_pose poses[PANELS];
     dm_result result = job_answer(p->session, job, answer); /* without a drag, as a game prepares while it loads */
     if (result == DM_OK) result = render_open(p->view, p->session, 'y');
@@ -177,7 +177,7 @@ static vec* vertices_of(const session* session, size_t* out_count) {
 
 static dm_result demonstrate(session* session, const known_object* object, const char* prefix) {
     const known_joint* truth = &object->joints[0];
-    const job job = {.file = object->glb, .moving = truth->moving};
+    job job = {.file = object->glb, .moving = truth->moving};
     metric_case known = {.truth = truth, .drag = &truth->drags[0], .dragged = 1};
     renderer view;
     player p = {.session = session, .view = &view};

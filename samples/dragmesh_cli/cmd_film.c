@@ -16,7 +16,7 @@ typedef struct film_options {
     int axis;
 } film_options;
 
-static dm_result film(session* session, const job* job, const film_options* options) {
+static dm_result film(session* session, job* job, const film_options* options) {
     joint_answer answer;
     renderer renderer;
     dm_pose poses[MAX_FRAMES];

@@ -64,7 +64,7 @@ static int answer_jobs(session* session, const char* path) {
     return status;
 }
 
-static int answer_one(session* session, const job* job, int as_json) {
+static int answer_one(session* session, job* job, int as_json) {
     joint_answer answer;
     const dm_result code = job_answer(session, job, &answer);
     if (as_json) {

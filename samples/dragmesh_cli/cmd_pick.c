@@ -51,8 +51,9 @@ static void print_hit(const session* session, const dm_hit* hit, int as_json) {
     if (!as_json && !hit->object) printf("nothing\n");
     if (!as_json && hit->object)
         printf("%s, triangle %llu of it, at (%g, %g, %g), %g away\n", node.name,
-               (unsigned long long)(hit->triangle - node.first_face), (double)hit->point.x, (double)hit->point.y,
-               (double)hit->point.z, (double)hit->distance);
+               (unsigned long long)(hit->triangle - node.first_face), (double)hit->point.x + session->origin[0],
+               (double)hit->point.y + session->origin[1], (double)hit->point.z + session->origin[2],
+               (double)hit->distance);
     if (!as_json) return;
     cJSON* out = cJSON_CreateObject();
     cJSON_AddBoolToObject(out, "hit", hit->object != 0);
@@ -62,7 +63,7 @@ static void print_hit(const session* session, const dm_hit* hit, int as_json) {
         cJSON_AddNumberToObject(out, "triangle", hit->triangle);
         cJSON_AddNumberToObject(out, "node_triangle", (double)(hit->triangle - node.first_face));
         json_add_number(out, "distance", (double)hit->distance, 9);
-        json_add_vector(out, "point", hit->point);
+        json_add_point(out, "point", hit->point, session->origin);
         json_add_vector(out, "normal", hit->normal);
     }
     json_print_line(out);
@@ -71,9 +72,9 @@ static void print_hit(const session* session, const dm_hit* hit, int as_json) {
 static int run(int argc, char** argv) {
     const char* file = NULL;
     int as_json = 0, has_ray = 0;
-    float numbers[6];
+    double numbers[6];
     const option_spec table[] = {
-        {.name = "--ray", .kind = OPTION_NUMBERS, .value = numbers, .count = 6, .given = &has_ray},
+        {.name = "--ray", .kind = OPTION_DOUBLES, .value = numbers, .count = 6, .given = &has_ray},
         {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
     int status = options_read(&cli_pick, argc, argv, table, 2, &file);
@@ -81,9 +82,9 @@ static int run(int argc, char** argv) {
         status = options_refuse(&cli_pick, "a file and a --ray are needed");
     if (status == CLI_OK) status = session_open(&session, "none", NULL);
     if (status != CLI_OK) return status;
-    const dm_ray ray = {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
     dm_hit hit = {.struct_size = sizeof hit};
     dm_result result = session_use_file(&session, file);
+    const dm_ray ray = {session_point(&session, numbers), {(float)numbers[3], (float)numbers[4], (float)numbers[5]}};
     if (result == DM_OK) result = pick(&session, &ray, &hit);
     if (result == DM_OK)
         print_hit(&session, &hit, as_json);

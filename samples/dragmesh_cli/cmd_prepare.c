@@ -83,10 +83,10 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
         cJSON* item = cJSON_CreateObject();
         cJSON_AddNumberToObject(item, "id", part.id);
         cJSON_AddStringToObject(item, "name", name);
-        joint_to_json(&found.joint, item);
+        joint_to_json(&found.joint, session->origin, item);
         cJSON_AddItemToArray(parts, item);
         if (!as_json) printf("part %u '%s': ", part.id, name);
-        if (!as_json) joint_print(&found.joint);
+        if (!as_json) joint_print(&found.joint, session->origin);
     }
     cJSON_AddNumberToObject(out, "bytes", (double)bytes);
     if (as_json)

@@ -81,6 +81,7 @@ static void place_object(trial* t) {
     const uint64_t count = t->session->mesh.vertex_count;
     t->positions = cli_alloc(count * 3 * sizeof(float));
     memcpy(t->positions, t->session->mesh.positions, count * 3 * sizeof(float));
+    for (uint64_t i = 0; i < 3 * count; i++) t->positions[i] += (float)t->session->origin[i % 3];
     t->size = largest_side(t->positions, count);
     if (!t->options->has_turn) return;
     const similarity s = random_similarity(t->random, t->size);

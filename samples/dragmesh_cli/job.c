@@ -136,10 +136,12 @@ dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job*
     return result == DM_OK ? read_joints(session, job, out_answer) : result;
 }
 
-dm_result job_answer(session* session, const job* job, joint_answer* out_answer) {
+dm_result job_answer(session* session, job* job, joint_answer* out_answer) {
     memset(out_answer, 0, sizeof *out_answer);
     dm_result result = session_use_file(session, job->file);
     if (result != DM_OK) return result;
+    job->drag.point = session_point(session, job->drag_point);
+    memcpy(out_answer->frame, session->origin, sizeof out_answer->frame);
     selection selected;
     result = select_part(session, job, &selected, out_answer);
     if (result == DM_OK && can_refine(session, job, &selected)) {

@@ -17,8 +17,9 @@ typedef struct job {
     int has_mask_value;
     double mask_noise; /* share of the part's vertices lost and leaked, for experiments */
     int has_drag;
-    dm_drag_hint drag;
-    int32_t type; /* DM_JOINT_*; UNKNOWN: to be inferred */
+    double drag_point[3]; /* in the file's frame */
+    dm_drag_hint drag;    /* in the session's, once the file is open */
+    int32_t type;         /* DM_JOINT_*; UNKNOWN: to be inferred */
 } job;
 
 typedef struct joint_answer {
@@ -26,6 +27,7 @@ typedef struct joint_answer {
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
     bool ambiguous_mask;
+    double frame[3];                             /* origin of the joints' frame, in the file's */
     double prepare_ms, kinematics_ms, motion_ms; /* kinematics is part of prepare */
 } joint_answer;
 
@@ -33,7 +35,7 @@ typedef struct joint_answer {
 typedef struct job_options {
     job job;
     const char *models, *type;
-    float point[3], vector[3];
+    float vector[3];
     int has_point, has_vector;
 } job_options;
 enum { JOB_OPTIONS = 6 };
@@ -45,16 +47,17 @@ int job_options_finish(const cli_command* command, job_options* options, const c
 dm_result job_from_json(session* session, const cJSON* json, job* out_job);
 void job_free(job* job);
 
-/* Answers a job; its file and object become the session's. */
-dm_result job_answer(session* session, const job* job, joint_answer* out_answer);
+/* Answers a job, whose drag then is in the session's frame; its file and object become the session's. */
+dm_result job_answer(session* session, job* job, joint_answer* out_answer);
 /* The same for a mesh that is no file's; part_ids as `mesh` says. */
 dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, joint_answer* out_answer);
 
 /* Adds type, axis, origin … to a result object. */
 void answer_to_json(const joint_answer* answer, cJSON* out);
 void answer_print(const joint_answer* answer);
-void joint_to_json(const dm_joint* joint, cJSON* out);
-void joint_print(const dm_joint* joint);
+/* frame: origin of the joint's frame, which is added to the joint's own. */
+void joint_to_json(const dm_joint* joint, const double frame[3], cJSON* out);
+void joint_print(const dm_joint* joint, const double frame[3]);
 const char* joint_type_name(int32_t type);
 /* DM_JOINT_UNKNOWN for a name that is none. */
 int32_t joint_type_from_name(const char* name);

@@ -30,8 +30,8 @@ void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS])
         {.name = "--type", .kind = OPTION_TEXT, .value = &options->type},
         {.name = "--mask", .kind = OPTION_TEXT, .value = &options->job.mask},
         {.name = "--drag-point",
-         .kind = OPTION_NUMBERS,
-         .value = options->point,
+         .kind = OPTION_DOUBLES,
+         .value = options->job.drag_point,
          .count = 3,
          .given = &options->has_point},
         {.name = "--drag-vector",
@@ -56,8 +56,7 @@ int job_options_finish(const cli_command* command, job_options* options, const c
         return options_refuse(command, "--type: '%s' is no joint type", options->type);
     job->file = file;
     job->has_drag = options->has_point;
-    job->drag = (dm_drag_hint){{options->point[0], options->point[1], options->point[2]},
-                               {options->vector[0], options->vector[1], options->vector[2]}};
+    job->drag.vector = (dm_vec3){options->vector[0], options->vector[1], options->vector[2]};
     return CLI_OK;
 }
 
@@ -87,19 +86,17 @@ static dm_result read_number(session* session, const cJSON* json, const char* na
     return DM_OK;
 }
 
-static dm_result read_vector(session* session, const cJSON* json, const char* name, dm_vec3* out, int* out_given) {
+static dm_result read_vector(session* session, const cJSON* json, const char* name, double out[3], int* out_given) {
     const cJSON* found = member(json, name);
     if (found == NULL) return DM_OK;
-    float numbers[3];
     int count = 0;
     const cJSON* item;
     cJSON_ArrayForEach(item, found) {
-        if (cJSON_IsNumber(item) && count < 3) numbers[count] = (float)item->valuedouble;
+        if (cJSON_IsNumber(item) && count < 3) out[count] = item->valuedouble;
         count += cJSON_IsNumber(item) ? 1 : 4;
     }
     if (!cJSON_IsArray(found) || count != 3)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not three numbers", name);
-    *out = (dm_vec3){numbers[0], numbers[1], numbers[2]};
     *out_given = 1;
     return DM_OK;
 }
@@ -125,16 +122,17 @@ static dm_result read_moving(session* session, const cJSON* json, name_list* out
 static dm_result read_fields(session* session, const cJSON* json, job* out) {
     const char* type = NULL;
     int has_vector = 0, ignored = 0;
-    double value = 0;
+    double value = 0, vector[3] = {0, 0, 0};
     dm_result result = read_text(session, json, "file", &out->file);
     if (result == DM_OK) result = read_text(session, json, "mask", &out->mask);
     if (result == DM_OK) result = read_text(session, json, "type", &type);
     if (result == DM_OK) result = read_number(session, json, "mask_value", &value, &out->has_mask_value);
     if (result == DM_OK) result = read_number(session, json, "mask_noise", &out->mask_noise, &ignored);
-    if (result == DM_OK) result = read_vector(session, json, "drag_point", &out->drag.point, &out->has_drag);
-    if (result == DM_OK) result = read_vector(session, json, "drag_vector", &out->drag.vector, &has_vector);
+    if (result == DM_OK) result = read_vector(session, json, "drag_point", out->drag_point, &out->has_drag);
+    if (result == DM_OK) result = read_vector(session, json, "drag_vector", vector, &has_vector);
     if (result == DM_OK) result = read_moving(session, json, &out->moving);
     if (result != DM_OK) return result;
+    out->drag.vector = (dm_vec3){(float)vector[0], (float)vector[1], (float)vector[2]};
     out->mask_value = fabs(value) < 9e15 ? (int64_t)value : INT64_MAX;
     if (out->has_drag != has_vector)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" without \"%s\"",

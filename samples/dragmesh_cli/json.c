@@ -21,6 +21,14 @@ void json_add_vector(cJSON* object, const char* name, dm_vec3 vector) {
     for (int i = 0; i < 3; i++) cJSON_AddItemToArray(list, number_item((double)numbers[i], 9));
 }
 
+/* 9 digits tell floats apart; what was added to a large origin may need all that a double has. */
+void json_add_point(cJSON* object, const char* name, dm_vec3 point, const double origin[3]) {
+    cJSON* list = cJSON_AddArrayToObject(object, name);
+    const float numbers[3] = {point.x, point.y, point.z};
+    for (int i = 0; i < 3; i++)
+        cJSON_AddItemToArray(list, number_item((double)numbers[i] + origin[i], origin[i] != 0 ? 15 : 9));
+}
+
 static void print_and_delete(cJSON* object, char* text) {
     if (text != NULL) puts(text);
     fflush(stdout);

@@ -51,6 +51,12 @@ static bool read_number(const char* text, char end, double* out, const char** ou
     return true;
 }
 
+static bool read_doubles(const char* text, int count, double* out) {
+    for (int i = 0; i < count; i++)
+        if (!read_number(text, i + 1 < count ? ',' : 0, &out[i], &text)) return false;
+    return true;
+}
+
 static bool read_numbers(const char* text, int count, float* out) {
     for (int i = 0; i < count; i++) {
         double number;
@@ -78,6 +84,8 @@ static bool read_value(const option_spec* option, const char* text) {
         return read_number(text, 0, option->value, &rest);
     case OPTION_NUMBERS:
         return read_numbers(text, option->count, option->value);
+    case OPTION_DOUBLES:
+        return read_doubles(text, option->count, option->value);
     case OPTION_INTEGER:
     case OPTION_SEED:
         break;

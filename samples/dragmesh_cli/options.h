@@ -19,6 +19,7 @@ enum option_kind {
     OPTION_SEED,    /* int*: the integer that follows, or 1 when something else does */
     OPTION_NUMBER,  /* double* */
     OPTION_NUMBERS, /* float[count]: comma-separated */
+    OPTION_DOUBLES, /* double[count]: the same */
     OPTION_NAMES    /* name_list* */
 };
 

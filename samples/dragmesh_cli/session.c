@@ -67,25 +67,39 @@ void session_close(session* session) {
     session->context = NULL;
 }
 
+/* Standard input: nothing lies beside it. */
+static dm_result open_input(session* session) {
+    size_t size;
+    char* bytes = file_read("-", &size);
+    if (bytes == NULL) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read: %s", strerror(errno));
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
+    const dm_result result =
+        size > 0 ? dm_gltf_open(&desc, &session->gltf) : session_fail(session, DM_ERROR_BAD_DATA, "it is empty");
+    free(bytes);
+    return result;
+}
+
+static dm_result open_path(session* session, const char* path) {
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .log = {session, on_message}};
+    return dm_gltf_open_file(path, &desc, &session->gltf);
+}
+
+dm_vec3 session_point(const session* session, const double point[3]) {
+    return (dm_vec3){(float)(point[0] - session->origin[0]), (float)(point[1] - session->origin[1]),
+                     (float)(point[2] - session->origin[2])};
+}
+
 dm_result session_use_file(session* session, const char* path) {
     if (session->path != NULL && strcmp(session->path, path) == 0) return DM_OK;
     release_file(session);
-    size_t size;
-    char* bytes = file_read(path, &size);
-    if (bytes == NULL) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read '%s': %s", path, strerror(errno));
-    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
-    dm_result result = DM_ERROR_BAD_DATA;
-    if (size == 0)
-        session_fail(session, result, "'%s' is empty", path);
-    else
-        result = dm_gltf_open(&desc, &session->gltf);
-    free(bytes);
+    const dm_result result = strcmp(path, "-") == 0 ? open_input(session) : open_path(session, path);
     if (result != DM_OK) {
         char reason[sizeof session->error];
         memcpy(reason, session->error, sizeof reason);
         snprintf(session->error, sizeof session->error, "%.800s (in '%.200s')", reason, path);
         return result;
     }
+    dm_gltf_get_origin(session->gltf, session->origin);
     dm_gltf_get_mesh(session->gltf, &session->mesh);
     session->path = cli_alloc(strlen(path) + 1);
     strcpy(session->path, path);

@@ -26,6 +26,7 @@ typedef struct session {
     char* path; /* of the file below; NULL: none */
     dm_gltf* gltf;
     dm_mesh_desc mesh; /* into gltf, no part ids */
+    double origin[3];  /* of the mesh, in the file's frame */
 
     dm_object object;  /* of the last job; 0: none */
     uint8_t* part_ids; /* it was prepared with; NULL when it came from elsewhere than the file */
@@ -42,6 +43,8 @@ dm_result session_fail(session* session, dm_result code, const char* format, ...
 
 /* Makes `path` the session's file; does nothing when it is already. */
 dm_result session_use_file(session* session, const char* path);
+/* A point of the file's frame in the mesh's. */
+dm_vec3 session_point(const session* session, const double point[3]);
 /* Stores the part ids that the object was just prepared with; takes ownership of `ids`. */
 void session_own_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type);
 /* Destroys the last job's object. */

@@ -1,11 +1,10 @@
 /* dm_gltf: opening and closing a file, its nodes and its mesh. */
-#include "mesh/gltf/gltf_container.h"
-#include "mesh/gltf/gltf_file.h"
+#include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_merge.h"
 #include "mesh/gltf/gltf_tree.h"
 
 /* A newer caller may only send zeros where this library knows no field. */
-static dm_result check_desc(dmi_env* env, const dm_gltf_desc* desc) {
+dm_result dmi_gltf_check_desc(dmi_env* env, const dm_gltf_desc* desc, int has_data) {
     if (desc->struct_size < sizeof *desc)
         return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "dm_gltf_desc.struct_size is %u, at least %zu is needed",
                         desc->struct_size, sizeof *desc);
@@ -15,54 +14,80 @@ static dm_result check_desc(dmi_env* env, const dm_gltf_desc* desc) {
             return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "dm_gltf_desc: byte %u is set, this library knows %zu", i,
                             sizeof *desc);
     }
-    if (!desc->data || desc->size == 0) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_desc.data is empty");
+    if (has_data != (desc->data && desc->size > 0))
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                        has_data ? "dm_gltf_desc.data is empty" : "dm_gltf_desc.data: the file's name stands for it");
     if ((desc->allocator.allocate == NULL) != (desc->allocator.release == NULL))
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_desc.allocator: both functions or none");
+    if ((desc->files.open == NULL) != (desc->files.close == NULL))
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_desc.files: both functions or none");
     return DM_OK;
 }
 
-static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc) {
-    int binary;
-    dm_result result = dmi_gltf_check_container(&gltf->env, desc->data, desc->size, &binary);
+void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem) {
+    dmi_gltf_warn(&gltf->env, "%s; left out", problem->text);
+    if (gltf->left_out.code == DM_OK) gltf->left_out = *problem;
+}
+
+static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem* problem) {
+    dmi_gltf_container container;
+    cJSON* root;
+    dm_result result = dmi_gltf_split(desc->data, desc->size, problem, &container);
+    if (result == DM_OK) result = dmi_json_parse(container.json, container.json_size, problem, &root);
     if (result != DM_OK) return result;
-    char message[512] = "";
-    result = dmi_tiny_parse(desc->data, desc->size, binary, &gltf->tiny, message, sizeof message);
-    if (result != DM_OK) return dmi_fail(&gltf->env, result, "glTF: %s", message);
-    const char* foreign = dmi_tiny_foreign_extension(gltf->tiny);
-    if (foreign) return dmi_fail(&gltf->env, DM_ERROR_UNSUPPORTED, "glTF: the file needs %s", foreign);
-    result = dmi_gltf_read_tree(gltf);
-    return result == DM_OK ? dmi_gltf_merge(gltf) : result;
+    result = dmi_gltf_document_open(&gltf->env, root, problem, &gltf->document);
+    if (result == DM_OK) result = dmi_gltf_check_asset(&gltf->document, problem);
+    if (result == DM_OK) result = dmi_gltf_read_buffers(gltf, &container, problem);
+    if (result == DM_OK) result = dmi_gltf_read_tree(gltf, problem);
+    return result == DM_OK ? dmi_gltf_merge(gltf, problem) : result;
+}
+
+dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, char* folder, size_t folder_size, dm_gltf** out_gltf) {
+    dmi_env setup;
+    dmi_env_init(&setup, &desc->allocator, &desc->log, NULL);
+    dm_gltf* gltf = dmi_alloc_zeroed(&setup, sizeof *gltf, 64);
+    if (!gltf) {
+        dmi_free(&setup, folder, folder_size);
+        return dmi_fail(&setup, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %zu bytes", sizeof *gltf);
+    }
+    dmi_env_init(&gltf->env, &desc->allocator, &desc->log, NULL);
+    gltf->folder = folder;
+    gltf->folder_size = folder_size;
+    gltf->files = folder ? dmi_gltf_folder_files(gltf) : desc->files;
+    dmi_gltf_problem problem = {.code = DM_OK};
+    const dm_result result = load(gltf, desc, &problem);
+    if (result == DM_OK) {
+        *out_gltf = gltf;
+        return DM_OK;
+    }
+    dm_gltf_close(gltf);
+    return dmi_fail(&setup, result, "%s", problem.text);
 }
 
 dm_result dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf) {
     dmi_env setup;
     if (!desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env_init(&setup, NULL, desc->struct_size >= sizeof *desc ? &desc->log : NULL, NULL);
-    dm_result result = check_desc(&setup, desc);
-    if (result != DM_OK) return result;
-    dmi_env_init(&setup, &desc->allocator, &desc->log, NULL);
-    dm_gltf* gltf = dmi_alloc_zeroed(&setup, sizeof *gltf, 64);
-    if (!gltf) return dmi_fail(&setup, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %zu bytes", sizeof *gltf);
-    dmi_env_init(&gltf->env, &desc->allocator, &desc->log, NULL);
-    result = load(gltf, desc);
-    if (result == DM_OK)
-        *out_gltf = gltf;
-    else
-        dm_gltf_close(gltf);
-    return result;
+    const dm_result result = dmi_gltf_check_desc(&setup, desc, 1);
+    return result == DM_OK ? dmi_gltf_open_in(desc, NULL, 0, out_gltf) : result;
 }
 
 void dm_gltf_close(dm_gltf* gltf) {
     if (!gltf) return;
     dmi_env* env = &gltf->env;
-    dmi_tiny_free(gltf->tiny);
-    dmi_free(env, gltf->parents, gltf->tree_count * sizeof *gltf->parents);
-    dmi_free(env, gltf->order, gltf->tree_count * sizeof *gltf->order);
-    dmi_free(env, gltf->worlds, gltf->tree_count * 16 * sizeof *gltf->worlds);
+    const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    dmi_gltf_release_buffers(gltf);
+    dmi_free(env, gltf->tree, count * sizeof *gltf->tree);
+    dmi_free(env, gltf->order, count * sizeof *gltf->order);
     dmi_free(env, gltf->nodes, gltf->node_capacity * sizeof *gltf->nodes);
     dmi_free(env, gltf->pieces, gltf->piece_capacity * sizeof *gltf->pieces);
-    dmi_free(env, gltf->positions, gltf->vertex_count * 3 * sizeof *gltf->positions);
-    dmi_free(env, gltf->indices, gltf->face_count * 3 * sizeof *gltf->indices);
+    dmi_free(env, gltf->positions, gltf->vertex_capacity * 3 * sizeof *gltf->positions);
+    dmi_free(env, gltf->indices, gltf->face_capacity * 3 * sizeof *gltf->indices);
+    dmi_free(env, gltf->sources, gltf->vertex_capacity * sizeof *gltf->sources);
+    dmi_free(env, gltf->vertex_places, gltf->vertex_capacity * sizeof *gltf->vertex_places);
+    dmi_free(env, gltf->face_places, gltf->face_capacity * sizeof *gltf->face_places);
+    dmi_gltf_document_close(env, &gltf->document);
+    dmi_free(env, gltf->folder, gltf->folder_size);
     dmi_env last;
     dmi_env_init(&last, &env->allocator, NULL, NULL);
     dmi_free(&last, gltf, sizeof *gltf);
@@ -87,4 +112,8 @@ dm_result dm_gltf_get_mesh(const dm_gltf* gltf, dm_mesh_desc* out_mesh) {
                                .indices = gltf->indices,
                                .index_count = 3 * gltf->face_count};
     return DM_OK;
+}
+
+void dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]) {
+    for (int k = 0; k < 3; k++) out_origin[k] = gltf ? gltf->origin[k] : 0;
 }

@@ -1,24 +1,37 @@
 /* Accessors of a file that nobody vouches for: every offset, stride and count is checked against the buffer's real size
  * before a byte is read. */
+#include "mesh/gltf/gltf_accessor.h"
+
 #include <inttypes.h>
 #include <string.h>
 
-#include "mesh/gltf/gltf_accessor.h"
+#include "mesh/gltf/gltf_buffers.h"
 
-static uint64_t component_size(int32_t type) {
+uint32_t dmi_gltf_component_size(int32_t type) {
     switch (type) {
-    case DMI_TINY_BYTE:
-    case DMI_TINY_UBYTE:
+    case DMI_GLTF_BYTE:
+    case DMI_GLTF_UBYTE:
         return 1;
-    case DMI_TINY_SHORT:
-    case DMI_TINY_USHORT:
+    case DMI_GLTF_SHORT:
+    case DMI_GLTF_USHORT:
         return 2;
-    case DMI_TINY_UINT:
-    case DMI_TINY_FLOAT:
+    case DMI_GLTF_UINT:
+    case DMI_GLTF_FLOAT:
         return 4;
     default:
         return 0;
     }
+}
+
+int32_t dmi_gltf_components(const char* type) {
+    static const struct {
+        const char* name;
+        int32_t components;
+    } types[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
+    for (size_t i = 0; type && i < sizeof types / sizeof *types; i++) {
+        if (strcmp(type, types[i].name) == 0) return types[i].components;
+    }
+    return 0;
 }
 
 /* count elements of `element` bytes, `stride` apart from `offset` on, lie within `size` bytes. */
@@ -28,92 +41,90 @@ static int fits(uint64_t offset, uint64_t count, uint64_t element, uint64_t stri
     return (count - 1) <= (size - element - offset) / stride;
 }
 
-/* The elements' first byte in `out_data`, their distance in `out_stride`. */
-static dm_result find_range(dmi_env* env, const dmi_tiny* tiny, int32_t index, uint64_t offset, uint64_t count,
-                            uint64_t element, const char* place, const uint8_t** out_data, uint64_t* out_stride) {
-    dmi_tiny_view view;
-    if (!dmi_tiny_get_view(tiny, index, &view))
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: buffer view %d, or its buffer, does not exist", place, index);
-    if (view.offset > view.buffer_size || view.size > view.buffer_size - view.offset)
-        return dmi_fail(env, DM_ERROR_BAD_DATA,
-                        "%s: buffer view %d, bytes %" PRIu64 " + %" PRIu64 ", leaves its buffer of %" PRIu64, place,
-                        index, view.offset, view.size, view.buffer_size);
+/* The elements of `json`, which names a view and an offset in it. */
+static dm_result find_range(dm_gltf* gltf, const cJSON* json, uint64_t count, uint64_t element, const char* place,
+                            dmi_gltf_problem* problem, const uint8_t** out_data, uint64_t* out_stride) {
+    const double index = dmi_json_number(json, "bufferView", DMI_GLTF_NO_INDEX);
+    dmi_gltf_view view;
+    uint64_t offset;
+    dm_result result = dmi_json_whole(json, "byteOffset", 0, UINT32_MAX, place, problem, &offset);
+    if (result == DM_OK) result = dmi_gltf_find_view(gltf, index, place, problem, &view);
+    if (result != DM_OK) return result;
     const uint64_t stride = view.stride ? view.stride : element;
     if (!fits(offset, count, element, stride, view.size))
-        return dmi_fail(env, DM_ERROR_BAD_DATA,
-                        "%s: %" PRIu64 " elements of %" PRIu64 " bytes from byte %" PRIu64
-                        " on leave buffer view %d of %" PRIu64 " bytes",
-                        place, count, element, offset, index, view.size);
-    *out_data = view.buffer + view.offset + offset;
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
+                               "%s: %" PRIu64 " elements of %" PRIu64 " bytes from byte %" PRIu64
+                               " on leave buffer view %.17g of %" PRIu64 " bytes",
+                               place, count, element, offset, index, view.size);
+    *out_data = view.data + offset;
     *out_stride = stride;
     return DM_OK;
 }
 
-static dm_result find_changes(dmi_env* env, const dmi_tiny* tiny, const dmi_tiny_accessor* accessor, uint64_t element,
-                              const char* place, dmi_gltf_elements* out) {
-    const uint64_t index_size = component_size(accessor->index_type);
-    if (accessor->sparse_count > accessor->count)
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: %" PRIu64 " sparse elements of %" PRIu64, place,
-                        accessor->sparse_count, accessor->count);
-    if (accessor->index_type != DMI_TINY_UBYTE && accessor->index_type != DMI_TINY_USHORT &&
-        accessor->index_type != DMI_TINY_UINT)
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: sparse indices of component type %d", place, accessor->index_type);
-    out->change_count = accessor->sparse_count;
-    out->changed_type = accessor->index_type;
-    dm_result result = find_range(env, tiny, accessor->index_view, accessor->index_offset, out->change_count,
-                                  index_size, place, &out->changed, &out->changed_size);
+static dm_result find_changes(dm_gltf* gltf, const cJSON* sparse, uint64_t element, const char* place,
+                              dmi_gltf_problem* problem, dmi_gltf_elements* out) {
+    const cJSON *indices = dmi_json_get(sparse, "indices"), *values = dmi_json_get(sparse, "values");
+    const int32_t type = (int32_t)dmi_json_number(indices, "componentType", 0);
+    dm_result result = dmi_json_whole(sparse, "count", 0, (double)out->count, place, problem, &out->change_count);
     if (result != DM_OK) return result;
-    result = find_range(env, tiny, accessor->value_view, accessor->value_offset, out->change_count, element, place,
-                        &out->changes, &out->change_stride);
-    if (result != DM_OK) return result;
-    for (uint64_t i = 0; i < out->change_count; i++) {
+    if (type != DMI_GLTF_UBYTE && type != DMI_GLTF_USHORT && type != DMI_GLTF_UINT)
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: sparse indices of component type %d", place, type);
+    out->changed_type = type;
+    result = find_range(gltf, indices, out->change_count, dmi_gltf_component_size(type), place, problem, &out->changed,
+                        &out->changed_size);
+    if (result == DM_OK)
+        result =
+            find_range(gltf, values, out->change_count, element, place, problem, &out->changes, &out->change_stride);
+    for (uint64_t i = 0; result == DM_OK && i < out->change_count; i++) {
         if (dmi_gltf_changed(out, i) >= out->count)
-            return dmi_fail(env, DM_ERROR_INDEX_OUT_OF_RANGE, "%s: sparse index %" PRIu64 " of %" PRIu64 " elements",
-                            place, dmi_gltf_changed(out, i), out->count);
+            return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
+                                   "%s: sparse index %" PRIu64 " of %" PRIu64 " elements", place,
+                                   dmi_gltf_changed(out, i), out->count);
     }
-    return DM_OK;
+    return result;
 }
 
-dm_result dmi_gltf_find_elements(dmi_env* env, const dmi_tiny* tiny, int32_t index, const char* place,
+dm_result dmi_gltf_find_elements(dm_gltf* gltf, double index, const char* place, dmi_gltf_problem* problem,
                                  dmi_gltf_elements* out) {
-    dmi_tiny_accessor accessor;
-    if (!dmi_tiny_get_accessor(tiny, index, &accessor))
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: accessor %d does not exist", place, index);
-    const uint64_t size = component_size(accessor.component_type);
-    if (size == 0 || accessor.components <= 0)
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: accessor %d has component type %d", place, index,
-                        accessor.component_type);
-    if (accessor.count > DM_MAX_ELEMENTS)
-        return dmi_fail(env, DM_ERROR_TOO_LARGE, "%s: accessor %d counts %" PRIu64 " elements, %d is the most", place,
-                        index, accessor.count, DM_MAX_ELEMENTS);
-    const uint64_t element = size * (uint64_t)accessor.components;
-    *out = (dmi_gltf_elements){.count = accessor.count,
-                               .component_type = accessor.component_type,
-                               .components = accessor.components,
-                               .normalized = accessor.normalized};
-    if (accessor.view >= 0) {
-        const dm_result result = find_range(env, tiny, accessor.view, accessor.offset, accessor.count, element, place,
-                                            &out->data, &out->stride);
-        if (result != DM_OK) return result;
-    } else if (!accessor.sparse) {
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "%s: accessor %d has no data", place, index);
-    }
-    return accessor.sparse ? find_changes(env, tiny, &accessor, element, place, out) : DM_OK;
+    const cJSON* json = dmi_gltf_item(&gltf->document, DMI_GLTF_ACCESSORS, index);
+    if (!cJSON_IsObject(json))
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: accessor %.17g does not exist", place, index);
+    const double type = dmi_json_number(json, "componentType", 0);
+    *out = (dmi_gltf_elements){.component_type = type >= 0 && type <= INT32_MAX ? (int32_t)type : 0,
+                               .components = dmi_gltf_components(dmi_json_text(json, "type")),
+                               .normalized = cJSON_IsTrue(dmi_json_get(json, "normalized"))};
+    const uint32_t size = dmi_gltf_component_size(out->component_type);
+    if (size == 0 || out->components == 0)
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: accessor %.17g has component type %.17g", place, index,
+                               type);
+    dm_result result = dmi_json_whole(json, "count", 0, UINT32_MAX, place, problem, &out->count);
+    if (result != DM_OK) return result;
+    if (out->count > DM_MAX_ELEMENTS)
+        return dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE,
+                               "%s: accessor %.17g counts %" PRIu64 " elements, %d is the most", place, index,
+                               out->count, DM_MAX_ELEMENTS);
+    const uint64_t element = size * (uint64_t)out->components;
+    const cJSON* sparse = dmi_json_get(json, "sparse");
+    if (dmi_json_get(json, "bufferView"))
+        result = find_range(gltf, json, out->count, element, place, problem, &out->data, &out->stride);
+    else if (!sparse)
+        result = dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: accessor %.17g has no data", place, index);
+    return result == DM_OK && sparse ? find_changes(gltf, sparse, element, place, problem, out) : result;
 }
 
 /* Integers in the file are little-endian. */
 static double read_component(const uint8_t* bytes, int32_t type, int32_t normalized) {
-    const uint16_t u16 = (uint16_t)(bytes[0] | (type == DMI_TINY_BYTE || type == DMI_TINY_UBYTE ? 0 : bytes[1] << 8));
+    const uint16_t u16 = (uint16_t)(bytes[0] | (type == DMI_GLTF_BYTE || type == DMI_GLTF_UBYTE ? 0 : bytes[1] << 8));
     switch (type) {
-    case DMI_TINY_UBYTE:
+    case DMI_GLTF_UBYTE:
         return normalized ? bytes[0] / 255.0 : bytes[0];
-    case DMI_TINY_BYTE: {
+    case DMI_GLTF_BYTE: {
         const double value = (int8_t)bytes[0];
         return !normalized ? value : value < -127 ? -1 : value / 127;
     }
-    case DMI_TINY_USHORT:
+    case DMI_GLTF_USHORT:
         return normalized ? u16 / 65535.0 : u16;
-    case DMI_TINY_SHORT: {
+    case DMI_GLTF_SHORT: {
         const double value = (int16_t)u16;
         return !normalized ? value : value < -32767 ? -1 : value / 32767;
     }
@@ -121,14 +132,14 @@ static double read_component(const uint8_t* bytes, int32_t type, int32_t normali
         break;
     }
     const uint32_t u32 = (uint32_t)u16 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
-    if (type == DMI_TINY_UINT) return u32;
+    if (type == DMI_GLTF_UINT) return u32;
     float value;
     memcpy(&value, &u32, sizeof value);
     return (double)value;
 }
 
 static double read_at(const dmi_gltf_elements* elements, const uint8_t* element, int component) {
-    return read_component(element + component_size(elements->component_type) * (uint64_t)component,
+    return read_component(element + dmi_gltf_component_size(elements->component_type) * (uint64_t)component,
                           elements->component_type, elements->normalized);
 }
 
@@ -142,4 +153,21 @@ uint64_t dmi_gltf_changed(const dmi_gltf_elements* elements, uint64_t i) {
 
 double dmi_gltf_change(const dmi_gltf_elements* elements, uint64_t i, int component) {
     return read_at(elements, elements->changes + i * elements->change_stride, component);
+}
+
+void dmi_gltf_read_floats(const dmi_gltf_elements* elements, float* out) {
+    const int components = elements->components;
+    for (uint64_t i = 0; i < elements->count; i++) {
+        for (int k = 0; k < components; k++) out[i * components + k] = (float)dmi_gltf_element(elements, i, k);
+    }
+    for (uint64_t i = 0; i < elements->change_count; i++) {
+        float* to = out + dmi_gltf_changed(elements, i) * components;
+        for (int k = 0; k < components; k++) to[k] = (float)dmi_gltf_change(elements, i, k);
+    }
+}
+
+void dmi_gltf_read_indices(const dmi_gltf_elements* elements, uint32_t* out) {
+    for (uint64_t i = 0; i < elements->count; i++) out[i] = (uint32_t)dmi_gltf_element(elements, i, 0);
+    for (uint64_t i = 0; i < elements->change_count; i++)
+        out[dmi_gltf_changed(elements, i)] = (uint32_t)dmi_gltf_change(elements, i, 0);
 }

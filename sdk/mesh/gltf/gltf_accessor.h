@@ -2,8 +2,7 @@
 #ifndef DMI_MESH_GLTF_ACCESSOR_H
 #define DMI_MESH_GLTF_ACCESSOR_H
 
-#include "base/env.h"
-#include "mesh/gltf/gltf_tiny.h"
+#include "mesh/gltf/gltf_file.h"
 
 /* Elements of an accessor, every byte of which was checked to lie in its buffer. */
 typedef struct dmi_gltf_elements {
@@ -15,12 +14,19 @@ typedef struct dmi_gltf_elements {
     int32_t changed_type;
 } dmi_gltf_elements;
 
-dm_result dmi_gltf_find_elements(dmi_env* env, const dmi_tiny* tiny, int32_t accessor, const char* place,
+dm_result dmi_gltf_find_elements(dm_gltf* gltf, double accessor, const char* place, dmi_gltf_problem* problem,
                                  dmi_gltf_elements* out);
+/* Bytes of a component; 0: no component type. */
+uint32_t dmi_gltf_component_size(int32_t type);
+/* Components of "SCALAR", "VEC3" …; 0: no type. */
+int32_t dmi_gltf_components(const char* type);
 /* Component `component` of element `i`, sparse changes apart. */
 double dmi_gltf_element(const dmi_gltf_elements* elements, uint64_t i, int component);
 /* The element that sparse change `i` is about, and its component. */
 uint64_t dmi_gltf_changed(const dmi_gltf_elements* elements, uint64_t i);
 double dmi_gltf_change(const dmi_gltf_elements* elements, uint64_t i, int component);
+/* All elements, changes included. */
+void dmi_gltf_read_floats(const dmi_gltf_elements* elements, float* out);
+void dmi_gltf_read_indices(const dmi_gltf_elements* elements, uint32_t* out);
 
 #endif

@@ -1,11 +1,17 @@
-/* The checks of a file before it is parsed. */
+/* The parts of a .glb or .gltf file. */
 #ifndef DMI_MESH_GLTF_CONTAINER_H
 #define DMI_MESH_GLTF_CONTAINER_H
 
-#include "base/env.h"
+#include "mesh/gltf/gltf_problem.h"
 
-/* Checks header, chunk sizes, nesting, and the numbers that address bytes, before tinygltf sees them. *out_binary:
- * .glb. */
-dm_result dmi_gltf_check_container(dmi_env* env, const uint8_t* data, size_t size, int* out_binary);
+typedef struct dmi_gltf_container {
+    const char* json;
+    size_t json_size;
+    const uint8_t* bin; /* NULL: none */
+    size_t bin_size;
+} dmi_gltf_container;
+
+/* Checks header and chunk sizes. The parts point into `data`. */
+dm_result dmi_gltf_split(const uint8_t* data, size_t size, dmi_gltf_problem* problem, dmi_gltf_container* out);
 
 #endif

@@ -4,28 +4,31 @@
  *         └ <track>            animated: at the pivot, moved by the poses
  *           └ (to the pivot)   translation -pivot, so that below it lies the scene's frame
  *             └ (transforms of the nodes above the part, when they have some)
- *               └ the part     a node that moves as a whole: itself; else the moving triangles of its mesh, which
- *                              share the vertices of those that stay
- *
- * The pivot lies on the axis of the motion, so a turn is a rotation alone and viewers interpolate it exactly. */
+ *               └ the part     a node that moves as a whole: itself, with all below it when that moves too; else the
+ *                              moving triangles of its mesh
+ */
 #include <inttypes.h>
 #include <math.h>
 
-#include "math/dual_quat.h"
-#include "mesh/gltf/gltf_file.h"
-#include "mesh/gltf/gltf_write.h"
+#include "mesh/gltf/gltf_animation.h"
+#include "mesh/gltf/gltf_images.h"
+#include "mesh/gltf/gltf_split.h"
+#include "mesh/gltf/gltf_tree.h"
+
+/* What becomes of a node in the lists of children and roots, besides the index of its stand-in. */
+enum { KEPT = -1, GONE = -2, MOVED_ALONE = -3 /* what is below it stays */ };
 
 typedef struct exporter {
-    dmi_env* env;
-    const dm_gltf* gltf;
-    dmi_tiny* tiny; /* a copy of gltf's, being edited */
+    dmi_edit edit;
+    dmi_moves moves;
+    dm_gltf* gltf;
     const dm_gltf_track* tracks;
     uint32_t track_count;
-    uint32_t* owner;   /* a face: 1 + the track that moves it, 0 = stays */
-    uint64_t* moving;  /* faces a track */
-    uint32_t* corners; /* room for the indices of any piece */
-    int32_t* carriers; /* a track: the node below which the scene's frame lies */
-    int32_t last_carrier, last_parent, last_hook;
+    dmi_edit_item* carriers; /* a track: the node below which the scene's frame lies */
+    int32_t* places;         /* a node of the file: KEPT, GONE, or the node in its place */
+    uint8_t* carried;        /* a node of the file: it went with one above it */
+    dmi_edit_item* hooks;    /* a node of the file: what stands for it below the carrier of the track in hand */
+    uint32_t* path;          /* room for the nodes above one */
 } exporter;
 
 static dm_result check_track(dmi_env* env, const dm_gltf_track* track, uint32_t which) {
@@ -44,120 +47,7 @@ static dm_result check_track(dmi_env* env, const dm_gltf_track* track, uint32_t 
     return DM_OK;
 }
 
-/* Whose is each face; the first of two tracks that claim one gets it. */
-static dm_result claim_faces(exporter* e) {
-    for (uint64_t face = 0; face < e->gltf->face_count; face++) {
-        for (uint32_t t = e->track_count; t-- > 0;) {
-            if (e->tracks[t].face_ids[face] == e->tracks[t].value) e->owner[face] = t + 1;
-        }
-        if (e->owner[face]) e->moving[e->owner[face] - 1]++;
-    }
-    for (uint32_t t = 0; t < e->track_count; t++) {
-        if (e->moving[t] == 0) return dmi_fail(e->env, DM_ERROR_EMPTY_MASK, "track %u moves no triangle", t);
-    }
-    return DM_OK;
-}
-
-/* ---- the animation ---- */
-
-static void part_centre(const exporter* e, uint32_t track, float out[3]) {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint64_t corner = 0; corner < 3 * e->gltf->face_count; corner++) {
-        if (e->owner[corner / 3] != track + 1) continue;
-        const float* position = e->gltf->positions + 3 * (size_t)e->gltf->indices[corner];
-        for (int k = 0; k < 3; k++) {
-            low[k] = fmin(low[k], (double)position[k]);
-            high[k] = fmax(high[k], (double)position[k]);
-        }
-    }
-    for (int k = 0; k < 3; k++) out[k] = (float)((low[k] + high[k]) / 2);
-}
-
-/* Where the axis of the largest turn passes the part; the part's centre when nothing turns. */
-static void find_pivot(const exporter* e, uint32_t track, float out[3]) {
-    const dm_gltf_track* from = &e->tracks[track];
-    part_centre(e, track, out);
-    float best = 1e-3f;
-    dmi_screw screw = {{0, 0, 0}, {0, 0, 0}, 0, 0};
-    for (uint32_t k = 0; k < from->key_count; k++) {
-        const dmi_screw found = dmi_pose_to_screw(&from->poses[k]);
-        const float turn = fabsf(sinf(found.angle / 2));
-        if (turn <= best) continue;
-        best = turn;
-        screw = found;
-    }
-    if (screw.angle == 0) return;
-    float along = 0;
-    for (int k = 0; k < 3; k++) along += (out[k] - screw.point[k]) * screw.axis[k];
-    for (int k = 0; k < 3; k++) out[k] = screw.point[k] + along * screw.axis[k];
-}
-
-/* A motion that ends elsewhere than it starts is followed by itself backwards, so that it repeats without a jump. */
-static int ends_where_it_starts(const dm_gltf_track* track, const float pivot[3]) {
-    const dm_pose *first = &track->poses[0], *last = &track->poses[track->key_count - 1];
-    float a[3], b[3], same = 0, distance = 0, length = 0;
-    dmi_pose_apply(first, pivot, a);
-    dmi_pose_apply(last, pivot, b);
-    for (int k = 0; k < 4; k++) same += first->real[k] * last->real[k];
-    for (int k = 0; k < 3; k++) {
-        distance = fmaxf(distance, fabsf(a[k] - b[k]));
-        length = fmaxf(length, fabsf(a[k]));
-    }
-    return track->key_count > 1 && fabsf(same) > 1 - 1e-6f && distance <= 1e-5f * length;
-}
-
-typedef struct keys {
-    float *times, *translations, *rotations;
-    uint32_t count;
-} keys;
-
-/* Key `at` of the written motion from key `k` of the track. */
-static void write_key(keys* out, uint32_t at, const dm_gltf_track* track, uint32_t k, const float pivot[3]) {
-    const dm_pose pose = dmi_pose_normalize(&track->poses[k]);
-    const uint32_t last = track->key_count - 1;
-    out->times[at] = at <= last ? track->times[k] : 2 * track->times[last] - track->times[k];
-    dmi_pose_apply(&pose, pivot, out->translations + 3 * (size_t)at);
-    float* rotation = out->rotations + 4 * (size_t)at;
-    float same = 0;
-    for (int i = 0; i < 4 && at > 0; i++) same += pose.real[i] * rotation[i - 4];
-    for (int i = 0; i < 4; i++) rotation[i] = same < 0 ? -pose.real[i] : pose.real[i]; /* the shorter way */
-}
-
-static void add_channels(exporter* e, int32_t animation, int32_t node, const keys* k) {
-    const int32_t times_view = dmi_tiny_add_view(e->tiny, k->times, k->count * sizeof(float), 0);
-    const int32_t times =
-        dmi_tiny_add_accessor(e->tiny, times_view, DMI_TINY_FLOAT, 1, k->count, &k->times[0], &k->times[k->count - 1]);
-    const int32_t moves_view = dmi_tiny_add_view(e->tiny, k->translations, k->count * 3 * sizeof(float), 0);
-    const int32_t moves = dmi_tiny_add_accessor(e->tiny, moves_view, DMI_TINY_FLOAT, 3, k->count, NULL, NULL);
-    const int32_t turns_view = dmi_tiny_add_view(e->tiny, k->rotations, k->count * 4 * sizeof(float), 0);
-    const int32_t turns = dmi_tiny_add_accessor(e->tiny, turns_view, DMI_TINY_FLOAT, 4, k->count, NULL, NULL);
-    dmi_tiny_add_channel(e->tiny, animation, node, "translation", times, moves);
-    dmi_tiny_add_channel(e->tiny, animation, node, "rotation", times, turns);
-}
-
-static dm_result add_track(exporter* e, uint32_t track, int32_t animation) {
-    const dm_gltf_track* from = &e->tracks[track];
-    float pivot[3];
-    find_pivot(e, track, pivot);
-    const uint32_t count = ends_where_it_starts(from, pivot) ? from->key_count : 2 * from->key_count - 1;
-    float* room = dmi_alloc(e->env, count * 8 * sizeof *room, 16);
-    if (!room) return dmi_fail(e->env, DM_ERROR_OUT_OF_MEMORY, "track %u: no memory for %u keys", track, count);
-    keys k = {.times = room, .translations = room + count, .rotations = room + 4 * (size_t)count, .count = count};
-    for (uint32_t i = 0; i < count; i++) write_key(&k, i, from, i < from->key_count ? i : count - 1 - i, pivot);
-    const double at[3] = {(double)pivot[0], (double)pivot[1], (double)pivot[2]};
-    const double back[3] = {-at[0], -at[1], -at[2]};
-    const int32_t node = dmi_tiny_add_node(e->tiny, from->name ? from->name : "moving_part", -1);
-    e->carriers[track] = dmi_tiny_add_node(e->tiny, NULL, -1);
-    dmi_tiny_set_translation(e->tiny, node, at);
-    dmi_tiny_set_translation(e->tiny, e->carriers[track], back);
-    dmi_tiny_add_root(e->tiny, node);
-    dmi_tiny_add_child(e->tiny, node, e->carriers[track]);
-    add_channels(e, animation, node, &k);
-    dmi_free(e->env, room, count * 8 * sizeof *room);
-    return DM_OK;
-}
-
-/* ---- the parts ---- */
+/* ---- the nodes above a part ---- */
 
 static int is_identity(const double m[16]) {
     for (int i = 0; i < 16; i++) {
@@ -166,112 +56,240 @@ static int is_identity(const double m[16]) {
     return 1;
 }
 
-/* The node below the track's carrier that stands where `parent` stands in the scene: its chain of transforms again. */
-static int32_t hook_below(exporter* e, int32_t carrier, int32_t parent) {
-    if (parent < 0) return carrier;
-    if (carrier == e->last_carrier && parent == e->last_parent) return e->last_hook;
-    dmi_tiny_node from;
-    dmi_tiny_get_node(e->gltf->tiny, (uint32_t)parent, &from);
-    int32_t hook = hook_below(e, carrier, e->gltf->parents[parent]);
-    if (!is_identity(from.matrix)) {
-        const int32_t link = dmi_tiny_add_node(e->tiny, NULL, -1);
-        dmi_tiny_copy_transform(e->tiny, parent, link);
-        dmi_tiny_add_child(e->tiny, hook, link);
-        hook = link;
+/* Gives a node the transform of one of the file, as the file writes it. */
+static void copy_transform(dmi_edit* e, const cJSON* from, cJSON* to) {
+    static const char* const names[] = {"matrix", "translation", "rotation", "scale"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const cJSON* found = dmi_json_get(from, names[i]);
+        if (found) dmi_edit_set(e, to, names[i], cJSON_Duplicate(found, 1));
     }
-    e->last_carrier = carrier;
-    e->last_parent = parent;
-    e->last_hook = hook;
+}
+
+static void add_child(dmi_edit* e, cJSON* parent, int32_t child) {
+    dmi_edit_append_number(e, dmi_edit_list(e, parent, "children"), child);
+}
+
+/* Forgets the hooks of the track before. */
+static void clear_hooks(exporter* x) {
+    for (uint32_t i = 0; i < x->gltf->document.counts[DMI_GLTF_NODES]; i++) x->hooks[i] = (dmi_edit_item){NULL, -1};
+}
+
+/* The node below the track's carrier that stands where the parent of `node` stands in the scene: its chain of
+ * transforms again. */
+static dmi_edit_item hook_above(exporter* x, uint32_t track, uint32_t node) {
+    dmi_edit* e = &x->edit;
+    uint32_t length = 0;
+    int32_t at = x->gltf->tree[node].parent;
+    for (; at >= 0 && !x->hooks[at].json; at = x->gltf->tree[at].parent) x->path[length++] = (uint32_t)at;
+    dmi_edit_item hook = at >= 0 ? x->hooks[at] : x->carriers[track];
+    while (length > 0) {
+        const uint32_t step = x->path[--length];
+        double local[16];
+        dmi_gltf_local_matrix(x->gltf->tree[step].json, local);
+        if (!is_identity(local)) {
+            const dmi_edit_item link = dmi_edit_add(e, DMI_GLTF_NODES, NULL);
+            copy_transform(e, x->gltf->tree[step].json, link.json);
+            add_child(e, hook.json, link.index);
+            hook = link;
+        }
+        x->hooks[step] = hook;
+    }
     return hook;
 }
 
-/* An accessor of the piece's triangles that `owner` has, as the primitive counts its vertices. */
-static int32_t split_indices(exporter* e, const dmi_gltf_piece* piece, uint32_t owner) {
-    uint64_t count = 0;
-    for (uint64_t face = piece->first_face; face < piece->first_face + piece->face_count; face++) {
-        if (e->owner[face] != owner) continue;
-        const uint32_t* from = e->gltf->indices + 3 * face;
-        for (int corner = 0; corner < 3; corner++)
-            e->corners[count++] = from[piece->mirrored ? 2 - corner : corner] - (uint32_t)piece->first_vertex;
+/* ---- the parts ---- */
+
+static cJSON* node_of(exporter* x, uint32_t node) {
+    return x->edit.problem.code == DM_OK ? x->edit.document.items[DMI_GLTF_NODES][node] : NULL;
+}
+
+/* Hangs a node of the file below the track. */
+static void move_node(exporter* x, uint32_t track, uint32_t node, int alone) {
+    add_child(&x->edit, hook_above(x, track, node).json, (int32_t)node);
+    x->places[node] = alone ? MOVED_ALONE : GONE;
+}
+
+/* Hangs the triangles of a node that a track moves below it. */
+static void move_triangles(exporter* x, uint32_t track, uint32_t node) {
+    dmi_edit* e = &x->edit;
+    const dmi_gltf_tree_node* from = &x->gltf->tree[node];
+    const int skinned = x->gltf->pieces[x->moves.first_pieces[node]].joint >= 0;
+    const int32_t mesh = dmi_split_mesh(e, &x->moves, node, track + 1);
+    if (mesh < 0) return;
+    const dmi_edit_item part = dmi_edit_add(e, DMI_GLTF_NODES, NULL);
+    const double* origin = x->gltf->origin;
+    if (from->name[0]) dmi_edit_text(e, part.json, "name", from->name);
+    dmi_edit_number(e, part.json, "mesh", mesh);
+    if (!skinned)
+        copy_transform(e, from->json, part.json);
+    else if (origin[0] != 0 || origin[1] != 0 || origin[2] != 0)
+        dmi_edit_numbers(e, part.json, "translation", origin, 3);
+    add_child(e, skinned ? x->carriers[track].json : hook_above(x, track, node).json, part.index);
+}
+
+/* Leaves a node the triangles that stay. */
+static void leave_triangles(exporter* x, uint32_t node) {
+    const int32_t mesh = dmi_split_mesh(&x->edit, &x->moves, node, 0);
+    cJSON* json = node_of(x, node);
+    if (!json) return;
+    if (mesh >= 0) {
+        dmi_edit_number(&x->edit, json, "mesh", mesh);
+        return;
     }
-    const int32_t view = dmi_tiny_add_view(e->tiny, e->corners, count * sizeof *e->corners, DMI_TINY_INDICES);
-    return dmi_tiny_add_accessor(e->tiny, view, DMI_TINY_UINT, 1, count, NULL, NULL);
+    cJSON_DeleteItemFromObjectCaseSensitive(json, "mesh");
+    cJSON_DeleteItemFromObjectCaseSensitive(json, "skin");
+    cJSON_DeleteItemFromObjectCaseSensitive(json, "weights");
 }
 
-static uint64_t owned_faces(const exporter* e, uint64_t first, uint64_t count, uint32_t owner) {
-    uint64_t owned = 0;
-    for (uint64_t face = first; face < first + count; face++) owned += e->owner[face] == owner;
-    return owned;
-}
-
-/* A mesh of the node's triangles that `owner` has; with owner 0 also of what has no triangles. -1: nothing. */
-static int32_t split_mesh(exporter* e, uint32_t node, int32_t mesh, uint32_t owner) {
-    int32_t split = -1;
-    uint32_t at = 0;
-    const dm_gltf* gltf = e->gltf;
-    for (uint32_t p = 0; p < dmi_tiny_primitive_count(gltf->tiny, mesh); p++) {
-        while (at < gltf->piece_count &&
-               (gltf->pieces[at].node < node || (gltf->pieces[at].node == node && gltf->pieces[at].primitive < p)))
-            at++;
-        const dmi_gltf_piece* piece = &gltf->pieces[at];
-        const int merged = at < gltf->piece_count && piece->node == node && piece->primitive == p;
-        const uint64_t owned = merged ? owned_faces(e, piece->first_face, piece->face_count, owner) : 0;
-        if (owned == 0 && (merged || owner != 0)) continue;
-        if (split < 0) split = dmi_tiny_add_mesh(e->tiny, NULL, mesh);
-        const int whole = !merged || owned == piece->face_count;
-        dmi_tiny_copy_primitive(e->tiny, mesh, p, split, whole ? -1 : split_indices(e, piece, owner));
+/* Whether some piece of the node has triangles of the track. */
+static int has_triangles(const exporter* x, uint32_t node, uint32_t track) {
+    const dm_gltf* gltf = x->gltf;
+    for (uint32_t p = x->moves.first_pieces[node]; p < gltf->piece_count && gltf->pieces[p].mesh_node == node; p++) {
+        if (dmi_moves_count(&x->moves, &gltf->pieces[p], track + 1) > 0) return 1;
     }
-    return split;
+    return 0;
 }
 
-/* Hangs what track `t` moves of the merged node below the track. */
-static void move_node(exporter* e, uint32_t node, uint32_t t) {
-    const dm_gltf_node* merged = &e->gltf->nodes[node];
-    dmi_tiny_node from;
-    dmi_tiny_get_node(e->gltf->tiny, merged->node, &from);
-    const int32_t hook = hook_below(e, e->carriers[t], e->gltf->parents[merged->node]);
-    int32_t moved = (int32_t)merged->node;
-    if (owned_faces(e, merged->first_face, merged->face_count, t + 1) == merged->face_count) {
-        dmi_tiny_unhook(e->tiny, moved);
-    } else {
-        moved = dmi_tiny_add_node(e->tiny, merged->name, split_mesh(e, node, from.mesh, t + 1));
-        dmi_tiny_copy_transform(e->tiny, (int32_t)merged->node, moved);
-    }
-    dmi_tiny_add_child(e->tiny, hook, moved);
-}
-
-static void move_parts(exporter* e) {
-    for (uint32_t node = 0; node < e->gltf->node_count; node++) {
-        const dm_gltf_node* merged = &e->gltf->nodes[node];
-        int whole = 0, touched = 0;
-        for (uint32_t t = 0; t < e->track_count; t++) {
-            const uint64_t owned = owned_faces(e, merged->first_face, merged->face_count, t + 1);
-            if (owned == 0) continue;
-            move_node(e, node, t);
-            touched = 1;
-            whole |= owned == merged->face_count;
+/* Parents come before their children, so that what a track moves as a whole is found from above. */
+static void move_parts(exporter* x, uint32_t track) {
+    clear_hooks(x);
+    for (uint32_t at = 0; at < x->gltf->order_count; at++) {
+        const uint32_t node = x->gltf->order[at];
+        const int32_t parent = x->gltf->tree[node].parent;
+        if (parent >= 0 && x->carried[parent]) x->carried[node] = 1;
+        if (x->carried[node]) continue;
+        if (x->moves.below[node] == (int32_t)track) {
+            move_node(x, track, node, 0);
+            x->carried[node] = 1;
+        } else if (x->moves.own[node] == (int32_t)track) {
+            move_node(x, track, node, 1);
+        } else if (x->moves.own[node] == DMI_MOVES_MIXED && has_triangles(x, node, track)) {
+            move_triangles(x, track, node);
         }
-        if (!touched || whole) continue;
-        dmi_tiny_node from;
-        dmi_tiny_get_node(e->gltf->tiny, merged->node, &from);
-        dmi_tiny_set_mesh(e->tiny, (int32_t)merged->node, split_mesh(e, node, from.mesh, 0));
     }
+}
+
+static void leave_parts(exporter* x) {
+    for (uint32_t i = 0; i < x->gltf->document.counts[DMI_GLTF_NODES]; i++) {
+        if (x->moves.own[i] == DMI_MOVES_MIXED) leave_triangles(x, i);
+    }
+}
+
+/* ---- lists of nodes ---- */
+
+/* Takes what has gone out of a list of nodes of the file, and the list out of its owner when nothing is left. */
+static void mend_list(exporter* x, cJSON* owner, const char* name) {
+    cJSON* list = owner ? cJSON_GetObjectItemCaseSensitive(owner, name) : NULL;
+    for (cJSON *item = list ? list->child : NULL, *next; item; item = next) {
+        next = item->next;
+        const double index = cJSON_IsNumber(item) ? item->valuedouble : DMI_GLTF_NO_INDEX;
+        const int64_t node = dmi_gltf_position(&x->gltf->document, DMI_GLTF_NODES, index);
+        if (node < 0 || x->places[node] == KEPT) continue;
+        if (x->places[node] == GONE)
+            cJSON_Delete(cJSON_DetachItemViaPointer(list, item));
+        else
+            cJSON_SetNumberHelper(item, x->places[node]);
+    }
+    if (list && !list->child) cJSON_DeleteItemFromObjectCaseSensitive(owner, name);
+}
+
+/* Puts an unnamed node in the place of one that has gone from above others. */
+static void stand_in(exporter* x, uint32_t node) {
+    dmi_edit* e = &x->edit;
+    cJSON* json = node_of(x, node);
+    cJSON* children = json ? cJSON_DetachItemFromObjectCaseSensitive(json, "children") : NULL;
+    x->places[node] = GONE;
+    if (!children) return;
+    const dmi_edit_item made = dmi_edit_add(e, DMI_GLTF_NODES, NULL);
+    dmi_edit_set(e, made.json, "children", children);
+    copy_transform(e, x->gltf->tree[node].json, made.json);
+    x->places[node] = made.index;
+}
+
+/* Children before their parents, so that a place is known before it is needed. */
+static void mend_lists(exporter* x) {
+    for (uint32_t at = x->gltf->order_count; at-- > 0;) {
+        const uint32_t node = x->gltf->order[at];
+        mend_list(x, node_of(x, node), "children");
+        if (x->places[node] == MOVED_ALONE) stand_in(x, node);
+    }
+    for (uint32_t i = 0; x->edit.problem.code == DM_OK && i < x->edit.document.counts[DMI_GLTF_SCENES]; i++)
+        mend_list(x, x->edit.document.items[DMI_GLTF_SCENES][i], "nodes");
+}
+
+/* The list of roots of the scene that a viewer shows. One that shows all roots gets them as a list. */
+static cJSON* shown_roots(exporter* x) {
+    dmi_edit* e = &x->edit;
+    const dmi_gltf_document* old = &x->gltf->document;
+    const double number = dmi_json_number(old->root, "scene", DMI_GLTF_NO_INDEX);
+    const int64_t scene = dmi_gltf_position(old, DMI_GLTF_SCENES, number);
+    const cJSON* listed = dmi_json_get(dmi_gltf_item(old, DMI_GLTF_SCENES, scene < 0 ? 0 : (double)scene), "nodes");
+    if (scene < 0) dmi_edit_number(e, e->document.root, "scene", 0);
+    cJSON* json = NULL;
+    if (e->problem.code == DM_OK && old->counts[DMI_GLTF_SCENES] > 0)
+        json = e->document.items[DMI_GLTF_SCENES][scene < 0 ? 0 : scene];
+    else
+        json = dmi_edit_add(e, DMI_GLTF_SCENES, NULL).json;
+    cJSON* roots = dmi_edit_list(e, json, "nodes");
+    for (uint32_t i = 0; !(listed && listed->child) && i < old->counts[DMI_GLTF_NODES]; i++) {
+        if (x->gltf->tree[i].parent < 0 && x->places[i] != GONE)
+            dmi_edit_append_number(e, roots, x->places[i] == KEPT ? (int32_t)i : x->places[i]);
+    }
+    return roots;
 }
 
 /* ---- the whole ---- */
 
-static dm_result run(exporter* e, void** out_data, size_t* out_size) {
-    if (!e->owner || !e->moving || !e->corners || !e->carriers || !e->tiny)
-        return dmi_fail(e->env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_export: no memory for %" PRIu64 " triangles",
-                        e->gltf->face_count);
-    dm_result result = claim_faces(e);
+/* Adds the animated node of a track, and behind it the one below that carries the scene's frame. */
+static void add_track(exporter* x, cJSON* animation, uint32_t track) {
+    dmi_edit* e = &x->edit;
+    double pivot[3];
+    const dmi_edit_item node = dmi_animation_add_track(e, &x->moves, animation, &x->tracks[track], track, pivot);
+    const double back[3] = {-pivot[0], -pivot[1], -pivot[2]};
+    x->carriers[track] = dmi_edit_add(e, DMI_GLTF_NODES, NULL);
+    dmi_edit_numbers(e, x->carriers[track].json, "translation", back, 3);
+    add_child(e, node.json, x->carriers[track].index);
+}
+
+static dm_result run(exporter* x, void** out_data, size_t* out_size) {
+    dmi_edit* e = &x->edit;
+    cJSON* animation = dmi_animation_add(e, "dragmesh");
+    const int32_t first = (int32_t)e->counts[DMI_GLTF_NODES];
+    for (uint32_t t = 0; t < x->track_count; t++) add_track(x, animation, t);
+    for (uint32_t t = 0; t < x->track_count; t++) move_parts(x, t);
+    leave_parts(x);
+    mend_lists(x);
+    cJSON* roots = shown_roots(x);
+    for (uint32_t t = 0; t < x->track_count; t++) dmi_edit_append_number(e, roots, first + 2 * (int32_t)t);
+    dmi_images_embed(e);
+    dmi_edit_drop_unused(e, DMI_DRACO_NAME);
+    return dmi_edit_write(e, out_data, out_size);
+}
+
+static dm_result open_exporter(exporter* x, dmi_env* env) {
+    const uint32_t nodes = x->gltf->document.counts[DMI_GLTF_NODES];
+    const dm_result result = dmi_moves_open(&x->moves, env, x->gltf, x->tracks, x->track_count);
     if (result != DM_OK) return result;
-    dmi_tiny_embed(e->tiny);
-    const int32_t animation = dmi_tiny_add_animation(e->tiny, "dragmesh");
-    for (uint32_t t = 0; t < e->track_count && result == DM_OK; t++) result = add_track(e, t, animation);
-    if (result != DM_OK) return result;
-    move_parts(e);
-    return dmi_gltf_finish(e->env, e->tiny, out_data, out_size);
+    x->carriers = dmi_alloc(env, x->track_count * sizeof *x->carriers, 16);
+    x->places = dmi_alloc(env, nodes * sizeof *x->places, 16);
+    x->carried = dmi_alloc_zeroed(env, nodes, 1);
+    x->hooks = dmi_alloc(env, nodes * sizeof *x->hooks, 16);
+    x->path = dmi_alloc(env, nodes * sizeof *x->path, 16);
+    if (!x->carriers || !x->places || !x->carried || !x->hooks || !x->path)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_export: no memory for %u nodes", nodes);
+    for (uint32_t i = 0; i < nodes; i++) x->places[i] = KEPT;
+    return DM_OK;
+}
+
+static void close_exporter(exporter* x, dmi_env* env) {
+    const uint32_t nodes = x->gltf->document.counts[DMI_GLTF_NODES];
+    dmi_moves_close(&x->moves, env);
+    dmi_free(env, x->carriers, x->track_count * sizeof *x->carriers);
+    dmi_free(env, x->places, nodes * sizeof *x->places);
+    dmi_free(env, x->carried, nodes);
+    dmi_free(env, x->hooks, nodes * sizeof *x->hooks);
+    dmi_free(env, x->path, nodes * sizeof *x->path);
+    dmi_edit_close(&x->edit);
 }
 
 dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data,
@@ -285,22 +303,14 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
         const dm_result result = check_track(&env, &tracks[t], t);
         if (result != DM_OK) return result;
     }
-    const uint64_t faces = gltf->face_count;
-    exporter e = {.env = &env,
-                  .gltf = gltf,
-                  .tiny = dmi_tiny_clone(gltf->tiny),
-                  .tracks = tracks,
-                  .track_count = track_count,
-                  .owner = dmi_alloc_zeroed(&env, faces * sizeof *e.owner, 16),
-                  .moving = dmi_alloc_zeroed(&env, track_count * sizeof *e.moving, 16),
-                  .corners = dmi_alloc(&env, 3 * faces * sizeof *e.corners, 16),
-                  .carriers = dmi_alloc_zeroed(&env, track_count * sizeof *e.carriers, 16),
-                  .last_carrier = -1};
-    const dm_result result = run(&e, out_data, out_size);
-    dmi_free(&env, e.owner, faces * sizeof *e.owner);
-    dmi_free(&env, e.moving, track_count * sizeof *e.moving);
-    dmi_free(&env, e.corners, 3 * faces * sizeof *e.corners);
-    dmi_free(&env, e.carriers, track_count * sizeof *e.carriers);
-    dmi_tiny_free(e.tiny);
+    dm_gltf* file = (dm_gltf*)(uintptr_t)gltf; /* keeps what it decompresses */
+    file->bytes_left = file->bytes_most;
+    exporter x = {.edit = {.env = &env}, .gltf = file, .tracks = tracks, .track_count = track_count};
+    dm_result result = open_exporter(&x, &env);
+    if (result == DM_OK) {
+        dmi_edit_open(&x.edit, &env, gltf);
+        result = run(&x, out_data, out_size);
+    }
+    close_exporter(&x, &env);
     return result;
 }

@@ -1,35 +1,99 @@
-/* What a dm_gltf holds: the document, its tree of nodes and the merged mesh. */
+/* What a dm_gltf holds: the document and its bytes, its tree of nodes and the merged mesh. */
 #ifndef DMI_MESH_GLTF_FILE_H
 #define DMI_MESH_GLTF_FILE_H
 
-#include "base/env.h"
 #include "dragmesh/ext/gltf.h"
-#include "mesh/gltf/gltf_tiny.h"
+#include "mesh/gltf/gltf_document.h"
+#include "mesh/gltf/gltf_draco.h"
 
-/* One primitive of one node, as it lies in the merged mesh. */
+/* Bytes of memory that the reader may take for a byte of the file, besides cJSON's, and what it may take in any case.
+ * By hand: a vertex or triangle of the merged mesh takes 12 to 24, a byte of compressed geometry holds a few of them,
+ * and files repeat a mesh some times over. */
+#define DMI_GLTF_BYTES_PER_BYTE 256
+#define DMI_GLTF_BYTES_ALWAYS (16u << 20)
+
+/* Bytes of a buffer of the file. */
+typedef struct dmi_gltf_buffer {
+    const uint8_t* data; /* NULL: it has none, which is right for the fallback of compressed views */
+    uint64_t size;
+    uint8_t* decoded; /* of a data: URI; owned */
+    uint64_t decoded_size;
+    const void* file; /* the host's; given back with dm_gltf_files.close */
+    uint64_t file_size;
+} dmi_gltf_buffer;
+
+typedef struct dmi_gltf_block dmi_gltf_block;
+
+/* What a compressed view holds, once it was asked for: bytes, or a Draco mesh and the elements read from it. */
+typedef struct dmi_gltf_decoded {
+    uint8_t* data;
+    uint64_t size;
+    dmi_draco* draco;
+    dmi_gltf_block* blocks;
+} dmi_gltf_decoded;
+
+/* A node of the file. */
+typedef struct dmi_gltf_tree_node {
+    const cJSON* json;
+    const char* name; /* "" when it has none */
+    int32_t parent;   /* -1: none */
+    int32_t mesh;     /* -1: none */
+    uint8_t placed;   /* it hangs below a root, so that it has a place in the world */
+    uint8_t shown;    /* the scene has it, and it is visible and no collider */
+    uint8_t joint;    /* a skin's */
+    double world[16]; /* node to scene, column-major */
+} dmi_gltf_tree_node;
+
+/* Triangles of one primitive that move with one node, as they lie in the merged mesh. */
 typedef struct dmi_gltf_piece {
     uint32_t node;      /* position in dm_gltf.nodes */
-    uint32_t primitive; /* position in the node's mesh */
+    uint32_t mesh_node; /* of the file: the node that has the mesh */
+    uint32_t primitive; /* position in that node's mesh */
     uint32_t mirrored;  /* the node's transform mirrors, so the triangles were turned over */
-    uint64_t first_vertex, vertex_count;
+    int32_t joint;      /* of the skin, that places most of the vertices; -1: the node does */
     uint64_t first_face, face_count;
 } dmi_gltf_piece;
 
 struct dm_gltf {
     dmi_env env;
-    dmi_tiny* tiny;
-    int32_t* parents; /* of every node of the file; -1: none */
-    double* worlds;   /* 16 a node of the file, column-major: node to scene */
-    uint32_t* order;  /* nodes of the scene, parents before children */
-    uint32_t tree_count, order_count;
-    dm_gltf_node* nodes; /* nodes of the scene with triangles */
-    uint32_t node_count;
+    dm_gltf_files files;
+    char* folder; /* of dm_gltf_open_file; NULL: the host hands files over */
+    size_t folder_size;
+    dmi_gltf_problem left_out; /* the first thing that was left out */
+    dmi_gltf_document document;
+    uint8_t* bin; /* a copy of the binary chunk */
+    uint64_t bin_size;
+    dmi_gltf_buffer* buffers;        /* as many as the document has */
+    dmi_gltf_decoded* decoded;       /* as many as the document has views */
+    uint64_t bytes_most, bytes_left; /* of the memory that a call may take, and may still take */
+    dmi_gltf_tree_node* tree;        /* as many as the document has nodes */
+    uint32_t* order;                 /* placed nodes, parents before children */
+    uint32_t order_count;
+    dm_gltf_node* nodes; /* what has triangles: nodes with a mesh, and bones */
+    uint32_t node_count, node_capacity;
     dmi_gltf_piece* pieces;
-    uint32_t piece_count;
-    uint64_t node_capacity, piece_capacity;
+    uint32_t piece_count, piece_capacity;
+    double origin[3]; /* of the merged mesh, in the scene */
     float* positions;
     uint32_t* indices;
+    uint32_t* sources; /* of a vertex: its position in the primitive's accessors */
+    /* Position that a vertex and a face have in the file's order; NULL: the same as here. Skins sort by bones. */
+    uint32_t *vertex_places, *face_places;
     uint64_t vertex_count, face_count;
+    uint64_t vertex_capacity, face_capacity;
 };
+
+/* dm_gltf_open of a description that was checked, with a folder of dm_gltf_open_file that it takes over. */
+dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, char* folder, size_t folder_size, dm_gltf** out_gltf);
+/* The files of gltf->folder. */
+dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf);
+/* Checks a description, with or without data. */
+dm_result dmi_gltf_check_desc(dmi_env* env, const dm_gltf_desc* desc, int has_data);
+/* Takes memory out of what the file may cost; TOO_LARGE when it is used up. */
+dm_result dmi_gltf_spend(dm_gltf* gltf, uint64_t count, uint64_t element, const char* place, dmi_gltf_problem* problem);
+
+/* Warns that a piece of the file is left out; when nothing else is there, the first such problem is the error. */
+void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem);
+void dmi_gltf_release_decoded(dmi_env* env, dmi_gltf_decoded* decoded);
 
 #endif

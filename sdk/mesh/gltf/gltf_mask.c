@@ -8,44 +8,47 @@
 #include "mesh/mask.h"
 
 /* "#12" names node 12 of the file, unless a node is really called so. -1: not of this form, or no such node. */
-static int32_t numbered_node(const dm_gltf* gltf, const char* name) {
+static int64_t numbered_node(const dm_gltf* gltf, const char* name) {
     if (name[0] != '#' || name[1] < '0' || name[1] > '9') return -1;
     char* end;
     const unsigned long index = strtoul(name + 1, &end, 10);
-    return *end == 0 && index < gltf->tree_count ? (int32_t)index : -1;
+    return *end == 0 && index < gltf->document.counts[DMI_GLTF_NODES] ? (int64_t)index : -1;
 }
 
-static int is_carried_by(const dm_gltf* gltf, int32_t node, int32_t carrier) {
-    while (node >= 0 && node != carrier) node = gltf->parents[node];
-    return node >= 0;
+/* Marks the named nodes and all that they carry, in `marks`: a byte a node of the file. Returns whether one is named
+ * so. */
+static int mark_nodes(const dm_gltf* gltf, const char* name, uint8_t* marks) {
+    enum { CARRIED = 1, NAMED = 2 };
+    int found = 0;
+    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
+        marks[i] = strcmp(gltf->tree[i].name, name) == 0 ? NAMED : 0;
+        found |= marks[i];
+    }
+    const int64_t number = found ? -1 : numbered_node(gltf, name);
+    if (number >= 0) marks[number] = NAMED;
+    for (uint32_t at = 0; at < gltf->order_count; at++) {
+        const dmi_gltf_tree_node* node = &gltf->tree[gltf->order[at]];
+        if (node->parent >= 0 && marks[node->parent]) marks[gltf->order[at]] |= CARRIED;
+    }
+    /* The name of a node with a skin stands for all bones of that mesh. */
+    for (uint32_t p = 0; p < gltf->piece_count; p++) {
+        const dmi_gltf_piece* piece = &gltf->pieces[p];
+        if (piece->joint >= 0 && (marks[piece->mesh_node] & NAMED)) marks[gltf->nodes[piece->node].node] |= CARRIED;
+    }
+    return found || number >= 0;
 }
 
-/* A node with a mesh stands for it, one without for all below it. Answers how many faces were set. */
-static uint64_t mark_node(const dm_gltf* gltf, uint32_t index, uint8_t value, uint8_t* face_ids) {
-    dmi_tiny_node from;
-    dmi_tiny_get_node(gltf->tiny, index, &from);
+/* Returns how many faces were set. */
+static uint64_t mark_name(const dm_gltf* gltf, const char* name, uint8_t value, uint8_t* marks, uint8_t* face_ids) {
     uint64_t set = 0;
+    if (!mark_nodes(gltf, name, marks)) return 0;
     for (uint32_t i = 0; i < gltf->node_count; i++) {
         const dm_gltf_node* node = &gltf->nodes[i];
-        if (from.mesh >= 0 ? node->node != index : !is_carried_by(gltf, (int32_t)node->node, (int32_t)index)) continue;
+        if (!marks[node->node]) continue;
         memset(face_ids + node->first_face, value, node->face_count);
         set += node->face_count;
     }
     return set;
-}
-
-static uint64_t mark_name(const dm_gltf* gltf, const char* name, uint8_t value, uint8_t* face_ids) {
-    uint64_t set = 0;
-    int found = 0;
-    for (uint32_t i = 0; i < gltf->tree_count; i++) {
-        dmi_tiny_node node;
-        dmi_tiny_get_node(gltf->tiny, i, &node);
-        if (strcmp(node.name, name) != 0) continue;
-        set += mark_node(gltf, i, value, face_ids);
-        found = 1;
-    }
-    const int32_t number = found ? -1 : numbered_node(gltf, name);
-    return number < 0 ? set : mark_node(gltf, (uint32_t)number, value, face_ids);
 }
 
 /* The first few names, for a message. */
@@ -66,19 +69,28 @@ dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint
                              uint8_t* inout_face_ids, uint64_t face_count) {
     if (!gltf || !inout_face_ids || (!names && name_count > 0)) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env env;
-    dmi_env_init(&env, NULL, &gltf->env.log, NULL);
+    dmi_env_init(&env, &gltf->env.allocator, &gltf->env.log, NULL);
     if (face_count != gltf->face_count)
         return dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "face_count is %" PRIu64 ", the mesh has %" PRIu64, face_count,
                         gltf->face_count);
-    for (uint32_t i = 0; i < name_count; i++) {
-        if (!names[i]) return dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "name %u is NULL", i);
-        if (mark_name(gltf, names[i], value, inout_face_ids) > 0) continue;
+    const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    uint8_t* marks = dmi_alloc(&env, count, 1);
+    if (!marks) return dmi_fail(&env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u nodes", count);
+    dm_result result = DM_OK;
+    for (uint32_t i = 0; i < name_count && result == DM_OK; i++) {
         char known[512];
-        list_names(gltf, known, sizeof known);
-        return dmi_fail(&env, DM_ERROR_NOT_FOUND, "no node with triangles is called '%s'; the file has %s", names[i],
-                        known);
+        if (!names[i]) {
+            result = dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "name %u is NULL", i);
+        } else if (mark_name(gltf, names[i], value, marks, inout_face_ids) == 0) {
+            const int reason = gltf->left_out.code != DM_OK;
+            list_names(gltf, known, sizeof known);
+            result = dmi_fail(
+                &env, DM_ERROR_NOT_FOUND, "no node with triangles is called '%.80s'%s%.160s%s; the file has %s",
+                names[i], reason ? " (" : "", reason ? gltf->left_out.text : "", reason ? " is left out)" : "", known);
+        }
     }
-    return DM_OK;
+    dmi_free(&env, marks, count);
+    return result;
 }
 
 /* A mask of nothing, or of everything, is a mistake that is best named where the mask is read. */
@@ -87,6 +99,16 @@ static dm_result check_share(dmi_env* env, const uint8_t* ids, uint64_t count) {
     for (uint64_t i = 0; i < count; i++) moving += ids[i];
     if (moving == 0) return dmi_fail(env, DM_ERROR_EMPTY_MASK, "mask: none of its %" PRIu64 " values is moving", count);
     if (moving == count) return dmi_fail(env, DM_ERROR_FULL_MASK, "mask: all of its %" PRIu64 " values move", count);
+    return DM_OK;
+}
+
+/* From the order of the file to that of the merged mesh. */
+static dm_result reorder(dmi_env* env, const uint32_t* places, uint8_t* ids, size_t count) {
+    uint8_t* copy = dmi_alloc(env, count, 1);
+    if (!copy) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "mask: no memory for %zu values", count);
+    memcpy(copy, ids, count);
+    for (size_t i = 0; i < count; i++) ids[i] = copy[places[i]];
+    dmi_free(env, copy, count);
     return DM_OK;
 }
 
@@ -103,6 +125,8 @@ dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, 
     result = dmi_mask_to_part_ids(&env, values, count, mask_value, gltf->vertex_count, gltf->face_count, out_part_ids,
                                   out_scope, &ambiguous);
     if (result == DM_OK) result = check_share(&env, out_part_ids, count);
+    const uint32_t* places = *out_scope == DM_PER_VERTEX ? gltf->vertex_places : gltf->face_places;
+    if (result == DM_OK && places) result = reorder(&env, places, out_part_ids, count);
     dmi_free(&env, values, count * sizeof *values);
     if (result == DM_OK && out_ambiguous) *out_ambiguous = ambiguous;
     return result;

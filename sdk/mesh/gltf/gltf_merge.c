@@ -1,248 +1,205 @@
 /* The merged mesh: every triangle that the scene shows, node by node, primitive by primitive, in the scene's frame. */
-#include <inttypes.h>
-#include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-
-#include "mesh/gltf/gltf_accessor.h"
 #include "mesh/gltf/gltf_merge.h"
 
-/* Longest description of a place in a file ("node 3 'door', primitive 0"). */
-#define PLACE_SIZE 192
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
 
-/* Logs a warning, for what is left out of a file. */
-static void warn(dmi_env* env, const char* format, ...) DMI_PRINTF(2, 3);
+#include "mesh/gltf/gltf_instance.h"
+#include "mesh/gltf/gltf_skin.h"
 
-static void warn(dmi_env* env, const char* format, ...) {
-    if (!env->log.message) return;
-    char text[512];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    env->log.message(env->log.user, DM_LOG_WARNING, DM_OK, text);
-}
+/* An object this many times its size away from the scene's origin gets an origin of its own: a float there holds a
+ * 65000th of its size. By hand. */
+#define FAR_AWAY 256
 
-static void describe(const dm_gltf* gltf, uint32_t node, uint32_t primitive, const char* what, char* out) {
-    dmi_tiny_node from;
-    dmi_tiny_get_node(gltf->tiny, node, &from);
-    snprintf(out, PLACE_SIZE, "glTF node %u '%.80s', primitive %u, %s", node, from.name, primitive, what);
-}
+typedef struct merger {
+    dm_gltf* gltf;
+    dmi_gltf_builder builder;
+    uint32_t* instances; /* nodes that are merged, in the order of the file, not of the walk */
+    uint32_t instance_count;
+    double low[3], high[3]; /* about where they are, in the scene */
+    int skinned;
+} merger;
 
-/* Triangles of `count` corners; -1 when they don't make whole ones. */
-static int64_t triangle_count(int32_t mode, uint64_t count) {
-    if (mode == DMI_TINY_TRIANGLES) return count % 3 == 0 ? (int64_t)(count / 3) : -1;
-    return count < 3 ? 0 : (int64_t)count - 2;
-}
-
-/* 1 when the primitive has triangles that this library reads. */
-static int is_readable(dm_gltf* gltf, uint32_t node, uint32_t index, const dmi_tiny_primitive* primitive) {
-    if (primitive->mode < DMI_TINY_TRIANGLES || primitive->mode > DMI_TINY_FAN) {
-        warn(&gltf->env, "glTF node %u, primitive %u: points and lines are left out", node, index);
-        return 0;
+/* Whether the columns of the matrix span a plane at least: what else becomes of a triangle is a line or a point. */
+static int spans_plane(const double m[16]) {
+    double most = 0;
+    for (int a = 0; a < 3; a++) {
+        const double *u = m + 4 * a, *v = m + 4 * ((a + 1) % 3);
+        const double cross[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+        most = fmax(most, fabs(cross[0]) + fabs(cross[1]) + fabs(cross[2]));
     }
-    if (primitive->positions < 0) {
-        warn(&gltf->env, "glTF node %u, primitive %u: left out, it has no POSITION", node, index);
-        return 0;
+    return most > 0;
+}
+
+static int is_skinned(const dm_gltf* gltf, uint32_t node) {
+    return dmi_json_get(gltf->tree[node].json, "skin") != NULL;
+}
+
+/* The box of the shape's box in the scene. Returns 0 when floats can't hold it. */
+static int place_box(const double m[16], const dmi_gltf_shape* shape, double low[3], double high[3]) {
+    for (int row = 0; row < 3; row++) {
+        low[row] = high[row] = m[12 + row];
+        for (int column = 0; column < 3; column++) {
+            const double a = m[4 * column + row] * (double)shape->low[column];
+            const double b = m[4 * column + row] * (double)shape->high[column];
+            low[row] += fmin(a, b);
+            high[row] += fmax(a, b);
+        }
+        if (!(fabs(low[row]) <= FLT_MAX && fabs(high[row]) <= FLT_MAX)) return 0;
     }
-    if (primitive->morphs) warn(&gltf->env, "glTF node %u, primitive %u: its morph targets are left out", node, index);
     return 1;
 }
 
-static dm_result count_piece(dm_gltf* gltf, uint32_t node, const dmi_tiny_primitive* primitive, dmi_gltf_piece* piece) {
-    char place[PLACE_SIZE];
-    dmi_gltf_elements positions, indices;
-    describe(gltf, node, piece->primitive, "POSITION", place);
-    dm_result result = dmi_gltf_find_elements(&gltf->env, gltf->tiny, primitive->positions, place, &positions);
+/* The matrix by which the node's mesh is about where the scene has it: the node's, or that of its skin's first bone. */
+static dm_result find_matrix(dm_gltf* gltf, uint32_t node, double out[16], dmi_gltf_problem* problem) {
+    dmi_gltf_skin skin = {NULL, 0};
+    dmi_gltf_problem here = {.code = DM_OK};
+    memcpy(out, gltf->tree[node].world, 16 * sizeof *out);
+    if (!is_skinned(gltf, node)) return DM_OK;
+    const double index = dmi_json_number(gltf->tree[node].json, "skin", DMI_GLTF_NO_INDEX);
+    if (dmi_gltf_open_skin(gltf, index, "glTF", &here, &skin) == DM_OK)
+        memcpy(out, skin.joints[0].matrix, sizeof skin.joints->matrix);
+    dmi_gltf_close_skin(&gltf->env, &skin);
+    if (!here.fatal) return DM_OK; /* a skin that is not right is left out, later */
+    *problem = here;
+    return problem->code;
+}
+
+/* Enters a node, when its mesh has triangles and its transform leaves something of them. */
+static dm_result enter_node(merger* m, uint32_t index, dmi_gltf_problem* problem) {
+    dm_gltf* gltf = m->gltf;
+    const dmi_gltf_tree_node* node = &gltf->tree[index];
+    dmi_gltf_problem here = {.code = DM_OK};
+    double matrix[16], low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    dm_result result = dmi_gltf_build_shape(&m->builder, index, problem);
+    if (result == DM_OK) result = find_matrix(gltf, index, matrix, problem);
     if (result != DM_OK) return result;
-    if (positions.components != 3)
-        return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "%s: %d components a vertex", place, positions.components);
-    uint64_t corners = positions.count;
-    if (primitive->indices >= 0) {
-        describe(gltf, node, piece->primitive, "indices", place);
-        result = dmi_gltf_find_elements(&gltf->env, gltf->tiny, primitive->indices, place, &indices);
+    const dmi_gltf_shape* shape = &m->builder.shapes[node->mesh];
+    if (shape->face_count == 0) return DM_OK;
+    if (dmi_json_get(dmi_json_get(node->json, "extensions"), "EXT_mesh_gpu_instancing"))
+        dmi_gltf_warn(&gltf->env, "glTF node %u '%.80s': only one of its instances is read", index, node->name);
+    if (!place_box(matrix, shape, low, high))
+        dmi_gltf_refuse(&here, DM_ERROR_NOT_FINITE, "glTF node %u '%.80s': its transform is not finite", index,
+                        node->name);
+    else if (!is_skinned(gltf, index) && !spans_plane(node->world))
+        dmi_gltf_refuse(&here, DM_ERROR_DEGENERATE_MESH, "glTF node %u '%.80s': its scale is zero", index, node->name);
+    if (here.code != DM_OK) {
+        dmi_gltf_leave_out(gltf, &here);
+        return DM_OK;
+    }
+    for (int k = 0; k < 3; k++) {
+        m->low[k] = fmin(m->low[k], low[k]);
+        m->high[k] = fmax(m->high[k], high[k]);
+    }
+    m->skinned |= is_skinned(gltf, index);
+    m->instances[m->instance_count++] = index;
+    gltf->vertex_capacity += shape->vertex_count;
+    gltf->face_capacity += shape->face_count;
+    if (gltf->vertex_capacity <= DM_MAX_ELEMENTS && gltf->face_capacity <= DM_MAX_ELEMENTS) return DM_OK;
+    return dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE,
+                           "glTF node %u: the scene has more than %d vertices or triangles so far", index,
+                           DM_MAX_ELEMENTS);
+}
+
+static dm_result enter_nodes(merger* m, dmi_gltf_problem* problem) {
+    const uint32_t count = m->gltf->document.counts[DMI_GLTF_NODES];
+    for (uint32_t i = 0; i < count; i++) {
+        const dmi_gltf_tree_node* node = &m->gltf->tree[i];
+        if (node->mesh < 0 || !node->shown || !node->placed) continue;
+        const dm_result result = enter_node(m, i, problem);
         if (result != DM_OK) return result;
-        if (indices.components != 1 ||
-            (indices.component_type != DMI_TINY_UBYTE && indices.component_type != DMI_TINY_USHORT &&
-             indices.component_type != DMI_TINY_UINT))
-            return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "%s: component type %d, %d components", place,
-                            indices.component_type, indices.components);
-        corners = indices.count;
-    }
-    const int64_t faces = triangle_count(primitive->mode, corners);
-    if (faces < 0)
-        return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "%s: %" PRIu64 " corners are not a multiple of 3", place,
-                        corners);
-    piece->first_vertex = gltf->vertex_count;
-    piece->vertex_count = positions.count;
-    piece->first_face = gltf->face_count;
-    piece->face_count = (uint64_t)faces;
-    gltf->vertex_count += piece->vertex_count;
-    gltf->face_count += piece->face_count;
-    if (gltf->vertex_count > DM_MAX_ELEMENTS || gltf->face_count > DM_MAX_ELEMENTS)
-        return dmi_fail(&gltf->env, DM_ERROR_TOO_LARGE, "%s: the scene has more than %d vertices or triangles so far",
-                        place, DM_MAX_ELEMENTS);
-    return DM_OK;
-}
-
-static int turns_over(const double m[16]) {
-    return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) +
-               m[8] * (m[1] * m[6] - m[5] * m[2]) <
-           0;
-}
-
-/* Counts the node's triangles and enters it when it has some. */
-static dm_result enter_node(dm_gltf* gltf, uint32_t index) {
-    dmi_tiny_node from;
-    dmi_tiny_get_node(gltf->tiny, index, &from);
-    if (from.mesh < 0) return DM_OK;
-    if (!dmi_tiny_has_mesh(gltf->tiny, from.mesh))
-        return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "glTF node %u '%s': mesh %d does not exist", index, from.name,
-                        from.mesh);
-    if (from.skin >= 0) warn(&gltf->env, "glTF node %u '%s': its skin is left out", index, from.name);
-    if (from.instanced) warn(&gltf->env, "glTF node %u '%s': only one of its instances is read", index, from.name);
-    dm_gltf_node* node = &gltf->nodes[gltf->node_count];
-    *node = (dm_gltf_node){.name = from.name,
-                           .node = index,
-                           .first_vertex = gltf->vertex_count,
-                           .first_face = gltf->face_count,
-                           .colour = {1, 1, 1, 1}};
-    const uint32_t primitives = dmi_tiny_primitive_count(gltf->tiny, from.mesh), first = gltf->piece_count;
-    for (uint32_t p = 0; p < primitives; p++) {
-        dmi_tiny_primitive primitive;
-        dmi_tiny_get_primitive(gltf->tiny, from.mesh, p, &primitive);
-        if (primitive.compressed)
-            return dmi_fail(&gltf->env, DM_ERROR_UNSUPPORTED, "glTF node %u '%s', primitive %u: Draco compression",
-                            index, from.name, p);
-        if (!is_readable(gltf, index, p, &primitive)) continue;
-        dmi_gltf_piece* piece = &gltf->pieces[gltf->piece_count];
-        *piece = (dmi_gltf_piece){
-            .node = gltf->node_count, .primitive = p, .mirrored = turns_over(gltf->worlds + 16 * (size_t)index)};
-        const dm_result result = count_piece(gltf, index, &primitive, piece);
-        if (result != DM_OK) return result;
-        if (gltf->piece_count++ == first) dmi_tiny_get_colour(gltf->tiny, primitive.material, node->colour);
-    }
-    node->vertex_count = gltf->vertex_count - node->first_vertex;
-    node->face_count = gltf->face_count - node->first_face;
-    if (gltf->piece_count > first) gltf->node_count++;
-    return DM_OK;
-}
-
-/* In the order of the file, not of the walk. */
-static dm_result enter_nodes(dm_gltf* gltf) {
-    uint64_t nodes = 0, pieces = 0;
-    uint8_t* shown = dmi_alloc_zeroed(&gltf->env, gltf->tree_count, 1);
-    if (!shown) return dmi_fail(&gltf->env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", gltf->tree_count);
-    for (uint32_t i = 0; i < gltf->order_count; i++) {
-        dmi_tiny_node node;
-        dmi_tiny_get_node(gltf->tiny, gltf->order[i], &node);
-        shown[gltf->order[i]] = 1;
-        nodes += node.mesh >= 0;
-        pieces += dmi_tiny_primitive_count(gltf->tiny, node.mesh);
-    }
-    dm_result result = DM_OK;
-    gltf->nodes = dmi_alloc(&gltf->env, nodes * sizeof *gltf->nodes, 16);
-    gltf->pieces = dmi_alloc(&gltf->env, pieces * sizeof *gltf->pieces, 16);
-    gltf->node_capacity = nodes;
-    gltf->piece_capacity = pieces;
-    if (!gltf->nodes || !gltf->pieces)
-        result = dmi_fail(&gltf->env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %" PRIu64 " primitives", pieces);
-    for (uint32_t i = 0; i < gltf->tree_count && result == DM_OK; i++) {
-        if (shown[i]) result = enter_node(gltf, i);
-    }
-    dmi_free(&gltf->env, shown, gltf->tree_count);
-    return result;
-}
-
-/* Vertex `v` of the merged mesh := the node's transform of `local`; 0 when that is not finite. */
-static int place_vertex(dm_gltf* gltf, const double world[16], uint64_t v, const double local[3]) {
-    float* out = gltf->positions + 3 * v;
-    for (int row = 0; row < 3; row++)
-        out[row] =
-            (float)(world[row] * local[0] + world[4 + row] * local[1] + world[8 + row] * local[2] + world[12 + row]);
-    return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]);
-}
-
-static dm_result fill_vertices(dm_gltf* gltf, const dmi_gltf_piece* piece, const dmi_gltf_elements* from,
-                               const char* place) {
-    const double* world = gltf->worlds + 16 * (size_t)gltf->nodes[piece->node].node;
-    for (uint64_t i = 0; i < from->count + from->change_count; i++) {
-        const int changed = i >= from->count;
-        const uint64_t v = changed ? dmi_gltf_changed(from, i - from->count) : i;
-        double local[3];
-        for (int k = 0; k < 3; k++)
-            local[k] = changed ? dmi_gltf_change(from, i - from->count, k) : dmi_gltf_element(from, i, k);
-        if (!place_vertex(gltf, world, piece->first_vertex + v, local))
-            return dmi_fail(&gltf->env, DM_ERROR_NOT_FINITE, "%s: vertex %" PRIu64 " is (%g, %g, %g)", place, v,
-                            local[0], local[1], local[2]);
     }
     return DM_OK;
 }
 
-/* Corner `corner` of triangle `face`, as a position in the primitive's list (glTF 2.0 §3.7.2.1). */
-static uint64_t corner_of(int32_t mode, uint64_t face, uint32_t corner) {
-    if (mode == DMI_TINY_TRIANGLES) return 3 * face + corner;
-    if (mode == DMI_TINY_FAN) return corner == 2 ? 0 : face + 1 + corner;
-    return corner == 0 ? face : face + (((face & 1) != 0) == (corner == 1) ? 2 : 1);
-}
-
-static void fill_corners(const dmi_gltf_elements* from, uint64_t count, uint32_t* out) {
-    for (uint64_t i = 0; i < count; i++) out[i] = from ? (uint32_t)dmi_gltf_element(from, i, 0) : (uint32_t)i;
-    for (uint64_t i = 0; from && i < from->change_count; i++)
-        out[dmi_gltf_changed(from, i)] = (uint32_t)dmi_gltf_change(from, i, 0);
-}
-
-static dm_result fill_faces(dm_gltf* gltf, const dmi_gltf_piece* piece, int32_t mode, const uint32_t* corners,
-                            const char* place) {
-    for (uint64_t face = 0; face < piece->face_count; face++) {
-        uint32_t* out = gltf->indices + 3 * (piece->first_face + face);
-        for (uint32_t corner = 0; corner < 3; corner++) {
-            const uint32_t index = corners[corner_of(mode, face, corner)];
-            if (index >= piece->vertex_count)
-                return dmi_fail(&gltf->env, DM_ERROR_INDEX_OUT_OF_RANGE,
-                                "%s: triangle %" PRIu64 " names vertex %u of %" PRIu64, place, face, index,
-                                piece->vertex_count);
-            out[piece->mirrored ? 2 - corner : corner] = (uint32_t)piece->first_vertex + index;
-        }
+static void choose_origin(merger* m) {
+    double size = 0, distance = 0;
+    for (int k = 0; k < 3; k++) {
+        size = fmax(size, m->high[k] - m->low[k]);
+        distance = fmax(distance, fabs(m->high[k] + m->low[k]) / 2);
     }
-    return DM_OK;
+    for (int k = 0; distance > FAR_AWAY * size && k < 3; k++)
+        m->gltf->origin[k] = (double)(float)((m->high[k] + m->low[k]) / 2); /* as viewers can hold it */
 }
 
-static dm_result fill_piece(dm_gltf* gltf, const dmi_gltf_piece* piece) {
-    const dm_gltf_node* node = &gltf->nodes[piece->node];
-    char place[PLACE_SIZE];
-    dmi_tiny_node from;
-    dmi_tiny_primitive primitive;
-    dmi_gltf_elements positions, indices;
-    dmi_tiny_get_node(gltf->tiny, node->node, &from);
-    dmi_tiny_get_primitive(gltf->tiny, from.mesh, piece->primitive, &primitive);
-    describe(gltf, node->node, piece->primitive, "POSITION", place);
-    dm_result result = dmi_gltf_find_elements(&gltf->env, gltf->tiny, primitive.positions, place, &positions);
-    if (result == DM_OK) result = fill_vertices(gltf, piece, &positions, place);
+static dm_result take_room(merger* m, dmi_gltf_problem* problem) {
+    dm_gltf* gltf = m->gltf;
+    dmi_env* env = &gltf->env;
+    const uint64_t vertices = gltf->vertex_capacity, faces = gltf->face_capacity;
+    const size_t vertex = 3 * sizeof(float) + 2 * sizeof(uint32_t), face = 4 * sizeof(uint32_t);
+    dm_result result = dmi_gltf_spend(gltf, vertices, vertex, "glTF: the vertices", problem);
+    if (result == DM_OK) result = dmi_gltf_spend(gltf, faces, face, "glTF: the triangles", problem);
     if (result != DM_OK) return result;
-    const int indexed = primitive.indices >= 0;
-    describe(gltf, node->node, piece->primitive, "indices", place);
-    if (indexed) result = dmi_gltf_find_elements(&gltf->env, gltf->tiny, primitive.indices, place, &indices);
-    if (result != DM_OK) return result;
-    const uint64_t count = indexed ? indices.count : positions.count;
-    uint32_t* corners = dmi_alloc(&gltf->env, count * sizeof *corners, 16);
-    if (!corners) return dmi_fail(&gltf->env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for %" PRIu64, place, count);
-    fill_corners(indexed ? &indices : NULL, count, corners);
-    result = fill_faces(gltf, piece, primitive.mode, corners, place);
-    dmi_free(&gltf->env, corners, count * sizeof *corners);
-    return result;
+    gltf->positions = dmi_alloc(env, vertices * 3 * sizeof *gltf->positions, 16);
+    gltf->indices = dmi_alloc(env, faces * 3 * sizeof *gltf->indices, 16);
+    gltf->sources = dmi_alloc(env, vertices * sizeof *gltf->sources, 16);
+    if (m->skinned) {
+        gltf->vertex_places = dmi_alloc(env, vertices * sizeof *gltf->vertex_places, 16);
+        gltf->face_places = dmi_alloc(env, faces * sizeof *gltf->face_places, 16);
+    }
+    if (gltf->positions && gltf->indices && gltf->sources &&
+        (!m->skinned || (gltf->vertex_places && gltf->face_places)))
+        return DM_OK;
+    return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY,
+                           "glTF: no memory for %" PRIu64 " vertices and %" PRIu64 " triangles", vertices, faces);
 }
 
-dm_result dmi_gltf_merge(dm_gltf* gltf) {
-    dm_result result = enter_nodes(gltf);
+/* Says for every node which one carries it: the nearest above it that has triangles. A bone that several meshes have
+ * goes with its first. */
+static dm_result find_carriers(dm_gltf* gltf, dmi_gltf_problem* problem) {
+    const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    uint32_t* own = dmi_alloc(&gltf->env, 2 * (size_t)count * sizeof *own, 16); /* and what carries, behind it */
+    if (!own) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
+    uint32_t* above = own + count;
+    for (uint32_t i = 0; i < 2 * count; i++) own[i] = DM_GLTF_NO_CARRIER;
+    for (uint32_t i = gltf->node_count; i-- > 0;) own[gltf->nodes[i].node] = i;
+    for (uint32_t at = 0; at < gltf->order_count; at++) {
+        const uint32_t node = gltf->order[at];
+        const int32_t parent = gltf->tree[node].parent;
+        if (parent >= 0) above[node] = own[parent] != DM_GLTF_NO_CARRIER ? own[parent] : above[parent];
+    }
+    for (uint32_t i = 0; i < gltf->node_count; i++) {
+        const uint32_t node = gltf->nodes[i].node;
+        gltf->nodes[i].carrier = own[node] != i ? own[node] : above[node];
+    }
+    dmi_free(&gltf->env, own, 2 * (size_t)count * sizeof *own);
+    return DM_OK;
+}
+
+static dm_result merge(merger* m, dmi_gltf_problem* problem) {
+    dm_gltf* gltf = m->gltf;
+    m->instances = dmi_alloc(&gltf->env, gltf->document.counts[DMI_GLTF_NODES] * sizeof *m->instances, 16);
+    if (!m->instances) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for its nodes");
+    dm_result result = dmi_gltf_builder_open(gltf, problem, &m->builder);
+    if (result == DM_OK) result = enter_nodes(m, problem);
     if (result != DM_OK) return result;
-    if (gltf->face_count == 0) return dmi_fail(&gltf->env, DM_ERROR_DEGENERATE_MESH, "glTF: the scene has no triangle");
-    gltf->positions = dmi_alloc(&gltf->env, gltf->vertex_count * 3 * sizeof *gltf->positions, 16);
-    gltf->indices = dmi_alloc(&gltf->env, gltf->face_count * 3 * sizeof *gltf->indices, 16);
-    if (!gltf->positions || !gltf->indices)
-        return dmi_fail(&gltf->env, DM_ERROR_OUT_OF_MEMORY,
-                        "glTF: no memory for %" PRIu64 " vertices and %" PRIu64 " triangles", gltf->vertex_count,
-                        gltf->face_count);
-    for (uint32_t i = 0; i < gltf->piece_count && result == DM_OK; i++) result = fill_piece(gltf, &gltf->pieces[i]);
+    if (m->instance_count == 0) {
+        if (gltf->left_out.code == DM_OK)
+            return dmi_gltf_refuse(problem, DM_ERROR_DEGENERATE_MESH, "glTF: the scene has no triangle");
+        *problem = gltf->left_out;
+        return problem->code;
+    }
+    choose_origin(m);
+    result = take_room(m, problem);
+    for (uint32_t i = 0; i < m->instance_count && result == DM_OK; i++) {
+        const uint32_t node = m->instances[i];
+        const dmi_gltf_shape* shape = &m->builder.shapes[gltf->tree[node].mesh];
+        result = is_skinned(gltf, node) ? dmi_gltf_add_skinned(gltf, shape, node, problem)
+                                        : dmi_gltf_add_rigid(gltf, shape, node, problem);
+    }
+    return result == DM_OK ? find_carriers(gltf, problem) : result;
+}
+
+dm_result dmi_gltf_merge(dm_gltf* gltf, dmi_gltf_problem* problem) {
+    merger m = {.gltf = gltf,
+                .builder = {.gltf = gltf},
+                .low = {INFINITY, INFINITY, INFINITY},
+                .high = {-INFINITY, -INFINITY, -INFINITY}};
+    dmi_gltf_mark_joints(gltf);
+    const dm_result result = merge(&m, problem);
+    dmi_free(&gltf->env, m.instances, gltf->document.counts[DMI_GLTF_NODES] * sizeof *m.instances);
+    dmi_gltf_builder_close(&m.builder);
     return result;
 }

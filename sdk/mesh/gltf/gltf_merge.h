@@ -4,7 +4,7 @@
 
 #include "mesh/gltf/gltf_file.h"
 
-/* Fills nodes, pieces, positions and indices. */
-dm_result dmi_gltf_merge(dm_gltf* gltf);
+/* Fills nodes, pieces, positions, indices and what belongs to them. */
+dm_result dmi_gltf_merge(dm_gltf* gltf, dmi_gltf_problem* problem);
 
 #endif

@@ -1,7 +1,12 @@
-/* The tree of nodes: who carries whom, which of them the scene shows, and where they are in it. */
+/* The tree of nodes: who carries whom, where they are in the world, and which of them the scene shows. */
 #include "mesh/gltf/gltf_tree.h"
 
-static void multiply(const double a[16], const double b[16], double out[16]) {
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+void dmi_gltf_multiply(const double a[16], const double b[16], double out[16]) {
     for (int column = 0; column < 4; column++) {
         for (int row = 0; row < 4; row++) {
             double sum = 0;
@@ -11,67 +16,156 @@ static void multiply(const double a[16], const double b[16], double out[16]) {
     }
 }
 
-static dm_result read_parents(dm_gltf* gltf) {
-    for (uint32_t i = 0; i < gltf->tree_count; i++) gltf->parents[i] = -1;
-    for (uint32_t i = 0; i < gltf->tree_count; i++) {
-        dmi_tiny_node node;
-        dmi_tiny_get_node(gltf->tiny, i, &node);
-        for (uint32_t c = 0; c < node.child_count; c++) {
-            const int child = node.children[c];
-            if (child < 0 || (uint32_t)child >= gltf->tree_count)
-                return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "glTF: node %u has child %d, the file has %u nodes", i,
-                                child, gltf->tree_count);
-            if (gltf->parents[child] >= 0 || (uint32_t)child == i)
-                return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "glTF: node %d is a child of node %u and of node %d",
-                                child, i, gltf->parents[child]);
-            gltf->parents[child] = (int32_t)i;
+/* Of translation, rotation and scale (glTF 2.0 §5.25). */
+static void compose(const cJSON* node, double out[16]) {
+    double q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1}, t[3] = {0, 0, 0};
+    dmi_json_numbers(node, "rotation", 4, q);
+    dmi_json_numbers(node, "scale", 3, s);
+    dmi_json_numbers(node, "translation", 3, t);
+    const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    for (int i = 0; i < 4; i++) q[i] = length > 0 ? q[i] / length : (i == 3 ? 1.0 : 0.0);
+    const double x = q[0], y = q[1], z = q[2], w = q[3];
+    const double r[9] = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z),     2 * (x * z - w * y),
+                         2 * (x * y - w * z),     1 - 2 * (x * x + z * z), 2 * (y * z + w * x),
+                         2 * (x * z + w * y),     2 * (y * z - w * x),     1 - 2 * (x * x + y * y)};
+    for (int column = 0; column < 3; column++) {
+        for (int row = 0; row < 3; row++) out[4 * column + row] = r[3 * column + row] * s[column];
+        out[4 * column + 3] = 0;
+        out[12 + column] = t[column];
+    }
+    out[15] = 1;
+}
+
+void dmi_gltf_local_matrix(const cJSON* node, double out[16]) {
+    if (!dmi_json_numbers(node, "matrix", 16, out)) compose(node, out);
+}
+
+/* ---- what is no body ---- */
+
+/* Whether `name` is one that exporters give to shapes for collisions alone: of Unreal, Godot, and the common suffix. */
+static int is_collider_name(const char* name) {
+    static const char* const prefixes[] = {"UCX_", "UBX_", "USP_", "UCP_"};
+    static const char* const suffixes[] = {"_collider", "-colonly", "-convcolonly"};
+    size_t length = name ? strlen(name) : 0;
+    for (size_t i = 0; name && i < sizeof prefixes / sizeof *prefixes; i++) {
+        if (strncmp(name, prefixes[i], strlen(prefixes[i])) == 0) return 1;
+    }
+    /* Blender and others number names: door-colonly.001, door_collider2. */
+    while (length > 0 && (isdigit((unsigned char)name[length - 1]) || strchr("._ ", name[length - 1]))) length--;
+    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++) {
+        const size_t size = strlen(suffixes[i]);
+        if (length >= size && strncasecmp(name + length - size, suffixes[i], size) == 0) return 1;
+    }
+    return 0;
+}
+
+static int is_hidden(const cJSON* node) {
+    const cJSON* extension = dmi_json_get(dmi_json_get(node, "extensions"), "KHR_node_visibility");
+    return cJSON_IsFalse(dmi_json_get(extension, "visible"));
+}
+
+/* ---- the tree ---- */
+
+static void read_nodes(dm_gltf* gltf) {
+    const dmi_gltf_document* document = &gltf->document;
+    for (uint32_t i = 0; i < document->counts[DMI_GLTF_NODES]; i++) {
+        const cJSON* json = document->items[DMI_GLTF_NODES][i];
+        const char* name = dmi_json_text(json, "name");
+        const double mesh = dmi_json_number(json, "mesh", DMI_GLTF_NO_INDEX);
+        dmi_gltf_tree_node* node = &gltf->tree[i];
+        *node = (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1};
+        node->mesh = (int32_t)dmi_gltf_position(document, DMI_GLTF_MESHES, mesh);
+        if (mesh < 0 || node->mesh >= 0) continue;
+        dmi_gltf_problem missing;
+        dmi_gltf_refuse(&missing, DM_ERROR_BAD_DATA, "glTF node %u '%.80s': mesh %.17g does not exist", i, node->name,
+                        mesh);
+        dmi_gltf_leave_out(gltf, &missing);
+    }
+}
+
+static dm_result read_parents(dm_gltf* gltf, dmi_gltf_problem* problem) {
+    const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    for (uint32_t i = 0; i < count; i++) {
+        const cJSON* child;
+        cJSON_ArrayForEach(child, dmi_json_get(gltf->tree[i].json, "children")) {
+            const double number = cJSON_IsNumber(child) ? child->valuedouble : DMI_GLTF_NO_INDEX;
+            const int64_t index = dmi_gltf_position(&gltf->document, DMI_GLTF_NODES, number);
+            if (index < 0)
+                return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
+                                       "glTF: node %u has child %.17g, the file has %u nodes", i, number, count);
+            if (gltf->tree[index].parent >= 0 || index == i)
+                return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "glTF: node %d is a child of node %u and of node %d",
+                                       (int)index, i, gltf->tree[index].parent);
+            gltf->tree[index].parent = (int32_t)i;
         }
     }
     return DM_OK;
 }
 
-/* Appends a root, once (its world's last number tells). A listed node that another one carries comes with that one. */
-static void enter_root(dm_gltf* gltf, uint32_t node) {
-    double* entered = gltf->worlds + 16 * (size_t)node + 15;
-    if (gltf->parents[node] >= 0 || *entered != 0) return;
-    *entered = 1;
-    gltf->order[gltf->order_count++] = node;
-}
-
-static dm_result enter_roots(dm_gltf* gltf) {
-    uint32_t count;
-    const int* roots = dmi_tiny_scene_roots(gltf->tiny, &count);
-    for (uint32_t i = 0; i < count; i++) {
-        if (roots[i] < 0 || (uint32_t)roots[i] >= gltf->tree_count)
-            return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "glTF: the scene lists node %d, the file has %u nodes",
-                            roots[i], gltf->tree_count);
-        enter_root(gltf, (uint32_t)roots[i]);
+/* Marks what the scene that a viewer shows lists; without a list, all roots. A listed node that another one carries
+ * comes with that one. */
+static dm_result show_roots(dm_gltf* gltf, dmi_gltf_problem* problem) {
+    const dmi_gltf_document* document = &gltf->document;
+    const cJSON* scene = dmi_gltf_item(document, DMI_GLTF_SCENES, dmi_json_number(document->root, "scene", 0));
+    if (!scene) scene = dmi_gltf_item(document, DMI_GLTF_SCENES, 0);
+    const cJSON *list = dmi_json_get(scene, "nodes"), *root;
+    cJSON_ArrayForEach(root, list) {
+        const double number = cJSON_IsNumber(root) ? root->valuedouble : DMI_GLTF_NO_INDEX;
+        const int64_t index = dmi_gltf_position(document, DMI_GLTF_NODES, number);
+        if (index < 0)
+            return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
+                                   "glTF: the scene lists node %.17g, the file has %u nodes", number,
+                                   document->counts[DMI_GLTF_NODES]);
+        gltf->tree[index].shown = 1;
     }
-    for (uint32_t i = 0; count == 0 && i < gltf->tree_count; i++) enter_root(gltf, i);
+    for (uint32_t i = 0; !list || !list->child ? i < document->counts[DMI_GLTF_NODES] : 0; i++) gltf->tree[i].shown = 1;
     return DM_OK;
 }
 
-dm_result dmi_gltf_read_tree(dm_gltf* gltf) {
-    gltf->tree_count = dmi_tiny_node_count(gltf->tiny);
-    gltf->parents = dmi_alloc(&gltf->env, gltf->tree_count * sizeof *gltf->parents, 16);
-    gltf->order = dmi_alloc(&gltf->env, gltf->tree_count * sizeof *gltf->order, 16);
-    gltf->worlds = dmi_alloc_zeroed(&gltf->env, gltf->tree_count * 16 * sizeof *gltf->worlds, 16);
-    if (!gltf->parents || !gltf->order || !gltf->worlds)
-        return dmi_fail(&gltf->env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", gltf->tree_count);
-    dm_result result = read_parents(gltf);
-    if (result == DM_OK) result = enter_roots(gltf);
-    if (result != DM_OK) return result;
-    /* Every node has one parent at most, so the walk from the roots meets it once: a cycle has no root. */
-    for (uint32_t at = 0; at < gltf->order_count; at++) {
-        const uint32_t index = gltf->order[at];
-        double* world = gltf->worlds + 16 * (size_t)index;
-        dmi_tiny_node node;
-        dmi_tiny_get_node(gltf->tiny, index, &node);
-        if (gltf->parents[index] < 0)
-            for (int i = 0; i < 16; i++) world[i] = node.matrix[i];
-        else
-            multiply(gltf->worlds + 16 * (size_t)gltf->parents[index], node.matrix, world);
-        for (uint32_t c = 0; c < node.child_count; c++) gltf->order[gltf->order_count++] = (uint32_t)node.children[c];
+/* Walks from the roots: every node has one parent at most, so the walk meets it once, and a cycle has no root. */
+static void place_nodes(dm_gltf* gltf) {
+    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
+        if (gltf->tree[i].parent < 0) gltf->order[gltf->order_count++] = i;
     }
+    for (uint32_t at = 0; at < gltf->order_count; at++) {
+        dmi_gltf_tree_node* node = &gltf->tree[gltf->order[at]];
+        double local[16];
+        const cJSON* child;
+        dmi_gltf_local_matrix(node->json, local);
+        if (node->parent < 0) {
+            memcpy(node->world, local, sizeof local);
+        } else {
+            dmi_gltf_multiply(gltf->tree[node->parent].world, local, node->world);
+            node->shown = gltf->tree[node->parent].shown;
+        }
+        node->placed = 1;
+        /* A named group of colliders hides what it holds. */
+        if (is_hidden(node->json) || (node->mesh < 0 && is_collider_name(node->name))) node->shown = 0;
+        cJSON_ArrayForEach(child, dmi_json_get(node->json, "children")) gltf->order[gltf->order_count++] =
+            (uint32_t)child->valuedouble;
+    }
+}
+
+static void hide_colliders(dm_gltf* gltf) {
+    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
+        dmi_gltf_tree_node* node = &gltf->tree[i];
+        if (node->mesh < 0) continue;
+        const char* mesh = dmi_json_text(gltf->document.items[DMI_GLTF_MESHES][node->mesh], "name");
+        if (is_collider_name(node->name) || is_collider_name(mesh)) node->shown = 0;
+    }
+}
+
+dm_result dmi_gltf_read_tree(dm_gltf* gltf, dmi_gltf_problem* problem) {
+    const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    gltf->tree = dmi_alloc_zeroed(&gltf->env, count * sizeof *gltf->tree, 16);
+    gltf->order = dmi_alloc(&gltf->env, count * sizeof *gltf->order, 16);
+    if (!gltf->tree || !gltf->order)
+        return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
+    read_nodes(gltf);
+    dm_result result = read_parents(gltf, problem);
+    if (result == DM_OK) result = show_roots(gltf, problem);
+    if (result != DM_OK) return result;
+    place_nodes(gltf);
+    hide_colliders(gltf);
     return DM_OK;
 }

@@ -4,7 +4,11 @@
 
 #include "mesh/gltf/gltf_file.h"
 
-/* Fills parents, order (the scene's nodes) and worlds. Refuses cycles and nodes with two parents. */
-dm_result dmi_gltf_read_tree(dm_gltf* gltf);
+/* Fills tree and order. Refuses nodes with two parents; nodes of a cycle are not placed. */
+dm_result dmi_gltf_read_tree(dm_gltf* gltf, dmi_gltf_problem* problem);
+
+/* Column-major matrix of a node, relative to its parent. */
+void dmi_gltf_local_matrix(const cJSON* node, double out[16]);
+void dmi_gltf_multiply(const double a[16], const double b[16], double out[16]);
 
 #endif

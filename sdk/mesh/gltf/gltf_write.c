@@ -1,10 +1,8 @@
 /* dm_gltf_write: meshes made elsewhere, as a static .glb. */
 #include <inttypes.h>
 #include <math.h>
-#include <string.h>
 
-#include "mesh/gltf/gltf_file.h"
-#include "mesh/gltf/gltf_write.h"
+#include "mesh/gltf/gltf_edit.h"
 
 static dm_result check_part(dmi_env* env, const dm_gltf_part* part, uint32_t which) {
     if (!part->positions || !part->indices || part->vertex_count == 0 || part->index_count == 0 ||
@@ -25,23 +23,43 @@ static dm_result check_part(dmi_env* env, const dm_gltf_part* part, uint32_t whi
     return DM_OK;
 }
 
-static void add_part(dmi_tiny* tiny, const dm_gltf_part* part) {
+static int32_t add_material(dmi_edit* e, const float colour[4]) {
+    const dmi_edit_item material = dmi_edit_add(e, DMI_GLTF_MATERIALS, NULL);
+    cJSON* surface = dmi_edit_object(e, material.json, "pbrMetallicRoughness");
+    double values[4];
+    for (int i = 0; i < 4; i++) values[i] = (double)colour[i];
+    dmi_edit_numbers(e, surface, "baseColorFactor", values, 4);
+    dmi_edit_number(e, surface, "metallicFactor", 0);
+    dmi_edit_number(e, surface, "roughnessFactor", 0.8);
+    dmi_edit_set(e, material.json, "doubleSided", cJSON_CreateTrue());
+    return material.index;
+}
+
+static void add_part(dmi_edit* e, const dm_gltf_part* part) {
     float low[3], high[3];
     for (int k = 0; k < 3; k++) low[k] = high[k] = part->positions[k];
     for (uint64_t i = 0; i < 3 * part->vertex_count; i++) {
         low[i % 3] = fminf(low[i % 3], part->positions[i]);
         high[i % 3] = fmaxf(high[i % 3], part->positions[i]);
     }
-    const size_t position_bytes = part->vertex_count * 3 * sizeof(float);
-    const int32_t vertices = dmi_tiny_add_view(tiny, part->positions, position_bytes, DMI_TINY_VERTICES);
+    const uint64_t vertex_bytes = part->vertex_count * 3 * sizeof(float);
+    const int32_t vertices = dmi_edit_add_view(e, part->positions, vertex_bytes, DMI_GLTF_VERTEX_TARGET);
     const int32_t triangles =
-        dmi_tiny_add_view(tiny, part->indices, part->index_count * sizeof(uint32_t), DMI_TINY_INDICES);
-    const int32_t positions = dmi_tiny_add_accessor(tiny, vertices, DMI_TINY_FLOAT, 3, part->vertex_count, low, high);
-    const int32_t indices = dmi_tiny_add_accessor(tiny, triangles, DMI_TINY_UINT, 1, part->index_count, NULL, NULL);
-    const int32_t material = dmi_tiny_add_material(tiny, part->colour);
-    const int32_t mesh = dmi_tiny_add_mesh(tiny, part->name, -1);
-    dmi_tiny_add_primitive(tiny, mesh, positions, indices, material);
-    dmi_tiny_add_root(tiny, dmi_tiny_add_node(tiny, part->name, mesh));
+        dmi_edit_add_view(e, part->indices, part->index_count * sizeof(uint32_t), DMI_GLTF_INDEX_TARGET);
+    const int32_t positions = dmi_edit_add_accessor(e, vertices, DMI_GLTF_FLOAT, 3, part->vertex_count, low, high);
+    const int32_t indices = dmi_edit_add_accessor(e, triangles, DMI_GLTF_UINT, 1, part->index_count, NULL, NULL);
+    const int32_t material = add_material(e, part->colour);
+    cJSON* primitive = dmi_edit_new(e, cJSON_CreateObject());
+    dmi_edit_number(e, dmi_edit_object(e, primitive, "attributes"), "POSITION", positions);
+    dmi_edit_number(e, primitive, "indices", indices);
+    dmi_edit_number(e, primitive, "material", material);
+    const dmi_edit_item mesh = dmi_edit_add(e, DMI_GLTF_MESHES, NULL), node = dmi_edit_add(e, DMI_GLTF_NODES, NULL);
+    dmi_edit_append(e, dmi_edit_list(e, mesh.json, "primitives"), primitive);
+    dmi_edit_number(e, node.json, "mesh", mesh.index);
+    if (part->name) dmi_edit_text(e, mesh.json, "name", part->name);
+    if (part->name) dmi_edit_text(e, node.json, "name", part->name);
+    cJSON* scene = e->document.counts[DMI_GLTF_SCENES] ? e->document.items[DMI_GLTF_SCENES][0] : NULL;
+    dmi_edit_append_number(e, dmi_edit_list(e, scene, "nodes"), node.index);
 }
 
 dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator,
@@ -54,31 +72,10 @@ dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm
         const dm_result result = check_part(&env, &parts[i], i);
         if (result != DM_OK) return result;
     }
-    dmi_tiny* tiny = dmi_tiny_new();
-    if (!tiny) return dmi_fail(&env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_write: no memory");
-    for (uint32_t i = 0; i < part_count; i++) add_part(tiny, &parts[i]);
-    const dm_result result = dmi_gltf_finish(&env, tiny, out_data, out_size);
-    dmi_tiny_free(tiny);
+    dmi_edit edit;
+    dmi_edit_open(&edit, &env, NULL);
+    for (uint32_t i = 0; i < part_count; i++) add_part(&edit, &parts[i]);
+    const dm_result result = dmi_edit_write(&edit, out_data, out_size);
+    dmi_edit_close(&edit);
     return result;
-}
-
-dm_result dmi_gltf_finish(dmi_env* env, dmi_tiny* tiny, void** out_data, size_t* out_size) {
-    char message[512] = "";
-    const void* data;
-    size_t size;
-    const dm_result result = dmi_tiny_write(tiny, &data, &size, message, sizeof message);
-    if (result != DM_OK) return dmi_fail(env, result, "glTF: %s", message);
-    void* copy = dmi_alloc(env, size, 16);
-    if (!copy) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for a file of %zu bytes", size);
-    memcpy(copy, data, size);
-    *out_data = copy;
-    *out_size = size;
-    return DM_OK;
-}
-
-void dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size) {
-    if (!gltf) return;
-    dmi_env env;
-    dmi_env_init(&env, &gltf->env.allocator, NULL, NULL);
-    dmi_free(&env, data, size);
 }

@@ -12,44 +12,74 @@ extern "C" {
 
 typedef struct dm_gltf dm_gltf;
 
+/* Files beside a .gltf: buffers when it is opened, images when it is exported. */
+typedef struct dm_gltf_files {
+    void* user;
+    /* Hands over the bytes of the file at `path`: relative to the document, UTF-8, '/' between folders. It never is
+     * absolute, never has "..", a backslash or a colon in it. Returns DM_OK, DM_ERROR_OUT_OF_MEMORY, or another
+     * number: there is no such file. */
+    int32_t(DM_CALL* open)(void* user, const char* path, const void** out_data, size_t* out_size);
+    /* Takes the bytes back, before dm_gltf_close returns. */
+    void(DM_CALL* close)(void* user, const void* data, size_t size);
+} dm_gltf_files;
+
 typedef struct dm_gltf_desc {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */
-    const void* data;  /* the bytes of a .glb, or of a .gltf whose buffers are embedded; borrowed for the call */
+    const void* data;  /* the bytes of a .glb or .gltf; borrowed for the call */
     size_t size;
     dm_allocator allocator; /* zeros = malloc/free */
     dm_log log;             /* zeros = silent */
+    dm_gltf_files files;    /* zeros = none: everything is embedded. `user` lives as long as the dm_gltf */
 } dm_gltf_desc;
 
-/* A node that has a mesh. Vertices and faces are those of the merged mesh, which holds the nodes in file order
- * (document order of the nodes array), a node's primitives in order, every vertex in the scene's frame (node transforms
- * applied). */
+#define DM_GLTF_NO_CARRIER UINT32_MAX
+
+/* What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces
+ * are those of the merged mesh. It holds the nodes with meshes in file order (document order of the nodes array), a
+ * node's primitives in order, every vertex in the scene's frame less dm_gltf_get_origin (node transforms applied).
+ * Primitives of a node that share an accessor share its vertices. A node with a skin stands bone by bone, as its bones
+ * stand in the file; a vertex goes with its heaviest bone. */
 typedef struct dm_gltf_node {
     const char* name; /* UTF-8; "" when it has none. Lives as long as the dm_gltf */
-    uint32_t node;    /* index in the file's nodes array */
-    uint32_t reserved;
+    uint32_t node;    /* index in the file's nodes array, of the node or bone */
+    uint32_t carrier; /* the nearest dm_gltf_node above it, by index here: it goes where that one goes. Else
+                         DM_GLTF_NO_CARRIER */
     uint64_t first_vertex, vertex_count;
     uint64_t first_face, face_count;
     float colour[4]; /* base colour factor of its first material, linear; white without one */
 } dm_gltf_node;
 
-/* Reads triangles, strips and fans; other primitives, skins and morphs are left out with a warning. Draco and other
- * compressed geometry: DM_ERROR_UNSUPPORTED. Errors: BAD_DATA, NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. */
+/* Reads triangles, strips and fans, also quantised ones (KHR_mesh_quantization) and, where the build has their
+ * libraries, compressed ones (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression). Another
+ * required extension that may change geometry: UNSUPPORTED, by name. Left out with a warning: primitives that are
+ * broken, points, lines, morph targets, nodes whose scale is zero. Left out in silence, because they are no body: nodes
+ * and meshes named UCX_*, UBX_*, UCP_*, USP_*, *_collider, *-colonly, *-convcolonly; invisible nodes
+ * (KHR_node_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD_DATA,
+ * NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. Others: NOT_FOUND (a file beside it), VERSION, TOO_LARGE (it would
+ * take more memory than 16 MB and 256 bytes a byte of the file). */
 DM_API dm_result DM_CALL dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf);
+/* The same for a file and those beside it, which are read from its folder and from nowhere else; `desc` leaves data,
+ * size and files at 0. NOT_FOUND: there is no such regular file. */
+DM_API dm_result DM_CALL dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf** out_gltf);
 DM_API void DM_CALL dm_gltf_close(dm_gltf* gltf);
 
 DM_API uint32_t DM_CALL dm_gltf_node_count(const dm_gltf* gltf);
 DM_API dm_result DM_CALL dm_gltf_get_node(const dm_gltf* gltf, uint32_t index, dm_gltf_node* out_node);
 /* positions float32, indices uint32; no part ids. Points into the dm_gltf. */
 DM_API dm_result DM_CALL dm_gltf_get_mesh(const dm_gltf* gltf, dm_mesh_desc* out_mesh);
+/* Where the merged mesh's origin is in the scene: 0, 0, 0 but for objects more than 256 times their size away, whose
+ * shape floats could not hold there. */
+DM_API void DM_CALL dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]);
 
-/* Sets `value` for every face of the named nodes (a name that several nodes share means all of them; a name of a node
- * without a mesh means the meshes below it; "#12" means node 12 of the file, for files without names). Errors:
- * NOT_FOUND, naming the first missing name and some that exist. */
+/* Sets `value` for every face of the named nodes or bones and of all that they carry (a name that several nodes share
+ * means all of them; that of a node with a skin means all its bones; "#12" means node 12 of the file, for files without
+ * names). Errors: NOT_FOUND, naming the first missing name and some that exist. */
 DM_API dm_result DM_CALL dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint32_t name_count,
                                             uint8_t value, uint8_t* inout_face_ids, uint64_t face_count);
 
-/* Reads a part mask (.npy or JSON array, one integer a vertex or one a face of the merged mesh). mask_value NULL:
+/* Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort
+ * the merged mesh otherwise). mask_value NULL:
  * non-zero is moving. out_part_ids: as many bytes as max(vertex_count, face_count). out_ambiguous (may be NULL): both
  * lengths fit, and per vertex was taken. Errors: BAD_DATA, INVALID_ARGUMENT (neither length fits), EMPTY_MASK,
  * FULL_MASK. */

@@ -1,0 +1,128 @@
+/* dm_gltf_open_file: a document and the files beside it, read from its folder and from nowhere else. */
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "mesh/gltf/gltf_file.h"
+
+/* Bytes of a file. */
+typedef struct contents {
+    void* data;
+    size_t size;
+} contents;
+
+/* Reads all that the file has. Pipes and devices, which may never end, are no files here. Returns DM_OK, NOT_FOUND with
+ * errno set, OUT_OF_MEMORY or TOO_LARGE. */
+static dm_result read_descriptor(dmi_env* env, int file, contents* out) {
+    struct stat info;
+    if (fstat(file, &info) != 0) return DM_ERROR_NOT_FOUND;
+    if (!S_ISREG(info.st_mode)) {
+        errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
+        return DM_ERROR_NOT_FOUND;
+    }
+    if (info.st_size > UINT32_MAX) return DM_ERROR_TOO_LARGE;
+    out->size = (size_t)info.st_size;
+    out->data = dmi_alloc(env, out->size, 16);
+    if (!out->data) return DM_ERROR_OUT_OF_MEMORY;
+    size_t have = 0;
+    while (have < out->size) {
+        const ssize_t got = read(file, (uint8_t*)out->data + have, out->size - have);
+        if (got <= 0) break;
+        have += (size_t)got;
+    }
+    if (have == out->size) return DM_OK;
+    dmi_free(env, out->data, out->size);
+    errno = EIO;
+    return DM_ERROR_NOT_FOUND;
+}
+
+static dm_result read_file(dmi_env* env, const char* path, contents* out) {
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0) return DM_ERROR_NOT_FOUND;
+    const dm_result result = read_descriptor(env, file, out);
+    const int reason = errno;
+    close(file);
+    errno = reason;
+    return result;
+}
+
+/* Writes the folder's path and the file's, if links don't lead out of the folder. */
+static int find_inside(const char* folder, const char* path, char out[PATH_MAX]) {
+    char base[PATH_MAX], joined[PATH_MAX];
+    if (!realpath(folder, base) || strlen(base) + strlen(path) + 2 > sizeof joined) return 0;
+    const size_t length = strlen(base);
+    strcpy(joined, base);
+    strcpy(joined + length, "/");
+    strcpy(joined + length + 1, path);
+    if (!realpath(joined, out)) return 0;
+    return strcmp(base, "/") == 0 || (strncmp(out, base, length) == 0 && out[length] == '/');
+}
+
+static int32_t DM_CALL open_beside(void* user, const char* path, const void** out_data, size_t* out_size) {
+    dm_gltf* gltf = user;
+    char inside[PATH_MAX];
+    contents found;
+    if (!find_inside(gltf->folder, path, inside)) return DM_ERROR_NOT_FOUND;
+    const dm_result result = read_file(&gltf->env, inside, &found);
+    if (result != DM_OK) return result;
+    *out_data = found.data;
+    *out_size = found.size;
+    return DM_OK;
+}
+
+static void DM_CALL close_beside(void* user, const void* data, size_t size) {
+    dm_gltf* gltf = user;
+    dmi_free(&gltf->env, (void*)(uintptr_t)data, size);
+}
+
+dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf) {
+    return (dm_gltf_files){.user = gltf, .open = open_beside, .close = close_beside};
+}
+
+/* The folder that holds the file, as new memory of *out_size bytes. */
+static char* folder_of(dmi_env* env, const char* path, size_t* out_size) {
+    const char* slash = strrchr(path, '/');
+    const size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
+    char* folder = dmi_alloc(env, length + 1, 1);
+    if (!folder) return NULL;
+    memcpy(folder, slash ? path : ".", length);
+    folder[length] = 0;
+    *out_size = length + 1;
+    return folder;
+}
+
+static dm_result open_contents(dmi_env* env, const char* path, const dm_gltf_desc* desc, const contents* from,
+                               dm_gltf** out_gltf) {
+    size_t folder_size = 0;
+    if (from->size == 0) return dmi_fail(env, DM_ERROR_BAD_DATA, "'%.200s' is empty", path);
+    char* folder = folder_of(env, path, &folder_size);
+    if (!folder) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for a path");
+    dm_gltf_desc whole = *desc;
+    whole.data = from->data;
+    whole.size = from->size;
+    return dmi_gltf_open_in(&whole, folder, folder_size, out_gltf);
+}
+
+dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf** out_gltf) {
+    dmi_env env;
+    if (!path || !desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env_init(&env, NULL, desc->struct_size >= sizeof *desc ? &desc->log : NULL, NULL);
+    dm_result result = dmi_gltf_check_desc(&env, desc, 0);
+    if (result == DM_OK && desc->files.open)
+        result = dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_desc.files: the folder stands for them");
+    if (result != DM_OK) return result;
+    dmi_env_init(&env, &desc->allocator, &desc->log, NULL);
+    contents found;
+    result = read_file(&env, path, &found);
+    if (result == DM_ERROR_OUT_OF_MEMORY || result == DM_ERROR_TOO_LARGE)
+        return dmi_fail(&env, result, "'%.200s': no memory for it, or more than 4 GB", path);
+    if (result != DM_OK) return dmi_fail(&env, result, "can't read '%.200s': %s", path, strerror(errno));
+    result = open_contents(&env, path, desc, &found, out_gltf);
+    dmi_free(&env, found.data, found.size);
+    return result;
+}

@@ -1,0 +1,10 @@
+/* Images beside a document. */
+#ifndef DMI_MESH_GLTF_IMAGES_H
+#define DMI_MESH_GLTF_IMAGES_H
+
+#include "mesh/gltf/gltf_edit.h"
+
+/* Puts the images that the host hands over into the buffer; others keep their URIs. */
+void dmi_images_embed(dmi_edit* e);
+
+#endif

@@ -1,0 +1,391 @@
+/* Shapes: what a mesh has of triangles. A vertex accessor of one mesh alone is taken as it is; of one that several
+ * meshes share, each takes the vertices that its triangles have. Primitives of a mesh share vertices. */
+#include "mesh/gltf/gltf_shape.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Longest description of a place in a file ("node 3 'door', primitive 0"). */
+#define PLACE_SIZE 192
+#define SEVERAL UINT32_MAX
+enum { WORD_BITS = 64 };
+
+/* ---- who has which vertices ---- */
+
+static void find_users_of(dmi_gltf_builder* builder, uint32_t mesh) {
+    const uint32_t keys = dmi_gltf_key_count(builder->gltf);
+    const cJSON* primitive;
+    builder->shapes[mesh].shown = 1;
+    cJSON_ArrayForEach(primitive, dmi_json_get(builder->gltf->document.items[DMI_GLTF_MESHES][mesh], "primitives")) {
+        const uint32_t key = dmi_gltf_key(builder->gltf, primitive);
+        if (key == keys) continue;
+        uint32_t* user = &builder->users[key];
+        *user = *user == 0 || *user == mesh + 1 ? mesh + 1 : SEVERAL;
+    }
+}
+
+/* Of the meshes that the scene shows. */
+static void find_users(dmi_gltf_builder* builder) {
+    const dm_gltf* gltf = builder->gltf;
+    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
+        const dmi_gltf_tree_node* node = &gltf->tree[i];
+        if (node->mesh < 0 || !node->placed || !node->shown || builder->shapes[node->mesh].shown) continue;
+        find_users_of(builder, (uint32_t)node->mesh);
+    }
+}
+
+dm_result dmi_gltf_builder_open(dm_gltf* gltf, dmi_gltf_problem* problem, dmi_gltf_builder* out) {
+    dmi_env* env = &gltf->env;
+    const uint32_t keys = dmi_gltf_key_count(gltf), meshes = gltf->document.counts[DMI_GLTF_MESHES];
+    *out = (dmi_gltf_builder){.gltf = gltf,
+                              .shapes = dmi_alloc_zeroed(env, meshes * sizeof *out->shapes, 16),
+                              .users = dmi_alloc_zeroed(env, keys * sizeof *out->users, 16),
+                              .stamps = dmi_alloc_zeroed(env, keys * sizeof *out->stamps, 16),
+                              .owners = dmi_alloc(env, keys * sizeof *out->owners, 16)};
+    if (!out->shapes || !out->users || !out->stamps || !out->owners)
+        return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u meshes", meshes);
+    find_users(out);
+    return DM_OK;
+}
+
+static void release_shape(dmi_env* env, dmi_gltf_shape* shape) {
+    dmi_free(env, shape->groups, shape->capacity * sizeof *shape->groups);
+    dmi_free(env, shape->runs, shape->capacity * sizeof *shape->runs);
+    dmi_free(env, shape->local, shape->vertex_capacity * 3 * sizeof *shape->local);
+    dmi_free(env, shape->elements, shape->vertex_capacity * sizeof *shape->elements);
+    dmi_free(env, shape->corners, shape->face_capacity * 3 * sizeof *shape->corners);
+}
+
+void dmi_gltf_builder_close(dmi_gltf_builder* builder) {
+    dmi_env* env = &builder->gltf->env;
+    const uint32_t keys = dmi_gltf_key_count(builder->gltf), meshes = builder->gltf->document.counts[DMI_GLTF_MESHES];
+    for (uint32_t i = 0; builder->shapes && i < meshes; i++) release_shape(env, &builder->shapes[i]);
+    dmi_free(env, builder->shapes, meshes * sizeof *builder->shapes);
+    dmi_free(env, builder->users, keys * sizeof *builder->users);
+    dmi_free(env, builder->stamps, keys * sizeof *builder->stamps);
+    dmi_free(env, builder->owners, keys * sizeof *builder->owners);
+    const uint64_t words = builder->element_capacity / WORD_BITS;
+    dmi_free(env, builder->used, words * sizeof *builder->used);
+    dmi_free(env, builder->places, builder->element_capacity * sizeof *builder->places);
+}
+
+/* ---- corners ---- */
+
+static dm_result grow_faces(dm_gltf* gltf, dmi_gltf_shape* shape, uint64_t added, const char* place,
+                            dmi_gltf_problem* problem) {
+    const uint64_t needed = shape->face_count + added;
+    const dm_result result = dmi_gltf_spend(gltf, added, 3 * sizeof *shape->corners, place, problem);
+    if (result != DM_OK || needed <= shape->face_capacity) return result;
+    const uint64_t capacity = shape->face_count == 0 ? needed : 2 * needed;
+    uint32_t* corners = dmi_alloc(&gltf->env, capacity * 3 * sizeof *corners, 16);
+    if (!corners)
+        return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for %" PRIu64 " triangles", place,
+                               needed);
+    if (shape->corners) memcpy(corners, shape->corners, shape->face_count * 3 * sizeof *corners);
+    dmi_free(&gltf->env, shape->corners, shape->face_capacity * 3 * sizeof *corners);
+    shape->corners = corners;
+    shape->face_capacity = capacity;
+    return DM_OK;
+}
+
+/* Corner `corner` of triangle `face`, as a position in the primitive's list (glTF 2.0 §3.7.2.1). */
+static uint64_t corner_of(int32_t mode, uint64_t face, uint32_t corner) {
+    if (mode == DMI_GLTF_TRIANGLES) return 3 * face + corner;
+    if (mode == DMI_GLTF_FAN) return corner == 2 ? 0 : face + 1 + corner;
+    return corner == 0 ? face : face + (((face & 1) != 0) == (corner == 1) ? 2 : 1);
+}
+
+/* Spreads the `count` corners of a strip or fan, which lie at the end of `out`, to whole triangles. */
+static void spread(int32_t mode, const uint32_t* corners, uint64_t faces, uint32_t* out) {
+    for (uint64_t face = 0; face < faces; face++) {
+        for (uint32_t corner = 0; corner < 3; corner++) out[3 * face + corner] = corners[corner_of(mode, face, corner)];
+    }
+}
+
+static dm_result check_corners(const dmi_gltf_geometry* from, const uint32_t* corners, uint64_t faces,
+                               const char* place, dmi_gltf_problem* problem) {
+    for (uint64_t i = 0; i < 3 * faces; i++) {
+        if (corners[i] >= from->positions.count)
+            return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
+                                   "%s: triangle %" PRIu64 " names vertex %u of %" PRIu64, place, i / 3, corners[i],
+                                   from->positions.count);
+        double xyz[3];
+        for (int k = 0; k < 3; k++) xyz[k] = dmi_gltf_element(&from->positions, corners[i], k);
+        if (!isfinite(xyz[0]) || !isfinite(xyz[1]) || !isfinite(xyz[2]))
+            return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %u is (%g, %g, %g)", place, corners[i],
+                                   xyz[0], xyz[1], xyz[2]);
+    }
+    for (uint64_t i = 0; i < from->positions.change_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            if (!isfinite(dmi_gltf_change(&from->positions, i, k)))
+                return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %" PRIu64 " is not finite", place,
+                                       dmi_gltf_changed(&from->positions, i));
+        }
+    }
+    return DM_OK;
+}
+
+/* Appends the triangles of a primitive, as positions in its accessors. */
+static dm_result read_corners(dm_gltf* gltf, dmi_gltf_shape* shape, const dmi_gltf_geometry* from, const char* place,
+                              dmi_gltf_problem* problem, uint64_t* out_faces) {
+    const uint64_t count = from->indexed ? from->indices.count : from->positions.count;
+    const int listed = from->mode == DMI_GLTF_TRIANGLES;
+    const uint64_t faces = listed ? count / 3 : count < 3 ? 0 : count - 2;
+    *out_faces = faces;
+    if (listed && count % 3 != 0)
+        dmi_gltf_warn(&gltf->env, "%s: %" PRIu64 " corners are not a multiple of 3, the last are left out", place,
+                      count);
+    /* Three more corners than the triangles of a list have: the odd ones. */
+    dm_result result = grow_faces(gltf, shape, faces + 1, place, problem);
+    if (result == DM_OK && !listed) result = dmi_gltf_spend(gltf, count, sizeof(uint32_t), place, problem);
+    if (result != DM_OK) return result;
+    uint32_t* out = shape->corners + 3 * shape->face_count;
+    uint32_t* list = listed ? out : dmi_alloc(&gltf->env, count * sizeof *list, 16);
+    if (!list) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for %" PRIu64, place, count);
+    if (from->indexed)
+        dmi_gltf_read_indices(&from->indices, list);
+    else
+        for (uint64_t i = 0; i < count; i++) list[i] = (uint32_t)i;
+    if (!listed) {
+        spread(from->mode, list, faces, out);
+        dmi_free(&gltf->env, list, count * sizeof *list);
+    }
+    return check_corners(from, out, faces, place, problem);
+}
+
+/* ---- primitives ---- */
+
+/* The primitive's material, and its base colour; white without one. */
+static const cJSON* read_colour(const dm_gltf* gltf, const cJSON* primitive, float out[4]) {
+    const cJSON* material =
+        dmi_gltf_item(&gltf->document, DMI_GLTF_MATERIALS, dmi_json_number(primitive, "material", DMI_GLTF_NO_INDEX));
+    double colour[4] = {1, 1, 1, 1};
+    dmi_json_numbers(dmi_json_get(material, "pbrMetallicRoughness"), "baseColorFactor", 4, colour);
+    for (int i = 0; i < 4; i++) out[i] = (float)colour[i];
+    return material;
+}
+
+/* Whether the material lets nothing be seen: its alpha counts and is 0. */
+static int is_invisible(const dm_gltf* gltf, const cJSON* primitive) {
+    float colour[4];
+    const char* mode = dmi_json_text(read_colour(gltf, primitive, colour), "alphaMode");
+    return mode && (strcmp(mode, "BLEND") == 0 || strcmp(mode, "MASK") == 0) && colour[3] == 0;
+}
+
+/* The group of the mesh whose vertices the primitive has too, or a new one. */
+static uint32_t find_group(dmi_gltf_builder* builder, uint32_t mesh, const dmi_gltf_geometry* geometry) {
+    dmi_gltf_shape* shape = &builder->shapes[mesh];
+    const uint32_t key = geometry->key;
+    if (key < dmi_gltf_key_count(builder->gltf)) {
+        const uint32_t owner = builder->owners[key];
+        if (builder->stamps[key] == mesh + 1 && shape->groups[owner].geometry.joint_key == geometry->joint_key)
+            return owner;
+        builder->stamps[key] = mesh + 1;
+        builder->owners[key] = shape->group_count;
+    }
+    shape->groups[shape->group_count] = (dmi_gltf_group){.geometry = *geometry, .first_run = -1, .last_run = -1};
+    return shape->group_count++;
+}
+
+static void add_run(dmi_gltf_builder* builder, uint32_t mesh, const dmi_gltf_geometry* geometry, const cJSON* json,
+                    uint32_t primitive, uint64_t faces) {
+    dmi_gltf_shape* shape = &builder->shapes[mesh];
+    const int32_t index = (int32_t)shape->run_count++;
+    const uint32_t group = find_group(builder, mesh, geometry);
+    dmi_gltf_group* g = &shape->groups[group];
+    shape->runs[index] = (dmi_gltf_run){
+        .primitive = primitive, .group = group, .next = -1, .first_face = shape->face_count, .face_count = faces};
+    read_colour(builder->gltf, json, shape->runs[index].colour);
+    if (g->last_run >= 0)
+        shape->runs[g->last_run].next = index;
+    else
+        g->first_run = index;
+    g->last_run = index;
+    shape->face_count += faces;
+}
+
+static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const cJSON* primitive, uint32_t index,
+                               const char* place, dmi_gltf_problem* problem) {
+    dm_gltf* gltf = builder->gltf;
+    dmi_gltf_shape* shape = &builder->shapes[mesh];
+    dmi_gltf_geometry geometry;
+    uint64_t faces;
+    if (is_invisible(gltf, primitive)) return DM_OK;
+    dm_result result = dmi_gltf_find_geometry(gltf, primitive, place, problem, &geometry);
+    if (result == DM_OK) result = read_corners(gltf, shape, &geometry, place, problem, &faces);
+    if (result != DM_OK || faces == 0) return result;
+    if (dmi_json_get(primitive, "targets")) dmi_gltf_warn(&gltf->env, "%s: its morph targets are left out", place);
+    if (faces > DM_MAX_ELEMENTS - shape->face_count)
+        return dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE, "%s: more than %d triangles", place, DM_MAX_ELEMENTS);
+    add_run(builder, mesh, &geometry, primitive, index, faces);
+    return DM_OK;
+}
+
+/* ---- vertices ---- */
+
+static dm_result grow_elements(dmi_gltf_builder* builder, uint64_t needed, dmi_gltf_problem* problem) {
+    dmi_env* env = &builder->gltf->env;
+    if (needed <= builder->element_capacity) return DM_OK;
+    const uint64_t old = builder->element_capacity, capacity = (needed + WORD_BITS - 1) / WORD_BITS * WORD_BITS;
+    const dm_result result = dmi_gltf_spend(builder->gltf, capacity, sizeof *builder->places, "glTF", problem);
+    if (result != DM_OK) return result;
+    dmi_free(env, builder->used, old / WORD_BITS * sizeof *builder->used);
+    dmi_free(env, builder->places, old * sizeof *builder->places);
+    builder->used = dmi_alloc_zeroed(env, capacity / WORD_BITS * sizeof *builder->used, 16);
+    builder->places = dmi_alloc(env, capacity * sizeof *builder->places, 16);
+    builder->element_capacity = capacity;
+    if (builder->used && builder->places) return DM_OK;
+    return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %" PRIu64 " vertices", needed);
+}
+
+static void mark(dmi_gltf_builder* builder, uint64_t element) {
+    builder->used[element / WORD_BITS] |= (uint64_t)1 << element % WORD_BITS;
+}
+
+static int is_marked(const dmi_gltf_builder* builder, uint64_t element) {
+    return builder->used[element / WORD_BITS] >> element % WORD_BITS & 1;
+}
+
+static dm_result grow_vertices(dm_gltf* gltf, dmi_gltf_shape* shape, uint64_t added, dmi_gltf_problem* problem) {
+    const uint64_t needed = shape->vertex_count + added, old = shape->vertex_capacity, kept = shape->vertex_count;
+    const dm_result result =
+        dmi_gltf_spend(gltf, added, 3 * sizeof(float) + sizeof(uint32_t), "glTF: the vertices", problem);
+    if (result != DM_OK || needed <= old) return result;
+    const uint64_t capacity = old == 0 ? needed : 2 * needed;
+    float* local = dmi_alloc(&gltf->env, capacity * 3 * sizeof *local, 16);
+    uint32_t* elements = dmi_alloc(&gltf->env, capacity * sizeof *elements, 16);
+    if (local && elements && kept > 0) {
+        memcpy(local, shape->local, kept * 3 * sizeof *local);
+        memcpy(elements, shape->elements, kept * sizeof *elements);
+    }
+    dmi_free(&gltf->env, shape->local, old * 3 * sizeof *local);
+    dmi_free(&gltf->env, shape->elements, old * sizeof *elements);
+    shape->local = local;
+    shape->elements = elements;
+    shape->vertex_capacity = capacity;
+    if (local && elements) return DM_OK;
+    return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %" PRIu64 " vertices", needed);
+}
+
+/* Marks the elements that triangles have. Returns how many become vertices: those, or all of them. */
+static uint64_t mark_group(dmi_gltf_builder* builder, const dmi_gltf_shape* shape, const dmi_gltf_group* group,
+                           int whole) {
+    uint64_t marked = 0;
+    for (int32_t r = group->first_run; r >= 0; r = shape->runs[r].next) {
+        const uint32_t* corners = shape->corners + 3 * shape->runs[r].first_face;
+        for (uint64_t i = 0; i < 3 * shape->runs[r].face_count; i++) {
+            marked += !is_marked(builder, corners[i]);
+            mark(builder, corners[i]);
+        }
+    }
+    return whole ? group->geometry.positions.count : marked;
+}
+
+static void read_position(const dmi_gltf_elements* from, uint64_t element, float out[3]) {
+    if (from->data && from->component_type == DMI_GLTF_FLOAT)
+        memcpy(out, from->data + element * from->stride, 3 * sizeof *out);
+    else
+        for (int k = 0; k < 3; k++) out[k] = (float)dmi_gltf_element(from, element, k);
+}
+
+/* Fills the vertices of a group whose elements are marked. */
+static void fill_vertices(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_gltf_group* group, int whole) {
+    const dmi_gltf_elements* from = &group->geometry.positions;
+    group->first_vertex = shape->vertex_count;
+    for (uint64_t e = 0; e < from->count; e++) {
+        if (!whole && builder->used[e / WORD_BITS] == 0) e |= WORD_BITS - 1; /* to the next word */
+        if (e >= from->count || (!whole && !is_marked(builder, e))) continue;
+        read_position(from, e, shape->local + 3 * shape->vertex_count);
+        shape->elements[shape->vertex_count] = (uint32_t)e;
+        builder->places[e] = (uint32_t)shape->vertex_count++;
+    }
+    group->vertex_count = shape->vertex_count - group->first_vertex;
+    for (uint64_t i = 0; i < from->change_count; i++) {
+        const uint64_t element = dmi_gltf_changed(from, i);
+        if (!whole && !is_marked(builder, element)) continue;
+        float* out = shape->local + 3 * (size_t)builder->places[element];
+        for (int k = 0; k < 3; k++) out[k] = (float)dmi_gltf_change(from, i, k);
+    }
+}
+
+/* Names vertices where the triangles of the group name elements, and clears the marks of these. */
+static void number_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, const dmi_gltf_group* group) {
+    for (int32_t r = group->first_run; r >= 0; r = shape->runs[r].next) {
+        uint32_t* corners = shape->corners + 3 * shape->runs[r].first_face;
+        for (uint64_t i = 0; i < 3 * shape->runs[r].face_count; i++) {
+            const uint32_t element = corners[i];
+            builder->used[element / WORD_BITS] &= ~((uint64_t)1 << element % WORD_BITS);
+            corners[i] = builder->places[element];
+            const float* p = shape->local + 3 * (size_t)corners[i];
+            for (int k = 0; k < 3; k++) {
+                shape->low[k] = fminf(shape->low[k], p[k]);
+                shape->high[k] = fmaxf(shape->high[k], p[k]);
+            }
+        }
+    }
+}
+
+/* Moves vertices that no triangle has to one that some has, where they lie outside of the box or are not finite. */
+static void mend_unused(dmi_gltf_shape* shape, const dmi_gltf_group* group) {
+    const float* good = shape->local + 3 * (size_t)shape->corners[3 * shape->runs[group->first_run].first_face];
+    for (uint64_t v = group->first_vertex; v < group->first_vertex + group->vertex_count; v++) {
+        float* p = shape->local + 3 * v;
+        int inside = 1;
+        for (int k = 0; k < 3; k++) inside &= p[k] >= shape->low[k] && p[k] <= shape->high[k];
+        if (!inside) memcpy(p, good, 3 * sizeof *p);
+    }
+}
+
+static dm_result build_group(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_gltf_group* group,
+                             dmi_gltf_problem* problem) {
+    const uint32_t key = group->geometry.key;
+    const int whole = key == dmi_gltf_key_count(builder->gltf) || builder->users[key] != SEVERAL;
+    dm_result result = grow_elements(builder, group->geometry.positions.count, problem);
+    if (result != DM_OK) return result;
+    const uint64_t added = mark_group(builder, shape, group, whole);
+    result = grow_vertices(builder->gltf, shape, added, problem);
+    if (result != DM_OK) return result;
+    fill_vertices(builder, shape, group, whole);
+    number_corners(builder, shape, group);
+    return DM_OK;
+}
+
+dm_result dmi_gltf_build_shape(dmi_gltf_builder* builder, uint32_t node, dmi_gltf_problem* problem) {
+    dm_gltf* gltf = builder->gltf;
+    const uint32_t mesh = (uint32_t)gltf->tree[node].mesh;
+    dmi_gltf_shape* shape = &builder->shapes[mesh];
+    const cJSON* primitives = dmi_json_get(gltf->document.items[DMI_GLTF_MESHES][mesh], "primitives");
+    const cJSON* primitive;
+    uint32_t index = 0;
+    if (shape->built) return DM_OK;
+    shape->built = 1;
+    for (int k = 0; k < 3; k++) {
+        shape->low[k] = INFINITY;
+        shape->high[k] = -INFINITY;
+    }
+    shape->capacity = (uint32_t)cJSON_GetArraySize(primitives);
+    shape->groups = dmi_alloc(&gltf->env, shape->capacity * sizeof *shape->groups, 16);
+    shape->runs = dmi_alloc(&gltf->env, shape->capacity * sizeof *shape->runs, 16);
+    if (!shape->groups || !shape->runs)
+        return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u primitives", shape->capacity);
+    cJSON_ArrayForEach(primitive, primitives) {
+        char place[PLACE_SIZE];
+        dmi_gltf_problem here = {.code = DM_OK};
+        snprintf(place, sizeof place, "glTF node %u '%.80s', primitive %u", node, gltf->tree[node].name, index);
+        const dm_result result = add_primitive(builder, mesh, primitive, index++, place, &here);
+        if (result == DM_OK) continue;
+        if (here.fatal) {
+            *problem = here;
+            return result;
+        }
+        dmi_gltf_leave_out(gltf, &here);
+    }
+    for (uint32_t g = 0; g < shape->group_count; g++) {
+        const dm_result result = build_group(builder, shape, &shape->groups[g], problem);
+        if (result != DM_OK) return result;
+    }
+    for (uint32_t g = 0; g < shape->group_count; g++) mend_unused(shape, &shape->groups[g]);
+    return DM_OK;
+}
