@@ -168,18 +168,19 @@ local core = { "dragmesh_core", "cjson", embree, "m" }
 shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plugin_api/dragmesh.map")
 
 -- glTF in and out. Draco's decoder is the one part in C++; a build without a library refuses its extension by name.
-local compression = { { "draco", "draco/compression/decode.h" }, { "meshoptimizer", "meshoptimizer.h" } }
-local gltf_libraries, gltf_macros = { "dragmesh_core", "cjson", "m" }, {}
+local compression = {
+    { "draco", "draco/compression/decode.h", "DMI_NO_DRACO" }, { "meshoptimizer", "meshoptimizer.h", "DMI_NO_MESHOPT" } }
+local decoders, gltf_macros = {}, {}
 for _, library in ipairs(compression) do
     if installed(library[2]) then
-        table.insert(gltf_libraries, library[1])
+        table.insert(decoders, library[1])
     else
-        table.insert(gltf_macros, library[1] == "draco" and "DMI_NO_DRACO" or "DMI_NO_MESHOPT")
+        table.insert(gltf_macros, library[3])
     end
 end
 shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
     { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh" }) },
-    gltf_libraries, "plugin_api/dragmesh_gltf.map")
+    table.join({ "dragmesh_core", "cjson", "m" }, decoders), "plugin_api/dragmesh_gltf.map")
     language "C++"
     defines(gltf_macros)
 
@@ -237,7 +238,9 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
         if room == "abi" or room == "e2e" then
             libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
         end
+        if name:find "gltf" then libraries = table.join(libraries, decoders) end -- it compresses files itself
         program(name, { source }, everything, libraries, "/tests")
+            defines(gltf_macros)
             if room ~= "abi" then defines { "DM_TEST_ROOM=\"" .. room .. "\"" } end
     end
 end

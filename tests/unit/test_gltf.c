@@ -294,8 +294,8 @@ static const hostile cases[] = {
     {ASSET VIEWS ACCESSORS MESHES "\"scenes\":[{\"nodes\":[5]}]," NODES("{\"mesh\":0}"), DM_ERROR_BAD_DATA, "node 5"},
     {ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"n\",\"mesh\":9}"), DM_ERROR_BAD_DATA, "mesh 9 does not exist"},
     {ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0,\"scale\":[1e39,1,1]}"), DM_ERROR_NOT_FINITE, "not finite"},
-    {ASSET "\"extensionsRequired\":[\"KHR_texture_transform\",\"ACME_offset\"]," VIEWS ACCESSORS MESHES NODES(
-         "{\"mesh\":0}"),
+    {ASSET
+     "\"extensionsRequired\":[\"KHR_texture_transform\",\"ACME_offset\"]," VIEWS ACCESSORS MESHES NODES("{\"mesh\":0}"),
      DM_ERROR_UNSUPPORTED, "ACME_offset"},
     {ASSET NODES("{\"mesh\":-1}"), DM_ERROR_DEGENERATE_MESH, "no triangle"},
     {"{\"asset\":{}}", DM_ERROR_BAD_DATA, "asset"},

@@ -21,7 +21,7 @@ struct dmi_gltf_block {
     int32_t type;
     uint32_t values[];
 };
-enum { FACES = UINT32_MAX };
+#define FACES UINT32_MAX
 
 const cJSON* dmi_gltf_draco_of(const dm_gltf* gltf, const cJSON* primitive) {
     const cJSON* found = dmi_json_get(dmi_json_get(primitive, "extensions"), DMI_DRACO_NAME);
