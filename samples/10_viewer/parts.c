@@ -102,6 +102,17 @@ static uint32_t part_of_node(world* world, const dm_gltf_node* node) {
     return id;
 }
 
+/* Nodes go with what carries them. */
+static void find_carriers(world* world) {
+    dm_gltf_node node, carrier;
+    for (uint32_t i = 0; i < dm_gltf_node_count(world->gltf); i++) {
+        if (dm_gltf_get_node(world->gltf, i, &node) != DM_OK || node.face_count == 0) continue;
+        if (dm_gltf_get_node(world->gltf, node.carrier, &carrier) != DM_OK || carrier.face_count == 0) continue;
+        const uint32_t id = world->face_part[node.first_face];
+        if (id) world->parts[id].parent = world->face_part[carrier.first_face];
+    }
+}
+
 void parts_from_nodes(world* world) {
     dm_gltf_node node;
     uint32_t body = 0;
@@ -114,6 +125,7 @@ void parts_from_nodes(world* world) {
     for (uint32_t i = 0; i < dm_gltf_node_count(world->gltf); i++)
         if (i != body && dm_gltf_get_node(world->gltf, i, &node) == DM_OK && node.face_count > 0)
             part_of_node(world, &node);
+    find_carriers(world);
 }
 
 void parts_toggle_node(world* world, uint32_t face) {

@@ -28,7 +28,8 @@ static uint32_t list_parts(const session* session, uint32_t body, dm_part_desc o
     for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf) && count < MAX_PARTS; i++) {
         dm_gltf_node node;
         dm_gltf_get_node(session->gltf, i, &node);
-        if (i != body && node.face_count > 0) out[count++] = (dm_part_desc){.struct_size = sizeof out[0], .id = i + 1};
+        if (node_part_id(session, i, body) == i + 1 && node.face_count > 0)
+            out[count++] = (dm_part_desc){.struct_size = sizeof out[0], .id = i + 1};
     }
     return count;
 }

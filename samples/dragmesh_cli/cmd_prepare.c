@@ -32,16 +32,24 @@ static dm_result select_parts(session* session, const name_list* moving, uint16_
 
 static dm_result prepare(session* session, const name_list* moving) {
     uint16_t* ids;
+    uint32_t count = 0;
     dm_result result = select_parts(session, moving, &ids);
+    /* A named node takes what it carries along as one part; without names, each node knows what carries it. */
+    dm_part_desc* parts = moving->count == 0 ? node_parts(session, largest_node(session), &count) : NULL;
     if (result == DM_OK) {
         dm_mesh_desc mesh = session->mesh;
         mesh.part_ids = ids;
         mesh.part_id_bytes = mesh.index_count / 3 * sizeof *ids;
         mesh.part_id_format = DM_UINT16;
         mesh.part_id_scope = DM_PER_FACE;
-        const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = session->model};
+        const dm_object_desc desc = {.struct_size = sizeof desc,
+                                     .mesh = &mesh,
+                                     .model = session->model,
+                                     .parts = count > 0 ? parts : NULL,
+                                     .part_count = count};
         result = dm_object_prepare(session->context, &desc, &session->object);
     }
+    free(parts);
     free(ids);
     return result;
 }
@@ -82,6 +90,7 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
         part_name(session, moving, part.id, name, sizeof name);
         cJSON* item = cJSON_CreateObject();
         cJSON_AddNumberToObject(item, "id", part.id);
+        cJSON_AddNumberToObject(item, "parent", part.parent);
         cJSON_AddStringToObject(item, "name", name);
         joint_to_json(&found.joint, session->origin, item);
         cJSON_AddItemToArray(parts, item);

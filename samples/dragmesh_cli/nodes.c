@@ -44,13 +44,40 @@ uint32_t largest_node(const session* session) {
     return best;
 }
 
+/* The entry that the node goes with, of the same bone in another mesh; itself when there is none. */
+static uint32_t first_of_bone(const session* session, uint32_t index) {
+    dm_gltf_node node, carrier;
+    dm_gltf_get_node(session->gltf, index, &node);
+    if (dm_gltf_get_node(session->gltf, node.carrier, &carrier) != DM_OK) return index;
+    return carrier.node == node.node ? node.carrier : index;
+}
+
+uint16_t node_part_id(const session* session, uint32_t index, uint32_t body) {
+    const uint32_t first = first_of_bone(session, index);
+    return first == first_of_bone(session, body) ? 0 : (uint16_t)(first + 1);
+}
+
 uint16_t* node_part_ids(const session* session, uint32_t body) {
     uint16_t* ids = cli_alloc_zeroed(session->mesh.index_count / 3 * sizeof *ids);
     for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
         dm_gltf_node node;
         dm_gltf_get_node(session->gltf, i, &node);
-        for (uint64_t face = 0; face < node.face_count; face++)
-            ids[node.first_face + face] = i == body ? 0 : (uint16_t)(i + 1);
+        const uint16_t id = node_part_id(session, i, body);
+        for (uint64_t face = 0; face < node.face_count; face++) ids[node.first_face + face] = id;
     }
     return ids;
+}
+
+dm_part_desc* node_parts(const session* session, uint32_t body, uint32_t* out_count) {
+    dm_part_desc* parts = cli_alloc_zeroed(dm_gltf_node_count(session->gltf) * sizeof *parts);
+    *out_count = 0;
+    for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
+        dm_gltf_node node;
+        dm_gltf_get_node(session->gltf, i, &node);
+        const uint32_t id = node_part_id(session, i, body);
+        if (id != i + 1 || node.face_count == 0) continue;
+        const uint32_t parent = node.carrier == DM_GLTF_NO_CARRIER ? 0 : node_part_id(session, node.carrier, body);
+        parts[(*out_count)++] = (dm_part_desc){.struct_size = sizeof *parts, .id = id, .parent = parent};
+    }
+    return parts;
 }

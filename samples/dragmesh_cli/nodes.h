@@ -8,7 +8,11 @@
 uint32_t node_of_face(const dm_gltf* gltf, uint64_t face);
 /* Returns the node with the largest box, most likely the body. */
 uint32_t largest_node(const session* session);
-/* A part id a face: 0 for `body`, else 1 + the node's position. To be freed. */
+/* Part id of a node: 0 for `body`, else 1 + its position; of several entries of one bone, that of the first. */
+uint16_t node_part_id(const session* session, uint32_t index, uint32_t body);
+/* A part id a face. To be freed. */
 uint16_t* node_part_ids(const session* session, uint32_t body);
+/* The parts, each with the one that carries it. To be freed. */
+dm_part_desc* node_parts(const session* session, uint32_t body, uint32_t* out_count);
 
 #endif

@@ -343,14 +343,16 @@ static inline void test_prop_primitives(test_prop* p) {
 static inline void test_prop_colliders(test_prop* p) {
     test_prop_nodes(p, NULL);
     test_prop_add(p, "meshes", "{\"name\":\"door-colonly\",\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}");
-    static const char* const nodes[] = {"{\"name\":\"door_collider\",\"mesh\":0}",
-                                        "{\"name\":\"UCX_body_00\",\"mesh\":0}",
-                                        "{\"name\":\"UBX_door\",\"mesh\":0}",
-                                        "{\"name\":\"door-colonly.001\",\"mesh\":0}",
-                                        "{\"name\":\"shape\",\"mesh\":3}",
-                                        "{\"name\":\"ghost\",\"children\":[9],\"extensions\":{"
-                                        "\"KHR_node_visibility\":{\"visible\":false}}}"};
-    for (size_t i = 0; i < sizeof nodes / sizeof *nodes; i++) test_prop_add(p, "nodes", nodes[i]);
+    static const char* const boxes[] = {"door_collider", "UCX_body_00", "UBX_door", "door-colonly.001"};
+    char text[160];
+    for (size_t i = 0; i < sizeof boxes / sizeof *boxes; i++) {
+        snprintf(text, sizeof text, "{\"name\":\"%s\",\"mesh\":0}", boxes[i]);
+        test_prop_add(p, "nodes", text);
+    }
+    test_prop_add(p, "nodes", "{\"name\":\"shape\",\"mesh\":3}");
+    const char* hidden = "\"extensions\":{\"KHR_node_visibility\":{\"visible\":false}}";
+    snprintf(text, sizeof text, "{\"name\":\"ghost\",\"children\":[9],%s}", hidden);
+    test_prop_add(p, "nodes", text);
     test_prop_add(p, "nodes", "{\"name\":\"inside the ghost\",\"mesh\":0}");
     cJSON_AddItemToArray(test_prop_list(p, "extensionsUsed"), cJSON_CreateString("KHR_node_visibility"));
 }
