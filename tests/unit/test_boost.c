@@ -27,7 +27,7 @@ typedef struct grown {
 } grown;
 static grown once, again;
 
-static const dm_lab_rows data = {COLUMNS, CASES, first, &bins[0][0], weights, target};
+static const dm_lab_rows data = {COLUMNS, CASES, first, &bins[0][0], weights, target, NULL};
 static const dm_lab_boost_rule rule = {TREES, LEAVES, 4, 0.2f, 1, 0.5f, 0.7f, 1, 3};
 
 static int load_lab(void** state) {
@@ -86,6 +86,22 @@ static void a_case_goes_to_whom_it_belongs(void** state) {
     assert_true(right >= CASES * 98 / 100);
 }
 
+/* Trees that start from scores that are right already have nothing to say, from scores that are wrong much. */
+static void trees_correct_the_scores_they_are_given(void** state) {
+    (void)state;
+    draw_cases();
+    float scores[ROWS], said[2] = {0, 0};
+    for (int wrong = 0; wrong < 2; wrong++) {
+        for (int r = 0; r < ROWS; r++) scores[r] = (is_high(bins[r]) != 0) != wrong ? 9.0f : 0.0f;
+        dm_lab_rows given = data;
+        given.scores = scores;
+        const dm_lab_trees out = arrays_of(&once);
+        assert_int_equal(boost(&given, &rule, NULL, &out), DM_OK);
+        for (int r = 0; r < ROWS; r++) said[wrong] += fabsf(score_of(&once, bins[r])) / ROWS;
+    }
+    assert_true(said[0] < 0.2f && said[1] > 2);
+}
+
 static void the_same_seed_gives_the_same_trees(void** state) {
     (void)state;
     draw_cases();
@@ -118,7 +134,7 @@ static void trees_keep_to_their_rule(void** state) {
 
 static void no_cases_are_an_error(void** state) {
     (void)state;
-    const dm_lab_rows none = {COLUMNS, 0, first, &bins[0][0], weights, target};
+    const dm_lab_rows none = {COLUMNS, 0, first, &bins[0][0], weights, target, NULL};
     const dm_lab_trees out = arrays_of(&once);
     assert_int_equal(boost(&none, &rule, NULL, &out), DM_ERROR_INVALID_ARGUMENT);
 }
@@ -126,6 +142,7 @@ static void no_cases_are_an_error(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_case_goes_to_whom_it_belongs),
+        cmocka_unit_test(trees_correct_the_scores_they_are_given),
         cmocka_unit_test(the_same_seed_gives_the_same_trees),
         cmocka_unit_test(trees_keep_to_their_rule),
         cmocka_unit_test(no_cases_are_an_error),

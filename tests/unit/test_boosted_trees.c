@@ -86,6 +86,25 @@ static void rows_go_down_to_their_leaves(void** state) {
     test_env_close(&t);
 }
 
+/* The last trees correct the scores where there is a drag, and there alone. */
+static void trees_of_drags_count_with_a_drag(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    two_forks();
+    made.value[(DMI_TREES - DMI_DRAG_TREES - 1) * DMI_TREE_NODES] = 100;
+    made.value[(DMI_TREES - DMI_DRAG_TREES) * DMI_TREE_NODES] = 1;
+    made.value[(DMI_TREES - 1) * DMI_TREE_NODES] = 2;
+    assert_int_equal(read_made(&t), DM_OK);
+    for (int drag = 0; drag < 2; drag++) {
+        memset(rows, 0, sizeof rows);
+        for (int r = 0; r < ROWS; r++) rows[r][DMI_FEATURE_HAS_DRAG] = (float)drag;
+        dmi_boosted_trees_score(&boosted, (const float(*)[DMI_FEATURE_COUNT])rows, ROWS, scores);
+        for (int r = 0; r < ROWS; r++) assert_true(scores[r] == (drag ? 113 : 110));
+    }
+    test_env_close(&t);
+}
+
 static void what_is_no_number_still_ends_in_a_leaf(void** state) {
     (void)state;
     test_env t;
@@ -149,14 +168,19 @@ static void the_shipped_trees_say_what_a_plain_walk_says(void** state) {
     dmi_weights_close(weights);
     free(bytes);
     dmi_random random = dmi_random_make(7, 1);
-    for (int r = 0; r < ROWS; r++)
-        for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[r][k] = dmi_random_normal(&random);
-    dmi_boosted_trees_score(&boosted, (const float(*)[DMI_FEATURE_COUNT])rows, ROWS, scores);
-    for (int r = 0; r < ROWS; r++) {
-        float sum = 0;
-        for (int tree = 0; tree < DMI_TREES; tree++) sum += walk(&made, tree, rows[r]);
-        assert_true(sum == scores[r]);
-        assert_true(r == 0 || scores[r] != scores[0]);
+    for (int drag = 0; drag < 2; drag++) {
+        for (int r = 0; r < ROWS; r++) {
+            for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[r][k] = dmi_random_normal(&random);
+            rows[r][DMI_FEATURE_HAS_DRAG] = (float)drag;
+        }
+        dmi_boosted_trees_score(&boosted, (const float(*)[DMI_FEATURE_COUNT])rows, ROWS, scores);
+        for (int r = 0; r < ROWS; r++) {
+            float sum = 0;
+            for (int tree = 0; tree < DMI_TREES - (drag ? 0 : DMI_DRAG_TREES); tree++)
+                sum += walk(&made, tree, rows[r]);
+            assert_true(sum == scores[r]);
+            assert_true(r == 0 || scores[r] != scores[0]);
+        }
     }
     test_env_close(&t);
 }
@@ -172,8 +196,11 @@ static void no_memory_is_no_wrong_model(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_go_down_to_their_leaves), cmocka_unit_test(what_is_no_number_still_ends_in_a_leaf),
-        cmocka_unit_test(what_is_no_tree_is_refused),   cmocka_unit_test(the_shipped_trees_say_what_a_plain_walk_says),
+        cmocka_unit_test(rows_go_down_to_their_leaves),
+        cmocka_unit_test(trees_of_drags_count_with_a_drag),
+        cmocka_unit_test(what_is_no_number_still_ends_in_a_leaf),
+        cmocka_unit_test(what_is_no_tree_is_refused),
+        cmocka_unit_test(the_shipped_trees_say_what_a_plain_walk_says),
         cmocka_unit_test(no_memory_is_no_wrong_model),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "kinematics/candidates/candidates.h"
 #include "kinematics/features/candidate_features.h"
+#include "kinematics/features/cheap_features.h"
 #include "kinematics/ranking/ranker.h"
 #include "math/linear3.h"
 
@@ -197,8 +198,8 @@ static void candidate_scores_become_probabilities(void** state) {
     test_analysis_close(&lid);
 }
 
-/* A drag keeps candidates that move its point within 37 degrees of it, and not only those that follow it closely: hands
- * are off by 5 to 10 degrees, and pull straight where a part turns. */
+/* A drag keeps candidates that move its point within 60 degrees of it: people pull straight, along an axis of the room
+ * or the screen. Those within 37 degrees come first. */
 static void a_drag_keeps_what_moves_its_point_along_it(void** state) {
     (void)state;
     open_lid();
@@ -206,12 +207,45 @@ static void a_drag_keeps_what_moves_its_point_along_it(void** state) {
     dmi_frame_point_in(&lid.mesh->frame, (const double[]){0.4, 0.43, 0.5}, hint.point);
     const uint32_t count = dmi_candidates_make(&lid.of_part, &hint, NULL, candidates);
     float least = 1;
+    uint32_t near = 0, far = 0;
     for (uint32_t i = 0; i < count; i++) {
         float velocity[3];
         dmi_candidate_velocity(&candidates[i], hint.point, velocity);
-        least = fminf(least, dmi_dot3(velocity, hint.vector) / (dmi_length3(velocity) * dmi_length3(hint.vector)));
+        const float cosine = dmi_dot3(velocity, hint.vector) / (dmi_length3(velocity) * dmi_length3(hint.vector));
+        least = fminf(least, cosine);
+        if (cosine >= 0.8f + 1e-5f) assert_int_equal(far, 0);
+        near += cosine >= 0.8f + 1e-5f, far += cosine < 0.8f - 1e-5f;
     }
-    assert_true(least >= 0.8f - 1e-5f && least < 0.85f);
+    assert_true(near > 0 && far > 0);
+    assert_true(least >= 0.5f - 1e-5f && least < 0.6f);
+    test_analysis_close(&lid);
+}
+
+/* A hinge along x, one unit from the grabbed point: a chord lies in its plane and leads inward, half as far as the
+ * turn; a pull tilted along the hinge leaves the plane. */
+static void pulls_are_told_by_plane_and_side(void** state) {
+    (void)state;
+    open_lid();
+    const dmi_candidate hinge = {.type = DM_JOINT_REVOLUTE, .axis = {1, 0, 0}, .origin = {0, 0, -0.5f}};
+    const dmi_candidate slide = {.type = DM_JOINT_PRISMATIC, .axis = {0, -1, 0}};
+    static const struct {
+        float vector[3], out_of_plane, inward, of_slide;
+    } rows[] = {{{0, -1, 0}, 0, 0, 0},
+                {{0, -0.7173561f, -0.3032933f}, 0, 0.4f, 0.4f},
+                {{0.5f, -0.8660254f, 0}, 0.5235988f, 0, 0.5235988f}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        dmi_drag_hint hint = {{0, 0, 0.5f}, {0, 0, 0}};
+        dmi_copy3(rows[i].vector, hint.vector);
+        dmi_cheap_features cheap;
+        static float row[DMI_FEATURE_COUNT];
+        dmi_cheap_features_begin(&lid.of_part, &hint, NULL, &cheap);
+        dmi_cheap_features_row(&cheap, &hinge, row);
+        assert_float_equal(row[DMI_FEATURE_PULL_OUT_OF_PLANE], rows[i].out_of_plane, 1e-4f);
+        assert_float_equal(row[DMI_FEATURE_PULL_INWARD], rows[i].inward, 1e-4f);
+        dmi_cheap_features_row(&cheap, &slide, row);
+        assert_float_equal(row[DMI_FEATURE_PULL_OUT_OF_PLANE], rows[i].of_slide, 1e-3f);
+        assert_float_equal(row[DMI_FEATURE_PULL_INWARD], 0, 0);
+    }
     test_analysis_close(&lid);
 }
 
@@ -225,6 +259,7 @@ int main(void) {
         cmocka_unit_test(the_networks_joint_is_a_candidate),
         cmocka_unit_test(candidate_scores_become_probabilities),
         cmocka_unit_test(a_drag_keeps_what_moves_its_point_along_it),
+        cmocka_unit_test(pulls_are_told_by_plane_and_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

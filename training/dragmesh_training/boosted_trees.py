@@ -3,13 +3,18 @@ out.
 
 Trees and a network err on different candidates, so that the mean of both scores errs less than either. The trees learn what
 the network does, to share each case's probability by exp(-cost). training/lab/boost.c grows them.
+
+The last trees, of drags, correct that mean where there is a drag. They learn from pulls as people make them
+(training/lab/pull.c); all that comes before them learns from careful ones.
 """
 import ctypes
 import itertools
 
 import numpy as np
 
-TREES, LEAVES = 400, 128  # as in boosted_trees.h
+TREES, DRAG_TREES, LEAVES = 400, 100, 128  # as in boosted_trees.h, where the first number includes the second
+DRAG_RATE = 0.15  # of the trees of drags
+DRAG_SHARE = 0.4  # of their corrections that counts: all of it costs exact drags too much (docs/research/trials_joints.md)
 BINS = 64  # DM_LAB_BINS
 AT_ONCE = 2000  # cases
 
@@ -17,7 +22,7 @@ AT_ONCE = 2000  # cases
 class Rows(ctypes.Structure):
     """dm_lab_rows of training/lab/boost.h."""
     _fields_ = [("columns", ctypes.c_uint32), ("cases", ctypes.c_uint32)] + [
-        (name, ctypes.c_void_p) for name in ("first", "bins", "weights", "target")]
+        (name, ctypes.c_void_p) for name in ("first", "bins", "weights", "target", "scores")]
 
 
 class Rule(ctypes.Structure):
@@ -54,13 +59,14 @@ def put_into_bins(features, edges):
 
 
 def gather(cases):
-    """All cases' rows as dm_lab_boost takes them, and the edges of their bins, which the first AT_ONCE cases set."""
+    """All cases' rows as dm_lab_boost takes them: where each case begins, bins, log weights, target probabilities, and scores that
+    the trees correct where the cases have them; and the edges of the bins, which the first AT_ONCE cases set."""
     cases, edges, parts, first = iter(cases), None, [], [0]
     while held := list(itertools.islice(cases, AT_ONCE)):
         first.extend(first[-1] + np.cumsum([len(case[0]) for case in held]))
-        features, weights, target = (np.concatenate(arrays) for arrays in zip(*held))
+        features, *others = (np.concatenate(arrays) for arrays in zip(*held))
         edges = bin_edges(features) if edges is None else edges
-        parts.append((put_into_bins(features, edges), weights.astype(np.float32), target.astype(np.float32)))
+        parts.append((put_into_bins(features, edges), *(array.astype(np.float32) for array in others)))
     return (np.array(first, np.uint32), *(np.concatenate(arrays) for arrays in zip(*parts)), edges)
 
 
@@ -73,13 +79,13 @@ def level_by_level(column, left):
     return np.array(order + sorted(set(range(len(column))) - set(order)))
 
 
-def grow(lab, cases, seed):
-    """Tensors of the trees. cases: of each its rows of features, their log weights and their target probabilities."""
-    first, bins, weights, target, edges = gather(cases)
-    nodes = {name: np.zeros((TREES, 2 * LEAVES - 1), dtype) for name, dtype in (
+def grow_by(lab, cases, rule, factor=1):
+    """(columns, values) of the trees that a rule gives; leaves' scores times `factor`."""
+    first, *rows_of, edges = gather(cases)
+    nodes = {name: np.zeros((rule.trees, 2 * rule.leaves - 1), dtype) for name, dtype in (
         ("column", np.int32), ("bin", np.int32), ("left", np.int32), ("score", np.float32))}
-    rows = Rows(bins.shape[1], len(first) - 1, *[array.ctypes.data for array in (first, bins, weights, target)])
-    rule = Rule(TREES, LEAVES, 12, 0.1, 5, 2, 0.3, 0.4, seed)
+    pointers = [array.ctypes.data for array in (first, *rows_of)]
+    rows = Rows(rows_of[0].shape[1], len(first) - 1, *pointers)
     report = ctypes.CFUNCTYPE(None, ctypes.c_uint32, ctypes.c_double)(
         lambda trees, loss: print(f"{trees} trees loss {loss:.3f}", flush=True))
     result = lab.dm_lab_boost(ctypes.byref(rows), ctypes.byref(rule), report,
@@ -87,7 +93,38 @@ def grow(lab, cases, seed):
     if result != 0:
         raise RuntimeError(f"dm_lab_boost: {result}")
     splits = nodes["column"] >= 0
-    value = np.where(splits, edges[nodes["column"], nodes["bin"]], nodes["score"])
+    value = np.where(splits, edges[nodes["column"], nodes["bin"]], factor * nodes["score"])
     order = np.stack([level_by_level(*tree) for tree in zip(nodes["column"], nodes["left"])])
-    return {f"trees.{name}": np.take_along_axis(array, order, 1).astype(np.float16)
-            for name, array in (("column", nodes["column"]), ("value", value))}
+    return tuple(np.take_along_axis(array, order, 1).astype(np.float16) for array in (nodes["column"], value))
+
+
+def grow(lab, cases, seed):
+    """Tensors of the trees, those of drags saying nothing yet. cases: of each its rows of features, their log weights and their
+    target probabilities."""
+    column, value = grow_by(lab, cases, Rule(TREES, LEAVES, 12, 0.1, 5, 2, 0.3, 0.4, seed))
+    none = [(0, DRAG_TREES), (0, 0)]
+    return {"trees.column": np.pad(column, none, constant_values=-1), "trees.value": np.pad(value, none)}
+
+
+def correct(lab, tensors, cases, seed):
+    """The same tensors with the trees of drags. cases: as of `grow`, all with a drag, and the scores of the rows without these
+    trees. The ranker's score is the mean of its network's and of the trees', so these count twice."""
+    rule = Rule(DRAG_TREES, LEAVES, 12, DRAG_RATE, 5, 2, 0.3, 0.4, seed)
+    column, value = grow_by(lab, cases, rule, 2 * DRAG_SHARE)
+    return {"trees.column": np.concatenate([tensors["trees.column"][:TREES], column]),
+            "trees.value": np.concatenate([tensors["trees.value"][:TREES], value])}
+
+
+def scored(lab, ranker, cases):
+    """The cases with a ranker's scores of their rows (up to a constant of each case) beside the rest. ranker: bytes of its file."""
+    cases = iter(cases)
+    while held := list(itertools.islice(cases, AT_ONCE)):
+        first = np.cumsum([0] + [len(case[0]) for case in held]).astype(np.uint32)
+        features = np.concatenate([case[0] for case in held]).astype(np.float32)
+        scores = np.zeros(len(features), np.float32)
+        result = lab.dm_lab_ranker_log_shares(ranker, ctypes.c_size_t(len(ranker)), len(held),
+                                              *(ctypes.c_void_p(array.ctypes.data) for array in (first, features, scores)))
+        if result != 0:
+            raise RuntimeError(f"dm_lab_ranker_log_shares: {result}")
+        for case, begin, end in zip(held, first, first[1:]):
+            yield (*case, scores[begin:end])

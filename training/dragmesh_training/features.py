@@ -6,7 +6,7 @@ import os
 import numpy as np
 
 PATH = os.path.join(os.path.dirname(__file__), "..", "..", "sdk", "kinematics", "features", "features.json")
-NOT_HIDDEN = ("type", "drag", "network")  # groups that training never hides as a whole: the type always counts, a drag is
+NOT_HIDDEN = ("type", "drag", "pull", "network")  # groups that training never hides as a whole: the type always counts, a drag is
 # either there or not, and the network's features are hidden by their source (NETWORK)
 
 with open(PATH, encoding="utf-8") as file:

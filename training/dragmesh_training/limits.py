@@ -41,7 +41,7 @@ def make(lab, kinematics, prefilter, seed, count, split, chosen):
     data = {"features": np.zeros((count, lab.dm_lab_limits_columns()), np.float32),
             "candidate": np.zeros((count, lab.dm_lab_limits_candidate_columns()), np.float32)}
     data.update({name: np.zeros(count, dtype) for name, dtype in ARRAYS})
-    options, keep = options_of(lab, seed, count, split, chosen)
+    options, keep = options_of(lab, seed, count, split, chosen, pull="careful")
     pointers = (ctypes.c_void_p * len(data))(*[array.ctypes.data for array in data.values()])
     sizes = [ctypes.c_size_t(len(weights)) for weights in (kinematics, prefilter)]
     if lab.dm_lab_limits_batch(ctypes.byref(options), kinematics, sizes[0], prefilter, sizes[1], pointers) != 0:

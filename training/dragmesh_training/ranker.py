@@ -1,15 +1,16 @@
 """The ranker of candidate joints: features of generated cases in, sdk/models/ranker.safetensors out.
 
     python -m dragmesh_training.ranker make OUT.npz --seed 1 --count 4000 [--split 0] [--only trained|held|test_only]
-    python -m dragmesh_training.ranker train A.npz B.npz --trees A.npz C.npz --validate V.npz --prefilter PREFILTER
-        --limits LIMITS -o ranker.safetensors
+    python -m dragmesh_training.ranker train A.npz B.npz --trees A.npz C.npz --drags D.npz --validate V.npz
+        --prefilter PREFILTER --limits LIMITS -o ranker.safetensors
 
 Cases are made with the prefilter (prefilter.py) that the library will have, so that the candidates are those which the ranker
 will see.
 
 A case's candidates share a probability of one by exp(-cost): their cost is what a player would see (the pose error) and what
 a programmer would read (type, axis, line). The softmax over the candidates learns to share it that way, in a network and in
-boosted trees (boosted_trees.py), whose mean is the score. Two numbers, and two more where there is no drag, turn the
+boosted trees (boosted_trees.py), whose mean is the score. They learn from careful drags. More trees correct that score where
+there is a drag, and learn from pulls as people make them. Two numbers, and two more where there is no drag, turn the
 probability that an answer gathers into the probability that it is right.
 """
 import argparse
@@ -42,6 +43,7 @@ EARLIER_COMMIT = "613e580"
 HELD_OUT_COMMIT = "60987f0"
 NETWORK_SEEDS = (101, 103, 211), (102, 104)
 TREE_SEEDS = (101, 103, 301, 302, 305, 306, 307, 308), (102, 104, 303, 304, 315, 316, 317, 318)
+DRAG_SEEDS, DRAG_CASES, DRAG_ROWS = (tuple(range(501, 507)), tuple(range(601, 607))), 2000, 80  # of the trees of drags
 PREFILTER_SEEDS, PREFILTER_CASES = (301, 302), 6000  # of the one network and of the other
 SAMPLED, TREES_SAMPLED = 96, 56  # rows of a case in a training step, and for the trees
 
@@ -55,7 +57,7 @@ def run_make(arguments):
     for first in range(0, arguments.count, 100):
         count = min(100, arguments.count - first)
         part = make(lab, arguments.seed * 1000003 + first, count, arguments.rows, arguments.split, chosen,
-                    arguments.noise, weights, prefilter_weights, pull=arguments.pull)
+                    arguments.noise, weights, prefilter_weights, arguments.with_drag, pull=arguments.pull)
         part["features"] = part["features"].astype(np.float16)
         parts.append(part)
     data = {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
@@ -200,7 +202,7 @@ def own_calibration(lab, kinematics, tensors, metadata, path, count):
     write_joint_models(path, {**tensors, "ranker.calibration": UNCALIBRATED}, metadata)
     with open(path, "rb") as file:
         ranker = file.read()
-    found = answers(lab, kinematics, ranker, 77, count, 1, HELD_OUT)
+    found = answers(lab, kinematics, ranker, 77, count, 1, HELD_OUT, pull="careful")
     good = found["pose"] < GOOD
     return np.array([calibrate(good[with_drag], found["confidence"][with_drag])
                      for with_drag in (found["has_drag"] == 0, found["has_drag"] != 0)], np.float32)
@@ -219,20 +221,24 @@ def run_train(arguments):
     print(f"validation: {summary(good, validation, names)}")
     tensors = {"ranker.mean": mean.numpy(), "ranker.scale": scale.numpy(), **perceptron_tensors("ranker", net),
                "ranker.calibration": UNCALIBRATED}
-    more = load(arguments.trees, left_out)
+    more, dragged = load(arguments.trees, left_out), load(arguments.drags, left_out)
     random = np.random.default_rng(arguments.seed)
     tensors.update(boosted_trees.grow(lab, tree_cases(more, arguments.without_network, random), arguments.seed))
     for path in (arguments.prefilter, arguments.limits):
         tensors.update({name: tensor.numpy() for name, tensor in load_safetensors(path)[0].items()})
     metadata = {"architecture": "dragmesh-joint-models", "version": "1", "commit": commit(), "seed": str(arguments.seed),
-                "trained": f"{len(data['used'])} generated cases, the trees {len(more['used'])}"}
+                "trained": f"{len(data['used'])} generated cases, the trees {len(more['used'])}, those of drags {len(dragged['used'])}"}
+    write_joint_models(arguments.out, tensors, metadata)
+    with open(arguments.out, "rb") as file:
+        cases = boosted_trees.scored(lab, file.read(), tree_cases(dragged, 0, random))
+    tensors.update(boosted_trees.correct(lab, tensors, cases, arguments.seed))
     if arguments.calibration_of:
         calibration = load_safetensors(arguments.calibration_of)[0]["ranker.calibration"].numpy()
     else:
         calibration = own_calibration(lab, kinematics, tensors, metadata, arguments.out, arguments.calibration_cases)
     write_joint_models(arguments.out, {**tensors, "ranker.calibration": calibration}, metadata)
     with open(arguments.out, "rb") as file:
-        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, chosen_kinds(lab, "trained"))
+        found = answers(lab, kinematics, file.read(), 77, len(validation["used"]), 1, chosen_kinds(lab, "trained"), pull="careful")
     print(f"whole library, validation: type {found['right_type'].mean():.3f} "
           f"{summary(found['pose'] < GOOD, found, np.array(names_by_id(lab)))}; "
           f"confidence = sigmoid(a logit(mass) + b), none, drag: {calibration.round(3).tolist()}", flush=True)
@@ -279,17 +285,20 @@ def ship(folder, models, out, share):
     held_out = committed_network(folder, "kpp_held_out", HELD_OUT_COMMIT)
     prefilter_file, limits_file = (os.path.join(folder, name + ".safetensors") for name in ("prefilter", "limits"))
     if not os.path.exists(prefilter_file):
-        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", some(PREFILTER_CASES))
+        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", some(PREFILTER_CASES), "--pull", "careful")
                  for seed, kinematics in zip(PREFILTER_SEEDS, (earlier, shipped))]
         prefilter.run([*every, "--steps", some(prefilter.STEPS), "-o", prefilter_file])
-    with_prefilter = "--prefilter", prefilter_file
+    with_prefilter = "--prefilter", prefilter_file, "--pull", "careful"
     of_network, of_trees = (
         [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", some(CASES), *with_prefilter)
          for kinematics, of_one in zip((earlier, shipped), seeds) for seed in of_one]
         for seeds in (NETWORK_SEEDS, TREE_SEEDS))
+    of_drags = [case_file(run, folder, f"drags{seed}", kinematics, seed, "--count", some(DRAG_CASES), "--rows", str(DRAG_ROWS),
+                          "--with-drag", "1", "--prefilter", prefilter_file)
+                for kinematics, of_one in zip((shipped, earlier), DRAG_SEEDS) for seed in of_one]
     limits.ship(folder, shipped, prefilter_file, limits_file, some)
     validation = case_file(run, folder, "validation", shipped, 105, "--count", some(1500), "--split", "1", *with_prefilter)
-    common = ["train", *of_network, "--trees", *of_trees, "--validate", validation, *with_prefilter,
+    common = ["train", *of_network, "--trees", *of_trees, "--drags", *of_drags, "--validate", validation, *with_prefilter[:2],
               "--limits", limits_file, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
     held_out_ranker = os.path.join(folder, "held_out_ranker.safetensors")
     run([*common, "--weights", held_out, "--hold-out", "-o", held_out_ranker])
@@ -308,6 +317,7 @@ def run(words):
     one.add_argument("--split", type=int, default=0)
     one.add_argument("--noise", type=float, default=14.0)
     one.add_argument("--only", choices=ONLY, default="trained")
+    one.add_argument("--with-drag", type=float, default=0.7, help="share of the cases that have a drag")
     one.add_argument("--pull", choices=PULLS, default="mixed", help="how the parts are pulled (training/lab/pull.c)")
     one.add_argument("--weights")
     one.add_argument("--prefilter", help="weights of the prefilter; without them all candidates are evaluated")
@@ -315,6 +325,7 @@ def run(words):
     two = commands.add_parser("train")
     two.add_argument("data", nargs="+")
     two.add_argument("--trees", nargs="+", required=True, help="cases that the boosted trees are grown on")
+    two.add_argument("--drags", nargs="+", required=True, help="cases with drags that the trees of drags are grown on")
     two.add_argument("--validate", required=True)
     two.add_argument("--lab", default=LAB)
     two.add_argument("--weights", required=True, help="the KPP-Net that answers are asked with")

@@ -60,6 +60,7 @@ static int open_grower(const dm_lab_rows* rows, const dm_lab_boost_rule* rule, g
     g->columns = malloc(sizeof *g->columns * rows->columns);
     g->leaves = calloc(rule->leaves + 1, sizeof *g->leaves);
     g->histograms = malloc(sizeof(gradient_sum) * histogram_size(g) * (rule->leaves + 1));
+    if (g->scores && rows->scores) memcpy(g->scores, rows->scores, sizeof *g->scores * g->row_count);
     return g->gradients && g->scores && g->order && g->spare && g->columns && g->leaves && g->histograms;
 }
 

@@ -11,6 +11,7 @@ typedef struct dm_lab_rows {
     const uint8_t* bins;   /* x columns: into which of its column's DM_LAB_BINS a number falls */
     const float* weights;  /* logarithms: for how many candidates a row stands */
     const float* target;   /* probabilities; those of a case sum to 1 */
+    const float* scores;   /* that the trees correct; NULL: 0 */
 } dm_lab_rows;
 
 #define DM_LAB_BINS 64

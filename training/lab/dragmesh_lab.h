@@ -21,7 +21,8 @@ enum {
     DM_LAB_PULL_CHORD = 2,   /* straight to where the point is after any share of its way */
     DM_LAB_PULL_ROOM = 3,    /* along the nearest axis of the room that the object was modelled in */
     DM_LAB_PULL_SCREEN = 4,  /* along the nearest axis of a camera in any orientation */
-    DM_LAB_PULL_MIXED = 5    /* any of these */
+    DM_LAB_PULL_MIXED = 5,   /* any of these */
+    DM_LAB_PULL_CAREFUL = 6  /* either of the first two, anywhere on the part */
 };
 
 typedef struct dm_lab_options {

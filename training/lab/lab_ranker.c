@@ -5,10 +5,12 @@
 #include <string.h>
 
 #include "evaluate_candidates.h"
+#include "kinematics/inference/joint_models.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define KEPT_BEST 8 /* candidates with the least pose error, which are always written */
+#define LEAST_SHARE 1e-30f /* whose logarithm stands for less */
+#define KEPT_BEST 8        /* candidates with the least pose error, which are always written */
 
 uint32_t dm_lab_ranker_columns(void) {
     return DMI_FEATURE_COUNT;
@@ -61,6 +63,22 @@ dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinemat
                               const void* prefilter, size_t prefilter_size, const dm_lab_ranker* out) {
     dm_lab_ranker to = *out;
     return lab_evaluate_batch(options, kinematics, kinematics_size, prefilter, prefilter_size, write_case, &to);
+}
+
+dm_result dm_lab_ranker_log_shares(const void* ranker, size_t ranker_size, uint32_t cases, const uint32_t* first,
+                                   const float* features, float* out) {
+    dmi_env env;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    dmi_joint_models* models = NULL;
+    const dm_result result = dmi_joint_models_load(&env, ranker, ranker_size, &models);
+    if (result != DM_OK) return result;
+    const float(*rows)[DMI_FEATURE_COUNT] = (const float(*)[DMI_FEATURE_COUNT])features;
+    for (uint32_t c = 0; c < cases; c++)
+        dmi_ranker_probabilities(&models->ranker, dmi_cpu_best_isa(), rows + first[c], first[c + 1] - first[c],
+                                 out + first[c]);
+    for (uint32_t i = 0; i < first[cases]; i++) out[i] = logf(fmaxf(out[i], LEAST_SHARE));
+    dmi_joint_models_destroy(models);
+    return DM_OK;
 }
 
 dm_result dm_lab_ranker_given(const dm_lab_given* given, int32_t with_drag, const void* kinematics,

@@ -31,6 +31,12 @@ DM_API uint32_t dm_lab_prefilter_columns(uint8_t* out);
 DM_API dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                                      const void* prefilter, size_t prefilter_size, const dm_lab_ranker* out);
 
+/* Writes the logarithm of the probability that a ranker gives each row among those of its case. ranker: bytes of a file
+ * of joint models. first: cases + 1, as in dm_lab_rows. features: x dm_lab_ranker_columns(); all rows of a case have a
+ * drag, or none has. */
+DM_API dm_result dm_lab_ranker_log_shares(const void* ranker, size_t ranker_size, uint32_t cases, const uint32_t* first,
+                                          const float* features, float* out);
+
 /* A case that a loader provides, in the glTF frame and the object's own unit. */
 typedef struct dm_lab_given {
     const float* positions;    /* vertex_count x 3 */

@@ -7,14 +7,15 @@
 #include "kinematics/inference/hypotheses.h"
 #include "math/linear3.h"
 
-#define CLOSING 0.4f        /* share of pulls that close a joint which has room for that; by hand */
-#define CLOSING_ROOM 0.2f   /* of the range, that closing needs; by hand */
-#define SHORTEST_CHORD 0.1f /* share of the way to where the hand wants the point, at least; by hand */
-#define LONGEST_CHORD 2.0f  /* rad: of a turn that a hand makes in one straight pull; by hand */
-#define STEADY 0.5f         /* share of the straight pulls that have no error of their own; by hand */
-#define LEAST_REACH 0.3f    /* of the part's farthest distance from the axis, of a grabbed point; as dmg_drag */
-#define HANDLE_DEPTH 0.02f  /* object sizes: what is so near to the foremost point belongs to a handle; by hand */
-#define RADIAN 0.01745329f  /* in a degree */
+#define EXACT_OF_CAREFUL 0.4f /* share of the careful pulls that have no error; by hand */
+#define CLOSING 0.4f          /* share of pulls that close a joint which has room for that; by hand */
+#define CLOSING_ROOM 0.2f     /* of the range, that closing needs; by hand */
+#define SHORTEST_CHORD 0.1f   /* share of the way to where the hand wants the point, at least; by hand */
+#define LONGEST_CHORD 2.0f    /* rad: of a turn that a hand makes in one straight pull; by hand */
+#define STEADY 0.5f           /* share of the straight pulls that have no error of their own; by hand */
+#define LEAST_REACH 0.3f      /* of the part's farthest distance from the axis, of a grabbed point; as dmg_drag */
+#define HANDLE_DEPTH 0.02f    /* object sizes: what is so near to the foremost point belongs to a handle; by hand */
+#define RADIAN 0.01745329f    /* in a degree */
 #define HALF_TURN 3.14159265f
 
 /* The mixture: shares of the kinds of pulls, and of the places where each takes hold; by hand. Half of the pulls are
@@ -29,8 +30,10 @@ static const struct {
     [DM_LAB_PULL_SCREEN] = {0.08f, 0.5f, 0.3f},
 };
 
-static int32_t draw_kind(dmi_random* random) {
+static int32_t draw_kind(dmi_random* random, int32_t pull) {
+    if (pull < DM_LAB_PULL_MIXED) return pull;
     float left = dmi_random_unit(random);
+    if (pull == DM_LAB_PULL_CAREFUL) return left < EXACT_OF_CAREFUL ? DM_LAB_PULL_EXACT : DM_LAB_PULL_TANGENT;
     int32_t kind = 0;
     while (kind + 1 < DM_LAB_PULL_MIXED && left >= mixture[kind].share) left -= mixture[kind++].share;
     return kind;
@@ -175,11 +178,12 @@ static void pull_as(lab_case* made, int32_t kind, float noise, float along, dmi_
 }
 
 dmi_drag_hint lab_case_drag(lab_case* made, int32_t pull, float noise_degrees, dm_joint* out_joint) {
-    const int32_t kind = pull == DM_LAB_PULL_MIXED ? draw_kind(&made->random) : pull;
+    const int32_t kind = draw_kind(&made->random, pull);
+    const int anywhere = pull == DM_LAB_PULL_CAREFUL || pull == DM_LAB_PULL_TANGENT || pull == DM_LAB_PULL_EXACT;
     const float noise = lab_random_uniform(&made->random, 0.0f, kind == DM_LAB_PULL_EXACT ? 0.0f : noise_degrees);
     float along;
     dmi_drag_hint hint = draw_tangent(made, kind == DM_LAB_PULL_TANGENT ? noise : 0.0f, &along);
-    if (pull != DM_LAB_PULL_TANGENT && pull != DM_LAB_PULL_EXACT) pull_as(made, kind, noise, along, &hint);
+    if (!anywhere) pull_as(made, kind, noise, along, &hint);
     *out_joint = made->joint;
     dmi_joint_orient(out_joint, &hint);
     return hint;

@@ -7,8 +7,11 @@
 #define SAME_ANGLE 0.003f                                /* rad between axes that are merged; by hand */
 #define SAME_COSINE (1 - 0.5f * SAME_ANGLE * SAME_ANGLE) /* its cosine, to second order */
 #define SAME_ORIGIN 0.0015f                              /* object sizes between lines that are merged; by hand */
-#define MIN_DRAG_COSINE                                                                                                \
+#define NEAR_DRAG_COSINE                                                                                               \
     0.8f /* between a candidate's velocity at the grabbed point and the drag (37 degrees); by hand */
+#define FAR_DRAG_COSINE                                                                                                \
+    0.5f /* the same of candidates that come after those: a straight pull along an axis of the room is up to 55        \
+            degrees off; by hand */
 #define MAX_AXIS_COSINE 0.6f /* between a revolute axis and the drag (at least 53 degrees apart); by hand */
 #define MIN_ARM 0.02f        /* part diagonals from a revolute axis to the grabbed point; by hand */
 #define MAX_OFFSET 3         /* part diagonals from the part's centre to a revolute axis ... by hand */
@@ -19,19 +22,24 @@ enum { RECTANGLE_POINTS = 9 }; /* corners, centres of the sides, centre: 3 x 3 *
 typedef struct collector {
     const dmi_part_analysis* analysis;
     const dmi_drag_hint* hint;
-    float drag[3]; /* unit */
+    float drag[3];                   /* unit */
+    float least_cosine, most_cosine; /* between a candidate's velocity at the grabbed point and the drag */
     dmi_candidate* out;
     uint32_t count;
 } collector;
 
-/* Signs the axis so that the grabbed point moves along the drag. Returns whether it does, within MIN_DRAG_COSINE. */
+static bool within(const collector* c, float cosine) {
+    return fabsf(cosine) >= c->least_cosine && fabsf(cosine) < c->most_cosine;
+}
+
+/* Signs the axis so that the grabbed point moves along the drag. Returns whether it does, within the cosines. */
 static bool follow_drag(const collector* c, float axis[3], const float origin[3]) {
     if (c->hint == NULL) return true;
     float arm[3], velocity[3];
     dmi_sub3(c->hint->point, origin, arm);
     dmi_cross3(axis, arm, velocity);
     float speed = dmi_length3(velocity), along = dmi_dot3(velocity, c->drag);
-    if (speed < MIN_ARM * c->analysis->diagonal || fabsf(along) < MIN_DRAG_COSINE * speed) return false;
+    if (speed < MIN_ARM * c->analysis->diagonal || !within(c, along / speed)) return false;
     if (along < 0)
         for (int k = 0; k < 3; k++) axis[k] = -axis[k];
     return true;
@@ -119,12 +127,18 @@ static void add_prismatic(collector* c, const float d[3], uint32_t families) {
     float along = 1;
     if (c->hint != NULL) {
         along = dmi_dot3(d, c->drag);
-        if (fabsf(along) < MIN_DRAG_COSINE) return;
+        if (!within(c, along)) return;
     }
     dmi_candidate* out = &c->out[c->count++];
     *out = (dmi_candidate){.type = DM_JOINT_PRISMATIC, .direction_families = families};
     for (int k = 0; k < 3; k++) out->axis[k] = along < 0 ? -d[k] : d[k];
     dmi_copy3(c->analysis->centre, out->origin);
+}
+
+static void add_all_revolutes(collector* c, const dmi_candidate_sources* s) {
+    for (uint32_t i = 0; i < s->line_count; i++)
+        add_revolute(c, 0, s->lines[i].d, s->lines[i].direction_families, s->lines[i].x, s->lines[i].origin_families);
+    for (uint32_t i = 0; i < s->direction_count; i++) add_revolutes(c, s, &s->directions[i]);
 }
 
 uint32_t dmi_candidates_make(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
@@ -136,10 +150,13 @@ uint32_t dmi_candidates_make(const dmi_part_analysis* analysis, const dmi_drag_h
     }
     dmi_candidate_sources s;
     dmi_candidate_sources_find(analysis, hint, c.drag, prediction, &s);
+    c.least_cosine = NEAR_DRAG_COSINE, c.most_cosine = INFINITY;
     for (uint32_t i = 0; i < s.direction_count; i++) add_prismatic(&c, s.directions[i].d, s.directions[i].families);
     if (hint != NULL) add_prismatic(&c, c.drag, DMI_DIRECTION_DRAG);
-    for (uint32_t i = 0; i < s.line_count; i++)
-        add_revolute(&c, 0, s.lines[i].d, s.lines[i].direction_families, s.lines[i].x, s.lines[i].origin_families);
-    for (uint32_t i = 0; i < s.direction_count; i++) add_revolutes(&c, &s, &s.directions[i]);
+    add_all_revolutes(&c, &s);
+    if (hint == NULL) return c.count;
+    c.least_cosine = FAR_DRAG_COSINE, c.most_cosine = NEAR_DRAG_COSINE;
+    for (uint32_t i = 0; i < s.direction_count; i++) add_prismatic(&c, s.directions[i].d, s.directions[i].families);
+    add_all_revolutes(&c, &s);
     return c.count;
 }

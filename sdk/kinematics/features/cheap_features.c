@@ -160,6 +160,21 @@ static void drag_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     row[DMI_FEATURE_DRAG_BOX_COSINE] = dmi_max(of_sides[0], dmi_max(of_sides[1], of_sides[2]));
 }
 
+/* Computes how the drag would be a straight pull to where the candidate takes the dragged point. */
+static void pull_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
+    row[DMI_FEATURE_PULL_OUT_OF_PLANE] = row[DMI_FEATURE_PULL_INWARD] = 0;
+    if (cheap->hint == NULL) return;
+    row[DMI_FEATURE_PULL_OUT_OF_PLANE] = row[DMI_FEATURE_DRAG_ANGLE];
+    if (slides(c)) return;
+    float way[3], arm[3];
+    dmi_candidate_velocity(c, cheap->hint->point, way);
+    dmi_cross3(way, c->axis, arm); /* from the axis to the dragged point */
+    dmi_normalize3(way);
+    dmi_normalize3(arm);
+    row[DMI_FEATURE_PULL_OUT_OF_PLANE] = asinf(dmi_min(fabsf(dmi_dot3(cheap->drag, c->axis)), 1));
+    row[DMI_FEATURE_PULL_INWARD] = atan2f(-dmi_dot3(cheap->drag, arm), dmi_dot3(cheap->drag, way));
+}
+
 static void widest_gap_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
     row[DMI_FEATURE_WIDEST_GAP_SIZE] = row[DMI_FEATURE_WIDEST_GAP_ALONG_AXIS] = row[DMI_FEATURE_WIDEST_GAP_BEYOND] = 0;
     if (a->widest_gap_spread <= 0) return;
@@ -248,6 +263,7 @@ void dmi_cheap_features_row(const dmi_cheap_features* cheap, const dmi_candidate
     side_features(cheap, c, row);
     section_features(cheap, c, row);
     drag_features(cheap, c, row);
+    pull_features(cheap, c, row);
     widest_gap_features(cheap->analysis, c, row);
     protrusion_features(cheap->analysis, c, row);
     network_features(cheap, c, row);

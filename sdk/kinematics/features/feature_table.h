@@ -38,6 +38,7 @@ typedef enum dmi_feature_group {
     DMI_GROUP_NETWORK_SCORE,
     DMI_GROUP_MIRROR,
     DMI_GROUP_HARDWARE,
+    DMI_GROUP_PULL,
     DMI_GROUP_COUNT
 } dmi_feature_group;
 

@@ -53,8 +53,9 @@ static inline uint32_t step(const dmi_tree_node* nodes, uint32_t node, const flo
 
 static void score_rows(const dmi_boosted_trees* trees, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
                        float* out_scores) {
+    const uint32_t used = rows[0][DMI_FEATURE_HAS_DRAG] > 0 ? DMI_TREES : DMI_TREES - DMI_DRAG_TREES;
     for (uint32_t r = 0; r < count; r++) out_scores[r] = 0;
-    for (uint32_t t = 0; t < DMI_TREES; t++) {
+    for (uint32_t t = 0; t < used; t++) {
         uint32_t at[BATCH] = {0};
         for (uint32_t d = 0; d < trees->depth[t]; d++)
             for (uint32_t r = 0; r < count; r++) at[r] = step(trees->nodes[t], at[r], rows[r]);

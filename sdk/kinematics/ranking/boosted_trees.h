@@ -6,7 +6,8 @@
 #include "kinematics/features/feature_table.h"
 #include "nn/layers.h"
 
-#define DMI_TREES 400
+#define DMI_TREES 500
+#define DMI_DRAG_TREES 100 /* the last of them, which correct the scores of parts that are dragged */
 #define DMI_TREE_NODES 255 /* of a tree: at most 128 leaves */
 
 /* A split goes to the node `left` where the column is at most `value`, else to the node after `left`. A leaf is its own
@@ -25,6 +26,7 @@ typedef struct dmi_boosted_trees {
 /* Reads the tensors trees.column and trees.value. DM_ERROR_WRONG_MODEL when they are no trees. */
 void dmi_boosted_trees_read(dmi_loader* loader, dmi_boosted_trees* out_trees);
 
+/* All rows have a drag (DMI_FEATURE_HAS_DRAG), or none has. */
 void dmi_boosted_trees_score(const dmi_boosted_trees* trees, const float (*features)[DMI_FEATURE_COUNT], uint32_t count,
                              float* out_scores);
 
