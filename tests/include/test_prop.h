@@ -342,7 +342,9 @@ static inline void test_prop_primitives(test_prop* p) {
 
 static inline void test_prop_colliders(test_prop* p) {
     test_prop_nodes(p, NULL);
-    test_prop_add(p, "meshes", "{\"name\":\"door-colonly\",\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}");
+    cJSON* shape = cJSON_Duplicate(cJSON_GetArrayItem(test_prop_list(p, "meshes"), TEST_PROP_DOOR), 1);
+    cJSON_AddStringToObject(shape, "name", "door-colonly");
+    cJSON_AddItemToArray(test_prop_list(p, "meshes"), shape);
     static const char* const boxes[] = {"door_collider", "UCX_body_00", "UBX_door", "door-colonly.001"};
     char text[160];
     for (size_t i = 0; i < sizeof boxes / sizeof *boxes; i++) {

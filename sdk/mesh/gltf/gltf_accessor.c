@@ -113,6 +113,10 @@ dm_result dmi_gltf_find_elements(dm_gltf* gltf, double index, const char* place,
 }
 
 /* Integers in the file are little-endian. */
+static uint32_t read_u32(const uint8_t* bytes) {
+    return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
 static double read_component(const uint8_t* bytes, int32_t type, int32_t normalized) {
     const uint16_t u16 = (uint16_t)(bytes[0] | (type == DMI_GLTF_BYTE || type == DMI_GLTF_UBYTE ? 0 : bytes[1] << 8));
     switch (type) {
@@ -155,19 +159,21 @@ double dmi_gltf_change(const dmi_gltf_elements* elements, uint64_t i, int compon
     return read_at(elements, elements->changes + i * elements->change_stride, component);
 }
 
-void dmi_gltf_read_floats(const dmi_gltf_elements* elements, float* out) {
-    const int components = elements->components;
-    for (uint64_t i = 0; i < elements->count; i++) {
-        for (int k = 0; k < components; k++) out[i * components + k] = (float)dmi_gltf_element(elements, i, k);
-    }
-    for (uint64_t i = 0; i < elements->change_count; i++) {
-        float* to = out + dmi_gltf_changed(elements, i) * components;
-        for (int k = 0; k < components; k++) to[k] = (float)dmi_gltf_change(elements, i, k);
-    }
-}
-
 void dmi_gltf_read_indices(const dmi_gltf_elements* elements, uint32_t* out) {
-    for (uint64_t i = 0; i < elements->count; i++) out[i] = (uint32_t)dmi_gltf_element(elements, i, 0);
+    const uint8_t* data = elements->data;
+    const uint64_t count = data ? elements->count : 0, stride = elements->stride;
+    switch (elements->component_type) {
+    case DMI_GLTF_UBYTE:
+        for (uint64_t i = 0; i < count; i++) out[i] = data[i * stride];
+        break;
+    case DMI_GLTF_USHORT:
+        for (uint64_t i = 0; i < count; i++) out[i] = (uint32_t)(data[i * stride] | data[i * stride + 1] << 8);
+        break;
+    default:
+        for (uint64_t i = 0; i < count; i++) out[i] = read_u32(data + i * stride);
+        break;
+    }
+    for (uint64_t i = count; i < elements->count; i++) out[i] = 0;
     for (uint64_t i = 0; i < elements->change_count; i++)
         out[dmi_gltf_changed(elements, i)] = (uint32_t)dmi_gltf_change(elements, i, 0);
 }

@@ -25,8 +25,7 @@ double dmi_gltf_element(const dmi_gltf_elements* elements, uint64_t i, int compo
 /* The element that sparse change `i` is about, and its component. */
 uint64_t dmi_gltf_changed(const dmi_gltf_elements* elements, uint64_t i);
 double dmi_gltf_change(const dmi_gltf_elements* elements, uint64_t i, int component);
-/* All elements, changes included. */
-void dmi_gltf_read_floats(const dmi_gltf_elements* elements, float* out);
+/* All elements of an accessor of one unsigned integer each, changes included. */
 void dmi_gltf_read_indices(const dmi_gltf_elements* elements, uint32_t* out);
 
 #endif

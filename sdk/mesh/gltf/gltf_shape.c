@@ -43,8 +43,9 @@ dm_result dmi_gltf_builder_open(dm_gltf* gltf, dmi_gltf_problem* problem, dmi_gl
                               .shapes = dmi_alloc_zeroed(env, meshes * sizeof *out->shapes, 16),
                               .users = dmi_alloc_zeroed(env, keys * sizeof *out->users, 16),
                               .stamps = dmi_alloc_zeroed(env, keys * sizeof *out->stamps, 16),
-                              .owners = dmi_alloc(env, keys * sizeof *out->owners, 16)};
-    if (!out->shapes || !out->users || !out->stamps || !out->owners)
+                              .owners = dmi_alloc(env, keys * sizeof *out->owners, 16),
+                              .finite = dmi_alloc_zeroed(env, keys, 1)};
+    if (!out->shapes || !out->users || !out->stamps || !out->owners || !out->finite)
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u meshes", meshes);
     find_users(out);
     return DM_OK;
@@ -66,6 +67,7 @@ void dmi_gltf_builder_close(dmi_gltf_builder* builder) {
     dmi_free(env, builder->users, keys * sizeof *builder->users);
     dmi_free(env, builder->stamps, keys * sizeof *builder->stamps);
     dmi_free(env, builder->owners, keys * sizeof *builder->owners);
+    dmi_free(env, builder->finite, keys);
     const uint64_t words = builder->element_capacity / WORD_BITS;
     dmi_free(env, builder->used, words * sizeof *builder->used);
     dmi_free(env, builder->places, builder->element_capacity * sizeof *builder->places);
@@ -104,32 +106,69 @@ static void spread(int32_t mode, const uint32_t* corners, uint64_t faces, uint32
     }
 }
 
-static dm_result check_corners(const dmi_gltf_geometry* from, const uint32_t* corners, uint64_t faces,
-                               const char* place, dmi_gltf_problem* problem) {
-    for (uint64_t i = 0; i < 3 * faces; i++) {
-        if (corners[i] >= from->positions.count)
-            return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
-                                   "%s: triangle %" PRIu64 " names vertex %u of %" PRIu64, place, i / 3, corners[i],
-                                   from->positions.count);
+/* Whether all positions are finite: integers are, and floats whose exponent is not all ones. */
+static int are_finite(const dmi_gltf_elements* positions) {
+    const uint32_t exponent = 0x7F800000u;
+    uint32_t bad = 0;
+    if (positions->component_type != DMI_GLTF_FLOAT) return 1;
+    for (uint64_t e = 0; positions->data && e < positions->count; e++) {
+        uint32_t xyz[3];
+        memcpy(xyz, positions->data + e * positions->stride, sizeof xyz);
+        for (int k = 0; k < 3; k++) bad |= (xyz[k] & exponent) == exponent;
+    }
+    for (uint64_t i = 0; i < positions->change_count; i++) {
+        for (int k = 0; k < 3; k++) bad |= !isfinite(dmi_gltf_change(positions, i, k));
+    }
+    return !bad;
+}
+
+/* The same, asked once for an accessor. */
+static int all_finite(dmi_gltf_builder* builder, const dmi_gltf_geometry* geometry) {
+    enum { UNKNOWN, FINITE, NOT_FINITE };
+    if (geometry->key == dmi_gltf_key_count(builder->gltf)) return are_finite(&geometry->positions);
+    uint8_t* known = &builder->finite[geometry->key];
+    if (*known == UNKNOWN) *known = are_finite(&geometry->positions) ? FINITE : NOT_FINITE;
+    return *known == FINITE;
+}
+
+/* Checks positions that are not all finite where triangles have them. */
+static dm_result check_positions(const dmi_gltf_elements* positions, const uint32_t* corners, uint64_t count,
+                                 const char* place, dmi_gltf_problem* problem) {
+    for (uint64_t i = 0; i < count; i++) {
         double xyz[3];
-        for (int k = 0; k < 3; k++) xyz[k] = dmi_gltf_element(&from->positions, corners[i], k);
+        for (int k = 0; k < 3; k++) xyz[k] = dmi_gltf_element(positions, corners[i], k);
         if (!isfinite(xyz[0]) || !isfinite(xyz[1]) || !isfinite(xyz[2]))
             return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %u is (%g, %g, %g)", place, corners[i],
                                    xyz[0], xyz[1], xyz[2]);
     }
-    for (uint64_t i = 0; i < from->positions.change_count; i++) {
+    for (uint64_t i = 0; i < positions->change_count; i++) {
         for (int k = 0; k < 3; k++) {
-            if (!isfinite(dmi_gltf_change(&from->positions, i, k)))
+            if (!isfinite(dmi_gltf_change(positions, i, k)))
                 return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %" PRIu64 " is not finite", place,
-                                       dmi_gltf_changed(&from->positions, i));
+                                       dmi_gltf_changed(positions, i));
         }
     }
     return DM_OK;
 }
 
+static dm_result check_corners(dmi_gltf_builder* builder, const dmi_gltf_geometry* from, const uint32_t* corners,
+                               uint64_t faces, const char* place, dmi_gltf_problem* problem) {
+    uint32_t most = 0;
+    for (uint64_t i = 0; i < 3 * faces; i++) most = corners[i] > most ? corners[i] : most;
+    for (uint64_t i = 0; faces > 0 && most >= from->positions.count; i++) {
+        if (corners[i] >= from->positions.count)
+            return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
+                                   "%s: triangle %" PRIu64 " names vertex %u of %" PRIu64, place, i / 3, corners[i],
+                                   from->positions.count);
+    }
+    if (all_finite(builder, from)) return DM_OK;
+    return check_positions(&from->positions, corners, 3 * faces, place, problem);
+}
+
 /* Appends the triangles of a primitive, as positions in its accessors. */
-static dm_result read_corners(dm_gltf* gltf, dmi_gltf_shape* shape, const dmi_gltf_geometry* from, const char* place,
-                              dmi_gltf_problem* problem, uint64_t* out_faces) {
+static dm_result read_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, const dmi_gltf_geometry* from,
+                              const char* place, dmi_gltf_problem* problem, uint64_t* out_faces) {
+    dm_gltf* gltf = builder->gltf;
     const uint64_t count = from->indexed ? from->indices.count : from->positions.count;
     const int listed = from->mode == DMI_GLTF_TRIANGLES;
     const uint64_t faces = listed ? count / 3 : count < 3 ? 0 : count - 2;
@@ -152,7 +191,7 @@ static dm_result read_corners(dm_gltf* gltf, dmi_gltf_shape* shape, const dmi_gl
         spread(from->mode, list, faces, out);
         dmi_free(&gltf->env, list, count * sizeof *list);
     }
-    return check_corners(from, out, faces, place, problem);
+    return check_corners(builder, from, out, faces, place, problem);
 }
 
 /* ---- primitives ---- */
@@ -214,7 +253,7 @@ static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const c
     uint64_t faces;
     if (is_invisible(gltf, primitive)) return DM_OK;
     dm_result result = dmi_gltf_find_geometry(gltf, primitive, place, problem, &geometry);
-    if (result == DM_OK) result = read_corners(gltf, shape, &geometry, place, problem, &faces);
+    if (result == DM_OK) result = read_corners(builder, shape, &geometry, place, problem, &faces);
     if (result != DM_OK || faces == 0) return result;
     if (dmi_json_get(primitive, "targets")) dmi_gltf_warn(&gltf->env, "%s: its morph targets are left out", place);
     if (faces > DM_MAX_ELEMENTS - shape->face_count)
@@ -238,10 +277,6 @@ static dm_result grow_elements(dmi_gltf_builder* builder, uint64_t needed, dmi_g
     builder->element_capacity = capacity;
     if (builder->used && builder->places) return DM_OK;
     return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %" PRIu64 " vertices", needed);
-}
-
-static void mark(dmi_gltf_builder* builder, uint64_t element) {
-    builder->used[element / WORD_BITS] |= (uint64_t)1 << element % WORD_BITS;
 }
 
 static int is_marked(const dmi_gltf_builder* builder, uint64_t element) {
@@ -269,18 +304,24 @@ static dm_result grow_vertices(dm_gltf* gltf, dmi_gltf_shape* shape, uint64_t ad
     return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %" PRIu64 " vertices", needed);
 }
 
-/* Marks the elements that triangles have. Returns how many become vertices: those, or all of them. */
-static uint64_t mark_group(dmi_gltf_builder* builder, const dmi_gltf_shape* shape, const dmi_gltf_group* group,
-                           int whole) {
+/* Marks the elements that triangles have. Returns how many they are. */
+static uint64_t mark_group(dmi_gltf_builder* builder, const dmi_gltf_shape* shape, const dmi_gltf_group* group) {
     uint64_t marked = 0;
     for (int32_t r = group->first_run; r >= 0; r = shape->runs[r].next) {
         const uint32_t* corners = shape->corners + 3 * shape->runs[r].first_face;
         for (uint64_t i = 0; i < 3 * shape->runs[r].face_count; i++) {
-            marked += !is_marked(builder, corners[i]);
-            mark(builder, corners[i]);
+            uint64_t* word = &builder->used[corners[i] / WORD_BITS];
+            const uint64_t bit = (uint64_t)1 << corners[i] % WORD_BITS;
+            marked += (*word & bit) == 0;
+            *word |= bit;
         }
     }
-    return whole ? group->geometry.positions.count : marked;
+    return marked;
+}
+
+static void clear_marks(dmi_gltf_builder* builder, const dmi_gltf_group* group) {
+    const uint64_t words = (group->geometry.positions.count + WORD_BITS - 1) / WORD_BITS;
+    memset(builder->used, 0, words * sizeof *builder->used);
 }
 
 static void read_position(const dmi_gltf_elements* from, uint64_t element, float out[3]) {
@@ -290,7 +331,7 @@ static void read_position(const dmi_gltf_elements* from, uint64_t element, float
         for (int k = 0; k < 3; k++) out[k] = (float)dmi_gltf_element(from, element, k);
 }
 
-/* Fills the vertices of a group whose elements are marked. */
+/* Fills the vertices of a group: of all elements, or of those that are marked. */
 static void fill_vertices(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_gltf_group* group, int whole) {
     const dmi_gltf_elements* from = &group->geometry.positions;
     group->first_vertex = shape->vertex_count;
@@ -310,19 +351,22 @@ static void fill_vertices(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_
     }
 }
 
-/* Names vertices where the triangles of the group name elements, and clears the marks of these. */
+/* Names vertices where the triangles of the group name elements. */
 static void number_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, const dmi_gltf_group* group) {
     for (int32_t r = group->first_run; r >= 0; r = shape->runs[r].next) {
         uint32_t* corners = shape->corners + 3 * shape->runs[r].first_face;
-        for (uint64_t i = 0; i < 3 * shape->runs[r].face_count; i++) {
-            const uint32_t element = corners[i];
-            builder->used[element / WORD_BITS] &= ~((uint64_t)1 << element % WORD_BITS);
-            corners[i] = builder->places[element];
-            const float* p = shape->local + 3 * (size_t)corners[i];
-            for (int k = 0; k < 3; k++) {
-                shape->low[k] = fminf(shape->low[k], p[k]);
-                shape->high[k] = fmaxf(shape->high[k], p[k]);
-            }
+        for (uint64_t i = 0; i < 3 * shape->runs[r].face_count; i++) corners[i] = builder->places[corners[i]];
+    }
+}
+
+/* Widens the shape's box by the marked vertices. */
+static void widen_box(const dmi_gltf_builder* builder, dmi_gltf_shape* shape, const dmi_gltf_group* group) {
+    for (uint64_t v = group->first_vertex; v < group->first_vertex + group->vertex_count; v++) {
+        if (!is_marked(builder, shape->elements[v])) continue;
+        for (int k = 0; k < 3; k++) {
+            const float x = shape->local[3 * v + (uint64_t)k];
+            shape->low[k] = x < shape->low[k] ? x : shape->low[k];
+            shape->high[k] = x > shape->high[k] ? x : shape->high[k];
         }
     }
 }
@@ -344,11 +388,14 @@ static dm_result build_group(dmi_gltf_builder* builder, dmi_gltf_shape* shape, d
     const int whole = key == dmi_gltf_key_count(builder->gltf) || builder->users[key] != SEVERAL;
     dm_result result = grow_elements(builder, group->geometry.positions.count, problem);
     if (result != DM_OK) return result;
-    const uint64_t added = mark_group(builder, shape, group, whole);
-    result = grow_vertices(builder->gltf, shape, added, problem);
+    const uint64_t marked = mark_group(builder, shape, group);
+    group->unused = whole && marked < group->geometry.positions.count;
+    result = grow_vertices(builder->gltf, shape, whole ? group->geometry.positions.count : marked, problem);
     if (result != DM_OK) return result;
     fill_vertices(builder, shape, group, whole);
     number_corners(builder, shape, group);
+    widen_box(builder, shape, group);
+    clear_marks(builder, group);
     return DM_OK;
 }
 
@@ -386,6 +433,8 @@ dm_result dmi_gltf_build_shape(dmi_gltf_builder* builder, uint32_t node, dmi_glt
         const dm_result result = build_group(builder, shape, &shape->groups[g], problem);
         if (result != DM_OK) return result;
     }
-    for (uint32_t g = 0; g < shape->group_count; g++) mend_unused(shape, &shape->groups[g]);
+    for (uint32_t g = 0; g < shape->group_count; g++) {
+        if (shape->groups[g].unused) mend_unused(shape, &shape->groups[g]);
+    }
     return DM_OK;
 }

@@ -9,6 +9,7 @@ typedef struct dmi_gltf_group {
     dmi_gltf_geometry geometry;
     uint64_t first_vertex, vertex_count;
     int32_t first_run, last_run;
+    int32_t unused; /* it has vertices that no triangle has */
 } dmi_gltf_group;
 
 typedef struct dmi_gltf_run {
@@ -39,6 +40,7 @@ typedef struct dmi_gltf_builder {
     uint32_t* users;        /* a key: 1 + the mesh that has it; SEVERAL: more than one */
     uint32_t* stamps;       /* a key: 1 + the mesh whose group is in `owners` */
     uint32_t* owners;       /* a key: a group of the mesh being built */
+    uint8_t* finite;        /* a key: whether all its positions are finite, when that was asked */
     uint64_t* used;         /* a bit an element of the group in hand */
     uint32_t* places;       /* an element of it: its vertex */
     uint64_t element_capacity;
