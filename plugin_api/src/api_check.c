@@ -65,6 +65,20 @@ void dmi_write_out(void* out, const void* value, size_t size) {
     memset((uint8_t*)out + known, 0, given - known);
 }
 
+dm_result dmi_check_number(dmi_env* env, const char* what, const char* field, float number) {
+    if (fabsf(number) <= DMI_LARGEST) return DM_OK;
+    if (!isfinite(number)) return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s%s is %g", what, field, (double)number);
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s%s is %g: numbers beyond %g are too large to compute with", what,
+                    field, (double)number, (double)DMI_LARGEST);
+}
+
+dm_result dmi_check_vector(dmi_env* env, const char* what, const char* const fields[3], const float vector[3]) {
+    for (int i = 0; i < 3; i++) {
+        if (!(fabsf(vector[i]) <= DMI_LARGEST)) return dmi_check_number(env, what, fields[i], vector[i]);
+    }
+    return DM_OK;
+}
+
 dm_result dmi_check_finite(dmi_env* env, const char* what, const float* values, uint32_t count) {
     for (uint32_t i = 0; i < count; i++) {
         if (isfinite(values[i])) continue;
@@ -81,11 +95,13 @@ dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t
 
 dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
     if (ray == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
-    const float numbers[6] = {ray->origin.x,    ray->origin.y,    ray->origin.z,
-                              ray->direction.x, ray->direction.y, ray->direction.z};
-    dm_result result = dmi_check_finite(env, what, numbers, 6);
+    static const char* const fields[3] = {".origin.x", ".origin.y", ".origin.z"};
+    const float origin[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const float direction[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
+    dm_result result = dmi_check_vector(env, what, fields, origin);
+    if (result == DM_OK) result = dmi_check_finite(env, what, direction, 3);
     if (result != DM_OK) return result;
-    if (numbers[3] == 0.0f && numbers[4] == 0.0f && numbers[5] == 0.0f) {
+    if (direction[0] == 0.0f && direction[1] == 0.0f && direction[2] == 0.0f) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.direction has no length", what);
     }
     return DM_OK;
@@ -93,8 +109,10 @@ dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
 
 dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out) {
     if (pose == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    static const char* const fields[3] = {".dual[0]", ".dual[1]", ".dual[2]"};
     dm_result result = dmi_check_finite(env, what, pose->real, 4);
-    if (result == DM_OK) result = dmi_check_finite(env, what, pose->dual, 4);
+    if (result == DM_OK) result = dmi_check_vector(env, what, fields, pose->dual);
+    if (result == DM_OK) result = dmi_check_number(env, what, ".dual[3]", pose->dual[3]);
     if (result != DM_OK) return result;
     const float* r = pose->real;
     float norm = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);

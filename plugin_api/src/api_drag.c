@@ -20,9 +20,10 @@
 #define FAR_SLIDE 50.0f      /* object sizes of a slide's value */
 #define FAR_TURN 12.6f       /* rad beyond the limits of a turn: two turns, twice what a pull exceeds them by */
 #define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
+#define SMALLEST_FEEL 1e-12f /* of a time, share or catch that is not 0: its inverse stays in a float's range */
 #define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
 
-static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
+dm_result dmi_check_feel(dmi_env* env, const dm_drag_feel* feel) {
     const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,
                               feel->detent,         feel->detent_pull, feel->return_time};
     static const char* const names[6] = {
@@ -32,6 +33,9 @@ static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
     for (int i = 0; i < 6; i++) {
         dm_result result = dmi_check_finite(env, names[i], &numbers[i], 1);
         if (result != DM_OK) return result;
+        if (numbers[i] == 0 || fabsf(numbers[i]) >= SMALLEST_FEEL) continue;
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g: numbers below %g are too small to compute with",
+                        names[i], (double)numbers[i], (double)SMALLEST_FEEL);
     }
     for (int i = 1; i <= 4; i++) { /* soft_limit, detent and detent_pull; coast_time may be negative */
         const bool share = i == 1 || i == 4;
@@ -43,10 +47,11 @@ static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
 }
 
 static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
-    dm_result result = dmi_check_finite(env, "dm_drag_begin: desc.grab_point", dmi_xyz(desc->grab_point).v, 3);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.start_value", &desc->start_value, 1);
+    static const char* const places[3] = {".grab_point.x", ".grab_point.y", ".grab_point.z"};
+    dm_result result = dmi_check_vector(env, "dm_drag_begin: desc", places, dmi_xyz(desc->grab_point).v);
+    if (result == DM_OK) result = dmi_check_number(env, "dm_drag_begin: desc", ".start_value", desc->start_value);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.limit_give", &desc->limit_give, 1);
-    if (result == DM_OK) result = check_feel(env, &desc->feel);
+    if (result == DM_OK) result = dmi_check_feel(env, &desc->feel);
     if (result != DM_OK) return result;
     if (desc->flags & ~(uint32_t)DM_DRAG_KEEP_JOINT) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.flags is 0x%x: unknown flag", desc->flags);
@@ -97,17 +102,38 @@ static void measure(start* s) {
     if (is_unscaled(s->scale)) s->object_size = dmi_frame_length_out(&s->object->frame);
 }
 
+static dm_result check_confidence(dmi_env* env, const char* field, float number) {
+    if (number >= 0 && number <= 1) return DM_OK;
+    return dmi_fail(env, isfinite(number) ? DM_ERROR_INVALID_ARGUMENT : DM_ERROR_NOT_FINITE,
+                    "dm_drag_begin: desc.state.joint%s is %g: it must be 0 to 1", field, (double)number);
+}
+
+/* Reads the joint in a state of any version. Its size is no larger than what the caller's state holds of it. */
+static dm_result read_joint(dmi_env* env, uint32_t state_size, dm_part_state* state, dm_joint* out) {
+    const uint32_t room = state_size - (uint32_t)offsetof(dm_part_state, joint);
+    if (state->joint.struct_size > room) {
+        return dmi_fail(env, DM_ERROR_STRUCT_SIZE,
+                        "dm_drag_begin: desc.state.joint.struct_size is %u: desc.state has room for %u",
+                        state->joint.struct_size, room);
+    }
+    /* What this version does not know has been found to be zeros. */
+    if (state->joint.struct_size > sizeof state->joint) state->joint.struct_size = sizeof state->joint;
+    return dmi_joint_read(env, "dm_drag_begin: desc.state.joint", &state->joint, out);
+}
+
 /* Reads the instance's own joint and value. */
 static dm_result read_state(dmi_env* env, start* s) {
     dm_part_state state;
     dm_result result = dmi_read_desc(env, "dm_drag_begin: desc.state", s->desc->state,
                                      DMI_FIRST_SIZE(dm_part_state, joint), sizeof state, &state);
-    if (result == DM_OK) result = dmi_joint_read(env, "dm_drag_begin: desc.state.joint", &state.joint, &s->joint);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.state.value", &state.value, 1);
+    if (result == DM_OK) result = read_joint(env, s->desc->state->struct_size, &state, &s->joint);
+    if (result == DM_OK) result = dmi_check_number(env, "dm_drag_begin: desc.state", ".value", state.value);
     if (result == DM_OK) result = dmi_joint_accept(env, "dm_drag_begin: desc.state.joint", s->object_size, &s->joint);
     if (result == DM_OK)
         result = dmi_check_range(env, "dm_drag_begin: desc.state.joint.source", s->joint.source, DM_JOINT_FROM_NETWORK,
                                  DM_JOINT_FROM_HOST);
+    if (result == DM_OK) result = check_confidence(env, ".type_confidence", s->joint.type_confidence);
+    if (result == DM_OK) result = check_confidence(env, ".joint_confidence", s->joint.joint_confidence);
     if (result != DM_OK) return result;
     s->value = state.value;
     const float* r = state.pose.real;
@@ -122,10 +148,14 @@ static dm_result read_start(dmi_env* env, start* s) {
     s->joint = s->object->parts[s->part].joint;
     s->value = s->desc->start_value;
     dmi_joint_scale(&s->joint, s->scale);
-    if (s->desc->state == NULL) return DM_OK;
-    if (s->desc->start_value == 0) return read_state(env, s);
-    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.start_value is %g, but desc.state has a value",
-                    (double)s->desc->start_value);
+    if (s->desc->state != NULL && s->desc->start_value != 0) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                        "dm_drag_begin: desc.start_value is %g, but desc.state has a value",
+                        (double)s->desc->start_value);
+    }
+    if (s->desc->state != NULL) result = read_state(env, s);
+    if (result != DM_OK) return result;
+    return dmi_check_number(env, "dm_drag_begin: the value", " times the screw's pitch", s->value * s->joint.pitch);
 }
 
 static void warn_of_point(dmi_env* env, const start* s) {

@@ -8,6 +8,7 @@
 #include "math/joint.h"
 
 #define MIN_AXIS_LENGTH 1e-6 /* of a host's axis; shorter ones have no direction; by hand */
+#define LARGEST_SCALE 1e6f   /* of an instance, and inverse of the smallest one; by hand: sizes stay comparable */
 #define UNIT_TOLERANCE 1e-6  /* an axis whose length is this near to 1 keeps its bits: rounding of three floats */
 
 /* By hand: a limit farther from rest than UNLIMITED is none. STAND_IN takes its place where the other limit is meant,
@@ -16,16 +17,15 @@
 #define STAND_IN_TURN 1024.0f  /* rad */
 #define STAND_IN_SLIDE 128.0f  /* object sizes */
 
-/* A joint's numbers that must be finite; the limits, which may be infinite in a host's joint, are the last. */
+/* A joint's numbers but its limits, which may be infinite in a host's joint. */
 static const struct {
     const char* name;
     size_t offset;
-} numbers[] = {{"axis.x", offsetof(dm_joint, axis.x)},     {"axis.y", offsetof(dm_joint, axis.y)},
-               {"axis.z", offsetof(dm_joint, axis.z)},     {"origin.x", offsetof(dm_joint, origin.x)},
-               {"origin.y", offsetof(dm_joint, origin.y)}, {"origin.z", offsetof(dm_joint, origin.z)},
-               {"pitch", offsetof(dm_joint, pitch)},       {"lower", offsetof(dm_joint, lower)},
-               {"upper", offsetof(dm_joint, upper)}};
-enum { NUMBERS = sizeof numbers / sizeof numbers[0], LIMITS = 2 };
+} numbers[] = {{".axis.x", offsetof(dm_joint, axis.x)},     {".axis.y", offsetof(dm_joint, axis.y)},
+               {".axis.z", offsetof(dm_joint, axis.z)},     {".origin.x", offsetof(dm_joint, origin.x)},
+               {".origin.y", offsetof(dm_joint, origin.y)}, {".origin.z", offsetof(dm_joint, origin.z)},
+               {".pitch", offsetof(dm_joint, pitch)}};
+enum { NUMBERS = sizeof numbers / sizeof numbers[0] };
 
 dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, dm_joint* out) {
     dm_result result = dmi_read_desc(env, what, joint, DMI_FIRST_SIZE(dm_joint, source), sizeof *out, out);
@@ -82,12 +82,12 @@ static dm_result accept_limits(dmi_env* env, const char* what, float size, dm_jo
 
 /* ---- the joint ---- */
 
-dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint, int32_t first_type, bool with_limits) {
-    for (int i = 0; i < (with_limits ? NUMBERS : NUMBERS - LIMITS); i++) {
+dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint, int32_t first_type) {
+    for (int i = 0; i < NUMBERS; i++) {
         float number;
         memcpy(&number, (const uint8_t*)joint + numbers[i].offset, sizeof number);
-        if (isfinite(number)) continue;
-        return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.%s is %g", what, numbers[i].name, (double)number);
+        dm_result result = dmi_check_number(env, what, numbers[i].name, number);
+        if (result != DM_OK) return result;
     }
     if (joint->type >= first_type && joint->type <= DM_JOINT_FIXED) return DM_OK;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.type is %d: it must be %d to %d", what, joint->type, first_type,
@@ -95,7 +95,7 @@ dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint,
 }
 
 dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint) {
-    dm_result result = dmi_joint_check(env, what, joint, DM_JOINT_REVOLUTE, false);
+    dm_result result = dmi_joint_check(env, what, joint, DM_JOINT_REVOLUTE);
     if (result != DM_OK) return result;
     dm_vec3* a = &joint->axis;
     const double x = (double)a->x, y = (double)a->y, z = (double)a->z, length = sqrt(x * x + y * y + z * z);
@@ -118,15 +118,19 @@ dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint*
 /* ---- scaled instances ---- */
 
 dm_result dmi_scale_read(dmi_env* env, const char* what, dm_vec3 scale, dm_vec3* out) {
-    const float numbers[3] = {scale.x, scale.y, scale.z};
-    dm_result result = dmi_check_finite(env, what, numbers, 3);
+    static const char* const fields[3] = {".x", ".y", ".z"};
+    const float factors[3] = {scale.x, scale.y, scale.z};
+    dm_result result = dmi_check_vector(env, what, fields, factors);
     if (result != DM_OK) return result;
     *out = scale;
     const int zeros = (scale.x == 0) + (scale.y == 0) + (scale.z == 0);
     if (zeros == 3) *out = (dm_vec3){1, 1, 1};
-    if (zeros == 0 || zeros == 3) return DM_OK;
-    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is (%g, %g, %g): a scale of 0 flattens the object", what,
-                    (double)scale.x, (double)scale.y, (double)scale.z);
+    const float most = fmaxf(fabsf(out->x), fmaxf(fabsf(out->y), fabsf(out->z)));
+    const float least = fminf(fabsf(out->x), fminf(fabsf(out->y), fabsf(out->z)));
+    if (least >= 1 / LARGEST_SCALE && most <= LARGEST_SCALE) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is (%g, %g, %g): each factor must be %g to %g, or all 0", what,
+                    (double)scale.x, (double)scale.y, (double)scale.z, 1 / (double)LARGEST_SCALE,
+                    (double)LARGEST_SCALE);
 }
 
 /* The line goes through the scaled points. A mirror turns a turn's direction round, so its axis is reversed (a slide's

@@ -4,8 +4,6 @@
 #ifndef DMI_API_JOINT_CHECK_H
 #define DMI_API_JOINT_CHECK_H
 
-#include <stdbool.h>
-
 #include "base/env.h"
 
 /* Hosts write "no limit" as FLT_MAX, 1e10, infinity and the like. A limit of a turn at least this far from rest is
@@ -14,9 +12,9 @@
 
 /* Copies a host's joint of any version; struct_size of the copy is 0, as of all joints inside. */
 dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, dm_joint* out);
-/* Checks that a joint's numbers are finite, and that its type is `first_type` to DM_JOINT_FIXED. Errors name the field.
- * with_limits: lower and upper too. */
-dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint, int32_t first_type, bool with_limits);
+/* Checks that a joint's numbers are finite and at most DMI_LARGEST, and that its type is `first_type` to
+ * DM_JOINT_FIXED. Errors name the field. Does not look at the limits. */
+dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint, int32_t first_type);
 /* Checks numbers and type of a host's joint, makes its axis unit and keeps the limits that its type has; limits that
  * mean "none" become none. Errors name the field. size: of the object, host units. Confidences and source stay. */
 dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint);

@@ -14,14 +14,14 @@
 /* Reads a joint whose numbers a pose can be made of. */
 static dm_result read_joint(const dm_joint* joint, dm_joint* out) {
     dm_result result = dmi_joint_read(NULL, "", joint, out);
-    return result == DM_OK ? dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN, false) : result;
+    return result == DM_OK ? dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN) : result;
 }
 
 dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose) {
     dm_joint known;
     if (joint == NULL || out_pose == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result = read_joint(joint, &known);
-    if (result == DM_OK && !isfinite(value)) result = DM_ERROR_NOT_FINITE;
+    if (result == DM_OK) result = dmi_check_number(NULL, "", "", value);
     if (result == DM_OK) *out_pose = dmi_joint_pose(&known, value);
     return result;
 }
@@ -77,11 +77,13 @@ dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, flo
     if (result == DM_OK) result = dmi_check_pose(NULL, "", pose, &unit);
     if (result != DM_OK) return result;
     const float value = value_of(&known, &unit);
-    if (!isfinite(value)) return DM_ERROR_NOT_FINITE;
     const dm_pose nearest = dmi_joint_pose(&known, value);
+    const float angle = angle_between(&nearest, &unit);
+    const float distance = distance_between(&nearest, &unit, dmi_xyz(known.origin).v);
+    if (!isfinite(value) || !isfinite(angle) || !isfinite(distance)) return DM_ERROR_NOT_FINITE;
     *out_value = value;
-    if (out_angle_error != NULL) *out_angle_error = angle_between(&nearest, &unit);
-    if (out_distance_error != NULL) *out_distance_error = distance_between(&nearest, &unit, dmi_xyz(known.origin).v);
+    if (out_angle_error != NULL) *out_angle_error = angle;
+    if (out_distance_error != NULL) *out_distance_error = distance;
     return DM_OK;
 }
 

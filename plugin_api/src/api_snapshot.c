@@ -6,8 +6,11 @@
 #include "api_check.h"
 #include "api_drag.h"
 #include "api_joint_check.h"
+#include "math/vec3.h"
 
-#define MAGIC 0x53444D44u /* "DMDS" */
+#define MAGIC 0x53444D44u    /* "DMDS" */
+#define UNIT_TOLERANCE 1e-3f /* of an axis; by hand: rounding leaves less */
+#define LARGEST 1e12f        /* of a length or angle; by hand: its cube is in a float's range */
 #define FNV_START 0xcbf29ce484222325u
 #define FNV_PRIME 0x100000001b3u
 
@@ -91,8 +94,35 @@ static bool are_finite(const float* values, size_t count) {
     return true;
 }
 
+/* Whether poses can be made of the values, which come from numbers within DMI_LARGEST. */
+static bool are_within(const float* values, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (!(fabsf(values[i]) <= LARGEST)) return false;
+    }
+    return true;
+}
+
+/* Whether values that may be infinite, such as log probabilities, are numbers. */
+static bool are_numbers(const float* values, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (isnan(values[i])) return false;
+    }
+    return true;
+}
+
+static bool are_rising(const float* values, size_t count) {
+    for (size_t i = 1; i < count; i++) {
+        if (!(values[i - 1] <= values[i])) return false;
+    }
+    return true;
+}
+
+/* Its axis is unit, or the joint does not move. */
 static bool is_sound_joint(const dm_joint* j) {
-    return dmi_joint_check(NULL, "", j, DM_JOINT_UNKNOWN, true) == DM_OK;
+    const bool moves = j->type != DM_JOINT_UNKNOWN && j->type != DM_JOINT_FIXED;
+    const float others[4] = {j->lower, j->upper, j->type_confidence, j->joint_confidence};
+    return dmi_joint_check(NULL, "", j, DM_JOINT_UNKNOWN) == DM_OK && are_finite(others, 4) &&
+           (!moves || fabsf(dmi_length3(dmi_xyz(j->axis).v) - 1) <= UNIT_TOLERANCE);
 }
 
 static bool is_projection(const dmi_projection* projection) {
@@ -101,44 +131,79 @@ static bool is_projection(const dmi_projection* projection) {
     return value == DMI_PARALLEL || value == DMI_PERSPECTIVE;
 }
 
-static bool is_sound_tracker(const dmi_hypothesis_tracker* t) {
-    const dmi_pull* pull = &t->grasp.pull;
-    const dmi_axis_refiner* refiner = &t->refiner;
-    if (t->count > DMI_TRACKED_HYPOTHESES || (t->count > 0 ? t->best >= t->count : t->best != 0)) return false;
-    if (pull->count > DMI_PULL_RAYS || refiner->fit.count > DMI_PULL_RAYS) return false;
-    if (t->count > 0 && refiner->hypothesis != DMI_NO_HYPOTHESIS && refiner->hypothesis >= t->count) return false;
-    if (!is_projection(&pull->projection) || !is_bool(&refiner->shifted)) return false;
-    for (uint32_t i = 0; i < t->count; i++) {
-        const dmi_joint_hypothesis* h = &t->list[i];
-        if (!is_sound_joint(&h->joint) || !is_bool(&h->range_unknown) || !is_bool(&h->other_side_blocked)) return false;
-        if (!(h->free_range.lower <= 0 && h->free_range.upper >= 0) || !are_finite(h->excursion, 2)) return false;
+static bool is_sound_ray(const dm_ray* ray) {
+    const dmi_float3 origin = dmi_xyz(ray->origin), direction = dmi_xyz(ray->direction);
+    return are_finite(origin.v, 3) && are_finite(direction.v, 3);
+}
+
+static bool is_sound_pull(const dmi_pull* p) {
+    const float numbers[3] = {p->spacing, p->length, p->bend};
+    const dmi_float3 sight = dmi_xyz(p->sight);
+    if (p->count > DMI_PULL_RAYS || !is_projection(&p->projection)) return false;
+    for (uint32_t i = 0; i < p->count; i++) {
+        if (!is_sound_ray(&p->rays[i]) || !are_finite(p->places[i], 3)) return false;
     }
-    return true;
+    return are_finite(numbers, 3) && are_within(p->grab, 3) && are_finite(sight.v, 3) && are_finite(p->now, 3);
+}
+
+static bool is_sound_hypothesis(const dmi_joint_hypothesis* h) {
+    const float numbers[5] = {h->log_prior, h->log_posterior, h->max_residual, h->log_posterior_at_stop, h->shift_cost};
+    return is_sound_joint(&h->joint) && is_bool(&h->range_unknown) && is_bool(&h->other_side_blocked) &&
+           h->free_range.lower <= 0 && h->free_range.upper >= 0 && are_within(h->initial_origin, 3) &&
+           are_finite(h->shift, 2) && (h->side == 0 || fabsf(h->side) == 1) && are_finite(h->excursion, 2) &&
+           are_finite(&h->pointer_value, 1) && are_numbers(numbers, 5);
+}
+
+static bool is_sound_refiner(const dmi_axis_refiner* r, uint32_t count) {
+    const dmi_pull_fit* f = &r->fit;
+    const float numbers[6] = {f->lower, f->upper, f->max_residual, f->size, r->shift_cost, r->unshifted_log_posterior};
+    if (r->hypothesis != DMI_NO_HYPOTHESIS && r->hypothesis >= count) return false;
+    return f->count <= DMI_PULL_RAYS && is_bool(&r->shifted) && is_sound_joint(&f->joint) && are_numbers(numbers, 6) &&
+           are_finite(f->outward, 3) && are_finite(f->forward, 3) && are_finite(&f->pointer_value, 1) &&
+           are_numbers(f->gradient, 2) && are_numbers(f->hessian, 3) && are_numbers(r->shift, 2) &&
+           are_numbers(r->priority, count);
+}
+
+static bool is_sound_tracker(const dmi_hypothesis_tracker* t) {
+    const float numbers[3] = {t->grasp.size, t->grasp.limit_give.share, t->grasp.limit_give.length};
+    if (t->count > DMI_TRACKED_HYPOTHESES || (t->count > 0 ? t->best >= t->count : t->best != 0)) return false;
+    for (uint32_t i = 0; i < t->count; i++) {
+        if (!is_sound_hypothesis(&t->list[i])) return false;
+    }
+    if (t->count == 0) return true;
+    return are_within(numbers, 3) && t->grasp.size > 0 && is_sound_pull(&t->grasp.pull) &&
+           are_numbers(t->priority, t->count) && is_sound_refiner(&t->refiner, t->count);
 }
 
 static bool is_sound_release(const dmi_release* r) {
     const float numbers[8] = {r->start,   r->end,         r->velocity, r->duration,
                               r->elapsed, r->return_time, r->first,    r->last};
     return r->phase >= DM_DRAG_HELD && r->phase <= DM_DRAG_AT_REST && r->intent >= DM_INTENT_AUTO &&
-           r->intent <= DM_INTENT_FREEZE && is_bool(&r->glides) && is_bool(&r->paced) && are_finite(numbers, 8) &&
-           are_finite(r->keys, DM_MOTION_FRAMES);
+           r->intent <= DM_INTENT_FREEZE && is_bool(&r->glides) && is_bool(&r->paced) && are_within(numbers, 8) &&
+           are_within(r->keys, DM_MOTION_FRAMES);
+}
+
+/* The blend's age is infinite where there is none. */
+static bool is_sound_blend(const dmi_pose_blend* b) {
+    dm_pose unit;
+    return dmi_check_pose(NULL, "", &b->offset, &unit) == DM_OK && are_within(b->lag, 3) && b->age >= 0 &&
+           b->turn_time >= 0 && b->lag_time >= 0 && are_finite(&b->turn_time, 1) && are_finite(&b->lag_time, 1);
 }
 
 static bool is_sound_drag(const dmi_drag* d) {
-    const dm_drag_feel* f = &d->feel;
-    const float numbers[15] = {d->value,         d->target,          d->velocity,       d->speed,
-                               d->pointer_value, d->blend.turn_time, d->blend.lag_time, f->smoothing_time,
-                               f->soft_limit,    f->coast_time,      f->detent,         f->return_time,
-                               d->grab_offset.x, d->grab_offset.y,   d->grab_offset.z};
-    return is_sound_joint(&d->joint) && are_finite(numbers, 15) && are_finite(d->rest_point, 3) &&
-           are_finite(d->point, 3) && are_finite(d->blend.offset.real, 4) && are_finite(d->blend.offset.dual, 4) &&
-           are_finite(d->blend.lag, 3) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
+    const float numbers[4] = {d->value, d->target, d->speed, d->pointer_value};
+    const float limits[4] = {d->reachable_lower, d->estimated_lower, d->estimated_upper, d->reachable_upper};
+    const dmi_float3 grab_offset = dmi_xyz(d->grab_offset);
+    return is_sound_joint(&d->joint) && dmi_check_feel(NULL, &d->feel) == DM_OK && are_within(numbers, 4) &&
+           are_finite(&d->velocity, 1) && are_within(d->rest_point, 3) && are_within(d->point, 3) &&
+           are_within(grab_offset.v, 3) && is_sound_ray(&d->last_ray) && is_projection(&d->projection) &&
+           is_bool(&d->limits_are_estimates) && are_rising(limits, 4) && is_sound_blend(&d->blend) &&
            is_sound_tracker(&d->tracker) && is_sound_release(&d->release);
 }
 
 static bool is_sound(const snapshot* s) {
     const float numbers[4] = {s->scale.x, s->scale.y, s->scale.z, s->value_unit};
-    return s->open_side >= -1 && s->open_side <= 1 && are_finite(numbers, 4) &&
+    return s->open_side >= -1 && s->open_side <= 1 && are_within(numbers, 4) &&
            s->scale.x * s->scale.y * s->scale.z != 0 && s->value_unit > 0 && is_sound_drag(&s->drag);
 }
 

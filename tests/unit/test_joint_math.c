@@ -173,6 +173,27 @@ static void nonsense_is_refused(void** state) {
     assert_int_equal(dm_joint_get_frame(&hinge, &frame), DM_ERROR_NOT_FINITE);
 }
 
+/* Finite numbers of which infinite ones would come. */
+static void what_does_not_fit_a_float_is_refused(void** state) {
+    (void)state;
+    const dm_joint hinge = test_hinge();
+    dm_joint far = hinge, screw = hinge, long_axis = hinge, out = dm_joint_default();
+    dm_joint_frame frame = dm_joint_frame_default();
+    const dm_pose away = {{0, 0, 0, 1}, {0, 2e38f, 0, 0}};
+    dm_pose pose;
+    float value;
+    far.origin.x = 3e38f;
+    screw.type = DM_JOINT_SCREW, screw.pitch = 1e30f;
+    long_axis.axis = (dm_vec3){3e38f, 3e38f, 0};
+    assert_int_equal(dm_joint_pose(&far, 3, &pose), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_joint_pose(&screw, 3, &pose), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_joint_pose(&hinge, 3e38f, &pose), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_joint_value(&hinge, &away, &value, NULL, NULL), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_joint_get_frame(&long_axis, &frame), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_joint_scale(&far, (dm_vec3){10, 10, 10}, &out), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_joint_scale(&hinge, (dm_vec3){1e30f, 1, 1}, &out), DM_ERROR_INVALID_ARGUMENT);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(value_is_the_inverse_of_pose),
@@ -181,6 +202,7 @@ int main(void) {
         cmocka_unit_test(frames_tell_which_limits_there_are),
         cmocka_unit_test(scaled_joints_move_scaled_points),
         cmocka_unit_test(nonsense_is_refused),
+        cmocka_unit_test(what_does_not_fit_a_float_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -151,20 +151,41 @@ static void a_bad_state_is_refused_by_name(void** state) {
     dm_object object;
     open_world(&w, &object);
     const dm_part_state good = {.struct_size = sizeof good, .value = 0.5f, .joint = test_hinge()};
-    dm_part_state bad[6] = {good, good, good, good, good, good};
+    enum { BAD = 13 };
+    dm_part_state bad[BAD];
+    for (int i = 0; i < BAD; i++) bad[i] = good;
     bad[0].struct_size = 0;
     bad[1].joint.struct_size = 0;
     bad[2].value = (float)NAN;
     bad[3].joint.axis = (dm_vec3){0, 0, 0};
     bad[4].joint.source = 7;
     bad[5].pose.real[0] = 9;
-    const char* const fields[6] = {"desc.state.struct_size", "desc.state.joint.struct_size", "desc.state.value",
-                                   "desc.state.joint.axis",  "desc.state.joint.source",      "desc.state.pose"};
-    for (int i = 0; i < 6; i++) {
+    bad[6].joint.struct_size = sizeof good.joint + 4; /* more than there is */
+    bad[7].joint.type_confidence = (float)NAN;
+    bad[8].joint.joint_confidence = 1.5f;
+    /* Too large to compute with: poses would not be finite. */
+    bad[9].value = -1e30f;
+    bad[10].joint.origin.y = 1e20f;
+    bad[11].joint.type = DM_JOINT_SCREW, bad[11].joint.pitch = -1e20f;
+    bad[12].pose = (dm_pose){{0, 0, 0, 1}, {0, 1e20f, 0, 0}};
+    const char* const fields[BAD] = {"desc.state.struct_size",
+                                     "desc.state.joint.struct_size",
+                                     "desc.state.value",
+                                     "desc.state.joint.axis",
+                                     "desc.state.joint.source",
+                                     "desc.state.pose",
+                                     "desc.state.joint.struct_size",
+                                     "desc.state.joint.type_confidence",
+                                     "desc.state.joint.joint_confidence",
+                                     "desc.state.value",
+                                     "desc.state.joint.origin.y",
+                                     "desc.state.joint.pitch",
+                                     "desc.state.pose.dual[1]"};
+    for (int i = 0; i < BAD; i++) {
         const dm_drag_desc desc = {
             .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .state = &bad[i]};
         dm_drag drag = 0;
-        assert_true(dm_drag_begin(w.context, &desc, &drag) < 0);
+        if (dm_drag_begin(w.context, &desc, &drag) >= 0) fail_msg("%s was taken", fields[i]);
         if (!strstr(w.messages.text, fields[i])) fail_msg("no %s in: %s", fields[i], w.messages.text);
     }
     const dm_drag_desc both = {
@@ -239,6 +260,61 @@ static void every_number_of_a_joint_is_checked(void** state) {
         assert_int_equal(dm_joint_pose(&joint, 0.5f, &pose), known ? DM_OK : DM_ERROR_INVALID_ARGUMENT);
         assert_int_equal(dm_drag_restore(w.context, drag, bad, size), known ? DM_OK : DM_ERROR_BAD_DATA);
     }
+    test_world_close(&w);
+}
+
+/* A caller that is newer: its joint, the last field of its state, is longer by zeros. */
+static void a_newer_state_is_taken(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    struct {
+        dm_part_state known;
+        uint32_t unknown[40];
+    } newer;
+    memset(&newer, 0, sizeof newer);
+    newer.known = (dm_part_state){.struct_size = sizeof newer, .value = 0.5f, .joint = test_hinge()};
+    newer.known.joint.struct_size = sizeof newer.known.joint + sizeof newer.unknown;
+    dm_part_state now = dm_part_state_default();
+    const dm_drag drag = begin(&w, object, test_pull().point, &newer.known);
+    assert_int_equal(dm_drag_end(w.context, drag, &now), DM_OK);
+    assert_true(now.value == 0.5f);
+    assert_memory_equal(&now.joint.axis, &newer.known.joint.axis, sizeof now.joint.axis);
+    test_world_close(&w);
+}
+
+/* Points, rays, scales and feels of which nothing finite would come. */
+static void numbers_beyond_computing_are_refused(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_drag_desc good = {
+        .struct_size = sizeof good, .part_id = TEST_DOOR, .object = object, .grab_point = test_pull().point};
+    dm_drag_desc bad[6] = {good, good, good, good, good, good};
+    bad[0].grab_point.z = 1e30f;
+    bad[1].start_value = 1e30f;
+    bad[2].scale = (dm_vec3){1, 1e30f, 1};
+    bad[3].scale = (dm_vec3){1, 1, 1e-30f};
+    bad[4].feel.detent = 1e-40f;
+    bad[5].feel.smoothing_time = 1e-40f;
+    const char* const fields[6] = {"desc.grab_point.z", "desc.start_value", "desc.scale.y",
+                                   "desc.scale",        "desc.feel.detent", "desc.feel.smoothing_time"};
+    dm_drag drag = 0;
+    for (int i = 0; i < 6; i++) {
+        assert_int_equal(dm_drag_begin(w.context, &bad[i], &drag), DM_ERROR_INVALID_ARGUMENT);
+        if (!strstr(w.messages.text, fields[i])) fail_msg("no %s in: %s", fields[i], w.messages.text);
+    }
+    assert_int_equal(dm_drag_begin(w.context, &good, &drag), DM_OK);
+    const dm_ray far = {{0, 1e30f, 0}, {0, -1, 0}};
+    dm_drag_state now = dm_drag_state_default();
+    assert_int_equal(dm_drag_update(w.context, drag, &far, 0.016f, &now), DM_ERROR_INVALID_ARGUMENT);
+    assert_non_null(strstr(w.messages.text, "ray.origin.y"));
+    const dm_joint slide = {
+        .struct_size = sizeof slide, .type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .origin = {3e38f, 0, 0}};
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &slide), DM_ERROR_INVALID_ARGUMENT);
+    assert_non_null(strstr(w.messages.text, "joint.origin.x"));
     test_world_close(&w);
 }
 
@@ -613,6 +689,19 @@ static void drags_have_the_same_bits_on_every_instruction_set(void** state) {
     test_world_close(&w);
 }
 
+/* Goes on with a drag whose saved bytes were changed at `place`. */
+static void expect_finite_frames(const test_world* w, dm_drag drag, size_t place) {
+    const dm_joint hinge = test_hinge();
+    dm_drag_state now = dm_drag_state_default();
+    for (int frame = 0; frame < 8; frame++) {
+        const dm_ray ray = ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
+        assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, &now), DM_OK);
+        float sum = now.value + now.target + now.velocity + now.grab_point.x + now.grab_point.y + now.grab_point.z;
+        for (int i = 0; i < 4; i++) sum += now.pose.real[i] + now.pose.dual[i];
+        if (!isfinite(sum)) fail_msg("byte %zu: frame %d is not finite", place, frame);
+    }
+}
+
 /* Bytes that mean harm are refused or harmless: no crash, whatever they hold. */
 static void hostile_snapshots_do_no_harm(void** state) {
     (void)state;
@@ -621,6 +710,8 @@ static void hostile_snapshots_do_no_harm(void** state) {
     open_world(&w, &object);
     const dm_joint hinge = test_hinge();
     static const uint8_t values[] = {0, 1, 2, 0x7f, 0x80, 0xff};
+    static const float numbers[] = {NAN, INFINITY, -INFINITY, FLT_MAX, -1e30f, 1e15f, -1e9f, FLT_MIN, 0, -1};
+    enum { NUMBERS = sizeof numbers / sizeof *numbers };
     uint8_t saved[DM_DRAG_SNAPSHOT_MAX], bad[DM_DRAG_SNAPSHOT_MAX];
     const size_t size = dm_drag_snapshot_size();
     const dm_drag drag = begin(&w, object, test_pull().point, NULL);
@@ -648,6 +739,15 @@ static void hostile_snapshots_do_no_harm(void** state) {
         }
     }
     assert_true(taken > 0 && refused > 0);
+    /* A drag that is taken goes on with finite numbers. */
+    for (size_t i = 32; i + sizeof(float) <= size; i += sizeof(float)) {
+        for (size_t k = 0; k < NUMBERS; k++) {
+            memcpy(bad, saved, size);
+            memcpy(bad + i, &numbers[k], sizeof numbers[k]);
+            sign(bad, size);
+            if (dm_drag_restore(w.context, drag, bad, size) == DM_OK) expect_finite_frames(&w, drag, i);
+        }
+    }
     test_world_close(&w);
 }
 
@@ -658,6 +758,8 @@ int main(void) {
         cmocka_unit_test(states_belong_to_instances),
         cmocka_unit_test(a_bad_state_is_refused_by_name),
         cmocka_unit_test(every_number_of_a_joint_is_checked),
+        cmocka_unit_test(a_newer_state_is_taken),
+        cmocka_unit_test(numbers_beyond_computing_are_refused),
         cmocka_unit_test(outputs_fit_the_callers_version),
         cmocka_unit_test(setting_the_joint_that_is_there_changes_nothing),
         cmocka_unit_test(other_engines_words_for_no_limit_are_understood),

@@ -5,6 +5,8 @@
  *
  * Conventions that hold for every function:
  *  - Frames and units are the HOST's, as stated in dm_context_desc (axes preset, unit). Angles are radians.
+ *  - Places, lengths, joint values and pitches beyond 1e9 host units or rad answer INVALID_ARGUMENT where a drag, a
+ *    pose or a pick would compute with them; factors of a scale are 1e-6 to 1e6. Finite input gives finite output.
  *  - Functions return DM_OK (0) or a negative dm_result. On an error the outputs are untouched, a message that
  *    names the field and the value goes to the log callback, and the context stays usable. Nothing aborts.
  *  - Every descriptor, and every output that may grow, starts with struct_size = sizeof(the struct); the caller sets
@@ -620,7 +622,8 @@ DM_API dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_po
 
 /* Inverse of dm_joint_pose: the value at which the joint comes nearest to a pose (from rest), and how far off the joint
  * the pose is: the angle between both, rad, and the distance of the joint's origin under both, host units. Of values a
- * turn apart: inside the limits, else nearest to 0; of a screw, by its advance. Both errors may be NULL. [frame] */
+ * turn apart: inside the limits, else nearest to 0; of a screw, by its advance. Both errors may be NULL. NOT_FINITE
+ * when an answer is beyond a float. [frame] */
 DM_API dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value,
                                         float* out_angle_error, float* out_distance_error);
 

@@ -1,0 +1,257 @@
+/* Fuzz target: saved drags and part states. Whatever the bytes, the answer is an error, or finite numbers from then on.
+ *
+ * An input is a kind byte, and then:
+ *   bytes     a saved drag as it is, or cut off;
+ *   changes   of a good saved drag, whose checksum is set right: 2 bytes of place, 4 of content, again and again;
+ *   a state   its joint and value, the scale of its instance, all as floats, and how it is dragged.
+ * Corpora of the last two stay of use when a drag's layout changes. */
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dragmesh/dragmesh.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+
+enum { BYTES, CHANGES, STATE, KINDS };                    /* kinds of input */
+enum { CHECKSUM_AT = 24, CHECKED_FROM = 32 };             /* bytes of a saved drag: plugin_api/src/api_snapshot.c */
+enum { HELD_FRAMES = 12, RELEASED_FRAMES = 6, DOOR = 1 }; /* updates of a drag; the part's id */
+
+static dm_context* context;
+static dm_object object;
+static uint8_t good[DM_DRAG_SNAPSHOT_MAX]; /* a saved drag, half-way */
+static const dm_vec3 handle = {0.45f, 0.5f, 0.55f};
+
+/* ---- what came out ---- */
+
+static void expect(bool right) {
+    if (!right) abort();
+}
+
+static void expect_finite(const float* numbers, size_t count) {
+    for (size_t i = 0; i < count; i++) expect(isfinite(numbers[i]));
+}
+
+static void expect_finite_pose(const dm_pose* pose) {
+    expect_finite(pose->real, 4);
+    expect_finite(pose->dual, 4);
+}
+
+static void expect_finite_joint(const dm_joint* joint) {
+    const float numbers[11] = {joint->axis.x,   joint->axis.y,          joint->axis.z,          joint->origin.x,
+                               joint->origin.y, joint->origin.z,        joint->pitch,           joint->lower,
+                               joint->upper,    joint->type_confidence, joint->joint_confidence};
+    expect_finite(numbers, 11);
+}
+
+/* ---- an object ---- */
+
+/* A box of a part: 8 corners, 12 triangles. */
+static void add_box(float (*vertices)[3], uint32_t (*triangles)[3], uint8_t* parts, uint32_t box,
+                    const float sides[6]) {
+    static const uint8_t corners[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                           {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    for (uint32_t c = 0; c < 8; c++)
+        for (uint32_t k = 0; k < 3; k++) vertices[8 * box + c][k] = sides[2 * k + (c >> k & 1)];
+    for (uint32_t t = 0; t < 12; t++) {
+        for (uint32_t k = 0; k < 3; k++) triangles[12 * box + t][k] = 8 * box + corners[t][k];
+        parts[12 * box + t] = box > 0 ? DOOR : 0;
+    }
+}
+
+static void prepare(void) {
+    static const float body[6] = {-0.5f, 0.5f, 0, 1, -0.5f, 0.45f}, leaf[6] = {-0.5f, 0.5f, 0, 1, 0.46f, 0.5f},
+                       knob[6] = {0.4f, 0.5f, 0.45f, 0.55f, 0.5f, 0.55f};
+    float vertices[24][3];
+    uint32_t triangles[36][3];
+    uint8_t parts[36];
+    add_box(vertices, triangles, parts, 0, body);
+    add_box(vertices, triangles, parts, 1, leaf);
+    add_box(vertices, triangles, parts, 2, knob);
+    const dm_mesh_desc mesh = {.struct_size = sizeof mesh,
+                               .positions = vertices,
+                               .vertex_count = 24,
+                               .indices = triangles,
+                               .index_count = 108,
+                               .part_ids = parts,
+                               .part_id_bytes = sizeof parts,
+                               .part_id_format = DM_UINT8,
+                               .part_id_scope = DM_PER_FACE};
+    const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh};
+    expect(dm_context_create(NULL, &context) == DM_OK);
+    expect(dm_object_prepare(context, &desc, &object) == DM_OK);
+}
+
+/* ---- drags ---- */
+
+/* A hand that pulls the handle out and to the side. */
+static dm_ray pointer(int frame) {
+    const float t = 0.02f * (float)frame;
+    const dm_vec3 eye = {1.5f, 1.6f, 3};
+    return (dm_ray){eye, {handle.x - t - eye.x, handle.y - eye.y, handle.z + 2 * t - eye.z}};
+}
+
+static void expect_finite_update(dm_drag drag, const dm_ray* ray) {
+    dm_drag_state now = dm_drag_state_default();
+    expect(dm_drag_update(context, drag, ray, 1.0f / 60, &now) == DM_OK);
+    const float numbers[6] = {now.grab_point.x, now.grab_point.y, now.grab_point.z,
+                              now.value,        now.target,       now.velocity};
+    expect_finite(numbers, 6);
+    expect_finite_pose(&now.pose);
+}
+
+/* Drags on, saves, goes back, lets go, ends. meant: such as hosts have, so that what is saved can be restored. */
+static void use(dm_drag drag, bool meant) {
+    static uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+    dm_part_state end = dm_part_state_default();
+    dm_ray ray;
+    for (int frame = 0; frame < HELD_FRAMES; frame++) {
+        ray = pointer(frame);
+        expect_finite_update(drag, &ray);
+    }
+    expect(dm_drag_save(context, drag, saved, sizeof saved) == DM_OK);
+    const dm_result restored = dm_drag_restore(context, drag, saved, sizeof saved);
+    expect(restored == DM_OK || (!meant && restored == DM_ERROR_BAD_DATA));
+    if (dm_drag_release(context, drag, NULL, NULL) == DM_OK)
+        for (int frame = 0; frame < RELEASED_FRAMES; frame++) expect_finite_update(drag, NULL);
+    expect(dm_drag_end(context, drag, &end) == DM_OK);
+    expect_finite(&end.value, 1);
+    expect_finite_pose(&end.pose);
+    expect_finite_joint(&end.joint);
+}
+
+static dm_drag begin(const dm_part_state* state, dm_vec3 scale) {
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = DOOR,
+                               .object = object,
+                               .grab_point = handle,
+                               .state = state,
+                               .scale = scale};
+    dm_drag drag = 0;
+    return dm_drag_begin(context, &desc, &drag) == DM_OK ? drag : 0;
+}
+
+static void start(void) {
+    prepare();
+    const dm_drag drag = begin(NULL, (dm_vec3){0, 0, 0});
+    for (int frame = 0; frame < HELD_FRAMES; frame++) {
+        const dm_ray ray = pointer(frame);
+        expect_finite_update(drag, &ray);
+    }
+    expect(dm_drag_save(context, drag, good, sizeof good) == DM_OK);
+    expect(dm_drag_end(context, drag, NULL) == DM_OK);
+}
+
+/* ---- saved drags ---- */
+
+/* The checksum as dm_drag_save computes it. */
+static void sign(uint8_t* saved, size_t size) {
+    uint64_t sum = 0xcbf29ce484222325u, word;
+    size_t i = CHECKED_FROM;
+    for (; i + sizeof word <= size; i += sizeof word) {
+        memcpy(&word, saved + i, sizeof word);
+        sum = (sum ^ word) * 0x100000001b3u;
+        sum ^= sum >> 32;
+    }
+    for (; i < size; i++) sum = (sum ^ saved[i]) * 0x100000001b3u;
+    memcpy(saved + CHECKSUM_AT, &sum, sizeof sum);
+}
+
+static void restore(const uint8_t* saved, size_t size) {
+    const dm_drag drag = begin(NULL, (dm_vec3){0, 0, 0});
+    expect(drag != 0);
+    const dm_result result = dm_drag_restore(context, drag, saved, size);
+    expect(result == DM_OK || result == DM_ERROR_BAD_DATA || result == DM_ERROR_VERSION ||
+           result == DM_ERROR_INVALID_ARGUMENT);
+    use(drag, result != DM_OK); /* an error has left it as it was */
+}
+
+static void restore_changed(const uint8_t* data, size_t size) {
+    const size_t whole = dm_drag_snapshot_size();
+    uint8_t* saved = malloc(whole);
+    if (saved == NULL) return;
+    memcpy(saved, good, whole);
+    for (; size >= 6; data += 6, size -= 6) {
+        const size_t at = (size_t)(data[0] | data[1] << 8) * 4 % (whole - 3);
+        memcpy(saved + at, data + 2, 4);
+    }
+    sign(saved, whole);
+    restore(saved, whole);
+    free(saved);
+}
+
+/* ---- states ---- */
+
+static void ask_joint(const dm_part_state* state, dm_vec3 scale) {
+    const dm_joint* joint = &state->joint;
+    dm_pose pose;
+    dm_joint scaled = dm_joint_default();
+    dm_joint_frame frame = dm_joint_frame_default();
+    float numbers[3];
+    if (dm_joint_pose(joint, state->value, &pose) == DM_OK) expect_finite_pose(&pose);
+    if (dm_joint_value(joint, &state->pose, numbers, numbers + 1, numbers + 2) == DM_OK) expect_finite(numbers, 3);
+    if (dm_joint_scale(joint, scale, &scaled) == DM_OK && isfinite(joint->lower) && isfinite(joint->upper) &&
+        isfinite(joint->type_confidence) && isfinite(joint->joint_confidence))
+        expect_finite_joint(&scaled);
+    if (dm_joint_get_frame(joint, &frame) != DM_OK) return;
+    const dm_vec3 vectors[4] = {frame.origin, frame.x, frame.y, frame.z};
+    for (int i = 0; i < 4; i++) expect(isfinite(vectors[i].x) && isfinite(vectors[i].y) && isfinite(vectors[i].z));
+    expect_finite(frame.rotation, 4);
+    const float rest[3] = {frame.lower, frame.upper, frame.pitch};
+    expect_finite(rest, 3);
+}
+
+/* Copies the next bytes, zeros where there are no more. */
+static void take(const uint8_t** data, size_t* size, void* out, size_t wanted) {
+    const size_t count = *size < wanted ? *size : wanted;
+    memset(out, 0, wanted);
+    memcpy(out, *data, count);
+    *data += count;
+    *size -= count;
+}
+
+/* Numbers of a host that means them, whatever its units. */
+static bool is_meant(const dm_part_state* state) {
+    const dm_joint* j = &state->joint;
+    const float numbers[7] = {state->value, j->origin.x, j->origin.y, j->origin.z, j->pitch, j->lower, j->upper};
+    bool meant = true;
+    for (int i = 0; i < 7; i++) meant = meant && fabsf(numbers[i]) < 1e4f;
+    for (int i = 0; i < 4; i++) meant = meant && fabsf(state->pose.dual[i]) < 1e4f;
+    return meant;
+}
+
+static void use_state(const uint8_t* data, size_t size) {
+    dm_part_state state = dm_part_state_default();
+    dm_vec3 scale;
+    take(&data, &size, (uint8_t*)&state + sizeof state.struct_size, sizeof state - sizeof state.struct_size);
+    take(&data, &size, &scale, sizeof scale);
+    if (state.joint.struct_size == 0) state.joint.struct_size = sizeof state.joint;
+    const dm_drag drag = begin(&state, scale); /* the size of the joint in a state is data */
+    if (drag != 0) use(drag, is_meant(&state));
+    state.joint.struct_size = sizeof state.joint;
+    ask_joint(&state, scale);
+    dm_object_set_joint(context, object, DOOR, &state.joint);
+    dm_joint now = dm_joint_default();
+    expect(dm_object_get_joint(context, object, DOOR, &now) == DM_OK);
+    expect_finite_joint(&now);
+    const dm_drag other = begin(NULL, scale);
+    if (other != 0) use(other, is_meant(&state));
+    expect(dm_object_reset_joint(context, object, DOOR) == DM_OK);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    if (context == NULL) start();
+    if (size == 0) return 0;
+    switch (data[0] % KINDS) {
+    case BYTES:
+        restore(data + 1, size - 1);
+        break;
+    case CHANGES:
+        restore_changed(data + 1, size - 1);
+        break;
+    default:
+        use_state(data + 1, size - 1);
+    }
+    return 0;
+}
