@@ -14,6 +14,7 @@
 #define MAX_GAIN 16.0f
 #define GLIDE_GAIN 2.0f         /* the same on the way to a place that is farther off than that; by hand */
 #define CATCH_UP_HALF_LIFE 0.1f /* s in which half of what is left is made up for; by hand */
+#define MAX_GLIDE 6.0f          /* rad/s of a turn's share of that; by hand, so that no frame shows a jump */
 #define MIN_RAY_TURN 1e-5f      /* rad between two rays: rounding makes less, a pixel makes more; by hand */
 #define MAX_GRAB_OFFSET 0.025f  /* rad, as seen from the ray's origin: about 20 pixels of a usual screen; by hand */
 #define LIMIT_TOLERANCE 1e-4f   /* share of the range that counts as at a limit; by hand */
@@ -125,7 +126,8 @@ static float limit_gain(const dmi_drag* drag, const dm_ray* ray, float nearest, 
     const float gap = nearest - drag->pointer_value;
     const float motion = pointer_motion(drag, ray) / drag->speed;
     const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : GLIDE_GAIN * motion;
-    const float step = at_once + (fabsf(gap) - at_once) * (1 - expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
+    const float rest = (fabsf(gap) - at_once) * (1 - expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
+    const float step = at_once + (dmi_joint_turns(drag->joint.type) ? fminf(rest, MAX_GLIDE * dt) : rest);
     return isfinite(step) ? drag->pointer_value + copysignf(step, gap) : drag->pointer_value;
 }
 
@@ -135,7 +137,11 @@ static float follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     if (has_last_ray(drag) && has_turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
     float lower = -INFINITY, upper = INFINITY;
     if (drag->limits_are_estimates) {
-        lower = drag->reachable_lower, upper = drag->reachable_upper;
+        /* The pointer says nothing about the value of such a slide, and a wrong value nothing about its limits. */
+        const bool held = drag->joint.type == DM_JOINT_PRISMATIC &&
+                          dmi_is_seen_end_on(&drag->joint, drag->rest_point, ray, drag->projection);
+        lower = held ? drag->estimated_lower : drag->reachable_lower;
+        upper = held ? drag->estimated_upper : drag->reachable_upper;
     } else if (dmi_joint_has_limits(&drag->joint)) {
         const float w = dmi_feel_soft_width(&drag->feel, &drag->joint);
         lower = drag->joint.lower - w, upper = drag->joint.upper + w;

@@ -24,6 +24,7 @@
 #define BRANCH_MISS 0.2f       /* share of the lever arm by which a point has clearly left the pointer */
 #define BRANCH_GAIN 0.4f       /* a place farther on must miss the pointer by less than this share of it */
 #define BRANCH_PLACES 12       /* tried in the range: 30 degrees apart on a whole circle, whose branches are 180 wide */
+#define END_ON_SINE 0.15f      /* between a point's motion and the line of sight; below: seen end on */
 #define MIN_ARM 1e-6f          /* lever arm of a turning point, share of its coordinates; below: rounding */
 
 /* A sliding point relative to the ray's origin at value v: P = arm + (along + v) a, with the arm perpendicular to a. */
@@ -225,4 +226,24 @@ float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_
 float dmi_follow_ray_coarse(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
                             dmi_projection projection, float start, float lower, float upper) {
     return follow(joint, rest_point, ray, projection, start, lower, upper, true);
+}
+
+void dmi_line_of_sight(const float point[3], const dm_ray* ray, dmi_projection projection, float out_sight[3],
+                       float* out_eye_distance) {
+    const dmi_float3 eye = dmi_xyz(ray->origin), direction = dmi_xyz(ray->direction);
+    dmi_copy3(direction.v, out_sight);
+    *out_eye_distance = INFINITY;
+    if (projection == DMI_PARALLEL) return;
+    dmi_sub3(point, eye.v, out_sight);
+    *out_eye_distance = dmi_normalize3(out_sight);
+}
+
+bool dmi_is_seen_end_on(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
+                        dmi_projection projection) {
+    float velocity[3], sight[3], eye_distance;
+    dmi_joint_velocity(joint, 0, rest_point, velocity);
+    dmi_line_of_sight(rest_point, ray, projection, sight, &eye_distance);
+    if (!(dmi_normalize3(velocity) > 0 && eye_distance > 0)) return false;
+    dmi_reject3(velocity, sight);
+    return dmi_length3(velocity) < END_ON_SINE;
 }

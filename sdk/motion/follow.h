@@ -2,6 +2,8 @@
 #ifndef DMI_MOTION_FOLLOW_H
 #define DMI_MOTION_FOLLOW_H
 
+#include <stdbool.h>
+
 #include "math/joint.h"
 
 /* What "nearest" means: the angle between point and ray seen from the ray's origin (perspective), or the distance of
@@ -17,5 +19,12 @@ float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_
 /* The same to about 1e-4 rad and without passing folds: enough for the residual of a hypothesis. */
 float dmi_follow_ray_coarse(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
                             dmi_projection projection, float start, float lower, float upper);
+
+/* Computes the unit direction of sight to a point, and how far the eye is from it: infinitely, for parallel rays. */
+void dmi_line_of_sight(const float point[3], const dm_ray* ray, dmi_projection projection, float out_sight[3],
+                       float* out_eye_distance);
+/* Whether a joint moves a point, given at rest, so nearly along the line of sight that the screen does not show its
+ * value. */
+bool dmi_is_seen_end_on(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection);
 
 #endif

@@ -56,6 +56,7 @@ void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint
     for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++)
         add(tracker, &joints[i], dmi_joint_log_odds(&joints[i]), false,
             free_ranges != NULL ? free_ranges[i] : dmi_unbounded_range());
+    tracker->list[0].grabbed = tracker->count > 0;
 }
 
 /* Finds the hypotheses of highest priority but the active one, highest first. */

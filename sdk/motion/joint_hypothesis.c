@@ -91,10 +91,20 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
     *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
 }
 
+/* Whether the pull can't tell this joint's value, nor anything against it: it is that of the grab, seen end on. */
+static bool is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {
+    const dmi_pull* pull = &grasp->pull;
+    return hypothesis->grabbed && dmi_is_seen_end_on(&hypothesis->joint, pull->grab, &pull->last, pull->projection);
+}
+
 void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
                                 float* out_upper) {
     if (hypothesis->range_unknown) {
         *out_lower = hypothesis->free_range.lower, *out_upper = hypothesis->free_range.upper;
+        return;
+    }
+    if (hypothesis->joint.type == DM_JOINT_PRISMATIC && is_end_on(grasp, hypothesis)) {
+        *out_lower = hypothesis->joint.lower, *out_upper = hypothesis->joint.upper;
         return;
     }
     dmi_joint_reachable_range(&hypothesis->joint, grasp->limit_give, out_lower, out_upper);
@@ -147,11 +157,16 @@ static float residual_log_likelihood(const dmi_grasp* grasp, float residual) {
     return -TAIL_EXPONENT * logf(1 + residual / dmi_expected_residual(grasp));
 }
 
+/* Likelihood of a hand that follows the joint. */
+static float followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual) {
+    return is_end_on(grasp, hypothesis) ? 0 : residual_log_likelihood(grasp, residual);
+}
+
 /* Adds the case of a pointer that goes straight to where the part should end instead of along its circle: a turn then
  * has the likelihood of a straight pull, if the pull is straight and lies on a chord of the circle. */
 float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
                                           float residual) {
-    const float followed = residual_log_likelihood(grasp, residual);
+    const float followed = followed_log_likelihood(grasp, hypothesis, residual);
     if (followed > STRAIGHT_LOG_LIKELIHOOD + NEGLIGIBLE_LOG_RATIO || !dmi_joint_turns(hypothesis->joint.type))
         return followed;
     const float straight = STRAIGHT_LOG_LIKELIHOOD + residual_log_likelihood(grasp, grasp->pull.bend);
@@ -185,7 +200,7 @@ static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypot
     hypothesis->log_posterior_at_stop = hypothesis->log_posterior;
     if (now * value >= 0 || hypothesis->other_side_blocked) return;
     const float at_stop = dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab);
-    const float missed = dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, at_stop);
+    const float missed = followed_log_likelihood(grasp, hypothesis, at_stop); /* a part that is held goes on no chord */
     const float pushed =
         PUSH_LOG_PRIOR + dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
     hypothesis->log_posterior_at_stop = hypothesis->log_prior - hypothesis->shift_cost + fmaxf(missed, pushed);

@@ -31,6 +31,7 @@ typedef struct dmi_joint_hypothesis {
     float shift_cost;            /* negative log prior of that shift */
     float side;                  /* of rest on which its range was found: +1 or -1; 0: both */
     bool range_unknown;          /* inference found no range for it */
+    bool grabbed;                /* in force when the part was grabbed */
     bool other_side_blocked;     /* on the other side of rest the part would penetrate its body */
     dmi_free_range free_range;   /* host units */
     float excursion[2];          /* farthest that the pull has asked for below rest, and above; 0 or more */

@@ -1,15 +1,17 @@
 /* Residuals of a joint that follows a recorded pull, and their derivatives by a shift of its axis line. */
 #include "motion/pull_fit.h"
 
+#include <math.h>
 #include <stdbool.h>
 
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define MIN_SINE2 1e-2f             /* squared sine between a circle's two seen directions; below: edge on; by hand */
-#define MAX_HALF_TURN_TANGENT 1.73f /* tan of half the farthest turn of a chord, 120 degrees; by hand */
-#define CHORD_OVERSHOOT 1.1f        /* share of the chord up to which the pointer counts as on it; by hand */
-#define MIN_LENGTH 1e-20f           /* host units: shorter vectors have no direction; rounding */
+#define MIN_SINE2 1e-2f /* squared sine between a circle's two seen directions; below: edge on; by hand */
+#define MAX_HALF_TURN_TANGENT                                                                                          \
+    2.75f                    /* tan of half the farthest turn of a chord, 140 degrees; chosen on generated drags */
+#define CHORD_OVERSHOOT 1.1f /* share of the chord up to which the pointer counts as on it; by hand */
+#define MIN_LENGTH 1e-20f    /* host units: shorter vectors have no direction; rounding */
 
 /* ---- the pull ---- */
 
@@ -37,16 +39,18 @@ static void thin(dmi_pull* pull) {
     pull->thinned++;
 }
 
-/* Returns the largest distance of a place from the chord to the last one; infinite for a chord without length. */
+/* Returns the largest distance of a place from the plane through the eye in which the grabbed point and the last place
+ * lie: the line between them on the screen. Infinite where that line has no length. */
 static float bend_of(const dmi_pull* pull) {
-    float chord[3], most = 0;
+    const dmi_float3 sight = dmi_xyz(pull->last.direction);
+    float chord[3], normal[3], most = 0;
     dmi_sub3(pull->places[pull->count - 1], pull->grab, chord);
-    if (!(dmi_normalize3(chord) > MIN_LENGTH)) return INFINITY;
+    dmi_cross3(sight.v, chord, normal);
+    if (!(dmi_normalize3(normal) > MIN_LENGTH)) return INFINITY;
     for (uint32_t i = 0; i + 1 < pull->count; i++) {
         float offset[3];
         dmi_sub3(pull->places[i], pull->grab, offset);
-        dmi_reject3(offset, chord);
-        most = fmaxf(most, dmi_length3(offset));
+        most = fmaxf(most, fabsf(dmi_dot3(offset, normal)));
     }
     return most;
 }
@@ -56,8 +60,7 @@ void dmi_pull_add(dmi_pull* pull, const dm_ray* ray) {
     dmi_ray_closest_point(ray, pull->grab, place);
     const float distance = dmi_distance3(place, pull->grab);
     if (!isfinite(distance)) return;
-    dmi_copy3(place, pull->now);
-    pull->sight = ray->direction;
+    pull->last = *ray;
     pull->length = fmaxf(pull->length, distance);
     if (distance < pull->spacing) return;
     for (uint32_t i = 0; i < pull->count; i++)
@@ -107,22 +110,54 @@ bool dmi_pull_fit_shift_directions(const dm_joint* joint, const float grab_point
     return has;
 }
 
+/* The pointer as seen in the plane across the line of sight to the grabbed point. */
+typedef struct seen_pull {
+    float sight[3];     /* unit */
+    float eye_distance; /* of the grabbed point; infinite for parallel rays */
+    float way[3];       /* from the grabbed point to the pointer in that plane */
+} seen_pull;
+
+/* Returns false for a pointer behind the eye. */
+static bool see_pull(const dmi_pull* pull, seen_pull* out) {
+    const dmi_float3 eye = dmi_xyz(pull->last.origin), ray = dmi_xyz(pull->last.direction);
+    dmi_line_of_sight(pull->grab, &pull->last, pull->projection, out->sight, &out->eye_distance);
+    float to_eye[3];
+    dmi_sub3(eye.v, pull->grab, to_eye);
+    const float along = dmi_dot3(ray.v, out->sight);
+    if (!(along > 0)) return false;
+    dmi_madd3(to_eye, -dmi_dot3(to_eye, out->sight) / along, ray.v, out->way);
+    return true;
+}
+
+/* Solves way = along forward + in inward in the plane across the sight. Returns false for a circle seen edge on. */
+static bool solve_in_circle(const seen_pull* seen, const float forward[3], const float inward[3], float* out_along,
+                            float* out_in) {
+    float f[3], i[3];
+    dmi_copy3(forward, f), dmi_copy3(inward, i);
+    dmi_reject3(f, seen->sight), dmi_reject3(i, seen->sight);
+    const float ff = dmi_dot3(f, f), fi = dmi_dot3(f, i), ii = dmi_dot3(i, i), det = ff * ii - fi * fi;
+    const float fw = dmi_dot3(f, seen->way), iw = dmi_dot3(i, seen->way);
+    *out_along = (fw * ii - iw * fi) / det, *out_in = (iw * ff - fw * fi) / det;
+    return det > MIN_SINE2 * ff * ii;
+}
+
 /* A point of the circle at angle v is grab + sin v forward + (1 - cos v) inward, with both vectors as long as the lever
- * arm. The pointer at a share s of the chord has s times both components: their ratio is tan (v / 2), and the sum of
- * their squares is 2 s times the inward one. Solves for the components in the plane of the screen. */
+ * arm. The chord to it has components of the ratio tan (v / 2), on the screen as well: perspective moves a point along
+ * a line through the grabbed point, which is seen in the middle. From the ratio, sin v = end along and 1 - cos v =
+ * end in, with end = 2 in / (along^2 + in^2). */
 bool dmi_pull_is_on_chord(const dmi_pull* pull, const dm_joint* joint) {
-    const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin), sight = dmi_xyz(pull->sight);
-    float inward[3], forward[3], way[3];
+    const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
+    float inward[3], forward[3], chord[3], along, in;
+    seen_pull seen;
     dmi_sub3(origin.v, pull->grab, inward);
     dmi_reject3(inward, axis.v);
     dmi_cross3(inward, axis.v, forward);
-    dmi_sub3(pull->now, pull->grab, way);
-    dmi_reject3(inward, sight.v), dmi_reject3(forward, sight.v);
-    const float ff = dmi_dot3(forward, forward), fi = dmi_dot3(forward, inward), ii = dmi_dot3(inward, inward);
-    const float fw = dmi_dot3(forward, way), iw = dmi_dot3(inward, way), det = ff * ii - fi * fi;
-    if (!(det > MIN_SINE2 * ff * ii)) return false;
-    const float along = fabsf(fw * ii - iw * fi) / det, in = (iw * ff - fw * fi) / det;
-    return in >= 0 && in <= MAX_HALF_TURN_TANGENT * along && along * along + in * in <= 2 * CHORD_OVERSHOOT * in;
+    if (!see_pull(pull, &seen) || !solve_in_circle(&seen, forward, inward, &along, &in) || in < 0) return false;
+    if (in > MAX_HALF_TURN_TANGENT * fabsf(along)) return false;
+    const float end = 2 * in / (along * along + in * in);
+    for (int k = 0; k < 3; k++) chord[k] = end * (along * forward[k] + in * inward[k]);
+    const float depth = 1 + dmi_dot3(chord, seen.sight) / seen.eye_distance; /* of the chord's end, grabbed point = 1 */
+    return depth > 0 && depth <= CHORD_OVERSHOOT * end;
 }
 
 /* Position of the grabbed point, its derivative by the joint value, and by the two shifts of the axis line. */

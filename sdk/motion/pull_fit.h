@@ -18,9 +18,8 @@ typedef struct dmi_pull {
     float spacing;                  /* least distance between two places */
     float grab[3];                  /* the grabbed point at rest */
     float length;                   /* largest distance of the pointer from there */
-    dm_vec3 sight;                  /* direction of the last ray */
-    float now[3];                   /* closest point of the last ray */
-    float bend;                     /* largest distance of a place from the chord to the last one */
+    dm_ray last;
+    float bend; /* largest distance of a place from the straight way to the last one, as seen */
     dmi_projection projection;
 } dmi_pull;
 
@@ -35,7 +34,7 @@ void dmi_pull_add(dmi_pull* pull, const dm_ray* ray);
 float dmi_pull_residual(const dmi_pull* pull, const dm_ray* ray, const float point[3]);
 
 /* Whether the pointer lies, on the screen, on a chord from the grabbed point to a place on the joint's circle, at most
- * a third of a turn away. */
+ * 140 degrees away. */
 bool dmi_pull_is_on_chord(const dmi_pull* pull, const dm_joint* joint);
 
 /* A joint that follows a recorded pull ray by ray, from rest on. The axis line of a turn may be shifted along two

@@ -124,7 +124,7 @@ static int cuts_corner(const float place[3]) {
 /* Some share of the straight way to a place on the circle, to either side; not of a longer way, not outwards. */
 static void a_corner_is_cut_within_the_circle(void** state) {
     (void)state;
-    for (float value = -1.9f; value < 2; value += 0.4f) {
+    for (float value = -2.3f; value < 2.4f; value += 0.4f) {
         float there[3];
         point_on(&door, value, there);
         for (float share = 0.2f; share < 1.5f; share += 0.32f) {
@@ -134,8 +134,27 @@ static void a_corner_is_cut_within_the_circle(void** state) {
             assert_int_equal(cuts_corner(place), share < 1.1f);
             assert_false(cuts_corner(outside));
         }
-        point_on(&door, copysignf(2.4f, value), there); /* nobody goes so far round in a straight line */
+        point_on(&door, copysignf(2.6f, value), there); /* nobody goes so far round in a straight line */
         assert_false(cuts_corner(there));
+    }
+}
+
+/* The way to a place on the circle is straight on the screen, however much nearer to the eye its end is. */
+static void a_corner_is_cut_in_perspective_too(void** state) {
+    (void)state;
+    for (float value = 0.4f; value < 2; value += 0.4f) {
+        float there[3], aim[3];
+        dmi_pull memory;
+        point_on(&door, value, there);
+        dmi_pull_begin(&memory, handle, 0.006f);
+        memory.projection = DMI_PERSPECTIVE;
+        for (int k = 1; k <= 20; k++) {
+            for (int i = 0; i < 3; i++) aim[i] = handle[i] + 0.05f * (float)k * (there[i] - handle[i]);
+            const dm_ray ray = ray_to(aim);
+            dmi_pull_add(&memory, &ray);
+            assert_true(dmi_pull_is_on_chord(&memory, &door));
+        }
+        assert_true(memory.bend < 1e-3f * memory.length);
     }
 }
 
@@ -197,6 +216,7 @@ int main(void) {
         cmocka_unit_test(a_slide_has_no_line),
         cmocka_unit_test(a_pull_is_remembered_evenly),
         cmocka_unit_test(a_corner_is_cut_within_the_circle),
+        cmocka_unit_test(a_corner_is_cut_in_perspective_too),
         cmocka_unit_test(slopes_are_those_of_the_misses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

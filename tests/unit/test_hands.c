@@ -1,5 +1,5 @@
 /* What real hands do to a kitchen cabinet, through the public functions and with the shipped weights: they push a
- * closed part the wrong way first, let go and grab again. Run from the repository's root. */
+ * closed part the wrong way first, let go and grab again, pull what they see end on. Run from the repository's root. */
 #include <math.h>
 #include <stdbool.h>
 
@@ -236,10 +236,30 @@ static void a_part_grabbed_again_stays(void** state) {
     assert_true(changes > 0); /* or the joint in force would do */
 }
 
+/* ---- seen end on ---- */
+
+/* A drawer looked at along its way shows no motion: a pull to any side brings it out, or leaves it shut. */
+static void a_drawer_seen_end_on_stays_on_its_way(void** state) {
+    (void)state;
+    static const player front = {DRAWER, {0.3f, 0.88f, 2}, {0.3f, 0.88f, 0.45f}, 0.2f};
+    static const place sides[] = {{0, -80}, {0, 80}, {-80, 0}, {80, 0}};
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
+        const dm_drag drag = grab_part(&front, 0, NULL);
+        const dm_drag_state now = go_to(&front, drag, sides[i]);
+        const dm_part_state end = let_go(drag);
+        const float out = now.grab_point.z - front.grab.z;
+        assert_true(fabsf(now.grab_point.x - front.grab.x) < touched * size);
+        assert_true(fabsf(now.grab_point.y - front.grab.y) < touched * size);
+        assert_true(out > -touched * size && out < 0.4f);
+        assert_int_equal(end.joint.type, DM_JOINT_PRISMATIC);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_part_pushed_the_wrong_way_first_opens),
         cmocka_unit_test(a_part_grabbed_again_stays),
+        cmocka_unit_test(a_drawer_seen_end_on_stays_on_its_way),
     };
     return cmocka_run_group_tests_name("hands", tests, open_cabinet, close_cabinet);
 }
