@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "api_check.h"
 #include "api_joint_check.h"
@@ -21,9 +22,10 @@
 #define FAR_TURN 12.6f       /* rad beyond the limits of a turn: two turns, twice what a pull exceeds them by */
 #define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
 #define SMALLEST_FEEL 1e-12f /* of a time, share or catch that is not 0: its inverse stays in a float's range */
+#define LARGEST_FEEL 1e12f   /* s, or a catch: longer is as long; 30,000 years */
 #define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
 
-dm_result dmi_check_feel(dmi_env* env, const dm_drag_feel* feel) {
+static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
     const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,
                               feel->detent,         feel->detent_pull, feel->return_time};
     static const char* const names[6] = {
@@ -51,7 +53,7 @@ static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
     dm_result result = dmi_check_vector(env, "dm_drag_begin: desc", places, dmi_xyz(desc->grab_point).v);
     if (result == DM_OK) result = dmi_check_number(env, "dm_drag_begin: desc", ".start_value", desc->start_value);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.limit_give", &desc->limit_give, 1);
-    if (result == DM_OK) result = dmi_check_feel(env, &desc->feel);
+    if (result == DM_OK) result = check_feel(env, &desc->feel);
     if (result != DM_OK) return result;
     if (desc->flags & ~(uint32_t)DM_DRAG_KEEP_JOINT) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.flags is 0x%x: unknown flag", desc->flags);
@@ -291,8 +293,21 @@ static bool same_pose(const dm_pose* a, const dm_pose* b) {
     return same;
 }
 
+/* Returns the feel with times and catches that can be computed with. */
+static dm_drag_feel usable_feel(const dm_drag_feel* given) {
+    dm_drag_feel feel = *given;
+    float* const numbers[4] = {&feel.smoothing_time, &feel.coast_time, &feel.return_time, &feel.detent};
+    for (int i = 0; i < 4; i++) *numbers[i] = fmaxf(fminf(*numbers[i], LARGEST_FEEL), -LARGEST_FEEL);
+    return feel;
+}
+
+bool dmi_is_usable_feel(const dm_drag_feel* feel) {
+    const dm_drag_feel usable = usable_feel(feel);
+    return check_feel(NULL, feel) == DM_OK && memcmp(feel, &usable, sizeof usable) == 0;
+}
+
 static void begin(dmi_drag_slot* slot, start* s) {
-    dm_drag_feel feel = s->desc->feel;
+    dm_drag_feel feel = usable_feel(&s->desc->feel);
     const bool certain = s->desc->flags & DM_DRAG_KEEP_JOINT || s->joint.source == DM_JOINT_FROM_HOST;
     const dm_pose on_joint = dmi_joint_pose(&s->joint, s->value);
     if (!certain && dmi_joint_has_limits(&s->joint)) { /* an earlier drag may have exceeded the estimated limits */

@@ -190,14 +190,14 @@ static bool is_sound_blend(const dmi_pose_blend* b) {
 }
 
 static bool is_sound_drag(const dmi_drag* d) {
-    const float numbers[4] = {d->value, d->target, d->speed, d->pointer_value};
+    const float numbers[5] = {d->value, d->target, d->velocity, d->speed, d->pointer_value};
     const float limits[4] = {d->reachable_lower, d->estimated_lower, d->estimated_upper, d->reachable_upper};
     const dmi_float3 grab_offset = dmi_xyz(d->grab_offset);
-    return is_sound_joint(&d->joint) && dmi_check_feel(NULL, &d->feel) == DM_OK && are_within(numbers, 4) &&
-           are_finite(&d->velocity, 1) && are_within(d->rest_point, 3) && are_within(d->point, 3) &&
-           are_within(grab_offset.v, 3) && is_sound_ray(&d->last_ray) && is_projection(&d->projection) &&
-           is_bool(&d->limits_are_estimates) && are_rising(limits, 4) && is_sound_blend(&d->blend) &&
-           is_sound_tracker(&d->tracker) && is_sound_release(&d->release);
+    return is_sound_joint(&d->joint) && dmi_is_usable_feel(&d->feel) && are_within(numbers, 5) &&
+           are_within(d->rest_point, 3) && are_within(d->point, 3) && are_within(grab_offset.v, 3) &&
+           is_sound_ray(&d->last_ray) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
+           are_rising(limits, 4) && is_sound_blend(&d->blend) && is_sound_tracker(&d->tracker) &&
+           is_sound_release(&d->release);
 }
 
 static bool is_sound(const snapshot* s) {

@@ -318,6 +318,38 @@ static void numbers_beyond_computing_are_refused(void** state) {
     test_world_close(&w);
 }
 
+/* However long a time is that a host gives, parts stay where finite numbers are. */
+static void endless_times_give_finite_poses(void** state) {
+    (void)state;
+    const dm_joint hinge = test_hinge();
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    dm_joint wheel = hinge; /* glides as far as it likes */
+    wheel.type = DM_JOINT_CONTINUOUS;
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &wheel), DM_OK);
+    for (int i = 0; i < 4; i++) {
+        dm_drag_desc desc = {
+            .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .grab_point = test_pull().point};
+        float* const times[4] = {&desc.feel.smoothing_time, &desc.feel.coast_time, &desc.feel.return_time,
+                                 &desc.feel.detent};
+        *times[i] = 3e38f;
+        dm_drag drag = 0;
+        assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
+        dm_drag_state now = dm_drag_state_default();
+        dm_release_plan plan = dm_release_plan_default();
+        for (int frame = 0; frame < 40; frame++) {
+            const dm_ray ray = ray_to(moved(&hinge, 0.05f * (float)frame, test_pull().point));
+            if (frame == 20) assert_int_equal(dm_drag_release(w.context, drag, NULL, &plan), DM_OK);
+            assert_int_equal(dm_drag_update(w.context, drag, frame < 20 ? &ray : NULL, 0.002f, &now), DM_OK);
+            assert_true(isfinite(now.value + now.target + now.velocity + now.pose.real[1] + now.pose.dual[0]));
+        }
+        assert_true(isfinite(plan.end_value) && isfinite(plan.duration));
+        assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
+    }
+    test_world_close(&w);
+}
+
 /* Outputs of callers that are newer: what the library can't know comes back as zeros; no other size is taken. */
 static void outputs_fit_the_callers_version(void** state) {
     (void)state;
@@ -760,6 +792,7 @@ int main(void) {
         cmocka_unit_test(every_number_of_a_joint_is_checked),
         cmocka_unit_test(a_newer_state_is_taken),
         cmocka_unit_test(numbers_beyond_computing_are_refused),
+        cmocka_unit_test(endless_times_give_finite_poses),
         cmocka_unit_test(outputs_fit_the_callers_version),
         cmocka_unit_test(setting_the_joint_that_is_there_changes_nothing),
         cmocka_unit_test(other_engines_words_for_no_limit_are_understood),
