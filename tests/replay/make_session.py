@@ -3,16 +3,21 @@
 
     make_session.py DIR OUT.session [--joint N] [--drag N] [--yaw A] [--pitch A] [--zoom F] [--size WxH] [--share S]
                     [--frames N] [--events "FRAME WHAT,..."] [--back] [--all-parts] [--aim] [--still] [--start FRAME]
-                    [--straight | --axis] [--jostle PX] [--pause] [--regrab N]
+                    [--straight | --axis | --by X,Y] [--jostle PX] [--offset PX] [--pause] [--regrab N]
+                    [--wander SHARE] [--tremor PX] [--point X,Y,Z] [--meant OUT.meant]
 
-The pointer goes from the drag's point on the screen to where the true joint would take that point, with a hand's ease.
+The pointer goes from the drag's point, or another, on the screen to where the true joint would take that point, with a hand's ease.
 Or as `dragmesh dragbot` has it: straight on the screen, straight along the axis of the file nearest to the true way, a
-few pixels the wrong way first, with a stop half-way, letting go and grabbing again on the way.
+few pixels the wrong way first, beside the point, with a stop half-way, letting go and grabbing again on the way,
+unsteadily. Or so many pixels on the screen, whatever the joint.
+
+--meant writes what the hand means: the part, its true joint, the point and the value that it is pulled to.
 """
 import argparse
 import json
 import math
 import os
+import random
 import struct
 
 
@@ -89,6 +94,7 @@ def hand(t):
 
 # Frames, as samples/dragmesh_cli/dragbot_plan.c has them.
 JOSTLE_OUT, JOSTLE_BACK, PAUSE, REGRAB, REGRAB_AT = 6, 10, 45, 12, 10
+REST = 30  # frames that a hand which takes hold beside the point keeps still
 
 
 def along_axis(point, first, end):
@@ -101,6 +107,9 @@ def path(o, camera, joint, point, goal):
     """The pointer's pixels, frame by frame."""
     shares = [hand(i / o.frames) if not o.back else math.sin(math.pi * hand(i / o.frames)) for i in range(o.frames + 1)]
     end = moved(joint, point, goal)
+    if o.by:
+        (x, y), (dx, dy) = camera.pixel(point), (float(v) for v in o.by.split(","))
+        return [(x + t * dx, y + t * dy) for t in shares]
     if o.axis:
         way = along_axis(point, moved(joint, point, 0.001 * goal), end)
         return [camera.pixel(add(point, mul(way, t))) for t in shares]
@@ -119,6 +128,24 @@ def jostled(pixels, far):
     push = [(x + out[0] * i / JOSTLE_OUT, y + out[1] * i / JOSTLE_OUT) for i in range(JOSTLE_OUT)]
     rest = [max(0, 1 - i / JOSTLE_BACK) for i in range(len(pixels))]
     return push + [(px + out[0] * r, py + out[1] * r) for (px, py), r in zip(pixels, rest)]
+
+
+def beside(pixels, far):
+    """The path at `far` pixels to the lower left, after a rest."""
+    shift = far * math.sqrt(0.5)
+    return [(x - shift, y + shift) for x, y in [pixels[0]] * REST + pixels]
+
+
+def unsteady(pixels, wander, tremor):
+    """The path with half a sine wave across the way, a share of it, and a tremor of normally distributed pixels."""
+    draw = random.Random(1)
+    (x, y), (to_x, to_y) = pixels[0], pixels[-1]
+    out = []
+    for i, (px, py) in enumerate(pixels):
+        bow = wander * math.sin(math.pi * i / (len(pixels) - 1))
+        dx, dy = (draw.gauss(0, tremor), draw.gauss(0, tremor)) if i else (0, 0)
+        out.append((px - bow * (to_y - y) + dx, py + bow * (to_x - x) + dy))
+    return out
 
 
 def strokes(o, pixels):
@@ -148,13 +175,22 @@ def part_lines(known, joint, all_parts):
     return parts
 
 
+def write_meant(path, joint, point, goal, size):
+    numbers = lambda *values: " ".join("inf" if v is None else f"{v:.7g}" for v in values)
+    lower = -math.inf if joint["lower"] is None else joint["lower"]
+    with open(path, "w") as file:
+        file.write(f"part {','.join(joint['moving_nodes'])}\n"
+                   f"{joint['type']} {numbers(*joint['axis'], *joint['origin'], lower, joint['upper'])}\n"
+                   f"point {numbers(*point)}\ngoal {numbers(goal)}\nsize {numbers(size)}\n")
+
+
 def session(folder, o):
     known = json.load(open(os.path.join(folder, "joints.json")))
     joint = known["joints"][o.joint]
     low, high = box_of(os.path.join(folder, "object.glb"))
     width, height = (int(v) for v in o.size.split("x"))
     z_up = known.get("up", "y") == "z"
-    point = joint["drags"][o.drag]["point"]
+    point = [float(v) for v in o.point.split(",")] if o.point else joint["drags"][o.drag]["point"]
     camera = Camera(low, high, z_up, width, height, o.yaw, o.pitch, o.zoom, point if o.aim else None)
     goal = travel(joint, max(sub(high, low))) * o.share
     lines = ["dragmesh-session 1", f"size {width} {height}", f"up {'z' if z_up else 'y'}"]
@@ -162,8 +198,14 @@ def session(folder, o):
     events = [(0, camera.line()[2:])]
     start = o.start
     pixels = path(o, camera, joint, point, goal)
+    if o.wander or o.tremor:
+        pixels = unsteady(pixels, o.wander, o.tremor)
     if o.jostle:
         pixels = jostled(pixels, o.jostle)
+    if o.offset:
+        pixels = beside(pixels, o.offset)
+    if o.meant:
+        write_meant(o.meant, joint, point, goal, max(sub(high, low)))
     events_of_hand, frames = strokes(o, pixels)
     events += [(start + frame, what) for frame, what in events_of_hand]
     events.append((start + frames + 10, "release left"))
@@ -184,7 +226,8 @@ def main():
     for name, kind, value in [("joint", int, 0), ("drag", int, 0), ("yaw", float, 0.6), ("pitch", float, 0.38),
                               ("zoom", float, 1.0), ("size", str, "640x400"), ("share", float, 0.95),
                               ("frames", int, 60), ("start", int, 6), ("events", str, ""), ("after", int, 20), ("jostle", float, 0),
-                              ("regrab", int, 0)]:
+                              ("offset", float, 0), ("wander", float, 0), ("tremor", float, 0), ("regrab", int, 0),
+                              ("by", str, ""), ("point", str, ""), ("meant", str, "")]:
         parser.add_argument("--" + name, type=kind, default=value)
     parser.add_argument("--back", action="store_true", help="there and back again")
     parser.add_argument("--all-parts", action="store_true", help="all joints' parts may move, not this one alone")
