@@ -1,6 +1,7 @@
 /* Checks of joints that a host hands in, and the joint of a scaled instance. */
 #include "api_joint_check.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -133,6 +134,11 @@ dm_result dmi_scale_read(dmi_env* env, const char* what, dm_vec3 scale, dm_vec3*
                     (double)LARGEST_SCALE);
 }
 
+/* A limit that is none stays finite. */
+static float scaled_limit(float limit, float length) {
+    return fmaxf(fminf(limit * length, FLT_MAX), -FLT_MAX);
+}
+
 /* The line goes through the scaled points. A mirror turns a turn's direction round, so its axis is reversed (a slide's
  * is not), and with it the pitch. */
 float dmi_joint_scale(dm_joint* joint, dm_vec3 scale) {
@@ -146,6 +152,9 @@ float dmi_joint_scale(dm_joint* joint, dm_vec3 scale) {
     joint->axis =
         (dm_vec3){(float)(sign * a[0] / length), (float)(sign * a[1] / length), (float)(sign * a[2] / length)};
     joint->pitch *= (float)(sign * length);
-    if (joint->type == DM_JOINT_PRISMATIC) joint->lower *= (float)length, joint->upper *= (float)length;
+    if (joint->type == DM_JOINT_PRISMATIC) {
+        joint->lower = scaled_limit(joint->lower, (float)length);
+        joint->upper = scaled_limit(joint->upper, (float)length);
+    }
     return (float)length;
 }

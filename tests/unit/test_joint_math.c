@@ -173,6 +173,15 @@ static void nonsense_is_refused(void** state) {
     assert_int_equal(dm_joint_get_frame(&hinge, &frame), DM_ERROR_NOT_FINITE);
 }
 
+static void limits_that_are_none_stay_none_when_scaled(void** state) {
+    (void)state;
+    const dm_joint slide = {
+        .struct_size = sizeof slide, .type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .lower = -FLT_MAX, .upper = 2e38f};
+    dm_joint out = dm_joint_default();
+    assert_int_equal(dm_joint_scale(&slide, (dm_vec3){1, 1, 3}, &out), DM_OK);
+    assert_true(out.lower == -FLT_MAX && out.upper == FLT_MAX);
+}
+
 /* Finite numbers of which infinite ones would come. */
 static void what_does_not_fit_a_float_is_refused(void** state) {
     (void)state;
@@ -202,6 +211,7 @@ int main(void) {
         cmocka_unit_test(frames_tell_which_limits_there_are),
         cmocka_unit_test(scaled_joints_move_scaled_points),
         cmocka_unit_test(nonsense_is_refused),
+        cmocka_unit_test(limits_that_are_none_stay_none_when_scaled),
         cmocka_unit_test(what_does_not_fit_a_float_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
