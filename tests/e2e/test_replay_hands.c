@@ -235,7 +235,7 @@ int main(void) {
         HAND(door_along_axis, test_moves_smoothly),    HAND(drawer_followed, test_opens_as_meant),
         HAND(drawer_along_axis, test_opens_as_meant),  HAND(drawer_jostled, test_opens_as_meant),
         HAND(drawer_regrabbed, test_opens_as_meant),   HAND(drawer_from_above, test_goes_its_way),
-        HAND(drawer_end_on_down, test_moves_smoothly), HAND(drawer_end_on_up, test_moves_smoothly),
-        HAND(drawer_end_on_left, test_moves_smoothly), HAND(drawer_end_on_right, test_moves_smoothly)};
+        HAND(drawer_end_on_down, test_goes_its_way), HAND(drawer_end_on_up, test_moves_smoothly),
+        HAND(drawer_end_on_left, test_goes_its_way), HAND(drawer_end_on_right, test_moves_smoothly)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
