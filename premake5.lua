@@ -80,7 +80,7 @@ local analysis = { "base", "math", "mesh", "kinematics/analysis" }
 local kpp = { "base", "math", "mesh", "nn", "kinematics/kpp" }
 local candidates = { "base", "math", "mesh", "nn", "kinematics/analysis", "kinematics/kpp", "kinematics/candidates" }
 local features = table.join(candidates, { "kinematics/features" })
-local inference = table.join(features, { "kinematics/ranking", "kinematics/limits", "kinematics/inference" })
+local inference = table.join(features, { "kinematics/hints", "kinematics/ranking", "kinematics/limits", "kinematics/inference" })
 local rooms = {
     { "base", { "base" } },
     { "math", { "base", "math" } },
@@ -91,6 +91,7 @@ local rooms = {
     { "kinematics/analysis", analysis },
     { "kinematics/kpp", kpp },
     { "kinematics/candidates", candidates },
+    { "kinematics/hints", table.join(candidates, { "kinematics/hints" }) },
     { "kinematics/features", features },
     { "kinematics/ranking", table.join(features, { "kinematics/ranking" }) },
     { "kinematics/limits", table.join(features, { "kinematics/limits" }) },

@@ -21,6 +21,10 @@ static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.reserved is %u: it must be 0",
                         desc->reserved);
     }
+    if (desc->reserved2 != 0) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.reserved2 is %u: it must be 0",
+                        desc->reserved2);
+    }
     if (desc->part_count > DM_MAX_PARTS) {
         return dmi_fail(env, DM_ERROR_TOO_LARGE, "dm_object_prepare: desc.part_count is %u: the most is %d",
                         desc->part_count, DM_MAX_PARTS);
@@ -131,6 +135,7 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
                                     .parts = parts,
                                     .part_count = desc->part_count,
                                     .models = dmi_inference_models_of(context, model),
+                                    .labels = {.label = desc->label, .up = desc->up},
                                     .seed = desc->seed,
                                     .network_alone = (desc->flags & DM_PREPARE_NETWORK_ALONE) != 0,
                                     .keep_triangles = !(desc->flags & DM_PREPARE_WITHOUT_PICKING),

@@ -253,14 +253,17 @@ static int check(const char* folder, const char* baseline, const eval_options* o
     if (folder == NULL) return options_refuse(&cli_eval, "which folder?");
     if (options->pull == PULL_KINDS) return options_refuse(&cli_eval, "--pull: exact, chord or axis");
     if (read_method(baseline) < 0) return options_refuse(&cli_eval, "--baseline: full, kpp, geometry or rules");
+    if (options->lies < 0 || options->lies > 1) return options_refuse(&cli_eval, "--lies: 0 to 1");
     if (options->drags < 1 || options->drag_noise < 0 || options->mask_noise < 0 || options->mask_noise >= 1)
         return options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
     return CLI_OK;
 }
 
 static int run(int argc, char** argv) {
-    const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL, *pull = "exact";
-    int as_json = 0, worst = 0;
+    const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL, *pull = "exact",
+               *hints = "";
+    static const char* const hint_choices[] = {"names", "pivots", "both", NULL};
+    int as_json = 0, worst = 0, no_hints = 0;
     eval_options options = {.drags = 1};
     error_report report;
     const option_spec table[] = {
@@ -271,6 +274,9 @@ static int run(int argc, char** argv) {
         {.name = "--no-drag", .kind = OPTION_FLAG, .value = &options.no_drag},
         {.name = "--given-type", .kind = OPTION_FLAG, .value = &options.given_type},
         {.name = "--pull", .kind = OPTION_TEXT, .value = &pull},
+        {.name = "--hints", .kind = OPTION_CHOICE, .value = &hints, .choices = hint_choices},
+        {.name = "--no-hints", .kind = OPTION_FLAG, .value = &no_hints},
+        {.name = "--lies", .kind = OPTION_NUMBER, .value = &options.lies},
         {.name = "--drag-noise", .kind = OPTION_NUMBER, .value = &options.drag_noise},
         {.name = "--mask-noise", .kind = OPTION_NUMBER, .value = &options.mask_noise},
         {.name = "--turn", .kind = OPTION_SEED, .value = &options.turn_seed, .given = &options.has_turn},
@@ -281,6 +287,7 @@ static int run(int argc, char** argv) {
     session session;
     int status = options_read(&cli_eval, argc, argv, table, sizeof table / sizeof *table, &folder);
     options.pull = pull_kind_of(pull);
+    options.hints = no_hints ? 0 : eval_hints_of(hints);
     options.find_part = moving != NULL && strcmp(moving, "auto") == 0;
     if (status == CLI_OK && moving != NULL && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
     if (status == CLI_OK) status = check(folder, baseline, &options);
@@ -297,12 +304,15 @@ static int run(int argc, char** argv) {
 const cli_command cli_eval = {
     "eval", run,
     "DIR [--json] [--no-drag] [--pull exact|chord|axis] [--drag-noise DEGREES] [--turn [SEED]]\n"
+    "    [--hints [names|pivots|both]] [--no-hints] [--lies FRACTION]\n"
     "    [--mask-noise FRACTION] [--given-type] [--drags N] [--baseline kpp|geometry|rules|full] [--moving auto "
     "[--merge]]\n"
     "    [--worst N] [--mistakes OUT_DIR]",
     "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category. --pull: the "
     "stored\n"
     "    drag; as people pull, at the far end straight to where it is half open; or along the room's nearest axis. "
+    "--hints:\n"
+    "    hands over the names and pivots that the folder has; --lies: that share of them is another joint's. "
     "--baseline:\n"
     "    the network alone, no network, or hand-set rules in the ranker's place. --mistakes draws every wrong answer. "
     "--moving auto\n"

@@ -18,7 +18,7 @@ static cJSON* result_for(const cJSON* id) {
 }
 
 /* One line in, one line out; 0 when it carries an error. */
-static bool answer_line(session* session, const char* line, unsigned number) {
+static bool answer_line(session* session, const char* line, unsigned number, int no_hints) {
     const char* end = NULL;
     cJSON* json = cJSON_ParseWithOpts(line, &end, 1);
     cJSON* result = result_for(cJSON_GetObjectItemCaseSensitive(json, "id"));
@@ -30,6 +30,7 @@ static bool answer_line(session* session, const char* line, unsigned number) {
     else
         code = session_fail(session, DM_ERROR_BAD_DATA, "job line %u is no JSON, at byte %td", number,
                             end != NULL ? end - line : 0);
+    job.no_hints = no_hints;
     if (code == DM_OK) code = job_answer(session, &job, &answer);
     if (code == DM_OK)
         answer_to_json(&answer, result);
@@ -43,7 +44,7 @@ static bool answer_line(session* session, const char* line, unsigned number) {
     return code == DM_OK;
 }
 
-static int answer_jobs(session* session, const char* path) {
+static int answer_jobs(session* session, const char* path, int no_hints) {
     FILE* file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
     if (file == NULL) {
         fprintf(stderr, "dragmesh: can't read the jobs '%s': %s\n", path, strerror(errno));
@@ -57,7 +58,7 @@ static int answer_jobs(session* session, const char* path) {
     while ((length = getline(&line, &room, file)) >= 0) {
         number++;
         if (strspn(line, " \t\r\n") == (size_t)length) continue;
-        if (!answer_line(session, line, number)) status = CLI_FAILED;
+        if (!answer_line(session, line, number, no_hints)) status = CLI_FAILED;
     }
     free(line);
     if (file != stdin) fclose(file);
@@ -100,7 +101,8 @@ static int run(int argc, char** argv) {
         status = options_refuse(&cli_infer, "--jobs stands alone");
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
-        status = jobs != NULL ? answer_jobs(&session, jobs) : answer_one(&session, &options.job, as_json);
+        status = jobs != NULL ? answer_jobs(&session, jobs, options.job.no_hints)
+                              : answer_one(&session, &options.job, as_json);
         if (mask_out != NULL && status == CLI_OK && part_at_point_write(&session, mask_out) != 0) status = CLI_FAILED;
         session_close(&session);
     }
@@ -111,7 +113,8 @@ static int run(int argc, char** argv) {
 const cli_command cli_infer = {
     "infer", run,
     "FILE.glb --moving NODE[,NODE…]|auto [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
-    "    [--mask-out FILE] [--json]\n"
-    "dragmesh infer --jobs JOBS.jsonl",
+    "    [--mask-out FILE] [--no-hints] [--json]\n"
+    "dragmesh infer --jobs JOBS.jsonl [--no-hints]",
     "How the part moves: type, axis, origin, limits. --jobs ('-': standard input) answers one JSON line a line.\n"
-    "    --moving auto finds the part that the drag point is on; --mask-out writes it, one 0 or 1 a triangle."};
+    "    --moving auto finds the part that the drag point is on; --mask-out writes it, one 0 or 1 a triangle.\n"
+    "    --no-hints: the file's names and pivots do not count."};

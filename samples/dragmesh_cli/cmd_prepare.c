@@ -30,13 +30,36 @@ static dm_result select_parts(session* session, const name_list* moving, uint16_
     return result;
 }
 
-static dm_result prepare(session* session, const name_list* moving) {
+/* What the file says of each part's node; the descriptors point to it. To be freed. */
+static part_hints* add_hints(const session* session, const name_list* moving, dm_part_desc* parts, uint32_t count) {
+    part_hints* hints = cli_alloc_zeroed(count * sizeof *hints);
+    for (uint32_t i = 0; i < count; i++) {
+        char number[32];
+        dm_gltf_node node = {.name = ""};
+        dm_gltf_get_node(session->gltf, parts[i].id - 1, &node);
+        snprintf(number, sizeof number, "#%u", node.node);
+        part_hints_of_node(session->gltf, session->path, moving->count > 0 ? moving->names[0] : number, &hints[i]);
+        part_hints_enter(&hints[i], &parts[i]);
+    }
+    return hints;
+}
+
+/* A named node takes what it carries along as one part; without names, each node knows what carries it. */
+static dm_part_desc* list_parts(const session* session, const name_list* moving, uint32_t* out_count) {
+    if (moving->count == 0) return node_parts(session, largest_node(session), out_count);
+    dm_part_desc* part = cli_alloc_zeroed(sizeof *part);
+    *part = (dm_part_desc){.struct_size = sizeof *part, .id = 1};
+    *out_count = 1;
+    return part;
+}
+
+static dm_result prepare(session* session, const name_list* moving, int no_hints) {
     uint16_t* ids;
     uint32_t count = 0;
     dm_result result = select_parts(session, moving, &ids);
-    /* A named node takes what it carries along as one part; without names, each node knows what carries it. */
-    dm_part_desc* parts = moving->count == 0 ? node_parts(session, largest_node(session), &count) : NULL;
     if (result == DM_OK) {
+        dm_part_desc* parts = list_parts(session, moving, &count);
+        part_hints* hints = no_hints ? NULL : add_hints(session, moving, parts, count);
         dm_mesh_desc mesh = session->mesh;
         mesh.part_ids = ids;
         mesh.part_id_bytes = mesh.index_count / 3 * sizeof *ids;
@@ -44,12 +67,13 @@ static dm_result prepare(session* session, const name_list* moving) {
         mesh.part_id_scope = DM_PER_FACE;
         const dm_object_desc desc = {.struct_size = sizeof desc,
                                      .mesh = &mesh,
-                                     .model = session->model,
                                      .parts = count > 0 ? parts : NULL,
-                                     .part_count = count};
+                                     .part_count = count,
+                                     .model = session->model};
         result = dm_object_prepare(session->context, &desc, &session->object);
+        free(hints);
+        free(parts);
     }
-    free(parts);
     free(ids);
     return result;
 }
@@ -106,21 +130,22 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
 
 static int run(int argc, char** argv) {
     const char *file = NULL, *out_path = NULL, *models = NULL;
-    int as_json = 0;
+    int as_json = 0, no_hints = 0;
     name_list moving = {NULL, 0};
     const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &out_path},
                                  {.name = "--moving", .kind = OPTION_NAMES, .value = &moving},
                                  {.name = "--models", .kind = OPTION_TEXT, .value = &models},
+                                 {.name = "--no-hints", .kind = OPTION_FLAG, .value = &no_hints},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
-    int status = options_read(&cli_prepare, argc, argv, table, 4, &file);
+    int status = options_read(&cli_prepare, argc, argv, table, sizeof table / sizeof *table, &file);
     if (status == CLI_OK && (file == NULL || out_path == NULL))
         status = options_refuse(&cli_prepare, "a file and -o are needed");
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
         size_t bytes = 0;
         dm_result result = session_use_file(&session, file);
-        if (result == DM_OK) result = prepare(&session, &moving);
+        if (result == DM_OK) result = prepare(&session, &moving, no_hints);
         if (result == DM_OK) result = save(&session, out_path, &bytes);
         if (result == DM_OK)
             report(&session, &moving, bytes, as_json);
@@ -134,5 +159,5 @@ static int run(int argc, char** argv) {
 }
 
 const cli_command cli_prepare = {
-    "prepare", run, "FILE.glb -o OUT.dmo [--moving NODE[,NODE…]] [--json]",
+    "prepare", run, "FILE.glb -o OUT.dmo [--moving NODE[,NODE…]] [--no-hints] [--json]",
     "Finds the joints and writes them for a game to load. Without --moving every node is a part but the largest."};

@@ -56,6 +56,34 @@ static vec read_vec(const cJSON* json, const char* name) {
     return (vec){numbers[0], numbers[1], numbers[2]};
 }
 
+static void append_name(char* label, size_t size, const cJSON* name) {
+    const size_t length = strlen(label);
+    if (cJSON_IsString(name)) snprintf(label + length, size - length, "%s%s", length > 0 ? "/" : "", name->valuestring);
+}
+
+/* Joins the names of file, parents (listed nearest first) and node. */
+static char* read_label(const cJSON* json) {
+    const cJSON* names = cJSON_GetObjectItemCaseSensitive(json, "label");
+    const cJSON* parents = cJSON_GetObjectItemCaseSensitive(names, "parents");
+    char* label = cli_alloc_zeroed(DM_MAX_LABEL + 1);
+    append_name(label, DM_MAX_LABEL + 1, cJSON_GetObjectItemCaseSensitive(names, "file"));
+    for (int i = cJSON_GetArraySize(parents); i-- > 0;)
+        append_name(label, DM_MAX_LABEL + 1, cJSON_GetArrayItem(parents, i));
+    append_name(label, DM_MAX_LABEL + 1, cJSON_GetObjectItemCaseSensitive(names, "node"));
+    return label;
+}
+
+static void read_pivot(const cJSON* json, known_joint* out) {
+    const cJSON* axes = cJSON_GetObjectItemCaseSensitive(json, "pivot_axes");
+    out->has_pivot = cJSON_IsArray(cJSON_GetObjectItemCaseSensitive(json, "pivot"));
+    out->pivot = read_vec(json, "pivot");
+    for (int i = 0; i < 3 && cJSON_GetArraySize(axes) == 9; i++) {
+        double row[3];
+        for (int k = 0; k < 3; k++) row[k] = cJSON_GetNumberValue(cJSON_GetArrayItem(axes, 3 * i + k));
+        out->pivot_axes[i] = (vec){row[0], row[1], row[2]};
+    }
+}
+
 static void read_joint(const cJSON* json, known_joint* out) {
     const cJSON* item;
     char* type = copy_text(json, "type", "revolute");
@@ -65,7 +93,9 @@ static void read_joint(const cJSON* json, known_joint* out) {
                          .origin = read_vec(json, "origin"),
                          .lower = number_or(json, "lower", NAN),
                          .upper = number_or(json, "upper", NAN),
-                         .weight = number_or(json, "weight", 1)};
+                         .weight = number_or(json, "weight", 1),
+                         .label = read_label(json)};
+    read_pivot(json, out);
     free(type);
     cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(json, "moving_nodes")) {
         if (cJSON_IsString(item)) name_list_add(&out->moving, item->valuestring, strlen(item->valuestring));
@@ -94,6 +124,7 @@ int dataset_read(const char* folder, const char* name, known_object* out_object,
         const cJSON* item;
         char* up = copy_text(json, "up", "y");
         out_object->up = up[0] >= 'x' && up[0] <= 'z' ? up[0] : 'y';
+        out_object->up_direction = (vec){out_object->up == 'x', out_object->up == 'y', out_object->up == 'z'};
         free(up);
         cJSON_ArrayForEach(item, joints) read_joint(item, &out_object->joints[at++]);
     } else {
@@ -110,6 +141,7 @@ void dataset_free(known_object* object) {
     for (int i = 0; i < object->joint_count; i++) {
         name_list_free(&object->joints[i].moving);
         free(object->joints[i].name);
+        free(object->joints[i].label);
     }
     free(object->joints);
     free(object->name);

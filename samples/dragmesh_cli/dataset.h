@@ -20,13 +20,17 @@ typedef struct known_joint {
     double lower, upper; /* NAN: not given */
     double weight;
     name_list moving;
+    char* label;    /* path of the asset's names, file/…/node; "": none */
+    bool has_pivot; /* the two below */
+    vec pivot, pivot_axes[3];
     known_drag drags[DATASET_DRAGS];
     int drag_count;
 } known_joint;
 
 typedef struct known_object {
     char *name, *glb, *category;
-    char up; /* 'x', 'y' or 'z' */
+    char up;          /* 'x', 'y' or 'z' */
+    vec up_direction; /* the same as a unit vector */
     known_joint* joints;
     int joint_count;
 } known_object;

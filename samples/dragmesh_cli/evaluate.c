@@ -24,6 +24,7 @@ typedef struct trial {
     known_object object;
     float* positions; /* turned copy */
     double size;
+    vec low, high;       /* of the object's box */
     double mask_overlap; /* of the last joint's part with the true one; NAN: it was not to be found */
     eval_rows* rows;
 } trial;
@@ -61,20 +62,26 @@ static void place_truth(const similarity* s, known_joint* truth) {
         truth->lower *= s->scale;
         truth->upper *= s->scale;
     }
+    truth->pivot = place_point(s, truth->pivot);
+    for (int i = 0; i < 3; i++) truth->pivot_axes[i] = place_direction(s, truth->pivot_axes[i]);
     for (int i = 0; i < truth->drag_count; i++) {
         truth->drags[i].point = place_point(s, truth->drags[i].point);
         truth->drags[i].vector = scale(place_direction(s, truth->drags[i].vector), s->scale);
     }
 }
 
-static double largest_side(const float* positions, uint64_t count) {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
-    for (uint64_t i = 0; i < 3 * count; i++) {
-        low[i % 3] = fmin(low[i % 3], (double)positions[i]);
-        high[i % 3] = fmax(high[i % 3], (double)positions[i]);
+/* Finds the object's box and its largest side. */
+static void measure_box(trial* t, uint64_t count) {
+    vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint64_t v = 0; v < count; v++) {
+        const vec p = vec_at(t->positions + 3 * v);
+        low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
+        high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
     }
-    for (int k = 0; k < 3; k++) side = fmax(side, high[k] - low[k]);
-    return side;
+    const vec side = sub(high, low);
+    t->low = low;
+    t->high = high;
+    t->size = fmax(side.x, fmax(side.y, side.z));
 }
 
 static void place_object(trial* t) {
@@ -82,7 +89,7 @@ static void place_object(trial* t) {
     t->positions = cli_alloc(count * 3 * sizeof(float));
     memcpy(t->positions, t->session->mesh.positions, count * 3 * sizeof(float));
     for (uint64_t i = 0; i < 3 * count; i++) t->positions[i] += (float)t->session->origin[i % 3];
-    t->size = largest_side(t->positions, count);
+    measure_box(t, count);
     if (!t->options->has_turn) return;
     const similarity s = random_similarity(t->random, t->size);
     for (uint64_t v = 0; v < count; v++) {
@@ -90,7 +97,10 @@ static void place_object(trial* t) {
         const float xyz[3] = {(float)placed.x, (float)placed.y, (float)placed.z};
         memcpy(t->positions + 3 * v, xyz, sizeof xyz);
     }
-    t->size *= s.scale;
+    const double size = t->size * s.scale;
+    measure_box(t, count); /* of the turned box; the size stays that of the object at rest */
+    t->size = size;
+    t->object.up_direction = place_direction(&s, t->object.up_direction);
     for (int i = 0; i < t->object.joint_count; i++) place_truth(&s, &t->object.joints[i]);
 }
 
@@ -186,6 +196,8 @@ static dm_result infer(trial* t, const metric_case* known, joint_answer* out_ans
     uint8_t* ids;
     dm_result result = part_ids(t, known, &mesh, &ids);
     job job = {.has_drag = known->dragged};
+    eval_hints_set(t->options->hints, t->options->lies, &t->object, (int)(known->truth - t->object.joints), t->low,
+                   t->high, t->random, &job);
     if (result == DM_OK) {
         vec vector = known->drag->vector;
         if (t->options->drag_noise > 0) vector = noisy(vector, t->options->drag_noise, t->random);

@@ -3,6 +3,7 @@
 #define CLI_EVALUATE_H
 
 #include "error_report.h"
+#include "eval_hints.h"
 #include "metrics.h"
 #include "pull.h"
 #include "random.h"
@@ -11,6 +12,8 @@
 typedef struct eval_options {
     int no_drag, given_type, drags; /* drags: how many of each joint's */
     pull_kind pull;                 /* what is made of the stored drags */
+    int hints;                      /* HINTS_* that are handed over */
+    double lies;                    /* share of the hints that lie */
     double drag_noise;              /* degrees: standard deviation of the error of drag directions */
     double mask_noise;              /* share of the part's vertices lost and leaked, in patches */
     int turn_seed, has_turn;        /* every object in a random pose and unit */

@@ -79,16 +79,32 @@ static int32_t DM_CALL on_progress(void* user, float done) {
     return 0;
 }
 
-static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* job, joint_answer* answer) {
+/* Collects what the job says of the part and, where it says nothing, what the file does. from_file: the part is the
+ * file's nodes that the job names. */
+static void find_hints(const session* session, const job* job, bool from_file, part_hints* out) {
+    *out = (part_hints){.has_pivot = false};
+    if (job->no_hints) return;
+    if (from_file && job->moving.count > 0 && job->mask == NULL && !part_at_point_requested(&job->moving))
+        part_hints_of_node(session->gltf, session->path, job->moving.names[0], out);
+    if (job->label != NULL) part_hints_set_label(out, job->label);
+    if (job->has_pivot) out->pivot = job->pivot;
+    out->has_pivot = (out->has_pivot || job->has_pivot) && !job->no_pivot;
+}
+
+static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* job, const part_hints* hints,
+                         joint_answer* answer) {
     stopwatch watch = {0};
-    const dm_part_desc part = {
+    dm_part_desc part = {
         .struct_size = sizeof part, .id = JOB_PART, .joint_type = job->type, .drag = job->has_drag ? &job->drag : NULL};
+    session->hints = *hints;
+    part_hints_enter(&session->hints, &part);
     const dm_object_desc desc = {.struct_size = sizeof desc,
                                  .flags = session->method == METHOD_KPP ? DM_PREPARE_NETWORK_ALONE : 0,
                                  .mesh = mesh,
                                  .parts = &part,
                                  .part_count = 1,
                                  .model = session->model,
+                                 .up = job->up,
                                  .progress = on_progress,
                                  .progress_user = &watch};
     session_release_object(session);
@@ -102,10 +118,11 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
 }
 
 /* Whether the last job's object has the same part, so that only the drag differs. */
-static bool can_refine(const session* session, const job* job, const selection* selected) {
+static bool can_refine(const session* session, const job* job, const part_hints* hints, const selection* selected) {
     return session->object && session->part_ids != NULL && session->model && job->has_drag &&
-           session->joint_type == job->type && session->part_id_scope == selected->scope &&
-           session->part_id_count == selected->count && memcmp(session->part_ids, selected->ids, selected->count) == 0;
+           part_hints_equal(&session->hints, hints) && session->joint_type == job->type &&
+           session->part_id_scope == selected->scope && session->part_id_count == selected->count &&
+           memcmp(session->part_ids, selected->ids, selected->count) == 0;
 }
 
 static dm_result refine(session* session, const job* job, joint_answer* answer) {
@@ -131,8 +148,10 @@ static dm_result read_joints(session* session, const job* job, joint_answer* ans
 }
 
 dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, joint_answer* out_answer) {
+    part_hints hints;
     memset(out_answer, 0, sizeof *out_answer);
-    const dm_result result = prepare(session, mesh, job, out_answer);
+    find_hints(session, job, false, &hints);
+    const dm_result result = prepare(session, mesh, job, &hints, out_answer);
     return result == DM_OK ? read_joints(session, job, out_answer) : result;
 }
 
@@ -141,10 +160,13 @@ dm_result job_answer(session* session, job* job, joint_answer* out_answer) {
     dm_result result = session_use_file(session, job->file);
     if (result != DM_OK) return result;
     job->drag.point = session_point(session, job->drag_point);
+    if (job->has_pivot) job->pivot.origin = session_point(session, job->pivot_origin);
     memcpy(out_answer->frame, session->origin, sizeof out_answer->frame);
     selection selected;
+    part_hints hints;
+    find_hints(session, job, true, &hints);
     result = select_part(session, job, &selected, out_answer);
-    if (result == DM_OK && can_refine(session, job, &selected)) {
+    if (result == DM_OK && can_refine(session, job, &hints, &selected)) {
         result = refine(session, job, out_answer);
     } else if (result == DM_OK) {
         dm_mesh_desc mesh = session->mesh;
@@ -152,7 +174,7 @@ dm_result job_answer(session* session, job* job, joint_answer* out_answer) {
         mesh.part_id_bytes = selected.count;
         mesh.part_id_format = DM_UINT8;
         mesh.part_id_scope = selected.scope;
-        result = prepare(session, &mesh, job, out_answer);
+        result = prepare(session, &mesh, job, &hints, out_answer);
     }
     if (result == DM_OK) {
         session_own_part_ids(session, selected.ids, selected.count, selected.scope, job->type);

@@ -17,9 +17,15 @@ typedef struct job {
     int has_mask_value;
     double mask_noise; /* share of the part's vertices lost and leaked, for experiments */
     int has_drag;
-    double drag_point[3]; /* in the file's frame */
-    dm_drag_hint drag;    /* in the session's, once the file is open */
-    int32_t type;         /* DM_JOINT_*; UNKNOWN: to be inferred */
+    double drag_point[3];    /* in the file's frame */
+    dm_drag_hint drag;       /* in the session's, once the file is open */
+    int32_t type;            /* DM_JOINT_*; UNKNOWN: to be inferred */
+    int no_hints;            /* the names and pivots of the asset do not count */
+    const char* label;       /* NULL: the file's own, "": none */
+    int has_pivot, no_pivot; /* neither: the file's own */
+    double pivot_origin[3];  /* in the file's frame */
+    dm_pivot pivot;          /* in the session's, once the file is open */
+    dm_vec3 up;              /* 0: +Y, glTF's */
 } job;
 
 typedef struct joint_answer {
@@ -38,7 +44,7 @@ typedef struct job_options {
     float vector[3];
     int has_point, has_vector;
 } job_options;
-enum { JOB_OPTIONS = 6 };
+enum { JOB_OPTIONS = 7 };
 void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS]);
 /* After reading: fills options->job; CLI_OK or CLI_USAGE. */
 int job_options_finish(const cli_command* command, job_options* options, const char* file);

@@ -29,6 +29,7 @@ void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS])
         {.name = "--models", .kind = OPTION_TEXT, .value = &options->models},
         {.name = "--type", .kind = OPTION_TEXT, .value = &options->type},
         {.name = "--mask", .kind = OPTION_TEXT, .value = &options->job.mask},
+        {.name = "--no-hints", .kind = OPTION_FLAG, .value = &options->job.no_hints},
         {.name = "--drag-point",
          .kind = OPTION_DOUBLES,
          .value = options->job.drag_point,
@@ -86,19 +87,40 @@ static dm_result read_number(session* session, const cJSON* json, const char* na
     return DM_OK;
 }
 
-static dm_result read_vector(session* session, const cJSON* json, const char* name, double out[3], int* out_given) {
+/* Reads an array of `count` numbers. */
+static dm_result read_numbers(session* session, const cJSON* json, const char* name, int count, double* out,
+                              int* out_given) {
     const cJSON* found = member(json, name);
     if (found == NULL) return DM_OK;
-    int count = 0;
+    bool right = cJSON_IsArray(found) && cJSON_GetArraySize(found) == count;
     const cJSON* item;
-    cJSON_ArrayForEach(item, found) {
-        if (cJSON_IsNumber(item) && count < 3) out[count] = item->valuedouble;
-        count += cJSON_IsNumber(item) ? 1 : 4;
-    }
-    if (!cJSON_IsArray(found) || count != 3)
-        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not three numbers", name);
+    cJSON_ArrayForEach(item, found) right = right && cJSON_IsNumber(item);
+    if (!right)
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not %s numbers", name,
+                            count == 3 ? "three" : "nine");
+    int at = 0;
+    cJSON_ArrayForEach(item, found) out[at++] = item->valuedouble;
     *out_given = 1;
     return DM_OK;
+}
+
+static dm_result read_vector(session* session, const cJSON* json, const char* name, double out[3], int* out_given) {
+    return read_numbers(session, json, name, 3, out, out_given);
+}
+
+/* A null pivot says that there is none, an absent one that the file's own counts. */
+static dm_result read_hints(session* session, const cJSON* json, job* out) {
+    double axes[9] = {0};
+    int ignored = 0;
+    out->no_pivot = cJSON_IsNull(cJSON_GetObjectItemCaseSensitive(json, "pivot"));
+    if (cJSON_IsNull(cJSON_GetObjectItemCaseSensitive(json, "label"))) out->label = "";
+    dm_result result = read_text(session, json, "label", &out->label);
+    if (result == DM_OK) result = read_vector(session, json, "pivot", out->pivot_origin, &out->has_pivot);
+    if (result == DM_OK) result = read_numbers(session, json, "pivot_axes", 9, axes, &ignored);
+    for (int i = 0; i < 9; i++) out->pivot.axes[i] = (float)axes[i];
+    if (result == DM_OK && out->label != NULL && strlen(out->label) > DM_MAX_LABEL)
+        return session_fail(session, DM_ERROR_TOO_LARGE, "job: \"label\" is longer than %d bytes", DM_MAX_LABEL);
+    return result;
 }
 
 static dm_result read_moving(session* session, const cJSON* json, name_list* out) {
@@ -131,6 +153,7 @@ static dm_result read_fields(session* session, const cJSON* json, job* out) {
     if (result == DM_OK) result = read_vector(session, json, "drag_point", out->drag_point, &out->has_drag);
     if (result == DM_OK) result = read_vector(session, json, "drag_vector", vector, &has_vector);
     if (result == DM_OK) result = read_moving(session, json, &out->moving);
+    if (result == DM_OK) result = read_hints(session, json, out);
     if (result != DM_OK) return result;
     out->drag.vector = (dm_vec3){(float)vector[0], (float)vector[1], (float)vector[2]};
     out->mask_value = fabs(value) < 9e15 ? (int64_t)value : INT64_MAX;

@@ -75,6 +75,7 @@ static bool read_value(const option_spec* option, const char* text) {
         *(int*)option->value = 1;
         return true;
     case OPTION_TEXT:
+    case OPTION_CHOICE:
         *(const char**)option->value = text;
         return true;
     case OPTION_NAMES:
@@ -97,6 +98,15 @@ static bool read_value(const option_spec* option, const char* text) {
     return true;
 }
 
+/* Returns the choice that `text` is, NULL: none; then *out_last is the last one. */
+static const char* find_choice(const option_spec* option, const char* text, const char** out_last) {
+    for (const char* const* choice = option->choices; *choice != NULL; choice++) {
+        if (text != NULL && strcmp(*choice, text) == 0) return *choice;
+        *out_last = *choice;
+    }
+    return NULL;
+}
+
 /* What is to be read as the option's value; NULL when it is missing. Steps over the argument that it takes. */
 static const char* take_value(const option_spec* option, int argc, char** argv, int* at) {
     if (option->kind == OPTION_FLAG) return "";
@@ -104,6 +114,8 @@ static const char* take_value(const option_spec* option, int argc, char** argv, 
     int ignored;
     const option_spec integer = {.kind = OPTION_INTEGER, .value = &ignored};
     if (option->kind == OPTION_SEED && !(next != NULL && read_value(&integer, next))) return "1";
+    const char* last = "";
+    if (option->kind == OPTION_CHOICE && find_choice(option, next, &last) == NULL) return last;
     if (next != NULL) ++*at;
     return next;
 }

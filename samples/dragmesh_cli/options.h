@@ -20,15 +20,17 @@ enum option_kind {
     OPTION_NUMBER,  /* double* */
     OPTION_NUMBERS, /* float[count]: comma-separated */
     OPTION_DOUBLES, /* double[count]: the same */
-    OPTION_NAMES    /* name_list* */
+    OPTION_NAMES,   /* name_list* */
+    OPTION_CHOICE   /* const char**: one of `choices` that follows, or the last of them when something else does */
 };
 
 typedef struct option_spec {
     const char* name; /* with its dashes */
     enum option_kind kind;
     void* value;
-    int count;  /* of OPTION_NUMBERS */
-    int* given; /* may be NULL: set to 1 when the option was there */
+    int count;                  /* of OPTION_NUMBERS */
+    int* given;                 /* may be NULL: set to 1 when the option was there */
+    const char* const* choices; /* of OPTION_CHOICE; NULL ends them */
 } option_spec;
 
 /* Reads argv[1..]; at most one argument may stand alone, and goes to *out_operand (NULL: none may). 0, or prints what

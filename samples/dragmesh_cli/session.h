@@ -7,6 +7,7 @@
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
+#include "part_hints.h"
 
 /* Which inference method answers; docs/accuracy.md compares them. */
 enum session_method {
@@ -32,6 +33,7 @@ typedef struct session {
     uint8_t* part_ids; /* it was prepared with; NULL when it came from elsewhere than the file */
     size_t part_id_count;
     int32_t part_id_scope, joint_type;
+    part_hints hints; /* it was prepared with */
 } session;
 
 /* Creates the context; false with session->error set on failure. allocator NULL: malloc. */

@@ -92,6 +92,53 @@ static void test_jobs_answer_in_order(void** state) {
     for (int i = 0; i < 4; i++) cJSON_Delete(answers[i]);
 }
 
+/* The first answers of jobs on standard input, without times. */
+static void answer_jobs(const char* jobs, const char* arguments, cJSON** answers, int count) {
+    tool_run(&out, "dragmesh", jobs, "%s", arguments);
+    const char* text = out.text;
+    for (int i = 0; i < count; i++) {
+        answers[i] = parse_line(&text);
+        cJSON_DeleteItemFromObject(answers[i], "ms");
+    }
+}
+
+static void test_hints_of_a_job_go_before_those_of_its_file(void** state) {
+    (void)state;
+    static char jobs[16384];
+    char none[2048], told[2048], files[2048];
+    cJSON *answers[3], *silent;
+    write_job(none, sizeof none, "a", ",\"label\":\"\",\"pivot\":null");
+    write_job(told, sizeof told, "a",
+              ",\"label\":\"Scene/Drawer\",\"pivot\":[0,0,0],\"pivot_axes\":[1,0,0,0,1,0,0,0,1]");
+    write_job(files, sizeof files, "a", "");
+    snprintf(jobs, sizeof jobs, "%s%s%s", none, told, files);
+    answer_jobs(jobs, "infer|--jobs|-", answers, 3);
+    assert_int_equal(out.status, 0);
+    assert_false(cJSON_Compare(answers[0], answers[1], 1));
+    assert_false(cJSON_Compare(answers[0], answers[2], 1)); /* the node is called a door */
+    answer_jobs(told, "infer|--no-hints|--jobs|-", &silent, 1);
+    assert_true(cJSON_Compare(answers[0], silent, 1));
+    for (int i = 0; i < 3; i++) cJSON_Delete(answers[i]);
+    cJSON_Delete(silent);
+}
+
+static void test_bad_hints_are_named(void** state) {
+    (void)state;
+    static const char* const fields[][2] = {{",\"label\":5", "\"label\""},
+                                            {",\"pivot\":[1,2]", "\"pivot\""},
+                                            {",\"pivot\":[1,2,\"x\"]", "\"pivot\""},
+                                            {",\"pivot\":[1,2,3],\"pivot_axes\":[1,0,0]", "\"pivot_axes\""}};
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+        char job[2048];
+        cJSON* answer;
+        write_job(job, sizeof job, "a", fields[i][0]);
+        answer_jobs(job, "infer|--jobs|-", &answer, 1);
+        assert_int_equal(out.status, 1);
+        assert_non_null(strstr(cJSON_GetObjectItem(answer, "error")->valuestring, fields[i][1]));
+        cJSON_Delete(answer);
+    }
+}
+
 /* The same part asked about twice, by other words, gets the same answer: what is kept between jobs changes nothing. */
 static void test_answers_do_not_depend_on_what_came_before(void** state) {
     (void)state;
@@ -190,7 +237,7 @@ static void test_masks_say_what_names_say(void** state) {
     char paths[3][TOOL_PATH + 16], job[2048];
     for (int i = 0; i < 3; i++) snprintf(paths[i], sizeof paths[i], "%s/mask%d.json", door.folder, i);
     write_masks(paths[0], paths[1], paths[2]);
-    write_job(jobs, sizeof jobs, "names", "");
+    write_job(jobs, sizeof jobs, "names", ",\"label\":\"\",\"pivot\":null"); /* masks have no names */
     for (int i = 0; i < 3; i++) {
         char extra[TOOL_PATH + 64];
         snprintf(extra, sizeof extra, ",\"mask\":\"%.*s\"%s", TOOL_PATH, paths[i], i == 2 ? ",\"mask_value\":41" : "");
@@ -230,6 +277,8 @@ int main(void) {
         cmocka_unit_test(test_one_job_as_text_and_json),
         cmocka_unit_test(test_jobs_answer_in_order),
         cmocka_unit_test(test_answers_do_not_depend_on_what_came_before),
+        cmocka_unit_test(test_hints_of_a_job_go_before_those_of_its_file),
+        cmocka_unit_test(test_bad_hints_are_named),
         cmocka_unit_test(test_answers_are_flushed),
         cmocka_unit_test(test_masks_say_what_names_say),
         cmocka_unit_test(test_noisy_masks_are_still_answered),

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "hint_draw.h"
 #include "kinematics/inference/joint_inference.h"
 #include "math/linear3.h"
 #include "pose_error.h"
@@ -26,17 +27,23 @@ static void score(const lab_case* made, const dm_joint* truth, const float drag_
     out->category[at] = (int32_t)made->category_id;
 }
 
-static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const dmi_kpp_net* net,
-                             const dmi_joint_models* joints, lab_case* made, const dm_lab_answers* out, uint32_t at) {
+/* shares: of asset hints; NULL: none are drawn. */
+static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const dm_lab_hint_options* shares,
+                             const dmi_kpp_net* net, const dmi_joint_models* joints, lab_case* made,
+                             const dm_lab_answers* out, uint32_t at) {
     dm_joint truth;
     const dmi_drag_hint hint = lab_case_drag(made, options->pull, options->drag_noise_degrees, &truth);
     const int with_drag = lab_random_bool(&made->random, options->with_drag);
+    const uint32_t part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part);
+    dmi_asset_hints hints = {.has_pivot = false};
+    if (shares != NULL) hints = lab_draw_hints(&made->random, made, part, shares);
     const dmi_inference_query query = {.mesh = made->mesh,
                                        .cloud = &made->cloud,
                                        .models = {net, joints, dmi_cpu_best_isa()},
                                        .hint = with_drag ? &hint : NULL,
+                                       .asset_hints = &hints,
                                        .welded = made->welded,
-                                       .part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part)};
+                                       .part = part};
     dmi_hypotheses found;
     const dm_result result = dmi_joint_inference_run(env, &query, &found, NULL);
     if (result != DM_OK) return result;
@@ -47,6 +54,12 @@ static dm_result answer_case(dmi_env* env, const dm_lab_options* options, const 
 
 dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                         const void* ranker, size_t ranker_size, const dm_lab_answers* out) {
+    return dm_lab_answer_hinted(options, NULL, kinematics, kinematics_size, ranker, ranker_size, out);
+}
+
+dm_result dm_lab_answer_hinted(const dm_lab_options* options, const dm_lab_hint_options* hints, const void* kinematics,
+                               size_t kinematics_size, const void* ranker, size_t ranker_size,
+                               const dm_lab_answers* out) {
     dmi_env env;
     dmi_env_init(&env, NULL, NULL, NULL);
     dmi_kpp_net* net = NULL;
@@ -58,7 +71,7 @@ dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, s
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         result = lab_case_make(&env, options, i, made);
         if (result != DM_OK) break;
-        result = answer_case(&env, options, net, joints, made, out, i);
+        result = answer_case(&env, options, hints, net, joints, made, out, i);
         lab_case_release(&env, made);
     }
     dmi_joint_models_destroy(joints);

@@ -3,6 +3,7 @@
 #define DM_LAB_ANSWERS_H
 
 #include "dragmesh_lab.h"
+#include "lab_hints.h"
 
 /* One entry a case. */
 typedef struct dm_lab_answers {
@@ -19,5 +20,9 @@ typedef struct dm_lab_answers {
  * of joint models (sdk/models/ranker.safetensors); NULL: without. */
 DM_API dm_result dm_lab_answer(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,
                                const void* ranker, size_t ranker_size, const dm_lab_answers* out);
+/* The same with labels and pivots drawn for the parts; hints NULL: none. options->rotated must be 0. */
+DM_API dm_result dm_lab_answer_hinted(const dm_lab_options* options, const dm_lab_hint_options* hints,
+                                      const void* kinematics, size_t kinematics_size, const void* ranker,
+                                      size_t ranker_size, const dm_lab_answers* out);
 
 #endif

@@ -76,6 +76,13 @@ def _hint(drag):
     return s.DragHint(s.Vec3(*map(float, point)), s.Vec3(*map(float, vector)))
 
 
+def _pivot(pivot):
+    """(origin, axes) to a dm_pivot; axes None: unknown."""
+    origin, axes = pivot
+    numbers = np.zeros(9) if axes is None else np.asarray(axes, float).reshape(9)
+    return s.Pivot(s.Vec3(*map(float, origin)), (c.c_float * 9)(*numbers))
+
+
 def _array(values, dtypes, columns):
     """A contiguous array of one of the types that the boundary reads."""
     array = np.asarray(values)
@@ -149,10 +156,12 @@ class Context:
         self.call("model_load", c.byref(desc), c.byref(handle))
         return Model(self, handle)
 
-    def prepare(self, positions, indices, part_ids, parts=None, model=None, seed=0, picking=False):
+    def prepare(self, positions, indices, part_ids, parts=None, model=None, seed=0, picking=False, label=None, up=None):
         """An object from vertices (n x 3), triangles (m x 3) and one part id a vertex or a triangle (0 = the body).
 
-        parts: a list of dicts with id and, as wanted, parent, joint_type, drag=(point, vector); None: every id."""
+        parts: a list of dicts with id and, as wanted, parent, joint_type, drag=(point, vector), label (names of the asset
+        for the part, joined by "/"), pivot=(origin, axes) (axes: three rows or None); None: every id. label, up: of the
+        object; see dm_object_desc."""
         positions, indices = _array(positions, _POSITIONS, 3), _array(indices, _INDICES, 1)
         part_ids = _array(part_ids, _PART_IDS, 1)
         per_face = len(part_ids) != len(positions)
@@ -165,16 +174,22 @@ class Context:
             position_format=_POSITIONS.index(positions.dtype), index_format=_INDICES.index(indices.dtype),
             part_id_format=_PART_IDS.index(part_ids.dtype), part_id_scope=int(per_face))
         rows = (s.PartDesc * len(parts or []))()
-        hints = []
+        hints, pivots = [], []
         for row, part in zip(rows, parts or []):
             row.struct_size, row.id, row.parent = c.sizeof(s.PartDesc), part["id"], part.get("parent", 0)
             row.joint_type = int(part.get("joint_type", 0))
             if part.get("drag") is not None:
                 hints.append(_hint(part["drag"]))
                 row.drag = c.pointer(hints[-1])
+            if part.get("label") is not None:
+                row.label = part["label"].encode()
+            if part.get("pivot") is not None:
+                pivots.append(_pivot(part["pivot"]))
+                row.pivot = c.pointer(pivots[-1])
         desc = s.ObjectDesc(flags=0 if picking else 1, mesh=c.pointer(mesh),
                           parts=rows if parts else None, part_count=len(rows),
-                          model=model.handle if model else 0, seed=seed)
+                          model=model.handle if model else 0, seed=seed, label=label.encode() if label else None,
+                          up=s.Vec3(*up) if up is not None else s.Vec3())
         handle = c.c_uint64()
         self.call("object_prepare", c.byref(desc), c.byref(handle))
         return Object(self, handle)

@@ -72,9 +72,15 @@ class DragHint(c.Structure):
     _fields_ = [("point", Vec3), ("vector", Vec3)]
 
 
+class Pivot(c.Structure):
+    """Where an asset has the node that moves a part; see dm_pivot."""
+
+    _fields_ = [("origin", Vec3), ("axes", c.c_float * 9)]
+
+
 class PartDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("id", c.c_uint32), ("parent", c.c_uint32), ("joint_type", c.c_int32),
-                ("drag", c.POINTER(DragHint))]
+                ("drag", c.POINTER(DragHint)), ("label", c.c_char_p), ("pivot", c.POINTER(Pivot))]
 
 
 class Joint(Sized):
@@ -103,7 +109,8 @@ class ObjectDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("flags", c.c_uint32), ("mesh", c.POINTER(MeshDesc)),
                 ("parts", c.POINTER(PartDesc)), ("part_count", c.c_uint32), ("reserved", c.c_uint32),
                 ("model", c.c_uint64), ("seed", c.c_uint64), ("intent", c.c_void_p), ("intent_user", c.c_void_p),
-                ("progress", c.c_void_p), ("progress_user", c.c_void_p)]
+                ("progress", c.c_void_p), ("progress_user", c.c_void_p), ("label", c.c_char_p), ("up", Vec3),
+                ("reserved2", c.c_uint32)]
 
 
 class ObjectInfo(Sized):

@@ -73,6 +73,8 @@ extern "C" {
 #define DM_MAX_HYPOTHESES 8
 /* Most parts of one object, the body not counted. */
 #define DM_MAX_PARTS 4096
+/* Most bytes of a label, the zero not counted. */
+#define DM_MAX_LABEL 4096
 /* Most vertices or triangles of one object. */
 #define DM_MAX_ELEMENTS 268435456
 /* No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by
@@ -249,12 +251,24 @@ typedef struct dm_drag_hint {
     dm_vec3 vector; /* non-zero; its length is how far it was pulled */
 } dm_drag_hint;
 
+/* Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or
+ * left it in the middle or at the file's origin. */
+typedef struct dm_pivot {
+    dm_vec3 origin; /* host object frame */
+    float axes[9];  /* the node's own x, y and z axis, three numbers each, host object frame; of any length, also
+                       mirrored. Zeros: unknown */
+} dm_pivot;
+
 typedef struct dm_part_desc {
     uint32_t struct_size;
     uint32_t id;              /* as in part_ids; 1.. */
     uint32_t parent;          /* id of the part that carries this one; 0 = the body. A part moves with its parent */
     int32_t joint_type;       /* DM_JOINT_*; 0 = to be found out */
     const dm_drag_hint* drag; /* optional evidence */
+    const char* label;     /* optional evidence: names that the asset has for the part, UTF-8, outermost first, joined
+                              by '/': file, parents, node, mesh. Names in any language that tell what it is (door, lid,
+                              Hebel) count, others don't. At most DM_MAX_LABEL bytes */
+    const dm_pivot* pivot; /* optional evidence */
 } dm_part_desc;
 
 /* How a part moves. */
@@ -329,6 +343,11 @@ typedef struct dm_object_desc {
     void* intent_user;
     dm_progress_callback progress;
     void* progress_user;
+    const char* label;  /* optional evidence: names of the whole object, as dm_part_desc.label; they count for the parts
+                           whose own label tells nothing */
+    dm_vec3 up;         /* which way is up, host object frame; it counts together with labels and pivots alone. 0 = that
+                           of the context's axes */
+    uint32_t reserved2; /* 0 */
 } dm_object_desc;
 
 typedef struct dm_object_info {

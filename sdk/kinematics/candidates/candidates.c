@@ -141,13 +141,41 @@ static void add_all_revolutes(collector* c, const dmi_candidate_sources* s) {
     for (uint32_t i = 0; i < s->direction_count; i++) add_revolutes(c, s, &s->directions[i]);
 }
 
+static collector begin(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, dmi_candidate* out,
+                       uint32_t count) {
+    collector c = {.analysis = analysis, .hint = hint, .out = out, .count = count};
+    if (hint == NULL) return c;
+    dmi_copy3(hint->vector, c.drag);
+    dmi_normalize3(c.drag);
+    return c;
+}
+
+/* Returns whether there is a slide along a unit direction, or a turn about it through a point. */
+static bool has_candidate(const collector* c, int32_t type, const float d[3], const float x[3]) {
+    for (uint32_t i = 0; i < c->count; i++) {
+        const dmi_candidate* one = &c->out[i];
+        if (one->type != type || fabsf(dmi_dot3(one->axis, d)) <= SAME_COSINE) continue;
+        if (type == DM_JOINT_PRISMATIC || dmi_line_distance3(x, one->axis, one->origin) < SAME_ORIGIN) return true;
+    }
+    return false;
+}
+
+uint32_t dmi_candidates_add_through(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, const float point[3],
+                                    const float (*directions)[3], uint32_t direction_count, dmi_candidate* candidates,
+                                    uint32_t count) {
+    collector c = begin(analysis, hint, candidates, count);
+    c.least_cosine = FAR_DRAG_COSINE, c.most_cosine = INFINITY;
+    for (uint32_t i = 0; i < direction_count; i++) {
+        if (!has_candidate(&c, DM_JOINT_REVOLUTE, directions[i], point))
+            add_revolute(&c, c.count, directions[i], 0, point, 0);
+        if (!has_candidate(&c, DM_JOINT_PRISMATIC, directions[i], point)) add_prismatic(&c, directions[i], 0);
+    }
+    return c.count;
+}
+
 uint32_t dmi_candidates_make(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                              const dmi_prediction* prediction, dmi_candidate* out) {
-    collector c = {.analysis = analysis, .hint = hint, .out = out};
-    if (hint != NULL) {
-        dmi_copy3(hint->vector, c.drag);
-        dmi_normalize3(c.drag);
-    }
+    collector c = begin(analysis, hint, out, 0);
     dmi_candidate_sources s;
     dmi_candidate_sources_find(analysis, hint, c.drag, prediction, &s);
     c.least_cosine = NEAR_DRAG_COSINE, c.most_cosine = INFINITY;

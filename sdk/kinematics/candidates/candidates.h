@@ -73,4 +73,10 @@ void dmi_prediction_candidates(const dmi_prediction* prediction, const float cen
 uint32_t dmi_candidates_make(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                              const dmi_prediction* prediction, dmi_candidate* out);
 
+/* Adds turns about lines through a point along unit directions, and slides along them, where a drag allows them and no
+ * candidate is the same. count: the candidates there are. Returns their number with those added. */
+uint32_t dmi_candidates_add_through(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, const float point[3],
+                                    const float (*directions)[3], uint32_t direction_count, dmi_candidate* candidates,
+                                    uint32_t count);
+
 #endif

@@ -3,6 +3,7 @@
 
 #include "kinematics/features/candidate_features.h"
 #include "kinematics/features/kpp_ensemble.h"
+#include "kinematics/hints/hint_likelihood.h"
 #include "kinematics/inference/hypothesis_selection.h"
 #include "kinematics/limits/free_range.h"
 #include "kinematics/limits/limits.h"
@@ -79,12 +80,19 @@ static void measure_features(work* w) {
 }
 
 static void rank_candidates(work* w) {
+    const dmi_asset_hints* asset = w->query->asset_hints;
+    const bool says_something = !dmi_asset_hints_are_empty(asset);
     w->count = dmi_candidates_make(&w->analysis, w->query->hint, prediction(w), w->candidates);
     keep_given_type(w);
     prefilter(w);
+    if (says_something) {
+        w->count = dmi_hints_add_candidates(asset, &w->analysis, w->query->hint, w->candidates, w->count);
+        keep_given_type(w);
+    }
     measure_features(w);
     dmi_ranker_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features, w->count,
                              w->probability);
+    if (says_something) dmi_hints_weigh(asset, &w->analysis, w->candidates, w->count, w->probability);
 }
 
 /* Makes two candidates of KPP-Net's regression, a turn and a slide, with its probabilities. A type that the host has

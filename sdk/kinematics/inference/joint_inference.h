@@ -3,6 +3,7 @@
 #ifndef DMI_INFERENCE_JOINT_INFERENCE_H
 #define DMI_INFERENCE_JOINT_INFERENCE_H
 
+#include "kinematics/hints/asset_hints.h"
 #include "kinematics/inference/hypotheses.h"
 #include "kinematics/inference/joint_models.h"
 #include "kinematics/kpp/kpp_net.h"
@@ -19,12 +20,13 @@ typedef struct dmi_inference_query {
     const dmi_mesh* mesh;
     const dmi_cloud* cloud; /* of `part` */
     dmi_inference_models models;
-    const dmi_drag_hint* hint; /* NULL: none */
-    const uint32_t* welded;    /* dmi_weld_vertices of the mesh, for many parts to share; NULL: welded anew */
-    dmi_arena* scratch;        /* left as it was found; NULL: memory of its own */
-    uint32_t part;             /* index in mesh->parts */
-    int32_t given_type;        /* DM_JOINT_*; UNKNOWN: to be inferred */
-    int network_alone;         /* KPP-Net's answers are the only candidates, with its probabilities */
+    const dmi_drag_hint* hint;          /* NULL: none */
+    const dmi_asset_hints* asset_hints; /* NULL: none */
+    const uint32_t* welded;             /* dmi_weld_vertices of the mesh, for many parts to share; NULL: welded anew */
+    dmi_arena* scratch;                 /* left as it was found; NULL: memory of its own */
+    uint32_t part;                      /* index in mesh->parts */
+    int32_t given_type;                 /* DM_JOINT_*; UNKNOWN: to be inferred */
+    int network_alone;                  /* KPP-Net's answers are the only candidates, with its probabilities */
 } dmi_inference_query;
 
 /* out_alternatives: NULL, or what a pull may choose from beside the hypotheses. */

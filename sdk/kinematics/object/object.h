@@ -14,6 +14,7 @@
 typedef struct dmi_object_part {
     dmi_part shape;                     /* shape.parent: index in dmi_object.parts */
     int32_t given_type;                 /* DM_JOINT_* given by the host; DM_JOINT_UNKNOWN: inferred */
+    dmi_asset_hints asset_hints;        /* inner frame; not saved */
     dm_joint joint;                     /* the one in use; host object frame */
     dmi_hypotheses hypotheses;          /* inner frame */
     dmi_alternatives alternatives;      /* inner frame */

@@ -78,6 +78,7 @@ static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index
                                        .cloud = cloud,
                                        .models = *models,
                                        .hint = hint,
+                                       .asset_hints = &part->asset_hints,
                                        .welded = shared->welded,
                                        .scratch = arena,
                                        .part = index,
@@ -142,10 +143,12 @@ static dm_result ask_type(dmi_env* env, const dmi_prepare_desc* desc, const dmi_
                     part->given_type, part->shape.id);
 }
 
-/* Sets types and drags of all parts from the host's descriptors and its callback. */
+/* Sets types, drags and hints of all parts from the host's descriptors and its callback. */
 static dm_result make_requests(preparation* work) {
     const dmi_prepare_desc* desc = work->desc;
     dmi_object* object = work->object;
+    dm_result result = dmi_object_read_hints(work->env, object, &desc->labels, desc->parts, desc->part_count);
+    if (result != DM_OK) return result;
     for (uint32_t i = 0; desc->parts != NULL && i < desc->part_count; i++) {
         const dm_part_desc* given = &desc->parts[i];
         int32_t index = dmi_object_find_part(object, given->id);
@@ -154,13 +157,12 @@ static dm_result make_requests(preparation* work) {
         if (given->drag == NULL) continue;
         char what[MAX_FIELD_NAME];
         snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u].drag", i);
-        dm_result result =
-            dmi_object_hint(work->env, what, object, (uint32_t)index, given->drag, &work->requests[index].hint);
+        result = dmi_object_hint(work->env, what, object, (uint32_t)index, given->drag, &work->requests[index].hint);
         if (result != DM_OK) return result;
         work->requests[index].has_hint = true;
     }
     for (uint32_t i = 1; i < object->part_count; i++) {
-        dm_result result = ask_type(work->env, desc, object, &object->parts[i]);
+        result = ask_type(work->env, desc, object, &object->parts[i]);
         if (result != DM_OK) return result;
     }
     return DM_OK;

@@ -2,7 +2,7 @@
 #ifndef DMI_OBJECT_PREPARE_H
 #define DMI_OBJECT_PREPARE_H
 
-#include "kinematics/object/object.h"
+#include "kinematics/object/part_hints.h"
 
 typedef struct dmi_prepare_desc {
     const dmi_axes* axes;
@@ -10,6 +10,7 @@ typedef struct dmi_prepare_desc {
     const dm_part_desc* parts; /* NULL: every id in the mesh is a part of the body */
     uint32_t part_count;
     dmi_inference_models models;
+    dmi_object_labels labels;
     uint64_t seed;
     bool keep_triangles;
     bool network_alone;        /* joints are inferred by models.kpp alone */

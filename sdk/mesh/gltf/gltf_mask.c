@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "mesh/gltf/gltf_file.h"
+#include "mesh/gltf/gltf_names.h"
 #include "mesh/mask.h"
 
 /* "#12" names node 12 of the file, unless a node is really called so. -1: not of this form, or no such node. */
@@ -13,6 +14,12 @@ static int64_t numbered_node(const dm_gltf* gltf, const char* name) {
     char* end;
     const unsigned long index = strtoul(name + 1, &end, 10);
     return *end == 0 && index < gltf->document.counts[DMI_GLTF_NODES] ? (int64_t)index : -1;
+}
+
+int64_t dmi_gltf_find_node(const dm_gltf* gltf, const char* name) {
+    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++)
+        if (strcmp(gltf->tree[i].name, name) == 0) return i;
+    return numbered_node(gltf, name);
 }
 
 /* Marks the named nodes and all that they carry, in `marks`: a byte a node of the file. Returns whether one is named

@@ -78,6 +78,13 @@ DM_API void DM_CALL dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]
 DM_API dm_result DM_CALL dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint32_t name_count,
                                             uint8_t value, uint8_t* inout_face_ids, uint64_t face_count);
 
+/* What the file says of a node, as dm_part_desc takes it: the names of those that carry it, outermost first, of its
+ * mesh and its own, joined by '/', and its origin and axes in the merged mesh's frame. name: as for
+ * dm_gltf_mark_faces; of several nodes, the first. out_label: label_size bytes, where not all names fit the outer ones
+ * are left out; may be NULL. out_pivot may be NULL. Errors: NOT_FOUND. */
+DM_API dm_result DM_CALL dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,
+                                           dm_pivot* out_pivot);
+
 /* Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort
  * the merged mesh otherwise). mask_value NULL:
  * non-zero is moving. out_part_ids: as many bytes as max(vertex_count, face_count). out_ambiguous (may be NULL): both

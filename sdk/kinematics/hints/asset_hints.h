@@ -1,0 +1,26 @@
+/* What an asset says of a part beside its shape: names, the pivot of its node, which way is up. Evidence, never truth.
+ */
+#ifndef DMI_HINTS_ASSET_HINTS_H
+#define DMI_HINTS_ASSET_HINTS_H
+
+#include <stdbool.h>
+
+#include "kinematics/hints/part_kind.h"
+
+/* In the object-normalised frame. Zeros: the asset says nothing. */
+typedef struct dmi_asset_hints {
+    dmi_label_kind label;
+    float up[3];     /* unit */
+    bool has_pivot;  /* pivot is set */
+    bool has_axes;   /* pivot_axes is set */
+    bool is_default; /* the pivot lies where an export without pivots leaves it: at the file's origin */
+    float pivot[3];
+    float pivot_axes[3][3]; /* unit rows */
+} dmi_asset_hints;
+
+/* Returns whether the hints say nothing. hints NULL: true. */
+static inline bool dmi_asset_hints_are_empty(const dmi_asset_hints* hints) {
+    return hints == NULL || (hints->label.kind == DMI_KIND_NOTHING && !hints->has_pivot);
+}
+
+#endif

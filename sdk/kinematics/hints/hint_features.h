@@ -1,0 +1,75 @@
+/* How a candidate joint lies to what the asset says: the features that the weights of hint_weights.def count. */
+#ifndef DMI_HINTS_HINT_FEATURES_H
+#define DMI_HINTS_HINT_FEATURES_H
+
+#include "kinematics/candidates/candidates.h"
+#include "kinematics/hints/asset_hints.h"
+
+/* Features of a candidate that a kind of part makes likelier or not. Each is 0 or 1. Side: half the box's extent. */
+typedef enum dmi_kind_feature {
+    DMI_KIND_SLIDE_UPRIGHT, /* along the up direction, within 20 degrees */
+    DMI_KIND_SLIDE_LEVEL,   /* across it, within 20 degrees */
+    DMI_KIND_SLIDE_OBLIQUE,
+    DMI_KIND_SLIDE_LONG, /* along the longest side of the part's box, within 18 degrees */
+    DMI_KIND_SLIDE_MIDDLE,
+    DMI_KIND_SLIDE_SHORT,
+    DMI_KIND_TURN_UPRIGHT,
+    DMI_KIND_TURN_LEVEL,
+    DMI_KIND_TURN_OBLIQUE,
+    DMI_KIND_TURN_LONG,
+    DMI_KIND_TURN_MIDDLE,
+    DMI_KIND_TURN_SHORT,
+    DMI_KIND_TURN_CENTRE,  /* the axis runs through the middle of the box: at most a fifth of a side from its centre */
+    DMI_KIND_TURN_INSIDE,  /* less than three quarters of a side */
+    DMI_KIND_TURN_EDGE,    /* at most 1.3 sides */
+    DMI_KIND_TURN_OUTSIDE, /* farther */
+    DMI_KIND_TURN_TOP,     /* level, and above three fifths of the part's upper half */
+    DMI_KIND_TURN_BOTTOM,
+    DMI_KIND_TURN_OUTER, /* the axis lies off the box's centre to the side away from the object's centre */
+    DMI_KIND_TURN_INNER, /* to the side towards it */
+    DMI_KIND_TURN_FRONT, /* to the side of glTF's front, where the up direction is glTF's too */
+    DMI_KIND_TURN_BACK,
+    DMI_KIND_FEATURES
+} dmi_kind_feature;
+
+/* Where a pivot lies in the part's box along the pivot's own axes. */
+typedef enum dmi_pivot_place {
+    DMI_PIVOT_MIDDLE,  /* the box's centre */
+    DMI_PIVOT_BOTTOM,  /* the centre of its lower face */
+    DMI_PIVOT_TOP,     /* of its upper face */
+    DMI_PIVOT_SIDE,    /* of another face */
+    DMI_PIVOT_EDGE,    /* on an edge or corner, not in the centre of a face */
+    DMI_PIVOT_INSIDE,  /* elsewhere in the box */
+    DMI_PIVOT_OUTSIDE, /* outside the box */
+    DMI_PIVOT_DEFAULT, /* at the file's origin, and in none of the places above that are no accident */
+    DMI_PIVOT_PLACES
+} dmi_pivot_place;
+
+/* How a candidate lies to a pivot. Each is between 0 and 1. */
+typedef enum dmi_pivot_feature {
+    DMI_PIVOT_SLIDE,         /* it slides */
+    DMI_PIVOT_SLIDE_ALIGNED, /* along an axis of the pivot, within 1 degree */
+    DMI_PIVOT_TURN_ALIGNED,  /* it turns about a direction that is one */
+    DMI_PIVOT_NEAR,          /* its line passes the pivot at a few hundredths of the part's diagonal */
+    DMI_PIVOT_ON,            /* at a few thousandths */
+    DMI_PIVOT_ON_ALIGNED,    /* both */
+    DMI_PIVOT_FEATURES
+} dmi_pivot_feature;
+
+/* What is the same for all candidates of a part. */
+typedef struct dmi_hint_frame {
+    const dmi_asset_hints* hints;
+    const dmi_part_analysis* analysis;
+    float box_centre[3];
+    float outward[3];                 /* from the object's centre to the box's, part diagonals */
+    float middle_height, half_height; /* of the part along the up direction */
+    dmi_pivot_place place;
+} dmi_hint_frame;
+
+void dmi_hint_frame_make(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, dmi_hint_frame* out);
+/* Returns the candidate's kind features as bits. */
+uint32_t dmi_kind_features(const dmi_hint_frame* frame, const dmi_candidate* candidate);
+/* Computes the candidate's pivot features. The hints must have a pivot. */
+void dmi_pivot_features(const dmi_hint_frame* frame, const dmi_candidate* candidate, float out[DMI_PIVOT_FEATURES]);
+
+#endif

@@ -1,0 +1,80 @@
+/* log posterior = log probability of the ranker + log-likelihood of the label + log-likelihood of the pivot, both
+ * linear in the features of the candidate. The weights are fitted on generated objects (training/train hints). */
+#include "kinematics/hints/hint_likelihood.h"
+
+#include <float.h>
+
+#include "math/linear3.h"
+
+/* Weights by kind: a row for each kind of kinds.def. */
+static const float kind_weights[DMI_KIND_COUNT][DMI_KIND_FEATURES] = {
+#define KIND_WEIGHTS(kind, ...) [DMI_KIND_##kind] = {__VA_ARGS__},
+#define PIVOT_WEIGHTS(place, ...)
+#define LABEL_TRUST(...)
+#include "kinematics/hints/hint_weights.def"
+#undef KIND_WEIGHTS
+#undef PIVOT_WEIGHTS
+#undef LABEL_TRUST
+};
+
+/* Weights by place of the pivot. */
+static const float pivot_weights[DMI_PIVOT_PLACES][DMI_PIVOT_FEATURES] = {
+#define KIND_WEIGHTS(kind, ...)
+#define PIVOT_WEIGHTS(place, ...) [DMI_PIVOT_##place] = {__VA_ARGS__},
+#define LABEL_TRUST(...)
+#include "kinematics/hints/hint_weights.def"
+#undef KIND_WEIGHTS
+#undef PIVOT_WEIGHTS
+#undef LABEL_TRUST
+};
+
+/* Factors of the kind's weights: the part's own name says it, a name above it does. */
+static const float label_trust[2] = {
+#define KIND_WEIGHTS(kind, ...)
+#define PIVOT_WEIGHTS(place, ...)
+#define LABEL_TRUST(...) __VA_ARGS__
+#include "kinematics/hints/hint_weights.def"
+#undef KIND_WEIGHTS
+#undef PIVOT_WEIGHTS
+#undef LABEL_TRUST
+};
+
+uint32_t dmi_hints_add_candidates(const dmi_asset_hints* hints, const dmi_part_analysis* analysis,
+                                  const dmi_drag_hint* drag, dmi_candidate* candidates, uint32_t count) {
+    if (!hints->has_pivot) return count;
+    if (hints->has_axes)
+        count = dmi_candidates_add_through(analysis, drag, hints->pivot, hints->pivot_axes, 3, candidates, count);
+    return dmi_candidates_add_through(analysis, drag, hints->pivot, analysis->box.axes, 3, candidates, count);
+}
+
+static float label_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate) {
+    const dmi_label_kind label = frame->hints->label;
+    if (label.kind == DMI_KIND_NOTHING) return 0;
+    const uint32_t bits = dmi_kind_features(frame, candidate);
+    float sum = 0;
+    for (int i = 0; i < DMI_KIND_FEATURES; i++)
+        if (bits >> i & 1) sum += kind_weights[label.kind][i];
+    return sum * label_trust[label.depth > 0];
+}
+
+static float pivot_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate) {
+    if (!frame->hints->has_pivot) return 0;
+    float features[DMI_PIVOT_FEATURES], sum = 0;
+    dmi_pivot_features(frame, candidate, features);
+    for (int i = 0; i < DMI_PIVOT_FEATURES; i++) sum += pivot_weights[frame->place][i] * features[i];
+    return sum;
+}
+
+void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_candidate* candidates,
+                     uint32_t count, float* probability) {
+    dmi_hint_frame frame;
+    float most = -INFINITY, sum = 0;
+    dmi_hint_frame_make(hints, analysis, &frame);
+    for (uint32_t i = 0; i < count; i++) {
+        probability[i] = logf(dmi_max(probability[i], FLT_MIN));
+        probability[i] += label_likelihood(&frame, &candidates[i]) + pivot_likelihood(&frame, &candidates[i]);
+        most = dmi_max(most, probability[i]);
+    }
+    for (uint32_t i = 0; i < count; i++) sum += probability[i] = expf(probability[i] - most);
+    for (uint32_t i = 0; i < count; i++) probability[i] /= sum;
+}

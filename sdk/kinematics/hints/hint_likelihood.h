@@ -1,0 +1,17 @@
+/* Joins what the asset says with the ranker's probabilities. */
+#ifndef DMI_HINTS_HINT_LIKELIHOOD_H
+#define DMI_HINTS_HINT_LIKELIHOOD_H
+
+#include "kinematics/hints/hint_features.h"
+
+/* Adds candidates whose axes run through the pivot, along its axes and those of the part's box. Returns the number of
+ * candidates. They come after the prefilter, which they pass by. */
+uint32_t dmi_hints_add_candidates(const dmi_asset_hints* hints, const dmi_part_analysis* analysis,
+                                  const dmi_drag_hint* drag, dmi_candidate* candidates, uint32_t count);
+
+/* Multiplies the probabilities of a part's candidates by the likelihood of the hints for each, and scales them to the
+ * sum 1. The hints must say something. */
+void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_candidate* candidates,
+                     uint32_t count, float* probability);
+
+#endif

@@ -1,0 +1,105 @@
+/* Reads labels, pivots and the up direction into the inner frame. */
+#include "kinematics/object/part_hints.h"
+
+#include <float.h>
+
+#include "math/linear3.h"
+#include "math/vec3.h"
+
+#define SAME_PLACE 1e-4f /* object sizes between pivots that are one; by hand */
+#define FARTHEST 1e3f    /* object sizes from the object's centre to a pivot that still says something; by hand */
+#define MANY_PARTS 3     /* that share a pivot which was then left where it was, not set; by hand */
+
+static dm_result check_label(dmi_env* env, const char* what, const char* label) {
+    if (label == NULL || strnlen(label, DM_MAX_LABEL + 1) <= DM_MAX_LABEL) return DM_OK;
+    return dmi_fail(env, DM_ERROR_TOO_LARGE, "dm_object_prepare: %s is longer than %d bytes", what, DM_MAX_LABEL);
+}
+
+static dm_result check_finite(dmi_env* env, const char* what, uint32_t id, const float* numbers, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++)
+        if (!isfinite(numbers[i]))
+            return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_object_prepare: %s of part %u: number %u is %g", what, id, i,
+                            (double)numbers[i]);
+    return DM_OK;
+}
+
+static dm_result read_up(dmi_env* env, const dmi_object* object, dm_vec3 up, float out[3]) {
+    static const float canonical[3] = {0, 1, 0};
+    const dmi_float3 given = dmi_xyz(up);
+    for (int k = 0; k < 3; k++)
+        if (!isfinite(given.v[k]))
+            return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_object_prepare: desc.up: number %d is %g", k,
+                            (double)given.v[k]);
+    dmi_frame_direction_in(&object->frame, given.v, out);
+    if (!(dmi_normalize3(out) > FLT_MIN)) dmi_copy3(canonical, out);
+    return DM_OK;
+}
+
+/* Converts the pivot's axes. Returns whether all three have a direction. */
+static bool read_axes(const dmi_object* object, const float* axes, float out[3][3]) {
+    bool all = true;
+    for (int i = 0; i < 3; i++) {
+        float axis[3] = {axes[3 * i], axes[3 * i + 1], axes[3 * i + 2]};
+        dmi_normalize3(axis);
+        dmi_frame_direction_in(&object->frame, axis, out[i]);
+        all &= dmi_normalize3(out[i]) > 0.5f;
+    }
+    return all;
+}
+
+static bool is_at_origin(const dmi_object* object, dm_vec3 host) {
+    const dmi_float3 p = dmi_xyz(host);
+    return dmi_length3(p.v) <= SAME_PLACE * dmi_frame_length_out(&object->frame);
+}
+
+static dm_result read_pivot(dmi_env* env, const dmi_object* object, uint32_t id, const dm_pivot* pivot,
+                            dmi_asset_hints* out) {
+    const dmi_float3 origin = dmi_xyz(pivot->origin);
+    dm_result result = check_finite(env, "the pivot's origin", id, origin.v, 3);
+    if (result == DM_OK)
+        result = check_finite(env, "the pivot's axes", id, pivot->axes, sizeof pivot->axes / sizeof *pivot->axes);
+    if (result != DM_OK) return result;
+    dmi_frame_point_in(&object->frame, dmi_xyz_f64(pivot->origin).v, out->pivot);
+    out->has_pivot = dmi_length3(out->pivot) < FARTHEST;
+    out->has_axes = out->has_pivot && read_axes(object, pivot->axes, out->pivot_axes);
+    out->is_default = is_at_origin(object, pivot->origin);
+    return DM_OK;
+}
+
+/* Marks pivots that many parts share. */
+static void mark_shared(dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        dmi_asset_hints* one = &object->parts[i].asset_hints;
+        uint32_t same = 0;
+        for (uint32_t k = 1; one->has_pivot && !one->is_default && same < MANY_PARTS && k < object->part_count; k++) {
+            const dmi_asset_hints* other = &object->parts[k].asset_hints;
+            same += other->has_pivot && dmi_distance3(one->pivot, other->pivot) <= SAME_PLACE;
+        }
+        if (same >= MANY_PARTS) one->is_default = true;
+    }
+}
+
+static dm_result read_part(dmi_env* env, dmi_object* object, const dm_part_desc* part, dmi_asset_hints* out) {
+    dm_result result = check_label(env, "the label of a part", part->label);
+    if (result == DM_OK && part->pivot != NULL) result = read_pivot(env, object, part->id, part->pivot, out);
+    const dmi_label_kind own = result == DM_OK ? dmi_kind_of_label(part->label) : out->label;
+    if (own.kind != DMI_KIND_NOTHING) out->label = own;
+    return result;
+}
+
+dm_result dmi_object_read_hints(dmi_env* env, dmi_object* object, const dmi_object_labels* labels,
+                                const dm_part_desc* parts, uint32_t count) {
+    dmi_asset_hints common = {.label = {DMI_KIND_NOTHING, 0}};
+    dm_result result = check_label(env, "desc.label", labels->label);
+    if (result == DM_OK) result = read_up(env, object, labels->up, common.up);
+    if (result != DM_OK) return result;
+    common.label = dmi_kind_of_label(labels->label);
+    common.label.depth++;
+    for (uint32_t i = 1; i < object->part_count; i++) object->parts[i].asset_hints = common;
+    for (uint32_t i = 0; i < count && result == DM_OK; i++) {
+        const int32_t index = dmi_object_find_part(object, parts[i].id);
+        if (index > 0) result = read_part(env, object, &parts[i], &object->parts[index].asset_hints);
+    }
+    mark_shared(object);
+    return result;
+}

@@ -1,0 +1,17 @@
+/* Reads what the host's descriptors say of the asset: labels, pivots, the up direction. */
+#ifndef DMI_OBJECT_PART_HINTS_H
+#define DMI_OBJECT_PART_HINTS_H
+
+#include "kinematics/object/object.h"
+
+/* What an object's descriptor says of all its parts. */
+typedef struct dmi_object_labels {
+    const char* label; /* NULL: none */
+    dm_vec3 up;        /* host object frame; 0: of the axes */
+} dmi_object_labels;
+
+/* Sets asset_hints of all parts. parts: count descriptors; NULL, 0: none. Errors: NOT_FINITE, TOO_LARGE for a label. */
+dm_result dmi_object_read_hints(dmi_env* env, dmi_object* object, const dmi_object_labels* labels,
+                                const dm_part_desc* parts, uint32_t count);
+
+#endif

@@ -1,0 +1,53 @@
+/* What a file says of a node beside its mesh: the names on the way to it, where it is, and its axes. */
+#include <string.h>
+
+#include "mesh/gltf/gltf_file.h"
+#include "mesh/gltf/gltf_names.h"
+
+/* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then: as before
+ * where the name does not fit. */
+static size_t put_before(char* out, size_t size, size_t used, const char* name) {
+    const size_t length = strlen(name), more = length + (used > 1);
+    if (length == 0 || more > size - used) return used;
+    char* at = out + size - used - more;
+    memcpy(at, name, length);
+    if (used > 1) at[length] = '/';
+    return used + more;
+}
+
+static const char* mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node) {
+    const cJSON* mesh = dmi_gltf_item(&gltf->document, DMI_GLTF_MESHES, node->mesh);
+    const char* name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(mesh, "name"));
+    return name ? name : "";
+}
+
+/* Writes the names of the nodes that carry a node, of its mesh and its own. The innermost ones stay where not all fit.
+ */
+static void write_path(const dm_gltf* gltf, const dmi_gltf_tree_node* node, char* out, size_t size) {
+    size_t used = put_before(out, size, 1, node->name);
+    out[size - 1] = 0;
+    used = put_before(out, size, used, mesh_name(gltf, node));
+    for (int32_t index = node->parent; index >= 0; index = gltf->tree[index].parent)
+        used = put_before(out, size, used, gltf->tree[index].name);
+    memmove(out, out + size - used, used);
+}
+
+/* Copies origin and axes from the node's transform to the scene, as the merged mesh has them. */
+static void write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* out) {
+    enum { COLUMN = 4, ORIGIN = 12 };
+    float origin[3];
+    for (int column = 0; column < 3; column++)
+        for (int row = 0; row < 3; row++) out->axes[3 * column + row] = (float)world[COLUMN * column + row];
+    for (int row = 0; row < 3; row++) origin[row] = (float)(world[ORIGIN + row] - gltf->origin[row]);
+    out->origin = (dm_vec3){origin[0], origin[1], origin[2]};
+}
+
+dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,
+                            dm_pivot* out_pivot) {
+    if (!gltf || !name || (out_label && label_size == 0)) return DM_ERROR_INVALID_ARGUMENT;
+    const int64_t index = dmi_gltf_find_node(gltf, name);
+    if (index < 0 || !gltf->tree[index].placed) return DM_ERROR_NOT_FOUND;
+    if (out_label) write_path(gltf, &gltf->tree[index], out_label, label_size);
+    if (out_pivot) write_pivot(gltf, gltf->tree[index].world, out_pivot);
+    return DM_OK;
+}

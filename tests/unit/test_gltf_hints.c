@@ -1,0 +1,106 @@
+/* Names and pivots of a file's nodes. */
+#include <math.h>
+
+#include "dragmesh/ext/gltf.h"
+#include "test_env.h"
+#include "test_glb.h"
+
+static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
+/* A leaf in a turned group in a root; a node without a name in the root. */
+static const char json[] =
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36}],"
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":["
+    "{\"name\":\"Cabinet\",\"translation\":[10,0,0],\"children\":[1,3]},"
+    "{\"name\":\"T\xC3\xBCren\",\"rotation\":[0,0,0.70710678118654752,0.70710678118654752],\"children\":[2]},"
+    "{\"name\":\"leaf\",\"mesh\":0,\"translation\":[2,0,0],\"scale\":[3,1,1]},"
+    "{\"mesh\":0,\"translation\":[0,5,0]}]}";
+
+typedef struct opened {
+    test_env t;
+    dm_gltf* gltf;
+} opened;
+
+static void open_file(opened* o) {
+    const test_glb glb = test_glb_pack(json, triangle, sizeof triangle);
+    test_env_open(&o->t, TEST_NEVER);
+    const dm_gltf_desc desc = {.struct_size = sizeof desc,
+                               .data = glb.data,
+                               .size = glb.size,
+                               .allocator = test_allocator(&o->t.memory),
+                               .log = test_log(&o->t.messages)};
+    assert_int_equal(dm_gltf_open(&desc, &o->gltf), DM_OK);
+    free(glb.data);
+}
+
+static void close_file(opened* o) {
+    dm_gltf_close(o->gltf);
+    test_env_close(&o->t);
+}
+
+static void names_from_root_to_node(void** state) {
+    (void)state;
+    opened o;
+    char label[64];
+    open_file(&o);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "leaf", label, sizeof label, NULL), DM_OK);
+    assert_string_equal(label, "Cabinet/T\xC3\xBCren/leaf");
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "Cabinet", label, sizeof label, NULL), DM_OK);
+    assert_string_equal(label, "Cabinet");
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "#3", label, sizeof label, NULL), DM_OK);
+    assert_string_equal(label, "Cabinet");
+    close_file(&o);
+}
+
+static void outer_names_give_way(void** state) {
+    (void)state;
+    opened o;
+    char label[32];
+    open_file(&o);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "leaf", label, 12, NULL), DM_OK);
+    assert_string_equal(label, "T\xC3\xBCren/leaf");
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "leaf", label, 5, NULL), DM_OK);
+    assert_string_equal(label, "leaf");
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "leaf", label, 1, NULL), DM_OK);
+    assert_string_equal(label, "");
+    close_file(&o);
+}
+
+static void pivots_are_in_the_scene(void** state) {
+    (void)state;
+    opened o;
+    dm_pivot pivot;
+    open_file(&o);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "leaf", NULL, 0, &pivot), DM_OK);
+    const float origin[3] = {pivot.origin.x, pivot.origin.y, pivot.origin.z};
+    const float want[3] = {10, 2, 0}, axes[9] = {0, 3, 0, -1, 0, 0, 0, 0, 1};
+    for (int i = 0; i < 3; i++) assert_true(fabsf(origin[i] - want[i]) < 1e-5f);
+    for (int i = 0; i < 9; i++) assert_true(fabsf(pivot.axes[i] - axes[i]) < 1e-5f);
+    close_file(&o);
+}
+
+static void unknown_nodes_and_arguments(void** state) {
+    (void)state;
+    opened o;
+    dm_pivot pivot;
+    char label[8];
+    open_file(&o);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "drawer", label, sizeof label, &pivot), DM_ERROR_NOT_FOUND);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "#4", label, sizeof label, &pivot), DM_ERROR_NOT_FOUND);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "leaf", label, 0, &pivot), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, NULL, NULL, 0, &pivot), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_gltf_get_hints(NULL, "leaf", NULL, 0, &pivot), DM_ERROR_INVALID_ARGUMENT);
+    close_file(&o);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(names_from_root_to_node),
+        cmocka_unit_test(outer_names_give_way),
+        cmocka_unit_test(pivots_are_in_the_scene),
+        cmocka_unit_test(unknown_nodes_and_arguments),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
