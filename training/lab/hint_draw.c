@@ -24,8 +24,18 @@ static const float slide_spots[SPOTS] = {0, 0.40f, 0.15f, 0.25f, 0.15f, 0.05f}; 
 #define ALONE 0.2f         /* share of turning parts that are counted as a leaf alone in its file; by hand */
 #define AXES_TURNED 0.05f  /* share of pivots with axes of any direction; by hand, 93 to 99 % are within 1 degree */
 #define WRONG_TURNED 0.15f /* the same of pivots that are not on the axis; by hand */
-#define AXIS_NOISE 0.001f  /* object sizes that a right pivot is off; by hand, 99 % are within 0.002 */
+#define ALIGNED 0.9998f    /* cosine from which an axis of the object is the joint's */
+#define OWN_AXES 0.95f     /* share of right pivots with an axis along the joint's where the object has none; by hand */
+#define OWN_AXES_WRONG 0.5f /* of the others; by hand */
+#define AXIS_NOISE 0.001f   /* object sizes that a right pivot is off; by hand, 99 % are within 0.002 */
 
+/* Where a right pivot is along the axis: shares, by hand. */
+#define LOW_END 0.25f
+#define HIGH_END 0.1f
+#define HALF_WAY 0.35f
+#define ANYWHERE 0.2f
+
+/* Names that tell nothing, and names of lies. */
 static const char* const plain_names[] = {"Bone",   "Cube.001", "Left", "Object_12",
                                           "Group3", "mesh_0",   "Node", "polySurface7"};
 static const char* const lie_names[] = {"Lid",    "Drawer", "Door", "Wheel", "Lever",
@@ -64,11 +74,10 @@ static spot draw_spot(dmi_random* random, const dm_joint* joint) {
 }
 
 /* Draws a point of the joint's axis: an end of the part along it, the middle, anywhere between, or the joint's own. */
-static void draw_on_axis(dmi_random* random, const lab_case* made, const dmi_part* part, float out[3]) {
+static void draw_on_axis(dmi_random* random, const lab_case* made, float out[3]) {
     const dm_joint* joint = &made->joint;
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
     float low = INFINITY, high = -INFINITY;
-    (void)part;
     for (int i = 0; i < DMI_CLOUD_POINTS / 2; i++) {
         float arm[3];
         dmi_sub3(made->cloud.xyz[i], origin.v, arm);
@@ -76,11 +85,15 @@ static void draw_on_axis(dmi_random* random, const lab_case* made, const dmi_par
         low = dmi_min(low, t), high = dmi_max(high, t);
     }
     const float where = lab_random_uniform(random, 0, 1);
-    const float t = where < 0.25f   ? low
-                    : where < 0.35f ? high
-                    : where < 0.7f  ? (low + high) / 2
-                    : where < 0.9f  ? lab_random_uniform(random, low, high)
-                                    : 0;
+    float t = 0; /* the joint's own origin, in the other cases */
+    if (where < LOW_END)
+        t = low;
+    else if (where < LOW_END + HIGH_END)
+        t = high;
+    else if (where < LOW_END + HIGH_END + HALF_WAY)
+        t = (low + high) / 2;
+    else if (where < LOW_END + HIGH_END + HALF_WAY + ANYWHERE)
+        t = lab_random_uniform(random, low, high);
     dmi_madd3(origin.v, t, axis.v, out);
     for (int k = 0; k < 3; k++) out[k] += AXIS_NOISE * dmi_random_normal(random) / 3;
 }
@@ -100,7 +113,7 @@ static void draw_place(dmi_random* random, const lab_case* made, const dmi_part*
     static const double file_origin[3] = {0, 0, 0};
     float low[3], high[3];
     if (where == SPOT_AXIS) {
-        draw_on_axis(random, made, part, out->pivot);
+        draw_on_axis(random, made, out->pivot);
         return;
     }
     object_box(made->mesh, low, high);
@@ -131,7 +144,7 @@ static void draw_axes(dmi_random* random, const lab_case* made, int right, dmi_a
     for (int k = 0; k < 3; k++) most = dmi_max(most, fabsf(axis.v[k]));
     if (lab_random_bool(random, right ? AXES_TURNED : WRONG_TURNED)) {
         any_axes(random, out->pivot_axes);
-    } else if (most < 0.9998f && lab_random_bool(random, right ? 0.95f : 0.5f)) {
+    } else if (most < ALIGNED && lab_random_bool(random, right ? OWN_AXES : OWN_AXES_WRONG)) {
         memcpy(out->pivot_axes[0], axis.v, sizeof axis.v);
         dmi_perpendicular3(axis.v, out->pivot_axes[1], out->pivot_axes[2]);
     }
