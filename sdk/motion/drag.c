@@ -137,7 +137,7 @@ static float follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     if (has_last_ray(drag) && has_turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
     float lower = -INFINITY, upper = INFINITY;
     if (drag->limits_are_estimates) {
-        /* The pointer says nothing about the value of such a slide, and a wrong value nothing about its limits. */
+        /* The pointer does not show the value of a slide seen end on, so it is no evidence against its limits. */
         const bool held = drag->joint.type == DM_JOINT_PRISMATIC &&
                           dmi_is_seen_end_on(&drag->joint, drag->rest_point, ray, drag->projection);
         lower = held ? drag->estimated_lower : drag->reachable_lower;

@@ -7,11 +7,10 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define MIN_SINE2 1e-2f /* squared sine between a circle's two seen directions; below: edge on; by hand */
-#define MAX_HALF_TURN_TANGENT                                                                                          \
-    2.75f                    /* tan of half the farthest turn of a chord, 140 degrees; chosen on generated drags */
-#define CHORD_OVERSHOOT 1.1f /* share of the chord up to which the pointer counts as on it; by hand */
-#define MIN_LENGTH 1e-20f    /* host units: shorter vectors have no direction; rounding */
+#define MIN_SINE2 1e-2f             /* squared sine between a circle's two seen directions; below: edge on; by hand */
+#define MAX_HALF_TURN_TANGENT 2.75f /* tan of half the farthest turn of a chord, 140 degrees; by hand, test_hands.c */
+#define CHORD_OVERSHOOT 1.1f        /* share of the chord up to which the pointer counts as on it; by hand */
+#define MIN_LENGTH 1e-20f           /* host units: shorter vectors have no direction; rounding */
 
 /* ---- the pull ---- */
 

@@ -18,8 +18,8 @@ typedef struct dmi_pull {
     float spacing;                  /* least distance between two places */
     float grab[3];                  /* the grabbed point at rest */
     float length;                   /* largest distance of the pointer from there */
-    dm_ray last;
-    float bend; /* largest distance of a place from the straight way to the last one, as seen */
+    dm_ray last;                    /* newest ray that was added, recorded or not */
+    float bend;                     /* largest distance of a place from the straight way to the last one, as seen */
     dmi_projection projection;
 } dmi_pull;
 

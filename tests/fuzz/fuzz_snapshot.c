@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../include/test_snapshot.h"
 #include "dragmesh/dragmesh.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 enum { BYTES, CHANGES, STATE, KINDS };                    /* kinds of input */
-enum { CHECKSUM_AT = 24, CHECKED_FROM = 32 };             /* bytes of a saved drag: plugin_api/src/api_snapshot.c */
 enum { HELD_FRAMES = 12, RELEASED_FRAMES = 6, DOOR = 1 }; /* updates of a drag; the part's id */
 
 static dm_context* context;
@@ -145,19 +145,6 @@ static void start(void) {
 
 /* ---- saved drags ---- */
 
-/* The checksum as dm_drag_save computes it. */
-static void sign(uint8_t* saved, size_t size) {
-    uint64_t sum = 0xcbf29ce484222325u, word;
-    size_t i = CHECKED_FROM;
-    for (; i + sizeof word <= size; i += sizeof word) {
-        memcpy(&word, saved + i, sizeof word);
-        sum = (sum ^ word) * 0x100000001b3u;
-        sum ^= sum >> 32;
-    }
-    for (; i < size; i++) sum = (sum ^ saved[i]) * 0x100000001b3u;
-    memcpy(saved + CHECKSUM_AT, &sum, sizeof sum);
-}
-
 static void restore(const uint8_t* saved, size_t size) {
     const dm_drag drag = begin(NULL, (dm_vec3){0, 0, 0});
     expect(drag != 0);
@@ -176,7 +163,7 @@ static void restore_changed(const uint8_t* data, size_t size) {
         const size_t at = (size_t)(data[0] | data[1] << 8) * 4 % (whole - 3);
         memcpy(saved + at, data + 2, 4);
     }
-    sign(saved, whole);
+    test_snapshot_sign(saved, whole);
     restore(saved, whole);
     free(saved);
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "../../plugin_api/src/api_handles.h" /* for the instruction set of a context */
+#include "test_snapshot.h"
 #include "test_world.h"
 
 static const dm_vec3 camera = {2.5f, 1.8f, 4};
@@ -195,20 +196,6 @@ static void a_bad_state_is_refused_by_name(void** state) {
     test_world_close(&w);
 }
 
-/* The checksum of a snapshot, computed anew, as someone would who means harm (plugin_api/src/api_snapshot.c). */
-static void sign(uint8_t* data, size_t size) {
-    const size_t at = 24, start = 32;
-    uint64_t sum = 0xcbf29ce484222325u, word;
-    size_t i = start;
-    for (; i + sizeof word <= size; i += sizeof word) {
-        memcpy(&word, data + i, sizeof word);
-        sum = (sum ^ word) * 0x100000001b3u;
-        sum ^= sum >> 32;
-    }
-    for (; i < size; i++) sum = (sum ^ data[i]) * 0x100000001b3u;
-    memcpy(data + at, &sum, sizeof sum);
-}
-
 /* As a value, in a state, in a saved drag: where a joint comes in, each of its numbers is checked. */
 static void every_number_of_a_joint_is_checked(void** state) {
     (void)state;
@@ -238,7 +225,7 @@ static void every_number_of_a_joint_is_checked(void** state) {
         memcpy((uint8_t*)&state_now.joint + offset, &number, sizeof number);
         memcpy(bad, saved, size);
         memcpy(bad + at + offset, &number, sizeof number);
-        sign(bad, size);
+        test_snapshot_sign(bad, size);
         assert_int_equal(dm_drag_restore(w.context, drag, bad, size), DM_ERROR_BAD_DATA);
         if (i / 2 >= FIELDS - LIMITS) continue; /* a host's limits may be infinite */
         dm_pose pose;
@@ -256,7 +243,7 @@ static void every_number_of_a_joint_is_checked(void** state) {
         dm_pose pose;
         memcpy(bad, saved, size);
         memcpy(bad + at + offsetof(dm_joint, type), &type, sizeof type);
-        sign(bad, size);
+        test_snapshot_sign(bad, size);
         assert_int_equal(dm_joint_pose(&joint, 0.5f, &pose), known ? DM_OK : DM_ERROR_INVALID_ARGUMENT);
         assert_int_equal(dm_drag_restore(w.context, drag, bad, size), known ? DM_OK : DM_ERROR_BAD_DATA);
     }
@@ -750,7 +737,7 @@ static void hostile_snapshots_do_no_harm(void** state) {
     pull(&w, drag, &hinge, 0, 0.4f, 0);
     assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
     memcpy(bad, saved, size);
-    sign(bad, size);
+    test_snapshot_sign(bad, size);
     assert_memory_equal(bad, saved, size); /* or this tests nothing */
     uint32_t taken = 0, refused = 0;
     for (size_t i = 32; i < size; i++) {
@@ -758,7 +745,7 @@ static void hostile_snapshots_do_no_harm(void** state) {
             memcpy(bad, saved, size);
             bad[i] = values[k];
             if (k == 5 && i + 4 < size) memset(bad + i, 0xff, 4);
-            sign(bad, size);
+            test_snapshot_sign(bad, size);
             const dm_result result = dm_drag_restore(w.context, drag, bad, size);
             assert_true(result == DM_OK || result == DM_ERROR_BAD_DATA);
             taken += result == DM_OK, refused += result != DM_OK;
@@ -776,7 +763,7 @@ static void hostile_snapshots_do_no_harm(void** state) {
         for (size_t k = 0; k < NUMBERS; k++) {
             memcpy(bad, saved, size);
             memcpy(bad + i, &numbers[k], sizeof numbers[k]);
-            sign(bad, size);
+            test_snapshot_sign(bad, size);
             if (dm_drag_restore(w.context, drag, bad, size) == DM_OK) expect_finite_frames(&w, drag, i);
         }
     }
