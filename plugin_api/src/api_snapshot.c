@@ -138,11 +138,13 @@ static bool is_sound_ray(const dm_ray* ray) {
 
 static bool is_sound_pull(const dmi_pull* p) {
     const float numbers[3] = {p->spacing, p->length, p->bend};
+    const dmi_seen_pointer* seen = &p->pointer;
     if (p->count > DMI_PULL_RAYS || !is_projection(&p->projection)) return false;
     for (uint32_t i = 0; i < p->count; i++) {
         if (!is_sound_ray(&p->rays[i]) || !are_finite(p->places[i], 3)) return false;
     }
-    return are_finite(numbers, 3) && are_within(p->grab, 3) && is_sound_ray(&p->last);
+    return are_finite(numbers, 3) && are_within(p->grab, 3) && are_finite(seen->sight, 3) && are_finite(seen->way, 3) &&
+           are_numbers(&seen->eye_distance, 1);
 }
 
 static bool is_sound_hypothesis(const dmi_joint_hypothesis* h) {

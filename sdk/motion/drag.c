@@ -131,15 +131,22 @@ static float limit_gain(const dmi_drag* drag, const dm_ray* ray, float nearest, 
     return isfinite(step) ? drag->pointer_value + copysignf(step, gap) : drag->pointer_value;
 }
 
+/* Whether the joint is a slide seen end on: the pointer does not show its value, so it is no evidence against its
+ * limits. */
+static bool is_unseen_slide(const dmi_drag* drag, const dm_ray* ray) {
+    float sight[3], eye_distance;
+    if (drag->joint.type != DM_JOINT_PRISMATIC) return false;
+    dmi_line_of_sight(drag->rest_point, ray, drag->projection, sight, &eye_distance);
+    return dmi_is_seen_end_on(&drag->joint, drag->rest_point, sight);
+}
+
 /* Follows a ray; returns the joint value nearest to it, before the rate limit. */
 static float follow(dmi_drag* drag, const dm_ray* ray, float dt) {
     /* Rays that never turn come from an orthographic camera; the first one passes the point and suits either. */
     if (has_last_ray(drag) && has_turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
     float lower = -INFINITY, upper = INFINITY;
     if (drag->limits_are_estimates) {
-        /* The pointer does not show the value of a slide seen end on, so it is no evidence against its limits. */
-        const bool held = drag->joint.type == DM_JOINT_PRISMATIC &&
-                          dmi_is_seen_end_on(&drag->joint, drag->rest_point, ray, drag->projection);
+        const bool held = is_unseen_slide(drag, ray);
         lower = held ? drag->estimated_lower : drag->reachable_lower;
         upper = held ? drag->estimated_upper : drag->reachable_upper;
     } else if (dmi_joint_has_limits(&drag->joint)) {

@@ -238,12 +238,10 @@ void dmi_line_of_sight(const float point[3], const dm_ray* ray, dmi_projection p
     *out_eye_distance = dmi_normalize3(out_sight);
 }
 
-bool dmi_is_seen_end_on(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
-                        dmi_projection projection) {
-    float velocity[3], sight[3], eye_distance;
+bool dmi_is_seen_end_on(const dm_joint* joint, const float rest_point[3], const float sight[3]) {
+    float velocity[3];
     dmi_joint_velocity(joint, 0, rest_point, velocity);
-    dmi_line_of_sight(rest_point, ray, projection, sight, &eye_distance);
-    if (!(dmi_normalize3(velocity) > 0 && eye_distance > 0)) return false;
+    if (!(dmi_normalize3(velocity) > 0)) return false;
     dmi_reject3(velocity, sight);
     return dmi_length3(velocity) < END_ON_SINE;
 }

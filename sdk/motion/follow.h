@@ -23,8 +23,8 @@ float dmi_follow_ray_coarse(const dm_joint* joint, const float rest_point[3], co
 /* Computes the unit direction of sight to a point, and how far the eye is from it: infinitely, for parallel rays. */
 void dmi_line_of_sight(const float point[3], const dm_ray* ray, dmi_projection projection, float out_sight[3],
                        float* out_eye_distance);
-/* Whether a joint moves a point, given at rest, so nearly along the line of sight that the screen does not show its
+/* Whether a joint moves a point, given at rest, so nearly along a unit line of sight that the screen does not show its
  * value. */
-bool dmi_is_seen_end_on(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection);
+bool dmi_is_seen_end_on(const dm_joint* joint, const float rest_point[3], const float sight[3]);
 
 #endif

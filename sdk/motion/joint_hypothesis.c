@@ -94,7 +94,7 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
 /* Whether the pull can't tell this joint's value, nor anything against it: it is that of the grab, seen end on. */
 static bool is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {
     const dmi_pull* pull = &grasp->pull;
-    return hypothesis->grabbed && dmi_is_seen_end_on(&hypothesis->joint, pull->grab, &pull->last, pull->projection);
+    return hypothesis->grabbed && dmi_is_seen_end_on(&hypothesis->joint, pull->grab, pull->pointer.sight);
 }
 
 void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,

@@ -41,7 +41,7 @@ static void thin(dmi_pull* pull) {
 /* Returns the largest distance of a place from the plane through the eye in which the grabbed point and the last place
  * lie: the line between them on the screen. Infinite where that line has no length. */
 static float bend_of(const dmi_pull* pull) {
-    const dmi_float3 sight = dmi_xyz(pull->last.direction);
+    const dmi_float3 sight = dmi_xyz(pull->rays[pull->count - 1].direction);
     float chord[3], normal[3], most = 0;
     dmi_sub3(pull->places[pull->count - 1], pull->grab, chord);
     dmi_cross3(sight.v, chord, normal);
@@ -54,12 +54,23 @@ static float bend_of(const dmi_pull* pull) {
     return most;
 }
 
+static dmi_seen_pointer see_pointer(const dmi_pull* pull, const dm_ray* ray) {
+    const dmi_float3 eye = dmi_xyz(ray->origin), direction = dmi_xyz(ray->direction);
+    dmi_seen_pointer seen = {.way = {0}};
+    dmi_line_of_sight(pull->grab, ray, pull->projection, seen.sight, &seen.eye_distance);
+    float to_eye[3];
+    dmi_sub3(eye.v, pull->grab, to_eye);
+    const float along = dmi_dot3(direction.v, seen.sight);
+    if (along > 0) dmi_madd3(to_eye, -dmi_dot3(to_eye, seen.sight) / along, direction.v, seen.way);
+    return seen;
+}
+
 void dmi_pull_add(dmi_pull* pull, const dm_ray* ray) {
     float place[3];
     dmi_ray_closest_point(ray, pull->grab, place);
     const float distance = dmi_distance3(place, pull->grab);
     if (!isfinite(distance)) return;
-    pull->last = *ray;
+    pull->pointer = see_pointer(pull, ray);
     pull->length = fmaxf(pull->length, distance);
     if (distance < pull->spacing) return;
     for (uint32_t i = 0; i < pull->count; i++)
@@ -109,28 +120,9 @@ bool dmi_pull_fit_shift_directions(const dm_joint* joint, const float grab_point
     return has;
 }
 
-/* The pointer as seen in the plane across the line of sight to the grabbed point. */
-typedef struct seen_pull {
-    float sight[3];     /* unit */
-    float eye_distance; /* of the grabbed point; infinite for parallel rays */
-    float way[3];       /* from the grabbed point to the pointer in that plane */
-} seen_pull;
-
-/* Returns false for a pointer behind the eye. */
-static bool see_pull(const dmi_pull* pull, seen_pull* out) {
-    const dmi_float3 eye = dmi_xyz(pull->last.origin), ray = dmi_xyz(pull->last.direction);
-    dmi_line_of_sight(pull->grab, &pull->last, pull->projection, out->sight, &out->eye_distance);
-    float to_eye[3];
-    dmi_sub3(eye.v, pull->grab, to_eye);
-    const float along = dmi_dot3(ray.v, out->sight);
-    if (!(along > 0)) return false;
-    dmi_madd3(to_eye, -dmi_dot3(to_eye, out->sight) / along, ray.v, out->way);
-    return true;
-}
-
 /* Solves way = along forward + in inward in the plane across the sight. Returns false for a circle seen edge on. */
-static bool solve_in_circle(const seen_pull* seen, const float forward[3], const float inward[3], float* out_along,
-                            float* out_in) {
+static bool solve_in_circle(const dmi_seen_pointer* seen, const float forward[3], const float inward[3],
+                            float* out_along, float* out_in) {
     float f[3], i[3];
     dmi_copy3(forward, f), dmi_copy3(inward, i);
     dmi_reject3(f, seen->sight), dmi_reject3(i, seen->sight);
@@ -147,15 +139,16 @@ static bool solve_in_circle(const seen_pull* seen, const float forward[3], const
 bool dmi_pull_is_on_chord(const dmi_pull* pull, const dm_joint* joint) {
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
     float inward[3], forward[3], chord[3], along, in;
-    seen_pull seen;
+    const dmi_seen_pointer* seen = &pull->pointer;
     dmi_sub3(origin.v, pull->grab, inward);
     dmi_reject3(inward, axis.v);
     dmi_cross3(inward, axis.v, forward);
-    if (!see_pull(pull, &seen) || !solve_in_circle(&seen, forward, inward, &along, &in) || in < 0) return false;
+    if (!solve_in_circle(seen, forward, inward, &along, &in) || !(in > 0)) return false;
     if (in > MAX_HALF_TURN_TANGENT * fabsf(along)) return false;
     const float end = 2 * in / (along * along + in * in);
     for (int k = 0; k < 3; k++) chord[k] = end * (along * forward[k] + in * inward[k]);
-    const float depth = 1 + dmi_dot3(chord, seen.sight) / seen.eye_distance; /* of the chord's end, grabbed point = 1 */
+    const float depth =
+        1 + dmi_dot3(chord, seen->sight) / seen->eye_distance; /* of the chord's end, grabbed point = 1 */
     return depth > 0 && depth <= CHORD_OVERSHOOT * end;
 }
 

@@ -9,6 +9,13 @@
 
 #define DMI_PULL_RAYS 8 /* recorded rays of a pull; by hand, for the time of an update */
 
+/* The pointer as seen in the plane across the line of sight to the grabbed point. */
+typedef struct dmi_seen_pointer {
+    float sight[3];     /* to the grabbed point, unit */
+    float eye_distance; /* of the grabbed point; infinite for parallel rays */
+    float way[3];       /* from the grabbed point to the pointer in that plane; zeros: it is behind the eye */
+} dmi_seen_pointer;
+
 /* The pull so far, as rays spaced evenly along its path. Going back over the same path, or round and round, adds none.
  * Lengths are host units at the depth of the grabbed point. */
 typedef struct dmi_pull {
@@ -18,7 +25,7 @@ typedef struct dmi_pull {
     float spacing;                  /* least distance between two places */
     float grab[3];                  /* the grabbed point at rest */
     float length;                   /* largest distance of the pointer from there */
-    dm_ray last;                    /* newest ray that was added, recorded or not */
+    dmi_seen_pointer pointer;       /* where the newest ray has it, recorded or not */
     float bend;                     /* largest distance of a place from the straight way to the last one, as seen */
     dmi_projection projection;
 } dmi_pull;
