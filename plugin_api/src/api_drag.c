@@ -133,7 +133,7 @@ static dm_result read_state(dmi_env* env, start* s) {
     if (result == DM_OK) result = dmi_joint_accept(env, "dm_drag_begin: desc.state.joint", s->object_size, &s->joint);
     if (result == DM_OK)
         result = dmi_check_range(env, "dm_drag_begin: desc.state.joint.source", s->joint.source, DM_JOINT_FROM_NETWORK,
-                                 DM_JOINT_FROM_HOST);
+                                 DM_JOINT_CHOSEN);
     if (result == DM_OK) result = check_confidence(env, ".type_confidence", s->joint.type_confidence);
     if (result == DM_OK) result = check_confidence(env, ".joint_confidence", s->joint.joint_confidence);
     if (result != DM_OK) return result;
@@ -237,24 +237,30 @@ static bool same_direction(const dm_joint* a, const dm_joint* b) {
     return a->axis.x * b->axis.x + a->axis.y * b->axis.y + a->axis.z * b->axis.z > 0;
 }
 
-/* Collects the hypotheses: the instance's own joint first, where it has one. */
+/* Whether the host has chosen among the hypotheses, so that no other one is tracked. */
+static bool is_chosen(const start* s) {
+    return s->joint.source == DM_JOINT_CHOSEN;
+}
+
+/* Collects the hypotheses: the instance's own joint or the host's choice first, where there is one. */
 static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESES],
                                    dmi_free_range out_ranges[DM_MAX_HYPOTHESES]) {
     const dmi_hypotheses* all = &s->object->parts[s->part].hypotheses;
+    const bool has_own = s->desc->state != NULL || is_chosen(s);
     uint32_t count = 0;
-    if (s->desc->state != NULL) {
+    if (has_own) {
         out_ranges[count] = dmi_unbounded_range();
         out[count++] = s->joint;
     }
     for (uint32_t i = 0; i < all->count && count < DM_MAX_HYPOTHESES; i++) {
         dm_joint joint = dmi_frame_joint_out(&s->object->frame, &all->joints[i]);
         dmi_joint_scale(&joint, s->scale);
-        const bool again = s->desc->state != NULL && dmi_joints_alike(&s->joint, &joint, s->part_size);
+        const bool again = has_own && dmi_joints_alike(&s->joint, &joint, s->part_size);
         const dmi_free_range range = free_range_out(s, joint.type, all->free_range[i]);
-        if (!again) {
+        if (!again && !is_chosen(s)) {
             out_ranges[count] = range;
             out[count++] = joint;
-        } else {
+        } else if (again) {
             out_ranges[0] = same_direction(&s->joint, &joint) ? range : dmi_reversed_range(range);
         }
     }
@@ -267,7 +273,7 @@ static void track(dmi_drag* drag, const start* s) {
     const uint32_t count = collect_hypotheses(s, joints, free_ranges);
     const dmi_limit_give limit_give = {.share = s->desc->limit_give, .length = s->object_size};
     dmi_drag_track_hypotheses(drag, joints, free_ranges, count, s->part_size, limit_give);
-    if (count == 0) return;
+    if (count == 0 || is_chosen(s)) return;
     add_slides(&drag->tracker, s);
     add_alternatives(&drag->tracker, s);
 }

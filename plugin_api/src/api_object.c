@@ -141,6 +141,8 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
                                     .keep_triangles = !(desc->flags & DM_PREPARE_WITHOUT_PICKING),
                                     .intent = desc->intent,
                                     .intent_user = desc->intent_user,
+                                    .choose = desc->choose,
+                                    .choose_user = desc->choose_user,
                                     .progress = desc->progress,
                                     .progress_user = desc->progress_user};
     dmi_object* object = NULL;
@@ -197,12 +199,6 @@ dm_result DM_CALL dm_object_destroy(dm_context* context, dm_object object) {
 
 /* ---- queries ---- */
 
-static dm_vec3 point_out(const dmi_frame* frame, const float inner[3]) {
-    float host[3];
-    dmi_frame_point_out(frame, inner, host);
-    return dmi_vec3(host);
-}
-
 dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_object_info* out_info) {
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result = dmi_check_out(&context->env, "dm_object_get_info: out_info", out_info,
@@ -233,14 +229,7 @@ dm_result DM_CALL dm_object_get_part(dm_context* context, dm_object object, uint
         return dmi_fail(&context->env, DM_ERROR_NOT_FOUND, "dm_object_get_part: index is %u of %u parts", index,
                         inner->part_count - 1);
     }
-    const dmi_part* shape = &inner->parts[index + 1].shape;
-    float length = dmi_frame_length_out(&inner->frame);
-    dm_part_info info = {.id = shape->id,
-                         .parent = inner->parts[shape->parent].shape.id,
-                         .triangle_count = shape->face_count,
-                         .centre = point_out(&inner->frame, shape->centre),
-                         .area = shape->area * length * length};
-    dmi_object_box_out(&inner->frame, shape->box_min, shape->box_max, &info.box_min, &info.box_max);
+    const dm_part_info info = dmi_object_part_out(inner, index + 1);
     dmi_write_out(out_info, &info, sizeof info);
     return DM_OK;
 }

@@ -24,8 +24,13 @@ void answer_to_json(const joint_answer* answer, cJSON* out) {
     for (uint32_t i = 0; i < answer->hypothesis_count; i++) {
         cJSON* hypothesis = cJSON_CreateObject();
         joint_to_json(&answer->hypotheses[i], answer->frame, hypothesis);
+        choice_ends_to_json(&answer->choice, i, answer->frame, hypothesis);
         cJSON_AddItemToArray(hypotheses, hypothesis);
     }
+    if (answer->choice.count > 0 && answer->choice.chosen >= 0)
+        cJSON_AddNumberToObject(out, "chosen", answer->choice.chosen);
+    else if (answer->choice.count > 0)
+        cJSON_AddNullToObject(out, "chosen");
     if (answer->ambiguous_mask)
         cJSON_AddStringToObject(out, "note", "the mask's length fits vertices and triangles; read per vertex");
     cJSON* ms = cJSON_AddObjectToObject(out, "ms");
@@ -46,7 +51,9 @@ void joint_print(const dm_joint* joint, const double frame[3]) {
 
 void answer_print(const joint_answer* answer) {
     joint_print(&answer->joint, answer->frame);
-    for (uint32_t i = 1; i < answer->hypothesis_count; i++) {
+    const uint32_t active = answer->choice.count > 0 && answer->choice.chosen > 0 ? (uint32_t)answer->choice.chosen : 0;
+    for (uint32_t i = 0; i < answer->hypothesis_count; i++) {
+        if (i == active) continue;
         printf("   or ");
         joint_print(&answer->hypotheses[i], answer->frame);
     }

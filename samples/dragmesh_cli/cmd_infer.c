@@ -113,8 +113,9 @@ static int run(int argc, char** argv) {
 const cli_command cli_infer = {
     "infer", run,
     "FILE.glb --moving NODE[,NODE…]|auto [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
-    "    [--mask-out FILE] [--no-hints] [--json]\n"
+    "    [--mask-out FILE] [--choose N] [--no-hints] [--json]\n"
     "dragmesh infer --jobs JOBS.jsonl [--no-hints]",
     "How the part moves: type, axis, origin, limits. --jobs ('-': standard input) answers one JSON line a line.\n"
     "    --moving auto finds the part that the drag point is on; --mask-out writes it, one 0 or 1 a triangle.\n"
+    "    --choose N puts hypothesis N, from 0, in the place of the best one.\n"
     "    --no-hints: the file's names and pivots do not count."};

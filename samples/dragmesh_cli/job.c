@@ -94,6 +94,7 @@ static void find_hints(const session* session, const job* job, bool from_file, p
 static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* job, const part_hints* hints,
                          joint_answer* answer) {
     stopwatch watch = {0};
+    chooser chooser = {&job->choice, &answer->choice};
     dm_part_desc part = {
         .struct_size = sizeof part, .id = JOB_PART, .joint_type = job->type, .drag = job->has_drag ? &job->drag : NULL};
     session->hints = *hints;
@@ -105,6 +106,8 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
                                  .part_count = 1,
                                  .model = session->model,
                                  .up = job->up,
+                                 .choose = job->choice.kind != CHOICE_NONE ? choose_hypothesis : NULL,
+                                 .choose_user = &chooser,
                                  .progress = on_progress,
                                  .progress_user = &watch};
     session_release_object(session);
@@ -120,9 +123,9 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
 /* Whether the last job's object has the same part, so that only the drag differs. */
 static bool can_refine(const session* session, const job* job, const part_hints* hints, const selection* selected) {
     return session->object && session->part_ids != NULL && session->model && job->has_drag &&
-           part_hints_equal(&session->hints, hints) && session->joint_type == job->type &&
-           session->part_id_scope == selected->scope && session->part_id_count == selected->count &&
-           memcmp(session->part_ids, selected->ids, selected->count) == 0;
+           job->choice.kind == CHOICE_NONE && part_hints_equal(&session->hints, hints) &&
+           session->joint_type == job->type && session->part_id_scope == selected->scope &&
+           session->part_id_count == selected->count && memcmp(session->part_ids, selected->ids, selected->count) == 0;
 }
 
 static dm_result refine(session* session, const job* job, joint_answer* answer) {

@@ -4,6 +4,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "choose.h"
 #include "options.h"
 #include "session.h"
 
@@ -26,12 +27,14 @@ typedef struct job {
     double pivot_origin[3];  /* in the file's frame */
     dm_pivot pivot;          /* in the session's, once the file is open */
     dm_vec3 up;              /* 0: +Y, glTF's */
+    job_choice choice;       /* among the hypotheses */
 } job;
 
 typedef struct joint_answer {
     dm_joint joint; /* active: the best hypothesis */
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
+    choice_answer choice;
     bool ambiguous_mask;
     double frame[3];                             /* origin of the joints' frame, in the file's */
     double prepare_ms, kinematics_ms, motion_ms; /* kinematics is part of prepare */
@@ -42,9 +45,9 @@ typedef struct job_options {
     job job;
     const char *models, *type;
     float vector[3];
-    int has_point, has_vector;
+    int has_point, has_vector, has_choice;
 } job_options;
-enum { JOB_OPTIONS = 7 };
+enum { JOB_OPTIONS = 8 };
 void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS]);
 /* After reading: fills options->job; CLI_OK or CLI_USAGE. */
 int job_options_finish(const cli_command* command, job_options* options, const char* file);

@@ -29,6 +29,10 @@ void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS])
         {.name = "--models", .kind = OPTION_TEXT, .value = &options->models},
         {.name = "--type", .kind = OPTION_TEXT, .value = &options->type},
         {.name = "--mask", .kind = OPTION_TEXT, .value = &options->job.mask},
+        {.name = "--choose",
+         .kind = OPTION_INTEGER,
+         .value = &options->job.choice.index,
+         .given = &options->has_choice},
         {.name = "--no-hints", .kind = OPTION_FLAG, .value = &options->job.no_hints},
         {.name = "--drag-point",
          .kind = OPTION_DOUBLES,
@@ -55,6 +59,9 @@ int job_options_finish(const cli_command* command, job_options* options, const c
         return options_refuse(command, "--moving auto needs to know where it is grabbed: --drag-point, --drag-vector");
     if (options->type != NULL && (job->type = joint_type_from_name(options->type)) == DM_JOINT_UNKNOWN)
         return options_refuse(command, "--type: '%s' is no joint type", options->type);
+    if (options->has_choice && job->choice.index < 0)
+        return options_refuse(command, "--choose: %d is no index of a hypothesis", job->choice.index);
+    if (options->has_choice) job->choice.kind = CHOICE_INDEX;
     job->file = file;
     job->has_drag = options->has_point;
     job->drag.vector = (dm_vec3){options->vector[0], options->vector[1], options->vector[2]};
@@ -154,6 +161,7 @@ static dm_result read_fields(session* session, const cJSON* json, job* out) {
     if (result == DM_OK) result = read_vector(session, json, "drag_vector", vector, &has_vector);
     if (result == DM_OK) result = read_moving(session, json, &out->moving);
     if (result == DM_OK) result = read_hints(session, json, out);
+    if (result == DM_OK) result = choice_from_json(session, json, &out->choice);
     if (result != DM_OK) return result;
     out->drag.vector = (dm_vec3){(float)vector[0], (float)vector[1], (float)vector[2]};
     out->mask_value = fabs(value) < 9e15 ? (int64_t)value : INT64_MAX;

@@ -1,6 +1,7 @@
 /* `dragmesh infer` as tools outside the repository use it: one job, files of jobs, masks, the order and form of
  * answers. */
 #include <math.h>
+#include <stdbool.h>
 
 #include "test_door.h"
 
@@ -100,6 +101,92 @@ static void answer_jobs(const char* jobs, const char* arguments, cJSON** answers
         answers[i] = parse_line(&text);
         cJSON_DeleteItemFromObject(answers[i], "ms");
     }
+}
+
+/* Answers one job with `extra` members by jobs on standard input. */
+static cJSON* answer_with(const char* extra) {
+    char job[4096];
+    cJSON* answer;
+    write_job(job, sizeof job, "a", extra);
+    answer_jobs(job, "infer|--jobs|-", &answer, 1);
+    return answer;
+}
+
+static const cJSON* hypothesis_of(const cJSON* answer, int index) {
+    return cJSON_GetArrayItem(cJSON_GetObjectItem(answer, "hypotheses"), index);
+}
+
+static bool same_member(const cJSON* a, const cJSON* b, const char* name) {
+    return cJSON_Compare(cJSON_GetObjectItem(a, name), cJSON_GetObjectItem(b, name), 1);
+}
+
+/* The index of the first slide among the hypotheses. */
+static int first_slide(const cJSON* answer) {
+    int at = 0;
+    while (strcmp(cJSON_GetObjectItem(hypothesis_of(answer, at), "type")->valuestring, "prismatic") != 0) at++;
+    return at;
+}
+
+static void test_a_job_chooses_by_index_and_rule(void** state) {
+    (void)state;
+    cJSON *plain = answer_with(""), *kept = answer_with(",\"choose\":\"keep\"");
+    const int slide = first_slide(plain);
+    assert_true(slide > 0);
+    assert_true(cJSON_IsNull(cJSON_GetObjectItem(kept, "chosen")));
+    assert_true(same_member(plain, kept, "axis") && same_member(plain, kept, "confidence"));
+    const cJSON* ends = cJSON_GetObjectItem(hypothesis_of(kept, slide), "ends");
+    assert_true(number(cJSON_GetArrayItem(ends, 1), "value") == number(hypothesis_of(kept, slide), "upper"));
+
+    char by_index[64];
+    snprintf(by_index, sizeof by_index, ",\"choose\":%d", slide);
+    cJSON *index = answer_with(by_index), *rule = answer_with(",\"choose\":{\"type\":\"prismatic\"}");
+    assert_true(cJSON_Compare(index, rule, 1));
+    assert_int_equal(number(index, "chosen"), slide);
+    assert_true(number(index, "confidence") == 1);
+    assert_true(same_member(index, hypothesis_of(plain, slide), "axis"));
+    assert_true(same_member(index, hypothesis_of(plain, slide), "upper"));
+
+    cJSON* none = answer_with(",\"choose\":{\"type\":\"screw\",\"axis\":[0,1,0],\"opens\":[0,0,1]}");
+    assert_true(cJSON_Compare(none, kept, 1)); /* no hypothesis fits */
+    cJSON* all[] = {plain, kept, index, rule, none};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) cJSON_Delete(all[i]);
+}
+
+/* A rule about the way the part opens: the picked one's end lies there. */
+static void test_a_rule_tells_the_way_of_opening(void** state) {
+    (void)state;
+    char rule[256];
+    double rest[3], end[3], along = 0;
+    snprintf(rule, sizeof rule, ",\"choose\":{\"opens\":[%.9g,%.9g,%.9g]}", door.vector[0], door.vector[1],
+             door.vector[2]);
+    cJSON* answer = answer_with(rule);
+    const cJSON* ends = cJSON_GetObjectItem(hypothesis_of(answer, (int)number(answer, "chosen")), "ends");
+    tool_numbers(cJSON_GetArrayItem(ends, 0), "centre", rest);
+    tool_numbers(cJSON_GetArrayItem(ends, 1), "centre", end);
+    for (int i = 0; i < 3; i++) along += (end[i] - rest[i]) * door.vector[i];
+    assert_true(along > 0);
+    cJSON_Delete(answer);
+}
+
+static void test_a_choice_that_is_none_is_refused_by_name(void** state) {
+    (void)state;
+    static const char* const wrong[][2] = {{"99", "desc.choose answered 99 for part 1"},
+                                           {"-1", "\"choose\" is no index"},
+                                           {"1.5", "\"choose\" is no index"},
+                                           {"\"best\"", "\"choose\" is no index"},
+                                           {"{}", "neither"},
+                                           {"{\"type\":\"hinge\"}", "\"type\" is no joint type"},
+                                           {"{\"axis\":[0,0,0]}", "\"axis\" is no direction"},
+                                           {"{\"opens\":[0,1]}", "\"opens\" is no direction"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char extra[128];
+        snprintf(extra, sizeof extra, ",\"choose\":%s", wrong[i][0]);
+        cJSON* answer = answer_with(extra);
+        const char* error = cJSON_GetStringValue(cJSON_GetObjectItem(answer, "error"));
+        if (error == NULL || strstr(error, wrong[i][1]) == NULL) fail_msg("%s: %s", wrong[i][0], error ? error : "");
+        cJSON_Delete(answer);
+    }
+    assert_int_equal(out.status, 1);
 }
 
 static void test_hints_of_a_job_go_before_those_of_its_file(void** state) {
@@ -277,6 +364,9 @@ int main(void) {
         cmocka_unit_test(test_one_job_as_text_and_json),
         cmocka_unit_test(test_jobs_answer_in_order),
         cmocka_unit_test(test_answers_do_not_depend_on_what_came_before),
+        cmocka_unit_test(test_a_job_chooses_by_index_and_rule),
+        cmocka_unit_test(test_a_rule_tells_the_way_of_opening),
+        cmocka_unit_test(test_a_choice_that_is_none_is_refused_by_name),
         cmocka_unit_test(test_hints_of_a_job_go_before_those_of_its_file),
         cmocka_unit_test(test_bad_hints_are_named),
         cmocka_unit_test(test_answers_are_flushed),

@@ -21,11 +21,14 @@ class Door(unittest.TestCase):
     def setUp(self):
         self.context = dragmesh.Context()
         self.addCleanup(self.context.close)
-        slab = CUBE * [1, 1, 0.05] + [0, 0, 1]
-        self.object = self.context.prepare(np.concatenate([CUBE, slab]), np.concatenate([FACES, FACES + 8]),
-                                           np.repeat([0, 1], 8))
+        self.object = self.prepare(None)
         self.object.set_joint(1, dragmesh.Joint(type=dragmesh.JointType.REVOLUTE, axis=structs.Vec3(0, -1, 0),
                                                 origin=structs.Vec3(0, 0, 1), upper=1.5))
+
+    def prepare(self, choose):
+        slab = CUBE * [1, 1, 0.05] + [0, 0, 1]
+        return self.context.prepare(np.concatenate([CUBE, slab]), np.concatenate([FACES, FACES + 8]),
+                                    np.repeat([0, 1], 8), choose=choose)
 
     def pull(self, drag, value):
         arm, cosine, sine = HANDLE - [0, 0, 1], np.cos(value), np.sin(value)
@@ -83,6 +86,22 @@ class Door(unittest.TestCase):
             drag.part_state()
         with self.assertRaises(TypeError):
             self.object.drag(1, HANDLE, softness=1)
+
+    def test_the_host_chooses_among_hypotheses(self):
+        shown = []
+
+        def choose(part, hypotheses):
+            self.assertEqual(part.id, 1)
+            shown.extend((h.joint.contents.type, h.ends[1].value, h.joint.contents.upper) for h in hypotheses)
+            return 1
+
+        joint = self.prepare(choose).joint(1)
+        self.assertEqual((joint.source, joint.joint_confidence, joint.type), (3, 1, shown[1][0]))
+        self.assertEqual(self.prepare(lambda part, hypotheses: None).joint(1).type, shown[0][0])
+        with self.assertRaisesRegex(dragmesh.Error, "desc.choose answered 9 for part 1"):
+            self.prepare(lambda part, hypotheses: 9)
+        with self.assertRaises(ZeroDivisionError):
+            self.prepare(lambda part, hypotheses: 1 // 0)
 
 
 if __name__ == "__main__":

@@ -103,6 +103,23 @@ def pose_matrix(pose):
     return np.array(out, np.float32).reshape(4, 4).T
 
 
+def _chooser(choose, failures):
+    """The callback for a Python function. Nothing may pass through the library, so exceptions are kept in a list."""
+
+    def answer(_, choice):
+        if failures:
+            return s.CHOICE_KEEP
+        try:
+            shown = [choice.contents.hypotheses[i].contents for i in range(choice.contents.count)]
+            index = choose(choice.contents.part.contents, shown)
+            return s.CHOICE_KEEP if index is None else int(index)
+        except BaseException as failure:  # pylint: disable=broad-except
+            failures.append(failure)
+            return s.CHOICE_KEEP
+
+    return s.CHOICE_CALLBACK(answer)
+
+
 class Context:
     """A context and everything made with it. Use as a context manager, or call close()."""
 
@@ -156,12 +173,14 @@ class Context:
         self.call("model_load", c.byref(desc), c.byref(handle))
         return Model(self, handle)
 
-    def prepare(self, positions, indices, part_ids, parts=None, model=None, seed=0, picking=False, label=None, up=None):
+    def prepare(self, positions, indices, part_ids, parts=None, model=None, seed=0, picking=False, label=None, up=None,
+                choose=None):
         """An object from vertices (n x 3), triangles (m x 3) and one part id a vertex or a triangle (0 = the body).
 
         parts: a list of dicts with id and, as wanted, parent, joint_type, drag=(point, vector), label (names of the asset
         for the part, joined by "/"), pivot=(origin, axes) (axes: three rows or None); None: every id. label, up: of the
-        object; see dm_object_desc."""
+        object; see dm_object_desc. choose(part, hypotheses): picks one for each part, by its index, or None to keep the
+        library's answer; a PartInfo and a list of Hypothesis, valid during the call."""
         positions, indices = _array(positions, _POSITIONS, 3), _array(indices, _INDICES, 1)
         part_ids = _array(part_ids, _PART_IDS, 1)
         per_face = len(part_ids) != len(positions)
@@ -190,8 +209,14 @@ class Context:
                           parts=rows if parts else None, part_count=len(rows),
                           model=model.handle if model else 0, seed=seed, label=label.encode() if label else None,
                           up=s.Vec3(*up) if up is not None else s.Vec3())
+        failures = []
+        if choose is not None:
+            desc.choose = _chooser(choose, failures)
         handle = c.c_uint64()
         self.call("object_prepare", c.byref(desc), c.byref(handle))
+        if failures:
+            self.call("object_destroy", handle)
+            raise failures[0]
         return Object(self, handle)
 
     def load_object(self, data, model=None):

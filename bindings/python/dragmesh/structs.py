@@ -105,24 +105,48 @@ class PartState(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("value", c.c_float), ("pose", Pose), ("joint", Joint)]
 
 
+class PartInfo(Sized):
+    _fields_ = [("struct_size", c.c_uint32), ("id", c.c_uint32), ("parent", c.c_uint32),
+                ("triangle_count", c.c_uint32), ("box_min", Vec3), ("box_max", Vec3), ("centre", Vec3),
+                ("area", c.c_float)]
+
+
+class JointEnd(c.Structure):
+    """Where a hypothesis takes its part at one end of its range; see dm_joint_end."""
+
+    _fields_ = [("value", c.c_float), ("pose", Pose), ("box_min", Vec3), ("box_max", Vec3), ("centre", Vec3)]
+
+
+class Hypothesis(Sized):
+    """A ranked joint and what it would do; see dm_hypothesis."""
+
+    _fields_ = [("struct_size", c.c_uint32), ("reserved", c.c_uint32), ("joint", c.POINTER(Joint)),
+                ("ends", JointEnd * 2)]
+
+
+class Choice(Sized):
+    """A part and its hypotheses; see dm_choice."""
+
+    _fields_ = [("struct_size", c.c_uint32), ("count", c.c_uint32), ("part", c.POINTER(PartInfo)),
+                ("hypotheses", c.POINTER(c.POINTER(Hypothesis)))]
+
+
+CHOICE_KEEP = -1
+CHOICE_CALLBACK = c.CFUNCTYPE(c.c_int32, c.c_void_p, c.POINTER(Choice))
+
+
 class ObjectDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("flags", c.c_uint32), ("mesh", c.POINTER(MeshDesc)),
                 ("parts", c.POINTER(PartDesc)), ("part_count", c.c_uint32), ("reserved", c.c_uint32),
                 ("model", c.c_uint64), ("seed", c.c_uint64), ("intent", c.c_void_p), ("intent_user", c.c_void_p),
                 ("progress", c.c_void_p), ("progress_user", c.c_void_p), ("label", c.c_char_p), ("up", Vec3),
-                ("reserved2", c.c_uint32)]
+                ("reserved2", c.c_uint32), ("choose", CHOICE_CALLBACK), ("choose_user", c.c_void_p)]
 
 
 class ObjectInfo(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("part_count", c.c_uint32), ("vertex_count", c.c_uint64),
                 ("triangle_count", c.c_uint64), ("box_min", Vec3), ("box_max", Vec3), ("size", c.c_float),
                 ("pickable", c.c_uint32)]
-
-
-class PartInfo(Sized):
-    _fields_ = [("struct_size", c.c_uint32), ("id", c.c_uint32), ("parent", c.c_uint32),
-                ("triangle_count", c.c_uint32), ("box_min", Vec3), ("box_max", Vec3), ("centre", Vec3),
-                ("area", c.c_float)]
 
 
 class MotionDesc(Sized):

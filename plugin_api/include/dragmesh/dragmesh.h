@@ -16,10 +16,10 @@
  *  - Handles are 64-bit ids with a generation. 0 is null. A handle to something destroyed answers
  *    DM_ERROR_STALE_HANDLE, and so does one of another context.
  *  - Memory the host passes in is borrowed for the call alone, never kept, never written unless it is an output.
- *  - Callbacks (allocator, log, jobs, intent, progress) may call functions that take no context (dm_result_string,
- *    dm_joint_*, dm_pose_*) and anything of OTHER contexts, nothing of the context that calls them. They return
- * normally: no C++ exception and no longjmp may pass through the library. What the interrupted call held would be lost,
- * and a lock would stay locked.
+ *  - Callbacks (allocator, log, jobs, intent, choose, progress) may call functions that take no context
+ *    (dm_result_string, dm_joint_*, dm_pose_*) and anything of OTHER contexts, nothing of the context that calls them.
+ *    They return normally: no C++ exception and no longjmp may pass through the library. What the interrupted call held
+ *    would be lost, and a lock would stay locked.
  *  - Determinism: one build of the library with one C library gives the same bits for the same calls on every x86-64
  *    processor, drags of a loaded .dmo included: begin, update, and a release with DM_RELEASE_BY_RULE. Two things may
  *    differ in their last bits between instruction sets: what runs a network (prepare, refine, motions, other
@@ -91,7 +91,7 @@ enum {
     DM_ERROR_STALE_HANDLE = -3,       /* null, destroyed, or of another kind or context */
     DM_ERROR_OUT_OF_MEMORY = -4,      /* the host's allocator answered NULL */
     DM_ERROR_NOT_FINITE = -5,         /* a NaN or infinite number in the input */
-    DM_ERROR_INDEX_OUT_OF_RANGE = -6, /* an index names a vertex that does not exist */
+    DM_ERROR_INDEX_OUT_OF_RANGE = -6, /* an index names a vertex or a hypothesis that does not exist */
     DM_ERROR_EMPTY_MASK = -7,         /* no triangle belongs to the part */
     DM_ERROR_FULL_MASK = -8,          /* every triangle belongs to the part: nothing stays to move against */
     DM_ERROR_DEGENERATE_MESH = -9,    /* no triangle with an area, or all vertices in one point */
@@ -286,10 +286,16 @@ typedef struct dm_joint {
                            equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad
                            or 100 object sizes (FLT_MAX, 1e10, infinity) is none; where only one side is, a little more
                            than that stands for it */
-    int32_t source;     /* DM_JOINT_FROM_* */
+    int32_t source;     /* DM_JOINT_FROM_*, DM_JOINT_CHOSEN */
 } dm_joint;
 
-enum { DM_JOINT_FROM_NETWORK = 0, DM_JOINT_FROM_GEOMETRY = 1, DM_JOINT_FROM_HOST = 2 };
+enum {
+    DM_JOINT_FROM_NETWORK = 0,
+    DM_JOINT_FROM_GEOMETRY = 1,
+    DM_JOINT_FROM_HOST = 2, /* certain, limits too: no pull changes it */
+    DM_JOINT_CHOSEN = 3     /* a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another
+                               joint in its place, but its limits are estimates and give */
+};
 
 /* A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y
  * and z are any, the same for the same joint; x, y, z and `rotation` have determinant +1 in the host's coordinates. */
@@ -321,6 +327,49 @@ typedef struct dm_part_state {
  * leave the question to the library. */
 typedef int32_t(DM_CALL* dm_intent_callback)(void* user, uint32_t part_id, dm_vec3 box_min, dm_vec3 box_max);
 
+typedef struct dm_part_info {
+    uint32_t struct_size;
+    uint32_t id, parent;
+    uint32_t triangle_count; /* of the part alone, without the parts it carries */
+    dm_vec3 box_min, box_max;
+    dm_vec3 centre; /* area-weighted surface centroid */
+    float area;
+} dm_part_info;
+
+/* Where a hypothesis takes its part at one end of its range. Host object frame. Frozen. */
+typedef struct dm_joint_end {
+    float value;              /* joint value */
+    dm_pose pose;             /* of the part, from rest */
+    dm_vec3 box_min, box_max; /* of the part alone, as in dm_part_info */
+    dm_vec3 centre;
+} dm_joint_end;
+
+/* A ranked hypothesis and what it would do. struct_size: what the library has filled. */
+typedef struct dm_hypothesis {
+    uint32_t struct_size;
+    uint32_t reserved;     /* 0 */
+    const dm_joint* joint; /* with its limits and probabilities */
+    dm_joint_end ends[2];  /* at the lower and the upper limit. Of a joint without limits: a quarter turn, or half the
+                              object's size, either way */
+} dm_hypothesis;
+
+/* A part and its hypotheses, for the host to choose from. Valid during the call. */
+typedef struct dm_choice {
+    uint32_t struct_size;
+    uint32_t count; /* of hypotheses; 1 .. DM_MAX_HYPOTHESES */
+    const dm_part_info* part;
+    const dm_hypothesis* const* hypotheses; /* most probable first */
+} dm_choice;
+
+enum { DM_CHOICE_KEEP = -1 };
+
+/* Asks the host which hypothesis is right (a designer's rule, a vision-language model that is shown pictures). Return
+ * its index to put it in force: its source is DM_JOINT_CHOSEN then, and both confidences are 1. DM_CHOICE_KEEP leaves
+ * the library's answer with its confidences. What else is no index ends the preparation with INDEX_OUT_OF_RANGE.
+ * dm_object_get_hypotheses and dm_object_reset_joint go on giving the library's own ranking. Called on the thread that
+ * prepares, for one part after the other in order of id; not for parts that the host declares fixed. */
+typedef int32_t(DM_CALL* dm_choice_callback)(void* user, const dm_choice* choice);
+
 /* 0..1, rising; return non-zero to cancel. Called on the thread that prepares, whatever jobs run beside it. */
 typedef int32_t(DM_CALL* dm_progress_callback)(void* user, float done);
 
@@ -348,6 +397,8 @@ typedef struct dm_object_desc {
     dm_vec3 up;         /* which way is up, host object frame; it counts together with labels and pivots alone. 0 = that
                            of the context's axes */
     uint32_t reserved2; /* 0 */
+    dm_choice_callback choose;
+    void* choose_user;
 } dm_object_desc;
 
 typedef struct dm_object_info {
@@ -358,15 +409,6 @@ typedef struct dm_object_info {
     float size;               /* largest side of the box */
     uint32_t pickable;        /* 1 when it kept its triangles */
 } dm_object_info;
-
-typedef struct dm_part_info {
-    uint32_t struct_size;
-    uint32_t id, parent;
-    uint32_t triangle_count; /* of the part alone, without the parts it carries */
-    dm_vec3 box_min, box_max;
-    dm_vec3 centre; /* area-weighted surface centroid */
-    float area;
-} dm_part_info;
 
 /* ---- motion and drag ---------------------------------------------------------------------------------------- */
 
@@ -582,8 +624,8 @@ DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_de
                                            uint8_t* out_face_ids, uint64_t face_count);
 
 /* Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs.
- * Errors: NOT_FINITE, INDEX_OUT_OF_RANGE, EMPTY_MASK, FULL_MASK, DEGENERATE_MESH, ZERO_DRAG, DRAG_OFF_PART,
- * TOO_LARGE, CANCELLED. [any-thread] */
+ * Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, FULL_MASK, DEGENERATE_MESH,
+ * ZERO_DRAG, DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread] */
 DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object);
 
 /* Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size.

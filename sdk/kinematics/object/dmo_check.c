@@ -62,7 +62,7 @@ bool dmi_dmo_valid_joint(const dm_joint* joint) {
            fabsf(a.x * a.x + a.y * a.y + a.z * a.z - 1.0f) <= UNIT_TOLERANCE &&
            dmi_dmo_within(numbers, JOINT_NUMBERS, FLT_MAX) && joint->lower <= joint->upper &&
            dmi_dmo_within(shares, 2, 0.5f) && joint->source >= DM_JOINT_FROM_NETWORK &&
-           joint->source <= DM_JOINT_FROM_HOST;
+           joint->source <= DM_JOINT_CHOSEN;
 }
 
 bool dmi_dmo_valid_alternative(const dmi_alternative* alternative) {

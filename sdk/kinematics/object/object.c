@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/ids.h"
+#include "math/vec3.h"
 
 #define MAX_DRAG_DISTANCE 0.5f /* object sizes from the part's box to a drag's point; by hand */
 #define MIN_DRAG_LENGTH 1e-12  /* object sizes, of a drag's vector; by hand */
@@ -71,6 +72,21 @@ void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float 
         *out_min = (dm_vec3){fminf(out_min->x, p.x), fminf(out_min->y, p.y), fminf(out_min->z, p.z)};
         *out_max = (dm_vec3){fmaxf(out_max->x, p.x), fmaxf(out_max->y, p.y), fmaxf(out_max->z, p.z)};
     }
+}
+
+dm_part_info dmi_object_part_out(const dmi_object* object, uint32_t index) {
+    const dmi_part* shape = &object->parts[index].shape;
+    const float length = dmi_frame_length_out(&object->frame);
+    float centre[3];
+    dmi_frame_point_out(&object->frame, shape->centre, centre);
+    dm_part_info info = {.struct_size = sizeof info,
+                         .id = shape->id,
+                         .parent = object->parts[shape->parent].shape.id,
+                         .triangle_count = shape->face_count,
+                         .centre = dmi_vec3(centre),
+                         .area = shape->area * length * length};
+    dmi_object_box_out(&object->frame, shape->box_min, shape->box_max, &info.box_min, &info.box_max);
+    return info;
 }
 
 /* Returns 0 inside the box. */

@@ -14,7 +14,7 @@
 typedef struct dmi_object_part {
     dmi_part shape;                     /* shape.parent: index in dmi_object.parts */
     int32_t given_type;                 /* DM_JOINT_* given by the host; DM_JOINT_UNKNOWN: inferred */
-    dmi_asset_hints asset_hints;        /* inner frame; not saved */
+    dmi_asset_hints asset_hints;        /* inner frame; for dmi_object_refine too; not saved */
     dm_joint joint;                     /* the one in use; host object frame */
     dmi_hypotheses hypotheses;          /* inner frame */
     dmi_alternatives alternatives;      /* inner frame */
@@ -46,6 +46,8 @@ bool dmi_object_moves_with(const dmi_object* object, uint32_t index, uint32_t an
 
 /* Sets the object's box to the union of its parts' boxes. */
 void dmi_object_bound(dmi_object* object);
+/* Describes part `index` in the host object frame; struct_size is set. */
+dm_part_info dmi_object_part_out(const dmi_object* object, uint32_t index);
 /* Transforms a box to the host object frame and computes its axis-aligned box there. */
 void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float max[3], dm_vec3* out_min,
                         dm_vec3* out_max);

@@ -5,6 +5,7 @@
 
 #include "base/arena_pool.h"
 #include "kinematics/analysis/part_analysis.h"
+#include "kinematics/object/choice.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
 
@@ -115,8 +116,17 @@ static void DM_CALL prepare_part(void* data, uint32_t task) {
     dmi_arena_pool_put(&work->scratch, arena);
 }
 
-/* Infers all parts in batches, so that progress is reported on this thread. Returns the error of the part with the
- * lowest index. */
+/* Asks the host to choose among the hypotheses of the parts of a batch. */
+static dm_result choose_joints(const preparation* work, uint32_t tasks) {
+    const dmi_prepare_desc* desc = work->desc;
+    dm_result result = DM_OK;
+    for (uint32_t i = work->first; desc->choose != NULL && i < work->first + tasks && result == DM_OK; i++)
+        result = dmi_choose_joint(work->env, work->object, i, desc->choose, desc->choose_user);
+    return result;
+}
+
+/* Infers all parts in batches, so that choices are asked and progress is reported on this thread. Returns the error of
+ * the part with the lowest index. */
 static dm_result prepare_parts(preparation* work) {
     dmi_env* env = work->env;
     uint32_t count = work->object->part_count, batch = env->jobs.parallel_for != NULL ? BATCH : 1;
@@ -126,8 +136,9 @@ static dm_result prepare_parts(preparation* work) {
         for (uint32_t i = work->first; i < work->first + tasks; i++) {
             if (work->requests[i].result != DM_OK) return work->requests[i].result;
         }
-        dm_result result =
-            report(env, work->desc, BVH_DONE + PARTS_SHARE * (float)(work->first + tasks) / (float)count);
+        dm_result result = choose_joints(work, tasks);
+        if (result != DM_OK) return result;
+        result = report(env, work->desc, BVH_DONE + PARTS_SHARE * (float)(work->first + tasks) / (float)count);
         if (result != DM_OK) return result;
     }
     return DM_OK;

@@ -16,6 +16,8 @@ typedef struct dmi_prepare_desc {
     bool network_alone;        /* joints are inferred by models.kpp alone */
     dm_intent_callback intent; /* NULL: none */
     void* intent_user;
+    dm_choice_callback choose; /* NULL: none; called on this thread alone */
+    void* choose_user;
     dm_progress_callback progress; /* NULL: none; called on this thread alone */
     void* progress_user;
 } dmi_prepare_desc;
