@@ -208,7 +208,7 @@ local needs = {
     host_memory_and_jobs = { "dragmesh", "pthread", "m" },
     prepare_offline = { "dragmesh", "dragmesh_gltf", "m" },
     gpu_skinning = { "dragmesh", "SDL2", "epoxy", "m" },
-    vlm_intent = { "dragmesh", "curl", "cjson", "m" },
+    vlm_intent = { "dragmesh", "curl", "cjson", "png", "m" },
 }
 local missing = { viewer = true, gpu_skinning = not has_viewer, vlm_intent = not installed "curl/curl.h" }
 

@@ -1,139 +1,79 @@
-/* A vision-language model as the source of intent: an OpenAI-compatible endpoint is asked how each part moves, through
- * dm_object_desc.intent. Without an endpoint, or when its answer is no use, geometry decides as always.
+/* A vision-language model chooses among the joints that the library proposes: an OpenAI-compatible endpoint is shown a
+ * picture of each hypothesis, through dm_object_desc.choose, while the object is prepared. Without an endpoint, or when
+ * its answer is no use, the library's own answer stays.
  *   DRAGMESH_VLM_URL    such as http://localhost:8000/v1; DRAGMESH_VLM_KEY, DRAGMESH_VLM_MODEL
- *   sample_vlm_intent [sdk/models [PICTURE.png]] */
-#include <string.h>
-
-#include <cjson/cJSON.h>
-#include <curl/curl.h>
+ *   sample_vlm_intent [sdk/models [FOLDER]]      FOLDER: the pictures are written there too */
+#include <stdbool.h>
 
 #include "../common/cabinet.h"
 #include "../common/weights.h"
+#include "endpoint.h"
+#include "pictures.h"
 
-typedef struct endpoint {
-    const char *url, *key, *model;
-    char* picture; /* a data: URL of the object's picture; NULL = words alone */
-} endpoint;
+typedef struct adviser {
+    endpoint endpoint;
+    studio studio;
+    const char* folder; /* NULL: pictures are not written */
+} adviser;
 
-typedef struct reply {
-    char text[65536];
-    size_t size;
-} reply;
-
-/* ---- a picture as base64 ---- */
-
-static char* data_url(const char* path) {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    static const char head[] = "data:image/png;base64,";
-    size_t size;
-    unsigned char* bytes = read_whole(path, &size);
-    char *out = bytes != NULL ? malloc(sizeof head + (size + 2) / 3 * 4) : NULL, *to = out;
-    if (out == NULL) return NULL;
-    memcpy(out, head, sizeof head);
-    to += sizeof head - 1;
-    for (size_t i = 0; i < size; i += 3) {
-        const unsigned b1 = i + 1 < size ? bytes[i + 1] : 0, b2 = i + 2 < size ? bytes[i + 2] : 0;
-        const unsigned three = (unsigned)bytes[i] << 16 | b1 << 8 | b2;
-        for (int k = 0; k < 4; k++) *to++ = digits[three >> (18 - 6 * k) & 63];
-    }
-    if (size % 3) to[-1] = '=';
-    if (size % 3 == 1) to[-2] = '=';
-    *to = 0;
-    free(bytes);
-    return out;
+static void write_picture(const char* folder, uint32_t part, uint32_t number, const void* png, size_t size) {
+    char path[1024];
+    snprintf(path, sizeof path, "%s/part%u_%u.png", folder, (unsigned)part, (unsigned)number);
+    FILE* file = fopen(path, "wb");
+    if (file == NULL || fwrite(png, 1, size, file) != size) fprintf(stderr, "can't write %s\n", path);
+    if (file != NULL) fclose(file);
 }
 
-/* ---- asking ---- */
+/* The hypothesis in words, and its picture. Numbers that people read begin at 1. */
+static void add_hypothesis(const adviser* a, uint32_t part, uint32_t number, const dm_hypothesis* h, cJSON* content) {
+    char words[256];
+    size_t size;
+    const dm_joint* j = h->joint;
+    snprintf(words, sizeof words, "Picture %u: %s, axis (%.2f, %.2f, %.2f), from %.2f to %.2f %s, probability %.2f.",
+             (unsigned)number, joint_name(j->type), (double)j->axis.x, (double)j->axis.y, (double)j->axis.z,
+             (double)h->ends[0].value, (double)h->ends[1].value, j->type == DM_JOINT_PRISMATIC ? "m" : "rad",
+             (double)j->joint_confidence);
+    add_text(content, words);
+    void* png = draw_hypothesis(&a->studio, part, h, &size);
+    char* url = data_url(png, size);
+    if (url != NULL) add_picture(content, url);
+    if (a->folder != NULL) write_picture(a->folder, part, number, png, size);
+    free(url);
+    free(png);
+}
 
-static char* make_question(const endpoint* endpoint, uint32_t part, dm_vec3 low, dm_vec3 high) {
-    char words[1024];
-    snprintf(words, sizeof words,
-             "An object has a movable part number %u. Its bounding box, in metres, y up, the front facing +z: from "
-             "(%.3f, %.3f, %.3f) to (%.3f, %.3f, %.3f). How does it move? Answer with one word: revolute (it turns "
-             "about a hinge), prismatic (it slides), screw, continuous (it turns without end), or unknown.",
-             (unsigned)part, (double)low.x, (double)low.y, (double)low.z, (double)high.x, (double)high.y,
-             (double)high.z);
-    cJSON *question = cJSON_CreateObject(), *content = cJSON_CreateArray();
-    cJSON_AddStringToObject(question, "model", endpoint->model);
-    cJSON_AddNumberToObject(question, "temperature", 0);
-    cJSON* message = cJSON_CreateObject();
-    cJSON_AddStringToObject(message, "role", "user");
-    cJSON_AddItemToObject(message, "content", content);
-    cJSON_AddItemToArray(cJSON_AddArrayToObject(question, "messages"), message);
-    cJSON* text = cJSON_CreateObject();
-    cJSON_AddStringToObject(text, "type", "text");
-    cJSON_AddStringToObject(text, "text", words);
-    cJSON_AddItemToArray(content, text);
-    if (endpoint->picture != NULL) {
-        cJSON* image = cJSON_CreateObject();
-        cJSON_AddStringToObject(image, "type", "image_url");
-        cJSON_AddStringToObject(cJSON_AddObjectToObject(image, "image_url"), "url", endpoint->picture);
-        cJSON_AddItemToArray(content, image);
-    }
-    char* out = cJSON_PrintUnformatted(question);
+static char* make_question(const adviser* a, const dm_choice* choice) {
+    char words[512];
+    cJSON *content, *question = question_new(&a->endpoint, &content);
+    snprintf(
+        words, sizeof words,
+        "Part number %u of an object, orange in the pictures, can move. Each picture shows one way in which it may "
+        "do so: at one end of its range, at rest, at the other end. Which one is how such a thing really moves? "
+        "Answer with the number of the picture alone, or 0 if none is right.",
+        (unsigned)choice->part->id);
+    add_text(content, words);
+    for (uint32_t i = 0; i < choice->count; i++)
+        add_hypothesis(a, choice->part->id, i + 1, choice->hypotheses[i], content);
+    char* text = cJSON_PrintUnformatted(question);
     cJSON_Delete(question);
-    return out;
+    return text;
 }
 
-static size_t keep(char* data, size_t size, size_t count, void* user) {
-    reply* r = user;
-    const size_t more = size * count;
-    if (r->size + more >= sizeof r->text) return 0; /* too long to be an answer: curl gives up */
-    memcpy(r->text + r->size, data, more);
-    r->size += more;
-    return more;
-}
-
-static int post(const endpoint* endpoint, const char* question, reply* out) {
-    char url[1024], key[512];
-    CURL* curl = curl_easy_init();
-    if (curl == NULL) return -1;
-    snprintf(url, sizeof url, "%s/chat/completions", endpoint->url);
-    snprintf(key, sizeof key, "Authorization: Bearer %s", endpoint->key);
-    struct curl_slist* headers = curl_slist_append(NULL, "Content-Type: application/json");
-    if (endpoint->key[0]) headers = curl_slist_append(headers, key);
-    curl_easy_setopt(curl, CURLOPT_URL, url);
-    curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers);
-    curl_easy_setopt(curl, CURLOPT_POSTFIELDS, question);
-    curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, keep);
-    curl_easy_setopt(curl, CURLOPT_WRITEDATA, out);
-    curl_easy_setopt(curl, CURLOPT_TIMEOUT, 20L);
-    curl_easy_setopt(curl, CURLOPT_FAILONERROR, 1L);
-    const CURLcode code = curl_easy_perform(curl);
-    if (code != CURLE_OK) fprintf(stderr, "%s: %s; geometry decides\n", url, curl_easy_strerror(code));
-    curl_slist_free_all(headers);
-    curl_easy_cleanup(curl);
-    return code == CURLE_OK ? 0 : -1;
-}
-
-/* choices[0].message.content, whatever else it says, names one kind of joint: the first that appears. */
-static int32_t read_answer(const reply* r) {
-    cJSON* json = cJSON_ParseWithLength(r->text, r->size);
-    const cJSON* choice = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "choices"), 0);
-    const char* content = cJSON_GetStringValue(cJSON_GetObjectItem(cJSON_GetObjectItem(choice, "message"), "content"));
-    int32_t answer = DM_JOINT_UNKNOWN;
-    const char* first = NULL;
-    for (int32_t type = DM_JOINT_REVOLUTE; content != NULL && type <= DM_JOINT_CONTINUOUS; type++) {
-        const char* at = strstr(content, joint_name(type));
-        if (at == NULL || (first != NULL && at >= first)) continue;
-        first = at;
-        answer = type;
-    }
-    cJSON_Delete(json);
-    return answer;
-}
-
-/* The library asks while it prepares; DM_JOINT_UNKNOWN leaves the question to it. */
-static int32_t DM_CALL ask(void* user, uint32_t part, dm_vec3 low, dm_vec3 high) {
-    const endpoint* endpoint = user;
+/* The library asks while it prepares. */
+static int32_t DM_CALL ask(void* user, const dm_choice* choice) {
+    const adviser* a = user;
     reply* answer = calloc(1, sizeof *answer);
-    char* question = make_question(endpoint, part, low, high);
-    int32_t type = DM_JOINT_UNKNOWN;
-    if (answer != NULL && question != NULL && post(endpoint, question, answer) == 0) type = read_answer(answer);
-    printf("part %u: the model says %s\n", (unsigned)part, joint_name(type));
+    char* question = make_question(a, choice);
+    long number = 0;
+    if (answer != NULL && question != NULL && post(&a->endpoint, question, answer) == 0) number = first_number(answer);
     free(question);
     free(answer);
-    return type;
+    const bool picked = number >= 1 && number <= (long)choice->count;
+    if (picked)
+        printf("part %u: the model picks %ld of %u\n", (unsigned)choice->part->id, number, (unsigned)choice->count);
+    else
+        printf("part %u: the model picks none\n", (unsigned)choice->part->id);
+    return picked ? (int32_t)number - 1 : DM_CHOICE_KEEP;
 }
 
 static const char* setting(const char* name, const char* otherwise) {
@@ -141,35 +81,40 @@ static const char* setting(const char* name, const char* otherwise) {
     return value != NULL && value[0] ? value : otherwise;
 }
 
+static void print_joints(dm_context* context, dm_object object) {
+    for (uint32_t part = CABINET_DOOR; part <= CABINET_DRAWER; part++) {
+        dm_joint joint = {.struct_size = sizeof joint};
+        dm_object_get_joint(context, object, part, &joint);
+        printf("part %u moves: %s, axis (%.2f, %.2f, %.2f), %s\n", (unsigned)part, joint_name(joint.type),
+               (double)joint.axis.x, (double)joint.axis.y, (double)joint.axis.z,
+               joint.source == DM_JOINT_CHOSEN ? "chosen" : "as the library found it");
+    }
+}
+
 int main(int argc, char** argv) {
     static cabinet shape;
-    endpoint endpoint = {.url = setting("DRAGMESH_VLM_URL", NULL),
-                         .key = setting("DRAGMESH_VLM_KEY", ""),
-                         .model = setting("DRAGMESH_VLM_MODEL", "default")};
+    adviser a = {.endpoint = {.url = setting("DRAGMESH_VLM_URL", NULL),
+                              .key = setting("DRAGMESH_VLM_KEY", ""),
+                              .model = setting("DRAGMESH_VLM_MODEL", "default")},
+                 .folder = argc > 2 ? argv[2] : NULL};
     const dm_context_desc host = {.struct_size = sizeof host, .log = {NULL, print_message}};
+    const dm_mesh_desc mesh = cabinet_make(&shape);
     dm_context* context;
     dm_model model;
     dm_object object;
     curl_global_init(CURL_GLOBAL_DEFAULT);
-    if (dm_context_create(&host, &context) != DM_OK) return 1;
+    if (dm_context_create(&host, &context) != DM_OK || studio_open(&host, &mesh, &a.studio) != DM_OK) return 1;
     if (load_weights(context, argc > 1 ? argv[1] : "sdk/models", &model) != DM_OK) return 1;
-    if (argc > 2) endpoint.picture = data_url(argv[2]);
-    if (endpoint.url == NULL) printf("DRAGMESH_VLM_URL is not set: geometry decides\n");
-    const dm_mesh_desc mesh = cabinet_make(&shape);
+    if (a.endpoint.url == NULL) printf("DRAGMESH_VLM_URL is not set: the library's answer stays\n");
     const dm_object_desc desc = {.struct_size = sizeof desc,
                                  .mesh = &mesh,
                                  .model = model,
-                                 .intent = endpoint.url != NULL ? ask : NULL,
-                                 .intent_user = &endpoint};
+                                 .choose = a.endpoint.url != NULL ? ask : NULL,
+                                 .choose_user = &a};
     if (dm_object_prepare(context, &desc, &object) != DM_OK) return 1;
-    for (uint32_t part = CABINET_DOOR; part <= CABINET_DRAWER; part++) {
-        dm_joint joint = {.struct_size = sizeof joint};
-        dm_object_get_joint(context, object, part, &joint);
-        printf("part %u moves: %s, axis (%.2f, %.2f, %.2f), confidence %.2f\n", (unsigned)part, joint_name(joint.type),
-               (double)joint.axis.x, (double)joint.axis.y, (double)joint.axis.z, (double)joint.type_confidence);
-    }
-    free(endpoint.picture);
+    print_joints(context, object);
     dm_context_destroy(context);
+    dm_context_destroy(a.studio.context);
     curl_global_cleanup();
     return 0;
 }

@@ -113,18 +113,44 @@ static void read_request(int connection, char* text, size_t room) {
     }
 }
 
-/* "part number 1" -> the first answer, "part number 2" -> the second. */
+static int count_of(const char* text, const char* words) {
+    int count = 0;
+    for (const char* at = text; (at = strstr(at, words)) != NULL; at++) count++;
+    return count;
+}
+
+/* Returns the number of the first picture that the question calls by `word`; 0 when there is none. */
+static int picture_called(const char* request, const char* word) {
+    for (int number = 1; number <= 8; number++) {
+        char start[64];
+        snprintf(start, sizeof start, "Picture %d: %s,", number, word);
+        if (strstr(request, start)) return number;
+    }
+    return 0;
+}
+
+/* Whether the question has a key, a model, and one PNG for each of two to eight descriptions. */
+static int is_good(const char* request) {
+    const int pictures = count_of(request, "\"url\":\"data:image/png;base64,iVBORw0KGgo");
+    return strncmp(request, "POST /v1/chat/completions ", 26) == 0 && strstr(request, "Bearer secret") &&
+           strstr(request, "\"model\":\"stub\"") && pictures >= 2 && pictures <= 8 &&
+           count_of(request, "\"Picture ") == pictures;
+}
+
+/* "part number 1" -> the first answer, "part number 2" -> the second; "@word" stands for the picture called so. */
 static void answer(int connection, const char* const answers[2]) {
-    static char request[1 << 16], body[1024], text[2048];
+    static char request[1 << 20], content[1024], body[2048], text[4096];
     read_request(connection, request, sizeof request);
-    const int good = strncmp(request, "POST /v1/chat/completions ", 26) == 0 && strstr(request, "Bearer secret") &&
-                     strstr(request, "\"model\":\"stub\"");
-    snprintf(body, sizeof body, "{\"choices\":[{\"message\":{\"role\":\"assistant\",\"content\":\"%s\"}}]}",
-             answers[strstr(request, "part number 2") != NULL]);
+    const char* says = answers[strstr(request, "Part number 2") != NULL];
+    if (says[0] == '@')
+        snprintf(content, sizeof content, "Picture %d, I would say: 100 %% sure.", picture_called(request, says + 1));
+    else
+        snprintf(content, sizeof content, "%s", says);
+    snprintf(body, sizeof body, "{\"choices\":[{\"message\":{\"role\":\"assistant\",\"content\":\"%s\"}}]}", content);
     snprintf(text, sizeof text,
              "HTTP/1.1 %s\r\nContent-Type: application/json\r\nContent-Length: %zu\r\n"
              "Connection: close\r\n\r\n%s",
-             good ? "200 OK" : "400 Bad Request", strlen(body), body);
+             is_good(request) ? "200 OK" : "400 Bad Request", strlen(body), body);
     if (write(connection, text, strlen(text)) < 0) _exit(1);
     close(connection);
 }
@@ -172,23 +198,36 @@ static void point_at(int port) {
 
 static void test_model_decides(void** state) {
     (void)state;
-    point_at(stub_start("It is prismatic.", "I would say: revolute, hinged."));
-    run_sample("vlm_intent", "sdk/models|tests/replay/laptop/frame_000.png");
+    char folder[TOOL_PATH], arguments[2 * TOOL_PATH], picture[TOOL_PATH + 32];
+    tool_folder_make(folder);
+    snprintf(arguments, sizeof arguments, "sdk/models|%s", folder);
+    point_at(stub_start("@prismatic", "@revolute"));
+    run_sample("vlm_intent", arguments);
     assert_int_equal(out.status, 0);
-    assert_says("part 1: the model says prismatic");
-    assert_says("part 2: the model says revolute");
     assert_says("part 1 moves: prismatic"); /* against all geometry: the host's word counts */
     assert_says("part 2 moves: revolute");
+    assert_int_equal(count_of(out.text, "chosen"), 2);
+    snprintf(picture, sizeof picture, "%s/part2_2.png", folder);
+    size_t size;
+    char* png = tool_read(picture, &size);
+    assert_true(size > 1000 && memcmp(png, "\x89PNG", 4) == 0);
+    free(png);
+    tool_folder_remove(folder);
 }
 
 static void test_model_is_no_use(void** state) {
     (void)state;
-    point_at(stub_start("Sorry, I can't see it.", "\\u0000{["));
+    point_at(stub_start("Sorry, I can't see it.", "99"));
     run_sample("vlm_intent", "sdk/models");
     assert_int_equal(out.status, 0);
-    assert_says("part 1: the model says unknown");
-    assert_says("part 2: the model says unknown");
-    assert_says("part 1 moves: ");
+    assert_says("part 1: the model picks none");
+    assert_says("part 2: the model picks none");
+    assert_int_equal(count_of(out.text, "as the library found it"), 2);
+    stub_stop(state);
+    point_at(stub_start("0, none of them.", "\\u0000{["));
+    run_sample("vlm_intent", "sdk/models");
+    assert_int_equal(out.status, 0);
+    assert_int_equal(count_of(out.text, "the model picks none"), 2);
 }
 
 static void test_model_is_down(void** state) {
@@ -196,11 +235,11 @@ static void test_model_is_down(void** state) {
     point_at(1); /* nobody listens there */
     run_sample("vlm_intent", "sdk/models");
     assert_int_equal(out.status, 0);
-    assert_non_null(strstr(out.errors, "geometry decides"));
+    assert_non_null(strstr(out.errors, "the library's answer stays"));
     unsetenv("DRAGMESH_VLM_URL");
     run_sample("vlm_intent", "sdk/models");
     assert_int_equal(out.status, 0);
-    assert_says("DRAGMESH_VLM_URL is not set: geometry decides");
+    assert_says("DRAGMESH_VLM_URL is not set: the library's answer stays");
 }
 
 /* The recipes of docs/integration.md check what they claim. */
