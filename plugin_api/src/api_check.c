@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "math/dual_quat.h"
 
 #define MAX_STRUCT_SIZE 4096 /* bytes; by hand: a larger struct_size was never set */
@@ -22,6 +23,7 @@ void dmi_warn(dmi_env* env, const char* format, ...) {
     /* NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): as in dmi_fail */
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    dmi_utf8_mend(text);
     env->log.message(env->log.user, DM_LOG_WARNING, DM_OK, text);
 }
 

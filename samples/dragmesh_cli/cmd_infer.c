@@ -1,11 +1,10 @@
 /* dragmesh infer: the joint of one part, or of every line of a file of jobs. */
-#include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/types.h>
 
+#include "files.h"
 #include "job.h"
 #include "json.h"
 #include "part_at_point.h"
@@ -44,22 +43,32 @@ static bool answer_line(session* session, const char* line, unsigned number, int
     return code == DM_OK;
 }
 
+/* Where a line does not end, there is none after it either. */
+static int refuse_line(session* session, unsigned number) {
+    cJSON* result = result_for(NULL);
+    session_fail(session, DM_ERROR_TOO_LARGE, "job line %u is longer than %d bytes", number, LINE_MOST);
+    cJSON_AddStringToObject(result, "error", session->error);
+    json_print_line(result);
+    return CLI_FAILED;
+}
+
 static int answer_jobs(session* session, const char* path, int no_hints) {
-    FILE* file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+    FILE* file = strcmp(path, "-") == 0 ? stdin : file_open(path);
     if (file == NULL) {
-        fprintf(stderr, "dragmesh: can't read the jobs '%s': %s\n", path, strerror(errno));
+        fprintf(stderr, "dragmesh: can't read the jobs '%s': %s\n", path, file_problem());
         return CLI_USAGE;
     }
     char* line = NULL;
-    size_t room = 0;
-    ssize_t length;
+    size_t room = 0, length;
     unsigned number = 0;
     int status = CLI_OK;
-    while ((length = getline(&line, &room, file)) >= 0) {
+    enum file_line read;
+    while ((read = file_read_line(file, &line, &room, &length)) == LINE_READ) {
         number++;
-        if (strspn(line, " \t\r\n") == (size_t)length) continue;
+        if (strspn(line, " \t\r") == length) continue;
         if (!answer_line(session, line, number, no_hints)) status = CLI_FAILED;
     }
+    if (read == LINE_TOO_LONG) status = refuse_line(session, number + 1);
     free(line);
     if (file != stdin) fclose(file);
     return status;

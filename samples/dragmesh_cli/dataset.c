@@ -2,7 +2,6 @@
 #include "dataset.h"
 
 #include <dirent.h>
-#include <errno.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -128,7 +127,7 @@ int dataset_read(const char* folder, const char* name, known_object* out_object,
         free(up);
         cJSON_ArrayForEach(item, joints) read_joint(item, &out_object->joints[at++]);
     } else {
-        snprintf(error, error_size, "'%s' %s", path, text != NULL ? "lists no joints" : strerror(errno));
+        snprintf(error, error_size, "'%s' %s", path, text != NULL ? "lists no joints" : file_problem());
     }
     cJSON_Delete(json);
     free(text);

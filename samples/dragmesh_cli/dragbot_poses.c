@@ -26,6 +26,7 @@ static void print_frame(FILE* out, const bot_frame* frame) {
 void bot_poses_write(const bot_case* played, const bot_frame* frames, int count) {
     cJSON* id = cJSON_CreateString(played->id);
     char* quoted = cJSON_PrintUnformatted(id);
+    dm_gltf_mend_text(quoted);
     for (int i = 0; i < count; i++) {
         fprintf(played->poses, "{\"id\": %s, \"given\": %s, \"frame\": %d, ", quoted, played->given ? "true" : "false",
                 i);

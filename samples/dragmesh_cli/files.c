@@ -2,13 +2,32 @@
 #include "files.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "cli.h"
+
+#define STREAM_MOST ((size_t)1 << 30) /* bytes that are read of a stream; by hand */
+
+FILE* file_open(const char* path) {
+    struct stat info = {0};
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe without a writer opens too */
+    if (descriptor < 0) return NULL;
+    if (fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode)) return fdopen(descriptor, "rb");
+    errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
+    const int reason = errno;
+    close(descriptor);
+    errno = reason;
+    return NULL;
+}
+
+const char* file_problem(void) {
+    return errno == EINVAL ? "it is a pipe or a device, not a file" : strerror(errno);
+}
 
 static char* read_all(FILE* file, size_t* out_size) {
     size_t size = 0, room = 1 << 16;
@@ -16,6 +35,11 @@ static char* read_all(FILE* file, size_t* out_size) {
     for (;;) {
         size += fread(bytes + size, 1, room - 1 - size, file);
         if (size < room - 1) break;
+        if (room > STREAM_MOST) {
+            free(bytes);
+            errno = EFBIG;
+            return NULL;
+        }
         room *= 2;
         bytes = cli_grow(bytes, room);
     }
@@ -28,18 +52,28 @@ static char* read_all(FILE* file, size_t* out_size) {
 
 char* file_read(const char* path, size_t* out_size) {
     if (strcmp(path, "-") == 0) return read_all(stdin, out_size);
-    struct stat info;
-    if (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) {
-        errno = EISDIR;
-        return NULL;
-    }
-    FILE* file = fopen(path, "rb");
+    FILE* file = file_open(path);
     if (file == NULL) return NULL;
     char* bytes = read_all(file, out_size);
     const int reason = errno;
     fclose(file);
     errno = reason;
     return bytes;
+}
+
+enum file_line file_read_line(FILE* file, char** line, size_t* room, size_t* out_length) {
+    size_t length = 0;
+    int c;
+    while ((c = getc_unlocked(file)) != EOF && c != '\n') {
+        if (length == LINE_MOST) return LINE_TOO_LONG;
+        if (length + 1 >= *room) *line = cli_grow(*line, *room = *room ? 2 * *room : BUFSIZ);
+        (*line)[length++] = (char)c;
+    }
+    if (c == EOF && length == 0) return LINE_NONE;
+    if (*line == NULL) *line = cli_grow(NULL, *room = BUFSIZ);
+    (*line)[length] = 0;
+    *out_length = length;
+    return LINE_READ;
 }
 
 int file_write(const char* path, const void* data, size_t size) {
@@ -50,7 +84,7 @@ int file_write(const char* path, const void* data, size_t size) {
 }
 
 bool file_exists(const char* path) {
-    struct stat info;
+    struct stat info = {0};
     return stat(path, &info) == 0;
 }
 

@@ -4,9 +4,21 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
-/* The bytes, with a NUL behind them, to be freed; NULL with errno set. "-" is standard input. */
+/* Opens a regular file for reading; NULL with errno set. Pipes and devices, which may never end, are no files: EINVAL.
+ */
+FILE* file_open(const char* path);
+/* What errno says of a file that could not be opened or read. */
+const char* file_problem(void);
+/* The bytes, with a NUL behind them, to be freed; NULL with errno set. "-" is standard input, of which a GB is the
+ * most: EFBIG. */
 char* file_read(const char* path, size_t* out_size);
+
+enum { LINE_MOST = 1 << 24 }; /* bytes of a line; by hand: a job with thousands of names is far shorter */
+enum file_line { LINE_READ, LINE_NONE, LINE_TOO_LONG };
+/* Reads a line, its end left out, with a NUL behind it. The buffer grows; free it at the end. */
+enum file_line file_read_line(FILE* file, char** line, size_t* room, size_t* out_length);
 /* 0, or -1 with errno set. */
 int file_write(const char* path, const void* data, size_t size);
 bool file_exists(const char* path);

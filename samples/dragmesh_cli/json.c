@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "dragmesh/ext/gltf.h"
+
 static cJSON* number_item(double number, int digits) {
     char text[40];
     if (!isfinite(number)) return cJSON_CreateNull();
@@ -29,7 +31,9 @@ void json_add_point(cJSON* object, const char* name, dm_vec3 point, const double
         cJSON_AddItemToArray(list, number_item((double)numbers[i] + origin[i], origin[i] != 0 ? 15 : 9));
 }
 
+/* Ids, paths and names come back as they came in, which may be no UTF-8. */
 static void print_and_delete(cJSON* object, char* text) {
+    dm_gltf_mend_text(text);
     if (text != NULL) puts(text);
     fflush(stdout);
     cJSON_free(text);

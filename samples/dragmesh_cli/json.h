@@ -11,7 +11,7 @@ void json_add_number(cJSON* object, const char* name, double number, int digits)
 void json_add_vector(cJSON* object, const char* name, dm_vec3 vector);
 /* The sum of `point` and `origin`. */
 void json_add_point(cJSON* object, const char* name, dm_vec3 point, const double origin[3]);
-/* One line to standard output, flushed; releases the object. */
+/* One line of valid UTF-8 to standard output, flushed; releases the object. */
 void json_print_line(cJSON* object);
 /* Indented, to standard output; releases the object. */
 void json_print(cJSON* object);

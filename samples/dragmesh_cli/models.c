@@ -1,7 +1,6 @@
 /* Finds and loads the weights: --models, DRAGMESH_MODELS, or a folder beside the program. */
 #include "models.h"
 
-#include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,8 +61,7 @@ static dm_result read_weights(session* session, const char* folder, const char* 
     if (required || file_exists(path)) {
         out->data = file_read(path, &out->size);
         if (out->data == NULL)
-            result =
-                session_fail(session, DM_ERROR_NOT_FOUND, "can't read the weights '%s': %s", path, strerror(errno));
+            result = session_fail(session, DM_ERROR_NOT_FOUND, "can't read the weights '%s': %s", path, file_problem());
     }
     free(path);
     return result;

@@ -1,7 +1,6 @@
 /* State of one run of the tool: a context with its weights, and the file and object of the last job. */
 #include "session.h"
 
-#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,7 +70,7 @@ void session_close(session* session) {
 static dm_result open_input(session* session) {
     size_t size;
     char* bytes = file_read("-", &size);
-    if (bytes == NULL) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read: %s", strerror(errno));
+    if (bytes == NULL) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read: %s", file_problem());
     const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
     const dm_result result =
         size > 0 ? dm_gltf_open(&desc, &session->gltf) : session_fail(session, DM_ERROR_BAD_DATA, "it is empty");

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/utf8.h"
+
 #define MESSAGE_SIZE 512 /* bytes of a log message, longer ones are cut; by hand */
 
 static void* default_allocate(void* user, size_t size, size_t alignment) {
@@ -84,6 +86,7 @@ dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) {
     /* NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): clang-tidy 14 forgets va_start in its second file */
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    dmi_utf8_mend(text);
     env->log.message(env->log.user, DM_LOG_ERROR, code, text);
     return code;
 }

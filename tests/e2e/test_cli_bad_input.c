@@ -2,6 +2,7 @@
  * file still answered. */
 #include <math.h>
 
+#include "dragmesh/ext/gltf.h"
 #include "test_tool.h"
 
 static tool_output out;
@@ -318,6 +319,86 @@ static void test_results_that_cannot_be_written(void** state) {
     }
 }
 
+/* ---- input that never ends ---- */
+
+static void test_pipes_and_devices_are_no_files(void** state) {
+    (void)state;
+    char fifo[TOOL_PATH + 32];
+    snprintf(fifo, sizeof fifo, "%s/fifo", object.folder);
+    assert_int_equal(mkfifo(fifo, 0600), 0);
+    const char* const endless[] = {"/dev/zero", fifo};
+    for (int i = 0; i < 2; i++) {
+        const char* path = endless[i];
+        tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|x|--models|none", path);
+        assert_int_equal(out.status, 1);
+        assert_non_null(strstr(out.errors, "it is a pipe or a device, not a file"));
+        tool_run(&out, "dragmesh", NULL, "infer|%s|--mask|%s|--models|none", object.glb, path);
+        assert_int_equal(out.status, 1);
+        assert_non_null(strstr(out.errors, "it is a pipe or a device, not a file"));
+        tool_run(&out, "dragmesh", NULL, "infer|--jobs|%s|--models|none", path);
+        assert_int_equal(out.status, 2);
+        assert_non_null(strstr(out.errors, "it is a pipe or a device, not a file"));
+    }
+    char folder[TOOL_PATH + 32], weights[TOOL_PATH + 64];
+    snprintf(folder, sizeof folder, "%s/endless", object.folder);
+    snprintf(weights, sizeof weights, "%s/kpp_net.safetensors", folder);
+    assert_int_equal(mkdir(folder, 0700), 0);
+    assert_int_equal(symlink("/dev/zero", weights), 0);
+    tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|x|--models|%s", object.glb, folder);
+    assert_int_equal(out.status, 2);
+    assert_non_null(strstr(out.errors, "it is a pipe or a device, not a file"));
+}
+
+/* A line longer than any job, and a good job before it. */
+static void test_a_line_that_does_not_end(void** state) {
+    (void)state;
+    enum { LINE = (1 << 24) + 100 };
+    jobs[0] = 0;
+    append_job("good", 0, "object.glb", "\"moving\":[\"$\"]");
+    const size_t length = strlen(jobs);
+    char* text = malloc(length + LINE + 1);
+    memcpy(text, jobs, length);
+    memset(text + length, 'a', LINE);
+    text[length + LINE] = 0;
+    tool_run(&out, "dragmesh", text, "infer|--models|none|--jobs|-");
+    free(text);
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.text, "\"good0\",\"type\""));
+    assert_non_null(strstr(out.text, "\"error\":\"DM_ERROR_TOO_LARGE: job line 2 is longer than 16777216 bytes\""));
+}
+
+/* ---- text that is none ---- */
+
+/* Ids, paths and names that are no UTF-8 come back as UTF-8; names that are cut are cut between characters. */
+static void test_every_line_is_utf8(void** state) {
+    (void)state;
+    static const char names[] =
+        "\xE3\x83\x89\xE3\x82\xA2\xE3\x83\x89\xE3\x82\xA2\xE3\x83\x89\xE3\x82\xA2\xE3\x83\x89\xE3\x82\xA2"
+        "\xE3\x83\x89\xE3\x82\xA2\xE3\x83\x89\xE3\x82\xA2\xE3\x83\x89\xE3\x82\xA2\xE3\x83\x89\xE3\x82\xA2";
+    copy c = copy_of_object("names.glb");
+    static const char body[] = "\"name\":\"body\"";
+    int found = 0;
+    for (char* at = c.bytes + 20; (at = memmem(at, (size_t)(c.bytes + c.size - at), body, strlen(body))) != NULL;
+         found++)
+        memcpy(at + strlen("\"name\":\""), "b\xFF\xE3y", 4);
+    assert_true(found > 0);
+    keep(&c);
+    snprintf(jobs, sizeof jobs,
+             "{\"id\":\"\xFF\",\"file\":\"/none\xFF\",\"moving\":[\"door\"]}\n"
+             "{\"id\":\"%s\",\"file\":\"%s/names.glb\",\"moving\":[\"\xC3\"]}\n"
+             "{\"id\":3,\"file\":\"%s/%s\",\"moving\":[\"%s%s\"]}\n",
+             names, object.folder, object.folder, names, names, names);
+    append_job("good", 0, "names.glb", "\"moving\":[\"$\"]");
+    tool_run(&out, "dragmesh", jobs, "infer|--models|none|--jobs|-");
+    assert_int_equal(out.status, 1);
+    char* mended = strdup(out.text);
+    dm_gltf_mend_text(mended);
+    assert_string_equal(mended, out.text);
+    free(mended);
+    assert_non_null(strstr(out.text, "'b??y'")); /* the list of names that the file has */
+    assert_non_null(strstr(out.text, "\"good0\",\"type\""));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_bad_job_is_named_and_the_rest_answered),
@@ -326,6 +407,9 @@ int main(void) {
         cmocka_unit_test(test_a_wrong_ranker),
         cmocka_unit_test(test_unusable_arguments),
         cmocka_unit_test(test_results_that_cannot_be_written),
+        cmocka_unit_test(test_pipes_and_devices_are_no_files),
+        cmocka_unit_test(test_a_line_that_does_not_end),
+        cmocka_unit_test(test_every_line_is_utf8),
     };
     return cmocka_run_group_tests_name("cli_bad_input", tests, set_up, tear_down);
 }

@@ -368,6 +368,41 @@ static void test_large_numbers_never_wrap(void** state) {
     }
 }
 
+/* Numbers that must be whole and not negative, each with what it is in a good file. */
+static void test_what_is_no_count_is_refused_by_name(void** state) {
+    (void)state;
+    static const char* const good[][2] = {{"byteLength", "88"}, {"byteOffset", "0"},  {"byteStride", "12"},
+                                          {"byteOffset", "4"},  {"count", "3"},       {"count", "1"},
+                                          {"byteOffset", "8"},  {"byteOffset", "16"}, {"mode", "4"}};
+    enum { NUMBERS = sizeof good / sizeof *good };
+    static const char* const bad[] = {"-1", "0.5", "-0.5", "1e300", "\"1\"", "null", "true", "[1]"};
+    for (int which = -1; which < NUMBERS + 2; which++) {
+        for (size_t b = 0; b < sizeof bad / sizeof *bad; b++) {
+            const char* n[NUMBERS];
+            for (int i = 0; i < NUMBERS; i++) n[i] = i == which ? bad[b] : good[i][1];
+            /* Then the component types. */
+            const char *type = which == NUMBERS ? bad[b] : "5126", *changed = which == NUMBERS + 1 ? bad[b] : "5121";
+            char json[1024];
+            snprintf(json, sizeof json,
+                     ASSET "\"buffers\":[{\"byteLength\":%s}],\"bufferViews\":[{\"buffer\":0,\"byteOffset\":%s,"
+                           "\"byteLength\":72,\"byteStride\":%s},{\"buffer\":0,\"byteLength\":88}],\"accessors\":[{"
+                           "\"bufferView\":0,\"byteOffset\":%s,\"componentType\":%s,\"count\":%s,\"type\":\"VEC3\","
+                           "\"sparse\":{\"count\":%s,\"indices\":{\"bufferView\":1,\"byteOffset\":%s,"
+                           "\"componentType\":%s},\"values\":{\"byteOffset\":%s,\"bufferView\":1}}}],\"meshes\":[{"
+                           "\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":%s}]}]," NODES("{\"mesh\":0}"),
+                     n[0], n[1], n[2], n[3], type, n[4], n[5], n[6], changed, n[7], n[8]);
+            opened o;
+            open_json(&o, json, &square, sizeof square);
+            const char* name = which < 0 ? "" : which < NUMBERS ? good[which][0] : "componentType";
+            if (which < 0)
+                assert_int_equal(o.result, DM_OK);
+            else if (o.result != DM_ERROR_BAD_DATA || !strstr(o.t.messages.text, name))
+                fail_msg("%s %d is %s: %d '%s'", name, which, bad[b], o.result, o.t.messages.text);
+            close_it(&o);
+        }
+    }
+}
+
 static void test_extras_may_hold_any_number(void** state) {
     (void)state;
     opened o;
@@ -528,6 +563,7 @@ int main(void) {
         cmocka_unit_test(test_masks),
         cmocka_unit_test(test_hostile_files_are_named),
         cmocka_unit_test(test_large_numbers_never_wrap),
+        cmocka_unit_test(test_what_is_no_count_is_refused_by_name),
         cmocka_unit_test(test_extras_may_hold_any_number),
         cmocka_unit_test(test_bad_vertices_and_indices),
         cmocka_unit_test(test_deep_nesting_is_refused),

@@ -189,6 +189,100 @@ static void test_far_props_keep_their_shape(void** state) {
     test_prop_free(&prop);
 }
 
+/* A skin of two bones, the door bone moved up by 1 from where it was bound, of one triangle. */
+static void open_skin(opened* o, const float weights[3][4], const int8_t joints[3][4], int joint_type) {
+    struct {
+        float positions[3][3], weights[3][4];
+        int8_t joints[3][4];
+    } bin = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    char json[1536];
+    memcpy(bin.weights, weights, sizeof bin.weights);
+    memcpy(bin.joints, joints, sizeof bin.joints);
+    snprintf(json, sizeof json,
+             "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":%zu}],\"bufferViews\":[{\"buffer\":0,"
+             "\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":84,"
+             "\"byteLength\":12}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":"
+             "\"VEC3\"},{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},{\"bufferView\":2,"
+             "\"componentType\":%d,\"count\":3,\"type\":\"VEC4\"}],\"meshes\":[{\"primitives\":[{\"attributes\":{"
+             "\"POSITION\":0,\"WEIGHTS_0\":1,\"JOINTS_0\":2}}]}],\"skins\":[{\"joints\":[1,2]}],\"nodes\":[{\"name\":"
+             "\"skinned\",\"mesh\":0,\"skin\":0},{\"name\":\"body\"},{\"name\":\"door\",\"translation\":[0,1,0]}]}",
+             sizeof bin, joint_type);
+    const test_glb glb = test_glb_pack(json, &bin, sizeof bin);
+    test_prop none = {.data = NULL};
+    open_at(o, &none, glb.data, glb.size, TEST_NEVER);
+    free(glb.data);
+    if (o->result != DM_OK) fail_msg("%d '%s'", o->result, o->t.messages.text);
+}
+
+static void assert_height(const opened* o, uint32_t vertex, float y) {
+    const float got = ((const float*)o->mesh.positions)[3 * vertex + 1];
+    if (!(fabsf(got - y) < 1e-6f)) fail_msg("vertex %u is at %g, not %g", vertex, (double)got, (double)y);
+}
+
+/* Vertices of several bones stand where the blend has them (glTF 2.0 3.7.3.3), and move with the heaviest one. */
+static void test_mixed_weights_blend_and_go_with_the_heaviest(void** state) {
+    (void)state;
+    const int8_t joints[3][4] = {{0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}};
+    const float weights[3][4] = {{0.3f, 0.7f, 0, 0}, {1, 0, 0, 0}, {0.4f, 0.6f, 0, 0}};
+    opened o;
+    dm_gltf_node node;
+    open_skin(&o, weights, joints, 5121);
+    assert_non_null(strstr(o.t.messages.text, "2 of 3 vertices have several bones"));
+    assert_int_equal(dm_gltf_node_count(o.gltf), 1); /* the triangle goes with two of its corners */
+    dm_gltf_get_node(o.gltf, 0, &node);
+    assert_string_equal(node.name, "door");
+    assert_int_equal(node.face_count, 1);
+    /* Sorted by bone: the body's vertex comes first. */
+    const uint32_t* corners = o.mesh.indices;
+    assert_height(&o, corners[0], 0.7f);
+    assert_height(&o, corners[1], 0);
+    assert_height(&o, corners[2], 1.6f);
+    close_it(&o);
+}
+
+/* Weights that do not sum to 1 are taken in their proportion; what compression leaves of 0 is no second bone. */
+static void test_weights_count_by_their_proportion(void** state) {
+    (void)state;
+    const int8_t joints[3][4] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 1, 1}};
+    const float weights[3][4] = {{0.25f, 0.25f, 0, 0}, {1, 0.004f, 0, 0}, {0.5f, 0.5f, 0.5f, 0.5f}};
+    opened o;
+    open_skin(&o, weights, joints, 5121);
+    const uint32_t* corners = o.mesh.indices;
+    assert_height(&o, corners[0], 0.5f);
+    assert_height(&o, corners[1], 1 / 1.004f);
+    assert_height(&o, corners[2], 2);
+    close_it(&o);
+}
+
+/* Weights below 0 or of bones that there are none of do not count; nothing is read beside the bones. */
+static void test_bones_that_are_none_do_not_count(void** state) {
+    (void)state;
+    const float weights[3][4] = {{1, 1, 0, 0}, {1, 1, -3, 0}, {0.5f, 1, (float)NAN, 1}};
+    static const int8_t joints[][4] = {{1, -1, 0, 0}, {1, 2, 0, 0}, {1, 127, 0, -128}};
+    opened o;
+    open_skin(&o, weights, joints, 5120);
+    const uint32_t* corners = o.mesh.indices;
+    assert_height(&o, corners[0], 1);
+    assert_height(&o, corners[1], 1);
+    assert_height(&o, corners[2], 2);
+    close_it(&o);
+}
+
+/* A vertex without any bone: the skin is left out, and the node places the mesh. */
+static void test_a_vertex_without_bones_leaves_the_skin_out(void** state) {
+    (void)state;
+    const int8_t joints[3][4] = {{0}, {0}, {1, 0, 0, 0}};
+    const float weights[3][4] = {{1, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}};
+    opened o;
+    dm_gltf_node node;
+    open_skin(&o, weights, joints, 5121);
+    assert_non_null(strstr(o.t.messages.text, "its skin is left out"));
+    dm_gltf_get_node(o.gltf, 0, &node);
+    assert_string_equal(node.name, "skinned");
+    assert_height(&o, 2, 1);
+    close_it(&o);
+}
+
 static void test_a_missing_file_is_named(void** state) {
     (void)state;
     test_prop prop;
@@ -331,10 +425,17 @@ static void test_every_allocation_may_fail(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_way_is_the_same_prop),   cmocka_unit_test(test_nodes_and_carriers),
-        cmocka_unit_test(test_shared_buffers_are_read_once), cmocka_unit_test(test_far_props_keep_their_shape),
-        cmocka_unit_test(test_a_missing_file_is_named),      cmocka_unit_test(test_every_way_is_written_back_whole),
+        cmocka_unit_test(test_every_way_is_the_same_prop),
+        cmocka_unit_test(test_nodes_and_carriers),
+        cmocka_unit_test(test_shared_buffers_are_read_once),
+        cmocka_unit_test(test_far_props_keep_their_shape),
+        cmocka_unit_test(test_a_missing_file_is_named),
+        cmocka_unit_test(test_every_way_is_written_back_whole),
         cmocka_unit_test(test_every_allocation_may_fail),
+        cmocka_unit_test(test_mixed_weights_blend_and_go_with_the_heaviest),
+        cmocka_unit_test(test_weights_count_by_their_proportion),
+        cmocka_unit_test(test_bones_that_are_none_do_not_count),
+        cmocka_unit_test(test_a_vertex_without_bones_leaves_the_skin_out),
     };
     return cmocka_run_group_tests_name("gltf_props", tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 /* dm_gltf: opening and closing a file, its nodes and its mesh. */
+#include "base/utf8.h"
 #include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_merge.h"
 #include "mesh/gltf/gltf_tree.h"
@@ -116,4 +117,8 @@ dm_result dm_gltf_get_mesh(const dm_gltf* gltf, dm_mesh_desc* out_mesh) {
 
 void dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]) {
     for (int k = 0; k < 3; k++) out_origin[k] = gltf ? gltf->origin[k] : 0;
+}
+
+size_t dm_gltf_mend_text(char* text) {
+    return text ? dmi_utf8_mend(text) : 0;
 }

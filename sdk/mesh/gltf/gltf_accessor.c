@@ -23,6 +23,13 @@ uint32_t dmi_gltf_component_size(int32_t type) {
     }
 }
 
+dm_result dmi_gltf_read_type(const cJSON* json, const char* place, dmi_gltf_problem* problem, int32_t* out) {
+    uint64_t type = 0;
+    const dm_result result = dmi_json_whole(json, "componentType", 0, INT32_MAX, place, problem, &type);
+    *out = (int32_t)type;
+    return result;
+}
+
 int32_t dmi_gltf_components(const char* type) {
     static const struct {
         const char* name;
@@ -64,8 +71,10 @@ static dm_result find_range(dm_gltf* gltf, const cJSON* json, uint64_t count, ui
 static dm_result find_changes(dm_gltf* gltf, const cJSON* sparse, uint64_t element, const char* place,
                               dmi_gltf_problem* problem, dmi_gltf_elements* out) {
     const cJSON *indices = dmi_json_get(sparse, "indices"), *values = dmi_json_get(sparse, "values");
-    const int32_t type = (int32_t)dmi_json_number(indices, "componentType", 0);
-    dm_result result = dmi_json_whole(sparse, "count", 0, (double)out->count, place, problem, &out->change_count);
+    int32_t type;
+    dm_result result = dmi_gltf_read_type(indices, place, problem, &type);
+    if (result == DM_OK)
+        result = dmi_json_whole(sparse, "count", 0, (double)out->count, place, problem, &out->change_count);
     if (result != DM_OK) return result;
     if (type != DMI_GLTF_UBYTE && type != DMI_GLTF_USHORT && type != DMI_GLTF_UINT)
         return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: sparse indices of component type %d", place, type);
@@ -89,15 +98,14 @@ dm_result dmi_gltf_find_elements(dm_gltf* gltf, double index, const char* place,
     const cJSON* json = dmi_gltf_item(&gltf->document, DMI_GLTF_ACCESSORS, index);
     if (!cJSON_IsObject(json))
         return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: accessor %.17g does not exist", place, index);
-    const double type = dmi_json_number(json, "componentType", 0);
-    *out = (dmi_gltf_elements){.component_type = type >= 0 && type <= INT32_MAX ? (int32_t)type : 0,
-                               .components = dmi_gltf_components(dmi_json_text(json, "type")),
+    *out = (dmi_gltf_elements){.components = dmi_gltf_components(dmi_json_text(json, "type")),
                                .normalized = cJSON_IsTrue(dmi_json_get(json, "normalized"))};
+    dm_result result = dmi_gltf_read_type(json, place, problem, &out->component_type);
     const uint32_t size = dmi_gltf_component_size(out->component_type);
-    if (size == 0 || out->components == 0)
-        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: accessor %.17g has component type %.17g", place, index,
-                               type);
-    dm_result result = dmi_json_whole(json, "count", 0, UINT32_MAX, place, problem, &out->count);
+    if (result == DM_OK && (size == 0 || out->components == 0))
+        result = dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: accessor %.17g has component type %d", place, index,
+                                 out->component_type);
+    if (result == DM_OK) result = dmi_json_whole(json, "count", 0, UINT32_MAX, place, problem, &out->count);
     if (result != DM_OK) return result;
     if (out->count > DM_MAX_ELEMENTS)
         return dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE,

@@ -18,6 +18,8 @@ dm_result dmi_gltf_find_elements(dm_gltf* gltf, double accessor, const char* pla
                                  dmi_gltf_elements* out);
 /* Bytes of a component; 0: no component type. */
 uint32_t dmi_gltf_component_size(int32_t type);
+/* Reads componentType of an accessor, or of sparse indices; BAD_DATA for what is no whole number. */
+dm_result dmi_gltf_read_type(const cJSON* json, const char* place, dmi_gltf_problem* problem, int32_t* out);
 /* Components of "SCALAR", "VEC3" …; 0: no type. */
 int32_t dmi_gltf_components(const char* type);
 /* Component `component` of element `i`, sparse changes apart. */

@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "mesh/gltf/gltf_meshopt.h"
 
 static void run_out(dmi_edit* e) {
@@ -34,7 +35,9 @@ void dmi_edit_number(dmi_edit* e, cJSON* object, const char* name, double value)
 }
 
 void dmi_edit_text(dmi_edit* e, cJSON* object, const char* name, const char* value) {
-    dmi_edit_set(e, object, name, cJSON_CreateString(value));
+    cJSON* item = cJSON_CreateString(value);
+    if (item) dmi_utf8_mend(item->valuestring);
+    dmi_edit_set(e, object, name, item);
 }
 
 void dmi_edit_numbers(dmi_edit* e, cJSON* object, const char* name, const double* values, int count) {

@@ -121,7 +121,9 @@ dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf*
     result = read_file(&env, path, &found);
     if (result == DM_ERROR_OUT_OF_MEMORY || result == DM_ERROR_TOO_LARGE)
         return dmi_fail(&env, result, "'%.200s': no memory for it, or more than 4 GB", path);
-    if (result != DM_OK) return dmi_fail(&env, result, "can't read '%.200s': %s", path, strerror(errno));
+    if (result != DM_OK)
+        return dmi_fail(&env, result, "can't read '%.200s': %s", path,
+                        errno == EINVAL ? "it is a pipe or a device, not a file" : strerror(errno));
     result = open_contents(&env, path, desc, &found, out_gltf);
     dmi_free(&env, found.data, found.size);
     return result;

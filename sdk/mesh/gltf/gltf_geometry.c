@@ -106,8 +106,11 @@ dm_result dmi_gltf_find_in_draco(dm_gltf* gltf, const cJSON* primitive, const ch
     if (!dmi_json_get(ids, attribute)) return dmi_gltf_find_elements(gltf, index, place, problem, out);
     result = dmi_json_whole(ids, attribute, 0, INT32_MAX, place, problem, &id);
     if (result != DM_OK) return result;
+    int32_t type;
+    result = dmi_gltf_read_type(accessor, place, problem, &type);
+    if (result != DM_OK) return result;
     *out = (dmi_gltf_elements){.count = dmi_draco_points(decoded->draco),
-                               .component_type = (int32_t)dmi_json_number(accessor, "componentType", 0),
+                               .component_type = type,
                                .components = dmi_gltf_components(dmi_json_text(accessor, "type")),
                                .normalized = cJSON_IsTrue(dmi_json_get(accessor, "normalized"))};
     if (out->components == 0 || dmi_draco_components(decoded->draco, (uint32_t)id) != (uint32_t)out->components ||
@@ -197,13 +200,15 @@ uint32_t dmi_gltf_key(const dm_gltf* gltf, const cJSON* primitive) {
 
 dm_result dmi_gltf_find_geometry(dm_gltf* gltf, const cJSON* primitive, const char* place, dmi_gltf_problem* problem,
                                  dmi_gltf_geometry* out) {
-    *out = (dmi_gltf_geometry){.mode = (int32_t)dmi_json_number(primitive, "mode", DMI_GLTF_TRIANGLES),
-                               .key = dmi_gltf_key(gltf, primitive)};
+    uint64_t mode;
+    dm_result result = dmi_json_whole(primitive, "mode", DMI_GLTF_TRIANGLES, INT32_MAX, place, problem, &mode);
+    if (result != DM_OK) return result;
+    *out = (dmi_gltf_geometry){.mode = (int32_t)mode, .key = dmi_gltf_key(gltf, primitive)};
     if (out->mode < DMI_GLTF_TRIANGLES || out->mode > DMI_GLTF_FAN)
         return dmi_gltf_refuse(problem, DM_ERROR_DEGENERATE_MESH, "%s: points or lines", place);
     if (!dmi_json_get(dmi_json_get(primitive, "attributes"), "POSITION"))
         return dmi_gltf_refuse(problem, DM_ERROR_DEGENERATE_MESH, "%s: it has no POSITION", place);
-    dm_result result = find_attribute(gltf, primitive, "POSITION", place, problem, &out->positions);
+    result = find_attribute(gltf, primitive, "POSITION", place, problem, &out->positions);
     if (result == DM_OK && out->positions.components != 3)
         result =
             dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: %d components a vertex", place, out->positions.components);

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/utf8.h"
+
 /* Deeper JSON is hostile: cJSON reads, copies and writes by recursion. */
 #define DEEPEST_JSON 128
 
@@ -35,7 +37,10 @@ int dmi_json_numbers(const cJSON* object, const char* name, int count, double* o
 
 dm_result dmi_json_whole(const cJSON* object, const char* name, double otherwise, double most, const char* place,
                          dmi_gltf_problem* problem, uint64_t* out) {
+    const cJSON* found = dmi_json_get(object, name);
     const double value = dmi_json_number(object, name, otherwise);
+    if (found && !cJSON_IsNumber(found))
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: %s is no number", place, name);
     if (!(value >= 0) || value > most || value != floor(value))
         return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: %s is %.17g, it must be whole and 0 to %.0f", place,
                                name, value, most);
@@ -58,6 +63,14 @@ static int nesting(const char* text, size_t length) {
     return deepest;
 }
 
+/* Makes names and values UTF-8. A URI stays as it is, because files may be called so. */
+static void mend_strings(cJSON* item) {
+    const int is_uri = item->string && strcmp(item->string, "uri") == 0;
+    if (item->string) dmi_utf8_mend(item->string);
+    if (cJSON_IsString(item) && !is_uri) dmi_utf8_mend(item->valuestring);
+    for (cJSON* child = item->child; child; child = child->next) mend_strings(child);
+}
+
 dm_result dmi_json_parse(const char* text, size_t length, dmi_gltf_problem* problem, cJSON** out) {
     const int deepest = nesting(text, length);
     if (deepest > DEEPEST_JSON)
@@ -70,6 +83,7 @@ dm_result dmi_json_parse(const char* text, size_t length, dmi_gltf_problem* prob
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of JSON", length);
     while (root && end < text + length && memchr(" \t\r\n", *end, 5)) end++; /* exporters pad with NUL too */
     if (root && end == text + length) {
+        if (!dmi_utf8_is_valid(text, length)) mend_strings(root);
         *out = root;
         return DM_OK;
     }

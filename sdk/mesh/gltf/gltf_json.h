@@ -14,10 +14,10 @@ const char* dmi_json_text(const cJSON* object, const char* name);
 double dmi_json_number(const cJSON* object, const char* name, double otherwise);
 /* Reads `count` numbers of a list; 0 leaves `out` as it was: the list is missing or has another length. */
 int dmi_json_numbers(const cJSON* object, const char* name, int count, double* out);
-/* Reads a whole number from 0 to `most`; BAD_DATA says what `place` has instead. */
+/* Reads a whole number from 0 to `most`, `otherwise` where it is missing; BAD_DATA says what `place` has instead. */
 dm_result dmi_json_whole(const cJSON* object, const char* name, double otherwise, double most, const char* place,
                          dmi_gltf_problem* problem, uint64_t* out);
-/* Reads a text of `length` bytes, which must be one JSON value. */
+/* Reads a text of `length` bytes, which must be one JSON value. Strings are valid UTF-8 then, but for URIs. */
 dm_result dmi_json_parse(const char* text, size_t length, dmi_gltf_problem* problem, cJSON** out);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "mesh/gltf/gltf_file.h"
 #include "mesh/gltf/gltf_names.h"
 #include "mesh/mask.h"
@@ -18,7 +19,7 @@ static int64_t numbered_node(const dm_gltf* gltf, const char* name) {
 
 int64_t dmi_gltf_find_node(const dm_gltf* gltf, const char* name) {
     for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++)
-        if (strcmp(gltf->tree[i].name, name) == 0) return i;
+        if (dmi_utf8_mends_to(name, gltf->tree[i].name)) return i;
     return numbered_node(gltf, name);
 }
 
@@ -28,7 +29,7 @@ static int mark_nodes(const dm_gltf* gltf, const char* name, uint8_t* marks) {
     enum { CARRIED = 1, NAMED = 2 };
     int found = 0;
     for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
-        marks[i] = strcmp(gltf->tree[i].name, name) == 0 ? NAMED : 0;
+        marks[i] = dmi_utf8_mends_to(name, gltf->tree[i].name) ? NAMED : 0;
         found |= marks[i];
     }
     const int64_t number = found ? -1 : numbered_node(gltf, name);

@@ -4,6 +4,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "base/utf8.h"
+
 dm_result dmi_gltf_refuse(dmi_gltf_problem* problem, dm_result code, const char* format, ...) {
     va_list arguments;
     va_start(arguments, format);
@@ -20,5 +22,6 @@ void dmi_gltf_warn(dmi_env* env, const char* format, ...) {
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    dmi_utf8_mend(text);
     env->log.message(env->log.user, DM_LOG_WARNING, DM_OK, text);
 }

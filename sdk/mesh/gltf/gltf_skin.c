@@ -86,7 +86,7 @@ static int64_t blend(const dmi_gltf_skin* skin, const dmi_gltf_geometry* from, u
     for (uint32_t i = 0; i < 4 * from->joint_sets; i++) {
         const double weight = dmi_gltf_element(&from->weights[i / 4], element, i % 4);
         const double joint = dmi_gltf_element(&from->joints[i / 4], element, i % 4);
-        if (!(weight > 0) || !(joint < skin->joint_count)) continue;
+        if (!(weight > 0) || !(joint >= 0 && joint < skin->joint_count)) continue;
         const double* m = skin->joints[(uint32_t)joint].matrix;
         for (int row = 0; row < 3; row++)
             at[row] += weight * (m[row] * (double)local[0] + m[4 + row] * (double)local[1] +

@@ -41,7 +41,7 @@ typedef struct dm_gltf_desc {
  * Primitives of a node that share an accessor share its vertices. A node with a skin stands bone by bone, as its bones
  * stand in the file; a vertex goes with its heaviest bone. */
 typedef struct dm_gltf_node {
-    const char* name; /* UTF-8; "" when it has none. Lives as long as the dm_gltf */
+    const char* name; /* valid UTF-8, '?' for what is none; "" when it has none. Lives as long as the dm_gltf */
     uint32_t node;    /* index in the file's nodes array, of the node or bone */
     uint32_t carrier; /* the nearest dm_gltf_node above it, by index here: it goes where that one goes. Else
                          DM_GLTF_NO_CARRIER */
@@ -124,6 +124,11 @@ typedef struct dm_gltf_part {
 /* Writes a static .glb with one identity node a part. allocator zeros = malloc/free; release out_data with the same. */
 DM_API dm_result DM_CALL dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator,
                                        const dm_log* log, void** out_data, size_t* out_size);
+
+/* Makes any text valid UTF-8, in place: a '?' for each piece that is no character, also for one that was cut off. Names
+ * and messages of this library are so already; hosts need it for what they write beside them. Returns the new length,
+ * never a longer one. NULL: 0. */
+DM_API size_t DM_CALL dm_gltf_mend_text(char* text);
 
 #ifdef __cplusplus
 }
