@@ -76,6 +76,7 @@ typedef struct start {
     float value;
     bool has_pose; /* pose: where the part is shown */
     dm_pose pose;
+    dmi_rules rules;
 } start;
 
 static bool is_unscaled(dm_vec3 scale) {
@@ -156,6 +157,11 @@ static dm_result read_start(dmi_env* env, start* s) {
                         (double)s->desc->start_value);
     }
     if (s->desc->state != NULL) result = read_state(env, s);
+    if (result != DM_OK) return result;
+    const dmi_rules_start rules = {.joint = &s->joint,
+                                   .one_sided = dmi_joint_open_side(&s->joint, s->object_size) != 0,
+                                   .object_size = s->object_size};
+    result = dmi_rules_read(env, s->desc, &rules, &s->rules);
     if (result != DM_OK) return result;
     return dmi_check_number(env, "dm_drag_begin: the value", " times the screw's pitch", s->value * s->joint.pitch);
 }
@@ -330,6 +336,7 @@ static void begin(dmi_drag_slot* slot, start* s) {
         dmi_drag_begin(&slot->drag, &s->joint, dmi_xyz(s->desc->grab_point).v, s->value, &feel);
     }
     if (!certain) track(&slot->drag, s);
+    if (s->rules.on) dmi_drag_set_rules(&slot->drag, &s->rules);
 }
 
 static dm_result publish(dm_context* context, dmi_object_slot* owner, start* s, dm_drag* out_drag) {
@@ -378,29 +385,56 @@ static int32_t only_limit_at(const dmi_drag_slot* slot) {
     return value >= joint->upper - tolerance ? 1 : 0;
 }
 
-dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
-                                 dm_drag_state* out_state) {
-    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &context->env;
-    dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_update", drag);
-    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dm_result result = DM_OK;
-    if (ray != NULL || slot->drag.release.phase == DM_DRAG_HELD)
-        result = dmi_check_ray(env, "dm_drag_update: ray", ray);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_update: dt", &dt, 1);
+static dm_result check_step(dmi_env* env, const char* const names[3], float dt, const dm_drag_state* out_state) {
+    dm_result result = dmi_check_finite(env, names[1], &dt, 1);
     if (result != DM_OK) return result;
-    if (dt < 0.0f) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_update: dt is %g s", (double)dt);
-    result = dmi_check_out(env, "dm_drag_update: out_state", out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
-    if (result != DM_OK) return result;
+    if (dt < 0.0f) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g s", names[1], (double)dt);
+    return dmi_check_out(env, names[2], out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
+}
+
+/* Advances by a pointer's ray, or by an input where one is given. */
+static void step(dmi_drag_slot* slot, const dm_ray* ray, const dm_drag_input* input, float dt,
+                 dm_drag_state* out_state) {
     if (dt > LONG_FRAME && slot->longest_frame == 0) slot->longest_frame = dt;
     dm_drag_state state;
     const uint32_t given = out_state->struct_size;
     dm_drag_state* now = given == sizeof state ? out_state : &state; /* mostly of our own version: no copy */
-    dmi_drag_update(&slot->drag, ray, dt, now);
+    if (input == NULL)
+        dmi_drag_update(&slot->drag, ray, dt, now);
+    else
+        dmi_drag_step(&slot->drag, input, dt, now);
     if (slot->open_side != 0) now->at_limit = only_limit_at(slot);
     if (now == &state) dmi_write_out(out_state, &state, sizeof state);
     out_state->struct_size = given;
-    return DM_OK;
+}
+
+dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
+                                 dm_drag_state* out_state) {
+    static const char* const names[3] = {"dm_drag_update", "dm_drag_update: dt", "dm_drag_update: out_state"};
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dmi_drag_slot* slot = dmi_find(context, context->drags, names[0], drag);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    dm_result result = DM_OK;
+    if (ray != NULL || slot->drag.release.phase == DM_DRAG_HELD)
+        result = dmi_check_ray(env, "dm_drag_update: ray", ray);
+    if (result == DM_OK) result = check_step(env, names, dt, out_state);
+    if (result == DM_OK) step(slot, ray, NULL, dt, out_state);
+    return result;
+}
+
+dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
+                               dm_drag_state* out_state) {
+    static const char* const names[3] = {"dm_drag_step", "dm_drag_step: dt", "dm_drag_step: out_state"};
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dmi_drag_slot* slot = dmi_find(context, context->drags, names[0], drag);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    dm_drag_input known;
+    dm_result result = dmi_input_read(env, &slot->drag, input, &known);
+    if (result == DM_OK) result = check_step(env, names, dt, out_state);
+    if (result == DM_OK) step(slot, NULL, &known, dt, out_state);
+    return result;
 }
 
 void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot) {

@@ -8,6 +8,20 @@
 
 /* Whether a drag can have begun with this feel. */
 bool dmi_is_usable_feel(const dm_drag_feel* feel);
+/* What rules are read with: the joint that the drag begins with, which of its limits count, and the object's size in
+ * host units. */
+typedef struct dmi_rules_start {
+    const dm_joint* joint;
+    bool one_sided;
+    float object_size;
+} dmi_rules_start;
+
+/* Reads desc->rules of any version; NULL: none. desc->feel: checked. */
+dm_result dmi_rules_read(dmi_env* env, const dm_drag_desc* desc, const dmi_rules_start* start, dmi_rules* out);
+/* Whether a drag can have begun with these rules. */
+bool dmi_is_sound_rules(const dmi_rules* rules);
+/* Reads and checks the input of an update, of any version. */
+dm_result dmi_input_read(dmi_env* env, const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out);
 /* Reports, once, what an update noticed and may not log itself. */
 void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot);
 

@@ -191,6 +191,20 @@ static bool is_sound_blend(const dmi_pose_blend* b) {
            b->turn_time >= 0 && b->lag_time >= 0 && are_finite(&b->turn_time, 1) && are_finite(&b->lag_time, 1);
 }
 
+/* Bounds are of one update alone: between two there are none. */
+static bool is_sound_watch(const dmi_watch* w) {
+    const float numbers[2] = {w->catch_index, w->impact};
+    return w->limit >= -1 && w->limit <= 1 && is_bool(&w->away) && is_bool(&w->open) && is_bool(&w->blocked) &&
+           w->since_opening >= 0 && w->peak_speed >= 0 && are_finite(numbers, 2) && are_finite(&w->peak_speed, 1);
+}
+
+static bool is_sound_keeping(const dmi_drag* d) {
+    const float numbers[4] = {d->asked, d->lag, d->start.value, d->start.velocity};
+    return is_bool(&d->rules.on) && is_bool(&d->rules.one_sided) && dmi_is_sound_rules(&d->rules) &&
+           d->bounds.lower == -INFINITY && d->bounds.upper == INFINITY && are_within(numbers, 4) &&
+           is_bool(&d->stalled) && is_sound_watch(&d->watch);
+}
+
 static bool is_sound_drag(const dmi_drag* d) {
     const float numbers[5] = {d->value, d->target, d->velocity, d->speed, d->pointer_value};
     const float limits[4] = {d->reachable_lower, d->estimated_lower, d->estimated_upper, d->reachable_upper};
@@ -199,7 +213,7 @@ static bool is_sound_drag(const dmi_drag* d) {
            are_within(d->rest_point, 3) && are_within(d->point, 3) && are_within(grab_offset.v, 3) &&
            is_sound_ray(&d->last_ray) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
            are_rising(limits, 4) && is_sound_blend(&d->blend) && is_sound_tracker(&d->tracker) &&
-           is_sound_release(&d->release);
+           is_sound_release(&d->release) && is_sound_keeping(d);
 }
 
 static bool is_sound(const snapshot* s) {

@@ -1,7 +1,7 @@
 /* One drag, update by update: pointer ray -> joint value it asks for (follow.h), rate-limited where that is ill-posed
- * -> feel (drag_feel.h) -> joint value. The hypothesis tracker chooses the joint meanwhile; after the release the plan
- * moves the part (drag_release.h). */
-#include "motion/drag.h"
+ * -> feel (drag_feel.h) -> joint value, held back by the host's rules (drag_bounds.h). The hypothesis tracker chooses
+ * the joint meanwhile; after the release the plan moves the part (drag_release.h). */
+#include "motion/drag_keep.h"
 
 #include <math.h>
 #include <string.h>
@@ -36,6 +36,7 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     drag->blend = dmi_pose_blend_none();
     drag->release.return_time = fmaxf(feel->return_time, 0);
     drag->speed = speed_of(joint, drag->rest_point);
+    drag->bounds = dmi_no_bounds();
     memcpy(drag->point, grab_point, sizeof drag->point);
     if (drag->value == start_value) return;
     const dm_pose inside = dmi_joint_pose(joint, drag->value); /* it stands outside its limits */
@@ -56,12 +57,15 @@ void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, const dmi
     init_estimated_limits(drag);
 }
 
-/* Returns the target for a pointer value; estimated limits move along when it exceeds them. */
+/* Returns the target for a pointer value; estimated limits move along when it exceeds them and nothing holds the part.
+ */
 static float target_at(dmi_drag* drag, float pointer_value) {
-    if (!drag->limits_are_estimates) return dmi_feel_target(&drag->feel, &drag->joint, pointer_value);
-    const float target = dmi_feel_soft_target(&drag->feel, drag->estimated_lower, drag->estimated_upper, pointer_value);
+    const float asked = drag->rules.on ? dmi_snaps_pull(&drag->rules.snaps, pointer_value) : pointer_value;
+    if (!drag->limits_are_estimates) return dmi_feel_target(&drag->feel, &drag->joint, asked);
+    const float target = dmi_feel_soft_target(&drag->feel, drag->estimated_lower, drag->estimated_upper, asked);
     const float kept = fminf(fmaxf(target, drag->reachable_lower), drag->reachable_upper);
-    drag->joint.lower = fminf(drag->joint.lower, kept), drag->joint.upper = fmaxf(drag->joint.upper, kept);
+    const float reached = drag->rules.on ? dmi_bounds_clamp(drag->bounds, kept) : kept;
+    drag->joint.lower = fminf(drag->joint.lower, reached), drag->joint.upper = fmaxf(drag->joint.upper, reached);
     return kept;
 }
 
@@ -178,6 +182,7 @@ static void change_joint(dmi_drag* drag) {
     drag->speed = speed_of(&drag->joint, drag->rest_point);
     const dm_pose now = dmi_joint_pose(&drag->joint, drag->value);
     drag->blend = dmi_pose_blend_new_joint(&before, &now, drag->rest_point, drag->tracker.grasp.size);
+    drag->lag = 0;
     drag->changes++;
 }
 
@@ -192,22 +197,50 @@ static void update_held(dmi_drag* drag, const dm_ray* ray, float dt) {
             change_joint(drag);
             before = drag->target;
         }
+        drag->asked = drag->target;
     }
+    if (drag->rules.on) dmi_drag_hold_back(drag, before, dt);
     dmi_feel_follow(&drag->feel, &drag->joint, before, drag->target, dt, &drag->value, &drag->velocity);
+}
+
+static void plan_release(dmi_drag* drag, int32_t intent, float duration) {
+    const dmi_released_part part = {.joint = &drag->joint,
+                                    .feel = &drag->feel,
+                                    .rules = &drag->rules,
+                                    .value = drag->value,
+                                    .velocity = drag->velocity};
+    dmi_release_begin(&drag->release, &part, intent, duration);
+}
+
+static void update_released(dmi_drag* drag, float dt) {
+    if (drag->stalled) plan_release(drag, drag->release.intent, 0);
+    drag->stalled = false;
+    if (drag->release.phase != DM_DRAG_RELEASED) return;
+    dmi_release_advance(&drag->release, &drag->feel, &drag->joint, dt, &drag->value, &drag->velocity);
+    drag->asked = drag->target = drag->release.end;
 }
 
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state) {
     const float time = dt > 0 && isfinite(dt) ? dt : 0;
     drag->blend.age += time;
+    if (drag->rules.on) dmi_drag_note_start(drag);
     if (drag->release.phase == DM_DRAG_HELD) {
         update_held(drag, ray, time);
     } else if (drag->release.phase == DM_DRAG_RELEASED) {
-        dmi_release_advance(&drag->release, &drag->feel, &drag->joint, time, &drag->value, &drag->velocity);
-        drag->target = drag->release.end;
+        update_released(drag, time);
     }
+    if (drag->rules.on) dmi_drag_keep_rules(drag, time);
     dmi_drag_get_state(drag, out_state);
+    if (drag->rules.on) dmi_drag_write_events(drag, out_state);
     const dm_vec3 grab = out_state->grab_point;
     drag->point[0] = grab.x, drag->point[1] = grab.y, drag->point[2] = grab.z;
+}
+
+void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag_state* out_state) {
+    const bool bounded = input->lower < input->upper;
+    drag->bounds = bounded ? (dmi_bounds){input->lower, input->upper} : dmi_no_bounds();
+    dmi_drag_update(drag, input->hand.kind == DM_HAND_RAY ? &input->hand.ray : NULL, dt, out_state);
+    drag->bounds = dmi_no_bounds();
 }
 
 static int32_t limit_at(const dm_joint* joint, float value) {
@@ -220,19 +253,20 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
     const dm_pose pose = shown_pose(drag);
     float grab[3];
     dmi_pose_apply(&pose, drag->rest_point, grab);
-    *out_state = (dm_drag_state){.pose = pose,
-                                 .grab_point = dmi_vec3(grab),
-                                 .value = drag->value,
-                                 .target = drag->target,
-                                 .velocity = drag->velocity,
-                                 .at_limit = limit_at(&drag->joint, drag->value),
-                                 .phase = drag->release.phase,
-                                 .changes = drag->changes};
+    out_state->pose = pose;
+    out_state->grab_point = dmi_vec3(grab);
+    out_state->value = drag->value;
+    out_state->target = drag->target;
+    out_state->velocity = drag->velocity;
+    out_state->at_limit = limit_at(&drag->joint, drag->value);
+    out_state->phase = drag->release.phase;
+    out_state->changes = drag->changes;
+    out_state->events = out_state->detents = 0;
+    out_state->impact = 0;
 }
 
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
-    const dmi_released_part part = {
-        .joint = &drag->joint, .feel = &drag->feel, .value = drag->value, .velocity = drag->velocity};
-    dmi_release_begin(&drag->release, &part, intent, duration);
+    drag->stalled = false;
+    plan_release(drag, intent, duration);
     if (drag->release.phase == DM_DRAG_AT_REST) drag->velocity = 0;
 }

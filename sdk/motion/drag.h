@@ -3,9 +3,17 @@
 #ifndef DMI_MOTION_DRAG_H
 #define DMI_MOTION_DRAG_H
 
+#include "motion/drag_bounds.h"
+#include "motion/drag_events.h"
 #include "motion/drag_release.h"
 #include "motion/hypothesis_tracker.h"
 #include "motion/pose_blend.h"
+
+/* Where the part was before an update. */
+typedef struct dmi_drag_step_start {
+    float value, velocity;
+    int32_t phase;
+} dmi_drag_step_start;
 
 typedef struct dmi_drag {
     dm_joint joint;      /* active joint, host object frame */
@@ -24,6 +32,13 @@ typedef struct dmi_drag {
     dmi_pose_blend blend;
     uint32_t changes; /* of the active joint */
     dmi_release release;
+    dmi_rules rules;
+    dmi_bounds bounds;         /* of the last update */
+    float asked;               /* value that the hand asks for; the target is on its way there (dmi_catch_up) */
+    float lag;                 /* target minus that */
+    bool stalled;              /* the plan of the release was not followed in the last update: planned anew */
+    dmi_drag_step_start start; /* of the last update */
+    dmi_watch watch;
 } dmi_drag;
 
 /* Starts a drag. grab_point: position of the grabbed point with the joint at start_value. */
@@ -34,8 +49,13 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
  * bounds. size: of the part, host units. */
 void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, const dmi_free_range* free_ranges,
                                uint32_t count, float size, dmi_limit_give limit_give);
+/* Gives the drag rules: before its first update. */
+void dmi_drag_set_rules(dmi_drag* drag, const dmi_rules* rules);
 /* Advances by dt seconds. ray may be NULL once released. */
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
+/* The same for all that an input holds. */
+void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
+/* Tells no events: they are of an update. */
 void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state);
 /* Releases the part. intent: DM_INTENT_*; duration: s, 0: chosen by the plan. */
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration);

@@ -38,7 +38,7 @@ static float map_ends(const dm_drag_feel* feel, const dm_joint* joint, float val
     return value > 0.5f * (lower + upper) ? upper + map(value - upper, w) : lower - map(lower - value, w);
 }
 
-static float detent_pull(const dm_drag_feel* feel) {
+float dmi_feel_detent_pull(const dm_drag_feel* feel) {
     return feel->detent_pull == 0 ? DEFAULT_DETENT_PULL : fminf(fmaxf(feel->detent_pull, 0), 1);
 }
 
@@ -46,7 +46,7 @@ static float detent_pull(const dm_drag_feel* feel) {
 static float pull_to_detent(const dm_drag_feel* feel, float value) {
     if (!(feel->detent > 0)) return value;
     const float place = value / feel->detent, turns = place - roundf(place);
-    return value - detent_pull(feel) * feel->detent / DMI_TWO_PI_F * sinf(DMI_TWO_PI_F * turns);
+    return value - dmi_feel_detent_pull(feel) * feel->detent / DMI_TWO_PI_F * sinf(DMI_TWO_PI_F * turns);
 }
 
 /* Inverse of pull_to_detent, by bisection. */

@@ -15,6 +15,8 @@ float dmi_feel_soft_target(const dm_drag_feel* feel, float lower, float upper, f
 float dmi_feel_pointer_value(const dm_drag_feel* feel, const dm_joint* joint, float target);
 /* Returns the detent nearest to a value, inside the limits; the value itself without detents. */
 float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value);
+/* Returns how hard detents and snap values hold, 0 to 1. */
+float dmi_feel_detent_pull(const dm_drag_feel* feel);
 /* Returns the half-life of a free part's velocity, s; 0: it stops at once. */
 float dmi_feel_coast_time(const dm_drag_feel* feel);
 

@@ -7,20 +7,22 @@
 #include "math/constants.h"
 
 /* By hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
-#define LOOK_AHEAD 0.2f       /* s: the part is taken to be where its velocity carries it in this time */
-#define THROWN_SHARE 0.35f    /* of the range travelled in LOOK_AHEAD: thrown, not just let go */
-#define NEAR_END_SHARE 0.12f  /* of the range: as good as at the end */
-#define AT_STOP_SHARE 0.05f   /* of the range: rest and a limit are the same */
-#define ARRIVED_SHARE 1e-4f   /* of the range, or of the value without limits: there already */
-#define MIN_DURATION 0.18f    /* s of any motion */
-#define FULL_RANGE_TIME 0.7f  /* s over the whole range */
-#define GLIDE_HALF_LIVES 7.0f /* half-lives after which a gliding part stands: 1/128 of the speed is left */
-#define MAX_BACKWARDS 0.105f  /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
-#define SLOPE_STEP 1e-3f      /* of the duration, for the slope of the plan at its start */
-#define SEARCH_STEPS 64       /* even steps over the keys … */
-#define SEARCH_BISECTIONS 20  /* … and bisections of the step found */
-#define MIN_PACE_SCALE 0.5f   /* keys that end this much farther than the plan do not suit it … */
-#define MAX_PACE_SCALE 2.0f   /* … nor those that end this much nearer */
+#define LOOK_AHEAD 0.2f           /* s: the part is taken to be where its velocity carries it in this time */
+#define THROWN_SHARE 0.35f        /* of the range travelled in LOOK_AHEAD: thrown, not just let go */
+#define NEAR_END_SHARE 0.12f      /* of the range: as good as at the end */
+#define AT_STOP_SHARE 0.05f       /* of the range: rest and a limit are the same */
+#define ARRIVED_SHARE 1e-4f       /* of the range, or of the value without limits: there already */
+#define MIN_DURATION 0.18f        /* s of any motion */
+#define FULL_RANGE_TIME 0.7f      /* s over the whole range */
+#define GLIDE_HALF_LIVES 7.0f     /* half-lives after which a gliding part stands: 1/128 of the speed is left */
+#define PEAK_SPEED 1.875f         /* of minimum jerk, over its mean: at the middle */
+#define PEAK_ACCELERATION 5.7736f /* of minimum jerk over distance / time^2: 10 / sqrt(3), rounded up */
+#define MAX_BACKWARDS 0.105f      /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
+#define SLOPE_STEP 1e-3f          /* of the duration, for the slope of the plan at its start */
+#define SEARCH_STEPS 64           /* even steps over the keys … */
+#define SEARCH_BISECTIONS 20      /* … and bisections of the step found */
+#define MIN_PACE_SCALE 0.5f       /* keys that end this much farther than the plan do not suit it … */
+#define MAX_PACE_SCALE 2.0f       /* … nor those that end this much nearer */
 
 /* Minimum jerk from 0 to 1 (Flash and Hogan 1985). */
 static float minimum_jerk(float s) {
@@ -47,10 +49,23 @@ static float open_end(const dmi_released_part* part) {
     return side > 0 ? joint->upper : joint->lower;
 }
 
+/* Returns the distance that exponentially decaying velocity covers. */
+static float glide_length(const dmi_released_part* part) {
+    return part->velocity * dmi_feel_coast_time(part->feel) / DMI_LN_2_F;
+}
+
+/* Whether a snap value catches the part as it glides to a stop. */
+static bool is_caught(const dmi_released_part* part, float* out_snap) {
+    const float end = dmi_joint_clamp(part->joint, part->value + glide_length(part));
+    return part->rules != NULL && dmi_snaps_catch(&part->rules->snaps, part->joint, end, out_snap);
+}
+
 /* Returns the intent that DM_INTENT_AUTO stands for. */
 static int32_t infer_intent(const dmi_released_part* part, float return_time) {
     const dm_joint* joint = part->joint;
+    float snap;
     if (return_time > 0) return DM_INTENT_CLOSE;
+    if (is_caught(part, &snap)) return DM_INTENT_STAY;
     if (!dmi_joint_has_limits(joint) || part->feel->detent > 0) return DM_INTENT_STAY;
     const float range = range_of(joint), thrown = LOOK_AHEAD * part->velocity, ahead = part->value + thrown;
     const float from_rest = fabsf(ahead - dmi_joint_clamp(joint, 0));
@@ -67,6 +82,15 @@ static int32_t infer_intent(const dmi_released_part* part, float return_time) {
 
 /* ---- plan ---- */
 
+/* Returns the least duration of a motion over `distance` that the rules allow. */
+static float shortest_duration(const dmi_released_part* part, float distance) {
+    float time = 0;
+    if (part->rules == NULL) return time;
+    const float speed = part->rules->max_speed, acceleration = part->rules->max_acceleration;
+    if (speed > 0) time = PEAK_SPEED * fabsf(distance) / speed;
+    return acceleration > 0 ? fmaxf(time, sqrtf(PEAK_ACCELERATION * fabsf(distance) / acceleration)) : time;
+}
+
 /* Returns the duration of a motion over `distance`: by the share of the range, and not slower than the part already
  * goes. */
 static float natural_duration(const dmi_released_part* part, float distance) {
@@ -74,18 +98,14 @@ static float natural_duration(const dmi_released_part* part, float distance) {
     const float share = dmi_joint_has_limits(part->joint) ? fminf(fabsf(distance) / range, 1) : 1;
     float time = FULL_RANGE_TIME * sqrtf(share);
     if (part->velocity * distance > 0) time = fminf(time, 2 * fabsf(distance) / speed);
-    return fmaxf(time, MIN_DURATION);
+    return fmaxf(fmaxf(time, MIN_DURATION), shortest_duration(part, distance));
 }
 
-/* Returns the distance that exponentially decaying velocity covers. */
-static float glide_length(const dmi_released_part* part) {
-    return part->velocity * dmi_feel_coast_time(part->feel) / DMI_LN_2_F;
-}
-
-/* Glides to a stop or to a limit; with detents, moves on to the nearest one instead. */
+/* Glides to a stop or to a limit; with detents or snap values, moves on to the nearest one instead. */
 static void plan_stay(const dmi_released_part* part, dmi_release* r) {
     const float end = dmi_joint_clamp(part->joint, part->value + glide_length(part));
     r->end = dmi_feel_nearest_detent(part->feel, part->joint, end);
+    is_caught(part, &r->end);
     r->duration = GLIDE_HALF_LIVES * dmi_feel_coast_time(part->feel);
     r->glides = r->end == end;
     if (!r->glides) r->duration = natural_duration(part, r->end - r->start);

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "motion/drag_feel.h"
+#include "motion/drag_rules.h"
 #include "motion/motion.h"
 
 typedef struct dmi_release {
@@ -23,6 +23,7 @@ typedef struct dmi_release {
 typedef struct dmi_released_part {
     const dm_joint* joint;
     const dm_drag_feel* feel;
+    const dmi_rules* rules; /* NULL: none */
     float value, velocity;
 } dmi_released_part;
 

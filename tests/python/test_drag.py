@@ -59,6 +59,22 @@ class Door(unittest.TestCase):
         frame = dragmesh.joint_frame(state.joint)
         self.assertEqual((frame.limits, frame.upper, frame.x.y), (3, 1.5, -1))
 
+    def test_tells_events_and_keeps_bounds(self):
+        drag = self.object.drag(1, HANDLE, rules={"snaps": [0.4], "open_share": 0.2})
+        events, detents = dragmesh.Event(0), 0
+        for frame in range(91):
+            arm, angle = HANDLE - [0, 0, 1], 0.8 * min(frame, 60) / 60
+            point = np.array([np.cos(angle) * arm[0] - np.sin(angle) * arm[2], arm[1],
+                              np.sin(angle) * arm[0] + np.cos(angle) * arm[2] + 1])
+            state = drag.step(1 / 60, ray=(EYE, point - EYE), bounds=(-1, 0.6))
+            events, detents = events | dragmesh.Event(state.events), detents + state.detents
+        self.assertAlmostEqual(state.value, 0.6, places=3)
+        self.assertEqual(events, dragmesh.Event.LEFT_REST | dragmesh.Event.OPENED | dragmesh.Event.DETENT |
+                         dragmesh.Event.BLOCKED)
+        self.assertEqual(detents, 1)
+        with self.assertRaises(TypeError):
+            self.object.drag(1, HANDLE, rules={"sanps": []})
+
     def test_is_put_back_into_a_saved_state(self):
         drag, before = self.dragged()
         saved = drag.save()

@@ -22,6 +22,17 @@ class Intent(enum.IntEnum):
     AUTO, STAY, OPEN, CLOSE, REPLAY, FREEZE = range(6)
 
 
+class Hand(enum.IntEnum):
+    """How a hand holds a part; see DM_HAND_*."""
+    NONE, RAY = range(2)
+
+
+class Event(enum.IntFlag):
+    """What has happened to a part in an update: bits of DragState.events; see DM_EVENT_*."""
+    (LIMIT_LOWER, LIMIT_UPPER, LEFT_REST, REACHED_REST, OPENED, CLOSED, DETENT, JOINT, BLOCKED,
+     FREED) = (1 << bit for bit in range(10))
+
+
 class Error(RuntimeError):
     """A dm_result below 0; `code` is its number, the text what the library logged."""
 
@@ -68,6 +79,14 @@ def joint_frame(joint):
     if load().dm_joint_get_frame(c.byref(joint), c.byref(out)) < 0:
         raise ValueError("no joint, or not finite")
     return out
+
+
+def _rules(snaps=(), **fields):
+    """The fields of dm_drag_rules as the struct."""
+    unknown = set(fields) - {name for name, _ in s.DragRules._fields_}
+    if unknown:
+        raise TypeError(f"dm_drag_rules has no {', '.join(sorted(unknown))}")
+    return s.DragRules(snap_count=len(snaps), snaps=(c.c_float * len(snaps))(*snaps), **fields)
 
 
 def _hint(drag):
@@ -303,9 +322,10 @@ class Object:
         return Motion(self.context, handle)
 
     def drag(self, part_id, grab_point, start_value=0.0, keep_joint=False, limit_give=0.0, state=None, scale=None,
-             **feel):
+             rules=None, **feel):
         """The player grabs the part at a point. state: what an earlier drag of this instance ended with; scale: of the
-        instance; feel: fields of dm_drag_feel, such as smoothing_time=0.06."""
+        instance; rules: a dict of fields of dm_drag_rules, {} for events alone, with snaps as a list; feel: fields of
+        dm_drag_feel, such as smoothing_time=0.06."""
         unknown = set(feel) - {name for name, _ in s.DragFeel._fields_}
         if unknown:
             raise TypeError(f"dm_drag_feel has no {', '.join(sorted(unknown))}")
@@ -316,6 +336,8 @@ class Object:
             desc.state = c.pointer(state)
         if scale is not None:
             desc.scale = s.Vec3(*map(float, scale))
+        if rules is not None:
+            desc.rules = c.pointer(_rules(**rules))
         handle = c.c_uint64()
         self.context.call("drag_begin", c.byref(desc), c.byref(handle))
         return Drag(self.context, handle)
@@ -353,6 +375,17 @@ class Drag:
         """The state after the pointer's ray of this frame; dt in seconds."""
         ray, state = s.Ray(s.Vec3(*map(float, origin)), s.Vec3(*map(float, direction))), s.DragState()
         self.context.call("drag_update", self.handle, c.byref(ray), c.c_float(dt), c.byref(state))
+        return state
+
+    def step(self, dt, ray=None, bounds=None):
+        """The state after an update by all that a dm_drag_input holds. ray: (origin, direction), None: no news of the
+        hand; bounds: the joint values (lower, upper) between which there is room."""
+        given, state = s.DragInput(), s.DragState()
+        if ray is not None:
+            given.hand = s.Hand(Hand.RAY, s.Ray(*(s.Vec3(*map(float, vector)) for vector in ray)))
+        if bounds is not None:
+            given.lower, given.upper = bounds
+        self.context.call("drag_step", self.handle, c.byref(given), c.c_float(dt), c.byref(state))
         return state
 
     def part_state(self):

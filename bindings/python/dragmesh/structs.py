@@ -159,10 +159,27 @@ class DragFeel(c.Structure):
                 ("detent", c.c_float), ("detent_pull", c.c_float), ("return_time", c.c_float)]
 
 
+class DragRules(Sized):
+    """What a part does besides following the hand; see dm_drag_rules."""
+
+    _fields_ = [("struct_size", c.c_uint32), ("snap_count", c.c_uint32), ("snaps", c.POINTER(c.c_float)),
+                ("snap_reach", c.c_float), ("open_share", c.c_float), ("closed_share", c.c_float),
+                ("event_time", c.c_float), ("max_speed", c.c_float), ("max_acceleration", c.c_float)]
+
+
+class Hand(c.Structure):
+    _fields_ = [("kind", c.c_int32), ("ray", Ray)]
+
+
+class DragInput(Sized):
+    _fields_ = [("struct_size", c.c_uint32), ("hand", Hand), ("lower", c.c_float), ("upper", c.c_float)]
+
+
 class DragDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("part_id", c.c_uint32), ("object", c.c_uint64), ("grab_point", Vec3),
                 ("start_value", c.c_float), ("feel", DragFeel), ("flags", c.c_uint32), ("limit_give", c.c_float),
-                ("state", c.POINTER(PartState)), ("scale", Vec3), ("reserved", c.c_uint32)]
+                ("state", c.POINTER(PartState)), ("scale", Vec3), ("reserved", c.c_uint32),
+                ("rules", c.POINTER(DragRules))]
 
 
 class DragState(Sized):
@@ -170,7 +187,7 @@ class DragState(Sized):
 
     _fields_ = [("struct_size", c.c_uint32), ("pose", Pose), ("grab_point", Vec3), ("value", c.c_float),
                 ("target", c.c_float), ("velocity", c.c_float), ("at_limit", c.c_int32), ("phase", c.c_int32),
-                ("changes", c.c_uint32)]
+                ("changes", c.c_uint32), ("events", c.c_uint32), ("detents", c.c_uint32), ("impact", c.c_float)]
 
 
 class ReleaseDesc(Sized):

@@ -77,6 +77,8 @@ extern "C" {
 #define DM_MAX_LABEL 4096
 /* Most vertices or triangles of one object. */
 #define DM_MAX_ELEMENTS 268435456
+/* Most snap values of one drag. */
+#define DM_MAX_SNAPS 16
 /* No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by
  * dm_drag_snapshot_size. */
 #define DM_DRAG_SNAPSHOT_MAX 65536
@@ -440,6 +442,23 @@ enum {
         1 /* follow the joint in force, limits and all, whatever the pull says, as with a host's joint */
 };
 
+/* What a part does besides following the hand. Zeros are off, but for the defaults of thresholds. "Range" is from lower
+ * to upper limit; where one of them is missing, 1 rad or the object's size. docs/feel.md. */
+typedef struct dm_drag_rules {
+    uint32_t struct_size;
+    uint32_t snap_count;    /* DM_MAX_SNAPS at most */
+    const float* snaps;     /* snap_count joint values, rising: there the part catches, as at detents, and pulls as hard
+                               as feel.detent_pull says. Not with feel.detent */
+    float snap_reach;       /* joint value: how far a snap value reaches to either side; 0 = half-way to the next, or a
+                               twentieth of the range where there is none */
+    float open_share;       /* share of the range from rest: DM_EVENT_OPENED beyond; 0 = 0.1 */
+    float closed_share;     /* share of the range from rest: DM_EVENT_CLOSED within; 0 = 0.02; less than the other */
+    float event_time;       /* s that lie between opened and closed at least */
+    float max_speed;        /* joint value a second; 0 = none */
+    float max_acceleration; /* joint value a second squared while it gets faster, the highest force over the part's
+                               inertia; 0 = none */
+} dm_drag_rules;
+
 typedef struct dm_drag_desc {
     uint32_t struct_size;
     uint32_t part_id;
@@ -457,12 +476,48 @@ typedef struct dm_drag_desc {
                                    grab_point, rays, state and poses are in the scaled frame (object coordinates times
                                    scale), and poses are rigid in it */
     uint32_t reserved;          /* 0 */
+    const dm_drag_rules* rules; /* NULL = none, and no events */
 } dm_drag_desc;
+
+/* How a hand holds the part. */
+enum {
+    DM_HAND_NONE = 0, /* no news of it: the part goes on to where it was asked to be */
+    DM_HAND_RAY = 1   /* a pointer: `ray` */
+};
+
+typedef struct dm_hand {
+    int32_t kind; /* DM_HAND_* */
+    dm_ray ray;   /* object frame; scaled with dm_drag_desc.scale */
+} dm_hand;
+
+/* All that can be told a drag in one update. */
+typedef struct dm_drag_input {
+    uint32_t struct_size;
+    dm_hand hand;
+    float lower, upper; /* joint values between which the host's world leaves the part room in this update, infinite on
+                           a free side; none when they are equal. The part stops there softly, and goes on when it is
+                           free; where it is beyond, it is pushed back. With dm_drag_desc.rules alone */
+} dm_drag_input;
 
 enum {
     DM_DRAG_HELD = 0,     /* follows the pointer */
     DM_DRAG_RELEASED = 1, /* moves on by itself: dm_drag_release */
     DM_DRAG_AT_REST = 2   /* has come to where it goes */
+};
+
+/* What has happened to the part since the update before: bits of dm_drag_state.events. */
+enum {
+    DM_EVENT_LIMIT_LOWER = 1,  /* it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast;
+                                  again  after it was 2 % away */
+    DM_EVENT_LIMIT_UPPER = 2,  /* the same of the upper one */
+    DM_EVENT_LEFT_REST = 4,    /* it is more than 2 % of the range away from rest */
+    DM_EVENT_REACHED_REST = 8, /* it is within 0.5 % of the range of rest, having left it */
+    DM_EVENT_OPENED = 16,      /* dm_drag_rules.open_share */
+    DM_EVENT_CLOSED = 32,      /* dm_drag_rules.closed_share */
+    DM_EVENT_DETENT = 64,      /* it has gone over to another detent or snap value: dm_drag_state.detents */
+    DM_EVENT_JOINT = 128,      /* the pull has changed the joint: dm_drag_state.changes */
+    DM_EVENT_BLOCKED = 256,    /* dm_drag_input's bounds hold it */
+    DM_EVENT_FREED = 512       /* they no longer do */
 };
 
 typedef struct dm_drag_state {
@@ -476,6 +531,10 @@ typedef struct dm_drag_state {
     int32_t phase;      /* DM_DRAG_HELD … */
     uint32_t changes;   /* how often the pull has changed the joint that the drag follows: dm_drag_get_part_state.
                            The pose comes over to a new joint within 0.6 s; the grabbed point first, mostly in 0.1 s */
+    uint32_t events;    /* DM_EVENT_*; 0 without dm_drag_desc.rules, as the two below */
+    uint32_t detents;   /* detents or snap values that it has gone over to since the update before; a long update may
+                           pass several */
+    float impact;       /* joint value a second: how fast it met a limit or was blocked; 0 without such an event */
 } dm_drag_state;
 
 /* What a released part does next. */
@@ -555,7 +614,9 @@ typedef struct dm_hit {
     X(dm_object_info)                                                                                                  \
     X(dm_part_info)                                                                                                    \
     X(dm_motion_desc)                                                                                                  \
+    X(dm_drag_rules)                                                                                                   \
     X(dm_drag_desc)                                                                                                    \
+    X(dm_drag_input)                                                                                                   \
     X(dm_drag_state)                                                                                                   \
     X(dm_release_desc)                                                                                                 \
     X(dm_release_plan)                                                                                                 \
@@ -730,6 +791,10 @@ DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* 
 DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                         dm_drag_state* out_state);
 
+/* dm_drag_update for all that a dm_drag_input holds. A released part needs no hand. [frame] */
+DM_API dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
+                                      dm_drag_state* out_state);
+
 /* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE
  * paces it where the object has its weights and desc.flags doesn't forbid it. dm_drag_update moves it, dm_drag_end ends
  * it at any time; a second release changes its mind or replays. desc NULL = all defaults; out_plan may be NULL, else
@@ -868,7 +933,9 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
       (dm_context * context, dm_scene scene, uint32_t instance, uint32_t part_id, const dm_pose* pose))                \
     X(dm_result, scene_remove, (dm_context * context, dm_scene scene, uint32_t instance))                              \
     X(dm_result, scene_commit, (dm_context * context, dm_scene scene))                                                 \
-    X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))
+    X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))               \
+    X(dm_result, drag_step,                                                                                            \
+      (dm_context * context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;

@@ -1,0 +1,90 @@
+/* Each state has a threshold to enter it and one to leave it. */
+#include "motion/drag_events.h"
+
+#include <math.h>
+
+/* By hand; documented at DM_EVENT_*. */
+#define NEAR_SHARE 0.005f      /* of the range: at a limit or at rest within */
+#define FAR_SHARE 0.02f        /* of the range: away from it beyond */
+#define RIDGE 0.55f            /* of the way to the next detent: past the ridge between both */
+#define PEAK_HALF_LIFE 0.1f    /* s: a part that comes softly to a stop was as fast as this long before */
+#define MAX_DETENTS 1000000.0f /* of one update, so that the count is one */
+
+/* Returns the limit that the value is at, given the one that it was at. */
+static int32_t limit_at(const dmi_watched* now, int32_t was) {
+    if (!dmi_joint_has_limits(now->joint)) return 0;
+    const float range = dmi_rules_range(now->rules, now->joint);
+    const float to_upper = now->joint->upper - now->value, to_lower = now->value - now->joint->lower;
+    if (to_upper <= (was > 0 ? FAR_SHARE : NEAR_SHARE) * range) return 1;
+    return to_lower <= (was < 0 ? FAR_SHARE : NEAR_SHARE) * range ? -1 : 0;
+}
+
+static float share_from_rest(const dmi_watched* now) {
+    return fabsf(now->value - dmi_joint_clamp(now->joint, 0)) / dmi_rules_range(now->rules, now->joint);
+}
+
+/* Returns where the value lies among the detents or snap values, whose places are the integers. */
+static float place_of(const dmi_watched* now) {
+    if (now->rules->snaps.count > 0) return dmi_snaps_place(&now->rules->snaps, now->value);
+    return now->feel->detent > 0 ? now->value / now->feel->detent : 0;
+}
+
+dmi_watch dmi_watch_begin(const dmi_watched* now) {
+    dmi_watch watch = {.blocked = now->blocked, .changes = now->changes, .since_opening = INFINITY};
+    watch.limit = limit_at(now, 0);
+    watch.away = share_from_rest(now) > NEAR_SHARE;
+    watch.open = share_from_rest(now) > now->rules->closed_share;
+    watch.catch_index = roundf(place_of(now));
+    return watch;
+}
+
+static void watch_limits(dmi_watch* watch, const dmi_watched* now) {
+    const int32_t was = watch->limit;
+    watch->limit = limit_at(now, was);
+    if (watch->limit == was || watch->limit == 0) return;
+    watch->events |= watch->limit > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
+    watch->impact = watch->peak_speed;
+}
+
+static void watch_rest(dmi_watch* watch, const dmi_watched* now) {
+    const float share = share_from_rest(now);
+    const bool was_away = watch->away;
+    watch->away = share > (was_away ? NEAR_SHARE : FAR_SHARE);
+    if (watch->away != was_away) watch->events |= was_away ? DM_EVENT_REACHED_REST : DM_EVENT_LEFT_REST;
+    const bool open = share > (watch->open ? now->rules->closed_share : now->rules->open_share);
+    if (open == watch->open || watch->since_opening < now->rules->event_time) return;
+    watch->open = open;
+    watch->since_opening = 0;
+    watch->events |= open ? DM_EVENT_OPENED : DM_EVENT_CLOSED;
+}
+
+static void watch_detents(dmi_watch* watch, const dmi_watched* now) {
+    const float place = place_of(now);
+    if (!(fabsf(place - watch->catch_index) > RIDGE)) return;
+    const float was = watch->catch_index, is = roundf(place), snaps = (float)now->rules->snaps.count;
+    const float first = snaps > 0 ? 0 : -INFINITY, last = snaps > 0 ? snaps - 1 : INFINITY; /* beyond there is none */
+    const float passed = is > was ? fminf(is, last) - fmaxf(was, first - 1) : fminf(was, last + 1) - fmaxf(is, first);
+    watch->catch_index = is;
+    watch->detents = (uint32_t)fminf(fmaxf(passed, 0), MAX_DETENTS);
+    if (watch->detents > 0) watch->events |= DM_EVENT_DETENT;
+}
+
+static void watch_bounds(dmi_watch* watch, const dmi_watched* now) {
+    if (now->blocked == watch->blocked) return;
+    watch->blocked = now->blocked;
+    watch->events |= now->blocked ? DM_EVENT_BLOCKED : DM_EVENT_FREED;
+    if (now->blocked) watch->impact = watch->peak_speed;
+}
+
+void dmi_watch_update(dmi_watch* watch, const dmi_watched* now, float dt) {
+    watch->events = watch->detents = 0;
+    watch->impact = 0;
+    watch->since_opening += dt;
+    watch->peak_speed = fmaxf(fabsf(now->velocity), watch->peak_speed * exp2f(-dt / PEAK_HALF_LIFE));
+    watch_limits(watch, now);
+    watch_rest(watch, now);
+    watch_detents(watch, now);
+    watch_bounds(watch, now);
+    if (now->changes != watch->changes) watch->events |= DM_EVENT_JOINT;
+    watch->changes = now->changes;
+}

@@ -1,0 +1,89 @@
+/* Snap values: they hold and let go, nothing moves at the grab, a released part goes to one in reach. */
+#include "test_rules.h"
+
+static const float places[3] = {0.2f, 0.3f, 0.8f};
+static const dm_drag_rules three = {.struct_size = sizeof three, .snap_count = 3, .snaps = places};
+
+static dmi_rules kept_rules(const dm_drag_feel* feel, float reach) {
+    dm_drag_rules rules = three;
+    rules.snap_reach = reach;
+    return dmi_rules_from(&rules, feel, &test_slide, false, 1);
+}
+
+static void the_map_is_monotone_and_holds_at_snaps(void** state) {
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        const float reaches[3] = {0, 0.02f, 0.5f};
+        const dm_drag_feel feel = {.detent_pull = 0.9f};
+        const dmi_rules rules = kept_rules(&feel, reaches[i]);
+        float last = -1;
+        for (int k = -100; k <= 1200; k++) {
+            const float x = 0.001f * (float)k, y = dmi_snaps_pull(&rules.snaps, x);
+            assert_true(y >= last);
+            assert_near(dmi_snaps_pull(&rules.snaps, dmi_snaps_invert(&rules.snaps, x)), x, 1e-5);
+            last = y;
+        }
+        for (int k = 0; k < 3; k++) {
+            assert_near(dmi_snaps_pull(&rules.snaps, places[k]), places[k], 1e-6);
+            assert_near(dmi_snaps_pull(&rules.snaps, places[k] + 0.001f) - places[k], 0.0001, 5e-5);
+        }
+        assert_near(dmi_snaps_pull(&rules.snaps, 0.25f), 0.25, 1e-6); /* half-way: the ridge */
+    }
+}
+
+static void a_grab_between_snaps_moves_nothing(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.detent_pull = 1};
+    for (int k = 0; k <= 20; k++) {
+        const float value = 0.05f * (float)k;
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        test_begin(&drag, &test_slide, value, &feel, &three);
+        dmi_drag_get_state(&drag, &now);
+        assert_near(now.value, value, 1e-6);
+        assert_near(dmi_snaps_pull(&drag.rules.snaps, drag.pointer_value), value, 1e-4);
+    }
+}
+
+static float sweep(float time) {
+    return fminf(0.5f * time, 1);
+}
+
+static void snaps_passed_are_counted(void** state) {
+    (void)state;
+    for (int rate = 0; rate < TEST_RATES; rate++) {
+        const dm_drag_feel feel = {0};
+        dmi_drag drag;
+        test_begin(&drag, &test_slide, 0, &feel, &three);
+        const test_story story = test_play(&drag, sweep, NULL, 3, rate);
+        assert_int_equal(story.detents, 3);
+        assert_near(story.value, 1, 1e-4);
+    }
+}
+
+static void a_released_part_goes_to_a_snap_in_reach(void** state) {
+    (void)state;
+    const struct {
+        float value, end;
+    } cases[] = {{0.77f, 0.8f}, {0.22f, 0.2f}, {0.29f, 0.3f}, {0.5f, 0.3f}, {0.95f, 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const dm_drag_feel feel = {0};
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        test_begin(&drag, &test_slide, cases[i].value, &feel, &three);
+        dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+        for (int k = 0; k < 300; k++) dmi_drag_update(&drag, NULL, 1.0f / 60, &now);
+        assert_near(now.value, cases[i].end, 1e-4);
+        assert_int_equal(now.phase, DM_DRAG_AT_REST);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_map_is_monotone_and_holds_at_snaps),
+        cmocka_unit_test(a_grab_between_snaps_moves_nothing),
+        cmocka_unit_test(snaps_passed_are_counted),
+        cmocka_unit_test(a_released_part_goes_to_a_snap_in_reach),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
