@@ -136,6 +136,16 @@ int dataset_read(const char* folder, const char* name, known_object* out_object,
     return count > 0 ? 0 : -1;
 }
 
+void dataset_enter_frame(known_object* object, const double origin[3]) {
+    const vec from = {origin[0], origin[1], origin[2]};
+    for (int i = 0; i < object->joint_count; i++) {
+        known_joint* joint = &object->joints[i];
+        joint->origin = sub(joint->origin, from);
+        joint->pivot = sub(joint->pivot, from);
+        for (int k = 0; k < joint->drag_count; k++) joint->drags[k].point = sub(joint->drags[k].point, from);
+    }
+}
+
 void dataset_free(known_object* object) {
     for (int i = 0; i < object->joint_count; i++) {
         name_list_free(&object->joints[i].moving);

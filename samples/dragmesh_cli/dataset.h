@@ -40,6 +40,8 @@ typedef struct known_object {
 name_list dataset_list(const char* folder);
 /* 0, or -1 with a message in `error`. */
 int dataset_read(const char* folder, const char* name, known_object* out_object, char* error, size_t error_size);
+/* Takes places into a frame whose origin is at `origin` of the file: that of a merged mesh, dm_gltf_get_origin. */
+void dataset_enter_frame(known_object* object, const double origin[3]);
 void dataset_free(known_object* object);
 /* Returns the source that a folder's name stands for: "flightgear", "webxr", "partnet", "simulation". */
 const char* dataset_source(const char* name);

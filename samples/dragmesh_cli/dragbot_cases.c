@@ -121,6 +121,7 @@ void bot_play_object(session* session, const char* folder, const char* name, bot
     s.up = (vec){s.known.up == 'x', s.known.up == 'y', s.known.up == 'z'};
     s.view = bot_view_new();
     dm_result result = session_use_file(session, s.known.glb);
+    if (result == DM_OK) dataset_enter_frame(&s.known, session->origin);
     if (result == DM_OK) result = bot_object_set_up(&s);
     if (result != DM_OK) {
         fprintf(stderr, "dragmesh dragbot: %s: %s\n", name, session->error);

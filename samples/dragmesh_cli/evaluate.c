@@ -88,7 +88,6 @@ static void place_object(trial* t) {
     const uint64_t count = t->session->mesh.vertex_count;
     t->positions = cli_alloc(count * 3 * sizeof(float));
     memcpy(t->positions, t->session->mesh.positions, count * 3 * sizeof(float));
-    for (uint64_t i = 0; i < 3 * count; i++) t->positions[i] += (float)t->session->origin[i % 3];
     measure_box(t, count);
     if (!t->options->has_turn) return;
     const similarity s = random_similarity(t->random, t->size);
@@ -305,6 +304,7 @@ int evaluate_object(session* session, const char* folder, const char* name, cons
     }
     const dm_result result = session_use_file(session, t.object.glb);
     if (result == DM_OK) {
+        dataset_enter_frame(&t.object, session->origin);
         place_object(&t);
         for (int i = 0; i < t.object.joint_count; i++) evaluate_joint(&t, i);
         free(t.positions);

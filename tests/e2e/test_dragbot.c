@@ -2,6 +2,7 @@
  * and with the true joint handed in the part does what was meant. */
 #include <math.h>
 
+#include "test_glb.h"
 #include "test_tool.h"
 
 static tool_output out;
@@ -61,6 +62,94 @@ static cJSON* play_well(const char* more, double least) {
 
 static int number_of(const cJSON* json, const char* name) {
     return cJSON_GetObjectItem(json, name)->valueint;
+}
+
+/* ---- far objects ---- */
+
+static const double away[3] = {4e6, 0, -3e6}; /* m */
+
+static void move_list(cJSON* list) {
+    for (int i = 0; i < 3; i++) {
+        cJSON* number = cJSON_GetArrayItem(list, i);
+        cJSON_SetNumberValue(number, number->valuedouble + away[i]);
+    }
+}
+
+static char* read_text(const char* name) {
+    char path[TOOL_PATH + 32];
+    size_t size;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return tool_read(path, &size);
+}
+
+static void write_file(const char* name, const void* data, size_t size) {
+    char path[TOOL_PATH + 32];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    tool_write(path, data, size);
+}
+
+/* Writes the cabinet's joints with all places moved. */
+static void write_far_joints(void) {
+    char* text = read_text("cabinet/joints.json");
+    cJSON *json = cJSON_Parse(text), *joint, *drag;
+    cJSON_ArrayForEach(joint, cJSON_GetObjectItem(json, "joints")) {
+        move_list(cJSON_GetObjectItem(joint, "origin"));
+        cJSON_ArrayForEach(drag, cJSON_GetObjectItem(joint, "drags")) move_list(cJSON_GetObjectItem(drag, "point"));
+    }
+    char* far = cJSON_PrintUnformatted(json);
+    write_file("cabinet/joints.json", far, strlen(far));
+    free(far);
+    free(text);
+    cJSON_Delete(json);
+}
+
+/* Writes the cabinet's file with its nodes below one that stands far away. */
+static void write_far_nodes(void) {
+    char *glb = read_text("cabinet/object.glb"), *text = test_glb_json(glb);
+    uint32_t bin_size;
+    const uint8_t* bin = test_glb_bin(glb, &bin_size);
+    cJSON *json = cJSON_Parse(text), *nodes = cJSON_GetObjectItem(json, "nodes"), *root = cJSON_CreateObject();
+    cJSON* scene = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "scenes"), 0);
+    const int index = cJSON_GetArraySize(nodes);
+    cJSON_AddItemToObject(root, "children", cJSON_DetachItemFromObject(scene, "nodes"));
+    cJSON_AddItemToObject(root, "translation", cJSON_CreateDoubleArray(away, 3));
+    cJSON_AddItemToArray(nodes, root);
+    cJSON_AddItemToObject(scene, "nodes", cJSON_CreateIntArray(&index, 1));
+    char* far = cJSON_PrintUnformatted(json);
+    const test_glb made = test_glb_pack(far, bin, bin_size);
+    write_file("cabinet/object.glb", made.data, made.size);
+    free(made.data);
+    free(far);
+    cJSON_Delete(json);
+    free(text);
+    free(glb);
+}
+
+static double figure(const cJSON* json, const char* name) {
+    return cJSON_GetObjectItem(json, name)->valuedouble;
+}
+
+/* Thousands of kilometres from the origin, where a float has steps of 0.25 m, an object is played with and scored as
+ * near it. */
+static void test_far_objects_are_played_as_near_ones(void** state) {
+    (void)state;
+    cJSON* near = play_well("", 0.98);
+    tool_run(&out, "dragmesh", NULL, "eval|%s|--models|none|--json", folder);
+    cJSON* near_scores = cJSON_Parse(out.text);
+    write_far_joints();
+    write_far_nodes();
+    cJSON* far = play_well("", 0.98);
+    assert_int_equal(number_of(far, "cases"), number_of(near, "cases"));
+    assert_true(fabs(figure(far, "success") - figure(near, "success")) < 1e-9);
+    tool_run(&out, "dragmesh", NULL, "eval|%s|--models|none|--json", folder);
+    cJSON* far_scores = cJSON_Parse(out.text);
+    static const char* const scores[] = {"type_acc", "pose_under_2pct", "axis_within_45mrad", "sign_acc"};
+    for (size_t i = 0; i < sizeof scores / sizeof *scores; i++)
+        assert_true(figure(far_scores, scores[i]) == figure(near_scores, scores[i]));
+    const double line_off = figure(cJSON_GetObjectItem(near_scores, "axis_line_e3"), "mean");
+    assert_true(fabs(figure(cJSON_GetObjectItem(far_scores, "axis_line_e3"), "mean") - line_off) < 0.01 * line_off);
+    cJSON* all[] = {near, far, near_scores, far_scores};
+    for (int i = 0; i < 4; i++) cJSON_Delete(all[i]);
 }
 
 /* ---- hands ---- */
@@ -267,13 +356,20 @@ static void test_refusals(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plain),        cmocka_unit_test(test_jostle),
-        cmocka_unit_test(test_offset),       cmocka_unit_test(test_pause_and_regrab),
-        cmocka_unit_test(test_axis),         cmocka_unit_test(test_combined),
-        cmocka_unit_test(test_rates),        cmocka_unit_test(test_views),
-        cmocka_unit_test(test_moving_world), cmocka_unit_test(test_end_on),
-        cmocka_unit_test(test_poses),        cmocka_unit_test(test_table),
+        cmocka_unit_test(test_plain),
+        cmocka_unit_test(test_jostle),
+        cmocka_unit_test(test_offset),
+        cmocka_unit_test(test_pause_and_regrab),
+        cmocka_unit_test(test_axis),
+        cmocka_unit_test(test_combined),
+        cmocka_unit_test(test_rates),
+        cmocka_unit_test(test_views),
+        cmocka_unit_test(test_moving_world),
+        cmocka_unit_test(test_end_on),
+        cmocka_unit_test(test_poses),
+        cmocka_unit_test(test_table),
         cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_far_objects_are_played_as_near_ones) /* last: it moves the cabinet */,
     };
     return cmocka_run_group_tests_name("dragbot", tests, make_cabinet, remove_cabinet);
 }
