@@ -43,18 +43,22 @@ static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem*
     return result == DM_OK ? dmi_gltf_merge(gltf, problem) : result;
 }
 
-dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, char* folder, size_t folder_size, dm_gltf** out_gltf) {
+void dmi_gltf_release_on_disk(dmi_env* env, const dmi_gltf_on_disk* on_disk) {
+    dmi_free(env, on_disk->folder, on_disk->folder_size);
+    dmi_free(env, on_disk->data, on_disk->size);
+}
+
+dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_disk, dm_gltf** out_gltf) {
     dmi_env setup;
     dmi_env_init(&setup, &desc->allocator, &desc->log, NULL);
     dm_gltf* gltf = dmi_alloc_zeroed(&setup, sizeof *gltf, 64);
     if (!gltf) {
-        dmi_free(&setup, folder, folder_size);
+        dmi_gltf_release_on_disk(&setup, on_disk);
         return dmi_fail(&setup, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %zu bytes", sizeof *gltf);
     }
     dmi_env_init(&gltf->env, &desc->allocator, &desc->log, NULL);
-    gltf->folder = folder;
-    gltf->folder_size = folder_size;
-    gltf->files = folder ? dmi_gltf_folder_files(gltf) : desc->files;
+    gltf->on_disk = *on_disk;
+    gltf->files = on_disk->folder ? dmi_gltf_folder_files(gltf) : desc->files;
     dmi_gltf_problem problem = {.code = DM_OK};
     const dm_result result = load(gltf, desc, &problem);
     if (result == DM_OK) {
@@ -70,7 +74,8 @@ dm_result dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf) {
     if (!desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env_init(&setup, NULL, desc->struct_size >= sizeof *desc ? &desc->log : NULL, NULL);
     const dm_result result = dmi_gltf_check_desc(&setup, desc, 1);
-    return result == DM_OK ? dmi_gltf_open_in(desc, NULL, 0, out_gltf) : result;
+    const dmi_gltf_on_disk none = {NULL, 0, NULL, 0};
+    return result == DM_OK ? dmi_gltf_open_in(desc, &none, out_gltf) : result;
 }
 
 void dm_gltf_close(dm_gltf* gltf) {
@@ -88,7 +93,7 @@ void dm_gltf_close(dm_gltf* gltf) {
     dmi_free(env, gltf->vertex_places, gltf->vertex_capacity * sizeof *gltf->vertex_places);
     dmi_free(env, gltf->face_places, gltf->face_capacity * sizeof *gltf->face_places);
     dmi_gltf_document_close(env, &gltf->document);
-    dmi_free(env, gltf->folder, gltf->folder_size);
+    dmi_gltf_release_on_disk(env, &gltf->on_disk);
     dmi_env last;
     dmi_env_init(&last, &env->allocator, NULL, NULL);
     dmi_free(&last, gltf, sizeof *gltf);

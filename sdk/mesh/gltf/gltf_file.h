@@ -54,14 +54,22 @@ typedef struct dmi_gltf_piece {
     uint64_t first_face, face_count;
 } dmi_gltf_piece;
 
+/* What dm_gltf_open_file has read: the file's folder and its bytes. Zeros: the host hands files and bytes over. */
+typedef struct dmi_gltf_on_disk {
+    char* folder;
+    size_t folder_size;
+    void* data;
+    size_t size;
+} dmi_gltf_on_disk;
+
 struct dm_gltf {
     dmi_env env;
     dm_gltf_files files;
-    char* folder; /* of dm_gltf_open_file; NULL: the host hands files over */
-    size_t folder_size;
+    dmi_gltf_on_disk on_disk;
     dmi_gltf_problem left_out; /* the first thing that was left out */
     dmi_gltf_document document;
-    uint8_t* bin; /* a copy of the binary chunk */
+    uint8_t* bin_copy; /* of the binary chunk; NULL where the bytes stay */
+    const uint8_t* bin;
     uint64_t bin_size;
     dmi_gltf_buffer* buffers;        /* as many as the document has */
     dmi_gltf_decoded* decoded;       /* as many as the document has views */
@@ -83,9 +91,10 @@ struct dm_gltf {
     uint64_t vertex_capacity, face_capacity;
 };
 
-/* dm_gltf_open of a description that was checked, with a folder of dm_gltf_open_file that it takes over. */
-dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, char* folder, size_t folder_size, dm_gltf** out_gltf);
-/* The files of gltf->folder. */
+/* dm_gltf_open of a description that was checked. Takes over `on_disk`, also where it fails. */
+dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_disk, dm_gltf** out_gltf);
+void dmi_gltf_release_on_disk(dmi_env* env, const dmi_gltf_on_disk* on_disk);
+/* The files of gltf->on_disk.folder. */
 dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf);
 /* Checks a description, with or without data. */
 dm_result dmi_gltf_check_desc(dmi_env* env, const dm_gltf_desc* desc, int has_data);

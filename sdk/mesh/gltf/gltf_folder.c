@@ -67,7 +67,7 @@ static int32_t DM_CALL open_beside(void* user, const char* path, const void** ou
     dm_gltf* gltf = user;
     char inside[PATH_MAX];
     contents found;
-    if (!find_inside(gltf->folder, path, inside)) return DM_ERROR_NOT_FOUND;
+    if (!find_inside(gltf->on_disk.folder, path, inside)) return DM_ERROR_NOT_FOUND;
     const dm_result result = read_file(&gltf->env, inside, &found);
     if (result != DM_OK) return result;
     *out_data = found.data;
@@ -96,16 +96,20 @@ static char* folder_of(dmi_env* env, const char* path, size_t* out_size) {
     return folder;
 }
 
+/* Takes `from` over. */
 static dm_result open_contents(dmi_env* env, const char* path, const dm_gltf_desc* desc, const contents* from,
                                dm_gltf** out_gltf) {
-    size_t folder_size = 0;
-    if (from->size == 0) return dmi_fail(env, DM_ERROR_BAD_DATA, "'%.200s' is empty", path);
-    char* folder = folder_of(env, path, &folder_size);
-    if (!folder) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for a path");
+    dmi_gltf_on_disk on_disk = {.data = from->data, .size = from->size};
+    on_disk.folder = folder_of(env, path, &on_disk.folder_size);
+    if (from->size == 0 || !on_disk.folder) {
+        dmi_gltf_release_on_disk(env, &on_disk);
+        return from->size == 0 ? dmi_fail(env, DM_ERROR_BAD_DATA, "'%.200s' is empty", path)
+                               : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for a path");
+    }
     dm_gltf_desc whole = *desc;
     whole.data = from->data;
     whole.size = from->size;
-    return dmi_gltf_open_in(&whole, folder, folder_size, out_gltf);
+    return dmi_gltf_open_in(&whole, &on_disk, out_gltf);
 }
 
 dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf** out_gltf) {
@@ -124,7 +128,5 @@ dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf*
     if (result != DM_OK)
         return dmi_fail(&env, result, "can't read '%.200s': %s", path,
                         errno == EINVAL ? "it is a pipe or a device, not a file" : strerror(errno));
-    result = open_contents(&env, path, desc, &found, out_gltf);
-    dmi_free(&env, found.data, found.size);
-    return result;
+    return open_contents(&env, path, desc, &found, out_gltf);
 }
