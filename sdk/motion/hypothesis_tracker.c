@@ -62,13 +62,14 @@ void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint
 /* Finds the hypotheses of highest priority but the active one, highest first. */
 static uint32_t highest_priority(const dmi_hypothesis_tracker* tracker, uint32_t out[UPDATED_PER_RAY]) {
     uint32_t found = 0;
+    float least = -INFINITY; /* priority that a further one must exceed */
     for (uint32_t i = 0; i < tracker->count; i++) {
         const float priority = tracker->priority[i];
-        const float least = found == UPDATED_PER_RAY ? tracker->priority[out[found - 1]] : -INFINITY;
         if (!(priority > least) || i == tracker->best) continue; /* skips NaN too */
         uint32_t at = found < UPDATED_PER_RAY ? found++ : found - 1;
         for (; at > 0 && tracker->priority[out[at - 1]] < priority; at--) out[at] = out[at - 1];
         out[at] = i;
+        if (found == UPDATED_PER_RAY) least = tracker->priority[out[found - 1]];
     }
     return found;
 }

@@ -10,14 +10,15 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define NOISE_PER_LENGTH 0.01f          /* expected residual on the right joint, share of the pull's length; fitted */
-#define NOISE_FLOOR 0.0015f             /* expected residual at the start, share of the part's size; fitted */
-#define TAIL_EXPONENT 3.5f              /* of the power law that residuals follow; fitted */
-#define PUSH_LOG_PRIOR (-1.5f)          /* of a hand that pushes a part against its stop; by hand */
-#define EXCURSION_LOG_PRIOR (-4.0f)     /* of the side of rest to which the pull has gone less far; by hand */
-#define LEAVE_RATIO 2.5f                /* times as far a pull goes to the other side before that is its side; fitted */
-#define RETURN_RATIO 0.5f               /* the same for the way back to the side where the range was found; fitted */
-#define BLOCKED_SHARE 0.25f             /* of the range: a side with less room is blocked; by hand */
+#define NOISE_PER_LENGTH 0.01f      /* expected residual on the right joint, share of the pull's length; fitted */
+#define NOISE_FLOOR 0.0015f         /* expected residual at the start, share of the part's size; fitted */
+#define TAIL_EXPONENT 3.5f          /* of the power law that residuals follow; fitted */
+#define PUSH_LOG_PRIOR (-1.5f)      /* of a hand that pushes a part against its stop; by hand */
+#define EXCURSION_LOG_PRIOR (-4.0f) /* of the side of rest to which the pull has gone less far; by hand */
+#define JOSTLE_SHARE 0.15f          /* most travel of the grabbed point in a jostle, share of the part; fitted */
+#define LEAVE_RATIO 3.5f            /* times what exceeds a jostle that a pull goes to leave the stated side; fitted */
+#define RETURN_RATIO 0.5f           /* times as far as it left, to come back to the stated side; fitted */
+#define BLOCKED_SHARE 0.25f         /* of the range: a side with less room is blocked; by hand */
 #define STRAIGHT_LOG_LIKELIHOOD (-4.5f) /* of a pointer that goes straight to where a turn should end; fitted */
 #define NEGLIGIBLE_LOG_RATIO 3.0f       /* a term smaller than the other by exp(3) is left out; by hand */
 #define MIN_CONFIDENCE 1e-3f            /* confidences are clamped to [this, 1 - this]; by hand */
@@ -176,16 +177,28 @@ float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_join
     return more + logf(expf(followed - more) + expf(straight - more));
 }
 
+/* Returns how far a pull must go to one side of rest to make it its side, after it went to the other by `excursion`. A
+ * jostle is undone by as much; what was really opened on the stated side is left only by much more, because a hand that
+ * shuts a part goes on beyond rest. */
+static float distance_against(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, bool leaves) {
+    const dm_joint* joint = &hypothesis->joint;
+    const float excursion = hypothesis->excursion[hypothesis->side > 0 ? leaves : !leaves];
+    if (!leaves) return RETURN_RATIO * excursion;
+    const float arm = dmi_joint_turns(joint->type) ? distance_to_line(grasp->pull.grab, joint) : 1;
+    const float opened = fmaxf(excursion - JOSTLE_SHARE * grasp->size / arm, 0);
+    return excursion - opened + LEAVE_RATIO * opened;
+}
+
 /* A joint may have been found on the wrong side of rest, where the other is not blocked. The side that the pull went to
- * most is its side: a short push before the pull, or beyond rest after it, is not. */
-float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float value) {
+ * most is its side. */
+float dmi_joint_hypothesis_side_log_prior(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float value) {
     if (hypothesis->side == 0) return 0;
     if (dmi_joint_hypothesis_is_pushed_shut(hypothesis, value)) return PUSH_LOG_PRIOR;
     if (hypothesis->other_side_blocked) return 0;
-    const float ratio = hypothesis->side * value < 0 ? LEAVE_RATIO : RETURN_RATIO;
-    const float against = ratio * hypothesis->excursion[value < 0], back = against - fabsf(value);
+    const bool leaves = hypothesis->side * value < 0;
+    const float against = distance_against(grasp, hypothesis, leaves), back = against - fabsf(value);
     const float less = back > 0 ? EXCURSION_LOG_PRIOR * back / against : 0;
-    return less + (hypothesis->side * value < 0 ? DMI_OTHER_SIDE_LOG_PRIOR : 0);
+    return less + (leaves ? DMI_OTHER_SIDE_LOG_PRIOR : 0);
 }
 
 static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
@@ -195,7 +208,7 @@ static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypot
     hypothesis->excursion[value > 0] = fmaxf(hypothesis->excursion[value > 0], fabsf(value));
     hypothesis->max_residual = fmaxf(hypothesis->max_residual, dmi_pull_residual(&grasp->pull, ray, point));
     hypothesis->log_posterior = hypothesis->log_prior - hypothesis->shift_cost +
-                                dmi_joint_hypothesis_side_log_prior(hypothesis, value) +
+                                dmi_joint_hypothesis_side_log_prior(grasp, hypothesis, value) +
                                 dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
     hypothesis->log_posterior_at_stop = hypothesis->log_posterior;
     if (now * value >= 0 || hypothesis->other_side_blocked) return;

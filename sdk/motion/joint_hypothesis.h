@@ -68,7 +68,7 @@ bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis,
 float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
                                           float residual);
 /* Returns the log prior that the pull asks for this value, by its side of rest. */
-float dmi_joint_hypothesis_side_log_prior(const dmi_joint_hypothesis* hypothesis, float value);
+float dmi_joint_hypothesis_side_log_prior(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float value);
 /* Returns the residual that the right joint has with an unsteady pointer, host units. */
 float dmi_expected_residual(const dmi_grasp* grasp);
 

@@ -212,6 +212,27 @@ static void what_was_opened_shuts_at_rest(void** state) {
     assert_int_equal(now.changes, 0);
 }
 
+/* A drawer whose side was found wrong opens as soon as it is pulled farther out than it was pushed in. */
+static void a_jostle_is_undone_by_as_much(void** state) {
+    (void)state;
+    const dm_joint drawer = joints[SLIDES];
+    const dm_drag_feel feel = {0};
+    const float jostle = 0.1f, out = -0.16f;
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    dmi_drag_begin(&drag, &drawer, handle, 0, &feel);
+    dmi_drag_track_hypotheses(&drag, &drawer, NULL, 1, 1, (dmi_limit_give){.length = 4});
+    for (int k = 0; k <= 120; k++) {
+        float point[3];
+        point_on(&drawer, k <= 40 ? jostle * (float)k / 40 : jostle + (out - jostle) * (float)(k - 40) / 80, point);
+        const dm_ray ray = ray_to(eye, point);
+        dmi_drag_update(&drag, &ray, FRAME, &now);
+        if (k == 40) assert_near(now.value, jostle, 0.02);
+    }
+    assert_near(now.value, out, 0.02);
+    assert_int_equal(now.changes, 1);
+}
+
 /* A pull that fits none of the joints takes the part along. */
 static void nothing_is_stuck(void** state) {
     (void)state;
@@ -326,6 +347,7 @@ int main(void) {
         cmocka_unit_test(a_hand_that_trembles_decides_the_same),
         cmocka_unit_test(the_pull_tells_the_side),
         cmocka_unit_test(what_was_opened_shuts_at_rest),
+        cmocka_unit_test(a_jostle_is_undone_by_as_much),
         cmocka_unit_test(nothing_is_stuck),
         cmocka_unit_test(half_the_step_is_the_same_drag),
         cmocka_unit_test(host_axes_do_not_matter),
