@@ -39,7 +39,11 @@ local function installed(header)
     return false
 end
 
-local embree = os.isfile("/usr/include/embree4/rtcore.h") and "embree4" or "embree3"
+newoption { trigger = "pick", value = "BACKEND", description = "What picks rays: Embree and our own code, one of them, or none",
+    allowed = { { "auto", "both; Embree where its shared library is found at run time" }, { "embree", "Embree alone" },
+        { "portable", "our own code alone" }, { "none", "nothing: hosts cast their own rays" } } }
+local pick_macros = ({ auto = {}, embree = { "DMI_NO_PORTABLE" }, portable = { "DMI_NO_EMBREE" },
+    none = { "DMI_NO_EMBREE", "DMI_NO_PORTABLE" } })[_OPTIONS["pick"] or "auto"]
 
 -- Declares a program or library: its sources, the folders it may include from, and what it links.
 local function make(name, kind_, sources, includes, libraries)
@@ -150,6 +154,7 @@ for _, room in ipairs(rooms) do
     table.insert(room_libraries, 1, name)
     local sources = table.join({ "sdk/" .. room[1] .. "/*.c" }, made[room[1]] or {})
     library(name, sources, { api, include_folder(name, "sdk", room[2]) })
+    if room[1] == "pick" then defines(pick_macros) end
 end
 
 -- Libraries --------------------------------------------------------------------------------------------------------
@@ -164,7 +169,7 @@ library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, room_librarie
         "@(echo create $(TARGET).new; printf '%s\\n'" .. add .. "; printf 'addmod %s\\n' $(OBJECTS); echo save) | $(AR) -M",
         "@mv $(TARGET).new $(TARGET)" }
 
-local core = { "dragmesh_core", "cjson", embree, "m" }
+local core = { "dragmesh_core", "cjson", "dl", "m" }
 
 shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plugin_api/dragmesh.map")
 
@@ -191,7 +196,7 @@ library("dragmesh_generator", { "training/generator/**.c" },
     { api, generator, include_folder("dragmesh_generator", "sdk", { "base", "math", "mesh" }) })
 
 shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },
-    { "dragmesh_generator", "dragmesh_core", "cjson", embree, "m" }, "training/lab/lab.map")
+    { "dragmesh_generator", "dragmesh_core", "cjson", "dl", "m" }, "training/lab/lab.map")
 
 -- Programs ---------------------------------------------------------------------------------------------------------
 
@@ -235,7 +240,7 @@ local everything = { api, "sdk", generator, "tests/include", "samples/dragmesh_c
 for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
     for _, source in ipairs(os.matchfiles("tests/" .. room .. "/test_*.c")) do
         local name = source:match("([%w_]+)%.c$")
-        local libraries = { "cmocka", "dragmesh_gltf", "dragmesh_generator", "dragmesh_core", "cjson", embree, "dl", "m" }
+        local libraries = { "cmocka", "dragmesh_gltf", "dragmesh_generator", "dragmesh_core", "cjson", "dl", "m" }
         if room == "abi" or room == "e2e" then
             libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
         end
@@ -248,10 +253,19 @@ end
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
     program(source:match("([%w_]+)%.c$"), { source, "tests/fuzz/driver.c" }, everything,
-        { "dragmesh_gltf", "dragmesh_core", "cjson", embree, "m" }, "/fuzz")
+        { "dragmesh_gltf", "dragmesh_core", "cjson", "dl", "m" }, "/fuzz")
 end
 
+-- Benchmarks that call Embree themselves too; without its headers they are left out.
+local embree = installed "embree4/rtcore.h" and "embree4" or installed "embree3/rtcore.h" and "embree3"
+local beside_embree = { bench_peers = true, bench_pick = true }
+
 for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
-    program(source:match("([%w_]+)%.c$"), { source, "tests/bench/support.c", "tests/bench/world.c" }, everything,
-        { "dragmesh_core", "cjson", embree, "m" }, "/bench")
+    local name, libraries = source:match("([%w_]+)%.c$"), { "dragmesh_core", "cjson", "dl", "m" }
+    local sources = { source, "tests/bench/support.c", "tests/bench/world.c" }
+    if beside_embree[name] then
+        table.insert(sources, "tests/bench/bare_embree.c")
+        table.insert(libraries, embree)
+    end
+    if embree or not beside_embree[name] then program(name, sources, everything, libraries, "/bench") end
 end

@@ -21,6 +21,14 @@ static dm_result check_hooks(dmi_env* env, const dm_context_desc* desc) {
     return dmi_check_range(env, "dm_context_create: desc.axes", desc->axes, DM_AXES_GLTF, DM_AXES_CUSTOM);
 }
 
+static dm_result check_picking(dmi_env* env, const dm_context_desc* desc) {
+    if (desc->reserved != 0) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_context_create: desc.reserved is %u: it must be 0",
+                        desc->reserved);
+    }
+    return dmi_check_range(env, "dm_context_create: desc.picking", desc->picking, DM_PICK_AUTO, DM_PICK_NONE);
+}
+
 static dm_result init_context(dm_context* context, const dm_context_desc* desc) {
     dmi_env* env = &context->env;
     float unit = desc->unit_in_metres > 0.0f ? desc->unit_in_metres : 1.0f;
@@ -41,7 +49,7 @@ static dm_result init_context(dm_context* context, const dm_context_desc* desc) 
         dm_result result = dmi_pool_create(env, pools[i].kind, pools[i].pool);
         if (result != DM_OK) return result;
     }
-    return dmi_picker_create(env, &context->picker);
+    return dmi_picker_create(env, desc->picking, &context->picker);
 }
 
 /* Allocates the context's own block through an environment that outlives it. */
@@ -68,6 +76,7 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
     if (result != DM_OK) return result;
     dmi_env_init(&outer, NULL, &known.log, NULL);
     result = check_hooks(&outer, &known);
+    if (result == DM_OK) result = check_picking(&outer, &known);
     if (result != DM_OK) return result;
     dmi_env_init(&outer, &known.allocator, &known.log, &known.jobs);
     dm_context* context = allocate_context(&outer);

@@ -26,6 +26,7 @@ typedef struct dmi_model_slot {
 /* One instance of an object in a scene, linked in both, so that either can be destroyed first. */
 typedef struct dmi_placement {
     struct dmi_placement *next_of_scene, *next_of_object;
+    struct dmi_placement **link_of_scene, **link_of_object; /* what points to this one in each list */
     struct dmi_scene_slot* scene;
     struct dmi_object_slot* object;
     uint32_t instance;

@@ -56,31 +56,35 @@ dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc
     return DM_OK;
 }
 
+static void link_to_scene(dmi_placement* placement) {
+    dmi_placement** first = &placement->scene->placements;
+    placement->next_of_scene = *first;
+    placement->link_of_scene = first;
+    if (*first != NULL) (*first)->link_of_scene = &placement->next_of_scene;
+    *first = placement;
+}
+
+static void link_to_object(dmi_placement* placement) {
+    dmi_placement** first = &placement->object->placements;
+    placement->next_of_object = *first;
+    placement->link_of_object = first;
+    if (*first != NULL) (*first)->link_of_object = &placement->next_of_object;
+    *first = placement;
+}
+
 static void link_placement(dm_context* context, dmi_placement* placement) {
     dmi_lock(context);
-    placement->next_of_scene = placement->scene->placements;
-    placement->scene->placements = placement;
-    placement->next_of_object = placement->object->placements;
-    placement->object->placements = placement;
+    link_to_scene(placement);
+    link_to_object(placement);
     dmi_unlock(context);
-}
-
-static void unlink_from_object(dmi_placement* placement) {
-    dmi_placement** at = &placement->object->placements;
-    while (*at != placement) at = &(*at)->next_of_object;
-    *at = placement->next_of_object;
-}
-
-static void unlink_from_scene(dmi_placement* placement) {
-    dmi_placement** at = &placement->scene->placements;
-    while (*at != placement) at = &(*at)->next_of_scene;
-    *at = placement->next_of_scene;
 }
 
 static void unlink_placement(dm_context* context, dmi_placement* placement) {
     dmi_lock(context);
-    unlink_from_object(placement);
-    unlink_from_scene(placement);
+    *placement->link_of_scene = placement->next_of_scene;
+    if (placement->next_of_scene != NULL) placement->next_of_scene->link_of_scene = placement->link_of_scene;
+    *placement->link_of_object = placement->next_of_object;
+    if (placement->next_of_object != NULL) placement->next_of_object->link_of_object = placement->link_of_object;
     dmi_unlock(context);
     dmi_free(&context->env, placement, sizeof *placement);
 }
@@ -132,6 +136,7 @@ dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object ob
         return result;
     }
     *out_instance = placement->instance;
+    dmi_scene_set_user(slot->scene, placement->instance, placement);
     link_placement(context, placement);
     return DM_OK;
 }
@@ -151,12 +156,10 @@ dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, uint32_t 
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_remove", scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dm_result result = dmi_scene_remove(slot->scene, instance);
-    if (result != DM_OK) return result;
-    dmi_placement* placement = slot->placements;
-    while (placement != NULL && placement->instance != instance) placement = placement->next_of_scene;
-    if (placement != NULL) unlink_placement(context, placement);
-    return DM_OK;
+    dmi_placement* placement = dmi_scene_user(slot->scene, instance);
+    const dm_result result = dmi_scene_remove(slot->scene, instance);
+    if (result == DM_OK) unlink_placement(context, placement);
+    return result;
 }
 
 dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene) {

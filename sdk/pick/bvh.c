@@ -1,19 +1,18 @@
-/* Builds one bounding volume hierarchy for each part, over vertices that all parts share. */
+/* Builds one tree for each part, over vertices that all parts share. */
 #include "pick/bvh.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "base/ids.h"
 
-#define POSITION_PADDING 16 /* bytes that Embree may read at the last vertex */
-
 static size_t positions_size(const dmi_bvh* bvh) {
-    return (size_t)bvh->vertex_count * 3 * sizeof(float) + POSITION_PADDING;
+    return (size_t)bvh->vertex_count * 3 * sizeof(float) + DMI_POSITION_PADDING;
 }
 
-void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t primitive, const float* out[3]) {
-    const uint32_t* corners = bvh->corners + ((size_t)bvh->parts[part].first_face + primitive) * 3;
+void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t face, const float* out[3]) {
+    const uint32_t* corners = bvh->corners + ((size_t)bvh->parts[part].first_face + face) * 3;
     for (int i = 0; i < 3; i++) out[i] = bvh->positions + (size_t)corners[i] * 3;
 }
 
@@ -42,47 +41,66 @@ static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** ou
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
 }
 
+/* Whether a triangle has an area, in the numbers that the trees see. One without is never hit: where it lies in front
+ * of another, rounding would decide. */
+static bool has_area(const dmi_mesh* mesh, uint32_t face) {
+    const uint32_t* corner = mesh->indices + (size_t)face * 3;
+    double edge[2][3];
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 3; k++)
+            edge[i][k] = (double)mesh->positions[(size_t)corner[i + 1] * 3 + (size_t)k] -
+                         (double)mesh->positions[(size_t)corner[0] * 3 + (size_t)k];
+    for (int k = 0; k < 3; k++) {
+        if (edge[0][k] * edge[1][(k + 1) % 3] != edge[0][(k + 1) % 3] * edge[1][k]) return true;
+    }
+    return false;
+}
+
+static void include(dmi_bvh_part* part, const float* position) {
+    for (int k = 0; k < 3; k++) {
+        part->low[k] = fminf(part->low[k], position[k]);
+        part->high[k] = fmaxf(part->high[k], position[k]);
+    }
+}
+
+static void add_face(dmi_bvh* bvh, const dmi_mesh* mesh, uint32_t face) {
+    dmi_bvh_part* part = &bvh->parts[mesh->face_part[face]];
+    const uint32_t place = part->first_face + part->face_count++;
+    bvh->faces[place] = face;
+    memcpy(bvh->corners + (size_t)place * 3, mesh->indices + (size_t)face * 3, 3 * sizeof(uint32_t));
+    for (int i = 0; i < 3; i++) include(part, bvh->positions + (size_t)bvh->corners[(size_t)place * 3 + (size_t)i] * 3);
+}
+
 /* Copies the mesh with its faces in order of their parts. */
 static void copy_mesh(dmi_bvh* bvh, const dmi_mesh* mesh) {
     memcpy(bvh->positions, mesh->positions, (size_t)mesh->vertex_count * 3 * sizeof(float));
-    memset(bvh->positions + (size_t)mesh->vertex_count * 3, 0, POSITION_PADDING);
+    memset(bvh->positions + (size_t)mesh->vertex_count * 3, 0, DMI_POSITION_PADDING);
     uint32_t first = 0;
     for (uint32_t p = 0; p < mesh->part_count; p++) {
-        dmi_bvh_part* part = &bvh->parts[p];
-        part->id = mesh->parts[p].id;
-        part->first_face = first;
+        bvh->parts[p] = (dmi_bvh_part){.id = mesh->parts[p].id,
+                                       .first_face = first,
+                                       .low = {INFINITY, INFINITY, INFINITY},
+                                       .high = {-INFINITY, -INFINITY, -INFINITY}};
         first += mesh->parts[p].face_count;
     }
     for (uint32_t f = 0; f < mesh->face_count; f++) {
-        dmi_bvh_part* part = &bvh->parts[mesh->face_part[f]];
-        uint32_t place = part->first_face + part->face_count++;
-        bvh->faces[place] = f;
-        memcpy(bvh->corners + (size_t)place * 3, mesh->indices + (size_t)f * 3, 3 * sizeof(uint32_t));
+        if (has_area(mesh, f)) add_face(bvh, mesh, f);
     }
 }
 
 static dm_result build_part(dmi_bvh* bvh, dmi_bvh_part* part) {
-    RTCDevice device = bvh->picker->device;
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    part->scene = rtcNewScene(device);
-    if (geometry != NULL && part->scene != NULL) {
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, bvh->positions, 0,
-                                   3 * sizeof(float), bvh->vertex_count);
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                   bvh->corners + (size_t)part->first_face * 3, 0, 3 * sizeof(uint32_t),
-                                   part->face_count);
-        rtcCommitGeometry(geometry);
-        /* Robust: no ray slips between two triangles that share an edge. */
-        rtcSetSceneFlags(part->scene, RTC_SCENE_FLAG_ROBUST);
-        rtcAttachGeometry(part->scene, geometry);
-        dmi_picker_commit(bvh->picker, part->scene);
-    }
-    if (geometry != NULL) rtcReleaseGeometry(geometry);
-    return dmi_picker_status(bvh->picker);
+    if (part->face_count == 0) return DM_OK;
+    const dmi_triangles triangles = {.positions = bvh->positions,
+                                     .corners = bvh->corners + (size_t)part->first_face * 3,
+                                     .vertex_count = bvh->vertex_count,
+                                     .face_count = part->face_count};
+    return bvh->picker->backend->build(bvh->picker->device, &triangles, &part->tree);
 }
 
 dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh) {
     dmi_bvh* bvh;
+    *out_bvh = NULL;
+    if (picker->backend == NULL) return DM_OK;
     dm_result result = allocate(picker, mesh, &bvh);
     if (result == DM_OK) copy_mesh(bvh, mesh);
     for (uint32_t p = 0; result == DM_OK && p < mesh->part_count; p++) result = build_part(bvh, &bvh->parts[p]);
@@ -98,7 +116,7 @@ void dmi_bvh_destroy(dmi_bvh* bvh) {
     if (bvh == NULL) return;
     dmi_env* env = bvh->picker->env;
     for (uint32_t p = 0; bvh->parts != NULL && p < bvh->part_count; p++) {
-        if (bvh->parts[p].scene != NULL) rtcReleaseScene(bvh->parts[p].scene);
+        if (bvh->parts[p].tree != NULL) bvh->picker->backend->destroy(bvh->picker->device, bvh->parts[p].tree);
     }
     dmi_free(env, bvh->positions, positions_size(bvh));
     dmi_free(env, bvh->corners, (size_t)bvh->face_count * 3 * sizeof(uint32_t));

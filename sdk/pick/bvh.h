@@ -1,4 +1,4 @@
-/* The bounding volume hierarchies of an object, as the scene uses them. */
+/* The trees of an object, as the scene uses them. */
 #ifndef DMI_PICK_BVH_H
 #define DMI_PICK_BVH_H
 
@@ -7,13 +7,14 @@
 typedef struct dmi_bvh_part {
     uint32_t id; /* the host's */
     uint32_t first_face, face_count;
-    RTCScene scene; /* its triangles at rest */
+    float low[3], high[3]; /* box of its triangles at rest */
+    void* tree;            /* the backend's; NULL: no triangle of the part has an area */
 } dmi_bvh_part;
 
 struct dmi_bvh {
     dmi_picker* picker;
-    float* positions;  /* shared with Embree, which may read 16 bytes at each vertex */
-    uint32_t* corners; /* of the faces, part after part; shared with Embree */
+    float* positions;  /* the backend may read DMI_POSITION_PADDING bytes at each vertex */
+    uint32_t* corners; /* of the faces with an area, part after part */
     uint32_t* faces;   /* index in the mesh of each of these */
     uint32_t vertex_count, face_count, part_count;
     dmi_bvh_part* parts;
@@ -21,7 +22,7 @@ struct dmi_bvh {
 
 /* Index of the part with the host's id; -1 when there is none. */
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id);
-/* Corners a, b, c of the face that Embree calls `primitive` of a part. */
-void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t primitive, const float* out[3]);
+/* Corners a, b, c of the face that the backend calls `face` of a part. */
+void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t face, const float* out[3]);
 
 #endif

@@ -1,33 +1,43 @@
-/* Ray picking: one static BVH a part, built once with the object; a scene of moved instances on top (Embree). */
+/* Ray picking: one static tree of triangles a part, built once with the object by Embree or by a backend of our own; a
+ * scene of moved instances on top. */
 #ifndef DMI_PICK_PICK_H
 #define DMI_PICK_PICK_H
 
 #include "base/env.h"
 #include "mesh/mesh.h"
 
-typedef struct dmi_picker dmi_picker; /* one Embree device of a context, without threads of its own */
+typedef struct dmi_picker dmi_picker; /* the backend of a context, without threads of its own */
 typedef struct dmi_bvh dmi_bvh;       /* the parts of one object, object-normalised, at rest */
 typedef struct dmi_scene dmi_scene;   /* instances in the host's world frame */
 
-dm_result dmi_picker_create(dmi_env* env, dmi_picker** out_picker);
+/* choice: DM_PICK_*. UNSUPPORTED when the backend asked for does not work here; DM_PICK_AUTO then takes the next, and
+ * at last none. */
+dm_result dmi_picker_create(dmi_env* env, int32_t choice, dmi_picker** out_picker);
 void dmi_picker_destroy(dmi_picker* picker);
+/* Returns "embree", "portable" or "none". */
+const char* dmi_picker_backend(const dmi_picker* picker);
 
-/* Builds the hierarchies; keeps its own padded copy of the mesh. */
+/* Builds the trees; keeps its own padded copy of the mesh. NULL, and DM_OK, where the context picks nothing. */
 dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh);
 void dmi_bvh_destroy(dmi_bvh* bvh);
 
+/* UNSUPPORTED where the context picks nothing. */
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene);
 void dmi_scene_destroy(dmi_scene* scene);
 /* Adds an instance. `object` is the handle reported in hits; `frame` is the mesh's. The bvh must outlive the instance.
  */
 dm_result dmi_scene_add(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                         const dm_pose* host_placement, uint32_t* out_instance);
+/* A pointer kept with an instance, NULL at first; and NULL for one that is not there. */
+void dmi_scene_set_user(dmi_scene* scene, uint32_t instance, void* user);
+void* dmi_scene_user(const dmi_scene* scene, uint32_t instance);
 /* part_id: the host's, 0 = the placement of the whole. Poses in host units: the part's own is from rest in the object
  * frame, the poses of the parts that carry it included. No allocation. */
 dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, const dm_pose* host_pose);
 /* Takes effect at once, without a commit. */
 dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance);
-/* Instances added and moves made since the last commit become visible. No allocation of ours. */
+/* Instances added and moves made since the last commit become visible. No allocation; a move takes the time of its own
+ * part, and of one way through the tree of the others. */
 void dmi_scene_commit(dmi_scene* scene);
 /* out_hit->object 0 when nothing is hit. The normal is (b - a) x (c - a) of the corners' host world coordinates, made
  * unit: in a left-handed host it points to the side from which the corners run clockwise. */

@@ -1,20 +1,15 @@
-/* The Embree device of a context: no thread of its own, errors to the log, memory counted. */
+/* The backend of a context and what it keeps. */
 #ifndef DMI_PICK_PICKER_H
 #define DMI_PICK_PICKER_H
 
-#include "pick/embree.h"
+#include "pick/backend.h"
 #include "pick/pick.h"
 
 struct dmi_picker {
     dmi_env* env;
-    RTCDevice device;
-    _Atomic uint32_t builders; /* threads inside dmi_picker_commit */
-    uint32_t max_builders;
+    const dmi_pick_backend* backend; /* NULL: this context picks nothing */
+    void* device;
+    char why[DMI_PICK_WHY_SIZE]; /* it picks nothing */
 };
-
-/* Builds what changed in the scene, on the calling thread. */
-void dmi_picker_commit(dmi_picker* picker, RTCScene scene);
-/* Returns the result of the calling thread's Embree calls since the last time; failures are already in the log. */
-dm_result dmi_picker_status(const dmi_picker* picker);
 
 #endif

@@ -1,141 +1,101 @@
-/* Instances of objects: one Embree instance for each part over the part's own hierarchy, moved by its matrix.
+/* Scenes: instances of objects in a tree of their parts' boxes.
  *
- * A move only stores the pose. Commit computes the matrices and rebuilds the small top level, so picks between a move
- * and the commit see the scene as it was. */
+ * A move only stores the pose. Commit computes matrices and boxes and mends the tree, so picks between a move and the
+ * commit see the scene as it was. Whatever a commit needs is allocated when an instance is added. */
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
-#include "pick/bvh.h"
-
 #include "math/vec3.h"
+#include "pick/lanes.h"
+#include "pick/placed.h"
 
 #define FIRST_CAPACITY 16 /* instances; doubles when full */
-/* Bounds of the next three, host units: Embree takes coordinates up to 1.8e18, also in the frame of an instance, where
- * they are divided by its object's size; Debian's build aborts on larger ones. */
+/* Bounds, in host units. Within them no product of floats on a ray's way overflows. */
 #define MAX_COORDINATE 1e10  /* of ray origins and translations */
 #define MIN_OBJECT_SIZE 1e-6 /* largest side */
 #define MAX_OBJECT_SIZE 1e12
-
-typedef struct placed_object placed_object;
-
-typedef struct placed_part {
-    const placed_object* owner;
-    RTCGeometry geometry;
-    uint32_t geometry_id; /* in the top level, when attached */
-    dm_pose pose;         /* from rest, object frame */
-    bool moved;           /* since the last commit */
-    uint32_t part;
-    double to_object[12], to_world[12]; /* from the object-normalised frame, as committed; 3x4, column-major */
-} placed_part;
-
-struct placed_object {
-    placed_object* next_dirty;
-    const dmi_bvh* bvh;
-    dmi_frame frame;
-    dm_object object;
-    dm_pose placement;
-    uint32_t id;
-    bool dirty;          /* in the scene's list */
-    bool moved;          /* placement, since the last commit */
-    bool attached;       /* to the top level */
-    placed_part parts[]; /* of bvh */
-};
+/* A commit that changes as large a share of the parts builds the tree anew; measured: placing a part takes as long as
+ * rebuilding for four to eight. */
+#define REBUILT_SHARE 6
+/* Of floats: where the exponent stands in their bits, what it is of 1, and numbers whose products with the largest and
+ * smallest ones are normal numbers. */
+#define FLOAT_EXPONENT_SHIFT 23
+#define FLOAT_BIAS 127
+#define FLOAT_SMALL 0x1p-64f
+#define FLOAT_LARGE 0x1p64f
+/* Bound of the rounding of a distance to a plane, relative: 1 + 2 gamma(3) and a bit. */
+#define EXIT_SLACK 1.0000005f
 
 struct dmi_scene {
     dmi_picker* picker;
-    RTCScene top;
-    placed_object** objects; /* by instance id; NULL where removed */
-    uint32_t capacity;
-    placed_object* dirty;
+    dmi_placed_object** objects; /* by instance id; NULL where removed */
+    uint32_t* free_ids;          /* a stack of `free_count`, the next to use on top */
+    uint32_t capacity, free_count;
+    dmi_placed_object* dirty; /* a list */
+    dmi_top_tree tree;
 };
-
-/* ---- matrices: 3x4, column-major, doubles so that objects far from the origin keep their shape ---- */
-
-static void pose_matrix(const dm_pose* pose, double out[12]) {
-    double x = (double)pose->real[0], y = (double)pose->real[1], z = (double)pose->real[2], w = (double)pose->real[3];
-    double a = (double)pose->dual[0], b = (double)pose->dual[1], c = (double)pose->dual[2], d = (double)pose->dual[3];
-    const double columns[12] = {
-        1 - 2 * (y * y + z * z),
-        2 * (x * y + w * z),
-        2 * (x * z - w * y),
-        2 * (x * y - w * z),
-        1 - 2 * (x * x + z * z),
-        2 * (y * z + w * x),
-        2 * (x * z + w * y),
-        2 * (y * z - w * x),
-        1 - 2 * (x * x + y * y),
-        2 * (w * a - d * x + y * c - z * b),
-        2 * (w * b - d * y + z * a - x * c),
-        2 * (w * c - d * z + x * b - y * a),
-    };
-    memcpy(out, columns, sizeof columns);
-}
-
-static void apply(const double m[12], const double p[3], double out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = m[i] * p[0] + m[3 + i] * p[1] + m[6 + i] * p[2] + m[9 + i];
-}
-
-/* Applies the matrix without its translation. */
-static void apply_linear(const double m[12], const double direction[3], double out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = m[i] * direction[0] + m[3 + i] * direction[1] + m[6 + i] * direction[2];
-}
-
-static void multiply(const double a[12], const double b[12], double out[12]) {
-    for (int column = 0; column < 3; column++) apply_linear(a, b + 3 * column, out + 3 * column);
-    apply(a, b + 9, out + 9);
-}
 
 /* ---- placed objects ---- */
 
 static size_t placed_size(const dmi_bvh* bvh) {
-    return sizeof(placed_object) + bvh->part_count * sizeof(placed_part);
+    return sizeof(dmi_placed_object) + bvh->part_count * sizeof(dmi_placed_part);
 }
 
-static void mark_dirty(dmi_scene* scene, placed_object* placed) {
+static void mark_dirty(dmi_scene* scene, dmi_placed_object* placed) {
     if (placed->dirty) return;
     placed->dirty = true;
+    placed->previous_dirty = NULL;
     placed->next_dirty = scene->dirty;
+    if (scene->dirty != NULL) scene->dirty->previous_dirty = placed;
     scene->dirty = placed;
 }
 
-static void unmark_dirty(dmi_scene* scene, const placed_object* placed) {
-    placed_object** link = &scene->dirty;
-    while (*link != NULL && *link != placed) link = &(*link)->next_dirty;
-    if (*link != NULL) *link = placed->next_dirty;
+static void unmark_dirty(dmi_scene* scene, dmi_placed_object* placed) {
+    if (!placed->dirty) return;
+    placed->dirty = false;
+    if (placed->next_dirty != NULL) placed->next_dirty->previous_dirty = placed->previous_dirty;
+    if (placed->previous_dirty != NULL)
+        placed->previous_dirty->next_dirty = placed->next_dirty;
+    else
+        scene->dirty = placed->next_dirty;
 }
 
-static void release_placed(dmi_env* env, placed_object* placed) {
+static void release_placed(dmi_scene* scene, dmi_placed_object* placed) {
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
-        if (placed->parts[p].geometry != NULL) rtcReleaseGeometry(placed->parts[p].geometry);
+        if (placed->parts[p].leaf != DMI_TOP_NONE) dmi_top_tree_remove(&scene->tree, placed->parts[p].leaf);
     }
-    dmi_free(env, placed, placed_size(placed->bvh));
+    dmi_free(scene->picker->env, placed, placed_size(placed->bvh));
 }
 
 static dm_result grow(dmi_scene* scene) {
     dmi_env* env = scene->picker->env;
-    uint32_t capacity = scene->capacity > 0 ? 2 * scene->capacity : FIRST_CAPACITY;
-    placed_object** objects = dmi_alloc_zeroed(env, capacity * sizeof(placed_object*), DMI_ALIGNMENT);
-    if (objects == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u instances", capacity);
-    if (scene->capacity > 0) memcpy(objects, scene->objects, scene->capacity * sizeof(placed_object*));
-    dmi_free(env, scene->objects, scene->capacity * sizeof(placed_object*));
+    const uint32_t old = scene->capacity, capacity = old > 0 ? 2 * old : FIRST_CAPACITY;
+    dmi_placed_object** objects = dmi_alloc_zeroed(env, capacity * sizeof *objects, DMI_ALIGNMENT);
+    uint32_t* free_ids = dmi_alloc(env, capacity * sizeof *free_ids, DMI_ALIGNMENT);
+    if (objects == NULL || free_ids == NULL) {
+        dmi_free(env, objects, capacity * sizeof *objects);
+        dmi_free(env, free_ids, capacity * sizeof *free_ids);
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u instances", capacity);
+    }
+    if (old > 0) memcpy(objects, scene->objects, old * sizeof *objects);
+    for (uint32_t id = capacity; id > old; id--) free_ids[scene->free_count++] = id - 1;
+    dmi_free(env, scene->objects, old * sizeof *objects);
+    dmi_free(env, scene->free_ids, old * sizeof *free_ids);
     scene->objects = objects;
+    scene->free_ids = free_ids;
     scene->capacity = capacity;
     return DM_OK;
 }
 
-static dm_result make_parts(dmi_picker* picker, placed_object* placed) {
+static dm_result make_parts(dmi_scene* scene, dmi_placed_object* placed) {
+    dm_result result = DM_OK;
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
-        placed_part* part = &placed->parts[p];
-        part->owner = placed;
-        part->part = p;
-        part->pose = dmi_pose_identity();
-        part->geometry = rtcNewGeometry(picker->device, RTC_GEOMETRY_TYPE_INSTANCE);
-        if (part->geometry == NULL) break;
-        rtcSetGeometryInstancedScene(part->geometry, placed->bvh->parts[p].scene);
-        rtcSetGeometryUserData(part->geometry, part);
+        dmi_placed_part* part = &placed->parts[p];
+        *part = (dmi_placed_part){.owner = placed, .part = p, .leaf = DMI_TOP_NONE, .pose = dmi_pose_identity()};
+        if (result == DM_OK && placed->bvh->parts[p].tree != NULL)
+            result = dmi_top_tree_add(&scene->tree, part, &part->leaf);
     }
-    return dmi_picker_status(picker);
+    return result;
 }
 
 /* Normalises a pose and checks that its translation is within the bounds. */
@@ -158,9 +118,9 @@ static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
 }
 
 static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
-                             const dm_pose* placement, placed_object** out_placed) {
+                             const dm_pose* placement, dmi_placed_object** out_placed) {
     dmi_env* env = scene->picker->env;
-    placed_object* placed = dmi_alloc_zeroed(env, placed_size(bvh), DMI_ALIGNMENT);
+    dmi_placed_object* placed = dmi_alloc_zeroed(env, placed_size(bvh), DMI_ALIGNMENT);
     if (placed == NULL) {
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for an instance of %u parts", bvh->part_count);
     }
@@ -169,9 +129,9 @@ static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_fra
     placed->object = object;
     placed->placement = *placement;
     placed->moved = true;
-    dm_result result = make_parts(scene->picker, placed);
+    const dm_result result = make_parts(scene, placed);
     if (result != DM_OK) {
-        release_placed(env, placed);
+        release_placed(scene, placed);
         return result;
     }
     *out_placed = placed;
@@ -181,30 +141,36 @@ static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_fra
 dm_result dmi_scene_add(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                         const dm_pose* host_placement, uint32_t* out_instance) {
     dmi_env* env = scene->picker->env;
-    placed_object* placed = NULL;
+    dmi_placed_object* placed = NULL;
     dm_pose placement;
-    uint32_t id = 0;
     dm_result result = check_size(env, frame);
     if (result == DM_OK) result = check_pose(env, host_placement, &placement);
-    if (result != DM_OK) return result;
-    while (id < scene->capacity && scene->objects[id] != NULL) id++;
-    if (id == scene->capacity) result = grow(scene);
+    if (result == DM_OK && scene->free_count == 0) result = grow(scene);
     if (result == DM_OK) result = make_placed(scene, bvh, frame, object, &placement, &placed);
     if (result != DM_OK) return result;
-    placed->id = id;
-    scene->objects[id] = placed;
+    placed->id = scene->free_ids[--scene->free_count];
+    scene->objects[placed->id] = placed;
     mark_dirty(scene, placed);
-    *out_instance = id;
+    *out_instance = placed->id;
     return DM_OK;
 }
 
-static placed_object* find_placed(const dmi_scene* scene, uint32_t instance) {
+static dmi_placed_object* find_placed(const dmi_scene* scene, uint32_t instance) {
     return instance < scene->capacity ? scene->objects[instance] : NULL;
+}
+
+void dmi_scene_set_user(dmi_scene* scene, uint32_t instance, void* user) {
+    scene->objects[instance]->user = user;
+}
+
+void* dmi_scene_user(const dmi_scene* scene, uint32_t instance) {
+    const dmi_placed_object* placed = find_placed(scene, instance);
+    return placed != NULL ? placed->user : NULL;
 }
 
 dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, const dm_pose* host_pose) {
     dmi_env* env = scene->picker->env;
-    placed_object* placed = find_placed(scene, instance);
+    dmi_placed_object* placed = find_placed(scene, instance);
     if (placed == NULL) return dmi_fail(env, DM_ERROR_NOT_FOUND, "scene: no instance %u", instance);
     int32_t part = dmi_bvh_find_part(placed->bvh, part_id);
     if (part < 0) return dmi_fail(env, DM_ERROR_NOT_FOUND, "scene: instance %u has no part %u", instance, part_id);
@@ -223,131 +189,182 @@ dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, 
 }
 
 dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance) {
-    placed_object* placed = find_placed(scene, instance);
+    dmi_placed_object* placed = find_placed(scene, instance);
     if (placed == NULL) return dmi_fail(scene->picker->env, DM_ERROR_NOT_FOUND, "scene: no instance %u", instance);
     scene->objects[instance] = NULL;
-    if (placed->dirty) unmark_dirty(scene, placed);
-    if (placed->attached) {
-        for (uint32_t p = 0; p < placed->bvh->part_count; p++)
-            rtcDetachGeometry(scene->top, placed->parts[p].geometry_id);
-        dmi_picker_commit(scene->picker, scene->top);
-    }
-    release_placed(scene->picker->env, placed);
+    scene->free_ids[scene->free_count++] = instance;
+    unmark_dirty(scene, placed);
+    release_placed(scene, placed);
+    dmi_top_tree_settle(&scene->tree);
     return DM_OK;
 }
 
 /* ---- commit ---- */
 
-static void place_part(placed_part* part, const double placement[12], const double from_inner[12]) {
-    double pose[12];
-    float transform[12];
-    pose_matrix(&part->pose, pose);
-    multiply(pose, from_inner, part->to_object);
-    multiply(placement, part->to_object, part->to_world);
-    for (int i = 0; i < 12; i++) transform[i] = (float)part->to_world[i];
-    rtcSetGeometryTransform(part->geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform);
-    rtcCommitGeometry(part->geometry);
-    part->moved = false;
-}
-
-static void update_placed(dmi_scene* scene, placed_object* placed) {
+/* Computes what has moved of an object; returns how many parts of the tree that concerns. */
+static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
     double placement[12], from_inner[12];
-    pose_matrix(&placed->placement, placement);
+    uint32_t changed = 0;
+    dmi_pose_matrix_f64(&placed->placement, placement);
     dmi_frame_matrix_out(&placed->frame, from_inner);
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
-        placed_part* part = &placed->parts[p];
-        if (placed->moved || part->moved) place_part(part, placement, from_inner);
-        if (!placed->attached) part->geometry_id = rtcAttachGeometry(scene->top, part->geometry);
+        dmi_placed_part* part = &placed->parts[p];
+        if (part->leaf == DMI_TOP_NONE || !(placed->moved || part->moved)) continue;
+        dmi_placed_part_update(part, placement, from_inner, &scene->tree.leaves[part->leaf].box);
+        part->moved = true; /* until it is placed */
+        changed++;
     }
-    placed->attached = true;
     placed->moved = false;
-    placed->dirty = false;
+    return changed;
+}
+
+/* Takes the objects off the list, and puts their moved parts where they belong now. */
+static void place_dirty(dmi_scene* scene, bool rebuild) {
+    while (scene->dirty != NULL) {
+        dmi_placed_object* placed = scene->dirty;
+        unmark_dirty(scene, placed);
+        for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
+            dmi_placed_part* part = &placed->parts[p];
+            if (!part->moved || part->leaf == DMI_TOP_NONE) continue;
+            part->moved = false;
+            if (rebuild)
+                scene->tree.leaves[part->leaf].placed = true;
+            else
+                dmi_top_tree_place(&scene->tree, part->leaf);
+        }
+    }
 }
 
 void dmi_scene_commit(dmi_scene* scene) {
-    if (scene->dirty == NULL) return;
-    while (scene->dirty != NULL) {
-        placed_object* placed = scene->dirty;
-        scene->dirty = placed->next_dirty;
-        update_placed(scene, placed);
-    }
-    dmi_picker_commit(scene->picker, scene->top);
+    uint32_t changed = 0;
+    for (dmi_placed_object* placed = scene->dirty; placed != NULL; placed = placed->next_dirty)
+        changed += update_placed(scene, placed);
+    const bool rebuild = changed > scene->tree.placed_count / REBUILT_SHARE;
+    place_dirty(scene, rebuild);
+    if (rebuild)
+        dmi_top_tree_rebuild(&scene->tree);
+    else
+        dmi_top_tree_settle(&scene->tree);
 }
 
 /* ---- pick ---- */
 
-/* Returns a x b, unit; the direction against the ray where the triangle has no area. */
-static dm_vec3 edge_normal(const double a[3], const double b[3], const double direction[3]) {
-    double n[3];
-    for (int k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-    double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    for (int k = 0; k < 3; k++) n[k] = length > 0 ? n[k] / length : -direction[k];
-    return dmi_vec3_f64(n);
+/* Returns the power of two that brings a number from FLOAT_SMALL to FLOAT_LARGE into [0.5, 1). */
+static float scale_to_one(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits = (2 * FLOAT_BIAS - 1 - (bits >> FLOAT_EXPONENT_SHIFT)) << FLOAT_EXPONENT_SHIFT;
+    memcpy(&x, &bits, sizeof bits);
+    return x;
 }
 
-/* Computes the hit from the triangle's corners, not along the ray: exact on the surface at any distance. */
-static void describe_hit(const placed_part* part, const struct RTCHit* hit, const double origin[3],
-                         const double direction[3], dm_hit* out) {
-    const dmi_bvh* bvh = part->owner->bvh;
-    const float* corners[3];
-    dmi_bvh_corners(bvh, part->part, hit->primID, corners);
-    double edges[2][3], inner[3], object[3], world[3], world_edges[2][3], distance = 0;
+/* False for rays that hit nothing anywhere: without a direction, or from out of reach. */
+static bool start_ray(const dm_ray* host_ray, dmi_world_ray* out) {
+    const dmi_float3 origin = dmi_xyz(host_ray->origin);
+    dmi_float3 direction = dmi_xyz(host_ray->direction);
+    float largest = 0;
     for (int k = 0; k < 3; k++) {
-        const double corner = (double)corners[0][k];
-        for (int i = 0; i < 2; i++) edges[i][k] = (double)corners[i + 1][k] - corner;
-        inner[k] = corner + (double)hit->u * edges[0][k] + (double)hit->v * edges[1][k];
+        if (!isfinite(direction.v[k]) || !(fabsf(origin.v[k]) <= (float)MAX_COORDINATE)) return false;
+        largest = fabsf(direction.v[k]) > largest ? fabsf(direction.v[k]) : largest;
     }
-    apply(part->to_object, inner, object);
-    apply(part->to_world, inner, world);
-    for (int i = 0; i < 2; i++) apply_linear(part->to_world, edges[i], world_edges[i]);
-    for (int k = 0; k < 3; k++) distance += (world[k] - origin[k]) * direction[k];
-    *out = (dm_hit){.object = part->owner->object,
-                    .instance = part->owner->id,
-                    .part_id = bvh->parts[part->part].id,
-                    .triangle = bvh->faces[bvh->parts[part->part].first_face + hit->primID],
-                    .distance = (float)distance,
-                    .u = hit->u,
-                    .v = hit->v,
-                    .point = dmi_vec3_f64(world),
-                    .normal = edge_normal(world_edges[0], world_edges[1], direction),
-                    .object_point = dmi_vec3_f64(object)};
+    if (!(largest > 0)) return false;
+    const float first = largest < FLOAT_SMALL ? FLOAT_LARGE : largest > FLOAT_LARGE ? FLOAT_SMALL : 1;
+    const float second = scale_to_one(largest * first);
+    for (int k = 0; k < 3; k++) {
+        out->origin[k] = (double)origin.v[k];
+        out->direction[k] = (double)(direction.v[k] * first * second);
+    }
+    return true;
+}
+
+/* A ray as the boxes of nodes are tested with it, four planes of an axis at once: entries into both children's boxes,
+ * and exits, negative so that the largest of all is what counts. */
+typedef struct slab_ray {
+    dmi_lanes origin[3], inverse[3];
+    uint32_t entry[3], exit[3]; /* of dmi_top_node.bounds, by axis: where the planes of entry and exit stand */
+} slab_ray;
+
+static slab_ray make_slab_ray(const dmi_world_ray* ray) {
+    slab_ray slab;
+    for (int k = 0; k < 3; k++) {
+        const float inverse = 1 / (float)ray->direction[k], exit = -inverse * EXIT_SLACK;
+        const float signs[4] = {inverse, inverse, exit, exit};
+        slab.origin[k] = dmi_lanes_all((float)ray->origin[k]);
+        slab.inverse[k] = dmi_lanes_load(signs);
+        slab.entry[k] = signbit(inverse) ? 2 : 0;
+        slab.exit[k] = 2 - slab.entry[k];
+    }
+    return slab;
+}
+
+/* Tests both children's boxes; returns where the ray enters each (0, 1), and minus where it leaves them (2, 3): by then
+ * it has passed `bound`. */
+static dmi_lanes enter_children(const dmi_top_node* node, const slab_ray* ray, dmi_lanes bound) {
+    for (int k = 0; k < 3; k++) {
+        const dmi_lanes planes = dmi_lanes_load_pairs(node->bounds[k] + ray->entry[k], node->bounds[k] + ray->exit[k]);
+        /* 0 times infinity is NaN, which leaves the second operand: the ray runs in the plane. */
+        bound = dmi_lanes_max(dmi_lanes_mul(dmi_lanes_sub(planes, ray->origin[k]), ray->inverse[k]), bound);
+    }
+    return bound;
+}
+
+/* A reference that is still to be looked at, and where the ray enters its box. */
+typedef struct waiting {
+    float entry;
+    uint32_t reference;
+} waiting;
+
+/* What boxes are tested from: the start of the ray, and minus a little more than the nearest hit so far. */
+static dmi_lanes bound_of(const dmi_world_hit* hit) {
+    const float far = -(float)hit->distance * EXIT_SLACK, bounds[4] = {0, 0, far, far};
+    return dmi_lanes_load(bounds);
+}
+
+static void find_hit(const dmi_top_tree* tree, const dmi_world_ray* ray, dmi_world_hit* hit) {
+    const slab_ray slab = make_slab_ray(ray);
+    dmi_lanes bound = bound_of(hit);
+    waiting stack[DMI_TOP_MOST_HEIGHT + 1], next = {0, tree->root};
+    uint32_t depth = 0;
+    if (next.reference == DMI_TOP_NONE) return;
+    for (;;) {
+        while (!(next.reference & DMI_TOP_LEAF)) {
+            const dmi_top_node* node = &tree->nodes[next.reference];
+            float ends[4];
+            dmi_lanes_store(ends, enter_children(node, &slab, bound));
+            const bool first = ends[0] <= -ends[2], second = ends[1] <= -ends[3];
+            if (!first && !second) goto pop;
+            const uint32_t near = first && second ? ends[1] < ends[0] : second;
+            if (first && second) stack[depth++] = (waiting){ends[1 - near], node->child[1 - near]};
+            next = (waiting){ends[near], node->child[near]};
+        }
+        dmi_placed_part_hit(tree->leaves[next.reference & ~DMI_TOP_LEAF].item, ray, next.entry, hit);
+        bound = bound_of(hit);
+    pop:
+        do {
+            if (depth == 0) return;
+            next = stack[--depth];
+        } while ((double)next.entry > hit->distance * (double)EXIT_SLACK);
+    }
 }
 
 void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_hit) {
-    const dmi_double3 origin = dmi_xyz_f64(host_ray->origin);
-    dmi_double3 direction = dmi_xyz_f64(host_ray->direction);
-    const double* d = direction.v;
-    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    dmi_world_ray ray;
+    dmi_world_hit hit = {.distance = INFINITY};
     *out_hit = (dm_hit){0};
-    if (!(length > 0) || isinf(length)) return; /* NaN too, here and below */
-    for (int k = 0; k < 3; k++) {
-        direction.v[k] /= length;
-        if (!(fabs(origin.v[k]) <= MAX_COORDINATE)) return;
-    }
-    const dmi_float3 along = dmi_xyz(dmi_vec3_f64(direction.v));
-    struct RTCRayHit ray = dmi_embree_ray(dmi_xyz(host_ray->origin).v, along.v, INFINITY);
-    dmi_embree_intersect(scene->top, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
-    const placed_part* part = rtcGetGeometryUserData(rtcGetGeometry(scene->top, ray.hit.instID[0]));
-    describe_hit(part, &ray.hit, origin.v, direction.v, out_hit);
+    if (!start_ray(host_ray, &ray)) return;
+    find_hit(&scene->tree, &ray, &hit);
+    if (hit.part != NULL) dmi_placed_part_describe(&ray, &hit, out_hit);
 }
 
 /* ---- scenes ---- */
 
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene) {
+    if (picker->backend == NULL)
+        return dmi_fail(picker->env, DM_ERROR_UNSUPPORTED, "scene: no ray picking: %s", picker->why);
     dmi_scene* scene = dmi_alloc_zeroed(picker->env, sizeof *scene, DMI_ALIGNMENT);
     if (scene == NULL) return dmi_fail(picker->env, DM_ERROR_OUT_OF_MEMORY, "no memory for a scene");
     scene->picker = picker;
-    scene->top = rtcNewScene(picker->device);
-    if (scene->top != NULL) {
-        rtcSetSceneFlags(scene->top, RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
-        dmi_picker_commit(picker, scene->top); /* a pick before any other commit then finds nothing */
-    }
-    dm_result result = dmi_picker_status(picker);
-    if (result != DM_OK) {
-        dmi_scene_destroy(scene);
-        return result;
-    }
+    dmi_top_tree_init(&scene->tree, picker->env);
     *out_scene = scene;
     return DM_OK;
 }
@@ -355,10 +372,11 @@ dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene) {
 void dmi_scene_destroy(dmi_scene* scene) {
     if (scene == NULL) return;
     dmi_env* env = scene->picker->env;
-    if (scene->top != NULL) rtcReleaseScene(scene->top);
+    dmi_top_tree_release(&scene->tree);
     for (uint32_t i = 0; i < scene->capacity; i++) {
-        if (scene->objects[i] != NULL) release_placed(env, scene->objects[i]);
+        if (scene->objects[i] != NULL) dmi_free(env, scene->objects[i], placed_size(scene->objects[i]->bvh));
     }
-    dmi_free(env, scene->objects, scene->capacity * sizeof(placed_object*));
+    dmi_free(env, scene->objects, scene->capacity * sizeof *scene->objects);
+    dmi_free(env, scene->free_ids, scene->capacity * sizeof *scene->free_ids);
     dmi_free(env, scene, sizeof *scene);
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pick/embree.h"
+#include "bare_embree.h"
 #include "world.h"
 
 #define ROUND_MS 800
@@ -49,9 +49,7 @@ static void pick_bare(peers* p, RTCScene scene) {
     const dm_ray* ray = next_ray(p);
     const float origin[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
     const float direction[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    struct RTCRayHit hit = dmi_embree_ray(origin, direction, INFINITY);
-    dmi_embree_intersect(scene, &hit);
-    p->hits += hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    p->hits += bare_embree_hits(scene, origin, direction);
 }
 
 static void pick_flat(void* user) {
@@ -100,49 +98,6 @@ static void kinematics_ours(void* user) {
     CHECK(dm_object_refine(p->world.context, p->small, 1, &drag));
 }
 
-/* A hierarchy of the faces of one part, or of all (part UINT32_MAX), on the mesh's own numbers. */
-static RTCScene make_scene(RTCDevice device, const bench_mesh* mesh, uint32_t part, enum RTCSceneFlags flags) {
-    RTCScene scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, flags);
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    uint32_t count = 0;
-    for (uint32_t f = 0; f < mesh->face_count; f++) count += part == UINT32_MAX || mesh->part_ids[f] == part;
-    float* xyz = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                         mesh->vertex_count);
-    uint32_t* corners =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), count);
-    memcpy(xyz, mesh->positions, (size_t)mesh->vertex_count * 3 * sizeof(float));
-    for (uint32_t f = 0; f < mesh->face_count; f++) {
-        if (part != UINT32_MAX && mesh->part_ids[f] != part) continue;
-        memcpy(corners, mesh->indices + 3 * (size_t)f, 3 * sizeof(uint32_t));
-        corners += 3;
-    }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-    return scene;
-}
-
-/* Body and door as instances, as any game that moves the door must have them. */
-static RTCScene make_instances(RTCDevice device, const bench_mesh* mesh, enum RTCSceneFlags flags) {
-    static const float identity[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
-    RTCScene top = rtcNewScene(device);
-    rtcSetSceneFlags(top, flags);
-    for (uint32_t part = 0; part < 2; part++) {
-        RTCScene scene = make_scene(device, mesh, part, flags);
-        RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(instance, scene);
-        rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, identity);
-        rtcCommitGeometry(instance);
-        rtcAttachGeometry(top, instance);
-        rtcReleaseGeometry(instance);
-        rtcReleaseScene(scene);
-    }
-    rtcCommitScene(top);
-    return top;
-}
-
 /* Rays of a camera in front of the cabinet, most of which hit it. */
 static void make_rays(peers* p) {
     for (uint32_t i = 0; i < RAYS; i++) {
@@ -160,9 +115,10 @@ static void compare_picking(peers* p, uint32_t triangles) {
     CHECK(dm_scene_create(p->world.context, &desc, &p->scene));
     CHECK(dm_scene_add(p->world.context, p->scene, p->object, NULL, &instance));
     CHECK(dm_scene_commit(p->world.context, p->scene));
-    p->flat = make_scene(device, &mesh, UINT32_MAX, RTC_SCENE_FLAG_NONE);
-    p->instanced = make_instances(device, &mesh, RTC_SCENE_FLAG_NONE);
-    p->robust = make_instances(device, &mesh, RTC_SCENE_FLAG_ROBUST); /* no ray between two triangles, as ours */
+    p->flat = bare_embree_part(device, &mesh, BARE_EMBREE_ALL, RTC_SCENE_FLAG_NONE);
+    p->instanced = bare_embree_instances(device, &mesh, 1, NULL, RTC_SCENE_FLAG_NONE);
+    p->robust = bare_embree_instances(device, &mesh, 1, NULL,
+                                      RTC_SCENE_FLAG_ROBUST); /* no ray between two triangles, as ours */
     make_rays(p);
     show("dragmesh", "pick", p, pick_ours);
     show("embree, instances, robust", "pick", p, pick_robust);

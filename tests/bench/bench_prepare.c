@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
     dmi_env_init(&s.env, NULL, NULL, NULL);
     dmi_arena_init(&s.analysis_arena, &s.env, ARENA_BLOCK);
     dmi_axes_init(&s.axes, DM_AXES_GLTF, NULL, 1);
-    check(dmi_picker_create(&s.env, &s.picker), "picker");
+    check(dmi_picker_create(&s.env, DM_PICK_AUTO, &s.picker), "picker");
     load_models(argc > 2 ? argv[2] : "sdk/models", &s);
     s.shape = bench_mesh_new(argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 100000, 1);
     s.only = argc > 3 ? argv[3] : NULL;

@@ -17,6 +17,11 @@ class Axes(enum.IntEnum):
     GLTF, UNITY, UNREAL, BLENDER, CUSTOM = range(5)
 
 
+class Picking(enum.IntEnum):
+    """What picks rays; see DM_PICK_*."""
+    AUTO, EMBREE, PORTABLE, NONE = range(4)
+
+
 class Intent(enum.IntEnum):
     """What a released part does next; see DM_INTENT_*."""
     AUTO, STAY, OPEN, CLOSE, REPLAY, FREEZE = range(6)
@@ -142,11 +147,11 @@ def _chooser(choose, failures):
 class Context:
     """A context and everything made with it. Use as a context manager, or call close()."""
 
-    def __init__(self, axes=Axes.GLTF, unit_in_metres=1.0):
+    def __init__(self, axes=Axes.GLTF, unit_in_metres=1.0, picking=Picking.AUTO):
         self.library, self.message = load(), ""
         self._log = s.LOG_CALLBACK(self._remember)  # kept: the library calls it
         desc = s.ContextDesc(axes=int(axes), unit_in_metres=unit_in_metres,
-                          log=s.Log(None, self._log))
+                             log=s.Log(None, self._log), picking=int(picking))
         self.pointer = c.c_void_p()
         self.check(self.library.dm_context_create(c.byref(desc), c.byref(self.pointer)))
 

@@ -46,7 +46,8 @@ class Jobs(c.Structure):
 
 class ContextDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("axes", c.c_int32), ("unit_in_metres", c.c_float),
-                ("custom_axes", c.c_float * 9), ("allocator", Allocator), ("log", Log), ("jobs", Jobs)]
+                ("custom_axes", c.c_float * 9), ("allocator", Allocator), ("log", Log), ("jobs", Jobs),
+                ("picking", c.c_int32), ("reserved", c.c_uint32)]
 
 
 class MemoryInfo(Sized):

@@ -175,6 +175,14 @@ enum {
     DM_AXES_CUSTOM = 4   /* dm_context_desc.custom_axes */
 };
 
+/* What picks rays. The hits are the same, except within float rounding of an edge or of another surface. */
+enum {
+    DM_PICK_AUTO = 0,     /* Embree 3.13 or 4 where its shared library is found, else the library's own */
+    DM_PICK_EMBREE = 1,   /* Embree alone */
+    DM_PICK_PORTABLE = 2, /* the library's own: everywhere, in the host's memory */
+    DM_PICK_NONE = 3      /* nothing, for hosts that cast their own rays: objects keep no trees, there are no scenes */
+};
+
 typedef struct dm_context_desc {
     uint32_t struct_size;
     int32_t axes;           /* DM_AXES_*; 0 = glTF */
@@ -184,6 +192,8 @@ typedef struct dm_context_desc {
     dm_allocator allocator; /* zeros = malloc/free */
     dm_log log;             /* zeros = silent */
     dm_jobs jobs;           /* zeros = inline */
+    int32_t picking;        /* DM_PICK_*; 0 = auto */
+    uint32_t reserved;      /* 0 */
 } dm_context_desc;
 
 typedef struct dm_memory_info {
@@ -192,7 +202,7 @@ typedef struct dm_memory_info {
     uint64_t bytes;       /* held now through the context's allocator */
     uint64_t peak_bytes;  /* most ever held */
     uint64_t allocations; /* calls of allocate so far */
-    uint64_t pick_bytes;  /* held now by the ray-picking library, which reports sizes but has its own allocator */
+    uint64_t pick_bytes;  /* held now by Embree, which reports sizes but has its own allocator */
 } dm_memory_info;
 
 /* ---- weights ------------------------------------------------------------------------------------------------ */
@@ -654,7 +664,8 @@ DM_API const void* DM_CALL dm_get_interface(const char* id);
 
 /* ---- functions: context ------------------------------------------------------------------------------------------ */
 
-/* Makes a context. desc NULL = all defaults. [any-thread] */
+/* Makes a context. desc NULL = all defaults. Errors: UNSUPPORTED when desc.picking asks for what is not there.
+ * [any-thread] */
 DM_API dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** out_context);
 
 /* Destroys it and everything made with it; NULL does nothing. [exclusive context] */
@@ -842,14 +853,14 @@ DM_API void DM_CALL dm_pose_apply_points(const dm_pose* pose, const float* src, 
 DM_API dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y,
                                        dm_ray* out_ray);
 
-/* [any-thread] */
+/* Errors: UNSUPPORTED when the context picks nothing (DM_PICK_NONE, or nothing was found). [any-thread] */
 DM_API dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc, dm_scene* out_scene);
 
 /* [exclusive object] */
 DM_API dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene);
 
 /* Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on,
- * used again after a removal. Errors: UNSUPPORTED when the object kept no triangles. Takes effect with dm_scene_commit.
+ * used again after a removal. Errors: UNSUPPORTED when the object can't be picked. Takes effect with dm_scene_commit.
  * [exclusive object] */
 DM_API dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement,
                                       uint32_t* out_instance);

@@ -1,0 +1,34 @@
+/* Splits boxes into two groups by the surface area heuristic on bins (Wald 2007, "On fast construction of SAH-based
+ * bounding volume hierarchies"). The triangles' trees and the scenes' are built with it. */
+#ifndef DMI_PICK_BOX_SPLIT_H
+#define DMI_PICK_BOX_SPLIT_H
+
+#include <stdint.h>
+
+/* The fourth floats are there for vector code: it may read and compare them, and what they hold does not count. */
+typedef struct dmi_box {
+    float low[4], high[4];
+} dmi_box;
+
+typedef struct dmi_box_item {
+    float low[3];
+    uint32_t id;
+    float high[3];
+    uint32_t unused; /* 0 */
+} dmi_box_item;
+
+/* items[first, first + count), with the box of the items and that of their centres (times two). */
+typedef struct dmi_box_range {
+    dmi_box box, centres;
+    uint32_t first, count;
+} dmi_box_range;
+
+/* Measures a range whose first and count are set. */
+void dmi_box_range_measure(const dmi_box_item* items, dmi_box_range* range);
+/* Sorts a range of two items or more into two, neither empty; `out` may include `range`. Groups of up to `block` items
+ * cost as much as one. Where bins tell nothing, or with `halve`, the halves are as large as each other. */
+void dmi_box_split(dmi_box_item* items, const dmi_box_range* range, uint32_t block, int halve, dmi_box_range out[2]);
+/* Half the surface. */
+float dmi_box_area(const dmi_box* box);
+
+#endif

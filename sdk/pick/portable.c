@@ -1,0 +1,50 @@
+/* The portable backend: trees of our own, built and traced on the calling thread, in the host's memory. */
+#include "pick/backend.h"
+#include "pick/wide_tree.h"
+
+/* The device is the environment: there is nothing else to keep. */
+static dm_result open(dmi_env* env, void** out_device, char* why, size_t why_size) {
+    (void)why;
+    (void)why_size;
+    *out_device = env;
+    return DM_OK;
+}
+
+static void close(void* device) {
+    (void)device;
+}
+
+static dmi_wide_trace* best_trace(void) {
+#if defined(__x86_64__)
+    const dmi_isa isa = dmi_cpu_best_isa();
+    if (isa == DMI_ISA_AVX2 || isa == DMI_ISA_AVX512) return dmi_wide_trace_avx2;
+#endif
+    return dmi_wide_trace_plain;
+}
+
+static dm_result build(void* device, const dmi_triangles* triangles, void** out_tree) {
+    dmi_env* env = device;
+    dmi_wide_tree* tree = dmi_alloc(env, sizeof *tree, _Alignof(dmi_wide_tree));
+    if (tree == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick a part");
+    const dm_result result = dmi_wide_tree_build(env, triangles, tree);
+    if (result != DM_OK) {
+        dmi_free(env, tree, sizeof *tree);
+        return result;
+    }
+    tree->trace = best_trace();
+    *out_tree = tree;
+    return DM_OK;
+}
+
+static void destroy(void* device, void* built) {
+    dmi_env* env = device;
+    dmi_wide_tree_release(env, built);
+    dmi_free(env, built, sizeof(dmi_wide_tree));
+}
+
+static bool first_hit(const void* built, const dmi_part_ray* ray, dmi_part_hit* out_hit) {
+    const dmi_wide_tree* tree = built;
+    return tree->trace(tree, ray, out_hit);
+}
+
+const dmi_pick_backend dmi_pick_portable = {"portable", open, close, build, destroy, first_hit};

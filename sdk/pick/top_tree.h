@@ -1,0 +1,53 @@
+/* A binary tree of boxes that change: a box is moved, put in or taken out in the time of one way through the tree. */
+#ifndef DMI_PICK_TOP_TREE_H
+#define DMI_PICK_TOP_TREE_H
+
+#include <stdbool.h>
+
+#include "base/env.h"
+#include "pick/box_split.h"
+
+#define DMI_TOP_NONE 0xffffffffu
+#define DMI_TOP_LEAF 0x80000000u /* flag of a reference: the rest is the index of a leaf, else of a node */
+#define DMI_TOP_MOST_HEIGHT 63   /* of a settled tree; by hand: twice that of 2^32 leaves in balance */
+
+/* Both children's boxes lie in their parent: one line of the cache decides between them. */
+typedef struct dmi_top_node {
+    float bounds[3][4]; /* by axis: low of both, high of both */
+    uint32_t child[2];  /* references */
+    uint32_t parent;    /* index; DMI_TOP_NONE for the root */
+    uint32_t height;    /* 1 over two leaves */
+} dmi_top_node;
+
+typedef struct dmi_top_leaf {
+    dmi_box box;
+    void* item;      /* what the leaf stands for */
+    uint32_t parent; /* of the node; DMI_TOP_NONE when it is the root. For a free leaf: the next free one */
+    bool placed;     /* in the tree */
+} dmi_top_leaf;
+
+typedef struct dmi_top_tree {
+    dmi_env* env;
+    dmi_top_node* nodes;
+    dmi_top_leaf* leaves;
+    dmi_box_item* items;   /* for rebuilding */
+    uint32_t root;         /* reference; DMI_TOP_NONE when empty */
+    uint32_t capacity;     /* of nodes, leaves and items */
+    uint32_t placed_count; /* leaves in the tree */
+    uint32_t free_leaf, free_node;
+} dmi_top_tree;
+
+void dmi_top_tree_init(dmi_top_tree* tree, dmi_env* env);
+void dmi_top_tree_release(dmi_top_tree* tree);
+
+/* Makes a leaf, which is not placed yet. The only call that allocates. */
+dm_result dmi_top_tree_add(dmi_top_tree* tree, void* item, uint32_t* out_leaf);
+void dmi_top_tree_remove(dmi_top_tree* tree, uint32_t leaf);
+/* Puts a leaf where its box belongs, which may have changed. */
+void dmi_top_tree_place(dmi_top_tree* tree, uint32_t leaf);
+/* Builds the tree anew from the leaves whose `placed` is set: cheaper than placing many. */
+void dmi_top_tree_rebuild(dmi_top_tree* tree);
+/* Rebuilds a tree that has grown too high to be walked. Once after changes. */
+void dmi_top_tree_settle(dmi_top_tree* tree);
+
+#endif

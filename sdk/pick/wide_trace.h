@@ -1,0 +1,145 @@
+/* The way of a ray through a wide tree, shared by the instruction sets (wide_trace_plain.c, wide_trace_avx2.c). They
+ * define TARGET      the attributes of a function of their instruction set enter_node  and test_block, declared below
+ * and all give the same bits: no multiplication is contracted with an addition.
+ *
+ * Boxes are tested after Ize 2013 ("Robust BVH ray traversal"), triangles after Woop, Benthin and Wald 2013
+ * ("Watertight ray/triangle intersection"): a ray never slips between two triangles that share an edge. */
+#ifndef DMI_PICK_WIDE_TRACE_H
+#define DMI_PICK_WIDE_TRACE_H
+
+#include <math.h>
+
+#include "pick/wide_tree.h"
+
+#define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
+/* Bound of the rounding of a slab's far end, relative: 1 + 2 gamma(3) and a bit. */
+#define FAR_SLACK 1.0000005f
+#define MOST_STACKED ((DMI_WIDE - 1) * DMI_MOST_LEVELS + 1)
+
+typedef struct traced_ray {
+    float origin[3], inverse[3];          /* of the direction; infinities are fine */
+    float far;                            /* the nearest hit so far */
+    uint32_t near_plane[3], far_plane[3]; /* of a node, by axis */
+    /* The axis of the direction's largest component last, the other two in an order that keeps the winding; how far a
+     * step along it shifts the other two, and its own scale. */
+    int axis[3];
+    float shear[3];
+} traced_ray;
+
+/* Edge functions of four triangles: twice the areas seen along the ray, opposite corner a, b, c. */
+typedef struct block_test {
+    _Alignas(16) float edge[3][DMI_BLOCK];
+} block_test;
+
+typedef struct stacked {
+    float near;
+    uint32_t reference;
+} stacked;
+
+/* Returns the mask of the children that the ray enters before ray->far, and where it enters each. */
+TARGET_INLINE uint32_t enter_node(const dmi_wide_node* node, const traced_ray* ray, float out_near[DMI_WIDE]);
+/* Returns the mask of the triangles whose edges do not tell that the ray misses: few are left. */
+TARGET_INLINE uint32_t test_block(const dmi_triangle_block* block, const traced_ray* ray, block_test* out);
+
+TARGET static traced_ray start_ray(const dmi_part_ray* ray) {
+    traced_ray r = {.far = ray->far};
+    int z = 0;
+    for (int k = 0; k < 3; k++) {
+        r.origin[k] = ray->origin[k];
+        r.inverse[k] = 1 / ray->direction[k];
+        const bool negative = signbit(r.inverse[k]);
+        r.near_plane[k] = (uint32_t)(negative ? 3 + k : k);
+        r.far_plane[k] = (uint32_t)(negative ? k : 3 + k);
+        if (fabsf(ray->direction[k]) > fabsf(ray->direction[z])) z = k;
+    }
+    const int x = (z + 1) % 3, y = (z + 2) % 3;
+    const bool swap = ray->direction[z] < 0;
+    r.axis[0] = swap ? y : x;
+    r.axis[1] = swap ? x : y;
+    r.axis[2] = z;
+    r.shear[0] = ray->direction[r.axis[0]] / ray->direction[z];
+    r.shear[1] = ray->direction[r.axis[1]] / ray->direction[z];
+    r.shear[2] = 1 / ray->direction[z];
+    return r;
+}
+
+/* Computes the edge functions of one triangle anew in doubles, where they are exact enough to tell the side of an edge
+ * that the ray seems to touch. */
+TARGET static void resolve_edges(const dmi_triangle_block* block, const traced_ray* ray, uint32_t i, double out[3]) {
+    float x[3], y[3];
+    for (int c = 0; c < 3; c++) {
+        const float z = block->corner[c][ray->axis[2]][i] - ray->origin[ray->axis[2]];
+        x[c] = (block->corner[c][ray->axis[0]][i] - ray->origin[ray->axis[0]]) - ray->shear[0] * z;
+        y[c] = (block->corner[c][ray->axis[1]][i] - ray->origin[ray->axis[1]]) - ray->shear[1] * z;
+    }
+    for (int c = 0; c < 3; c++) {
+        const int n = (c + 1) % 3, p = (c + 2) % 3;
+        out[c] = (double)x[p] * (double)y[n] - (double)y[p] * (double)x[n];
+    }
+}
+
+/* Takes a triangle of a block as the nearest hit if it is. */
+TARGET static bool take_hit(const dmi_triangle_block* block, const block_test* test, uint32_t i, traced_ray* ray,
+                            dmi_part_hit* out) {
+    double edge[3] = {(double)test->edge[0][i], (double)test->edge[1][i], (double)test->edge[2][i]};
+    if (edge[0] == 0 || edge[1] == 0 || edge[2] == 0) resolve_edges(block, ray, i, edge);
+    if ((edge[0] < 0 || edge[1] < 0 || edge[2] < 0) && (edge[0] > 0 || edge[1] > 0 || edge[2] > 0)) return false;
+    const double sum = edge[0] + edge[1] + edge[2];
+    if (sum == 0) return false;
+    double depth = 0;
+    for (int c = 0; c < 3; c++) {
+        const float z = block->corner[c][ray->axis[2]][i] - ray->origin[ray->axis[2]];
+        depth += edge[c] * (double)(ray->shear[2] * z);
+    }
+    const double distance = depth / sum;
+    if (!(distance >= 0 && distance < (double)ray->far)) return false;
+    ray->far = (float)distance;
+    *out = (dmi_part_hit){block->face[i], (float)(edge[1] / sum), (float)(edge[2] / sum)};
+    return true;
+}
+
+TARGET static bool trace_block(const dmi_triangle_block* block, traced_ray* ray, dmi_part_hit* out) {
+    block_test test;
+    bool hit = false;
+    for (uint32_t left = test_block(block, ray, &test); left != 0; left &= left - 1) {
+        if (take_hit(block, &test, (uint32_t)__builtin_ctz(left), ray, out)) hit = true;
+    }
+    return hit;
+}
+
+/* Puts the children that the ray enters on the stack, the nearest on top. */
+TARGET_INLINE uint32_t stack_children(const dmi_wide_node* node, uint32_t entered, const float* near, stacked* stack,
+                                      uint32_t depth) {
+    const uint32_t bottom = depth;
+    for (; entered != 0; entered &= entered - 1) {
+        const uint32_t child = (uint32_t)__builtin_ctz(entered);
+        const stacked item = {near[child], node->child[child]};
+        uint32_t at = depth++;
+        for (; at > bottom && stack[at - 1].near < item.near; at--) stack[at] = stack[at - 1];
+        stack[at] = item;
+    }
+    return depth;
+}
+
+TARGET static bool trace_tree(const dmi_wide_tree* tree, const dmi_part_ray* part_ray, dmi_part_hit* out) {
+    traced_ray ray = start_ray(part_ray);
+    stacked stack[MOST_STACKED];
+    uint32_t depth = 1;
+    bool hit = false;
+    stack[0] = (stacked){0, 0};
+    while (depth > 0) {
+        const stacked item = stack[--depth];
+        if (item.near > ray.far) continue;
+        if (item.reference & DMI_LEAF) {
+            if (trace_block(&tree->blocks[item.reference & ~DMI_LEAF], &ray, out)) hit = true;
+            continue;
+        }
+        float near[DMI_WIDE];
+        const dmi_wide_node* node = &tree->nodes[item.reference];
+        const uint32_t entered = enter_node(node, &ray, near);
+        depth = stack_children(node, entered, near, stack, depth);
+    }
+    return hit;
+}
+
+#endif

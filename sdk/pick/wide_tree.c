@@ -1,0 +1,192 @@
+/* Builds the portable backend's tree from the top down: a range of triangles is split into up to eight, the largest one
+ * first, and each of these becomes a node or a block. */
+#include "pick/wide_tree.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "pick/box_split.h"
+
+/* Ranges that wait at once: up to DMI_WIDE from each level. */
+#define MOST_PENDING (DMI_WIDE * DMI_MOST_LEVELS)
+/* First guesses of the counts, which grow; measured on meshes of 1,000 to 1,000,000 triangles. */
+#define FACES_PER_BLOCK 3
+#define BLOCKS_PER_NODE 6
+
+typedef struct pending {
+    dmi_box_range range;
+    uint32_t parent, slot, level;
+} pending;
+
+typedef struct builder {
+    dmi_env* env;
+    const dmi_triangles* triangles;
+    dmi_box_item* items;
+    pending* stack;
+    uint32_t waiting;
+    dmi_wide_tree* tree;
+} builder;
+
+static const float* corner(const dmi_triangles* t, uint32_t face, int i) {
+    return t->positions + (size_t)t->corners[(size_t)face * 3 + (size_t)i] * 3;
+}
+
+static void make_items(const dmi_triangles* t, dmi_box_item* items) {
+    for (uint32_t f = 0; f < t->face_count; f++) {
+        const float *a = corner(t, f, 0), *b = corner(t, f, 1), *c = corner(t, f, 2);
+        items[f].id = f;
+        items[f].unused = 0;
+        for (int k = 0; k < 3; k++) {
+            items[f].low[k] = fminf(fminf(a[k], b[k]), c[k]);
+            items[f].high[k] = fmaxf(fmaxf(a[k], b[k]), c[k]);
+        }
+    }
+}
+
+/* Makes room for one more element; false without memory. */
+static bool reserve(dmi_env* env, void** array, uint32_t used, uint32_t* capacity, size_t size) {
+    if (used < *capacity) return true;
+    const uint32_t larger = *capacity + *capacity / 2 + 1;
+    void* grown = dmi_alloc(env, larger * size, DMI_ALIGNMENT);
+    if (grown == NULL) return false;
+    memcpy(grown, *array, used * size);
+    dmi_free(env, *array, *capacity * size);
+    *array = grown;
+    *capacity = larger;
+    return true;
+}
+
+/* Gives back what was reserved beyond `used`; without memory for the copy it stays. */
+static void trim(dmi_env* env, void** array, uint32_t used, uint32_t* capacity, size_t size) {
+    if (used == *capacity) return;
+    void* fitting = dmi_alloc(env, used * size, DMI_ALIGNMENT);
+    if (fitting == NULL) return;
+    memcpy(fitting, *array, used * size);
+    dmi_free(env, *array, *capacity * size);
+    *array = fitting;
+    *capacity = used;
+}
+
+static void fill_block(const builder* b, const dmi_box_range* range, dmi_triangle_block* block) {
+    const dmi_triangles* t = b->triangles;
+    for (uint32_t i = 0; i < DMI_BLOCK; i++) {
+        const bool used = i < range->count;
+        const uint32_t face = b->items[range->first + (used ? i : 0)].id;
+        block->face[i] = face;
+        for (int c = 0; c < 3; c++)
+            for (int k = 0; k < 3; k++) block->corner[c][k][i] = corner(t, face, used ? c : 0)[k];
+    }
+}
+
+static void set_child(dmi_wide_node* node, uint32_t slot, const dmi_box* box, uint32_t reference) {
+    for (int k = 0; k < 3; k++) {
+        node->planes[k][slot] = box->low[k];
+        node->planes[3 + k][slot] = box->high[k];
+    }
+    node->child[slot] = reference;
+}
+
+/* Index of the range with the largest box of those that are more than a block; `count` when all are blocks. */
+static uint32_t largest(const dmi_box_range* ranges, uint32_t count) {
+    uint32_t best = count;
+    float best_area = -1;
+    for (uint32_t i = 0; i < count; i++) {
+        if (ranges[i].count <= DMI_BLOCK) continue;
+        const float area = dmi_box_area(&ranges[i].box);
+        if (area > best_area) {
+            best_area = area;
+            best = i;
+        }
+    }
+    return best;
+}
+
+static uint32_t split_range(builder* b, const pending* work, dmi_box_range out[DMI_WIDE]) {
+    uint32_t count = 1;
+    out[0] = work->range;
+    while (count < DMI_WIDE) {
+        const uint32_t i = largest(out, count);
+        if (i == count) break;
+        dmi_box_range two[2];
+        dmi_box_split(b->items, &out[i], DMI_BLOCK, work->level >= DMI_FREE_LEVELS, two);
+        out[i] = two[0];
+        out[count++] = two[1];
+    }
+    return count;
+}
+
+static bool make_leaf(builder* b, uint32_t node, uint32_t slot, const dmi_box_range* range) {
+    dmi_wide_tree* tree = b->tree;
+    if (!reserve(b->env, (void**)&tree->blocks, tree->block_count, &tree->block_capacity, sizeof *tree->blocks))
+        return false;
+    fill_block(b, range, &tree->blocks[tree->block_count]);
+    set_child(&tree->nodes[node], slot, &range->box, DMI_LEAF | tree->block_count++);
+    return true;
+}
+
+/* Makes the node of a range, its leaves, and work of its larger children. */
+static bool make_node(builder* b, const pending* work) {
+    dmi_wide_tree* tree = b->tree;
+    if (!reserve(b->env, (void**)&tree->nodes, tree->node_count, &tree->node_capacity, sizeof *tree->nodes))
+        return false;
+    const uint32_t index = tree->node_count++;
+    if (index > 0) tree->nodes[work->parent].child[work->slot] = index;
+    dmi_box_range ranges[DMI_WIDE];
+    const uint32_t count = split_range(b, work, ranges);
+    static const dmi_box inside_out = {{INFINITY, INFINITY, INFINITY, 0}, {-INFINITY, -INFINITY, -INFINITY, 0}};
+    for (uint32_t i = 0; i < DMI_WIDE; i++) {
+        if (i >= count) {
+            set_child(&tree->nodes[index], i, &inside_out, 0);
+        } else if (ranges[i].count > DMI_BLOCK) {
+            set_child(&tree->nodes[index], i, &ranges[i].box, 0);
+            b->stack[b->waiting++] = (pending){ranges[i], index, i, work->level + 1};
+        } else if (!make_leaf(b, index, i, &ranges[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool make_nodes(builder* b) {
+    pending work = {.range = {.first = 0, .count = b->triangles->face_count}};
+    dmi_box_range_measure(b->items, &work.range);
+    b->waiting = 0;
+    for (;;) {
+        if (!make_node(b, &work)) return false;
+        if (b->waiting == 0) return true;
+        work = b->stack[--b->waiting];
+    }
+}
+
+dm_result dmi_wide_tree_build(dmi_env* env, const dmi_triangles* triangles, dmi_wide_tree* out_tree) {
+    const uint32_t faces = triangles->face_count;
+    dmi_wide_tree tree = {0};
+    builder b = {.env = env, .triangles = triangles, .tree = &tree};
+    tree.block_capacity = faces / FACES_PER_BLOCK + 1;
+    tree.node_capacity = tree.block_capacity / BLOCKS_PER_NODE + 1;
+    b.items = dmi_alloc(env, faces * sizeof *b.items, DMI_ALIGNMENT);
+    b.stack = dmi_alloc(env, MOST_PENDING * sizeof *b.stack, DMI_ALIGNMENT);
+    tree.nodes = dmi_alloc(env, tree.node_capacity * sizeof *tree.nodes, DMI_ALIGNMENT);
+    tree.blocks = dmi_alloc(env, tree.block_capacity * sizeof *tree.blocks, DMI_ALIGNMENT);
+    bool made = b.items != NULL && b.stack != NULL && tree.nodes != NULL && tree.blocks != NULL;
+    if (made) {
+        make_items(triangles, b.items);
+        made = make_nodes(&b);
+    }
+    dmi_free(env, b.items, faces * sizeof *b.items);
+    dmi_free(env, b.stack, MOST_PENDING * sizeof *b.stack);
+    if (made) {
+        trim(env, (void**)&tree.nodes, tree.node_count, &tree.node_capacity, sizeof *tree.nodes);
+        trim(env, (void**)&tree.blocks, tree.block_count, &tree.block_capacity, sizeof *tree.blocks);
+    }
+    *out_tree = tree;
+    if (made) return DM_OK;
+    dmi_wide_tree_release(env, out_tree);
+    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", faces);
+}
+
+void dmi_wide_tree_release(dmi_env* env, dmi_wide_tree* tree) {
+    dmi_free(env, tree->nodes, tree->node_capacity * sizeof *tree->nodes);
+    dmi_free(env, tree->blocks, tree->block_capacity * sizeof *tree->blocks);
+    *tree = (dmi_wide_tree){0};
+}
