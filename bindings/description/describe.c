@@ -1,0 +1,124 @@
+/* describe RESOURCE_FOLDER INCLUDE_FOLDER JSON FFI_HEADER -- writes the description of the public headers that every
+ * binding is made from or checked against, and a C header without directives. */
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ffi.h"
+#include "header.h"
+#include "layout.h"
+#include "text.h"
+
+static const char* const headers[] = {"dragmesh/dragmesh.h", "dragmesh/ext/gltf.h"};
+enum { HEADERS = sizeof headers / sizeof *headers, PATH_ROOM = 4096 };
+
+static const char about[] =
+    "The C interface of dragmesh. Written by scripts/describe from the public headers: not to be "
+    "edited.";
+
+static void write_file(const char* path, const char* text) {
+    FILE* file = fopen(path, "wb");
+    if (file == NULL || fputs(text, file) < 0 || fclose(file) != 0) text_fail("%s can't be written", path);
+}
+
+static cJSON* new_description(void) {
+    static const char* const lists[] = {"abis", "constants", "enums", "types", "structs", "functions"};
+    cJSON* api = cJSON_CreateObject();
+    cJSON_AddStringToObject(api, "about", about);
+    for (int i = 0; i < 6; i++) cJSON_AddArrayToObject(api, lists[i]);
+    return api;
+}
+
+/* The function that ends what a handle or pointer of this type stands for. */
+static const char* released_by(const cJSON* api, const char* type) {
+    static const char* const verbs[] = {"destroy", "unload", "end", "close"};
+    const cJSON* function;
+    char wanted[128];
+    for (int i = 0; i < 4; i++) {
+        snprintf(wanted, sizeof wanted, "%s_%s", type, verbs[i]);
+        cJSON_ArrayForEach(function, cJSON_GetObjectItem(api, "functions")) {
+            const char* name = cJSON_GetObjectItem(function, "name")->valuestring;
+            if (strcmp(name, wanted) == 0) return name;
+        }
+    }
+    return NULL;
+}
+
+/* States who ends what: "released_by" of types, "creates" of the functions that hand one out. */
+static void add_ownership(cJSON* api) {
+    cJSON *type, *function, *parameter;
+    cJSON_ArrayForEach(type, cJSON_GetObjectItem(api, "types")) {
+        const char *name = cJSON_GetObjectItem(type, "name")->valuestring,
+                   *kind = cJSON_GetObjectItem(type, "kind")->valuestring;
+        if (strcmp(kind, "handle") != 0 && strcmp(kind, "opaque") != 0) continue;
+        const char* end = released_by(api, name);
+        if (end == NULL) text_fail("no function ends a %s", name);
+        cJSON_AddStringToObject(type, "released_by", end);
+        cJSON_ArrayForEach(function, cJSON_GetObjectItem(api, "functions"))
+            cJSON_ArrayForEach(parameter, cJSON_GetObjectItem(function, "parameters")) {
+            const cJSON* to = cJSON_GetObjectItem(cJSON_GetObjectItem(parameter, "type"), "name");
+            const bool out = strcmp(cJSON_GetObjectItem(parameter, "direction")->valuestring, "out") == 0;
+            if (out && to != NULL && strcmp(to->valuestring, name) == 0)
+                cJSON_AddStringToObject(function, "creates", name);
+        }
+    }
+}
+
+static void describe_headers(CXIndex index, const char* folder, const char* unit_path, const char* const* arguments,
+                             int argument_count, cJSON* api) {
+    const CXTranslationUnit unit = clang_parseTranslationUnit(index, unit_path, arguments, argument_count, NULL, 0,
+                                                              CXTranslationUnit_DetailedPreprocessingRecord);
+    if (unit == NULL || clang_getNumDiagnostics(unit) > 0) text_fail("the headers in %s do not compile", folder);
+    for (int i = 0; i < HEADERS; i++) {
+        char path[PATH_ROOM];
+        snprintf(path, sizeof path, "%s/%s", folder, headers[i]);
+        header_describe(unit, path, headers[i], api);
+    }
+    clang_disposeTranslationUnit(unit);
+    add_ownership(api);
+}
+
+/* Ends the program where the structs of the written header have another layout than those of the public ones. */
+static void check_ffi(CXIndex index, const char* path, const char* resources, const cJSON* api) {
+    const char* const arguments[] = {"-std=c17", "-resource-dir", resources, "-include",
+                                     "stdint.h", "-include",      "stddef.h"};
+    cJSON *again = cJSON_Duplicate(api, 1), *entry;
+    cJSON_ReplaceItemInObject(again, "abis", cJSON_CreateArray());
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(again, "structs")) cJSON_DeleteItemFromObject(entry, "layout");
+    layout_describe(index, path, arguments, sizeof arguments / sizeof *arguments, again);
+    if (!cJSON_Compare(again, api, 1)) text_fail("%s has other layouts than the public headers", path);
+    cJSON_Delete(again);
+}
+
+/* Writes a source that includes all headers. */
+static void write_unit(const char* path) {
+    char text[PATH_ROOM] = "";
+    for (int i = 0; i < HEADERS; i++)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "#include \"%s\"\n", headers[i]);
+    write_file(path, text);
+}
+
+int main(int argc, char** argv) {
+    if (argc != 5) text_fail("usage: describe RESOURCE_FOLDER INCLUDE_FOLDER JSON FFI_HEADER");
+    const char *resources = argv[1], *folder = argv[2], *json_path = argv[3], *ffi_path = argv[4];
+    char include[PATH_ROOM], unit_path[PATH_ROOM];
+    snprintf(include, sizeof include, "-I%s", folder);
+    snprintf(unit_path, sizeof unit_path, "%s.c", json_path);
+    write_unit(unit_path);
+    const char* const arguments[] = {"-std=c17", "-resource-dir", resources, include};
+    CXIndex index = clang_createIndex(0, 1);
+    cJSON* api = new_description();
+    describe_headers(index, folder, unit_path, arguments, 4, api);
+    layout_describe(index, unit_path, arguments, 4, api);
+    remove(unit_path);
+    char *json = cJSON_Print(api), *ffi = ffi_write(api);
+    if (json == NULL) text_fail("no memory");
+    write_file(json_path, json);
+    write_file(ffi_path, ffi);
+    check_ffi(index, ffi_path, resources, api);
+    clang_disposeIndex(index);
+    cJSON_Delete(api);
+    free(json), free(ffi);
+    return 0;
+}
