@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# tests/bindings/run.sh BUILD_FOLDER — the common scenario prints the same through every binding as in C.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+build=${1:-build/release}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+warnings="-Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Werror"
+link="-L$build -ldragmesh -Wl,-rpath,$PWD/$build"
+failed=0
+
+# same NAME COMMAND… — the command prints what the C program has printed.
+same() {
+    local name=$1; shift
+    if ! "$@" > "$work/$name.txt" || ! cmp -s "$work/c.txt" "$work/$name.txt"; then
+        echo "bindings: $name differs from C" >&2
+        diff "$work/c.txt" "$work/$name.txt" | head -10 >&2 || true
+        failed=1
+    else
+        echo "$name: the same $(wc -l < "$work/c.txt") lines as C"
+    fi
+}
+
+gcc -std=c17 $warnings -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c -o "$work/c" $link
+"$work/c" > "$work/c.txt"
+grep -q '^error DM_ERROR_EMPTY_MASK$' "$work/c.txt" || { echo "bindings: the C program did not come to its end" >&2; exit 1; }
+for compiler in g++ clang++; do
+    "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/scenario.cpp -o "$work/$compiler" $link
+    same "$compiler" "$work/$compiler"
+    "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/example.cpp -o "$work/example" $link
+done
+exit $failed
