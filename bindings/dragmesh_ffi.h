@@ -7,6 +7,7 @@ enum { DM_MAX_HYPOTHESES = 8 };
 enum { DM_MAX_PARTS = 4096 };
 enum { DM_MAX_LABEL = 4096 };
 enum { DM_MAX_ELEMENTS = 268435456 };
+enum { DM_MAX_SNAPS = 16 };
 enum { DM_DRAG_SNAPSHOT_MAX = 65536 };
 static const uint32_t DM_GLTF_NO_CARRIER = 4294967295;
 enum {
@@ -44,6 +45,12 @@ enum {
     DM_AXES_UNREAL = 2,
     DM_AXES_BLENDER = 3,
     DM_AXES_CUSTOM = 4
+};
+enum {
+    DM_PICK_AUTO = 0,
+    DM_PICK_EMBREE = 1,
+    DM_PICK_PORTABLE = 2,
+    DM_PICK_NONE = 3
 };
 enum {
     DM_JOINT_UNKNOWN = 0,
@@ -88,9 +95,25 @@ enum {
     DM_DRAG_KEEP_JOINT = 1
 };
 enum {
+    DM_HAND_NONE = 0,
+    DM_HAND_RAY = 1
+};
+enum {
     DM_DRAG_HELD = 0,
     DM_DRAG_RELEASED = 1,
     DM_DRAG_AT_REST = 2
+};
+enum {
+    DM_EVENT_LIMIT_LOWER = 1,
+    DM_EVENT_LIMIT_UPPER = 2,
+    DM_EVENT_LEFT_REST = 4,
+    DM_EVENT_REACHED_REST = 8,
+    DM_EVENT_OPENED = 16,
+    DM_EVENT_CLOSED = 32,
+    DM_EVENT_DETENT = 64,
+    DM_EVENT_JOINT = 128,
+    DM_EVENT_BLOCKED = 256,
+    DM_EVENT_FREED = 512
 };
 enum {
     DM_INTENT_AUTO = 0,
@@ -127,7 +150,10 @@ typedef struct dm_object_desc dm_object_desc;
 typedef struct dm_object_info dm_object_info;
 typedef struct dm_motion_desc dm_motion_desc;
 typedef struct dm_drag_feel dm_drag_feel;
+typedef struct dm_drag_rules dm_drag_rules;
 typedef struct dm_drag_desc dm_drag_desc;
+typedef struct dm_hand dm_hand;
+typedef struct dm_drag_input dm_drag_input;
 typedef struct dm_drag_state dm_drag_state;
 typedef struct dm_release_desc dm_release_desc;
 typedef struct dm_release_plan dm_release_plan;
@@ -186,6 +212,8 @@ struct dm_context_desc {
     dm_allocator allocator;
     dm_log log;
     dm_jobs jobs;
+    int32_t picking;
+    uint32_t reserved;
 };
 struct dm_memory_info {
     uint32_t struct_size;
@@ -344,6 +372,17 @@ struct dm_drag_feel {
     float detent_pull;
     float return_time;
 };
+struct dm_drag_rules {
+    uint32_t struct_size;
+    uint32_t snap_count;
+    const float* snaps;
+    float snap_reach;
+    float open_share;
+    float closed_share;
+    float event_time;
+    float max_speed;
+    float max_acceleration;
+};
 struct dm_drag_desc {
     uint32_t struct_size;
     uint32_t part_id;
@@ -356,6 +395,17 @@ struct dm_drag_desc {
     const dm_part_state* state;
     dm_vec3 scale;
     uint32_t reserved;
+    const dm_drag_rules* rules;
+};
+struct dm_hand {
+    int32_t kind;
+    dm_ray ray;
+};
+struct dm_drag_input {
+    uint32_t struct_size;
+    dm_hand hand;
+    float lower;
+    float upper;
 };
 struct dm_drag_state {
     uint32_t struct_size;
@@ -367,6 +417,9 @@ struct dm_drag_state {
     int32_t at_limit;
     int32_t phase;
     uint32_t changes;
+    uint32_t events;
+    uint32_t detents;
+    float impact;
 };
 struct dm_release_desc {
     uint32_t struct_size;
@@ -459,6 +512,7 @@ struct dm_core_1 {
     dm_result (*scene_remove)(dm_context* context, dm_scene scene, uint32_t instance);
     dm_result (*scene_commit)(dm_context* context, dm_scene scene);
     dm_result (*scene_pick)(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
+    dm_result (*drag_step)(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
 };
 struct dm_gltf_files {
     void* user;
@@ -532,6 +586,7 @@ dm_result dm_motion_get_frames(dm_context* context, dm_motion motion, dm_pose* o
 dm_result dm_motion_destroy(dm_context* context, dm_motion motion);
 dm_result dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 dm_result dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
+dm_result dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
 dm_result dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan);
 dm_result dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* out_state);
 dm_result dm_drag_get_part_state(dm_context* context, dm_drag drag, dm_part_state* out_state);
@@ -562,3 +617,4 @@ dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, 
 dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data, size_t* out_size);
 void dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size);
 dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator, const dm_log* log, void** out_data, size_t* out_size);
+size_t dm_gltf_mend_text(char* text);

@@ -29,4 +29,5 @@ for compiler in g++ clang++; do
     same "$compiler" "$work/$compiler"
     "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/example.cpp -o "$work/example" $link
 done
+LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
 exit $failed

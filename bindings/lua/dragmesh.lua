@@ -1,0 +1,296 @@
+--- dragmesh for LuaJIT, through its FFI. Frames, units and threads are those of dragmesh.h.
+--
+-- Structs are those of C: M.new("dm_drag_desc") makes one with struct_size set and zeros elsewhere. Methods raise an error
+-- whose text begins with the name of the result, such as "DM_ERROR_EMPTY_MASK"; pcall catches it. Objects end by
+-- themselves when they are collected, or at once by :close().
+local ffi = require "ffi"
+
+local M = {}
+
+local here = debug.getinfo(1, "S").source:match "^@(.*[/\\])" or "./"
+
+local function read(path)
+    local file = assert(io.open(path, "rb"))
+    local text = file:read "*a"
+    file:close()
+    return text
+end
+
+local C
+
+--- Loads the library. path: of the shared library; nil: "dragmesh" where the system looks. ffi_header: of
+-- dragmesh_ffi.h; nil: beside this file or in the folder above. Call it once, before anything else.
+function M.load(path, ffi_header)
+    if C then return M end
+    local candidates = ffi_header and { ffi_header } or { here .. "dragmesh_ffi.h", here .. "../dragmesh_ffi.h" }
+    for _, name in ipairs(candidates) do
+        local file = io.open(name, "rb")
+        if file then
+            ffi.cdef(file:read "*a")
+            file:close()
+            C = ffi.load(path or "dragmesh")
+            M.C = C
+            return M
+        end
+    end
+    error("dragmesh_ffi.h was not found: " .. table.concat(candidates, ", "))
+end
+
+local function check(result)
+    if result ~= 0 then error(ffi.string(C.dm_result_string(result)), 3) end
+end
+
+--- A struct of C with struct_size set. fields: a table of values to set.
+function M.new(name, fields)
+    local struct = ffi.new(name)
+    local sized = pcall(function() return struct.struct_size end)
+    if sized then struct.struct_size = ffi.sizeof(name) end
+    for key, value in pairs(fields or {}) do struct[key] = value end
+    return struct
+end
+
+-- Owners ------------------------------------------------------------------------------------------------------------
+
+-- Makes a class of handles that `finish(context, handle)` ends. A closed handle is 0, which the library refuses.
+local function class(finish)
+    local methods = {}
+    methods.__index = methods
+    --- Ends it now; a second time does nothing.
+    function methods:close()
+        if self.handle ~= 0 and not self.context.closed then finish(self.context.pointer, self.handle) end
+        self.handle = ffi.cast("uint64_t", 0)
+    end
+    methods.make = function(context, handle)
+        local self = setmetatable({ context = context, handle = handle }, methods)
+        self.guard = newproxy(true) -- LuaJIT collects userdata with __gc, tables it does not
+        getmetatable(self.guard).__gc = function() self:close() end
+        return self
+    end
+    return methods
+end
+
+local Model = class(function(context, handle) C.dm_model_unload(context, handle) end)
+local Object = class(function(context, handle) C.dm_object_destroy(context, handle) end)
+local Drag = class(function(context, handle) C.dm_drag_end(context, handle, nil) end)
+local Scene = class(function(context, handle) C.dm_scene_destroy(context, handle) end)
+local Motion = class(function(context, handle) C.dm_motion_destroy(context, handle) end)
+
+local Context = {}
+Context.__index = Context
+
+--- Makes a context. desc: a dm_context_desc; nil = all defaults.
+function M.context(desc)
+    local out = ffi.new "dm_context*[1]"
+    check(C.dm_context_create(desc or M.new "dm_context_desc", out))
+    local self = setmetatable({ pointer = out[0], closed = false }, Context)
+    self.guard = newproxy(true)
+    getmetatable(self.guard).__gc = function() self:close() end
+    return self
+end
+
+--- Ends it, and everything made with it.
+function Context:close()
+    if not self.closed then C.dm_context_destroy(self.pointer) end
+    self.closed = true
+end
+
+--- Reads weights, each the bytes of a file as a string; nil = absent.
+function Context:load_model(kinematics, motion, ranker)
+    local desc, out = M.new "dm_model_desc", ffi.new "dm_model[1]"
+    desc.kinematics, desc.kinematics_size = kinematics, kinematics and #kinematics or 0
+    desc.motion, desc.motion_size = motion, motion and #motion or 0
+    desc.ranker, desc.ranker_size = ranker, ranker and #ranker or 0
+    check(C.dm_model_load(self.pointer, desc, out))
+    return Model.make(self, out[0])
+end
+
+--- Reads the weights in a folder.
+function Context:load_model_from(folder)
+    return self:load_model(read(folder .. "/kpp_net.safetensors"), read(folder .. "/dq_vae.safetensors"),
+        read(folder .. "/ranker.safetensors"))
+end
+
+--- Finds out how each part moves. desc: a dm_object_desc; what it points to must live during the call.
+function Context:prepare(desc)
+    local out = ffi.new "dm_object[1]"
+    check(C.dm_object_prepare(self.pointer, desc, out))
+    return Object.make(self, out[0])
+end
+
+--- Reads the bytes of a .dmo, a string. model: for its motions; nil = none.
+function Context:load_object(data, model)
+    local out = ffi.new "dm_object[1]"
+    check(C.dm_object_load(self.pointer, data, #data, model and model.handle or 0, out))
+    return Object.make(self, out[0])
+end
+
+function Context:scene()
+    local out = ffi.new "dm_scene[1]"
+    check(C.dm_scene_create(self.pointer, M.new "dm_scene_desc", out))
+    return Scene.make(self, out[0])
+end
+
+--- The ray through a pixel, (0, 0) the top left corner.
+function Context:camera_ray(camera, x, y)
+    local out = ffi.new "dm_ray"
+    check(C.dm_camera_ray(self.pointer, camera, x, y, out))
+    return out
+end
+
+-- Objects -----------------------------------------------------------------------------------------------------------
+
+--- The part at a position 0 .. part_count - 1: a dm_part_info.
+function Object:part(index)
+    local out = M.new "dm_part_info"
+    check(C.dm_object_get_part(self.context.pointer, self.handle, index, out))
+    return out
+end
+
+function Object:info()
+    local out = M.new "dm_object_info"
+    check(C.dm_object_get_info(self.context.pointer, self.handle, out))
+    return out
+end
+
+--- The joint in force: a dm_joint.
+function Object:joint(part)
+    local out = M.new "dm_joint"
+    check(C.dm_object_get_joint(self.context.pointer, self.handle, part, out))
+    return out
+end
+
+--- All that were found, most probable first: an array of dm_joint from 0 on, and how many. hint: a dm_drag_hint, or nil.
+function Object:hypotheses(part, hint)
+    local out, count = ffi.new("dm_joint[?]", C.DM_MAX_HYPOTHESES), ffi.new "uint32_t[1]"
+    for i = 0, C.DM_MAX_HYPOTHESES - 1 do out[i].struct_size = ffi.sizeof "dm_joint" end
+    check(C.dm_object_get_hypotheses(self.context.pointer, self.handle, part, hint, out, C.DM_MAX_HYPOTHESES, count))
+    return out, count[0]
+end
+
+function Object:set_joint(part, joint) check(C.dm_object_set_joint(self.context.pointer, self.handle, part, joint)) end
+
+function Object:reset_joint(part) check(C.dm_object_reset_joint(self.context.pointer, self.handle, part)) end
+
+--- The bytes of a .dmo, a string.
+function Object:save()
+    local size = ffi.new "size_t[1]"
+    check(C.dm_object_save(self.context.pointer, self.handle, nil, 0, size))
+    local data = ffi.new("uint8_t[?]", size[0])
+    check(C.dm_object_save(self.context.pointer, self.handle, data, size[0], size))
+    return ffi.string(data, size[0])
+end
+
+--- Grabs a part. desc: a dm_drag_desc; its object is filled in.
+function Object:grab(desc)
+    local out = ffi.new "dm_drag[1]"
+    desc.object = self.handle
+    check(C.dm_drag_begin(self.context.pointer, desc, out))
+    local drag = Drag.make(self.context, out[0])
+    drag.state = M.new "dm_drag_state" -- one for all frames
+    return drag
+end
+
+function Object:motion(desc)
+    local out = ffi.new "dm_motion[1]"
+    check(C.dm_motion_generate(self.context.pointer, self.handle, desc, out))
+    return Motion.make(self.context, out[0])
+end
+
+--- The pose at t, 0 to 1, and the joint value.
+function Motion:sample(t)
+    local pose, value = ffi.new "dm_pose", ffi.new "float[1]"
+    check(C.dm_motion_sample(self.context.pointer, self.handle, t, pose, value))
+    return pose, value[0]
+end
+
+-- Drags -------------------------------------------------------------------------------------------------------------
+
+--- Follows a dm_ray, or with nil goes on after a release. Returns the drag's dm_drag_state, the same one every frame.
+function Drag:update(ray, seconds)
+    self.state.struct_size = ffi.sizeof "dm_drag_state"
+    check(C.dm_drag_update(self.context.pointer, self.handle, ray, seconds, self.state))
+    return self.state
+end
+
+--- The same for all that a dm_drag_input holds.
+function Drag:step(input, seconds)
+    self.state.struct_size = ffi.sizeof "dm_drag_state"
+    check(C.dm_drag_step(self.context.pointer, self.handle, input, seconds, self.state))
+    return self.state
+end
+
+--- Lets go. desc: a dm_release_desc. Returns the dm_release_plan.
+function Drag:release(desc)
+    local plan = M.new "dm_release_plan"
+    check(C.dm_drag_release(self.context.pointer, self.handle, desc, plan))
+    return plan
+end
+
+--- What the instance keeps: a dm_part_state.
+function Drag:part_state()
+    local out = M.new "dm_part_state"
+    check(C.dm_drag_get_part_state(self.context.pointer, self.handle, out))
+    return out
+end
+
+--- Ends it and returns what the instance keeps.
+function Drag:finish()
+    local out = M.new "dm_part_state"
+    check(C.dm_drag_end(self.context.pointer, self.handle, out))
+    self.handle = ffi.cast("uint64_t", 0)
+    return out
+end
+
+--- The whole state, a string, for rollback.
+function Drag:save()
+    local size = C.dm_drag_snapshot_size()
+    local data = ffi.new("uint8_t[?]", size)
+    check(C.dm_drag_save(self.context.pointer, self.handle, data, size))
+    return ffi.string(data, size)
+end
+
+function Drag:restore(data) check(C.dm_drag_restore(self.context.pointer, self.handle, data, #data)) end
+
+-- Scenes ------------------------------------------------------------------------------------------------------------
+
+--- Places an object and returns its instance. placement: a dm_pose; nil = identity.
+function Scene:add(object, placement)
+    local out = ffi.new "uint32_t[1]"
+    check(C.dm_scene_add(self.context.pointer, self.handle, object.handle, placement, out))
+    return out[0]
+end
+
+--- Moves a part, or with part 0 the instance.
+function Scene:move(instance, part, pose)
+    check(C.dm_scene_move(self.context.pointer, self.handle, instance, part, pose))
+end
+
+function Scene:remove(instance) check(C.dm_scene_remove(self.context.pointer, self.handle, instance)) end
+
+function Scene:commit() check(C.dm_scene_commit(self.context.pointer, self.handle)) end
+
+--- The nearest hit, a dm_hit; nil when nothing is hit.
+function Scene:pick(ray)
+    local hit = M.new "dm_hit"
+    check(C.dm_scene_pick(self.context.pointer, self.handle, ray, hit))
+    if hit.object == 0 then return nil end
+    return hit
+end
+
+-- Poses -------------------------------------------------------------------------------------------------------------
+
+--- A point moved by a pose: x, y, z.
+function M.apply(pose, x, y, z)
+    local p = ffi.new("float[3]", x, y, z)
+    C.dm_pose_apply_points(pose, p, 0, p, 0, 1)
+    return p[0], p[1], p[2]
+end
+
+--- A pose as 16 numbers, column by column.
+function M.matrix(pose)
+    local m = ffi.new "float[16]"
+    C.dm_pose_to_matrix(pose, m)
+    return m
+end
+
+return M
