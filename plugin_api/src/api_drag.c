@@ -55,7 +55,7 @@ static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.limit_give", &desc->limit_give, 1);
     if (result == DM_OK) result = check_feel(env, &desc->feel);
     if (result != DM_OK) return result;
-    if (desc->flags & ~(uint32_t)DM_DRAG_KEEP_JOINT) {
+    if (desc->flags & ~(uint32_t)(DM_DRAG_KEEP_JOINT | DM_DRAG_WITHOUT_POINT)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.flags is 0x%x: unknown flag", desc->flags);
     }
     if (desc->reserved == 0) return DM_OK;
@@ -70,7 +70,7 @@ typedef struct start {
     const dmi_object* object;
     uint32_t part;
     dm_vec3 scale;
-    dm_vec3 centre; /* of the object's box */
+    dm_vec3 centre, part_centre; /* of the boxes */
     float object_size, part_size;
     dm_joint joint; /* in force */
     float value;
@@ -99,8 +99,7 @@ static float scaled_size(const start* s, const float min[3], const float max[3],
 
 static void measure(start* s) {
     const dmi_part* shape = &s->object->parts[s->part].shape;
-    dm_vec3 unused;
-    s->part_size = scaled_size(s, shape->box_min, shape->box_max, &unused);
+    s->part_size = scaled_size(s, shape->box_min, shape->box_max, &s->part_centre);
     s->object_size = scaled_size(s, s->object->box_min, s->object->box_max, &s->centre);
     if (is_unscaled(s->scale)) s->object_size = dmi_frame_length_out(&s->object->frame);
 }
@@ -164,6 +163,14 @@ static dm_result read_start(dmi_env* env, start* s) {
     result = dmi_rules_read(env, s->desc, &rules, &s->rules);
     if (result != DM_OK) return result;
     return dmi_check_number(env, "dm_drag_begin: the value", " times the screw's pitch", s->value * s->joint.pitch);
+}
+
+/* Takes hold of the middle of the part, where it is shown. */
+static void grab_middle(const start* s, dm_drag_desc* desc) {
+    const dm_pose pose = s->has_pose ? s->pose : dmi_joint_pose(&s->joint, s->value);
+    float middle[3];
+    dmi_pose_apply(&pose, dmi_xyz(s->part_centre).v, middle);
+    desc->grab_point = dmi_vec3(middle);
 }
 
 static void warn_of_point(dmi_env* env, const start* s) {
@@ -336,6 +343,7 @@ static void begin(dmi_drag_slot* slot, start* s) {
         dmi_drag_begin(&slot->drag, &s->joint, dmi_xyz(s->desc->grab_point).v, s->value, &feel);
     }
     if (!certain) track(&slot->drag, s);
+    slot->drag.rules = s->rules;
     if (s->rules.on) dmi_drag_set_rules(&slot->drag, &s->rules);
 }
 
@@ -370,6 +378,7 @@ dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, d
     if (result == DM_OK) result = check_desc(env, &known);
     if (result == DM_OK) result = read_start(env, &s);
     if (result != DM_OK) return result;
+    if (known.flags & DM_DRAG_WITHOUT_POINT) grab_middle(&s, &known);
     warn_of_point(env, &s);
     warn_of_value(env, &s);
     return publish(context, owner, &s, out_drag);
@@ -435,6 +444,26 @@ dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_
     if (result == DM_OK) result = check_step(env, names, dt, out_state);
     if (result == DM_OK) step(slot, NULL, &known, dt, out_state);
     return result;
+}
+
+dm_result DM_CALL dm_drag_take(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env* env = &context->env;
+    dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_take", drag);
+    if (slot == NULL) return DM_ERROR_STALE_HANDLE;
+    dm_result result = dmi_check_number(env, "dm_drag_take: ", "value", value);
+    if (result == DM_OK)
+        result = dmi_check_out(env, "dm_drag_take: out_state", out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
+    if (result != DM_OK) return result;
+    if (!slot->drag.question.open) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                        "dm_drag_take: the last update had no DM_INPUT_ASK, or its value was taken already");
+    }
+    dm_drag_state now = {.struct_size = sizeof now};
+    dmi_drag_take(&slot->drag, value, &now);
+    if (slot->open_side != 0) now.at_limit = only_limit_at(slot);
+    dmi_write_out(out_state, &now, sizeof now);
+    return DM_OK;
 }
 
 void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot) {

@@ -5,12 +5,14 @@
 #include "api_drag.h"
 #include "api_joint_check.h"
 #include "api_motion.h"
+#include "math/linear3.h"
+#include "math/vec3.h"
 
 /* Paces the release by the motion that the network generates for pulling the grabbed point to the plan's outer end. */
 static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t seed) {
     const dmi_release* plan = &slot->drag.release;
     const dmi_model_slot* model = dmi_pool_get(context->models, slot->owner->model);
-    if (plan->phase != DM_DRAG_RELEASED || plan->glides || slot->drag.feel.return_time > 0) return;
+    if (plan->phase != DM_DRAG_RELEASED || plan->glides || plan->flies || slot->drag.feel.return_time > 0) return;
     if (model == NULL || model->motion == NULL || slot->owner->features == NULL)
         return; /* keeps the minimum-jerk pace */
     const float outer = fabsf(plan->end) > fabsf(plan->start) ? plan->end : plan->start;
@@ -43,10 +45,14 @@ static void write_plan(const dmi_release* release, dm_release_plan* out_plan) {
 
 static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const dmi_release* last) {
     dm_result result =
-        dmi_check_range(env, "dm_drag_release: desc.intent", desc->intent, DM_INTENT_AUTO, DM_INTENT_FREEZE);
+        dmi_check_range(env, "dm_drag_release: desc.intent", desc->intent, DM_INTENT_AUTO, DM_INTENT_TOGGLE);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_release: desc.duration", &desc->duration, 1);
     if (result != DM_OK) return result;
-    if (desc->flags & ~(uint32_t)DM_RELEASE_BY_RULE) {
+    static const char* const places[3] = {".away_from.x", ".away_from.y", ".away_from.z"};
+    if (desc->flags & DM_RELEASE_AWAY_FROM)
+        result = dmi_check_vector(env, "dm_drag_release: desc", places, dmi_xyz(desc->away_from).v);
+    if (result != DM_OK) return result;
+    if (desc->flags & ~(uint32_t)(DM_RELEASE_BY_RULE | DM_RELEASE_AWAY_FROM)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_release: desc.flags is 0x%x: unknown flag",
                         desc->flags);
     }
@@ -60,6 +66,23 @@ static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const 
                         "was never released");
     }
     return DM_OK;
+}
+
+/* Returns the side of rest on which the grabbed point gets farther from a point; 0: neither. */
+static int32_t side_away_from(const dmi_drag* drag, dm_vec3 from) {
+    const dmi_float3 point = dmi_xyz(from);
+    float lower[3], upper[3];
+    if (!dmi_joint_has_limits(&drag->joint)) return 0;
+    dmi_joint_move(&drag->joint, drag->joint.lower, drag->rest_point, lower);
+    dmi_joint_move(&drag->joint, drag->joint.upper, drag->rest_point, upper);
+    return dmi_distance3(upper, point.v) >= dmi_distance3(lower, point.v) ? 1 : -1;
+}
+
+/* Returns what DM_INTENT_TOGGLE stands for. */
+static int32_t toggled(const dmi_drag* drag) {
+    const dm_joint* joint = &drag->joint;
+    const float rest = dmi_joint_clamp(joint, 0), way = fmaxf(joint->upper - rest, rest - joint->lower);
+    return fabsf(drag->value - rest) > 0.5f * way ? DM_INTENT_CLOSE : DM_INTENT_OPEN;
 }
 
 /* A part whose way out has no end can neither be near it nor go there: it stays. */
@@ -87,6 +110,8 @@ dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_re
     if (result == DM_OK) result = check_release(env, &known, &slot->drag.release);
     if (result != DM_OK) return result;
     dmi_drag_slot_warn(env, "dm_drag_release", slot);
+    if (known.intent == DM_INTENT_TOGGLE) known.intent = toggled(&slot->drag);
+    slot->drag.open_side = known.flags & DM_RELEASE_AWAY_FROM ? side_away_from(&slot->drag, known.away_from) : 0;
     dmi_drag_release(&slot->drag, possible_intent(slot, known.intent), known.duration);
     const bool by_rule = (known.flags & DM_RELEASE_BY_RULE) != 0;
     if (known.intent != DM_INTENT_REPLAY && !by_rule) pace_by_network(context, slot, known.seed);

@@ -5,6 +5,7 @@
 
 #include "api_check.h"
 #include "api_drag.h"
+#include "math/vec3.h"
 
 #define LARGEST_RATE 1e12f /* joint value a second, or a second squared; by hand: no limit is felt any more */
 #define LARGEST_TIME 1e12f /* s; by hand */
@@ -43,12 +44,32 @@ static dm_result check_snaps(dmi_env* env, const dm_drag_rules* rules) {
 }
 
 static dm_result check_rules(dmi_env* env, const dm_drag_rules* rules, const dm_drag_feel* feel) {
-    const number numbers[] = {
-        {"snap_reach", rules->snap_reach, DMI_LARGEST}, {"open_share", rules->open_share, 1},
-        {"closed_share", rules->closed_share, 1},       {"event_time", rules->event_time, LARGEST_TIME},
-        {"max_speed", rules->max_speed, LARGEST_RATE},  {"max_acceleration", rules->max_acceleration, LARGEST_RATE}};
+    const number numbers[] = {{"snap_reach", rules->snap_reach, DMI_LARGEST},
+                              {"open_share", rules->open_share, 1},
+                              {"closed_share", rules->closed_share, 1},
+                              {"event_time", rules->event_time, LARGEST_TIME},
+                              {"max_speed", rules->max_speed, LARGEST_RATE},
+                              {"max_acceleration", rules->max_acceleration, LARGEST_RATE},
+                              {"latch_turn", rules->latch_turn, DMI_LARGEST},
+                              {"auto_close_share", rules->auto_close_share, 1},
+                              {"auto_close_time", rules->auto_close_time, LARGEST_TIME},
+                              {"close_delay", rules->close_delay, LARGEST_TIME},
+                              {"tip_share", rules->tip_share, 1},
+                              {"fall_time", rules->fall_time, LARGEST_TIME},
+                              {"restitution", rules->restitution, 1},
+                              {"break_distance", rules->break_distance, DMI_LARGEST},
+                              {"drive_speed", rules->drive_speed, LARGEST_RATE}};
     dm_result result = check_numbers(env, numbers, sizeof numbers / sizeof *numbers);
+    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.rules.lock_give", &rules->lock_give, 1);
+    if (result == DM_OK && rules->lock_give > 1)
+        result = dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                          "dm_drag_begin: desc.rules.lock_give is %g: it must be 1 or less", (double)rules->lock_give);
     if (result == DM_OK) result = check_snaps(env, rules);
+    if (result == DM_OK && (rules->flags & ~(uint32_t)(DM_RULE_LOCKED | DM_RULE_LATCH) || rules->reserved != 0)) {
+        result = dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                          "dm_drag_begin: desc.rules.flags is 0x%x, reserved %u: unknown flag, or not 0", rules->flags,
+                          rules->reserved);
+    }
     if (result != DM_OK || rules->snap_count == 0 || !(feel->detent > 0)) return result;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
                     "dm_drag_begin: desc.rules.snap_count and desc.feel.detent are "
@@ -57,10 +78,10 @@ static dm_result check_rules(dmi_env* env, const dm_drag_rules* rules, const dm_
 
 dm_result dmi_rules_read(dmi_env* env, const dm_drag_desc* desc, const dmi_rules_start* start, dmi_rules* out) {
     dm_drag_rules given;
-    *out = (dmi_rules){0};
+    *out = (dmi_rules){.one_sided = start->one_sided, .object_size = start->object_size};
     if (desc->rules == NULL) return DM_OK;
     dm_result result = dmi_read_desc(env, "dm_drag_begin: desc.rules", desc->rules,
-                                     DMI_FIRST_SIZE(dm_drag_rules, max_acceleration), sizeof given, &given);
+                                     DMI_FIRST_SIZE(dm_drag_rules, reserved), sizeof given, &given);
     if (result == DM_OK) result = check_rules(env, &given, &desc->feel);
     if (result != DM_OK) return result;
     *out = dmi_rules_from(&given, &desc->feel, start->joint, start->one_sided, start->object_size);
@@ -76,38 +97,80 @@ static bool is_within(float value, float least, float most) {
 
 bool dmi_is_sound_rules(const dmi_rules* r) {
     const dmi_snaps* s = &r->snaps;
+    if (!is_within(r->object_size, 0, FLT_MAX)) return false;
     if (!r->on) return s->count == 0;
     if (s->count > DM_MAX_SNAPS || !is_within(s->pull, 0, 1) || !is_within(s->reach, 0, DMI_LARGEST)) return false;
     for (uint32_t i = 0; i < s->count; i++) {
         if (!is_within(s->values[i], -DMI_LARGEST, DMI_LARGEST)) return false;
         if (i > 0 && !(s->values[i - 1] < s->values[i])) return false;
     }
-    return is_within(s->outer_reach, 0, FLT_MAX) && is_within(r->object_size, 0, FLT_MAX) &&
-           is_within(r->open_share, 0, 1) && is_within(r->closed_share, 0, r->open_share) &&
-           is_within(r->event_time, 0, LARGEST_TIME) && is_within(r->max_speed, 0, LARGEST_RATE) &&
-           is_within(r->max_acceleration, 0, LARGEST_RATE);
+    return is_within(s->outer_reach, 0, FLT_MAX) && is_within(r->open_share, 0, 1) &&
+           is_within(r->closed_share, 0, r->open_share) && is_within(r->event_time, 0, LARGEST_TIME) &&
+           is_within(r->max_speed, 0, LARGEST_RATE) && is_within(r->max_acceleration, 0, LARGEST_RATE) &&
+           is_within(r->lock_give, 0, 1) && is_within(r->latch_turn, 0, DMI_LARGEST) &&
+           is_within(r->auto_close_share, 0, 1) && is_within(r->auto_close_time, 0, LARGEST_TIME) &&
+           is_within(r->close_delay, 0, LARGEST_TIME) && is_within(r->tip_share, 0, 1) &&
+           is_within(r->fall_time, 0, LARGEST_TIME) && is_within(r->restitution, 0, 1) &&
+           is_within(r->break_distance, 0, DMI_LARGEST) && is_within(r->drive_speed, 0, LARGEST_RATE);
 }
 
-static dm_result check_bounds(dmi_env* env, const dmi_drag* drag, const dm_drag_input* input) {
-    if (input->lower == input->upper) return DM_OK;
-    if (!(input->lower < input->upper)) {
-        const bool numbers = !isnan(input->lower) && !isnan(input->upper);
-        return dmi_fail(env, numbers ? DM_ERROR_INVALID_ARGUMENT : DM_ERROR_NOT_FINITE,
-                        "dm_drag_step: input.lower is %g, input.upper %g: they must rise", (double)input->lower,
-                        (double)input->upper);
-    }
-    if (drag->rules.on) return DM_OK;
-    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
-                    "dm_drag_step: input.lower and upper are set, but the drag began "
-                    "without desc.rules");
+/* ---- inputs ---- */
+
+static dm_result check_bounds(dmi_env* env, const dm_drag_input* input) {
+    if (input->lower == input->upper || input->lower < input->upper) return DM_OK;
+    const bool numbers = !isnan(input->lower) && !isnan(input->upper);
+    return dmi_fail(env, numbers ? DM_ERROR_INVALID_ARGUMENT : DM_ERROR_NOT_FINITE,
+                    "dm_drag_step: input.lower is %g, input.upper %g: they must rise", (double)input->lower,
+                    (double)input->upper);
+}
+
+/* Whether an input says what only rules read. */
+static bool needs_rules(const dm_drag_input* input) {
+    return input->lower != input->upper || input->flags & DM_INPUT_LOCKED || input->handles[0] != 0 ||
+           input->handles[1] != 0;
+}
+
+static dm_result check_point(dmi_env* env, const char* what, dm_vec3 point) {
+    static const char* const fields[3] = {".x", ".y", ".z"};
+    return dmi_check_vector(env, what, fields, dmi_xyz(point).v);
+}
+
+static dm_result check_first(dmi_env* env, const dm_hand* hand) {
+    dm_result result = dmi_check_range(env, "dm_drag_step: input.hand.kind", hand->kind, DM_HAND_NONE, DM_HAND_VALUE);
+    if (result != DM_OK) return result;
+    if (hand->kind == DM_HAND_RAY) return dmi_check_ray(env, "dm_drag_step: input.hand.ray", &hand->ray);
+    if (hand->kind == DM_HAND_POINT) return check_point(env, "dm_drag_step: input.hand.point", hand->point);
+    if (hand->kind > DM_HAND_POINT) return dmi_check_number(env, "dm_drag_step: input.hand", ".amount", hand->amount);
+    return DM_OK;
+}
+
+static dm_result check_second(dmi_env* env, const dm_drag_input* input) {
+    const dm_hand* hand = &input->second;
+    if (hand->kind == DM_HAND_NONE) return DM_OK;
+    dm_result result = dmi_check_range(env, "dm_drag_step: input.second.kind", hand->kind, DM_HAND_NONE, DM_HAND_POINT);
+    if (result == DM_OK && input->hand.kind > DM_HAND_POINT)
+        result =
+            dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                     "dm_drag_step: input.second is set, but input.hand.kind is %d: two hands hold by ray or point",
+                     input->hand.kind);
+    if (result == DM_OK) result = check_point(env, "dm_drag_step: input.second.grab_point", hand->grab_point);
+    if (result != DM_OK) return result;
+    if (hand->kind == DM_HAND_RAY) return dmi_check_ray(env, "dm_drag_step: input.second.ray", &hand->ray);
+    return check_point(env, "dm_drag_step: input.second.point", hand->point);
 }
 
 dm_result dmi_input_read(dmi_env* env, const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out) {
     dm_result result =
         dmi_read_desc(env, "dm_drag_step: input", input, DMI_FIRST_SIZE(dm_drag_input, upper), sizeof *out, out);
-    if (result == DM_OK)
-        result = dmi_check_range(env, "dm_drag_step: input.hand.kind", out->hand.kind, DM_HAND_NONE, DM_HAND_RAY);
-    if (result == DM_OK && out->hand.kind == DM_HAND_RAY)
-        result = dmi_check_ray(env, "dm_drag_step: input.hand.ray", &out->hand.ray);
-    return result == DM_OK ? check_bounds(env, drag, out) : result;
+    if (result == DM_OK && out->flags & ~(uint32_t)(DM_INPUT_LOCKED | DM_INPUT_ASK))
+        result =
+            dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_step: input.flags is 0x%x: unknown flag", out->flags);
+    if (result == DM_OK) result = check_first(env, &out->hand);
+    if (result == DM_OK) result = check_second(env, out);
+    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_step: input.handles", out->handles, 2);
+    if (result == DM_OK) result = check_bounds(env, out);
+    if (result != DM_OK || drag->rules.on || !needs_rules(out)) return result;
+    return dmi_fail(
+        env, DM_ERROR_INVALID_ARGUMENT,
+        "dm_drag_step: input has bounds, handles or DM_INPUT_LOCKED, but the drag began without desc.rules");
 }

@@ -7,6 +7,7 @@
 #include "kinematics/object/prepare.h"
 #include "motion/drag.h"
 #include "motion/motion.h"
+#include "motion/part_links.h"
 #include "pick/pick.h"
 
 enum { DMI_KIND_MODEL = 1, DMI_KIND_OBJECT, DMI_KIND_MOTION, DMI_KIND_DRAG, DMI_KIND_SCENE };
@@ -38,6 +39,8 @@ typedef struct dmi_object_slot {
     dmi_vae_object* features; /* one a part, the body's unused; NULL without a motion network */
     dmi_dependent *motions, *drags;
     dmi_placement* placements;
+    dmi_link* links; /* in the order of dmi_links_order; parts are counted without the body. NULL: none */
+    uint32_t link_count;
 } dmi_object_slot;
 
 typedef struct dmi_motion_slot {

@@ -87,6 +87,21 @@ dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, flo
     return DM_OK;
 }
 
+dm_result DM_CALL dm_joint_value_at(const dm_joint* joint, float share, float* out_value) {
+    dm_joint known;
+    if (joint == NULL || out_value == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dm_result result = read_joint(joint, &known);
+    if (result == DM_OK) result = dmi_check_number(NULL, "", "", share);
+    if (result == DM_OK && !dmi_joint_has_limits(&known)) result = DM_ERROR_INVALID_ARGUMENT;
+    if (result != DM_OK) return result;
+    const float rest = dmi_joint_clamp(&known, 0);
+    const float open = known.upper - rest >= rest - known.lower ? known.upper : known.lower;
+    const float value = rest + share * (open - rest);
+    if (!isfinite(value)) return DM_ERROR_NOT_FINITE;
+    *out_value = value;
+    return DM_OK;
+}
+
 /* ---- constraint frame ---- */
 
 /* Computes the shortest rotation that takes the x axis, or for the far half its mirror image, to `x`. */

@@ -184,6 +184,7 @@ void dmi_object_release(dm_context* context, dmi_object_slot* slot) {
     release_dependents(context, context->motions, slot->motions, sizeof(dmi_motion_slot));
     release_dependents(context, context->drags, slot->drags, sizeof(dmi_drag_slot));
     dmi_free(&context->env, slot->features, slot->object->part_count * sizeof *slot->features);
+    dmi_free(&context->env, slot->links, slot->link_count * sizeof *slot->links);
     dmi_object_destroy(&context->env, slot->object);
     dmi_free(&context->env, slot, sizeof *slot);
 }

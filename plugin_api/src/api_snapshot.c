@@ -191,18 +191,44 @@ static bool is_sound_blend(const dmi_pose_blend* b) {
            b->turn_time >= 0 && b->lag_time >= 0 && are_finite(&b->turn_time, 1) && are_finite(&b->lag_time, 1);
 }
 
-/* Bounds are of one update alone: between two there are none. */
 static bool is_sound_watch(const dmi_watch* w) {
     const float numbers[2] = {w->catch_index, w->impact};
     return w->limit >= -1 && w->limit <= 1 && is_bool(&w->away) && is_bool(&w->open) && is_bool(&w->blocked) &&
            w->since_opening >= 0 && w->peak_speed >= 0 && are_finite(numbers, 2) && are_finite(&w->peak_speed, 1);
 }
 
+static bool is_sound_latch(const dmi_latch* l) {
+    return is_bool(&l->closed) && is_bool(&l->locked) && is_bool(&l->turned) && is_bool(&l->tried) &&
+           are_within(&l->at, 1);
+}
+
+static bool are_sound_hands(const dmi_hands* h) {
+    const float numbers[3] = {h->bias, h->second.value, h->second.bias};
+    return h->kind >= DM_HAND_NONE && h->kind <= DM_HAND_VALUE && is_bool(&h->has_offset) && h->eye < DMI_HAND_EYES &&
+           is_bool(&h->second.on) && is_bool(&h->second.placed) && are_within(h->offset, 3) &&
+           are_within(h->point, 3) && are_within(h->second.rest_point, 3) && are_within(numbers, 3);
+}
+
+/* Bounds of the value that may be taken may be infinite. */
+static bool is_sound_question(const dmi_question* q) {
+    return is_bool(&q->open) && q->dt >= 0 && are_finite(&q->dt, 1) && are_within(&q->start, 1) &&
+           q->lower <= q->upper && is_sound_watch(&q->watch);
+}
+
+/* What an update is told is of that one alone: between two there is nothing. */
+static bool is_told_nothing(const dmi_told* t) {
+    return t->bounds.lower == -INFINITY && t->bounds.upper == INFINITY && is_bool(&t->locked) && !t->locked &&
+           t->handles[0] == 0 && t->handles[1] == 0;
+}
+
 static bool is_sound_keeping(const dmi_drag* d) {
-    const float numbers[4] = {d->asked, d->lag, d->start.value, d->start.velocity};
+    const float numbers[7] = {
+        d->asked, d->lag, d->start.value, d->start.velocity, d->waited, d->landing.impact, d->release.acceleration};
     return is_bool(&d->rules.on) && is_bool(&d->rules.one_sided) && dmi_is_sound_rules(&d->rules) &&
-           d->bounds.lower == -INFINITY && d->bounds.upper == INFINITY && are_within(numbers, 4) &&
-           is_bool(&d->stalled) && is_sound_watch(&d->watch);
+           is_told_nothing(&d->told) && are_within(numbers, 7) && is_bool(&d->stalled) && is_bool(&d->release.flies) &&
+           is_bool(&d->landing.settled) && d->landing.struck >= -1 && d->landing.struck <= 1 && d->open_side >= -1 &&
+           d->open_side <= 1 && is_sound_watch(&d->watch) && is_sound_latch(&d->latch) && are_sound_hands(&d->hands) &&
+           is_sound_question(&d->question);
 }
 
 static bool is_sound_drag(const dmi_drag* d) {

@@ -37,6 +37,8 @@ static const struct {
     {"hitch", {.hitch = 1}, BOT_AROUND},
     {"moving camera", {.moving_camera = 1}, BOT_AROUND},
     {"moving instance", {.moving_instance = 1}, BOT_AROUND},
+    {"point", {.point = 1}, BOT_AROUND},
+    {"scalar", {.scalar = 1}, BOT_AROUND},
 };
 enum { HANDS = sizeof hands / sizeof *hands };
 
@@ -104,6 +106,12 @@ static int check(const bot_options* options) {
     const int hz = hand->hz;
     if (options->cameras < 1) return options_refuse(&cli_dragbot, "--cameras from 1");
     if (hand->straight && hand->axis) return options_refuse(&cli_dragbot, "--straight or --axis");
+    if ((hand->point || hand->scalar) &&
+        (hand->point == hand->scalar || hand->straight || hand->axis || hand->wander != 0 || hand->tremor != 0 ||
+         hand->jostle != 0 || hand->offset != 0 || hand->moving_camera || hand->moving_instance ||
+         options->sight == BOT_END_ON)) {
+        return options_refuse(&cli_dragbot, "--point or --scalar, with --pause, --regrab, --hz or --hitch alone");
+    }
     if (hand->jostle < 0 || hand->offset < 0) return options_refuse(&cli_dragbot, "pixels from 0");
     if (hand->regrab < 0 || hand->regrab > BOT_MAX_REGRABS)
         return options_refuse(&cli_dragbot, "--regrab 0 to %d", BOT_MAX_REGRABS);
@@ -122,7 +130,8 @@ static bool is_plain(const bot_options* options) {
     const bot_hand* hand = &options->hand;
     return !hand->straight && !hand->axis && hand->wander == 0 && hand->tremor == 0 && hand->jostle == 0 &&
            hand->offset == 0 && !hand->pause && !hand->regrab && hand->hz == 60 && !hand->hitch &&
-           !hand->moving_camera && !hand->moving_instance && options->sight == BOT_AROUND;
+           !hand->moving_camera && !hand->moving_instance && !hand->point && !hand->scalar &&
+           options->sight == BOT_AROUND;
 }
 
 /* Opens the file of poses and plays. */
@@ -162,6 +171,8 @@ static int run(int argc, char** argv) {
                                  {.name = "--hitch", .kind = OPTION_FLAG, .value = &hand->hitch},
                                  {.name = "--moving-camera", .kind = OPTION_FLAG, .value = &hand->moving_camera},
                                  {.name = "--moving-instance", .kind = OPTION_FLAG, .value = &hand->moving_instance},
+                                 {.name = "--point", .kind = OPTION_FLAG, .value = &hand->point},
+                                 {.name = "--scalar", .kind = OPTION_FLAG, .value = &hand->scalar},
                                  {.name = "--view", .kind = OPTION_TEXT, .value = &view},
                                  {.name = "--poses", .kind = OPTION_TEXT, .value = &poses},
                                  {.name = "--all", .kind = OPTION_FLAG, .value = &all},
@@ -180,6 +191,6 @@ static int run(int argc, char** argv) {
 const cli_command cli_dragbot = {
     "dragbot", run,
     "DIR [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
-    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera | --moving-instance] "
+    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera | --moving-instance] [--point | --scalar] "
     "[--view end-on|above|behind] [--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json]",
     "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel."};

@@ -101,6 +101,8 @@ typedef struct bot_hand {
     int hitch;         /* one update of a quarter of a second */
     int moving_camera; /* the camera turns round the part during the pull */
     int moving_instance; /* the object turns and rises in the world during the pull */
+    int point;           /* a hand in space, where the true joint takes the grabbed point, in place of a pointer */
+    int scalar;          /* a gamepad's axis in place of a pointer, steered by what the player sees of the part */
 } bot_hand;
 
 /* Bends the path as the hand draws it. Returns false when the path left is none that a mouse can draw. */

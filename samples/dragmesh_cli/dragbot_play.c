@@ -19,6 +19,10 @@ static const double own_share = 0.05;    /* of the object's size: the part is wh
 /* In a pull a moving camera turns round the part by move_turn, rad. A moving instance turns as far, and rises by
  * move_rise of the radius of the ball round the part's way. */
 static const double move_turn = 10 * PI / 180, move_rise = 0.2;
+/* Of a gamepad: the part goes through its range so fast at full deflection, a second; the axis is deflected so far for
+ * each share of the asked value that the part is behind. */
+static const float axis_speed = 8;
+static const double axis_gain = 6;
 
 static void record_time(bot_times* times, double ns) {
     if (times->count == times->room) {
@@ -61,6 +65,7 @@ typedef struct player {
     dm_drag_state state;
     dm_joint first_joint;
     uint32_t changes; /* in the grabs before this one */
+    double axis_sign; /* 1, or -1 once the gamepad's axis was seen to move the part the wrong way */
     bot_frame* frames;
     int frame_count;
     bot_times* times;
@@ -161,6 +166,41 @@ static void keep_frame(player* p, const dm_ray* ray) {
     if (dm_drag_get_part_state(p->session->context, p->drag, &now) == DM_OK) frame->joint = now.joint;
 }
 
+/* ---- hands ---- */
+
+/* Returns the share of the asked value that the hand wants in a step. */
+static double wanted(const player* p, const bot_step* step) {
+    return bot_minimum_jerk(fmin(fmax((step->at + 1) / p->now->pull->frames, 0), 1));
+}
+
+static dm_hand hand_in_space(const player* p, const bot_step* step) {
+    const bot_pull* pull = p->now->pull;
+    const vec point = bot_true_move(p->now->truth, pull->point, pull->asked * wanted(p, step));
+    return (dm_hand){.kind = DM_HAND_POINT, .point = {(float)point.x, (float)point.y, (float)point.z}};
+}
+
+/* The player sees how far the part is on its way, and turns the axis round once it goes the wrong one. */
+static dm_hand gamepad(player* p, const bot_step* step) {
+    const double asked = p->now->pull->asked;
+    const double is = true_value(p->now->truth, &p->state.pose, p->now->part->centre, 0) / asked;
+    if (is < -still_share) p->axis_sign = -1;
+    const double deflection = axis_gain * p->axis_sign * (wanted(p, step) - is);
+    return (dm_hand){.kind = DM_HAND_RATE, .amount = (float)fmin(fmax(deflection, -1), 1)};
+}
+
+static dm_result update(player* p, const bot_step* step, const dm_ray* ray) {
+    const bot_hand* hand = p->now->hand;
+    dm_drag_input input = dm_drag_input_default();
+    if (hand->point) input.hand = hand_in_space(p, step);
+    if (hand->scalar) input.hand = gamepad(p, step);
+    const double start = timing_now_ns(CLOCK_MONOTONIC);
+    const dm_result result = input.hand.kind == DM_HAND_NONE
+                                 ? dm_drag_update(p->session->context, p->drag, ray, (float)step->dt, &p->state)
+                                 : dm_drag_step(p->session->context, p->drag, &input, (float)step->dt, &p->state);
+    record_time(p->times, timing_now_ns(CLOCK_MONOTONIC) - start);
+    return result;
+}
+
 static dm_result take_step(player* p, const bot_step* step) {
     dm_context* context = p->session->context;
     const dm_pose before = p->state.pose;
@@ -175,9 +215,7 @@ static dm_result take_step(player* p, const bot_step* step) {
         p->changes += p->state.changes;
     }
     if (result != DM_OK) return result;
-    const double start = timing_now_ns(CLOCK_MONOTONIC);
-    result = dm_drag_update(context, p->drag, &ray, (float)step->dt, &p->state);
-    record_time(p->times, timing_now_ns(CLOCK_MONOTONIC) - start);
+    result = update(p, step, &ray);
     if (result != DM_OK) return result;
     keep_frame(p, &ray);
     track_screen(p, step, pointer);
@@ -217,7 +255,7 @@ static bool is_on_own_way(const bot_case* now, const dm_pose* pose, double value
 }
 
 static void judge(const bot_case* now, const dm_drag_state* last, bot_result* result) {
-    const bool strays = now->hand->straight || now->hand->axis; /* off the true path on purpose */
+    const bool strays = now->hand->straight || now->hand->axis || now->hand->scalar; /* not at the pointer on purpose */
     const vec end = bot_true_move(now->truth, now->pull->point, now->pull->asked);
     const double way = length(sub(end, now->pull->point));
     result->reached = true_value(now->truth, &last->pose, now->part->centre, now->pull->asked) / now->pull->asked;
@@ -232,7 +270,8 @@ static void judge(const bot_case* now, const dm_drag_state* last, bot_result* re
 
 dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot_times* times, bot_result* out_result) {
     *out_result = (bot_result){0};
-    player p = {.session = session, .now = played, .view = *played->view, .times = times, .result = out_result};
+    player p = {
+        .session = session, .now = played, .view = *played->view, .axis_sign = 1, .times = times, .result = out_result};
     dm_ray ray;
     dm_hit hit = dm_hit_default();
     p.state = dm_drag_state_default();
@@ -242,10 +281,12 @@ dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot
     if (result != DM_OK) return result;
     out_result->picked = hit.object == session->object && hit.part_id == played->part->id;
     if (!out_result->picked) return DM_OK;
+    const dm_drag_rules fast = {.struct_size = sizeof fast, .drive_speed = axis_speed};
     const dm_drag_desc desc = {.struct_size = sizeof desc,
                                .part_id = played->part->id,
                                .object = session->object,
-                               .grab_point = hit.object_point};
+                               .grab_point = hit.object_point,
+                               .rules = played->hand->scalar ? &fast : NULL};
     result = dm_drag_begin(session->context, &desc, &p.drag);
     if (result != DM_OK) return result;
     p.frames = cli_alloc((size_t)played->plan->count * sizeof *p.frames);

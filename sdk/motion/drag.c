@@ -1,7 +1,7 @@
 /* One drag, update by update: pointer ray -> joint value it asks for (follow.h), rate-limited where that is ill-posed
  * -> feel (drag_feel.h) -> joint value, held back by the host's rules (drag_bounds.h). The hypothesis tracker chooses
  * the joint meanwhile; after the release the plan moves the part (drag_release.h). */
-#include "motion/drag_keep.h"
+#include "motion/drag_internal.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,6 +18,11 @@
 #define MIN_RAY_TURN 1e-5f      /* rad between two rays: rounding makes less, a pixel makes more; by hand */
 #define MAX_GRAB_OFFSET 0.025f  /* rad, as seen from the ray's origin: about 20 pixels of a usual screen; by hand */
 #define LIMIT_TOLERANCE 1e-4f   /* share of the range that counts as at a limit; by hand */
+
+/* Inlined although called twice: every frame calls it for the plain pointer. */
+#define INLINE __attribute__((always_inline)) static inline
+
+static const dmi_told told_nothing = {.bounds = {-INFINITY, INFINITY}};
 
 /* Returns the speed of the grabbed point, host units a unit of the joint value. */
 static float speed_of(const dm_joint* joint, const float rest_point[3]) {
@@ -36,7 +41,8 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     drag->blend = dmi_pose_blend_none();
     drag->release.return_time = fmaxf(feel->return_time, 0);
     drag->speed = speed_of(joint, drag->rest_point);
-    drag->bounds = dmi_no_bounds();
+    drag->told = told_nothing;
+    drag->asked = drag->target;
     memcpy(drag->point, grab_point, sizeof drag->point);
     if (drag->value == start_value) return;
     const dm_pose inside = dmi_joint_pose(joint, drag->value); /* it stands outside its limits */
@@ -64,13 +70,13 @@ static float target_at(dmi_drag* drag, float pointer_value) {
     if (!drag->limits_are_estimates) return dmi_feel_target(&drag->feel, &drag->joint, asked);
     const float target = dmi_feel_soft_target(&drag->feel, drag->estimated_lower, drag->estimated_upper, asked);
     const float kept = fminf(fmaxf(target, drag->reachable_lower), drag->reachable_upper);
-    const float reached = drag->rules.on ? dmi_bounds_clamp(drag->bounds, kept) : kept;
+    if (drag->rules.on && dmi_latch_holds(&drag->latch)) return kept;
+    const float reached = drag->rules.on ? dmi_bounds_clamp(drag->told.bounds, kept) : kept;
     drag->joint.lower = fminf(drag->joint.lower, reached), drag->joint.upper = fmaxf(drag->joint.upper, reached);
     return kept;
 }
 
-/* Copies the ray with a unit direction; false when it is not finite or has no direction. */
-static bool normalize_ray(const dm_ray* ray, dm_ray* out) {
+INLINE bool unit_ray(const dm_ray* ray, dm_ray* out) {
     const dm_vec3 o = ray->origin, d = ray->direction;
     if (!isfinite(o.x) || !isfinite(o.y) || !isfinite(o.z)) return false;
     const float most = fmaxf(fabsf(d.x), fmaxf(fabsf(d.y), fabsf(d.z)));
@@ -110,9 +116,8 @@ static void add_grab_offset(const dmi_drag* drag, dm_ray* ray) {
     ray->origin.z += drag->grab_offset.z;
 }
 
-/* Returns how far the pointer moved since the last update, host units at the grabbed point. Before the first update it
- * lay on the point. */
-static float pointer_motion(const dmi_drag* drag, const dm_ray* ray) {
+/* Before the first update the pointer lay on the point. */
+INLINE float ray_motion(const dmi_drag* drag, const dm_ray* ray) {
     float before[3], now[3], sum = 0;
     dmi_ray_closest_point(ray, drag->point, now);
     if (has_last_ray(drag)) {
@@ -124,15 +129,14 @@ static float pointer_motion(const dmi_drag* drag, const dm_ray* ray) {
     return sqrtf(sum);
 }
 
-/* Returns the pointer value after dt, on its way to `nearest`: there at once when that is at most MAX_GAIN times the
- * pointer's own motion away, else it glides there, GLIDE_GAIN times that motion and a share of the rest. */
-static float limit_gain(const dmi_drag* drag, const dm_ray* ray, float nearest, float dt) {
-    const float gap = nearest - drag->pointer_value;
-    const float motion = pointer_motion(drag, ray) / drag->speed;
+/* It is there at once when that is at most MAX_GAIN times the hand's own motion away, else it glides there, GLIDE_GAIN
+ * times that motion and a share of the rest. */
+INLINE void move_pointer(dmi_drag* drag, float nearest, float hand_motion, float dt) {
+    const float gap = nearest - drag->pointer_value, motion = hand_motion / drag->speed;
     const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : GLIDE_GAIN * motion;
     const float rest = (fabsf(gap) - at_once) * (1 - expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
     const float step = at_once + (dmi_joint_turns(drag->joint.type) ? fminf(rest, MAX_GLIDE * dt) : rest);
-    return isfinite(step) ? drag->pointer_value + copysignf(step, gap) : drag->pointer_value;
+    if (isfinite(step)) drag->pointer_value += copysignf(step, gap);
 }
 
 /* Whether the joint is a slide seen end on: the pointer does not show its value, so it is no evidence against its
@@ -144,25 +148,40 @@ static bool is_unseen_slide(const dmi_drag* drag, const dm_ray* ray) {
     return dmi_is_seen_end_on(&drag->joint, drag->rest_point, sight);
 }
 
-/* Follows a ray; returns the joint value nearest to it, before the rate limit. */
-static float follow(dmi_drag* drag, const dm_ray* ray, float dt) {
-    /* Rays that never turn come from an orthographic camera; the first one passes the point and suits either. */
-    if (has_last_ray(drag) && has_turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
-    float lower = -INFINITY, upper = INFINITY;
+INLINE dmi_span span_of(const dmi_drag* drag, bool stated) {
+    dmi_span span = {-INFINITY, INFINITY};
     if (drag->limits_are_estimates) {
-        const bool held = is_unseen_slide(drag, ray);
-        lower = held ? drag->estimated_lower : drag->reachable_lower;
-        upper = held ? drag->estimated_upper : drag->reachable_upper;
+        span.lower = stated ? drag->estimated_lower : drag->reachable_lower;
+        span.upper = stated ? drag->estimated_upper : drag->reachable_upper;
     } else if (dmi_joint_has_limits(&drag->joint)) {
         const float w = dmi_feel_soft_width(&drag->feel, &drag->joint);
-        lower = drag->joint.lower - w, upper = drag->joint.upper + w;
+        span.lower = drag->joint.lower - w, span.upper = drag->joint.upper + w;
     }
-    const float nearest =
-        dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->pointer_value, lower, upper);
-    drag->pointer_value = limit_gain(drag, ray, nearest, dt);
-    drag->target = target_at(drag, drag->pointer_value);
-    drag->last_ray = *ray;
-    return nearest;
+    return span;
+}
+
+INLINE bool read_ray(dmi_drag* drag, const dm_ray* ray, dm_ray* out_unit) {
+    if (!unit_ray(ray, out_unit)) return false;
+    if (!has_last_ray(drag)) measure_grab_offset(drag, out_unit);
+    add_grab_offset(drag, out_unit);
+    return true;
+}
+
+INLINE float nearest_on(dmi_drag* drag, const dm_ray* ray) {
+    /* Rays that never turn come from an orthographic camera; the first one passes the point and suits either. */
+    if (has_last_ray(drag) && has_turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
+    const bool stated = drag->limits_are_estimates && is_unseen_slide(drag, ray);
+    const dmi_span span = span_of(drag, stated);
+    return dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->pointer_value, span.lower,
+                          span.upper);
+}
+
+float dmi_drag_pointer_value(const dmi_drag* drag, float value) {
+    return dmi_snaps_invert(&drag->rules.snaps, dmi_feel_pointer_value(&drag->feel, &drag->joint, value));
+}
+
+void dmi_drag_ask(dmi_drag* drag) {
+    drag->asked = target_at(drag, drag->pointer_value);
 }
 
 static dm_pose shown_pose(const dmi_drag* drag) {
@@ -177,7 +196,8 @@ static void change_joint(dmi_drag* drag) {
     drag->joint = best->joint;
     drag->pointer_value = best->pointer_value;
     init_estimated_limits(drag);
-    drag->target = drag->value = target_at(drag, drag->pointer_value);
+    dmi_drag_ask(drag);
+    drag->target = drag->value = drag->asked;
     drag->velocity = 0;
     drag->speed = speed_of(&drag->joint, drag->rest_point);
     const dm_pose now = dmi_joint_pose(&drag->joint, drag->value);
@@ -186,38 +206,69 @@ static void change_joint(dmi_drag* drag) {
     drag->changes++;
 }
 
+/* Returns true when the joint has changed. */
+INLINE bool track(dmi_drag* drag, float nearest, const dm_ray* ray) {
+    if (drag->rules.on && dmi_latch_holds(&drag->latch)) return false; /* that it is held says nothing of its joint */
+    if (!dmi_hypothesis_tracker_update(&drag->tracker, nearest, ray, drag->projection)) return false;
+    change_joint(drag);
+    return true;
+}
+
+/* Follows the plain pointer. Returns true when the joint has changed. */
+INLINE bool follow(dmi_drag* drag, const dm_ray* ray, float dt) {
+    const float nearest = nearest_on(drag, ray);
+    move_pointer(drag, nearest, ray_motion(drag, ray), dt);
+    dmi_drag_ask(drag);
+    drag->last_ray = *ray;
+    return track(drag, nearest, ray);
+}
+
 static void update_held(dmi_drag* drag, const dm_ray* ray, float dt) {
     float before = drag->target;
     dm_ray unit;
-    if (ray != NULL && normalize_ray(ray, &unit)) {
-        if (!has_last_ray(drag)) measure_grab_offset(drag, &unit);
-        add_grab_offset(drag, &unit);
-        const float nearest = follow(drag, &unit, dt);
-        if (dmi_hypothesis_tracker_update(&drag->tracker, nearest, &unit, drag->projection)) {
-            change_joint(drag);
-            before = drag->target;
-        }
-        drag->asked = drag->target;
-    }
+    if (ray != NULL && read_ray(drag, ray, &unit) && follow(drag, &unit, dt)) before = drag->target;
+    drag->target = drag->asked;
     if (drag->rules.on) dmi_drag_hold_back(drag, before, dt);
     dmi_feel_follow(&drag->feel, &drag->joint, before, drag->target, dt, &drag->value, &drag->velocity);
 }
 
-static void plan_release(dmi_drag* drag, int32_t intent, float duration) {
-    const dmi_released_part part = {.joint = &drag->joint,
-                                    .feel = &drag->feel,
-                                    .rules = &drag->rules,
-                                    .value = drag->value,
-                                    .velocity = drag->velocity};
+static dmi_released_part released_part(const dmi_drag* drag) {
+    return (dmi_released_part){.joint = &drag->joint,
+                               .feel = &drag->feel,
+                               .rules = &drag->rules,
+                               .value = drag->value,
+                               .velocity = drag->velocity,
+                               .side = drag->open_side};
+}
+
+void dmi_drag_plan(dmi_drag* drag, int32_t intent, float duration) {
+    const dmi_released_part part = released_part(drag);
     dmi_release_begin(&drag->release, &part, intent, duration);
+    if (intent != DM_INTENT_REPLAY || !drag->release.flies) return;
+    drag->value = drag->release.start; /* a flight goes on from where the part is */
+    drag->velocity = drag->release.velocity;
 }
 
 static void update_released(dmi_drag* drag, float dt) {
-    if (drag->stalled) plan_release(drag, drag->release.intent, 0);
+    dmi_release* release = &drag->release;
+    if (drag->stalled && !release->flies) dmi_drag_plan(drag, release->intent, 0);
     drag->stalled = false;
-    if (drag->release.phase != DM_DRAG_RELEASED) return;
-    dmi_release_advance(&drag->release, &drag->feel, &drag->joint, dt, &drag->value, &drag->velocity);
-    drag->asked = drag->target = drag->release.end;
+    if (release->phase != DM_DRAG_RELEASED) return;
+    const dmi_released_part part = released_part(drag);
+    if (release->flies)
+        drag->landing = dmi_release_fly(release, &part, dt, &drag->value, &drag->velocity);
+    else
+        dmi_release_advance(release, &drag->feel, &drag->joint, dt, &drag->value, &drag->velocity);
+    if (drag->rules.on) dmi_drag_close(drag, dt);
+    drag->asked = drag->target = release->end;
+}
+
+/* Tells where the part is after an update, and remembers where it is shown. */
+static void write_state(dmi_drag* drag, dm_drag_state* out_state) {
+    dmi_drag_get_state(drag, out_state);
+    if (drag->rules.on) dmi_drag_write_events(drag, out_state);
+    const dm_vec3 grab = out_state->grab_point;
+    drag->point[0] = grab.x, drag->point[1] = grab.y, drag->point[2] = grab.z;
 }
 
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state) {
@@ -230,17 +281,53 @@ void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state*
         update_released(drag, time);
     }
     if (drag->rules.on) dmi_drag_keep_rules(drag, time);
-    dmi_drag_get_state(drag, out_state);
-    if (drag->rules.on) dmi_drag_write_events(drag, out_state);
-    const dm_vec3 grab = out_state->grab_point;
-    drag->point[0] = grab.x, drag->point[1] = grab.y, drag->point[2] = grab.z;
+    write_state(drag, out_state);
+}
+
+/* Whether an input has more than the one pointer that dmi_drag_update follows. */
+static bool needs_aim(const dmi_drag* drag, const dm_drag_input* input) {
+    return drag->release.phase == DM_DRAG_HELD &&
+           (input->hand.kind > DM_HAND_RAY || input->second.kind != DM_HAND_NONE || drag->hands.second.on ||
+            drag->hands.bias != 0);
+}
+
+static void tell(dmi_drag* drag, const dm_drag_input* input) {
+    if (input->lower < input->upper) drag->told.bounds = (dmi_bounds){input->lower, input->upper};
+    drag->told.locked = (input->flags & DM_INPUT_LOCKED) != 0;
+    memcpy(drag->told.handles, input->handles, sizeof drag->told.handles);
+    if (input->hand.kind == DM_HAND_NONE || input->hand.kind == drag->hands.kind) return;
+    const dm_vec3 none = {0, 0, 0}; /* the hand takes hold in another way: its offset is measured anew */
+    if (drag->hands.kind != DM_HAND_NONE) drag->last_ray.direction = drag->grab_offset = none;
+    drag->hands.has_offset = false;
+    drag->hands.kind = input->hand.kind;
 }
 
 void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag_state* out_state) {
-    const bool bounded = input->lower < input->upper;
-    drag->bounds = bounded ? (dmi_bounds){input->lower, input->upper} : dmi_no_bounds();
-    dmi_drag_update(drag, input->hand.kind == DM_HAND_RAY ? &input->hand.ray : NULL, dt, out_state);
-    drag->bounds = dmi_no_bounds();
+    const float time = dt > 0 && isfinite(dt) ? dt : 0;
+    const dmi_watch watch = drag->watch;
+    const float start = drag->value;
+    const bool aims = needs_aim(drag, input);
+    tell(drag, input);
+    if (aims) dmi_drag_aim(drag, input, time);
+    dmi_drag_update(drag, !aims && input->hand.kind == DM_HAND_RAY ? &input->hand.ray : NULL, dt, out_state);
+    drag->question = (dmi_question){.open = (input->flags & DM_INPUT_ASK) != 0,
+                                    .start = start,
+                                    .dt = time,
+                                    .lower = fminf(drag->told.bounds.lower, drag->value),
+                                    .upper = fmaxf(drag->told.bounds.upper, drag->value),
+                                    .watch = watch};
+    drag->told = told_nothing;
+}
+
+void dmi_drag_take(dmi_drag* drag, float value, dm_drag_state* out_state) {
+    const dmi_question* question = &drag->question;
+    const float kept = dmi_joint_clamp(&drag->joint, fminf(fmaxf(value, question->lower), question->upper));
+    if (kept != drag->value && question->dt > 0) drag->velocity = (kept - question->start) / question->dt;
+    drag->stalled = drag->stalled || (kept != drag->value && drag->release.phase == DM_DRAG_RELEASED);
+    drag->value = kept;
+    drag->question.open = false;
+    if (drag->rules.on) dmi_drag_watch_again(drag);
+    write_state(drag, out_state);
 }
 
 static int32_t limit_at(const dm_joint* joint, float value) {
@@ -267,6 +354,38 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
 
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
     drag->stalled = false;
-    plan_release(drag, intent, duration);
+    drag->waited = 0;
+    dmi_drag_plan(drag, intent, duration);
+    if (drag->rules.on) dmi_drag_close(drag, 0);
     if (drag->release.phase == DM_DRAG_AT_REST) drag->velocity = 0;
+}
+
+/* ---- the same for other files ---- */
+
+bool dmi_drag_unit_ray(const dm_ray* ray, dm_ray* out) {
+    return unit_ray(ray, out);
+}
+
+bool dmi_drag_read_ray(dmi_drag* drag, const dm_ray* ray, dm_ray* out_unit) {
+    return read_ray(drag, ray, out_unit);
+}
+
+float dmi_drag_nearest(dmi_drag* drag, const dm_ray* ray) {
+    return nearest_on(drag, ray);
+}
+
+void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float hand_motion, float dt) {
+    move_pointer(drag, nearest, hand_motion, dt);
+}
+
+void dmi_drag_track(dmi_drag* drag, float nearest, const dm_ray* ray) {
+    track(drag, nearest, ray);
+}
+
+float dmi_drag_ray_motion(const dmi_drag* drag, const dm_ray* ray) {
+    return ray_motion(drag, ray);
+}
+
+dmi_span dmi_drag_span(const dmi_drag* drag, bool stated) {
+    return span_of(drag, stated);
 }

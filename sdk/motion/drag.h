@@ -5,9 +5,27 @@
 
 #include "motion/drag_bounds.h"
 #include "motion/drag_events.h"
+#include "motion/drag_hands.h"
+#include "motion/drag_latch.h"
 #include "motion/drag_release.h"
 #include "motion/hypothesis_tracker.h"
 #include "motion/pose_blend.h"
+
+/* What an update was told besides the hand. */
+typedef struct dmi_told {
+    dmi_bounds bounds;
+    bool locked;
+    float handles[2];
+} dmi_told;
+
+/* An update that asks: what dmi_drag_take needs to do it again with another value. */
+typedef struct dmi_question {
+    bool open;
+    float start; /* joint value before the update */
+    float dt;
+    float lower, upper; /* between which the value may be taken */
+    dmi_watch watch;
+} dmi_question;
 
 /* Where the part was before an update. */
 typedef struct dmi_drag_step_start {
@@ -33,12 +51,19 @@ typedef struct dmi_drag {
     uint32_t changes; /* of the active joint */
     dmi_release release;
     dmi_rules rules;
-    dmi_bounds bounds;         /* of the last update */
+    dmi_told told;             /* of the update at hand; nothing between two */
     float asked;               /* value that the hand asks for; the target is on its way there (dmi_catch_up) */
     float lag;                 /* target minus that */
     bool stalled;              /* the plan of the release was not followed in the last update: planned anew */
     dmi_drag_step_start start; /* of the last update */
     dmi_watch watch;
+    dmi_latch latch;
+    dmi_hands hands;
+    uint32_t events;     /* found so far in the update at hand, beside those of the watch */
+    dmi_landing landing; /* of the last update */
+    float waited;        /* s since the release */
+    int32_t open_side;   /* on which a part that opens to both sides is to open: dmi_released_part */
+    dmi_question question;
 } dmi_drag;
 
 /* Starts a drag. grab_point: position of the grabbed point with the joint at start_value. */
@@ -55,6 +80,8 @@ void dmi_drag_set_rules(dmi_drag* drag, const dmi_rules* rules);
 void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
 /* The same for all that an input holds. */
 void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
+/* Takes another value in the last update, which has asked. */
+void dmi_drag_take(dmi_drag* drag, float value, dm_drag_state* out_state);
 /* Tells no events: they are of an update. */
 void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state);
 /* Releases the part. intent: DM_INTENT_*; duration: s, 0: chosen by the plan. */

@@ -20,8 +20,8 @@ bool dmi_bounds_hold(dmi_bounds bounds, float value, float target, float range, 
            (target < bounds.lower && value <= bounds.lower + near);
 }
 
-/* Returns the longest step of dt seconds: the speed rises with the highest acceleration up to the highest speed.
- * speed: at the start, not negative; out_speed: at the end. */
+/* Returns the longest step of dt seconds: the speed rises with the highest acceleration up to the highest speed. speed:
+ * at the start, not negative; out_speed: at the end. */
 static float longest_step(const dmi_rules* rules, float speed, float dt, float* out_speed) {
     const float most = rules->max_speed > 0 ? rules->max_speed : INFINITY, gain = rules->max_acceleration;
     const float start = fminf(speed, most), end = gain > 0 ? fminf(start + gain * dt, most) : most;

@@ -20,7 +20,7 @@ static int32_t limit_at(const dmi_watched* now, int32_t was) {
 }
 
 static float share_from_rest(const dmi_watched* now) {
-    return fabsf(now->value - dmi_joint_clamp(now->joint, 0)) / dmi_rules_range(now->rules, now->joint);
+    return dmi_rules_share(now->rules, now->joint, now->value);
 }
 
 /* Returns where the value lies among the detents or snap values, whose places are the integers. */
@@ -40,10 +40,11 @@ dmi_watch dmi_watch_begin(const dmi_watched* now) {
 
 static void watch_limits(dmi_watch* watch, const dmi_watched* now) {
     const int32_t was = watch->limit;
-    watch->limit = limit_at(now, was);
-    if (watch->limit == was || watch->limit == 0) return;
-    watch->events |= watch->limit > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
-    watch->impact = watch->peak_speed;
+    watch->limit = limit_at(now, now->struck != 0 ? now->struck : was);
+    const int32_t met = now->struck != 0 && was != now->struck ? now->struck : watch->limit; /* it may be off again */
+    if (met == was || met == 0) return;
+    watch->events |= met > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
+    watch->impact = fmaxf(watch->peak_speed, now->impact);
 }
 
 static void watch_rest(dmi_watch* watch, const dmi_watched* now) {
@@ -85,6 +86,7 @@ void dmi_watch_update(dmi_watch* watch, const dmi_watched* now, float dt) {
     watch_rest(watch, now);
     watch_detents(watch, now);
     watch_bounds(watch, now);
+    watch->events |= now->others;
     if (now->changes != watch->changes) watch->events |= DM_EVENT_JOINT;
     watch->changes = now->changes;
 }

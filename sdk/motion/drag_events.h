@@ -26,6 +26,9 @@ typedef struct dmi_watched {
     float value, velocity;
     bool blocked;
     uint32_t changes;
+    int32_t struck;  /* a limit struck during the update: -1, 0 for none, 1 … */
+    float impact;    /* … and how fast */
+    uint32_t others; /* events that others have found */
 } dmi_watched;
 
 /* Starts where the part is, without an event. */

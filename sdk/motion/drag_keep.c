@@ -1,6 +1,11 @@
 /* The rules' part of an update: between what the hand asks for and the feel, and after the step that the feel or the
  * plan of a release has made. Apart from drag.c, so that drags without rules do not pay for it. */
-#include "motion/drag_keep.h"
+#include <math.h>
+
+#include "motion/drag_internal.h"
+
+#define ARRIVED_SHARE 1e-4f /* of the range: a released part is where its plan ends */
+#define SWING_BACK 0.02f /* range a second: a part in the hand that would come back slower than this stays; by hand */
 
 static dmi_watched watched(const dmi_drag* drag, bool blocked) {
     return (dmi_watched){.joint = &drag->joint,
@@ -9,41 +14,105 @@ static dmi_watched watched(const dmi_drag* drag, bool blocked) {
                          .value = drag->value,
                          .velocity = drag->velocity,
                          .blocked = blocked,
-                         .changes = drag->changes};
+                         .changes = drag->changes,
+                         .struck = drag->landing.struck,
+                         .impact = drag->landing.impact,
+                         .others = drag->events};
 }
 
 void dmi_drag_set_rules(dmi_drag* drag, const dmi_rules* rules) {
     drag->rules = *rules;
-    drag->asked = drag->target;
     drag->pointer_value = dmi_snaps_invert(&rules->snaps, drag->pointer_value);
+    drag->latch = dmi_latch_begin(rules, &drag->joint, drag->value);
     const dmi_watched now = watched(drag, false);
     drag->watch = dmi_watch_begin(&now);
 }
 
+void dmi_drag_note_start(dmi_drag* drag) {
+    drag->start = (dmi_drag_step_start){drag->value, drag->velocity, drag->release.phase};
+    drag->landing = (dmi_landing){0};
+    drag->events =
+        dmi_latch_update(&drag->latch, &drag->rules, &drag->joint, drag->value, drag->told.locked, drag->told.handles);
+}
+
 void dmi_drag_hold_back(dmi_drag* drag, float before, float dt) {
-    const float free = dmi_catch_up(drag->asked, before, drag->lag, dt);
-    drag->target = dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->bounds, free));
+    float target = dmi_catch_up(drag->asked, before, drag->lag, dt);
+    if (dmi_latch_holds(&drag->latch)) target = dmi_latch_give(&drag->latch, &drag->rules, &drag->joint, target);
+    drag->target = dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->told.bounds, target));
     drag->lag = drag->target - drag->asked;
 }
 
-void dmi_drag_keep_rules(dmi_drag* drag, float dt) {
-    const dmi_drag_step_start* start = &drag->start;
-    const bool changed = drag->changes != drag->watch.changes; /* then values are those of another joint */
-    const bool limited = dmi_limit_step(&drag->rules, drag->bounds, changed ? drag->value : start->value,
-                                        start->velocity, dt, &drag->value, &drag->velocity);
-    if (limited) drag->value = dmi_joint_clamp(&drag->joint, drag->value);
-    if (limited && start->phase == DM_DRAG_RELEASED) {
-        drag->stalled = true;
-        drag->release.phase = DM_DRAG_RELEASED;
+/* Brings back a released part once its closer's delay is over, and one that has come near to rest. */
+void dmi_drag_close(dmi_drag* drag, float dt) {
+    const dmi_rules* rules = &drag->rules;
+    dmi_release* release = &drag->release;
+    const bool waits = release->return_time > 0 && rules->close_delay > 0;
+    drag->waited += dt;
+    if (release->intent != DM_INTENT_STAY) return;
+    if (waits && drag->waited < rules->close_delay) {
+        release->phase = DM_DRAG_RELEASED;
+        return;
     }
+    const bool near = dmi_rules_share(rules, &drag->joint, drag->value) < rules->auto_close_share;
+    if (waits || near) dmi_drag_plan(drag, DM_INTENT_CLOSE, waits ? 0 : rules->auto_close_time);
+}
+
+/* A heavy part in the hand comes back from a limit. */
+static void swing_back(dmi_drag* drag) {
+    const float range = dmi_rules_range(&drag->rules, &drag->joint), before = drag->start.velocity;
+    const bool stopped = drag->feel.coast_time > 0 && drag->velocity == 0 && drag->start.phase == DM_DRAG_HELD &&
+                         dmi_joint_has_limits(&drag->joint) &&
+                         (drag->value == drag->joint.lower || drag->value == drag->joint.upper);
+    const float back = -drag->rules.restitution * before;
+    if (stopped && fabsf(back) > SWING_BACK * range) drag->velocity = back;
+}
+
+/* Bounds of this step: a part that is held and not in the hand goes back to where it is held, as far as there is room.
+ */
+static dmi_bounds step_bounds(const dmi_drag* drag) {
+    if (!dmi_latch_holds(&drag->latch) || drag->start.phase == DM_DRAG_HELD) return drag->told.bounds;
+    const float at = dmi_bounds_clamp(drag->told.bounds, drag->latch.at);
+    return (dmi_bounds){at, at};
+}
+
+static void limit_step(dmi_drag* drag, float dt) {
+    const bool changed = drag->changes != drag->watch.changes; /* then values are those of another joint */
+    const bool limited = dmi_limit_step(&drag->rules, step_bounds(drag), changed ? drag->value : drag->start.value,
+                                        drag->start.velocity, dt, &drag->value, &drag->velocity);
+    if (!limited) return;
+    drag->value = dmi_joint_clamp(&drag->joint, drag->value);
+    const float left = fabsf(drag->value - drag->release.end);
+    if (drag->start.phase != DM_DRAG_RELEASED || left <= ARRIVED_SHARE * dmi_rules_range(&drag->rules, &drag->joint))
+        return;
+    drag->stalled = true;
+    drag->release.phase = DM_DRAG_RELEASED;
+}
+
+/* Lets go of a part whose hand is too far off. */
+static void break_off(dmi_drag* drag) {
+    const float most = drag->rules.break_distance;
+    if (!(most > 0) || drag->release.phase != DM_DRAG_HELD || dmi_drag_hand_miss(drag) <= most) return;
+    drag->waited = 0;
+    dmi_drag_plan(drag, DM_INTENT_AUTO, 0);
+    drag->events |= DM_EVENT_LET_GO;
+}
+
+void dmi_drag_keep_rules(dmi_drag* drag, float dt) {
+    if (drag->rules.restitution > 0) swing_back(drag);
+    limit_step(drag, dt);
+    drag->events |= dmi_latch_try(&drag->latch, &drag->rules, &drag->joint, drag->asked);
+    break_off(drag);
     const float range = dmi_rules_range(&drag->rules, &drag->joint);
-    const bool blocked = dmi_bounds_hold(drag->bounds, drag->value, drag->asked, range, drag->watch.blocked);
+    const bool blocked = dmi_bounds_hold(drag->told.bounds, drag->value, drag->asked, range, drag->watch.blocked);
     const dmi_watched now = watched(drag, blocked);
     dmi_watch_update(&drag->watch, &now, dt);
 }
 
-void dmi_drag_note_start(dmi_drag* drag) {
-    drag->start = (dmi_drag_step_start){drag->value, drag->velocity, drag->release.phase};
+void dmi_drag_watch_again(dmi_drag* drag) {
+    const bool blocked = drag->watch.blocked;
+    drag->watch = drag->question.watch;
+    const dmi_watched now = watched(drag, blocked);
+    dmi_watch_update(&drag->watch, &now, drag->question.dt);
 }
 
 void dmi_drag_write_events(const dmi_drag* drag, dm_drag_state* out_state) {

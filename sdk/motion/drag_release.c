@@ -17,6 +17,7 @@
 #define GLIDE_HALF_LIVES 7.0f     /* half-lives after which a gliding part stands: 1/128 of the speed is left */
 #define PEAK_SPEED 1.875f         /* of minimum jerk, over its mean: at the middle */
 #define PEAK_ACCELERATION 5.7736f /* of minimum jerk over distance / time^2: 10 / sqrt(3), rounded up */
+#define MIN_FALL_TIME 1e-3f       /* s: a shorter fall is over within a frame all the same */
 #define MAX_BACKWARDS 0.105f      /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
 #define SLOPE_STEP 1e-3f          /* of the duration, for the slope of the plan at its start */
 #define SEARCH_STEPS 64           /* even steps over the keys … */
@@ -40,10 +41,10 @@ static bool rests_at_stop(const dm_joint* joint) {
     return rest - joint->lower <= near || joint->upper - rest <= near;
 }
 
-/* Returns the limit that is not rest; of two, the one on the side that the part was pulled to. */
-static float open_end(const dmi_released_part* part) {
+float dmi_release_open_end(const dmi_released_part* part) {
     const dm_joint* joint = part->joint;
-    const float rest = dmi_joint_clamp(joint, 0), side = part->value + LOOK_AHEAD * part->velocity - rest;
+    const float rest = dmi_joint_clamp(joint, 0), pulled = part->value + LOOK_AHEAD * part->velocity - rest;
+    const float side = part->side != 0 ? (float)part->side : pulled;
     if (side == 0 || rests_at_stop(joint))
         return joint->upper - rest >= rest - joint->lower ? joint->upper : joint->lower;
     return side > 0 ? joint->upper : joint->lower;
@@ -54,18 +55,58 @@ static float glide_length(const dmi_released_part* part) {
     return part->velocity * dmi_feel_coast_time(part->feel) / DMI_LN_2_F;
 }
 
+static const dmi_rules* rules_of(const dmi_released_part* part) {
+    static const dmi_rules none = {0};
+    return part->rules != NULL ? part->rules : &none;
+}
+
 /* Whether a snap value catches the part as it glides to a stop. */
 static bool is_caught(const dmi_released_part* part, float* out_snap) {
     const float end = dmi_joint_clamp(part->joint, part->value + glide_length(part));
-    return part->rules != NULL && dmi_snaps_catch(&part->rules->snaps, part->joint, end, out_snap);
+    return dmi_snaps_catch(&rules_of(part)->snaps, part->joint, end, out_snap);
+}
+
+/* Whether limits bound the part to both sides. */
+static bool has_range(const dmi_released_part* part) {
+    return dmi_joint_has_limits(part->joint) && !rules_of(part)->one_sided;
+}
+
+/* Whether the part glides against a limit that throws it back. */
+static bool is_thrown_back(const dmi_released_part* part) {
+    const float end = part->value + glide_length(part);
+    return rules_of(part)->restitution > 0 && has_range(part) && dmi_joint_clamp(part->joint, end) != end;
+}
+
+/* Whether the part falls, to rest or to its open end. */
+static bool falls(const dmi_released_part* part) {
+    return rules_of(part)->tip_share > 0 && has_range(part);
+}
+
+/* Whether the part closes by itself from where it is. */
+static bool closes_itself(const dmi_released_part* part) {
+    return dmi_rules_share(rules_of(part), part->joint, part->value) < rules_of(part)->auto_close_share;
+}
+
+/* Returns the intent by the part's rules; DM_INTENT_AUTO: they say nothing. */
+static int32_t intent_by_rules(const dmi_released_part* part, float return_time) {
+    const dmi_rules* rules = rules_of(part);
+    float snap;
+    if (!rules->on) return DM_INTENT_AUTO;
+    if (return_time > 0 && rules->close_delay > 0) return DM_INTENT_STAY;
+    if (return_time > 0) return DM_INTENT_CLOSE;
+    if (closes_itself(part)) return DM_INTENT_CLOSE;
+    if (is_caught(part, &snap)) return DM_INTENT_STAY;
+    if (falls(part))
+        return dmi_rules_share(rules, part->joint, part->value) < rules->tip_share ? DM_INTENT_CLOSE : DM_INTENT_OPEN;
+    return is_thrown_back(part) ? DM_INTENT_STAY : DM_INTENT_AUTO;
 }
 
 /* Returns the intent that DM_INTENT_AUTO stands for. */
 static int32_t infer_intent(const dmi_released_part* part, float return_time) {
     const dm_joint* joint = part->joint;
-    float snap;
+    const int32_t ruled = intent_by_rules(part, return_time);
+    if (ruled != DM_INTENT_AUTO) return ruled;
     if (return_time > 0) return DM_INTENT_CLOSE;
-    if (is_caught(part, &snap)) return DM_INTENT_STAY;
     if (!dmi_joint_has_limits(joint) || part->feel->detent > 0) return DM_INTENT_STAY;
     const float range = range_of(joint), thrown = LOOK_AHEAD * part->velocity, ahead = part->value + thrown;
     const float from_rest = fabsf(ahead - dmi_joint_clamp(joint, 0));
@@ -76,7 +117,7 @@ static int32_t infer_intent(const dmi_released_part* part, float return_time) {
     }
     if (rests_at_stop(joint) && homeward && fabsf(thrown) > THROWN_SHARE * range) return DM_INTENT_CLOSE;
     if (fabsf(thrown) > THROWN_SHARE * range) return DM_INTENT_OPEN;
-    if (fabsf(ahead - open_end(part)) < NEAR_END_SHARE * range) return DM_INTENT_OPEN;
+    if (fabsf(ahead - dmi_release_open_end(part)) < NEAR_END_SHARE * range) return DM_INTENT_OPEN;
     return DM_INTENT_STAY;
 }
 
@@ -85,8 +126,7 @@ static int32_t infer_intent(const dmi_released_part* part, float return_time) {
 /* Returns the least duration of a motion over `distance` that the rules allow. */
 static float shortest_duration(const dmi_released_part* part, float distance) {
     float time = 0;
-    if (part->rules == NULL) return time;
-    const float speed = part->rules->max_speed, acceleration = part->rules->max_acceleration;
+    const float speed = rules_of(part)->max_speed, acceleration = rules_of(part)->max_acceleration;
     if (speed > 0) time = PEAK_SPEED * fabsf(distance) / speed;
     return acceleration > 0 ? fmaxf(time, sqrtf(PEAK_ACCELERATION * fabsf(distance) / acceleration)) : time;
 }
@@ -130,6 +170,42 @@ static void plan_move(const dmi_released_part* part, dmi_release* r, float end) 
     if (fabsf(distance) <= ARRIVED_SHARE * fmaxf(range_of(part->joint), 0)) r->duration = 0;
 }
 
+static dmi_flight flight_of(const dmi_release* r, const dmi_released_part* part) {
+    return (dmi_flight){.lower = part->joint->lower,
+                        .upper = part->joint->upper,
+                        .acceleration = r->acceleration,
+                        .time_constant = dmi_feel_coast_time(part->feel) / DMI_LN_2_F,
+                        .restitution = rules_of(part)->restitution};
+}
+
+/* Makes a glide that a limit throws back, or a fall, of the plan. */
+static void plan_flight(const dmi_released_part* part, dmi_release* r, bool by_itself) {
+    const float side = r->end < r->start ? -1.0f : 1.0f, time = fmaxf(rules_of(part)->fall_time, MIN_FALL_TIME);
+    r->acceleration = 0;
+    if (r->intent == DM_INTENT_STAY && r->glides && is_thrown_back(part)) {
+        const dmi_flight flight = flight_of(r, part);
+        r->flies = flight.time_constant > 0;
+        r->end = dmi_flight_end(&flight, r->start, part->velocity);
+    } else if (by_itself && r->duration > 0 && falls(part)) {
+        r->flies = true;
+        r->acceleration = side * 2 * range_of(part->joint) / (time * time);
+        r->duration = sqrtf(2 * (r->end - r->start) / r->acceleration);
+    }
+}
+
+dmi_landing dmi_release_fly(dmi_release* r, const dmi_released_part* part, float dt, float* out_value,
+                            float* out_velocity) {
+    const dmi_flight flight = flight_of(r, part);
+    const dmi_landing landing = dmi_flight_advance(&flight, dt, out_value, out_velocity);
+    r->elapsed += dt;
+    if (landing.settled) {
+        r->phase = DM_DRAG_AT_REST;
+        r->end = *out_value;
+        *out_velocity = 0;
+    }
+    return landing;
+}
+
 void dmi_release_begin(dmi_release* r, const dmi_released_part* part, int32_t intent, float duration) {
     r->elapsed = 0;
     r->phase = DM_DRAG_RELEASED;
@@ -138,15 +214,19 @@ void dmi_release_begin(dmi_release* r, const dmi_released_part* part, int32_t in
     r->intent = asked;
     r->start = r->end = part->value;
     r->velocity = part->velocity;
-    r->paced = r->glides = false;
+    r->paced = r->glides = r->flies = false;
     r->duration = 0;
     const bool unlimited = !dmi_joint_has_limits(part->joint);
     if (asked == DM_INTENT_CLOSE)
         plan_move(part, r, dmi_joint_clamp(part->joint, 0));
     else if (asked == DM_INTENT_OPEN && !unlimited)
-        plan_move(part, r, open_end(part));
+        plan_move(part, r, dmi_release_open_end(part));
     else if (asked != DM_INTENT_FREEZE)
         r->intent = DM_INTENT_STAY, plan_stay(part, r);
+    if (intent == DM_INTENT_AUTO && asked == DM_INTENT_CLOSE && r->duration > 0 && closes_itself(part))
+        r->duration = fmaxf(rules_of(part)->auto_close_time, shortest_duration(part, r->end - r->start));
+    else if (rules_of(part)->on)
+        plan_flight(part, r, intent == DM_INTENT_AUTO && r->return_time <= 0 && asked != DM_INTENT_STAY);
     if (duration > 0 && r->duration > 0) r->duration = duration;
     if (!r->glides && r->duration > 0 && !unlimited) r->velocity = velocity_with_room(part, r);
     if (r->duration > 0) return;
@@ -185,7 +265,8 @@ bool dmi_release_set_pace(dmi_release* r, const float values[DM_MOTION_FRAMES]) 
     const bool outwards = fabsf(r->end) > fabsf(r->start);
     const float outer = outwards ? r->end : r->start, inner = outwards ? r->start : r->end;
     const float last = values[DM_MOTION_FRAMES - 1], scale = outer / last;
-    if (r->phase != DM_DRAG_RELEASED || r->glides || !(scale > MIN_PACE_SCALE && scale < MAX_PACE_SCALE)) return false;
+    if (r->phase != DM_DRAG_RELEASED || r->glides || r->flies || !(scale > MIN_PACE_SCALE && scale < MAX_PACE_SCALE))
+        return false;
     if (inner / outer < 0) return false; /* the plan crosses rest; generated motions begin there */
     for (int i = 0; i < DM_MOTION_FRAMES; i++) r->keys[i] = values[i] * scale;
     r->first = outwards ? time_on_keys(r, inner) : 1;
@@ -203,8 +284,8 @@ static float planned(const dmi_release* r, float s) {
     return value_on_keys(r, t);
 }
 
-/* Adds to the plan what value and velocity differ from it at the start, fading: s (1 - s)^3 has slope 1 at 0, and
- * (1 + 3 s) (1 - s)^3 has value 1 and slope 0 there. */
+/* Adds to the plan what value and velocity differ from it at the start, fading: s (1 - s)^3 has slope 1 at 0, and (1 +
+ * 3 s) (1 - s)^3 has value 1 and slope 0 there. */
 static float move_at(const dmi_release* r, float s) {
     const float h = SLOPE_STEP, left = 1 - s, fade = left * left * left;
     const float off = r->start - planned(r, 0), slope = (planned(r, h) - planned(r, 0)) / h;

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "motion/drag_flight.h"
 #include "motion/drag_rules.h"
 #include "motion/motion.h"
 
@@ -14,6 +15,8 @@ typedef struct dmi_release {
     float duration, elapsed;      /* s */
     float return_time;            /* s; 0: nothing springs back */
     bool glides;                  /* decays exponentially without an aim; else it moves to `end` */
+    bool flies;                   /* falls, or glides with bounces, from value and velocity to value and velocity */
+    float acceleration;           /* of a fall, joint value a second squared; 0: glides */
     bool paced;                   /* follows the keys; else minimum jerk */
     float keys[DM_MOTION_FRAMES]; /* joint values from rest outwards, evenly spaced in time */
     float first, last;            /* times on the keys, 0 to 1, where the part starts and ends */
@@ -25,6 +28,7 @@ typedef struct dmi_released_part {
     const dm_drag_feel* feel;
     const dmi_rules* rules; /* NULL: none */
     float value, velocity;
+    int32_t side; /* on which a part that opens to both sides is to open: -1, 1; 0: where it was pulled */
 } dmi_released_part;
 
 /* Plans the release. intent: DM_INTENT_* as the host asked; duration: s, 0: chosen by the plan. phase becomes
@@ -36,5 +40,10 @@ bool dmi_release_set_pace(dmi_release* release, const float values[DM_MOTION_FRA
 /* Advances value and velocity by dt seconds. */
 void dmi_release_advance(dmi_release* release, const dm_drag_feel* feel, const dm_joint* joint, float dt,
                          float* out_value, float* out_velocity);
+/* The same for a plan that flies. */
+dmi_landing dmi_release_fly(dmi_release* release, const dmi_released_part* part, float dt, float* out_value,
+                            float* out_velocity);
+/* Returns the limit that is not rest; of two, the one on the side that the part was pulled to. */
+float dmi_release_open_end(const dmi_released_part* part);
 
 #endif

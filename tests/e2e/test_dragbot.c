@@ -193,6 +193,13 @@ static void test_pause_and_regrab(void** state) {
     cJSON_Delete(json);
 }
 
+/* A hand in space, and a gamepad's axis: with the true joint both come to what they ask for. */
+static void test_point_and_scalar(void** state) {
+    (void)state;
+    static const char* const hands[] = {"|--point", "|--scalar", "|--point|--hz|30", "|--scalar|--hitch"};
+    for (int i = 0; i < 4; i++) cJSON_Delete(play_well(hands[i], 0.95));
+}
+
 static void test_axis(void** state) {
     (void)state;
     cJSON* json = play("|--axis");
@@ -312,9 +319,10 @@ static void test_poses(void** state) {
 
 static void test_table(void** state) {
     (void)state;
-    static const char* const hands[] = {
-        "arc",   "straight", "unsteady", "jostle 8", "jostle 16", "regrab 3", "offset 15",     "pause",          "axis",
-        "above", "behind",   "end-on",   "30 Hz",    "144 Hz",    "hitch",    "moving camera", "moving instance"};
+    static const char* const hands[] = {"arc",           "straight",        "unsteady", "jostle 8", "jostle 16",
+                                        "regrab 3",      "offset 15",       "pause",    "axis",     "above",
+                                        "behind",        "end-on",          "30 Hz",    "144 Hz",   "hitch",
+                                        "moving camera", "moving instance", "point",    "scalar"};
     enum { HANDS = sizeof hands / sizeof *hands };
     cJSON* rows = play("|--all");
     assert_int_equal(cJSON_GetArraySize(rows), HANDS);
@@ -344,6 +352,10 @@ static void test_refusals(void** state) {
                                           "--view|end-on|--moving-camera",
                                           "--view|end-on|--moving-instance",
                                           "--moving-camera|--moving-instance",
+                                          "--point|--scalar",
+                                          "--point|--tremor|2",
+                                          "--scalar|--view|end-on",
+                                          "--all|--point",
                                           "--all|--jostle|8",
                                           "--all|--poses|/dev/null",
                                           "--cameras|0"};
@@ -369,6 +381,7 @@ int main(void) {
         cmocka_unit_test(test_poses),
         cmocka_unit_test(test_table),
         cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_point_and_scalar),
         cmocka_unit_test(test_far_objects_are_played_as_near_ones) /* last: it moves the cabinet */,
     };
     return cmocka_run_group_tests_name("dragbot", tests, make_cabinet, remove_cabinet);

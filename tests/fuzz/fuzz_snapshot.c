@@ -101,6 +101,21 @@ static void expect_finite_update(dm_drag drag, const dm_ray* ray) {
     expect_finite_pose(&now.pose);
 }
 
+/* All kinds of hands in turn. Whether the drag has rules is not known: so nothing that needs them. */
+static void expect_finite_step(dm_drag drag, int frame) {
+    dm_drag_state now = dm_drag_state_default();
+    dm_drag_input input = dm_drag_input_default();
+    input.hand = (dm_hand){.kind = frame % 6, .ray = pointer(frame), .point = handle, .amount = 0.2f};
+    if (input.hand.kind <= DM_HAND_POINT)
+        input.second = (dm_hand){.kind = DM_HAND_POINT, .point = handle, .grab_point = now.grab_point};
+    input.flags = DM_INPUT_ASK;
+    expect(dm_drag_step(context, drag, &input, 1.0f / 60, &now) == DM_OK);
+    expect(dm_drag_take(context, drag, now.value, &now) == DM_OK);
+    const float numbers[4] = {now.value, now.target, now.velocity, now.impact};
+    expect_finite(numbers, 4);
+    expect_finite_pose(&now.pose);
+}
+
 /* Drags on, saves, goes back, lets go, ends. meant: such as hosts have, so that what is saved can be restored. */
 static void use(dm_drag drag, bool meant) {
     static uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
@@ -109,6 +124,7 @@ static void use(dm_drag drag, bool meant) {
     for (int frame = 0; frame < HELD_FRAMES; frame++) {
         ray = pointer(frame);
         expect_finite_update(drag, &ray);
+        expect_finite_step(drag, frame);
     }
     expect(dm_drag_save(context, drag, saved, sizeof saved) == DM_OK);
     const dm_result restored = dm_drag_restore(context, drag, saved, sizeof saved);
@@ -132,9 +148,31 @@ static dm_drag begin(const dm_part_state* state, dm_vec3 scale) {
     return dm_drag_begin(context, &desc, &drag) == DM_OK ? drag : 0;
 }
 
+/* A drag with every rule. */
+static dm_drag begin_ruled(void) {
+    static const float snaps[2] = {0.2f, 0.9f};
+    const dm_drag_rules rules = {.struct_size = sizeof rules,
+                                 .flags = DM_RULE_LATCH,
+                                 .snaps = snaps,
+                                 .snap_count = 2,
+                                 .event_time = 0.1f,
+                                 .max_speed = 3,
+                                 .max_acceleration = 30,
+                                 .auto_close_share = 0.1f,
+                                 .close_delay = 0.1f,
+                                 .tip_share = 0.5f,
+                                 .restitution = 0.3f,
+                                 .break_distance = 3};
+    const dm_drag_desc desc = {
+        .struct_size = sizeof desc, .part_id = DOOR, .object = object, .grab_point = handle, .rules = &rules};
+    dm_drag drag = 0;
+    expect(dm_drag_begin(context, &desc, &drag) == DM_OK);
+    return drag;
+}
+
 static void start(void) {
     prepare();
-    const dm_drag drag = begin(NULL, (dm_vec3){0, 0, 0});
+    const dm_drag drag = begin_ruled();
     for (int frame = 0; frame < HELD_FRAMES; frame++) {
         const dm_ray ray = pointer(frame);
         expect_finite_update(drag, &ray);

@@ -15,6 +15,10 @@ static inline dm_ray test_ray_at(float x) {
     return (dm_ray){{x, 0, 5}, {0, 0, -1}};
 }
 
+static inline dm_hand test_pointer(dm_ray ray) {
+    return (dm_hand){.kind = DM_HAND_RAY, .ray = ray};
+}
+
 static inline void test_begin(dmi_drag* drag, const dm_joint* joint, float value, const dm_drag_feel* feel,
                               const dm_drag_rules* rules) {
     const float grab[3] = {value, 0, 0};

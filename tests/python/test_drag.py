@@ -75,6 +75,27 @@ class Door(unittest.TestCase):
         with self.assertRaises(TypeError):
             self.object.drag(1, HANDLE, rules={"sanps": []})
 
+    def test_is_moved_without_a_pointer(self):
+        drag = self.object.drag(1, rules={"flags": 2, "latch_turn": 0.5})
+        state = drag.step(1, value=0.9)
+        self.assertLess(state.value, 0.02)
+        for _ in range(60):
+            state = drag.step(1 / 60, value=0.9, handles=(0.6, 0))
+        self.assertAlmostEqual(state.value, 0.9, places=2)
+        drag.step(1 / 60, rate=-1, flags=2)
+        self.assertEqual(drag.take(0.25).value, 0.25)
+        self.assertEqual(drag.release(dragmesh.Intent.TOGGLE).end_value, 1.5)
+        point = self.object.drag(1, HANDLE)
+        point.step(0, point=HANDLE)
+        self.assertEqual(point.step(0.1, point=HANDLE).value, 0)
+        self.assertAlmostEqual(dragmesh.joint_value_at(drag.part_state().joint, 0.1), 0.15, places=6)
+
+    def test_links_of_one_part_are_refused(self):
+        self.object.set_links([])
+        with self.assertRaises(dragmesh.Error):
+            self.object.set_links([{"driver": 1, "driven": 1}])
+        self.assertEqual(self.object.follow_links(1, [0.5]), ([0.5], [False]))
+
     def test_is_put_back_into_a_saved_state(self):
         drag, before = self.dragged()
         saved = drag.save()

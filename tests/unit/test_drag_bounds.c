@@ -85,7 +85,7 @@ static void a_block_is_soft(void** state) {
     for (int k = 1; k < 240; k++) {
         const float last = now.value;
         dm_drag_input input = {.struct_size = sizeof input,
-                               .hand = {DM_HAND_RAY, test_ray_at(reach_out((float)k / 60))}};
+                               .hand = test_pointer(test_ray_at(reach_out((float)k / 60)))};
         stand_in_the_way((float)k / 60, &input);
         dmi_drag_step(&drag, &input, 1.0f / 60, &now);
         assert_true(now.value - last < 2.05f / 60 && now.value >= last);
@@ -148,7 +148,7 @@ static void a_block_leaves_estimated_limits(void** state) {
     dmi_drag_set_rules(&drag, &kept);
     for (int k = 1; k < 120; k++) {
         dm_drag_input input = {.struct_size = sizeof input, .lower = -1, .upper = 1.1f};
-        input.hand = (dm_hand){DM_HAND_RAY, test_ray_at(0.02f * (float)k)};
+        input.hand = test_pointer(test_ray_at(0.02f * (float)k));
         dmi_drag_step(&drag, &input, 1.0f / 60, &now);
         assert_true(now.value <= 1.1f && drag.joint.upper <= 1.1f);
     }
@@ -167,7 +167,7 @@ static void bounds_hold_whatever_comes(void** state) {
     for (int k = 0; k < 20000; k++) {
         const float last = now.value, a = test_range(&random, -0.5f, 1.5f), b = test_range(&random, -0.5f, 1.5f);
         dm_drag_input input = {.struct_size = sizeof input, .lower = fminf(a, b), .upper = fmaxf(a, b)};
-        input.hand = (dm_hand){DM_HAND_RAY, test_ray_at(test_range(&random, -2, 2))};
+        input.hand = test_pointer(test_ray_at(test_range(&random, -2, 2)));
         dmi_drag_step(&drag, &input, test_range(&random, 0, 0.1f), &now);
         assert_true(now.value >= 0 && now.value <= 1 && isfinite(now.velocity));
         assert_true(now.value <= fmaxf(last, input.upper) && now.value >= fminf(last, input.lower));

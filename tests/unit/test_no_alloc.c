@@ -18,8 +18,12 @@ static void open_playground(playground* p) {
     test_world_load_model(&p->w);
     p->object = test_world_cabinet(&p->w);
     const dm_motion_desc motion = {.struct_size = sizeof motion, .part_id = TEST_DOOR, .drag = test_pull()};
-    const dm_drag_desc drag = {
-        .struct_size = sizeof drag, .part_id = TEST_DOOR, .object = p->object, .grab_point = test_pull().point};
+    const dm_drag_rules rules = dm_drag_rules_default();
+    const dm_drag_desc drag = {.rules = &rules,
+                               .struct_size = sizeof drag,
+                               .part_id = TEST_DOOR,
+                               .object = p->object,
+                               .grab_point = test_pull().point};
     const dm_scene_desc scene = {.struct_size = sizeof scene};
     assert_int_equal(dm_motion_generate(p->w.context, p->object, &motion, &p->motion), DM_OK);
     assert_int_equal(dm_drag_begin(p->w.context, &drag, &p->drag), DM_OK);
@@ -62,6 +66,15 @@ static void play_frame(playground* p, int frame) {
     assert_int_equal(dm_drag_get_part_state(context, p->drag, &part), DM_OK);
     assert_int_equal(dm_drag_save(context, p->drag, saved, sizeof saved), DM_OK);
     assert_int_equal(dm_drag_restore(context, p->drag, saved, sizeof saved), DM_OK);
+    dm_drag_input input = dm_drag_input_default();
+    float parts[2] = {value, 0};
+    uint8_t held[2];
+    input.hand.kind = DM_HAND_POINT, input.second.kind = DM_HAND_RAY, input.second.ray = ray;
+    input.flags = DM_INPUT_ASK;
+    assert_int_equal(dm_drag_step(context, p->drag, &input, 0.016f, &drag), DM_OK);
+    assert_int_equal(dm_drag_take(context, p->drag, 0, &drag), DM_OK);
+    assert_int_equal(dm_object_follow_links(context, p->object, TEST_DOOR, parts, held, 2), DM_OK);
+    assert_int_equal(dm_joint_value_at(&joint, 0.1f, &value), DM_OK);
     dm_pose_multiply(&pose, &drag.pose, &pose);
     dm_pose_to_matrix(&pose, matrix);
     dm_pose_apply_points(&pose, points, 0, points, 0, 2);

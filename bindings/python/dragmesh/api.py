@@ -24,18 +24,26 @@ class Picking(enum.IntEnum):
 
 class Intent(enum.IntEnum):
     """What a released part does next; see DM_INTENT_*."""
-    AUTO, STAY, OPEN, CLOSE, REPLAY, FREEZE = range(6)
+    AUTO, STAY, OPEN, CLOSE, REPLAY, FREEZE, TOGGLE = range(7)
 
 
 class Hand(enum.IntEnum):
     """How a hand holds a part; see DM_HAND_*."""
-    NONE, RAY = range(2)
+    NONE, RAY, POINT, RATE, STEP, VALUE = range(6)
 
 
 class Event(enum.IntFlag):
     """What has happened to a part in an update: bits of DragState.events; see DM_EVENT_*."""
-    (LIMIT_LOWER, LIMIT_UPPER, LEFT_REST, REACHED_REST, OPENED, CLOSED, DETENT, JOINT, BLOCKED,
-     FREED) = (1 << bit for bit in range(10))
+    (LIMIT_LOWER, LIMIT_UPPER, LEFT_REST, REACHED_REST, OPENED, CLOSED, DETENT, JOINT, BLOCKED, FREED, LATCHED,
+     UNLATCHED, LOCKED, LET_GO) = (1 << bit for bit in range(14))
+
+
+class LinkKind(enum.IntEnum):
+    """What a link does to its driven part; see DM_LINK_*."""
+    MOVES, FREES, HOLDS = range(3)
+
+
+LOCKED, ASK = 1, 2  # DM_INPUT_*
 
 
 class Error(RuntimeError):
@@ -76,6 +84,14 @@ def joint_value(joint, pose):
     if load().dm_joint_value(c.byref(joint), c.byref(pose), *map(c.byref, out)) < 0:
         raise ValueError("no joint, or not finite")
     return tuple(number.value for number in out)
+
+
+def joint_value_at(joint, share):
+    """The value at a share of the way from rest (0) to the open end (1)."""
+    out = c.c_float()
+    if load().dm_joint_value_at(c.byref(joint), c.c_float(share), c.byref(out)) < 0:
+        raise ValueError("no joint, or without limits")
+    return out.value
 
 
 def joint_frame(joint):
@@ -326,17 +342,32 @@ class Object:
         self.context.call("motion_generate", self.handle, c.byref(desc), c.byref(handle))
         return Motion(self.context, handle)
 
-    def drag(self, part_id, grab_point, start_value=0.0, keep_joint=False, limit_give=0.0, state=None, scale=None,
+    def set_links(self, links):
+        """Links parts, in place of the links of before: dicts of driver, driven and, as wanted, kind, ratio, offset,
+        from_, both_ways."""
+        rows = [s.Link(flags=int(link.pop("both_ways", False)), **link) for link in map(dict, links)]
+        self.context.call("object_set_links", self.handle, (s.Link * len(rows))(*rows), c.c_uint32(len(rows)))
+
+    def follow_links(self, part_id, values):
+        """(values, held) of all parts, in order of id, after a part has moved. values: as they were, with its own."""
+        moved, held = (c.c_float * len(values))(*values), (c.c_uint8 * len(values))()
+        self.context.call("object_follow_links", self.handle, c.c_uint32(part_id), moved, held,
+                          c.c_uint32(len(values)))
+        return list(moved), [bool(one) for one in held]
+
+    def drag(self, part_id, grab_point=None, start_value=0.0, keep_joint=False, limit_give=0.0, state=None, scale=None,
              rules=None, **feel):
-        """The player grabs the part at a point. state: what an earlier drag of this instance ended with; scale: of the
+        """The player grabs the part at a point, None: at none, to move it by a scalar or a release. state: what an earlier drag of this instance ended with; scale: of the
         instance; rules: a dict of fields of dm_drag_rules, {} for events alone, with snaps as a list; feel: fields of
         dm_drag_feel, such as smoothing_time=0.06."""
         unknown = set(feel) - {name for name, _ in s.DragFeel._fields_}
         if unknown:
             raise TypeError(f"dm_drag_feel has no {', '.join(sorted(unknown))}")
         desc = s.DragDesc(part_id=part_id, object=self.handle, start_value=start_value,
-                          grab_point=s.Vec3(*map(float, grab_point)), feel=s.DragFeel(**feel),
-                          flags=int(keep_joint), limit_give=limit_give)
+                          feel=s.DragFeel(**feel), flags=int(keep_joint) | (2 if grab_point is None else 0),
+                          limit_give=limit_give)
+        if grab_point is not None:
+            desc.grab_point = s.Vec3(*map(float, grab_point))
         if state is not None:
             desc.state = c.pointer(state)
         if scale is not None:
@@ -382,15 +413,28 @@ class Drag:
         self.context.call("drag_update", self.handle, c.byref(ray), c.c_float(dt), c.byref(state))
         return state
 
-    def step(self, dt, ray=None, bounds=None):
-        """The state after an update by all that a dm_drag_input holds. ray: (origin, direction), None: no news of the
-        hand; bounds: the joint values (lower, upper) between which there is room."""
-        given, state = s.DragInput(), s.DragState()
+    def step(self, dt, ray=None, bounds=None, point=None, rate=None, value=None, handles=(0, 0), flags=0):
+        """The state after an update by all that a dm_drag_input holds. Of the hand, one of: ray (origin, direction),
+        point, rate, value, or no news of it. bounds: the joint values (lower, upper) between which there is room;
+        handles: values of the latch's handles; flags: LOCKED, ASK."""
+        given, state = s.DragInput(flags=flags, handles=(c.c_float * 2)(*handles)), s.DragState()
         if ray is not None:
             given.hand = s.Hand(Hand.RAY, s.Ray(*(s.Vec3(*map(float, vector)) for vector in ray)))
+        elif point is not None:
+            given.hand = s.Hand(kind=Hand.POINT, point=s.Vec3(*map(float, point)))
+        elif rate is not None:
+            given.hand = s.Hand(kind=Hand.RATE, amount=rate)
+        elif value is not None:
+            given.hand = s.Hand(kind=Hand.VALUE, amount=value)
         if bounds is not None:
             given.lower, given.upper = bounds
         self.context.call("drag_step", self.handle, c.byref(given), c.c_float(dt), c.byref(state))
+        return state
+
+    def take(self, value):
+        """The state with another value than that of the last step, which had flags=ASK."""
+        state = s.DragState()
+        self.context.call("drag_take", self.handle, c.c_float(value), c.byref(state))
         return state
 
     def part_state(self):
@@ -409,9 +453,12 @@ class Drag:
         """Goes back to what save() gave."""
         self.context.call("drag_restore", self.handle, data, c.c_size_t(len(data)))
 
-    def release(self, intent=Intent.AUTO, duration=0.0, seed=0):
-        """The player lets go: the plan of what the part does now. advance() moves it."""
+    def release(self, intent=Intent.AUTO, duration=0.0, seed=0, away_from=None):
+        """The player lets go: the plan of what the part does now. advance() moves it. away_from: where the player
+        stands, for a part that opens to both sides."""
         desc = s.ReleaseDesc(intent=int(intent), duration=duration, seed=seed)
+        if away_from is not None:
+            desc.flags, desc.away_from = 2, s.Vec3(*map(float, away_from))
         plan = s.ReleasePlan()
         self.context.call("drag_release", self.handle, c.byref(desc), c.byref(plan))
         return plan

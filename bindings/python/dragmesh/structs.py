@@ -163,17 +163,29 @@ class DragFeel(c.Structure):
 class DragRules(Sized):
     """What a part does besides following the hand; see dm_drag_rules."""
 
-    _fields_ = [("struct_size", c.c_uint32), ("snap_count", c.c_uint32), ("snaps", c.POINTER(c.c_float)),
-                ("snap_reach", c.c_float), ("open_share", c.c_float), ("closed_share", c.c_float),
-                ("event_time", c.c_float), ("max_speed", c.c_float), ("max_acceleration", c.c_float)]
+    _fields_ = [("struct_size", c.c_uint32), ("flags", c.c_uint32), ("snaps", c.POINTER(c.c_float)),
+                ("snap_count", c.c_uint32), ("snap_reach", c.c_float), ("open_share", c.c_float),
+                ("closed_share", c.c_float), ("event_time", c.c_float), ("max_speed", c.c_float),
+                ("max_acceleration", c.c_float), ("lock_give", c.c_float), ("latch_turn", c.c_float),
+                ("auto_close_share", c.c_float), ("auto_close_time", c.c_float), ("close_delay", c.c_float),
+                ("tip_share", c.c_float), ("fall_time", c.c_float), ("restitution", c.c_float),
+                ("break_distance", c.c_float), ("drive_speed", c.c_float), ("reserved", c.c_uint32)]
 
 
 class Hand(c.Structure):
-    _fields_ = [("kind", c.c_int32), ("ray", Ray)]
+    _fields_ = [("kind", c.c_int32), ("ray", Ray), ("point", Vec3), ("amount", c.c_float), ("grab_point", Vec3)]
 
 
 class DragInput(Sized):
-    _fields_ = [("struct_size", c.c_uint32), ("hand", Hand), ("lower", c.c_float), ("upper", c.c_float)]
+    _fields_ = [("struct_size", c.c_uint32), ("flags", c.c_uint32), ("hand", Hand), ("second", Hand),
+                ("handles", c.c_float * 2), ("lower", c.c_float), ("upper", c.c_float)]
+
+
+class Link(c.Structure):
+    """A link between two parts; see dm_link."""
+
+    _fields_ = [("driver", c.c_uint32), ("driven", c.c_uint32), ("kind", c.c_int32), ("flags", c.c_uint32),
+                ("ratio", c.c_float), ("offset", c.c_float), ("from_", c.c_float)]
 
 
 class DragDesc(Sized):
@@ -193,7 +205,7 @@ class DragState(Sized):
 
 class ReleaseDesc(Sized):
     _fields_ = [("struct_size", c.c_uint32), ("intent", c.c_int32), ("duration", c.c_float), ("seed", c.c_uint32),
-                ("flags", c.c_uint32)]
+                ("flags", c.c_uint32), ("away_from", Vec3)]
 
 
 class ReleasePlan(Sized):

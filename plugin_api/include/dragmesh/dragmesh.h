@@ -77,6 +77,8 @@ extern "C" {
 #define DM_MAX_LABEL 4096
 /* Most vertices or triangles of one object. */
 #define DM_MAX_ELEMENTS 268435456
+/* Most links of one object. */
+#define DM_MAX_LINKS 256
 /* Most snap values of one drag. */
 #define DM_MAX_SNAPS 16
 /* No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by
@@ -448,17 +450,26 @@ typedef struct dm_drag_feel {
 } dm_drag_feel;
 
 enum {
-    DM_DRAG_KEEP_JOINT =
-        1 /* follow the joint in force, limits and all, whatever the pull says, as with a host's joint */
+    DM_DRAG_KEEP_JOINT = 1,   /* follow the joint in force, limits and all, whatever the pull says, as with a host's
+                                 joint */
+    DM_DRAG_WITHOUT_POINT = 2 /* no point is grabbed: for hands of DM_HAND_RATE, STEP and VALUE, and for releases.
+                                 grab_point is not read; the middle of the part's box stands for it */
+};
+
+enum {
+    DM_RULE_LOCKED = 1, /* the part stays where it is, gives a little, and says so (DM_EVENT_LOCKED) */
+    DM_RULE_LATCH = 2   /* a latch holds it at rest until a handle has turned (dm_drag_input.handles), and catches it
+                           again when it comes to rest with the handle let go */
 };
 
 /* What a part does besides following the hand. Zeros are off, but for the defaults of thresholds. "Range" is from lower
  * to upper limit; where one of them is missing, 1 rad or the object's size. docs/feel.md. */
 typedef struct dm_drag_rules {
     uint32_t struct_size;
-    uint32_t snap_count;    /* DM_MAX_SNAPS at most */
+    uint32_t flags;         /* DM_RULE_* */
     const float* snaps;     /* snap_count joint values, rising: there the part catches, as at detents, and pulls as hard
                                as feel.detent_pull says. Not with feel.detent */
+    uint32_t snap_count;    /* DM_MAX_SNAPS at most */
     float snap_reach;       /* joint value: how far a snap value reaches to either side; 0 = half-way to the next, or a
                                twentieth of the range where there is none */
     float open_share;       /* share of the range from rest: DM_EVENT_OPENED beyond; 0 = 0.1 */
@@ -467,7 +478,40 @@ typedef struct dm_drag_rules {
     float max_speed;        /* joint value a second; 0 = none */
     float max_acceleration; /* joint value a second squared while it gets faster, the highest force over the part's
                                inertia; 0 = none */
+    float lock_give;  /* share of the range that a locked or latched part gives at most; 0 = 0.01, negative = none */
+    float latch_turn; /* joint value of a handle, of either sign, from which on the latch is open; 0 = 0.785 */
+    float auto_close_share; /* a released part nearer to rest than this share of the range closes; 0 = none does */
+    float auto_close_time;  /* s that takes; 0 = 0.25 */
+    float close_delay;      /* s after the release before feel.return_time brings it back */
+    float tip_share;        /* a released part falls to rest from nearer than this share of the range, and else to its
+                               open end, as a hatch does; 0 = it does not fall */
+    float fall_time;        /* s of a fall over the whole range; 0 = 0.7 */
+    float restitution;    /* share of its speed, 0 to 1, with which it comes back from a limit that it falls, glides or
+                             swings against */
+    float break_distance; /* host units from the hand to where it holds the part, beyond which it lets go
+                             (DM_EVENT_LET_GO) and the part is released; 0 = never */
+    float drive_speed;    /* share of the range a second at dm_hand.amount 1; 0 = 1 */
+    uint32_t reserved;    /* 0 */
 } dm_drag_rules;
+
+/* What a link does to its driven part. */
+enum {
+    DM_LINK_MOVES = 0, /* the driven part's value is offset + ratio * (the driver's beyond `from`), inside its limits */
+    DM_LINK_FREES = 1, /* the driven part is held until the driver has reached `from`: a handle */
+    DM_LINK_HOLDS = 2  /* the driven part is held once the driver has reached `from`: of drawers, one at a time */
+};
+
+enum { DM_LINK_BOTH_WAYS = 1 /* of DM_LINK_MOVES: moving the driven part moves the driver */ };
+
+/* A link between two parts. Frozen. */
+typedef struct dm_link {
+    uint32_t driver, driven; /* part ids */
+    int32_t kind;            /* DM_LINK_* */
+    uint32_t flags;          /* DM_LINK_BOTH_WAYS */
+    float ratio;  /* value of the driven part a value of the driver; 0 = 1. Rad, host units: rack and pinion */
+    float offset; /* value of the driven part while the driver is at `from` */
+    float from;   /* value of the driver: nothing moves while it is nearer to 0, on that side of 0 */
+} dm_link;
 
 typedef struct dm_drag_desc {
     uint32_t struct_size;
@@ -491,22 +535,39 @@ typedef struct dm_drag_desc {
 
 /* How a hand holds the part. */
 enum {
-    DM_HAND_NONE = 0, /* no news of it: the part goes on to where it was asked to be */
-    DM_HAND_RAY = 1   /* a pointer: `ray` */
+    DM_HAND_NONE = 0,  /* no news of it: the part goes on to where it was asked to be */
+    DM_HAND_RAY = 1,   /* a pointer: `ray` */
+    DM_HAND_POINT = 2, /* a hand in space: `point`. It keeps its distance to the point that it grabbed */
+    DM_HAND_RATE = 3,  /* a stick or a key held down: `amount`, -1 to 1, times dm_drag_rules.drive_speed */
+    DM_HAND_STEP = 4,  /* a wheel: moves by `amount`, a share of the range */
+    DM_HAND_VALUE = 5  /* a slider of the host's: goes to the joint value `amount` */
 };
 
 typedef struct dm_hand {
-    int32_t kind; /* DM_HAND_* */
-    dm_ray ray;   /* object frame; scaled with dm_drag_desc.scale */
+    int32_t kind;  /* DM_HAND_*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open */
+    dm_ray ray;    /* object frame; scaled with dm_drag_desc.scale */
+    dm_vec3 point; /* the same */
+    float amount;  /* of RATE, STEP, VALUE */
+    dm_vec3
+        grab_point; /* of a second hand alone, where it takes hold: read in its first update, on the part as it is */
 } dm_hand;
+
+enum {
+    DM_INPUT_LOCKED = 1, /* locked in this update, as by DM_RULE_LOCKED */
+    DM_INPUT_ASK = 2     /* dm_drag_take may change the value that this update takes */
+};
 
 /* All that can be told a drag in one update. */
 typedef struct dm_drag_input {
     uint32_t struct_size;
+    uint32_t flags; /* DM_INPUT_* */
     dm_hand hand;
+    dm_hand second;     /* another hand on the part, by ray or point; DM_HAND_NONE = none. Both count as far as each can
+                           move the part. It comes and goes without a jump */
+    float handles[2];   /* joint values of the handles of a latch, where their drags or links have them */
     float lower, upper; /* joint values between which the host's world leaves the part room in this update, infinite on
                            a free side; none when they are equal. The part stops there softly, and goes on when it is
-                           free; where it is beyond, it is pushed back. With dm_drag_desc.rules alone */
+                           free; where it is beyond, it is pushed back */
 } dm_drag_input;
 
 enum {
@@ -527,7 +588,11 @@ enum {
     DM_EVENT_DETENT = 64,      /* it has gone over to another detent or snap value: dm_drag_state.detents */
     DM_EVENT_JOINT = 128,      /* the pull has changed the joint: dm_drag_state.changes */
     DM_EVENT_BLOCKED = 256,    /* dm_drag_input's bounds hold it */
-    DM_EVENT_FREED = 512       /* they no longer do */
+    DM_EVENT_FREED = 512,      /* they no longer do */
+    DM_EVENT_LATCHED = 1024,   /* the latch has caught it */
+    DM_EVENT_UNLATCHED = 2048, /* the handle has opened the latch */
+    DM_EVENT_LOCKED = 4096,    /* it was tried while locked or latched; again after the hand has let up */
+    DM_EVENT_LET_GO = 8192     /* dm_drag_rules.break_distance has let go of it */
 };
 
 typedef struct dm_drag_state {
@@ -554,19 +619,22 @@ enum {
     DM_INTENT_OPEN = 2,   /* goes on to the end of the joint that lies the way it was pulled */
     DM_INTENT_CLOSE = 3,  /* falls back to rest */
     DM_INTENT_REPLAY = 4, /* does once more what it did after the last release */
-    DM_INTENT_FREEZE = 5  /* stops dead */
+    DM_INTENT_FREEZE = 5, /* stops dead */
+    DM_INTENT_TOGGLE = 6  /* opens when it is nearer to rest than to its open end, else closes */
 };
 
 enum {
-    DM_RELEASE_BY_RULE = 1 /* paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets */
+    DM_RELEASE_BY_RULE = 1,  /* paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets */
+    DM_RELEASE_AWAY_FROM = 2 /* a part that opens to both sides of rest opens away from `away_from` */
 };
 
 typedef struct dm_release_desc {
     uint32_t struct_size;
-    int32_t intent; /* DM_INTENT_* */
-    float duration; /* s from here to the end; 0 = as far and fast as it goes asks for */
-    uint32_t seed;  /* of the DQ-VAE, as dm_motion_desc.seed */
-    uint32_t flags; /* DM_RELEASE_BY_RULE */
+    int32_t intent;    /* DM_INTENT_* */
+    float duration;    /* s from here to the end; 0 = as far and fast as it goes asks for */
+    uint32_t seed;     /* of the DQ-VAE, as dm_motion_desc.seed */
+    uint32_t flags;    /* DM_RELEASE_* */
+    dm_vec3 away_from; /* object frame, scaled with dm_drag_desc.scale: the player, say */
 } dm_release_desc;
 
 typedef struct dm_release_plan {
@@ -748,6 +816,19 @@ DM_API dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object obje
 /* Puts the library's own answer back in force. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id);
 
+/* Links parts of an object, in place of the links of before; count 0 to DM_MAX_LINKS, 0: none. Copied; a saved object
+ * does not hold them. Errors: INVALID_ARGUMENT also when a part is moved by two drivers, or by itself over others;
+ * NOT_FOUND. [exclusive object] */
+DM_API dm_result DM_CALL dm_object_set_links(dm_context* context, dm_object object, const dm_link* links,
+                                             uint32_t count);
+
+/* Moves what is linked with a part that has moved. inout_values: the joint values of one instance, one a part, in the
+ * order of dm_object_get_part; that of the part itself changes where a driver of it is at its limit (dm_drag_take).
+ * out_held (may be NULL): 1 for the parts that links hold where they are (DM_INPUT_LOCKED), else 0. count: of both, the
+ * number of parts. Limits are those of the joints in force, of the instance unscaled. [frame] */
+DM_API dm_result DM_CALL dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id,
+                                                float* inout_values, uint8_t* out_held, uint32_t count);
+
 /* ---- functions: joints as values --------------------------------------------------------------------------------- */
 
 /* Pose of a joint at a value, in the frame of the joint. [frame] */
@@ -759,6 +840,10 @@ DM_API dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_po
  * when an answer is beyond a float. [frame] */
 DM_API dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value,
                                         float* out_angle_error, float* out_distance_error);
+
+/* The joint value at a share of the way from rest to the open end, the limit that is farther from rest: 0 is rest, 1
+ * open, 0.1 ajar. INVALID_ARGUMENT for a joint without limits. [frame] */
+DM_API dm_result DM_CALL dm_joint_value_at(const dm_joint* joint, float share, float* out_value);
 
 /* The joint as a constraint of a physics engine; out_frame->struct_size must be set. [frame] */
 DM_API dm_result DM_CALL dm_joint_get_frame(const dm_joint* joint, dm_joint_frame* out_frame);
@@ -802,9 +887,15 @@ DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* 
 DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                         dm_drag_state* out_state);
 
-/* dm_drag_update for all that a dm_drag_input holds. A released part needs no hand. [frame] */
+/* dm_drag_update for all that a dm_drag_input holds. A released part needs no hand. Errors: INVALID_ARGUMENT, also for
+ * handles, bounds and DM_INPUT_LOCKED of a drag without dm_drag_desc.rules. [frame] */
 DM_API dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
                                       dm_drag_state* out_state);
+
+/* After an update with DM_INPUT_ASK, whose out_state is what is about to be: takes another value, inside the limits and
+ * bounds of that update. Events are then those of the value taken. Without this call, the update stands. Errors:
+ * INVALID_ARGUMENT when the last update did not ask. [frame] */
+DM_API dm_result DM_CALL dm_drag_take(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state);
 
 /* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE
  * paces it where the object has its weights and desc.flags doesn't forbid it. dm_drag_update moves it, dm_drag_end ends
@@ -946,7 +1037,13 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
     X(dm_result, scene_commit, (dm_context * context, dm_scene scene))                                                 \
     X(dm_result, scene_pick, (dm_context * context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit))               \
     X(dm_result, drag_step,                                                                                            \
-      (dm_context * context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state))
+      (dm_context * context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state))            \
+    X(dm_result, drag_take, (dm_context * context, dm_drag drag, float value, dm_drag_state* out_state))               \
+    X(dm_result, object_set_links, (dm_context * context, dm_object object, const dm_link* links, uint32_t count))     \
+    X(dm_result, object_follow_links,                                                                                  \
+      (dm_context * context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held,               \
+       uint32_t count))                                                                                                \
+    X(dm_result, joint_value_at, (const dm_joint* joint, float share, float* out_value))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;

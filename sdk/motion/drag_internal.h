@@ -1,0 +1,57 @@
+/* Steps of an update that the files of a drag share. */
+#ifndef DMI_MOTION_DRAG_INTERNAL_H
+#define DMI_MOTION_DRAG_INTERNAL_H
+
+#include "motion/drag.h"
+
+/* ---- drag.c ---- */
+
+/* Joint values that the hand may ask for. */
+typedef struct dmi_span {
+    float lower, upper;
+} dmi_span;
+
+/* Returns the span of a pull: limits with their soft ends, or what estimated limits may be exceeded to. stated: no
+ * farther than estimated limits. */
+dmi_span dmi_drag_span(const dmi_drag* drag, bool stated);
+/* Copies a ray with a unit direction; false when it is not finite or has no direction. */
+bool dmi_drag_unit_ray(const dm_ray* ray, dm_ray* out_unit);
+/* Makes the ray of the first hand unit and adds its offset, which the first ray of the drag sets. False: not usable. */
+bool dmi_drag_read_ray(dmi_drag* drag, const dm_ray* ray, dm_ray* out_unit);
+/* Returns the joint value nearest to the ray that dmi_drag_read_ray gave. */
+float dmi_drag_nearest(dmi_drag* drag, const dm_ray* unit);
+/* Moves the pointer value to `nearest`, or towards it where that says little. motion: of the hand since the last
+ * update, host units. */
+void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float motion, float dt);
+/* Returns how far a ray has moved since the last update, host units at the grabbed point. */
+float dmi_drag_ray_motion(const dmi_drag* drag, const dm_ray* unit);
+/* Returns the pointer value that asks for `value`. */
+float dmi_drag_pointer_value(const dmi_drag* drag, float value);
+/* Sets the value that is asked for by the pointer value. */
+void dmi_drag_ask(dmi_drag* drag);
+/* Shows the tracker a ray; `nearest` is the value of the active joint. */
+void dmi_drag_track(dmi_drag* drag, float nearest, const dm_ray* unit);
+void dmi_drag_plan(dmi_drag* drag, int32_t intent, float duration);
+
+/* ---- drag_aim.c ---- */
+
+/* Reads what the hands of an input ask for. */
+void dmi_drag_aim(dmi_drag* drag, const dm_drag_input* input, float dt);
+/* Returns how far the hand is from where it holds the part, host units. */
+float dmi_drag_hand_miss(const dmi_drag* drag);
+
+/* ---- drag_keep.c: only of drags that have rules ---- */
+
+/* Remembers where the part is before the update. */
+void dmi_drag_note_start(dmi_drag* drag);
+/* Brings the target to what the hand asks for, as far as the rules let it. before: the target of the last update. */
+void dmi_drag_hold_back(dmi_drag* drag, float before, float dt);
+/* Does what the rules say of a released part. */
+void dmi_drag_close(dmi_drag* drag, float dt);
+/* Limits the step of this update, and finds what has happened. */
+void dmi_drag_keep_rules(dmi_drag* drag, float dt);
+/* Finds anew what has happened in the last update, which has asked. */
+void dmi_drag_watch_again(dmi_drag* drag);
+void dmi_drag_write_events(const dmi_drag* drag, dm_drag_state* out_state);
+
+#endif

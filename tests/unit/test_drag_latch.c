@@ -1,0 +1,215 @@
+/* Lock and latch: what is held gives a little and says so; a handle opens the latch; released parts close into it. */
+#include "test_rules.h"
+
+static const uint32_t opening[] = {DM_EVENT_LOCKED, DM_EVENT_UNLATCHED, DM_EVENT_LEFT_REST, DM_EVENT_OPENED};
+
+/* Pulls half-way out in half a second, and holds on. */
+static float pull(float time) {
+    return fminf(time, 0.5f);
+}
+static float handle_angle;
+
+/* The handle turns after a second. */
+static void turn_handle(float time, dm_drag_input* input) {
+    handle_angle = time < 1 ? 0.4f : 0.9f;
+    input->handles[1] = -handle_angle;
+}
+static void lock(float time, dm_drag_input* input) {
+    if (time < 1) input->flags = DM_INPUT_LOCKED;
+}
+
+static test_story play(uint32_t flags, test_room room, float seconds, int rate) {
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules rules = {.struct_size = sizeof rules, .flags = flags};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0, &feel, &rules);
+    return test_play(&drag, pull, room, seconds, rate);
+}
+
+static void a_locked_part_gives_a_little_and_says_so(void** state) {
+    (void)state;
+    for (int rate = 0; rate < TEST_RATES; rate++) {
+        const test_story locked = play(DM_RULE_LOCKED, NULL, 1, rate);
+        static const uint32_t wanted[] = {DM_EVENT_LOCKED};
+        test_assert_events(&locked, wanted, 1);
+        assert_true(locked.value > 0.005f && locked.value < 0.01f);
+        const test_story freed = play(0, lock, 3, rate);
+        assert_near(freed.value, 0.5, 0.001);
+        assert_int_equal(freed.order[0], DM_EVENT_LOCKED);
+        assert_int_equal(freed.count, 3);
+    }
+}
+
+static void a_handle_opens_the_latch(void** state) {
+    (void)state;
+    for (int rate = 0; rate < TEST_RATES; rate++) {
+        const test_story held = play(DM_RULE_LATCH, turn_handle, 0.95f, rate);
+        assert_true(held.value < 0.01f);
+        const test_story opened = play(DM_RULE_LATCH, turn_handle, 3, rate);
+        assert_near(opened.value, 0.5, 0.001);
+        if (rate == 2) test_assert_events(&opened, opening, 4); /* a longer update holds the last three */
+        assert_int_equal(opened.count, 4);
+        assert_near(opened.time[1], 1, 0.05);
+    }
+}
+
+/* No jump when the latch opens under a hand that pulls: half of the way in a tenth of a second. */
+static void a_part_that_comes_free_glides_to_the_hand(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules rules = {.struct_size = sizeof rules, .flags = DM_RULE_LATCH};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    test_begin(&drag, &test_slide, 0, &feel, &rules);
+    for (int k = 0; k < 180; k++) {
+        const float time = (float)k / 60, last = now.value;
+        dm_drag_input input = {.struct_size = sizeof input, .hand = test_pointer(test_ray_at(pull(time)))};
+        turn_handle(time, &input);
+        dmi_drag_step(&drag, &input, 1.0f / 60, &now);
+        assert_true(now.value - last < 0.06f);
+        if (k == 66) assert_true(now.value > 0.15f && now.value < 0.35f);
+    }
+}
+
+/* A handle that is let go before the part has moved catches it again; hysteresis of the handle itself. */
+static void a_latch_catches_again(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules rules = {.struct_size = sizeof rules, .flags = DM_RULE_LATCH, .latch_turn = 0.5f};
+    const struct {
+        float handle, ask;
+        uint32_t events;
+    } steps[] = {{0.49f, 0, 0}, {0.51f, 0, DM_EVENT_UNLATCHED}, {0.45f, 0, 0}, {0.39f, 0, DM_EVENT_LATCHED},
+                 {0.45f, 0, 0}, {0.6f, 0, DM_EVENT_UNLATCHED}};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    test_begin(&drag, &test_slide, 0, &feel, &rules);
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        dm_drag_input input = {.struct_size = sizeof input, .hand = test_pointer(test_ray_at(steps[i].ask))};
+        input.handles[0] = steps[i].handle;
+        dmi_drag_step(&drag, &input, 1.0f / 60, &now);
+        assert_int_equal(now.events, steps[i].events);
+    }
+}
+
+static test_story run_out(dmi_drag* drag, float seconds, int rate) {
+    test_story story = {0};
+    dm_drag_state now = {0};
+    for (float time = 0; time < seconds;) {
+        const float dt = test_frame(rate, time);
+        time += dt;
+        dmi_drag_update(drag, NULL, dt, &now);
+        test_note(&story, &now, time);
+    }
+    return story;
+}
+
+static void a_part_near_rest_closes_into_its_latch(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules rules = {
+        .struct_size = sizeof rules, .flags = DM_RULE_LATCH, .auto_close_share = 0.2f, .lock_give = -1};
+    for (int rate = 0; rate < TEST_RATES; rate++) {
+        dmi_drag drag;
+        test_begin(&drag, &test_slide, 0.18f, &feel, &rules);
+        dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+        const test_story closed = run_out(&drag, 1, rate);
+        assert_near(closed.value, 0, 1e-6);
+        assert_true(drag.latch.closed && drag.release.phase == DM_DRAG_AT_REST);
+        test_begin(&drag, &test_slide, 0.4f, &feel, &rules);
+        dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+        assert_near(run_out(&drag, 1, rate).value, 0.4, 1e-4);
+        test_begin(&drag, &test_slide, 0.4f, &feel, &rules); /* glides into the zone */
+        drag.velocity = -1.6f;
+        dmi_drag_release(&drag, DM_INTENT_STAY, 0);
+        assert_near(run_out(&drag, 2, rate).value, 0, 1e-6);
+    }
+}
+
+static void held_parts_do_not_close_by_themselves(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules rules = {.struct_size = sizeof rules, .auto_close_share = 0.2f};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    test_begin(&drag, &test_slide, 0.15f, &feel, &rules);
+    for (int k = 0; k < 120; k++) {
+        const dm_ray ray = test_ray_at(0.15f);
+        dmi_drag_update(&drag, &ray, 1.0f / 60, &now);
+    }
+    assert_near(now.value, 0.15, 1e-4);
+}
+
+static void a_closer_waits(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.return_time = 0.5f};
+    const dm_drag_rules rules = {.struct_size = sizeof rules, .close_delay = 1};
+    for (int rate = 0; rate < TEST_RATES; rate++) {
+        dmi_drag drag;
+        test_begin(&drag, &test_slide, 0.8f, &feel, &rules);
+        dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+        assert_near(run_out(&drag, 0.9f, rate).value, 0.8, 1e-4);
+        assert_int_equal(drag.release.phase, DM_DRAG_RELEASED);
+        assert_true(run_out(&drag, 1, rate).value == 0);
+    }
+}
+
+/* A part told to open that is locked waits, and opens once it is not. */
+static void a_locked_release_waits(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules rules = {.struct_size = sizeof rules};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    uint32_t events = 0;
+    test_begin(&drag, &test_slide, 0, &feel, &rules);
+    dmi_drag_release(&drag, DM_INTENT_OPEN, 0);
+    for (int k = 0; k < 240; k++) {
+        const dm_drag_input input = {.struct_size = sizeof input, .flags = k < 60 ? DM_INPUT_LOCKED : 0};
+        dmi_drag_step(&drag, &input, 1.0f / 60, &now);
+        events |= now.events;
+        if (k < 60) assert_true(now.value < 1e-3f);
+    }
+    assert_true(now.value == 1 && events & DM_EVENT_LOCKED);
+}
+
+/* A pull against a lock is no evidence against the joint, and moves no estimated limit. */
+static void a_lock_is_no_evidence(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules rules = {.struct_size = sizeof rules, .flags = DM_RULE_LOCKED};
+    const float grab[3] = {0, 0, 0};
+    dm_joint joints[2] = {test_slide, {.type = DM_JOINT_PRISMATIC, .axis = {0, 1, 0}, .upper = 1}};
+    joints[0].joint_confidence = joints[1].joint_confidence = 0.5f;
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    dmi_drag_begin(&drag, &joints[0], grab, 0, &feel);
+    dmi_drag_track_hypotheses(&drag, joints, NULL, 2, 1, (dmi_limit_give){.length = 1});
+    const dmi_rules kept = dmi_rules_from(&rules, &feel, &joints[0], false, 1);
+    dmi_drag_set_rules(&drag, &kept);
+    for (int k = 0; k < 60; k++) {
+        const dm_ray ray = {{0, 0.03f * (float)k, 5}, {0, 0, -1}};
+        dmi_drag_update(&drag, &ray, 1.0f / 60, &now);
+    }
+    assert_int_equal(now.changes, 0);
+    for (int k = 0; k < 60; k++) {
+        const dm_ray ray = {{0.05f * (float)k, 0, 5}, {0, 0, -1}};
+        dmi_drag_update(&drag, &ray, 1.0f / 60, &now);
+    }
+    assert_true(drag.joint.upper == 1 && now.value < 0.011f);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_locked_part_gives_a_little_and_says_so),
+        cmocka_unit_test(a_handle_opens_the_latch),
+        cmocka_unit_test(a_part_that_comes_free_glides_to_the_hand),
+        cmocka_unit_test(a_latch_catches_again),
+        cmocka_unit_test(a_part_near_rest_closes_into_its_latch),
+        cmocka_unit_test(held_parts_do_not_close_by_themselves),
+        cmocka_unit_test(a_closer_waits),
+        cmocka_unit_test(a_locked_release_waits),
+        cmocka_unit_test(a_lock_is_no_evidence),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
