@@ -16,7 +16,7 @@
 #define CATCH_UP_HALF_LIFE 0.1f /* s in which half of what is left is made up for; by hand */
 #define MAX_GLIDE 6.0f          /* rad/s of a turn's share of that; by hand, so that no frame shows a jump */
 #define MIN_RAY_TURN 1e-5f      /* rad between two rays: rounding makes less, a pixel makes more; by hand */
-#define MAX_GRAB_OFFSET 0.025f  /* rad, as seen from the ray's origin: about 20 pixels of a usual screen; by hand */
+#define MAX_GRAB_OFFSET 0.032f  /* rad, as seen from the eye: 15 pixels of 960 in a view 90 degrees high; by hand */
 #define LIMIT_TOLERANCE 1e-4f   /* share of the range that counts as at a limit; by hand */
 
 /* Inlined although called twice: every frame calls it for the plain pointer. */

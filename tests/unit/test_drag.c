@@ -503,6 +503,22 @@ static void rays_along_a_slide_keep_it(void** state) {
     }
 }
 
+/* 15 pixels beside the point in a view of 960 that is 90 degrees high, which is wide, are 0.031 rad. */
+static void a_hand_beside_the_point_in_a_wide_view_moves_nothing(void** state) {
+    (void)state;
+    const dm_joint slide = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = -1, .upper = 1};
+    const float rest[3] = {0, 0, 0}, eye[3] = {0, 0, 2}, aim[3] = {2 * 0.03125f, 0, 0};
+    const dm_drag_feel feel = {0};
+    const dm_ray beside = ray_through(eye, aim);
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    dmi_drag_begin(&drag, &slide, rest, 0, &feel);
+    for (int k = 0; k < 30; k++) {
+        dmi_drag_update(&drag, &beside, FRAME, &now);
+        assert_near(now.value, 0, 1e-6);
+    }
+}
+
 /* Pushing a drawer in, the pointer crosses the horizon beside the drawer's vanishing point: it stays in. */
 static void beyond_the_vanishing_point_the_end_holds(void** state) {
     (void)state;
@@ -557,6 +573,7 @@ int main(void) {
         cmocka_unit_test(grabbing_the_axis_turns_nothing),
         cmocka_unit_test(crossing_the_hub_makes_no_jump),
         cmocka_unit_test(turns_add_up),
+        cmocka_unit_test(a_hand_beside_the_point_in_a_wide_view_moves_nothing),
         cmocka_unit_test(still_pointer_halves_the_gap_in_the_smoothing_time),
         cmocka_unit_test(frame_rate_does_not_matter),
         cmocka_unit_test(host_axes_do_not_matter),

@@ -881,7 +881,7 @@ DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion
 DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 
 /* The grabbed point follows the pointer ray (object frame; scaled with dm_drag_desc.scale) as closely as its joint
- * allows; dt in seconds. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.025
+ * allows; dt in seconds. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032
  * rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm_drag_release it
  * moves by itself, and ray may be NULL. out_state->struct_size must be set. [frame] */
 DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
