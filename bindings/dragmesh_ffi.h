@@ -7,6 +7,7 @@ enum { DM_MAX_HYPOTHESES = 8 };
 enum { DM_MAX_PARTS = 4096 };
 enum { DM_MAX_LABEL = 4096 };
 enum { DM_MAX_ELEMENTS = 268435456 };
+enum { DM_MAX_LINKS = 256 };
 enum { DM_MAX_SNAPS = 16 };
 enum { DM_DRAG_SNAPSHOT_MAX = 65536 };
 static const uint32_t DM_GLTF_NO_CARRIER = 4294967295;
@@ -92,11 +93,32 @@ enum {
     DM_PREPARE_NETWORK_ALONE = 2
 };
 enum {
-    DM_DRAG_KEEP_JOINT = 1
+    DM_DRAG_KEEP_JOINT = 1,
+    DM_DRAG_WITHOUT_POINT = 2
+};
+enum {
+    DM_RULE_LOCKED = 1,
+    DM_RULE_LATCH = 2
+};
+enum {
+    DM_LINK_MOVES = 0,
+    DM_LINK_FREES = 1,
+    DM_LINK_HOLDS = 2
+};
+enum {
+    DM_LINK_BOTH_WAYS = 1
 };
 enum {
     DM_HAND_NONE = 0,
-    DM_HAND_RAY = 1
+    DM_HAND_RAY = 1,
+    DM_HAND_POINT = 2,
+    DM_HAND_RATE = 3,
+    DM_HAND_STEP = 4,
+    DM_HAND_VALUE = 5
+};
+enum {
+    DM_INPUT_LOCKED = 1,
+    DM_INPUT_ASK = 2
 };
 enum {
     DM_DRAG_HELD = 0,
@@ -113,7 +135,11 @@ enum {
     DM_EVENT_DETENT = 64,
     DM_EVENT_JOINT = 128,
     DM_EVENT_BLOCKED = 256,
-    DM_EVENT_FREED = 512
+    DM_EVENT_FREED = 512,
+    DM_EVENT_LATCHED = 1024,
+    DM_EVENT_UNLATCHED = 2048,
+    DM_EVENT_LOCKED = 4096,
+    DM_EVENT_LET_GO = 8192
 };
 enum {
     DM_INTENT_AUTO = 0,
@@ -121,10 +147,12 @@ enum {
     DM_INTENT_OPEN = 2,
     DM_INTENT_CLOSE = 3,
     DM_INTENT_REPLAY = 4,
-    DM_INTENT_FREEZE = 5
+    DM_INTENT_FREEZE = 5,
+    DM_INTENT_TOGGLE = 6
 };
 enum {
-    DM_RELEASE_BY_RULE = 1
+    DM_RELEASE_BY_RULE = 1,
+    DM_RELEASE_AWAY_FROM = 2
 };
 typedef struct dm_vec3 dm_vec3;
 typedef struct dm_pose dm_pose;
@@ -151,6 +179,7 @@ typedef struct dm_object_info dm_object_info;
 typedef struct dm_motion_desc dm_motion_desc;
 typedef struct dm_drag_feel dm_drag_feel;
 typedef struct dm_drag_rules dm_drag_rules;
+typedef struct dm_link dm_link;
 typedef struct dm_drag_desc dm_drag_desc;
 typedef struct dm_hand dm_hand;
 typedef struct dm_drag_input dm_drag_input;
@@ -374,14 +403,35 @@ struct dm_drag_feel {
 };
 struct dm_drag_rules {
     uint32_t struct_size;
-    uint32_t snap_count;
+    uint32_t flags;
     const float* snaps;
+    uint32_t snap_count;
     float snap_reach;
     float open_share;
     float closed_share;
     float event_time;
     float max_speed;
     float max_acceleration;
+    float lock_give;
+    float latch_turn;
+    float auto_close_share;
+    float auto_close_time;
+    float close_delay;
+    float tip_share;
+    float fall_time;
+    float restitution;
+    float break_distance;
+    float drive_speed;
+    uint32_t reserved;
+};
+struct dm_link {
+    uint32_t driver;
+    uint32_t driven;
+    int32_t kind;
+    uint32_t flags;
+    float ratio;
+    float offset;
+    float from;
 };
 struct dm_drag_desc {
     uint32_t struct_size;
@@ -400,10 +450,16 @@ struct dm_drag_desc {
 struct dm_hand {
     int32_t kind;
     dm_ray ray;
+    dm_vec3 point;
+    float amount;
+    dm_vec3 grab_point;
 };
 struct dm_drag_input {
     uint32_t struct_size;
+    uint32_t flags;
     dm_hand hand;
+    dm_hand second;
+    float handles[2];
     float lower;
     float upper;
 };
@@ -427,6 +483,7 @@ struct dm_release_desc {
     float duration;
     uint32_t seed;
     uint32_t flags;
+    dm_vec3 away_from;
 };
 struct dm_release_plan {
     uint32_t struct_size;
@@ -513,6 +570,10 @@ struct dm_core_1 {
     dm_result (*scene_commit)(dm_context* context, dm_scene scene);
     dm_result (*scene_pick)(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
     dm_result (*drag_step)(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
+    dm_result (*drag_take)(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state);
+    dm_result (*object_set_links)(dm_context* context, dm_object object, const dm_link* links, uint32_t count);
+    dm_result (*object_follow_links)(dm_context* context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held, uint32_t count);
+    dm_result (*joint_value_at)(const dm_joint* joint, float share, float* out_value);
 };
 struct dm_gltf_files {
     void* user;
@@ -576,8 +637,11 @@ dm_result dm_object_get_hypotheses(dm_context* context, dm_object object, uint32
 dm_result dm_object_refine(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag);
 dm_result dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id, const dm_joint* joint);
 dm_result dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id);
+dm_result dm_object_set_links(dm_context* context, dm_object object, const dm_link* links, uint32_t count);
+dm_result dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held, uint32_t count);
 dm_result dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
 dm_result dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error, float* out_distance_error);
+dm_result dm_joint_value_at(const dm_joint* joint, float share, float* out_value);
 dm_result dm_joint_get_frame(const dm_joint* joint, dm_joint_frame* out_frame);
 dm_result dm_joint_scale(const dm_joint* joint, dm_vec3 scale, dm_joint* out_joint);
 dm_result dm_motion_generate(dm_context* context, dm_object object, const dm_motion_desc* desc, dm_motion* out_motion);
@@ -587,6 +651,7 @@ dm_result dm_motion_destroy(dm_context* context, dm_motion motion);
 dm_result dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 dm_result dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
 dm_result dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
+dm_result dm_drag_take(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state);
 dm_result dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan);
 dm_result dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* out_state);
 dm_result dm_drag_get_part_state(dm_context* context, dm_drag drag, dm_part_state* out_state);
