@@ -229,8 +229,10 @@ for _, source in ipairs(os.matchfiles("samples/09_recipes/*.c")) do
 end
 
 if has_viewer then
-    program("dragmesh_viewer", { "samples/10_viewer/*.c" }, { api },
-        { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" })
+    local has_jpeg = installed "jpeglib.h"
+    program("dragmesh_viewer", { "samples/10_viewer/*.c" }, { api }, table.join(
+        { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" }, has_jpeg and { "jpeg" } or {}))
+        if not has_jpeg then defines { "VIEWER_NO_JPEG" } end
 end
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------

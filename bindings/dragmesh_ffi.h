@@ -154,6 +154,11 @@ enum {
     DM_RELEASE_BY_RULE = 1,
     DM_RELEASE_AWAY_FROM = 2
 };
+enum {
+    DM_GLTF_WRAP_REPEAT = 10497,
+    DM_GLTF_WRAP_CLAMP = 33071,
+    DM_GLTF_WRAP_MIRROR = 33648
+};
 typedef struct dm_vec3 dm_vec3;
 typedef struct dm_pose dm_pose;
 typedef struct dm_ray dm_ray;
@@ -193,6 +198,7 @@ typedef struct dm_core_1 dm_core_1;
 typedef struct dm_gltf_files dm_gltf_files;
 typedef struct dm_gltf_desc dm_gltf_desc;
 typedef struct dm_gltf_node dm_gltf_node;
+typedef struct dm_gltf_surface dm_gltf_surface;
 typedef struct dm_gltf_track dm_gltf_track;
 typedef struct dm_gltf_part dm_gltf_part;
 typedef int32_t dm_result;
@@ -599,6 +605,15 @@ struct dm_gltf_node {
     uint64_t face_count;
     float colour[4];
 };
+struct dm_gltf_surface {
+    uint64_t first_face;
+    uint64_t face_count;
+    float colour[4];
+    const void* image;
+    size_t image_size;
+    int32_t wrap_u;
+    int32_t wrap_v;
+};
 struct dm_gltf_track {
     const char* name;
     const uint8_t* face_ids;
@@ -676,6 +691,9 @@ uint32_t dm_gltf_node_count(const dm_gltf* gltf);
 dm_result dm_gltf_get_node(const dm_gltf* gltf, uint32_t index, dm_gltf_node* out_node);
 dm_result dm_gltf_get_mesh(const dm_gltf* gltf, dm_mesh_desc* out_mesh);
 void dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]);
+uint32_t dm_gltf_surface_count(const dm_gltf* gltf);
+dm_result dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* out_surface);
+dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* out_uv, uint64_t corner_count);
 dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char** names, uint32_t name_count, uint8_t value, uint8_t* inout_face_ids, uint64_t face_count);
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size, dm_pivot* out_pivot);
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value, uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous);

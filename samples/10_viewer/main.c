@@ -36,6 +36,7 @@ typedef struct options {
 typedef struct graphics {
     canvas canvas;
     render render;
+    textures textures;
     surface surface;
     draw draw;
     apng animation;
@@ -106,6 +107,7 @@ static int graphics_open(graphics* graphics, int width, int height) {
 
 static void graphics_close(graphics* graphics) {
     surface_free(&graphics->surface);
+    textures_close(&graphics->textures);
     draw_close(&graphics->draw);
     render_close(&graphics->render);
     canvas_close(&graphics->canvas);
@@ -113,7 +115,8 @@ static void graphics_close(graphics* graphics) {
 
 static void draw_frame(graphics* graphics, app* app) {
     static look looks[WORLD_MAX_PARTS + 1];
-    if (app->repaint || !graphics->surface.array) surface_make(&graphics->surface, app->world);
+    if (graphics->textures.count == 0) textures_open(&graphics->textures, app->world);
+    if (app->repaint || !graphics->surface.array) surface_make(&graphics->surface, app->world, &graphics->textures);
     app->repaint = 0;
     canvas_begin(&graphics->canvas);
     overlay_looks(app, looks);

@@ -16,6 +16,7 @@ uint32_t parts_add(world* world, const char* name) {
     part->state = dm_part_state_default();
     part->state.pose = part->carried = pose_identity;
     snprintf(part->name, sizeof part->name, "%s", name);
+    dm_gltf_mend_text(part->name); /* a name that was cut */
     return part->id;
 }
 

@@ -7,6 +7,7 @@
 #include "shaders.h"
 
 enum { SHADOW_PIXELS = 2048 }; /* side of the shadow map; by hand */
+enum { PICTURE_UNIT = 1 };     /* that base colour textures are bound to; the shadow map has unit 0 */
 
 static void open_shadow(render* render) {
     glGenTextures(1, &render->shadow_map);
@@ -67,6 +68,19 @@ static void draw_part(const surface* surface, uint32_t part, GLuint program, con
     dm_pose_to_matrix(pose, model.m);
     shader_matrix(program, "model", &model);
     glDrawArrays(GL_TRIANGLES, surface->first[part], surface->first[part + 1] - surface->first[part]);
+}
+
+/* Draws a part with its textures. */
+static void draw_textured(const surface* surface, uint32_t part, GLuint program, const dm_pose* pose) {
+    mat4 model;
+    dm_pose_to_matrix(pose, model.m);
+    shader_matrix(program, "model", &model);
+    glActiveTexture(GL_TEXTURE0 + PICTURE_UNIT);
+    for (uint32_t r = surface->first_run[part]; r < surface->first_run[part + 1]; r++) {
+        glBindTexture(GL_TEXTURE_2D, surface->runs[r].texture);
+        glDrawArrays(GL_TRIANGLES, surface->runs[r].first, surface->runs[r].count);
+    }
+    glActiveTexture(GL_TEXTURE0);
 }
 
 static void draw_shadows(render* render, const surface* surface, const camera* camera, const look* looks,
@@ -139,10 +153,11 @@ void render_scene(render* render, const surface* surface, const camera* camera, 
     shader_vec3(render->solid, "eye", camera_eye(camera));
     shader_vec3(render->solid, "sun", sun_of(camera));
     shader_vec3(render->solid, "up", camera_up(camera));
+    shader_int(render->solid, "picture", PICTURE_UNIT);
     for (uint32_t part = 0; part <= parts; part++) {
         shader_vec4(render->solid, "tint", looks[part].tint);
         shader_float(render->solid, "glow", looks[part].glow);
-        draw_part(surface, part, render->solid, &looks[part].pose);
+        draw_textured(surface, part, render->solid, &looks[part].pose);
     }
 }
 

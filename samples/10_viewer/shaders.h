@@ -4,11 +4,12 @@
 
 static const char* const solid_vertex =
     "layout(location = 0) in vec3 place; layout(location = 1) in vec3 normal; layout(location = 2) in vec3 colour;\n"
+    "layout(location = 3) in vec2 uv;\n"
     "uniform mat4 model, view_projection, light;\n"
-    "out vec3 at; out vec3 n; out vec3 base; out vec4 in_light;\n"
+    "out vec3 at; out vec3 n; out vec3 base; out vec2 in_picture; out vec4 in_light;\n"
     "void main() {\n"
     "    vec4 world = model * vec4(place, 1.0);\n"
-    "    at = world.xyz; n = mat3(model) * normal; base = colour;\n"
+    "    at = world.xyz; n = mat3(model) * normal; base = colour; in_picture = uv;\n"
     "    in_light = light * world;\n"
     "    gl_Position = view_projection * world;\n"
     "}\n";
@@ -28,8 +29,8 @@ static const char* const solid_vertex =
 
 /* The normal is turned towards the camera: meshes made by people are often wound either way. */
 static const char* const solid_fragment =
-    "in vec3 at; in vec3 n; in vec3 base; in vec4 in_light;\n"
-    "uniform vec3 eye, sun, up;\n"
+    "in vec3 at; in vec3 n; in vec3 base; in vec2 in_picture; in vec4 in_light;\n"
+    "uniform vec3 eye, sun, up; uniform sampler2D picture;\n"
     "uniform vec4 tint; uniform float glow;\n"
     "out vec4 colour;\n" SHADOW_GLSL "void main() {\n"
     "    vec3 towards = normalize(eye - at);\n"
@@ -37,7 +38,7 @@ static const char* const solid_fragment =
     "    vec3 normal = length(n) > 0.5 ? normalize(n) : flat_normal;\n"
     "    if (dot(flat_normal, towards) < 0.0) flat_normal = -flat_normal;\n"
     "    if (dot(normal, flat_normal) < 0.0) normal = -normal;\n"
-    "    vec3 albedo = mix(base, tint.rgb, tint.a);\n"
+    "    vec3 albedo = mix(base * texture(picture, in_picture).rgb, tint.rgb, tint.a);\n"
     "    float facing = max(dot(normal, sun), 0.0);\n"
     "    float lit = facing * (facing > 0.0 ? sun_share(in_light, 0.0008 + 0.0025 * (1.0 - facing)) : 0.0);\n"
     "    float sky = dot(normal, up) * 0.5 + 0.5;\n"

@@ -1,6 +1,7 @@
-/* The object's triangles as the graphics card wants them: smooth normals, colours, one range a part. */
+/* The object's triangles as the graphics card wants them: sorted by part and texture. */
 #include "surface.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,6 +9,7 @@
 
 typedef struct vertex {
     vec3 place, normal, colour;
+    float uv[2];
 } vertex;
 
 typedef struct corner {
@@ -60,43 +62,63 @@ static vec3* corner_normals(const world* world) {
     return normals;
 }
 
-/* The file's own colour, held between too dark and too bright to light well. */
-static vec3 node_colour(const dm_gltf_node* node) {
-    const vec3 c = vec(node->colour[0], node->colour[1], node->colour[2]);
-    return vec(clampf(c.x, 0.03f, 0.8f), clampf(c.y, 0.03f, 0.8f), clampf(c.z, 0.03f, 0.8f));
+/* A face in the order in which it is drawn. */
+typedef struct drawn {
+    uint32_t part, slot, face;
+} drawn;
+
+static int by_part_and_texture(const void* a, const void* b) {
+    const drawn *x = a, *y = b;
+    if (x->part != y->part) return x->part < y->part ? -1 : 1;
+    if (x->slot != y->slot) return x->slot < y->slot ? -1 : 1;
+    return x->face < y->face ? -1 : 1;
 }
 
-static vec3* face_colours(const world* world) {
-    vec3* colours = take(world->face_count, sizeof *colours);
-    dm_gltf_node node;
-    for (uint32_t i = 0; i < dm_gltf_node_count(world->gltf); i++) {
-        if (dm_gltf_get_node(world->gltf, i, &node) != DM_OK) continue;
-        for (uint64_t face = 0; face < node.face_count; face++) colours[node.first_face + face] = node_colour(&node);
+/* Faces of parts that the world does not have any more are the body's. */
+static drawn* order_faces(const world* world, const textures* textures) {
+    drawn* order = take(world->face_count, sizeof *order);
+    for (uint32_t face = 0; face < world->face_count; face++) {
+        const uint32_t part = world->face_part[face];
+        order[face] = (drawn){part <= world->part_count ? part : 0, textures->slots[face], face};
     }
-    return colours;
+    qsort(order, world->face_count, sizeof *order, by_part_and_texture);
+    return order;
 }
 
-static vertex* ordered_by_part(surface* surface, const world* world) {
-    vec3 *normals = corner_normals(world), *colours = face_colours(world);
+/* Lists the runs of every part, and where its vertices begin. */
+static void list_runs(surface* surface, const world* world, const textures* textures, const drawn* order) {
+    uint32_t count = 0, part = 0;
+    surface->runs = take(world->face_count, sizeof *surface->runs);
+    for (uint32_t i = 0; i < world->face_count; i++) {
+        const bool new_part = i == 0 || order[i].part != order[i - 1].part;
+        for (; new_part && part <= order[i].part; part++)
+            surface->first[part] = (GLint)(3 * i), surface->first_run[part] = count;
+        if (new_part || order[i].slot != order[i - 1].slot)
+            surface->runs[count++] = (surface_run){.first = (GLint)(3 * i), .texture = textures->names[order[i].slot]};
+        surface->runs[count - 1].count += 3;
+    }
+    for (; part <= world->part_count + 1; part++)
+        surface->first[part] = (GLint)(3 * world->face_count), surface->first_run[part] = count;
+}
+
+static vertex* make_vertices(const world* world, const textures* textures, const drawn* order) {
+    vec3* normals = corner_normals(world);
     vertex* vertices = take((size_t)world->face_count * 3, sizeof *vertices);
-    uint32_t count = 0;
-    for (uint32_t part = 0; part <= world->part_count; part++) {
-        surface->first[part] = (GLint)count;
-        for (uint32_t face = 0; face < world->face_count; face++) {
-            if (world->face_part[face] != part) continue;
-            for (uint32_t k = 3 * face; k < 3 * face + 3; k++)
-                vertices[count++] = (vertex){place_of(world, k), normals[k], colours[face]};
-        }
+    for (uint32_t i = 0; i < 3 * world->face_count; i++) {
+        const uint32_t face = order[i / 3].face, corner = 3 * face + i % 3;
+        const float* uv = textures->uv[corner];
+        vertices[i] = (vertex){place_of(world, corner), normals[corner], textures->colours[face], {uv[0], uv[1]}};
     }
-    surface->first[world->part_count + 1] = (GLint)count;
     free(normals);
-    free(colours);
     return vertices;
 }
 
-void surface_make(surface* surface, const world* world) {
+void surface_make(surface* surface, const world* world, const textures* textures) {
     surface_free(surface);
-    vertex* vertices = ordered_by_part(surface, world);
+    drawn* order = order_faces(world, textures);
+    list_runs(surface, world, textures, order);
+    vertex* vertices = make_vertices(world, textures, order);
+    free(order);
     const uint32_t count = world->face_count * 3;
     surface->box_min = vec(INFINITY, INFINITY, INFINITY);
     surface->box_max = scale(surface->box_min, -1);
@@ -110,9 +132,9 @@ void surface_make(surface* surface, const world* world) {
     glBindBuffer(GL_ARRAY_BUFFER, surface->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof *vertices), vertices, GL_STATIC_DRAW);
     const char* offset = NULL; /* of the attribute in a vertex, as OpenGL wants it: a pointer */
-    for (GLuint i = 0; i < 3; i++, offset += sizeof(vec3)) {
+    for (GLuint i = 0; i < 4; i++, offset += sizeof(vec3)) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof *vertices, offset);
+        glVertexAttribPointer(i, i < 3 ? 3 : 2, GL_FLOAT, GL_FALSE, sizeof *vertices, offset);
     }
     free(vertices);
 }
@@ -120,5 +142,6 @@ void surface_make(surface* surface, const world* world) {
 void surface_free(surface* surface) {
     if (surface->array) glDeleteVertexArrays(1, &surface->array);
     if (surface->buffer) glDeleteBuffers(1, &surface->buffer);
+    free(surface->runs);
     memset(surface, 0, sizeof *surface);
 }

@@ -29,6 +29,16 @@ static void export_half(const dm_gltf* gltf, uint8_t* ids, uint64_t faces) {
     if (dm_gltf_export(gltf, &track, 1, &out, &out_size) == DM_OK) dm_gltf_release_bytes(gltf, out, out_size);
 }
 
+/* Of all surfaces: their images, and the first corners of the small ones. */
+static void read_surfaces(dm_gltf* gltf) {
+    static float uv[3 << 12][2];
+    for (uint32_t i = 0; i < dm_gltf_surface_count(gltf); i++) {
+        dm_gltf_surface surface;
+        if (dm_gltf_get_surface(gltf, i, &surface) == DM_OK)
+            dm_gltf_get_texture_coordinates(gltf, i, uv[0], sizeof uv / sizeof *uv);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     size_t left = (size_t)64 << 20;
     const dm_gltf_desc desc = {
@@ -48,6 +58,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         dm_gltf_read_mask(gltf, data, size, NULL, ids, &scope, NULL);
     }
     free(ids);
+    read_surfaces(gltf);
     dm_gltf_close(gltf);
     return 0;
 }

@@ -46,6 +46,20 @@ static dm_result open_file(dm_gltf* gltf, const char* uri, dmi_gltf_problem* pro
     return result;
 }
 
+dm_result dmi_gltf_open_uri(dm_gltf* gltf, const char* uri, dmi_gltf_problem* problem, dmi_gltf_buffer* out) {
+    dm_result result;
+    if (dmi_uri_is_data(uri)) {
+        result = dmi_uri_decode(&gltf->env, uri, problem, &out->decoded, &out->decoded_size);
+        out->data = out->decoded;
+        out->size = out->decoded_size;
+    } else {
+        result = open_file(gltf, uri, problem, out);
+        out->data = out->file;
+        out->size = out->file_size;
+    }
+    return result;
+}
+
 /* Finds the bytes of one buffer. */
 static dm_result fill_buffer(dm_gltf* gltf, uint32_t index, dmi_gltf_problem* problem) {
     dmi_gltf_buffer* out = &gltf->buffers[index];
@@ -57,14 +71,8 @@ static dm_result fill_buffer(dm_gltf* gltf, uint32_t index, dmi_gltf_problem* pr
     dm_result result = dmi_json_whole(json, "byteLength", 0, UINT32_MAX, place, problem, &length);
     if (result != DM_OK) return result;
     if (!uri && (index > 0 || !gltf->bin)) return DM_OK;
-    if (uri && dmi_uri_is_data(uri)) {
-        result = dmi_uri_decode(&gltf->env, uri, problem, &out->decoded, &out->decoded_size);
-        out->data = out->decoded;
-        out->size = out->decoded_size;
-    } else if (uri) {
-        result = open_file(gltf, uri, problem, out);
-        out->data = out->file;
-        out->size = out->file_size;
+    if (uri) {
+        result = dmi_gltf_open_uri(gltf, uri, problem, out);
     } else {
         out->data = gltf->bin;
         out->size = gltf->bin_size;
@@ -97,17 +105,21 @@ dm_result dmi_gltf_read_buffers(dm_gltf* gltf, const dmi_gltf_container* from, d
     return DM_OK;
 }
 
+static void release_list(dm_gltf* gltf, dmi_gltf_buffer* list, uint32_t count) {
+    for (uint32_t i = 0; list && i < count; i++) {
+        dmi_free(&gltf->env, list[i].decoded, list[i].decoded_size);
+        if (list[i].file && gltf->files.close)
+            gltf->files.close(gltf->files.user, list[i].file, (size_t)list[i].file_size);
+    }
+    dmi_free(&gltf->env, list, count * sizeof *list);
+}
+
 void dmi_gltf_release_buffers(dm_gltf* gltf) {
     dmi_env* env = &gltf->env;
-    const uint32_t count = gltf->document.counts[DMI_GLTF_BUFFERS], views = gltf->document.counts[DMI_GLTF_VIEWS];
-    for (uint32_t i = 0; gltf->buffers && i < count; i++) {
-        const dmi_gltf_buffer* buffer = &gltf->buffers[i];
-        dmi_free(env, buffer->decoded, buffer->decoded_size);
-        if (buffer->file && gltf->files.close)
-            gltf->files.close(gltf->files.user, buffer->file, (size_t)buffer->file_size);
-    }
+    const uint32_t views = gltf->document.counts[DMI_GLTF_VIEWS];
+    release_list(gltf, gltf->buffers, gltf->document.counts[DMI_GLTF_BUFFERS]);
+    release_list(gltf, gltf->images, gltf->document.counts[DMI_GLTF_IMAGES]);
     for (uint32_t i = 0; gltf->decoded && i < views; i++) dmi_gltf_release_decoded(env, &gltf->decoded[i]);
-    dmi_free(env, gltf->buffers, count * sizeof *gltf->buffers);
     dmi_free(env, gltf->decoded, views * sizeof *gltf->decoded);
     dmi_free(env, gltf->bin_copy, gltf->bin_size);
 }

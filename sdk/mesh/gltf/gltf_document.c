@@ -8,9 +8,10 @@
 #include "mesh/gltf/gltf_meshopt.h"
 
 const char* const dmi_gltf_list_names[DMI_GLTF_LISTS] = {
-    [DMI_GLTF_ACCESSORS] = "accessors", [DMI_GLTF_BUFFERS] = "buffers", [DMI_GLTF_IMAGES] = "images",
-    [DMI_GLTF_MATERIALS] = "materials", [DMI_GLTF_MESHES] = "meshes",   [DMI_GLTF_NODES] = "nodes",
-    [DMI_GLTF_SCENES] = "scenes",       [DMI_GLTF_SKINS] = "skins",     [DMI_GLTF_VIEWS] = "bufferViews"};
+    [DMI_GLTF_ACCESSORS] = "accessors", [DMI_GLTF_BUFFERS] = "buffers",  [DMI_GLTF_IMAGES] = "images",
+    [DMI_GLTF_MATERIALS] = "materials", [DMI_GLTF_MESHES] = "meshes",    [DMI_GLTF_NODES] = "nodes",
+    [DMI_GLTF_SAMPLERS] = "samplers",   [DMI_GLTF_SCENES] = "scenes",    [DMI_GLTF_SKINS] = "skins",
+    [DMI_GLTF_TEXTURES] = "textures",   [DMI_GLTF_VIEWS] = "bufferViews"};
 
 static dm_result open_list(dmi_env* env, dmi_gltf_document* document, dmi_gltf_list list, dmi_gltf_problem* problem) {
     const cJSON* found = dmi_json_get(document->root, dmi_gltf_list_names[list]);

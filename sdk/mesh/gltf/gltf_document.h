@@ -12,8 +12,10 @@ typedef enum dmi_gltf_list {
     DMI_GLTF_MATERIALS,
     DMI_GLTF_MESHES,
     DMI_GLTF_NODES,
+    DMI_GLTF_SAMPLERS,
     DMI_GLTF_SCENES,
     DMI_GLTF_SKINS,
+    DMI_GLTF_TEXTURES,
     DMI_GLTF_VIEWS,
     DMI_GLTF_LISTS
 } dmi_gltf_list;

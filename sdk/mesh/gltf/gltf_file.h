@@ -49,6 +49,7 @@ typedef struct dmi_gltf_piece {
     uint32_t node;      /* position in dm_gltf.nodes */
     uint32_t mesh_node; /* of the file: the node that has the mesh */
     uint32_t primitive; /* position in that node's mesh */
+    const cJSON* json;  /* the primitive */
     uint32_t mirrored;  /* the node's transform mirrors, so the triangles were turned over */
     int32_t joint;      /* of the skin, that places most of the vertices; -1: the node does */
     uint64_t first_face, face_count;
@@ -73,6 +74,7 @@ struct dm_gltf {
     uint64_t bin_size;
     dmi_gltf_buffer* buffers;        /* as many as the document has */
     dmi_gltf_decoded* decoded;       /* as many as the document has views */
+    dmi_gltf_buffer* images;         /* as many as the document has; NULL until one is asked for */
     uint64_t bytes_most, bytes_left; /* of the memory that a call may take, and may still take */
     dmi_gltf_tree_node* tree;        /* as many as the document has nodes */
     uint32_t* order;                 /* placed nodes, parents before children */

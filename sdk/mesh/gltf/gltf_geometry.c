@@ -79,11 +79,13 @@ static dm_result read_block(dm_gltf* gltf, dmi_gltf_decoded* decoded, uint32_t i
         block = dmi_alloc(&gltf->env, size, 16);
         if (!block) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for %" PRIu64, place, size);
         *block = (dmi_gltf_block){.next = decoded->blocks, .size = size, .id = id, .type = type};
-        decoded->blocks = block;
-        if (id == FACES)
+        if (id == FACES) {
             dmi_draco_read_faces(decoded->draco, block->values);
-        else if (!dmi_draco_read(decoded->draco, id, type, block->values))
+        } else if (!dmi_draco_read(decoded->draco, id, type, block->values)) {
+            dmi_free(&gltf->env, block, size);
             return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: values that can't be converted", place);
+        }
+        decoded->blocks = block;
     }
     out->data = (const uint8_t*)block->values;
     return DM_OK;

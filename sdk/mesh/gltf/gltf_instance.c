@@ -91,6 +91,7 @@ dm_result dmi_gltf_add_rigid(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_
         *piece = (dmi_gltf_piece){.node = gltf->node_count - 1,
                                   .mesh_node = node,
                                   .primitive = shape->runs[r].primitive,
+                                  .json = shape->runs[r].json,
                                   .mirrored = mirrored,
                                   .joint = -1,
                                   .first_face = gltf->face_count + shape->runs[r].first_face,
@@ -255,6 +256,7 @@ static dm_result fill_faces(skinner* s, dmi_gltf_problem* problem) {
             *piece = (dmi_gltf_piece){.node = gltf->node_count - 1,
                                       .mesh_node = s->node,
                                       .primitive = s->shape->runs[run].primitive,
+                                      .json = s->shape->runs[run].json,
                                       .mirrored = (uint32_t)turns_over(s->skin.joints[joint].matrix),
                                       .joint = (int32_t)joint,
                                       .first_face = gltf->face_count + at};

@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "mesh/gltf/gltf_surface.h"
+
 /* Longest description of a place in a file ("node 3 'door', primitive 0"). */
 #define PLACE_SIZE 192
 #define SEVERAL UINT32_MAX
@@ -196,20 +198,10 @@ static dm_result read_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, 
 
 /* ---- primitives ---- */
 
-/* The primitive's material, and its base colour; white without one. */
-static const cJSON* read_colour(const dm_gltf* gltf, const cJSON* primitive, float out[4]) {
-    const cJSON* material =
-        dmi_gltf_item(&gltf->document, DMI_GLTF_MATERIALS, dmi_json_number(primitive, "material", DMI_GLTF_NO_INDEX));
-    double colour[4] = {1, 1, 1, 1};
-    dmi_json_numbers(dmi_json_get(material, "pbrMetallicRoughness"), "baseColorFactor", 4, colour);
-    for (int i = 0; i < 4; i++) out[i] = (float)colour[i];
-    return material;
-}
-
 /* Whether the material lets nothing be seen: its alpha counts and is 0. */
 static int is_invisible(const dm_gltf* gltf, const cJSON* primitive) {
     float colour[4];
-    const char* mode = dmi_json_text(read_colour(gltf, primitive, colour), "alphaMode");
+    const char* mode = dmi_json_text(dmi_gltf_material_of(gltf, primitive, colour), "alphaMode");
     return mode && (strcmp(mode, "BLEND") == 0 || strcmp(mode, "MASK") == 0) && colour[3] == 0;
 }
 
@@ -234,9 +226,13 @@ static void add_run(dmi_gltf_builder* builder, uint32_t mesh, const dmi_gltf_geo
     const int32_t index = (int32_t)shape->run_count++;
     const uint32_t group = find_group(builder, mesh, geometry);
     dmi_gltf_group* g = &shape->groups[group];
-    shape->runs[index] = (dmi_gltf_run){
-        .primitive = primitive, .group = group, .next = -1, .first_face = shape->face_count, .face_count = faces};
-    read_colour(builder->gltf, json, shape->runs[index].colour);
+    shape->runs[index] = (dmi_gltf_run){.primitive = primitive,
+                                        .json = json,
+                                        .group = group,
+                                        .next = -1,
+                                        .first_face = shape->face_count,
+                                        .face_count = faces};
+    dmi_gltf_material_of(builder->gltf, json, shape->runs[index].colour);
     if (g->last_run >= 0)
         shape->runs[g->last_run].next = index;
     else

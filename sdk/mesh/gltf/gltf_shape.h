@@ -14,6 +14,7 @@ typedef struct dmi_gltf_group {
 
 typedef struct dmi_gltf_run {
     uint32_t primitive, group;
+    const cJSON* json;
     int32_t next; /* of the same group; -1: none */
     uint64_t first_face, face_count;
     float colour[4];

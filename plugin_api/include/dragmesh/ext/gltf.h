@@ -12,7 +12,7 @@ extern "C" {
 
 typedef struct dm_gltf dm_gltf;
 
-/* Files beside a .gltf: buffers when it is opened, images when it is exported. */
+/* Files beside a .gltf: buffers when it is opened, images when it is exported or a surface is asked for. */
 typedef struct dm_gltf_files {
     void* user;
     /* Hands over the bytes of the file at `path`: relative to the document, UTF-8, '/' between folders. It never is
@@ -71,6 +71,29 @@ DM_API dm_result DM_CALL dm_gltf_get_mesh(const dm_gltf* gltf, dm_mesh_desc* out
 /* Where the merged mesh's origin is in the scene: 0, 0, 0 but for objects more than 256 times their size away, whose
  * shape floats could not hold there. */
 DM_API void DM_CALL dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]);
+
+/* How a texture goes on beyond its edges: OpenGL's numbers. */
+enum { DM_GLTF_WRAP_REPEAT = 10497, DM_GLTF_WRAP_CLAMP = 33071, DM_GLTF_WRAP_MIRROR = 33648 };
+
+/* Faces of the merged mesh that lie side by side and have one material. Those of a dm_gltf_node are one or more. */
+typedef struct dm_gltf_surface {
+    uint64_t first_face, face_count;
+    float colour[4];        /* base colour factor, linear; white without a material */
+    const void* image;      /* the base colour texture as it is stored: PNG, JPEG, or what an extension has, sRGB. NULL:
+                               none. Surfaces with the same image have the same pointer; lives as long as the dm_gltf */
+    size_t image_size;      /* bytes */
+    int32_t wrap_u, wrap_v; /* DM_GLTF_WRAP_* */
+} dm_gltf_surface;
+
+DM_API uint32_t DM_CALL dm_gltf_surface_count(const dm_gltf* gltf);
+/* An image that can't be had is left out with a warning. Errors: NOT_FOUND, OUT_OF_MEMORY. */
+DM_API dm_result DM_CALL dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* out_surface);
+/* Writes where the corners of a surface lie in its base colour texture: u and v of each, three corners a face, in the
+ * order of the merged mesh; (0, 0) is the image's top left corner. Scaled, turned and shifted as the material says
+ * (KHR_texture_transform). corner_count: three times face_count. Errors: NOT_FOUND (no texture, or no coordinates),
+ * BUFFER_TOO_SMALL, BAD_DATA, OUT_OF_MEMORY. */
+DM_API dm_result DM_CALL dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* out_uv,
+                                                         uint64_t corner_count);
 
 /* Sets `value` for every face of the named nodes or bones and of all that they carry (a name that several nodes share
  * means all of them; that of a node with a skin means all its bones; "#12" means node 12 of the file, for files without

@@ -1,0 +1,10 @@
+/* Materials of primitives. */
+#ifndef DMI_MESH_GLTF_SURFACE_H
+#define DMI_MESH_GLTF_SURFACE_H
+
+#include "mesh/gltf/gltf_file.h"
+
+/* Returns the primitive's material, and writes its base colour; NULL and white without one. */
+const cJSON* dmi_gltf_material_of(const dm_gltf* gltf, const cJSON* primitive, float out_colour[4]);
+
+#endif
