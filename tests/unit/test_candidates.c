@@ -122,6 +122,23 @@ static float nearest_line(uint32_t count, const float axis[3], const float point
 }
 
 /* The true hinge of a lid is among the candidates, with a drag and without, and all features are finite. */
+/* Nothing near the part: the distance is finite, and no more than a few of its diagonals. */
+static void an_empty_neighbourhood_is_a_few_diagonals_away(void** state) {
+    (void)state;
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){20, 1, 1}, 0);
+    test_shape_box(&shape, (const float[]){0, 9, 0}, (const float[]){0.5f, 9.5f, 0.5f}, 1);
+    test_analysis_open(&lid, &shape, 3);
+    assert_int_equal(lid.of_part.body_grid.count, 0);
+    const float distance = dmi_distance_grid_distance(&lid.of_part.body_grid, lid.of_part.centre);
+    assert_true(distance > lid.of_part.diagonal && distance < 10 * lid.of_part.diagonal);
+    const uint32_t count = dmi_candidates_make(&lid.of_part, NULL, NULL, candidates);
+    dmi_candidate_features_make(&lid.of_part, NULL, NULL, NULL, candidates, count, features);
+    for (uint32_t i = 0; i < count; i++)
+        for (int k = 0; k < DMI_FEATURE_COUNT; k++) assert_true(fabsf(features[i][k]) < 100);
+    test_analysis_close(&lid);
+}
+
 static void the_hinge_of_a_lid_is_a_candidate(void** state) {
     (void)state;
     open_lid();
@@ -255,6 +272,7 @@ int main(void) {
         cmocka_unit_test(min_volume_box_of_a_rotated_box),
         cmocka_unit_test(slippage_of_a_cylinder),
         cmocka_unit_test(distance_grid_agrees_with_brute_force),
+        cmocka_unit_test(an_empty_neighbourhood_is_a_few_diagonals_away),
         cmocka_unit_test(the_hinge_of_a_lid_is_a_candidate),
         cmocka_unit_test(the_networks_joint_is_a_candidate),
         cmocka_unit_test(candidate_scores_become_probabilities),

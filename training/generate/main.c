@@ -262,6 +262,12 @@ static int extract_part(const dmg_object* object, uint32_t part, dm_gltf_part* o
     return 1;
 }
 
+static int has_faces(const dmg_object* object, uint32_t part) {
+    uint32_t f = 0;
+    while (f < object->face_count && object->face_part[f] != part) ++f;
+    return f < object->face_count;
+}
+
 static int write_glb(const dmg_object* object, void** data, size_t* size) {
     static const float palette[7][3] = {{0.72f, 0.16f, 0.1f}, {0.12f, 0.35f, 0.75f}, {0.15f, 0.5f, 0.15f},
                                         {0.8f, 0.5f, 0.1f},   {0.45f, 0.2f, 0.6f},   {0.1f, 0.55f, 0.55f},
@@ -270,6 +276,7 @@ static int write_glb(const dmg_object* object, void** data, size_t* size) {
     dm_gltf_part* parts = calloc(count, sizeof *parts);
     int ok = parts != NULL;
     for (uint32_t i = 0; i < count && ok; ++i) {
+        if (!has_faces(object, i)) continue; /* such as the body of leaves without a frame */
         dm_gltf_part* part = &parts[nodes];
         const float* colour = palette[(i + 6) % 7];
         part->name = i == 0 ? "body" : object->joints[i - 1].name;

@@ -199,6 +199,8 @@
     X(scifi_door, 254, TRAINED)                                                                                        \
     /* openings/hatches.c */                                                                                           \
     X(pressure_hatch, 255, TRAINED)                                                                                    \
+    /* openings/bare_leaves.c */                                                                                       \
+    X(bare_leaves, 388, TRAINED)                                                                                       \
     /* openings/secrets.c */                                                                                           \
     X(secret_wall, 266, TRAINED)                                                                                       \
     /* controls/controls.c */                                                                                          \
@@ -524,6 +526,8 @@
     X(meter_box, 359, TEST_ONLY)                                                                                       \
     /* test_only/openings/vents.c */                                                                                   \
     X(roof_vent, 361, TEST_ONLY)                                                                                       \
+    /* test_only/openings/cellar_leaves.c */                                                                           \
+    X(cellar_leaves, 389, TEST_ONLY)                                                                                   \
     /* test_only/openings/escutcheons.c */                                                                             \
     X(door_furniture, 376, TEST_ONLY)                                                                                  \
     /* test_only/controls/quadrants.c */                                                                               \

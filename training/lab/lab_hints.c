@@ -9,6 +9,7 @@
 #include "kinematics/features/kpp_ensemble.h"
 #include "kinematics/hints/hint_likelihood.h"
 #include "kinematics/inference/joint_models.h"
+#include "kinematics/ranking/twin_leaves.h"
 #include "pose_error.h"
 #include "pull.h"
 
@@ -82,12 +83,14 @@ static dm_result rank(hint_work* w, dmi_arena* arena, uint32_t part, const dmi_d
     w->count = dmi_candidates_make(&w->analysis, drag, prediction, w->candidates);
     w->count = dmi_prefilter_keep(&w->joints->prefilter, &w->analysis, drag, w->net, isa, &w->ensemble, w->candidates,
                                   w->count, w->features);
+    w->count = dmi_twin_add_candidates(&w->analysis, drag, w->candidates, w->count);
     if (!dmi_asset_hints_are_empty(hints))
         w->count = dmi_hints_add_candidates(hints, &w->analysis, drag, w->candidates, w->count);
     dmi_kpp_ensemble_score(w->net, isa, &w->ensemble, w->candidates, w->count, w->score);
     dmi_candidate_features_make(&w->analysis, drag, prediction, w->score, w->candidates, w->count, w->features);
     dmi_ranker_probabilities(&w->joints->ranker, isa, (const float(*)[DMI_FEATURE_COUNT])w->features, w->count,
                              w->probability);
+    dmi_twin_weigh(&w->analysis, w->candidates, w->count, w->probability);
     return DM_OK;
 }
 

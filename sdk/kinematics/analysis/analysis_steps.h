@@ -16,6 +16,9 @@ void dmi_analysis_find_slippage(dmi_part_analysis* analysis);
 /* protrusions.c: points with the widest gaps, the body's side of the box, points that protrude from it. */
 void dmi_analysis_find_protrusions(dmi_part_analysis* analysis);
 
+/* twin.c: has_twin and twin_way. */
+void dmi_analysis_find_twin(dmi_part_analysis* analysis);
+
 /* patches.c: shells and smooth regions of the part and of the body in the box low .. high. */
 dm_result dmi_analysis_find_patches(dmi_arena* arena, const uint8_t* moving, const float low[3], const float high[3],
                                     const uint32_t* welded, dmi_part_analysis* analysis);

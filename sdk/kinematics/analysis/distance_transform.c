@@ -11,7 +11,6 @@
 #include <immintrin.h>
 #endif
 
-#define FAR 1e12f    /* squared distance, in cells, of a grid without samples */
 #define EMPTY 0x4000 /* greater than any squared distance in the grid; the sum of both still fits an int16_t */
 #define LANES DMI_TRANSFORM_LANES
 
@@ -122,7 +121,7 @@ static void transform_row(const uint32_t* start, int32_t n, int16_t* out) {
 }
 
 static void write_distances(const int16_t* squares, float cell, float* out) {
-    for (int k = 0; k < LANES; k++) out[k] = sqrtf(squares[k] == EMPTY ? FAR : (float)squares[k]) * cell;
+    for (int k = 0; k < LANES; k++) out[k] = sqrtf((float)squares[k]) * cell;
 }
 
 void dmi_distance_transform(dmi_distance_grid* grid) {

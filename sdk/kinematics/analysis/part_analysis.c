@@ -135,6 +135,7 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
     find_directions((const float(*)[3])vertices, vertex_count, out);
     dmi_analysis_find_slippage(out);
     dmi_analysis_find_protrusions(out);
+    dmi_analysis_find_twin(out);
     out->object_extreme_point_count =
         dmi_extreme_points((const float(*)[3])cloud->xyz, DMI_CLOUD_POINTS, (const float(*)[3])out->box.axes, 3,
                            out->object_extreme_points);

@@ -63,6 +63,8 @@ typedef struct dmi_part_analysis {
      * the mean, share of the points (0: none) */
     float protrusion_mean[3], protrusion_direction[3];
     float protrusion_spread, protrusion_share;
+    bool has_twin;     /* the body near the part is nothing but the part's mirror image beside it */
+    float twin_way[3]; /* unit, from the part towards its twin; along an axis of the box */
     float part_directions[3][3], all_directions[3][3]; /* principal: of the points; of near_points */
     dmi_normal_cluster part_clusters[DMI_MAX_NORMAL_CLUSTERS], near_clusters[DMI_MAX_NORMAL_CLUSTERS];
     uint32_t part_cluster_count, near_cluster_count;

@@ -7,6 +7,7 @@
 #include "kinematics/inference/hypothesis_selection.h"
 #include "kinematics/limits/free_range.h"
 #include "kinematics/limits/limits.h"
+#include "kinematics/ranking/twin_leaves.h"
 #include "math/linear3.h"
 
 #define SCRATCH_BLOCK ((size_t)1 << 20)
@@ -85,13 +86,14 @@ static void rank_candidates(work* w) {
     w->count = dmi_candidates_make(&w->analysis, w->query->hint, prediction(w), w->candidates);
     keep_given_type(w);
     prefilter(w);
-    if (says_something) {
+    w->count = dmi_twin_add_candidates(&w->analysis, w->query->hint, w->candidates, w->count);
+    if (says_something)
         w->count = dmi_hints_add_candidates(asset, &w->analysis, w->query->hint, w->candidates, w->count);
-        keep_given_type(w);
-    }
+    keep_given_type(w);
     measure_features(w);
     dmi_ranker_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features, w->count,
                              w->probability);
+    dmi_twin_weigh(&w->analysis, w->candidates, w->count, w->probability);
     if (says_something) dmi_hints_weigh(asset, &w->analysis, w->candidates, w->count, w->probability);
 }
 

@@ -1,0 +1,77 @@
+/* Weighs turns by where their axis passes the leaf: at the seam, at the far side, or at an end. */
+#include "kinematics/ranking/twin_leaves.h"
+
+#include <float.h>
+
+#include "math/linear3.h"
+
+#define ALONG 0.9f /* cosine between an axis and the side of the box that it runs along; by hand */
+#define EDGE 0.6f  /* half sides from the middle of the box, from which an axis lies at an edge; by hand */
+
+/* Log-likelihoods, fitted by conditional logit on generated leaves of the category bare_leaves, and rounded. */
+#define OUTSIDE 5.0f  /* of turns along the seam, at the side away from it */
+#define AT_SEAM -4.0f /* of turns along the seam, at the seam */
+#define AT_END 3.0f   /* of turns across the seam, at one of its ends: flaps side by side */
+
+/* The sides of the part's box: across the seam, and of the other two the longer and the shorter. */
+typedef struct leaf_sides {
+    int across, along, thin;
+    float sign; /* of the side `across` that leads to the twin */
+} leaf_sides;
+
+static leaf_sides sides_of(const dmi_part_analysis* a) {
+    leaf_sides sides = {0};
+    float most = -1;
+    for (int k = 0; k < 3; k++) {
+        const float cosine = dmi_dot3(a->box.axes[k], a->twin_way);
+        if (fabsf(cosine) <= most) continue;
+        most = fabsf(cosine);
+        sides.across = k, sides.sign = cosine < 0 ? -1.0f : 1.0f;
+    }
+    sides.along = sides.across == 0 ? 1 : 0; /* the box's longest side comes first */
+    sides.thin = sides.across == 2 ? 1 : 2;
+    return sides;
+}
+
+/* Returns the place of a point along a side of the box: -1 and 1 at its ends. */
+static float place_along(const dmi_box* box, int side, const float point[3]) {
+    const float middle = (box->low[side] + box->high[side]) / 2, half = (box->high[side] - box->low[side]) / 2;
+    return (dmi_dot3(point, box->axes[side]) - middle) / dmi_max(half, FLT_MIN);
+}
+
+static float log_likelihood(const dmi_part_analysis* a, const leaf_sides* sides, const dmi_candidate* c) {
+    if (c->type == DM_JOINT_PRISMATIC) return 0;
+    if (fabsf(dmi_dot3(c->axis, a->box.axes[sides->along])) > ALONG) {
+        const float place = sides->sign * place_along(&a->box, sides->across, c->origin);
+        return place < -EDGE ? OUTSIDE : place > EDGE ? AT_SEAM : 0;
+    }
+    const bool crosses = fabsf(dmi_dot3(c->axis, a->box.axes[sides->across])) > ALONG;
+    return crosses && fabsf(place_along(&a->box, sides->along, c->origin)) > EDGE ? AT_END : 0;
+}
+
+uint32_t dmi_twin_add_candidates(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
+                                 dmi_candidate* candidates, uint32_t count) {
+    if (!analysis->has_twin) return count;
+    const dmi_box* box = &analysis->box;
+    const leaf_sides sides = sides_of(analysis);
+    const float outside = sides.sign < 0 ? box->high[sides.across] : box->low[sides.across];
+    for (int i = 0; i < 3; i++) {
+        const float depth = box->low[sides.thin] + 0.5f * (float)i * (box->high[sides.thin] - box->low[sides.thin]);
+        float point[3] = {0};
+        dmi_madd3(point, outside, box->axes[sides.across], point);
+        dmi_madd3(point, depth, box->axes[sides.thin], point);
+        dmi_madd3(point, (box->low[sides.along] + box->high[sides.along]) / 2, box->axes[sides.along], point);
+        count = dmi_candidates_add_through(analysis, hint, point, &box->axes[sides.along], 1, candidates, count);
+    }
+    return count;
+}
+
+void dmi_twin_weigh(const dmi_part_analysis* analysis, const dmi_candidate* candidates, uint32_t count,
+                    float* probability) {
+    if (!analysis->has_twin) return;
+    const leaf_sides sides = sides_of(analysis);
+    float sum = 0;
+    for (uint32_t i = 0; i < count; i++)
+        sum += probability[i] *= expf(log_likelihood(analysis, &sides, &candidates[i]));
+    for (uint32_t i = 0; i < count; i++) probability[i] /= dmi_max(sum, FLT_MIN);
+}

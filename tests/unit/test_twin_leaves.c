@@ -1,0 +1,143 @@
+/* Two leaves that touch only each other: when they are taken for twins, and where they are hung. */
+#include "test_analysis.h"
+
+#include <math.h>
+
+#include "kinematics/inference/joint_inference.h"
+#include "kinematics/ranking/twin_leaves.h"
+#include "test_world.h"
+
+static test_shape shape;
+static test_analysis a;
+
+#define WIDE 0.8f
+#define HIGH 1.5f
+#define THICK 0.06f
+
+/* Part 1 from x = 0 to WIDE, its twin beside it. */
+static void make_leaves(void) {
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){WIDE, HIGH, THICK}, 1);
+    test_shape_box(&shape, (const float[]){WIDE + 0.005f, 0, 0}, (const float[]){2 * WIDE, HIGH, THICK}, 0);
+}
+
+static void a_mirror_image_beside_a_part_is_its_twin(void** state) {
+    (void)state;
+    make_leaves();
+    test_analysis_open(&a, &shape, 3);
+    assert_true(a.of_part.has_twin);
+    assert_true(a.of_part.twin_way[0] > 0.99f);
+    test_analysis_close(&a);
+}
+
+static void a_frame_is_no_twin(void** state) {
+    (void)state;
+    make_leaves();
+    test_shape_box(&shape, (const float[]){-0.1f, 0, -0.05f}, (const float[]){-0.01f, HIGH, 0.1f}, 0);
+    test_shape_box(&shape, (const float[]){2 * WIDE + 0.01f, 0, -0.05f}, (const float[]){2 * WIDE + 0.1f, HIGH, 0.1f},
+                   0);
+    test_analysis_open(&a, &shape, 3);
+    assert_false(a.of_part.has_twin);
+    test_analysis_close(&a);
+}
+
+static void a_wall_behind_or_a_wider_neighbour_is_no_twin(void** state) {
+    (void)state;
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){WIDE, HIGH, THICK}, 1);
+    test_shape_box(&shape, (const float[]){-1, -1, -0.1f}, (const float[]){2, 2, -0.01f}, 0);
+    test_analysis_open(&a, &shape, 3);
+    assert_false(a.of_part.has_twin);
+    test_analysis_close(&a);
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){WIDE, HIGH, THICK}, 1);
+    test_shape_box(&shape, (const float[]){WIDE, 0, 0}, (const float[]){2 * WIDE, HIGH, 8 * THICK}, 0);
+    test_analysis_open(&a, &shape, 3);
+    assert_false(a.of_part.has_twin);
+    test_analysis_close(&a);
+}
+
+/* The turns that are added lie on the far side, and each is there once. */
+static void far_edges_are_candidates(void** state) {
+    (void)state;
+    dmi_candidate candidates[16];
+    make_leaves();
+    test_analysis_open(&a, &shape, 3);
+    const uint32_t count = dmi_twin_add_candidates(&a.of_part, NULL, candidates, 0);
+    uint32_t turns = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        if (candidates[i].type != DM_JOINT_REVOLUTE) continue;
+        const double foot[3] = {0, 0, 0.5 * THICK};
+        float on_side[3];
+        dmi_frame_point_in(&a.mesh->frame, foot, on_side);
+        assert_true(fabsf(candidates[i].axis[1]) > 0.999f);
+        assert_float_equal(candidates[i].origin[0], on_side[0], 1e-3f);
+        turns++;
+    }
+    assert_int_equal(turns, 3);
+    assert_int_equal(dmi_twin_add_candidates(&a.of_part, NULL, candidates, count), count);
+    test_analysis_close(&a);
+}
+
+/* Equal turns at the seam and at the far side: the far one gains, and all still share a probability of 1. */
+static void the_far_side_is_likelier_than_the_seam(void** state) {
+    (void)state;
+    make_leaves();
+    for (int with_twin = 0; with_twin < 2; with_twin++) {
+        test_analysis_open(&a, &shape, 3);
+        a.of_part.has_twin = with_twin;
+        const float up[3] = {0, 1, 0}, along[3] = {1, 0, 0};
+        const dmi_candidate candidates[] = {
+            test_candidate(a.mesh, DM_JOINT_REVOLUTE, up, (const double[]){0, 0, 0}),
+            test_candidate(a.mesh, DM_JOINT_REVOLUTE, up, (const double[]){WIDE, 0, 0}),
+            test_candidate(a.mesh, DM_JOINT_PRISMATIC, along, (const double[]){0, 0, 0}),
+        };
+        float probability[] = {0.01f, 0.89f, 0.1f};
+        dmi_twin_weigh(&a.of_part, candidates, 3, probability);
+        assert_float_equal(probability[0] + probability[1] + probability[2], 1, 1e-5f);
+        if (with_twin)
+            assert_true(probability[0] > 0.8f && probability[1] < 0.02f);
+        else
+            assert_float_equal(probability[1], 0.89f, 0);
+        test_analysis_close(&a);
+    }
+}
+
+/* With the ranker that ships: pulled at the seam, the leaf turns about its far side. */
+static void a_leaf_without_a_frame_hangs_outside(void** state) {
+    (void)state;
+    size_t size;
+    void* bytes = test_read_file("sdk/models/ranker.safetensors", &size);
+    dmi_joint_models* joints = NULL;
+    make_leaves();
+    test_analysis_open(&a, &shape, 3);
+    assert_int_equal(dmi_joint_models_load(&a.t.env, bytes, size, &joints), DM_OK);
+    dmi_drag_hint hint;
+    dmi_frame_point_in(&a.mesh->frame, (const double[]){0.95 * WIDE, 0.5 * HIGH, THICK}, hint.point);
+    dmi_frame_vector_in(&a.mesh->frame, (const float[]){0, 0, 0.1f}, hint.vector);
+    const dmi_inference_query query = {
+        .mesh = a.mesh, .cloud = &a.cloud, .hint = &hint, .part = 1, .models.joints = joints};
+    dmi_hypotheses found;
+    assert_int_equal(dmi_joint_inference_run(&a.t.env, &query, &found, NULL), DM_OK);
+    const dm_joint* joint = &found.joints[0];
+    float middle[3];
+    dmi_frame_point_in(&a.mesh->frame, (const double[]){0.5 * WIDE, 0, 0}, middle);
+    assert_int_equal(joint->type, DM_JOINT_REVOLUTE);
+    assert_true(fabsf(joint->axis.y) > 0.99f);
+    assert_true(joint->origin.x < middle[0] - 0.4f * WIDE / (2 * WIDE));
+    dmi_joint_models_destroy(joints);
+    free(bytes);
+    test_analysis_close(&a);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mirror_image_beside_a_part_is_its_twin),
+        cmocka_unit_test(a_frame_is_no_twin),
+        cmocka_unit_test(a_wall_behind_or_a_wider_neighbour_is_no_twin),
+        cmocka_unit_test(far_edges_are_candidates),
+        cmocka_unit_test(the_far_side_is_likelier_than_the_seam),
+        cmocka_unit_test(a_leaf_without_a_frame_hangs_outside),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
