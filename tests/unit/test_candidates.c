@@ -266,6 +266,34 @@ static void pulls_are_told_by_plane_and_side(void** state) {
     test_analysis_close(&lid);
 }
 
+/* A drag exactly along an axis of the room stands for every turn whose way it is nearest to; other drags for none. */
+static void a_drag_along_the_room_is_the_nearest_axis(void** state) {
+    (void)state;
+    open_lid();
+    const dmi_candidate hinge = {.type = DM_JOINT_REVOLUTE, .axis = {1, 0, 0}};
+    const dmi_candidate slide = {.type = DM_JOINT_PRISMATIC, .axis = {0, -0.8574929f, 0.5144958f}};
+    static const struct {
+        float point[3], vector[3], angle, of_slide;
+    } rows[] = {{{0, 0.3f, 0.5f}, {0, -1, 0}, 0, 0.5404195f},                   /* goes along {0, -0.5, 0.3} */
+                {{0, 0.3f, 0.5f}, {0, -1, 0.0349208f}, 0.5055129f, 0.5055129f}, /* 2 degrees off the axis */
+                {{0, 0.5f, 0.3f}, {0, -1, 0}, 1.0303768f, 0.5404195f},          /* goes along {0, -0.3, 0.5} */
+                {{0, 0.3f, 0.5f}, {0, 1, 0}, 2.6011732f, 2.6011732f}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        dmi_drag_hint hint;
+        dmi_copy3(rows[i].point, hint.point);
+        dmi_copy3(rows[i].vector, hint.vector);
+        dmi_cheap_features cheap;
+        static float row[DMI_FEATURE_COUNT];
+        dmi_cheap_features_begin(&lid.of_part, &hint, NULL, &cheap);
+        dmi_cheap_features_row(&cheap, &hinge, row);
+        assert_float_equal(row[DMI_FEATURE_DRAG_ANGLE], rows[i].angle, 1e-3f);
+        if (i == 0) assert_float_equal(row[DMI_FEATURE_PULL_INWARD], 0, 0);
+        dmi_cheap_features_row(&cheap, &slide, row);
+        assert_float_equal(row[DMI_FEATURE_DRAG_ANGLE], rows[i].of_slide, 1e-3f);
+    }
+    test_analysis_close(&lid);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(eigenvectors_of_a_known_matrix),
@@ -278,6 +306,7 @@ int main(void) {
         cmocka_unit_test(candidate_scores_become_probabilities),
         cmocka_unit_test(a_drag_keeps_what_moves_its_point_along_it),
         cmocka_unit_test(pulls_are_told_by_plane_and_side),
+        cmocka_unit_test(a_drag_along_the_room_is_the_nearest_axis),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

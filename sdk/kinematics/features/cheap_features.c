@@ -28,6 +28,7 @@
 
 #define ALIGNED_COSINE 0.9995f    /* 32 mrad; by hand */
 #define FLAT 0.2f                 /* shortest over longest side of a flat part; by hand */
+#define ALONG_ROOM 0.99996f       /* cosine of half a degree, between a drag and an axis of the room; by hand */
 #define PULLED_ACROSS 0.5f        /* cosine of the drag with the thinner side from which it tells the way; by hand */
 #define LEAST_HALF_SIDE 0.01f     /* diagonals: a thinner box is taken as so thin; by hand */
 #define LEAST_HALF_SECTION 0.005f /* likewise, in the cross-section */
@@ -143,13 +144,31 @@ static void section_features(const dmi_cheap_features* cheap, const dmi_candidat
         fabsf(pulled) < PULLED_ACROSS ? 0 : clamp((pulled < 0 ? -t : t) / diagonal, MOST_DIAGONALS);
 }
 
+/* Returns the axis of the object's frame that a unit vector runs along; -1: none. */
+static int room_axis_along(const float way[3]) {
+    for (int k = 0; k < 3; k++)
+        if (fabsf(way[k]) > ALONG_ROOM) return k;
+    return -1;
+}
+
+/* Returns whether the drag is the axis of the room nearest to a way in which a turn takes the dragged point. A point of
+ * a turn hardly ever starts to move exactly along an axis of the room: who drags along one means the nearest. */
+static bool is_nearest_axis(const dmi_cheap_features* cheap, const float way[3]) {
+    const int k = cheap->room_axis;
+    if (k < 0 || !(way[k] * cheap->drag[k] > 0)) return false;
+    for (int i = 0; i < 3; i++)
+        if (fabsf(way[i]) > fabsf(way[k])) return false;
+    return true;
+}
+
 static void drag_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
     for (int k = DMI_FEATURE_DRAG_ANGLE; k <= DMI_FEATURE_DRAG_BOX_COSINE; k++) row[k] = 0;
     row[DMI_FEATURE_HAS_DRAG] = cheap->hint != NULL ? 1.0f : 0.0f;
     if (cheap->hint == NULL) return;
     float v[3];
     dmi_candidate_velocity(c, cheap->hint->point, v);
-    const float cosine = dmi_dot3(v, cheap->drag) / (dmi_length3(v) + LEAST_SPEED), angle = acosf(clamp(cosine, 1));
+    const float cosine = dmi_dot3(v, cheap->drag) / (dmi_length3(v) + LEAST_SPEED);
+    const float angle = !slides(c) && is_nearest_axis(cheap, v) ? 0 : acosf(clamp(cosine, 1));
     row[DMI_FEATURE_DRAG_ANGLE] = angle;
     row[DMI_FEATURE_DRAG_FOLLOWED_10MRAD] = expf(-angle / FOLLOWED_CLOSELY);
     row[DMI_FEATURE_DRAG_FOLLOWED_100MRAD] = expf(-angle / FOLLOWED);
@@ -168,6 +187,7 @@ static void pull_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     if (slides(c)) return;
     float way[3], arm[3];
     dmi_candidate_velocity(c, cheap->hint->point, way);
+    if (is_nearest_axis(cheap, way)) return;
     dmi_cross3(way, c->axis, arm); /* from the axis to the dragged point */
     dmi_normalize3(way);
     dmi_normalize3(arm);
@@ -237,7 +257,7 @@ static void family_features(const dmi_candidate* c, float row[DMI_FEATURE_COUNT]
 
 void dmi_cheap_features_begin(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                               const dmi_prediction* prediction, dmi_cheap_features* out) {
-    *out = (dmi_cheap_features){.analysis = analysis, .hint = hint, .prediction = prediction};
+    *out = (dmi_cheap_features){.analysis = analysis, .hint = hint, .prediction = prediction, .room_axis = -1};
     for (int k = 0; k < 3; k++) {
         out->side[k] = analysis->box.high[k] - analysis->box.low[k];
         out->middle[k] = (analysis->box.high[k] + analysis->box.low[k]) / 2;
@@ -248,6 +268,7 @@ void dmi_cheap_features_begin(const dmi_part_analysis* analysis, const dmi_drag_
     if (hint == NULL) return;
     dmi_copy3(hint->vector, out->drag);
     dmi_normalize3(out->drag);
+    out->room_axis = room_axis_along(out->drag);
     float least = INFINITY;
     for (uint32_t i = 0; i < DMI_ANALYSIS_POINTS; i++) {
         const float d = dmi_distance3(analysis->points[i], hint->point);
