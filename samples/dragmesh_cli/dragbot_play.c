@@ -64,8 +64,9 @@ typedef struct player {
     dm_drag drag;
     dm_drag_state state;
     dm_joint first_joint;
-    uint32_t changes; /* in the grabs before this one */
-    double axis_sign; /* 1, or -1 once the gamepad's axis was seen to move the part the wrong way */
+    uint32_t changes;  /* in the grabs before this one */
+    double axis_sign;  /* 1, or -1 once the gamepad's axis was seen to move the part the wrong way */
+    double axis_value; /* the true joint's value that the player saw last: turns add up */
     bot_frame* frames;
     int frame_count;
     bot_times* times;
@@ -182,7 +183,8 @@ static dm_hand hand_in_space(const player* p, const bot_step* step) {
 /* The player sees how far the part is on its way, and turns the axis round once it goes the wrong one. */
 static dm_hand gamepad(player* p, const bot_step* step) {
     const double asked = p->now->pull->asked;
-    const double is = true_value(p->now->truth, &p->state.pose, p->now->part->centre, 0) / asked;
+    p->axis_value = true_value(p->now->truth, &p->state.pose, p->now->part->centre, p->axis_value);
+    const double is = p->axis_value / asked;
     if (is < -still_share) p->axis_sign = -1;
     const double deflection = axis_gain * p->axis_sign * (wanted(p, step) - is);
     return (dm_hand){.kind = DM_HAND_RATE, .amount = (float)fmin(fmax(deflection, -1), 1)};
