@@ -203,7 +203,7 @@ dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance) {
 
 /* Computes what has moved of an object; returns how many parts of the tree that concerns. */
 static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
-    double placement[12], from_inner[12];
+    double placement[DMI_MATRIX], from_inner[DMI_MATRIX] = {0};
     uint32_t changed = 0;
     dmi_pose_matrix_f64(&placed->placement, placement);
     dmi_frame_matrix_out(&placed->frame, from_inner);
@@ -274,6 +274,11 @@ static bool start_ray(const dm_ray* host_ray, dmi_world_ray* out) {
         out->origin[k] = (double)origin.v[k];
         out->direction[k] = (double)(direction.v[k] * first * second);
     }
+    out->origin[3] = out->direction[3] = 0;
+    const double* d = out->direction;
+    const double squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    out->length = sqrt(squared);
+    out->inverse_squared = 1 / squared;
     return true;
 }
 
