@@ -17,9 +17,10 @@ typedef struct dmi_triangles {
     uint32_t vertex_count, face_count;
 } dmi_triangles;
 
-/* origin + t direction for t from 0 to far; the direction's length is of order 1. */
+/* origin + t direction for t from 0 to far; the direction's length is of order 1. The fourth floats do not count: they
+ * let a ray be stored by vector instructions, which is what fast loads of two or three of its floats need. */
 typedef struct dmi_part_ray {
-    float origin[3], direction[3], far;
+    float origin[4], direction[4], far;
 } dmi_part_ray;
 
 typedef struct dmi_part_hit {

@@ -16,6 +16,7 @@ typedef struct bins {
 /* Bins along each axis: (centre - low) * scale. */
 typedef struct binning {
     float low[4], scale[4];
+    int bins; /* BINS, or as many as items */
 } binning;
 
 typedef struct split {
@@ -66,12 +67,12 @@ void dmi_box_range_measure(const dmi_box_item* items, dmi_box_range* range) {
     for (uint32_t i = 0; i < count; i++) add(range, &items[range->first + i]);
 }
 
-static binning make_binning(const dmi_box* centres) {
-    binning b = {{0}, {0}};
+static binning make_binning(const dmi_box* centres, uint32_t count) {
+    binning b = {{0}, {0}, count < BINS ? (int)count : BINS};
     for (int axis = 0; axis < 3; axis++) {
         const float extent = centres->high[axis] - centres->low[axis];
         b.low[axis] = centres->low[axis];
-        const float scale = extent > 0 ? BINS * BIN_EDGE / extent : 0;
+        const float scale = extent > 0 ? (float)b.bins * BIN_EDGE / extent : 0;
         b.scale[axis] = isfinite(scale) ? scale : 0;
     }
     return b;
@@ -84,7 +85,7 @@ static void find_bins(const binning* b, const dmi_box_item* item, float out[4]) 
 
 static void fill_bins(const dmi_box_item* items, uint32_t count, const binning* b, bins* out) {
     for (int axis = 0; axis < 3; axis++)
-        for (int i = 0; i < BINS; i++) {
+        for (int i = 0; i < b->bins; i++) {
             clear(&out->box[axis][i]);
             out->count[axis][i] = 0;
         }
@@ -105,19 +106,19 @@ static float group_cost(const dmi_box* box, uint32_t count, uint32_t block) {
 }
 
 /* Takes the best split of an axis where it beats `best`. */
-static void sweep(const bins* b, int axis, uint32_t block, split* best) {
+static void sweep(const bins* b, int size, int axis, uint32_t block, split* best) {
     float behind[BINS]; /* cost of the bins from i on */
     dmi_box box;
     uint32_t count = 0;
     clear(&box);
-    for (int i = BINS - 1; i > 0; i--) {
+    for (int i = size - 1; i > 0; i--) {
         grow(&box, dmi_lanes_load(b->box[axis][i].low), dmi_lanes_load(b->box[axis][i].high));
         count += b->count[axis][i];
         behind[i] = count > 0 ? group_cost(&box, count, block) : INFINITY;
     }
     clear(&box);
     count = 0;
-    for (int i = 1; i < BINS; i++) {
+    for (int i = 1; i < size; i++) {
         grow(&box, dmi_lanes_load(b->box[axis][i - 1].low), dmi_lanes_load(b->box[axis][i - 1].high));
         count += b->count[axis][i - 1];
         const float cost = count > 0 ? group_cost(&box, count, block) + behind[i] : INFINITY;
@@ -159,13 +160,13 @@ static void part(dmi_box_item* items, const dmi_box_range* range, const binning*
 }
 
 void dmi_box_split(dmi_box_item* items, const dmi_box_range* range, uint32_t block, int halve, dmi_box_range out[2]) {
-    const binning b = make_binning(&range->centres);
+    const binning b = make_binning(&range->centres, range->count);
     split best = {INFINITY, 0, 0};
     if (!halve) {
         bins filled;
         fill_bins(items + range->first, range->count, &b, &filled);
         for (int axis = 0; axis < 3; axis++) {
-            if (b.scale[axis] > 0) sweep(&filled, axis, block, &best);
+            if (b.scale[axis] > 0) sweep(&filled, b.bins, axis, block, &best);
         }
     }
     if (best.cost < INFINITY)

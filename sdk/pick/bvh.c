@@ -11,11 +11,6 @@ static size_t positions_size(const dmi_bvh* bvh) {
     return (size_t)bvh->vertex_count * 3 * sizeof(float) + DMI_POSITION_PADDING;
 }
 
-void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t face, const float* out[3]) {
-    const uint32_t* corners = bvh->corners + ((size_t)bvh->parts[part].first_face + face) * 3;
-    for (int i = 0; i < 3; i++) out[i] = bvh->positions + (size_t)corners[i] * 3;
-}
-
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id) {
     return dmi_find_id(&bvh->parts->id, sizeof *bvh->parts, bvh->part_count, id);
 }
@@ -58,8 +53,8 @@ static bool has_area(const dmi_mesh* mesh, uint32_t face) {
 
 static void include(dmi_bvh_part* part, const float* position) {
     for (int k = 0; k < 3; k++) {
-        part->low[k] = fminf(part->low[k], position[k]);
-        part->high[k] = fmaxf(part->high[k], position[k]);
+        part->low[k] = position[k] < part->low[k] ? position[k] : part->low[k];
+        part->high[k] = position[k] > part->high[k] ? position[k] : part->high[k];
     }
 }
 

@@ -23,6 +23,9 @@ struct dmi_bvh {
 /* Index of the part with the host's id; -1 when there is none. */
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id);
 /* Corners a, b, c of the face that the backend calls `face` of a part. */
-void dmi_bvh_corners(const dmi_bvh* bvh, uint32_t part, uint32_t face, const float* out[3]);
+static inline void dmi_bvh_corners(const dmi_bvh* bvh, const dmi_bvh_part* part, uint32_t face, const float* out[3]) {
+    const uint32_t* corners = bvh->corners + ((size_t)part->first_face + face) * 3;
+    for (int i = 0; i < 3; i++) out[i] = bvh->positions + (size_t)corners[i] * 3;
+}
 
 #endif

@@ -15,10 +15,6 @@ static inline dmi_lanes dmi_lanes_load(const float* p) {
 static inline void dmi_lanes_store(float* p, dmi_lanes a) {
     _mm_storeu_ps(p, a);
 }
-/* Two from each place. */
-static inline dmi_lanes dmi_lanes_load_pairs(const float* p, const float* q) {
-    return _mm_castpd_ps(_mm_loadh_pd(_mm_load_sd((const double*)(const void*)p), (const double*)(const void*)q));
-}
 static inline dmi_lanes dmi_lanes_all(float x) {
     return _mm_set1_ps(x);
 }
@@ -52,9 +48,6 @@ static inline dmi_lanes dmi_lanes_load(const float* p) {
 }
 static inline void dmi_lanes_store(float* p, dmi_lanes a) {
     vst1q_f32(p, a);
-}
-static inline dmi_lanes dmi_lanes_load_pairs(const float* p, const float* q) {
-    return vcombine_f32(vld1_f32(p), vld1_f32(q));
 }
 static inline dmi_lanes dmi_lanes_all(float x) {
     return vdupq_n_f32(x);
@@ -95,9 +88,6 @@ static inline dmi_lanes dmi_lanes_load(const float* p) {
 }
 static inline void dmi_lanes_store(float* p, dmi_lanes a) {
     for (int i = 0; i < 4; i++) p[i] = a.v[i];
-}
-static inline dmi_lanes dmi_lanes_load_pairs(const float* p, const float* q) {
-    DMI_LANES_EACH(i < 2 ? p[i] : q[i - 2]);
 }
 static inline dmi_lanes dmi_lanes_all(float x) {
     DMI_LANES_EACH(x);

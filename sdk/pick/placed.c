@@ -86,7 +86,7 @@ static float round_up(double x) {
 
 /* Box of the moved box of a part. */
 static void measure_box(const dmi_placed_part* part, dmi_box* out) {
-    const dmi_bvh_part* shape = &part->owner->bvh->parts[part->part];
+    const dmi_bvh_part* shape = part->shape;
     double centre[4], half[3], middle[4] = {0};
     for (int k = 0; k < 3; k++) {
         middle[k] = 0.5 * ((double)shape->low[k] + (double)shape->high[k]);
@@ -153,7 +153,7 @@ static inner_ray enter_part(const dmi_placed_part* part, const dmi_world_ray* ra
 static triangle load_triangle(const dmi_placed_part* part, uint32_t face) {
     const float* corners[3];
     triangle t;
-    dmi_bvh_corners(part->owner->bvh, part->part, face, corners);
+    dmi_bvh_corners(part->owner->bvh, part->shape, face, corners);
     for (int k = 0; k < 4; k++) { /* the padding is readable */
         t.corner[k] = (double)corners[0][k];
         for (int i = 0; i < 2; i++) t.edge[i][k] = (double)corners[i + 1][k] - t.corner[k];
@@ -170,8 +170,7 @@ static void clamp_weights(double weight[2]) {
 
 /* Where the ray meets the plane of a triangle (Möller and Trumbore 1997), within it; returns the distance. Along the
  * plane, where that is nowhere or everywhere, the backend's floats have to do. */
-static double meet_triangle(const triangle* t, const inner_ray* inner, const dmi_world_ray* ray,
-                            const dmi_part_hit* hit, double out_weight[2]) {
+static double meet_triangle(const triangle* t, const inner_ray* inner, const dmi_part_hit* hit, double out_weight[2]) {
     double to_origin[4], p[4], q[4], point[4];
     for (int k = 0; k < 4; k++) to_origin[k] = inner->origin[k] - t->corner[k];
     cross(inner->direction, t->edge[1], p);
@@ -181,30 +180,29 @@ static double meet_triangle(const triangle* t, const inner_ray* inner, const dmi
     out_weight[1] = divisor != 0 ? dot(inner->direction, q) * inverse : (double)hit->v;
     clamp_weights(out_weight);
     for (int k = 0; k < 4; k++) point[k] = out_weight[0] * t->edge[0][k] + out_weight[1] * t->edge[1][k] - to_origin[k];
-    const double distance = dot(point, inner->direction) * ray->inverse_squared;
+    const double distance = dot(point, inner->direction) / dot(inner->direction, inner->direction);
     return distance > 0 ? distance : 0;
 }
 
 /* Whether a part comes before that of a hit, when both are as far away. */
 static bool comes_before(const dmi_placed_part* part, const dmi_placed_part* other) {
     if (part->owner->id != other->owner->id) return part->owner->id < other->owner->id;
-    return part->part < other->part;
+    return part->shape < other->shape;
 }
 
 void dmi_placed_part_hit(const dmi_placed_part* part, const dmi_world_ray* ray, float entry, dmi_world_hit* hit) {
-    const dmi_bvh* bvh = part->owner->bvh;
     const inner_ray inner = enter_part(part, ray, entry);
     const double left = (hit->distance - inner.start) * part->inverse_scale;
     dmi_part_ray part_ray = {.far = (float)(left * (1 + FAR_ROUNDING) + FAR_ROUNDING)};
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         part_ray.origin[k] = (float)inner.origin[k];
         part_ray.direction[k] = (float)inner.direction[k];
     }
     dmi_part_hit found;
-    if (!bvh->picker->backend->first_hit(bvh->parts[part->part].tree, &part_ray, &found)) return;
+    if (!part->first_hit(part->shape->tree, &part_ray, &found)) return;
     const triangle t = load_triangle(part, found.face);
     double weight[2];
-    const double distance = inner.start + part->scale * meet_triangle(&t, &inner, ray, &found, weight);
+    const double distance = inner.start + part->scale * meet_triangle(&t, &inner, &found, weight);
     if (!(distance <= hit->distance)) return;
     if (distance == hit->distance && hit->part != NULL && !comes_before(part, hit->part)) return;
     *hit = (dmi_world_hit){.part = part, .distance = distance, .weight = {weight[0], weight[1]}, .face = found.face};
@@ -222,7 +220,7 @@ static dm_vec3 world_normal(const dmi_placed_part* part, const triangle* t, cons
 
 void dmi_placed_part_describe(const dmi_world_ray* ray, const dmi_world_hit* hit, dm_hit* out_hit) {
     const dmi_placed_part* part = hit->part;
-    const dmi_bvh_part* shape = &part->owner->bvh->parts[part->part];
+    const dmi_bvh_part* shape = part->shape;
     const triangle t = load_triangle(part, hit->face);
     double inner[4], object[4], world[4];
     for (int k = 0; k < 4; k++) inner[k] = t.corner[k] + hit->weight[0] * t.edge[0][k] + hit->weight[1] * t.edge[1][k];
@@ -232,7 +230,7 @@ void dmi_placed_part_describe(const dmi_world_ray* ray, const dmi_world_hit* hit
                         .instance = part->owner->id,
                         .part_id = shape->id,
                         .triangle = part->owner->bvh->faces[shape->first_face + hit->face],
-                        .distance = (float)(hit->distance * ray->length),
+                        .distance = (float)(hit->distance * sqrt(dot(ray->direction, ray->direction))),
                         .u = (float)hit->weight[0],
                         .v = (float)hit->weight[1],
                         .point = dmi_vec3_f64(world),

@@ -2,6 +2,10 @@
 #ifndef DMI_PICK_PLACED_H
 #define DMI_PICK_PLACED_H
 
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
 #include "pick/bvh.h"
 #include "pick/top_tree.h"
 
@@ -9,11 +13,20 @@
  * number of points and directions: what it holds does not count. */
 #define DMI_MATRIX 13
 
+#define DMI_MAX_COORDINATE 1e10 /* of ray origins and translations, host units: no product of floats overflows */
+/* Of floats: where the exponent stands in their bits, what it is of 1, and numbers whose products with the largest and
+ * smallest ones are normal numbers. */
+#define DMI_FLOAT_EXPONENT_SHIFT 23
+#define DMI_FLOAT_BIAS 127
+#define DMI_FLOAT_SMALL 0x1p-64f
+#define DMI_FLOAT_LARGE 0x1p64f
+
 typedef struct dmi_placed_object dmi_placed_object;
 
 typedef struct dmi_placed_part {
     const dmi_placed_object* owner;
-    uint32_t part; /* of the bvh */
+    const dmi_bvh_part* shape;                                                           /* of the owner's bvh */
+    bool (*first_hit)(const void* tree, const dmi_part_ray* ray, dmi_part_hit* out_hit); /* the backend's */
     uint32_t leaf; /* of the scene's tree; DMI_TOP_NONE: nothing to hit */
     bool moved;    /* since the last commit */
     dm_pose pose;  /* from rest, object frame */
@@ -41,8 +54,39 @@ struct dmi_placed_object {
  * line to the bit, in floats and in doubles. */
 typedef struct dmi_world_ray {
     double origin[4], direction[4];
-    double length, inverse_squared; /* of the direction; of the square of its length */
+    float origin_f32[3], direction_f32[3]; /* the same numbers */
 } dmi_world_ray;
+
+/* Returns the power of two that brings a number from DMI_FLOAT_SMALL to DMI_FLOAT_LARGE into [0.5, 1). */
+static inline float dmi_scale_to_one(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits = (2 * DMI_FLOAT_BIAS - 1 - (bits >> DMI_FLOAT_EXPONENT_SHIFT)) << DMI_FLOAT_EXPONENT_SHIFT;
+    memcpy(&x, &bits, sizeof bits);
+    return x;
+}
+
+/* False for rays that hit nothing anywhere: without a direction, or from out of reach. */
+static inline bool dmi_world_ray_start(const dm_ray* host_ray, dmi_world_ray* out) {
+    const dmi_float3 origin = dmi_xyz(host_ray->origin);
+    dmi_float3 direction = dmi_xyz(host_ray->direction);
+    float largest = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!isfinite(direction.v[k]) || !(fabsf(origin.v[k]) <= (float)DMI_MAX_COORDINATE)) return false;
+        largest = fabsf(direction.v[k]) > largest ? fabsf(direction.v[k]) : largest;
+    }
+    if (!(largest > 0)) return false;
+    const float first = largest < DMI_FLOAT_SMALL ? DMI_FLOAT_LARGE : largest > DMI_FLOAT_LARGE ? DMI_FLOAT_SMALL : 1;
+    const float second = dmi_scale_to_one(largest * first);
+    for (int k = 0; k < 3; k++) {
+        out->origin_f32[k] = origin.v[k];
+        out->direction_f32[k] = direction.v[k] * first * second;
+        out->origin[k] = (double)out->origin_f32[k];
+        out->direction[k] = (double)out->direction_f32[k];
+    }
+    out->origin[3] = out->direction[3] = 0;
+    return true;
+}
 
 typedef struct dmi_world_hit {
     const dmi_placed_part* part; /* NULL: none */
@@ -58,6 +102,13 @@ void dmi_placed_part_update(dmi_placed_part* part, const double placement[DMI_MA
  * that of the lower instance and part wins, so that the order of tests does not count. */
 void dmi_placed_part_hit(const dmi_placed_part* part, const dmi_world_ray* ray, float entry, dmi_world_hit* hit);
 void dmi_placed_part_describe(const dmi_world_ray* ray, const dmi_world_hit* hit, dm_hit* out_hit);
+/* Finds the nearest hit among the parts of a scene; false where there is none. With the same bits from each. */
+typedef bool dmi_scene_trace(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* out_ray,
+                             dmi_world_hit* out_hit);
+dmi_scene_trace dmi_scene_trace_plain;
+#if defined(__x86_64__)
+dmi_scene_trace dmi_scene_trace_avx2;
+#endif
 /* A pose as a matrix like those above. */
 void dmi_pose_matrix_f64(const dm_pose* pose, double out[DMI_MATRIX]);
 

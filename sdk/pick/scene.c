@@ -5,26 +5,17 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/cpu.h"
 #include "math/vec3.h"
-#include "pick/lanes.h"
 #include "pick/placed.h"
 
 #define FIRST_CAPACITY 16 /* instances; doubles when full */
 /* Bounds, in host units. Within them no product of floats on a ray's way overflows. */
-#define MAX_COORDINATE 1e10  /* of ray origins and translations */
 #define MIN_OBJECT_SIZE 1e-6 /* largest side */
 #define MAX_OBJECT_SIZE 1e12
 /* A commit that changes as large a share of the parts builds the tree anew; measured: placing a part takes as long as
  * rebuilding for four to eight. */
 #define REBUILT_SHARE 6
-/* Of floats: where the exponent stands in their bits, what it is of 1, and numbers whose products with the largest and
- * smallest ones are normal numbers. */
-#define FLOAT_EXPONENT_SHIFT 23
-#define FLOAT_BIAS 127
-#define FLOAT_SMALL 0x1p-64f
-#define FLOAT_LARGE 0x1p64f
-/* Bound of the rounding of a distance to a plane, relative: 1 + 2 gamma(3) and a bit. */
-#define EXIT_SLACK 1.0000005f
 
 struct dmi_scene {
     dmi_picker* picker;
@@ -33,6 +24,7 @@ struct dmi_scene {
     uint32_t capacity, free_count;
     dmi_placed_object* dirty; /* a list */
     dmi_top_tree tree;
+    dmi_scene_trace* trace; /* of the machine's instruction set */
 };
 
 /* ---- placed objects ---- */
@@ -91,7 +83,11 @@ static dm_result make_parts(dmi_scene* scene, dmi_placed_object* placed) {
     dm_result result = DM_OK;
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
         dmi_placed_part* part = &placed->parts[p];
-        *part = (dmi_placed_part){.owner = placed, .part = p, .leaf = DMI_TOP_NONE, .pose = dmi_pose_identity()};
+        *part = (dmi_placed_part){.owner = placed,
+                                  .shape = &placed->bvh->parts[p],
+                                  .first_hit = scene->picker->backend->first_hit,
+                                  .leaf = DMI_TOP_NONE,
+                                  .pose = dmi_pose_identity()};
         if (result == DM_OK && placed->bvh->parts[p].tree != NULL)
             result = dmi_top_tree_add(&scene->tree, part, &part->leaf);
     }
@@ -103,11 +99,11 @@ static dm_result check_pose(dmi_env* env, const dm_pose* pose, dm_pose* out) {
     float t[3];
     *out = dmi_pose_normalize(pose);
     dmi_pose_translation(out, t);
-    if (fabs((double)t[0]) <= MAX_COORDINATE && fabs((double)t[1]) <= MAX_COORDINATE &&
-        fabs((double)t[2]) <= MAX_COORDINATE)
+    if (fabs((double)t[0]) <= DMI_MAX_COORDINATE && fabs((double)t[1]) <= DMI_MAX_COORDINATE &&
+        fabs((double)t[2]) <= DMI_MAX_COORDINATE)
         return DM_OK;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "scene: a pose by (%g, %g, %g), must be within %g units",
-                    (double)t[0], (double)t[1], (double)t[2], MAX_COORDINATE);
+                    (double)t[0], (double)t[1], (double)t[2], DMI_MAX_COORDINATE);
 }
 
 static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
@@ -249,119 +245,22 @@ void dmi_scene_commit(dmi_scene* scene) {
 
 /* ---- pick ---- */
 
-/* Returns the power of two that brings a number from FLOAT_SMALL to FLOAT_LARGE into [0.5, 1). */
-static float scale_to_one(float x) {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    bits = (2 * FLOAT_BIAS - 1 - (bits >> FLOAT_EXPONENT_SHIFT)) << FLOAT_EXPONENT_SHIFT;
-    memcpy(&x, &bits, sizeof bits);
-    return x;
-}
-
-/* False for rays that hit nothing anywhere: without a direction, or from out of reach. */
-static bool start_ray(const dm_ray* host_ray, dmi_world_ray* out) {
-    const dmi_float3 origin = dmi_xyz(host_ray->origin);
-    dmi_float3 direction = dmi_xyz(host_ray->direction);
-    float largest = 0;
-    for (int k = 0; k < 3; k++) {
-        if (!isfinite(direction.v[k]) || !(fabsf(origin.v[k]) <= (float)MAX_COORDINATE)) return false;
-        largest = fabsf(direction.v[k]) > largest ? fabsf(direction.v[k]) : largest;
-    }
-    if (!(largest > 0)) return false;
-    const float first = largest < FLOAT_SMALL ? FLOAT_LARGE : largest > FLOAT_LARGE ? FLOAT_SMALL : 1;
-    const float second = scale_to_one(largest * first);
-    for (int k = 0; k < 3; k++) {
-        out->origin[k] = (double)origin.v[k];
-        out->direction[k] = (double)(direction.v[k] * first * second);
-    }
-    out->origin[3] = out->direction[3] = 0;
-    const double* d = out->direction;
-    const double squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    out->length = sqrt(squared);
-    out->inverse_squared = 1 / squared;
-    return true;
-}
-
-/* A ray as the boxes of nodes are tested with it, four planes of an axis at once: entries into both children's boxes,
- * and exits, negative so that the largest of all is what counts. */
-typedef struct slab_ray {
-    dmi_lanes origin[3], inverse[3];
-    uint32_t entry[3], exit[3]; /* of dmi_top_node.bounds, by axis: where the planes of entry and exit stand */
-} slab_ray;
-
-static slab_ray make_slab_ray(const dmi_world_ray* ray) {
-    slab_ray slab;
-    for (int k = 0; k < 3; k++) {
-        const float inverse = 1 / (float)ray->direction[k], exit = -inverse * EXIT_SLACK;
-        const float signs[4] = {inverse, inverse, exit, exit};
-        slab.origin[k] = dmi_lanes_all((float)ray->origin[k]);
-        slab.inverse[k] = dmi_lanes_load(signs);
-        slab.entry[k] = signbit(inverse) ? 2 : 0;
-        slab.exit[k] = 2 - slab.entry[k];
-    }
-    return slab;
-}
-
-/* Tests both children's boxes; returns where the ray enters each (0, 1), and minus where it leaves them (2, 3): by then
- * it has passed `bound`. */
-static dmi_lanes enter_children(const dmi_top_node* node, const slab_ray* ray, dmi_lanes bound) {
-    for (int k = 0; k < 3; k++) {
-        const dmi_lanes planes = dmi_lanes_load_pairs(node->bounds[k] + ray->entry[k], node->bounds[k] + ray->exit[k]);
-        /* 0 times infinity is NaN, which leaves the second operand: the ray runs in the plane. */
-        bound = dmi_lanes_max(dmi_lanes_mul(dmi_lanes_sub(planes, ray->origin[k]), ray->inverse[k]), bound);
-    }
-    return bound;
-}
-
-/* A reference that is still to be looked at, and where the ray enters its box. */
-typedef struct waiting {
-    float entry;
-    uint32_t reference;
-} waiting;
-
-/* What boxes are tested from: the start of the ray, and minus a little more than the nearest hit so far. */
-static dmi_lanes bound_of(const dmi_world_hit* hit) {
-    const float far = -(float)hit->distance * EXIT_SLACK, bounds[4] = {0, 0, far, far};
-    return dmi_lanes_load(bounds);
-}
-
-static void find_hit(const dmi_top_tree* tree, const dmi_world_ray* ray, dmi_world_hit* hit) {
-    const slab_ray slab = make_slab_ray(ray);
-    dmi_lanes bound = bound_of(hit);
-    waiting stack[DMI_TOP_MOST_HEIGHT + 1], next = {0, tree->root};
-    uint32_t depth = 0;
-    if (next.reference == DMI_TOP_NONE) return;
-    for (;;) {
-        while (!(next.reference & DMI_TOP_LEAF)) {
-            const dmi_top_node* node = &tree->nodes[next.reference];
-            float ends[4];
-            dmi_lanes_store(ends, enter_children(node, &slab, bound));
-            const bool first = ends[0] <= -ends[2], second = ends[1] <= -ends[3];
-            if (!first && !second) goto pop;
-            const uint32_t near = first && second ? ends[1] < ends[0] : second;
-            if (first && second) stack[depth++] = (waiting){ends[1 - near], node->child[1 - near]};
-            next = (waiting){ends[near], node->child[near]};
-        }
-        dmi_placed_part_hit(tree->leaves[next.reference & ~DMI_TOP_LEAF].item, ray, next.entry, hit);
-        bound = bound_of(hit);
-    pop:
-        do {
-            if (depth == 0) return;
-            next = stack[--depth];
-        } while ((double)next.entry > hit->distance * (double)EXIT_SLACK);
-    }
-}
-
 void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_hit) {
     dmi_world_ray ray;
-    dmi_world_hit hit = {.distance = INFINITY};
+    dmi_world_hit hit;
     *out_hit = (dm_hit){0};
-    if (!start_ray(host_ray, &ray)) return;
-    find_hit(&scene->tree, &ray, &hit);
-    if (hit.part != NULL) dmi_placed_part_describe(&ray, &hit, out_hit);
+    if (scene->trace(&scene->tree, host_ray, &ray, &hit)) dmi_placed_part_describe(&ray, &hit, out_hit);
 }
 
 /* ---- scenes ---- */
+
+static dmi_scene_trace* best_trace(void) {
+#if defined(__x86_64__)
+    const dmi_isa isa = dmi_cpu_best_isa();
+    if (isa == DMI_ISA_AVX2 || isa == DMI_ISA_AVX512) return dmi_scene_trace_avx2;
+#endif
+    return dmi_scene_trace_plain;
+}
 
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene) {
     if (picker->backend == NULL)
@@ -370,6 +269,7 @@ dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene) {
     if (scene == NULL) return dmi_fail(picker->env, DM_ERROR_OUT_OF_MEMORY, "no memory for a scene");
     scene->picker = picker;
     dmi_top_tree_init(&scene->tree, picker->env);
+    scene->trace = best_trace();
     *out_scene = scene;
     return DM_OK;
 }

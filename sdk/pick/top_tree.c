@@ -1,6 +1,6 @@
-/* The tree of a scene. Leaves go in where they add the least surface (Bittner et al. 2013, "Fast insertion-based
- * optimization of bounding volume hierarchies"), and rotations on the way up keep the tree good whatever the order of
- * insertions (Kopta et al. 2012, "Fast, effective BVH updates for animated scenes"). */
+/* The tree of a scene: nodes of two to eight children, leaves at any depth. A leaf goes where it adds the least
+ * surface; a node that overflows is split in two, as in an R-tree (Guttman 1984), so that only the split of the root
+ * makes all ways longer. */
 #include "pick/top_tree.h"
 
 #include <math.h>
@@ -8,9 +8,16 @@
 
 #include "pick/lanes.h"
 
-#define FIRST_CAPACITY 16                   /* leaves; doubles when full */
-#define FREE_HEIGHT 24                      /* levels that a rebuild splits by surface before it halves; by hand */
-#define MOST_PENDING (FREE_HEIGHT + 32 + 2) /* ranges of a rebuild that wait: one a level, and the two of the last */
+#define FIRST_CAPACITY 16                                    /* leaves; doubles when full */
+#define MOST_PENDING (DMI_WIDE * (DMI_TOP_FREE_LEVELS + 32)) /* ranges of a rebuild that wait */
+#define ENTRIES (DMI_WIDE + 1)                               /* of a node that overflows */
+#define LEAST_ENTRIES 2                                      /* of each half */
+
+/* A child with its box. */
+typedef struct entry {
+    dmi_box box;
+    uint32_t reference;
+} entry;
 
 /* ---- boxes ---- */
 
@@ -30,55 +37,84 @@ static bool same(const dmi_box* a, const dmi_box* b) {
     return memcmp(a->low, b->low, 3 * sizeof(float)) == 0 && memcmp(a->high, b->high, 3 * sizeof(float)) == 0;
 }
 
-static dmi_box child_box(const dmi_top_node* node, uint32_t side) {
+static dmi_box child_box(const dmi_wide_node* node, uint32_t slot) {
     dmi_box box = {{0}, {0}};
     for (int k = 0; k < 3; k++) {
-        box.low[k] = node->bounds[k][side];
-        box.high[k] = node->bounds[k][2 + side];
+        box.low[k] = node->planes[k][slot];
+        box.high[k] = node->planes[3 + k][slot];
     }
     return box;
 }
 
 static dmi_box node_box(const dmi_top_node* node) {
-    const dmi_box a = child_box(node, 0), b = child_box(node, 1);
-    return join(&a, &b);
+    dmi_box box = child_box(&node->wide, 0);
+    for (uint32_t i = 1; i < node->count; i++) {
+        const dmi_box child = child_box(&node->wide, i);
+        box = join(&box, &child);
+    }
+    return box;
 }
 
 /* ---- links ---- */
 
-static uint32_t height_of(const dmi_top_tree* tree, uint32_t reference) {
-    return reference & DMI_TOP_LEAF ? 0 : tree->nodes[reference].height;
+static void set_box(dmi_wide_node* node, uint32_t slot, const dmi_box* box) {
+    for (int k = 0; k < 3; k++) {
+        node->planes[k][slot] = box->low[k];
+        node->planes[3 + k][slot] = box->high[k];
+    }
 }
 
 static void set_parent(dmi_top_tree* tree, uint32_t reference, uint32_t parent) {
-    if (reference & DMI_TOP_LEAF)
-        tree->leaves[reference & ~DMI_TOP_LEAF].parent = parent;
+    if (reference & DMI_LEAF)
+        tree->leaves[reference & ~DMI_LEAF].parent = parent;
     else
         tree->nodes[reference].parent = parent;
 }
 
-static void set_child(dmi_top_tree* tree, uint32_t index, uint32_t side, uint32_t reference, const dmi_box* box) {
+static void set_child(dmi_top_tree* tree, uint32_t index, uint32_t slot, const entry* child) {
+    set_box(&tree->nodes[index].wide, slot, &child->box);
+    tree->nodes[index].wide.child[slot] = child->reference;
+    set_parent(tree, child->reference, index);
+}
+
+static void add_child(dmi_top_tree* tree, uint32_t index, const entry* child) {
+    set_child(tree, index, tree->nodes[index].count++, child);
+}
+
+static entry get_child(const dmi_top_tree* tree, uint32_t index, uint32_t slot) {
+    const dmi_wide_node* node = &tree->nodes[index].wide;
+    return (entry){child_box(node, slot), node->child[slot]};
+}
+
+/* Takes a child out; the last one moves to its slot. */
+static void drop_child(dmi_top_tree* tree, uint32_t index, uint32_t slot) {
+    static const dmi_box inside_out = {{INFINITY, INFINITY, INFINITY, 0}, {-INFINITY, -INFINITY, -INFINITY, 0}};
     dmi_top_node* node = &tree->nodes[index];
-    for (int k = 0; k < 3; k++) {
-        node->bounds[k][side] = box->low[k];
-        node->bounds[k][2 + side] = box->high[k];
-    }
-    node->child[side] = reference;
-    set_parent(tree, reference, index);
+    const uint32_t last = --node->count;
+    const entry moved = get_child(tree, index, last);
+    set_child(tree, index, slot, &moved);
+    set_box(&node->wide, last, &inside_out);
+    node->wide.child[last] = 0;
 }
 
-static uint32_t side_of(const dmi_top_tree* tree, uint32_t parent, uint32_t reference) {
-    return tree->nodes[parent].child[1] == reference;
+static uint32_t slot_of(const dmi_top_tree* tree, uint32_t parent, uint32_t reference) {
+    uint32_t slot = 0;
+    while (tree->nodes[parent].wide.child[slot] != reference) slot++;
+    return slot;
 }
 
-static void measure_height(const dmi_top_tree* tree, dmi_top_node* node) {
-    const uint32_t a = height_of(tree, node->child[0]), b = height_of(tree, node->child[1]);
-    node->height = 1 + (a > b ? a : b);
-}
-
+/* Returns a node without children; its parent is not set. */
 static uint32_t take_node(dmi_top_tree* tree) {
     const uint32_t index = tree->free_node;
-    tree->free_node = tree->nodes[index].parent;
+    dmi_top_node* node = &tree->nodes[index];
+    tree->free_node = node->parent;
+    node->count = 0;
+    memset(node->wide.child, 0, sizeof node->wide.child);
+    for (int k = 0; k < 3; k++)
+        for (uint32_t i = 0; i < DMI_WIDE; i++) {
+            node->wide.planes[k][i] = INFINITY;
+            node->wide.planes[3 + k][i] = -INFINITY;
+        }
     return index;
 }
 
@@ -87,129 +123,173 @@ static void give_node(dmi_top_tree* tree, uint32_t index) {
     tree->free_node = index;
 }
 
-/* ---- the way up ---- */
-
-/* Swaps one child of a node with a child of the other where that makes the other's box smaller. */
-static void rotate(dmi_top_tree* tree, uint32_t index) {
-    dmi_top_node* node = &tree->nodes[index];
-    float best_gain = 0;
-    uint32_t best_side = 0, best_inner = 0;
-    for (uint32_t side = 0; side < 2; side++) {
-        const uint32_t lower = node->child[side];
-        if (lower & DMI_TOP_LEAF) continue;
-        const dmi_box other = child_box(node, 1 - side), whole = child_box(node, side);
-        const float area = dmi_box_area(&whole);
-        for (uint32_t inner = 0; inner < 2; inner++) { /* the one that goes up */
-            const dmi_box stays = child_box(&tree->nodes[lower], 1 - inner);
-            const float gain = area - joined_area(&stays, &other);
-            if (gain > best_gain) {
-                best_gain = gain;
-                best_side = side;
-                best_inner = inner;
-            }
-        }
-    }
-    if (!(best_gain > 0)) return;
-    const uint32_t lower = node->child[best_side], other = node->child[1 - best_side];
-    const dmi_box other_box = child_box(node, 1 - best_side), up_box = child_box(&tree->nodes[lower], best_inner);
-    const uint32_t up = tree->nodes[lower].child[best_inner];
-    set_child(tree, lower, best_inner, other, &other_box);
-    measure_height(tree, &tree->nodes[lower]);
-    const dmi_box lower_box = node_box(&tree->nodes[lower]);
-    set_child(tree, index, best_side, lower, &lower_box);
-    set_child(tree, index, 1 - best_side, up, &up_box);
+static void set_root(dmi_top_tree* tree, uint32_t reference) {
+    tree->root = reference;
+    if (reference != DMI_TOP_NONE) set_parent(tree, reference, DMI_TOP_NONE);
 }
 
-/* Measures and improves a node and those above it, as far as something changes. */
+/* Measures the boxes above a node, as far as something changes. */
 static void climb(dmi_top_tree* tree, uint32_t index) {
-    while (index != DMI_TOP_NONE) {
-        dmi_top_node* node = &tree->nodes[index];
-        const uint32_t height = node->height, parent = node->parent;
-        rotate(tree, index);
-        measure_height(tree, node);
+    for (;;) {
+        const uint32_t parent = tree->nodes[index].parent;
         if (parent == DMI_TOP_NONE) return;
-        const uint32_t side = side_of(tree, parent, index);
-        const dmi_box old = child_box(&tree->nodes[parent], side), box = node_box(node);
-        if (same(&old, &box) && height == node->height) return;
-        set_child(tree, parent, side, index, &box);
+        const uint32_t slot = slot_of(tree, parent, index);
+        const dmi_box old = child_box(&tree->nodes[parent].wide, slot), box = node_box(&tree->nodes[index]);
+        if (same(&old, &box)) return;
+        set_box(&tree->nodes[parent].wide, slot, &box);
         index = parent;
     }
 }
 
-/* ---- putting in and taking out ---- */
+/* ---- splitting ---- */
 
-/* Puts `reference` where `old` was. */
-static void replace(dmi_top_tree* tree, uint32_t parent, uint32_t old, uint32_t reference, const dmi_box* box) {
-    if (parent == DMI_TOP_NONE) {
-        tree->root = reference;
-        set_parent(tree, reference, DMI_TOP_NONE);
-    } else {
-        set_child(tree, parent, side_of(tree, parent, old), reference, box);
+/* Sorts entries by the centres of their boxes along an axis. */
+static void sort_entries(entry entries[ENTRIES], int axis) {
+    for (int i = 1; i < ENTRIES; i++) {
+        const entry moved = entries[i];
+        const float centre = moved.box.low[axis] + moved.box.high[axis];
+        int at = i;
+        for (; at > 0 && entries[at - 1].box.low[axis] + entries[at - 1].box.high[axis] > centre; at--)
+            entries[at] = entries[at - 1];
+        entries[at] = moved;
     }
 }
 
-/* Finds the reference, and its box, beside which a box adds the least surface. */
-static uint32_t find_sibling(const dmi_top_tree* tree, const dmi_box* box, dmi_box* out_box) {
-    uint32_t reference = tree->root;
-    if (reference & DMI_TOP_LEAF) {
-        *out_box = tree->leaves[reference & ~DMI_TOP_LEAF].box;
-        return reference;
+/* Returns the surface of the best division of sorted entries, weighted by their numbers, and the size of its first
+ * group. */
+static float divide(const entry entries[ENTRIES], int* out_first) {
+    float behind[ENTRIES], best = INFINITY;
+    dmi_box box = entries[ENTRIES - 1].box;
+    for (int i = ENTRIES - 1; i > 0; i--) {
+        box = join(&box, &entries[i].box);
+        behind[i] = dmi_box_area(&box) * (float)(ENTRIES - i);
     }
-    *out_box = node_box(&tree->nodes[reference]);
-    while (!(reference & DMI_TOP_LEAF)) {
-        const dmi_top_node* node = &tree->nodes[reference];
-        const float here = joined_area(out_box, box), grown = here - dmi_box_area(out_box);
-        float cost[2];
-        dmi_box child[2];
-        for (uint32_t side = 0; side < 2; side++) {
-            child[side] = child_box(node, side);
-            cost[side] = grown + joined_area(&child[side], box);
-            if (!(node->child[side] & DMI_TOP_LEAF)) cost[side] -= dmi_box_area(&child[side]);
+    box = entries[0].box;
+    *out_first = ENTRIES / 2;
+    for (int i = 1; i <= ENTRIES - LEAST_ENTRIES; i++) {
+        const float cost = dmi_box_area(&box) * (float)i + behind[i];
+        if (i >= LEAST_ENTRIES && cost < best) {
+            best = cost;
+            *out_first = i;
         }
-        const uint32_t side = cost[1] < cost[0];
-        if (here <= cost[side]) break;
-        reference = node->child[side];
-        *out_box = child[side];
+        box = join(&box, &entries[i].box);
     }
-    return reference;
+    return best;
+}
+
+/* Spreads the children of a full node and one more over it and a new node, which is returned. */
+static uint32_t split_node(dmi_top_tree* tree, uint32_t index, const entry* added) {
+    entry entries[ENTRIES];
+    float best_cost = INFINITY;
+    int first, best_axis = 0;
+    for (uint32_t i = 0; i < DMI_WIDE; i++) entries[i] = get_child(tree, index, i);
+    entries[DMI_WIDE] = *added;
+    for (int axis = 0; axis < 3; axis++) {
+        sort_entries(entries, axis);
+        const float cost = divide(entries, &first);
+        if (!(cost < best_cost)) continue;
+        best_cost = cost;
+        best_axis = axis;
+    }
+    sort_entries(entries, best_axis);
+    divide(entries, &first);
+    const uint32_t parent = tree->nodes[index].parent;
+    give_node(tree, index);
+    take_node(tree); /* the same one, empty */
+    tree->nodes[index].parent = parent;
+    const uint32_t other = take_node(tree);
+    for (int i = 0; i < ENTRIES; i++) add_child(tree, i < first ? index : other, &entries[i]);
+    return other;
+}
+
+/* Adds a child to a node; a node that is full is split, and so may be those above it. */
+static void add_or_split(dmi_top_tree* tree, uint32_t index, const entry* added) {
+    entry child = *added;
+    while (tree->nodes[index].count == DMI_WIDE) {
+        const uint32_t other = split_node(tree, index, &child), parent = tree->nodes[index].parent;
+        const entry halves[2] = {{node_box(&tree->nodes[index]), index}, {node_box(&tree->nodes[other]), other}};
+        if (parent == DMI_TOP_NONE) {
+            const uint32_t root = take_node(tree);
+            for (int i = 0; i < 2; i++) add_child(tree, root, &halves[i]);
+            set_root(tree, root);
+            tree->levels++;
+            return;
+        }
+        set_box(&tree->nodes[parent].wide, slot_of(tree, parent, index), &halves[0].box);
+        child = halves[1];
+        index = parent;
+    }
+    add_child(tree, index, &child);
+    climb(tree, index);
+}
+
+/* ---- putting in and taking out ---- */
+
+/* Returns the child of a node whose box grows least, the smaller one of two. */
+static uint32_t choose_child(const dmi_top_node* node, const dmi_box* box) {
+    uint32_t best = 0;
+    float best_growth = INFINITY, best_area = INFINITY;
+    for (uint32_t i = 0; i < node->count; i++) {
+        const dmi_box child = child_box(&node->wide, i);
+        const float area = dmi_box_area(&child), growth = joined_area(&child, box) - area;
+        if (growth > best_growth || (growth == best_growth && area >= best_area)) continue;
+        best = i;
+        best_growth = growth;
+        best_area = area;
+    }
+    return best;
 }
 
 static void insert(dmi_top_tree* tree, uint32_t leaf) {
-    const dmi_box* box = &tree->leaves[leaf].box;
+    const entry added = {tree->leaves[leaf].box, DMI_LEAF | leaf};
     tree->leaves[leaf].placed = true;
     tree->placed_count++;
     if (tree->root == DMI_TOP_NONE) {
-        replace(tree, DMI_TOP_NONE, DMI_TOP_NONE, DMI_TOP_LEAF | leaf, box);
+        set_root(tree, added.reference);
         return;
     }
-    dmi_box sibling_box;
-    const uint32_t sibling = find_sibling(tree, box, &sibling_box);
-    const uint32_t parent =
-        sibling & DMI_TOP_LEAF ? tree->leaves[sibling & ~DMI_TOP_LEAF].parent : tree->nodes[sibling].parent;
-    const uint32_t index = take_node(tree);
-    const dmi_box joined = join(&sibling_box, box);
-    tree->nodes[index].parent = DMI_TOP_NONE;
-    replace(tree, parent, sibling, index, &joined);
-    set_child(tree, index, 0, sibling, &sibling_box);
-    set_child(tree, index, 1, DMI_TOP_LEAF | leaf, box);
-    measure_height(tree, &tree->nodes[index]);
-    climb(tree, parent);
+    if (tree->root & DMI_LEAF) {
+        const entry other = {tree->leaves[tree->root & ~DMI_LEAF].box, tree->root};
+        const uint32_t root = take_node(tree);
+        add_child(tree, root, &other);
+        add_child(tree, root, &added);
+        set_root(tree, root);
+        tree->levels = 1;
+        return;
+    }
+    uint32_t index = tree->root;
+    for (;;) {
+        const dmi_top_node* node = &tree->nodes[index];
+        const uint32_t child = node->wide.child[choose_child(node, &added.box)];
+        if (child & DMI_LEAF) break;
+        index = child;
+    }
+    add_or_split(tree, index, &added);
 }
 
 static void take_out(dmi_top_tree* tree, uint32_t leaf) {
-    const uint32_t parent = tree->leaves[leaf].parent;
+    const uint32_t index = tree->leaves[leaf].parent;
     tree->leaves[leaf].placed = false;
     tree->placed_count--;
-    if (parent == DMI_TOP_NONE) {
-        tree->root = DMI_TOP_NONE;
+    if (index == DMI_TOP_NONE) {
+        set_root(tree, DMI_TOP_NONE);
         return;
     }
-    const dmi_top_node* node = &tree->nodes[parent];
-    const uint32_t side = side_of(tree, parent, DMI_TOP_LEAF | leaf), above = node->parent;
-    const dmi_box box = child_box(node, 1 - side);
-    replace(tree, above, parent, node->child[1 - side], &box);
-    give_node(tree, parent);
-    climb(tree, above);
+    drop_child(tree, index, slot_of(tree, index, DMI_LEAF | leaf));
+    if (tree->nodes[index].count > 1) {
+        climb(tree, index);
+        return;
+    }
+    /* The last child takes the node's own place. */
+    const uint32_t parent = tree->nodes[index].parent;
+    const entry last = get_child(tree, index, 0);
+    if (parent == DMI_TOP_NONE) {
+        set_root(tree, last.reference);
+    } else {
+        set_child(tree, parent, slot_of(tree, parent, index), &last);
+        climb(tree, parent);
+    }
+    give_node(tree, index);
 }
 
 void dmi_top_tree_place(dmi_top_tree* tree, uint32_t leaf) {
@@ -298,52 +378,83 @@ static uint32_t gather(dmi_top_tree* tree) {
     return count;
 }
 
-/* A range of leaves that becomes child `side` of node `parent`. */
+/* Items first … that become a child of node `parent`. */
 typedef struct pending {
-    dmi_box_range range;
-    uint32_t parent, side, level;
+    uint32_t first, count, parent, level;
 } pending;
 
-/* Gives a range its reference: of its leaf, or of a node that is made next; false for a leaf. */
-static bool link_range(dmi_top_tree* tree, const pending* work, uint32_t next_node) {
-    const bool alone = work->range.count == 1;
-    const uint32_t reference = alone ? DMI_TOP_LEAF | tree->items[work->range.first].id : next_node;
-    if (work->parent == DMI_TOP_NONE) {
-        tree->root = reference;
-        set_parent(tree, reference, DMI_TOP_NONE);
-    } else {
-        set_child(tree, work->parent, work->side, reference, &work->range.box);
+/* Index of the range with the largest box of those of several leaves; `count` when none is. */
+static uint32_t largest(const dmi_box_range* ranges, uint32_t count) {
+    uint32_t best = count;
+    float best_area = -1;
+    for (uint32_t i = 0; i < count; i++) {
+        const float area = dmi_box_area(&ranges[i].box);
+        if (ranges[i].count < 2 || area <= best_area) continue;
+        best_area = area;
+        best = i;
     }
-    return !alone;
+    return best;
 }
 
-/* Makes the nodes, each before those below it, and returns how many. */
-static uint32_t make_nodes(dmi_top_tree* tree, uint32_t count) {
-    pending stack[MOST_PENDING];
-    uint32_t waiting = 1, made = 0;
-    stack[0] = (pending){.range = {.first = 0, .count = count}, .parent = DMI_TOP_NONE};
-    dmi_box_range_measure(tree->items, &stack[0].range);
-    while (waiting > 0) {
-        const pending work = stack[--waiting];
-        if (!link_range(tree, &work, made)) continue;
+/* Splits a range into up to eight; returns how many, and the box of all. */
+static uint32_t split_range(dmi_top_tree* tree, const pending* work, dmi_box* out_box, dmi_box_range out[DMI_WIDE]) {
+    uint32_t count = 1;
+    out[0] = (dmi_box_range){.first = work->first, .count = work->count};
+    dmi_box_range_measure(tree->items, &out[0]);
+    *out_box = out[0].box;
+    while (count < DMI_WIDE) {
+        const uint32_t i = largest(out, count);
+        if (i == count) break;
         dmi_box_range two[2];
-        dmi_box_split(tree->items, &work.range, 1, work.level >= FREE_HEIGHT, two);
-        for (uint32_t side = 0; side < 2; side++) stack[waiting++] = (pending){two[side], made, side, work.level + 1};
-        made++;
+        dmi_box_split(tree->items, &out[i], 1, work->level >= DMI_TOP_FREE_LEVELS, two);
+        out[i] = two[0];
+        out[count++] = two[1];
     }
-    return made;
+    return count;
+}
+
+/* Makes the node of a range of several leaves, links it, and puts off its children of several. */
+static uint32_t make_node(dmi_top_tree* tree, const pending* work, pending* stack, uint32_t waiting) {
+    dmi_box_range ranges[DMI_WIDE];
+    dmi_box box;
+    const uint32_t index = take_node(tree), count = split_range(tree, work, &box, ranges);
+    if (work->parent == DMI_TOP_NONE) {
+        set_root(tree, index);
+    } else {
+        const entry self = {box, index};
+        add_child(tree, work->parent, &self);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (ranges[i].count > 1) {
+            stack[waiting++] = (pending){ranges[i].first, ranges[i].count, index, work->level + 1};
+        } else {
+            const entry leaf = {ranges[i].box, DMI_LEAF | tree->items[ranges[i].first].id};
+            add_child(tree, index, &leaf);
+        }
+    }
+    if (work->level + 1 > tree->levels) tree->levels = work->level + 1;
+    return waiting;
+}
+
+static void make_nodes(dmi_top_tree* tree, uint32_t count) {
+    pending stack[MOST_PENDING], work = {.count = count, .parent = DMI_TOP_NONE};
+    for (uint32_t waiting = 0;;) {
+        waiting = make_node(tree, &work, stack, waiting);
+        if (waiting == 0) return;
+        work = stack[--waiting];
+    }
 }
 
 void dmi_top_tree_rebuild(dmi_top_tree* tree) {
     const uint32_t count = gather(tree);
     tree->placed_count = count;
-    tree->root = DMI_TOP_NONE;
-    const uint32_t made = count > 0 ? make_nodes(tree, count) : 0;
-    for (uint32_t i = made; i > 0; i--) measure_height(tree, &tree->nodes[i - 1]);
+    tree->levels = 0;
     tree->free_node = DMI_TOP_NONE;
-    for (uint32_t i = tree->capacity; i > made; i--) give_node(tree, i - 1);
+    for (uint32_t i = tree->capacity; i > 0; i--) give_node(tree, i - 1);
+    set_root(tree, count == 1 ? DMI_LEAF | tree->items[0].id : DMI_TOP_NONE);
+    if (count > 1) make_nodes(tree, count);
 }
 
 void dmi_top_tree_settle(dmi_top_tree* tree) {
-    if (tree->root != DMI_TOP_NONE && height_of(tree, tree->root) > DMI_TOP_MOST_HEIGHT) dmi_top_tree_rebuild(tree);
+    if (tree->levels > DMI_TOP_MOST_LEVELS) dmi_top_tree_rebuild(tree);
 }

@@ -1,4 +1,4 @@
-/* A binary tree of boxes that change: a box is moved, put in or taken out in the time of one way through the tree. */
+/* A tree of boxes that change: a box is moved, put in or taken out in the time of one way through the tree. */
 #ifndef DMI_PICK_TOP_TREE_H
 #define DMI_PICK_TOP_TREE_H
 
@@ -6,24 +6,26 @@
 
 #include "base/env.h"
 #include "pick/box_split.h"
+#include "pick/wide_node.h"
 
 #define DMI_TOP_NONE 0xffffffffu
-#define DMI_TOP_LEAF 0x80000000u /* flag of a reference: the rest is the index of a leaf, else of a node */
-#define DMI_TOP_MOST_HEIGHT 63   /* of a settled tree; by hand: twice that of 2^32 leaves in balance */
+/* Levels of nodes of a settled tree. The builder halves ranges from DMI_TOP_FREE_LEVELS on; the rest is for those of
+ * 2^32 leaves and for growth. */
+#define DMI_TOP_FREE_LEVELS 16 /* by hand: scenes of 100,000 parts take up to 9 */
+#define DMI_TOP_MOST_LEVELS (DMI_TOP_FREE_LEVELS + 32 + 16)
 
-/* Both children's boxes lie in their parent: one line of the cache decides between them. */
 typedef struct dmi_top_node {
-    float bounds[3][4]; /* by axis: low of both, high of both */
-    uint32_t child[2];  /* references */
-    uint32_t parent;    /* index; DMI_TOP_NONE for the root */
-    uint32_t height;    /* 1 over two leaves */
+    dmi_wide_node wide;
+    uint32_t count;  /* of children in use, which come first; 2 or more */
+    uint32_t parent; /* index; DMI_TOP_NONE for the root. For a free node: the next free one */
 } dmi_top_node;
 
 typedef struct dmi_top_leaf {
     dmi_box box;
-    void* item;      /* what the leaf stands for */
-    uint32_t parent; /* of the node; DMI_TOP_NONE when it is the root. For a free leaf: the next free one */
-    bool placed;     /* in the tree */
+    void* item; /* what the leaf stands for */
+    uint32_t
+        parent;  /* of a placed leaf: the node; DMI_TOP_NONE when it is the root. Of a free leaf: the next free one */
+    bool placed; /* in the tree */
 } dmi_top_leaf;
 
 typedef struct dmi_top_tree {
@@ -32,6 +34,7 @@ typedef struct dmi_top_tree {
     dmi_top_leaf* leaves;
     dmi_box_item* items;   /* for rebuilding */
     uint32_t root;         /* reference; DMI_TOP_NONE when empty */
+    uint32_t levels;       /* of nodes, at most */
     uint32_t capacity;     /* of nodes, leaves and items */
     uint32_t placed_count; /* leaves in the tree */
     uint32_t free_leaf, free_node;

@@ -1,6 +1,6 @@
-/* The way of a ray through a wide tree, shared by the instruction sets (wide_trace_plain.c, wide_trace_avx2.c). They
- * define TARGET      the attributes of a function of their instruction set enter_node  and test_block, declared below
- * and all give the same bits: no multiplication is contracted with an addition.
+/* The ways of a ray through a wide tree and through a scene, shared by the instruction sets (wide_trace_plain.c,
+ * wide_trace_avx2.c). They define TARGET      the attributes of a function of their instruction set enter_node  and
+ * test_block, declared below and all give the same bits: no multiplication is contracted with an addition.
  *
  * Boxes are tested after Ize 2013 ("Robust BVH ray traversal"), triangles after Woop, Benthin and Wald 2013
  * ("Watertight ray/triangle intersection"): a ray never slips between two triangles that share an edge. */
@@ -9,6 +9,7 @@
 
 #include <math.h>
 
+#include "pick/placed.h"
 #include "pick/wide_tree.h"
 
 #define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
@@ -41,15 +42,22 @@ TARGET_INLINE uint32_t enter_node(const dmi_wide_node* node, const traced_ray* r
 /* Returns the mask of the triangles whose edges do not tell that the ray misses: few are left. */
 TARGET_INLINE uint32_t test_block(const dmi_triangle_block* block, const traced_ray* ray, block_test* out);
 
+/* Sets what boxes are tested with. */
+TARGET_INLINE void set_slabs(traced_ray* ray, const float origin[3], const float direction[3]) {
+    for (int k = 0; k < 3; k++) {
+        ray->origin[k] = origin[k];
+        ray->inverse[k] = 1 / direction[k];
+        const uint32_t back = signbit(ray->inverse[k]) ? 3 : 0;
+        ray->near_plane[k] = (uint32_t)k + back;
+        ray->far_plane[k] = (uint32_t)k + (3 - back);
+    }
+}
+
 TARGET static traced_ray start_ray(const dmi_part_ray* ray) {
     traced_ray r = {.far = ray->far};
     int z = 0;
-    for (int k = 0; k < 3; k++) {
-        r.origin[k] = ray->origin[k];
-        r.inverse[k] = 1 / ray->direction[k];
-        const bool negative = signbit(r.inverse[k]);
-        r.near_plane[k] = (uint32_t)(negative ? 3 + k : k);
-        r.far_plane[k] = (uint32_t)(negative ? k : 3 + k);
+    set_slabs(&r, ray->origin, ray->direction);
+    for (int k = 1; k < 3; k++) {
         if (fabsf(ray->direction[k]) > fabsf(ray->direction[z])) z = k;
     }
     const int x = (z + 1) % 3, y = (z + 2) % 3;
@@ -108,10 +116,11 @@ TARGET static bool trace_block(const dmi_triangle_block* block, traced_ray* ray,
 }
 
 /* Puts the children that the ray enters on the stack, the nearest on top. */
-TARGET_INLINE uint32_t stack_children(const dmi_wide_node* node, uint32_t entered, const float* near, stacked* stack,
+TARGET_INLINE uint32_t stack_children(const dmi_wide_node* node, const traced_ray* ray, stacked* stack,
                                       uint32_t depth) {
+    float near[DMI_WIDE];
     const uint32_t bottom = depth;
-    for (; entered != 0; entered &= entered - 1) {
+    for (uint32_t entered = enter_node(node, ray, near); entered != 0; entered &= entered - 1) {
         const uint32_t child = (uint32_t)__builtin_ctz(entered);
         const stacked item = {near[child], node->child[child]};
         uint32_t at = depth++;
@@ -134,12 +143,36 @@ TARGET static bool trace_tree(const dmi_wide_tree* tree, const dmi_part_ray* par
             if (trace_block(&tree->blocks[item.reference & ~DMI_LEAF], &ray, out)) hit = true;
             continue;
         }
-        float near[DMI_WIDE];
-        const dmi_wide_node* node = &tree->nodes[item.reference];
-        const uint32_t entered = enter_node(node, &ray, near);
-        depth = stack_children(node, entered, near, stack, depth);
+        depth = stack_children(&tree->nodes[item.reference], &ray, stack, depth);
     }
     return hit;
+}
+
+/* A little more than the distance of a hit: not before the entry of any box with a hit as near. */
+TARGET_INLINE float bound_of(const dmi_world_hit* hit) {
+    return (float)hit->distance * FAR_SLACK;
+}
+
+TARGET static bool trace_scene(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* world,
+                               dmi_world_hit* hit) {
+    stacked stack[(DMI_WIDE - 1) * DMI_TOP_MOST_LEVELS + 1];
+    uint32_t depth = 0;
+    *hit = (dmi_world_hit){.distance = INFINITY};
+    if (!dmi_world_ray_start(host_ray, world)) return false;
+    traced_ray ray = {.far = INFINITY};
+    set_slabs(&ray, world->origin_f32, world->direction_f32);
+    if (tree->root != DMI_TOP_NONE) stack[depth++] = (stacked){0, tree->root};
+    while (depth > 0) {
+        const stacked item = stack[--depth];
+        if (item.near > ray.far) continue;
+        if (item.reference & DMI_LEAF) {
+            dmi_placed_part_hit(tree->leaves[item.reference & ~DMI_LEAF].item, world, item.near, hit);
+            ray.far = bound_of(hit);
+            continue;
+        }
+        depth = stack_children(&tree->nodes[item.reference].wide, &ray, stack, depth);
+    }
+    return hit->part != NULL;
 }
 
 #endif

@@ -1,5 +1,5 @@
 /* Traces wide trees by eight lanes of AVX2 for boxes, four for triangles. */
-#include "pick/wide_tree.h"
+#include "base/cpu.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -49,6 +49,11 @@ TARGET_INLINE uint32_t test_block(const dmi_triangle_block* block, const traced_
 
 bool dmi_wide_trace_avx2(const dmi_wide_tree* tree, const dmi_part_ray* ray, dmi_part_hit* out_hit) {
     return trace_tree(tree, ray, out_hit);
+}
+
+bool dmi_scene_trace_avx2(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* out_ray,
+                          dmi_world_hit* out_hit) {
+    return trace_scene(tree, host_ray, out_ray, out_hit);
 }
 
 #endif

@@ -50,3 +50,8 @@ TARGET_INLINE uint32_t test_block(const dmi_triangle_block* block, const traced_
 bool dmi_wide_trace_plain(const dmi_wide_tree* tree, const dmi_part_ray* ray, dmi_part_hit* out_hit) {
     return trace_tree(tree, ray, out_hit);
 }
+
+bool dmi_scene_trace_plain(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* out_ray,
+                           dmi_world_hit* out_hit) {
+    return trace_scene(tree, host_ray, out_ray, out_hit);
+}

@@ -31,14 +31,23 @@ static const float* corner(const dmi_triangles* t, uint32_t face, int i) {
     return t->positions + (size_t)t->corners[(size_t)face * 3 + (size_t)i] * 3;
 }
 
+/* fminf and fmaxf are calls. */
+static float least(float a, float b) {
+    return a < b ? a : b;
+}
+
+static float most(float a, float b) {
+    return a > b ? a : b;
+}
+
 static void make_items(const dmi_triangles* t, dmi_box_item* items) {
     for (uint32_t f = 0; f < t->face_count; f++) {
         const float *a = corner(t, f, 0), *b = corner(t, f, 1), *c = corner(t, f, 2);
         items[f].id = f;
         items[f].unused = 0;
         for (int k = 0; k < 3; k++) {
-            items[f].low[k] = fminf(fminf(a[k], b[k]), c[k]);
-            items[f].high[k] = fmaxf(fmaxf(a[k], b[k]), c[k]);
+            items[f].low[k] = least(least(a[k], b[k]), c[k]);
+            items[f].high[k] = most(most(a[k], b[k]), c[k]);
         }
     }
 }

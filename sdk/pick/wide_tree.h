@@ -4,18 +4,12 @@
 
 #include "base/cpu.h"
 #include "pick/backend.h"
+#include "pick/wide_node.h"
 
-#define DMI_WIDE 8           /* children of a node: one register of AVX2 */
-#define DMI_BLOCK 4          /* triangles of a leaf: one register of SSE or NEON */
-#define DMI_LEAF 0x80000000u /* flag of a reference: the rest is the index of a block, else of a node */
+#define DMI_BLOCK 4 /* triangles of a leaf: one register of SSE or NEON */
 /* Levels of nodes. The builder halves ranges from DMI_FREE_LEVELS on, and 2^32 triangles can be halved 32 times. */
 #define DMI_FREE_LEVELS 24 /* by hand: real meshes take up to 12 */
 #define DMI_MOST_LEVELS (DMI_FREE_LEVELS + 32)
-
-typedef struct dmi_wide_node {
-    _Alignas(32) float planes[6][DMI_WIDE]; /* low x, y, z, high x, y, z; unused children: inside out */
-    uint32_t child[DMI_WIDE];               /* references; unused children: 0 */
-} dmi_wide_node;
 
 typedef struct dmi_triangle_block {
     _Alignas(16) float corner[3][3][DMI_BLOCK]; /* [corner][axis]; unused triangles: a point */

@@ -1,4 +1,4 @@
-/* Picking with each backend beside bare Embree, in one run and on one thread: bench_pick [triangles]. Rays, builds, and
+/* Picking with each backend beside bare Embree, in one run and on one thread: bench_pick [triangles]. Builds, rays, and
  * commits against the number of instances. One JSON object a line. */
 #include <math.h>
 #include <stdio.h>
@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "bare_embree.h"
+#include "mesh/mesh.h"
+#include "pick/pick.h"
 #include "world.h"
 
 #define RAYS 1024
@@ -14,6 +16,7 @@
 #define TRIANGLES 1000000
 #define SMALL_TRIANGLES 2000 /* of each of many instances */
 #define MOST_INSTANCES 16384
+#define BUILDS 3
 #define PITCH 3.0f /* units between instances */
 #define CHECK(call) bench_check(call, #call)
 
@@ -157,6 +160,50 @@ static void pick_many_instances(bench* b, const bench_mesh* mesh, uint32_t insta
     free(places);
 }
 
+/* ---- builds ---- */
+
+static void build_with(const bench_mesh* mesh, int i, double bare) {
+    dmi_env env;
+    dmi_axes axes;
+    dmi_mesh* inner;
+    dmi_picker* picker;
+    double best = INFINITY;
+    const dm_mesh_desc desc = bench_mesh_desc(mesh);
+    dmi_env_init(&env, NULL, NULL, NULL);
+    dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 1);
+    CHECK(dmi_mesh_create(&env, &axes, &desc, NULL, 0, &inner));
+    CHECK(dmi_picker_create(&env, choices[i], &picker));
+    const uint64_t before = env.bytes + env.pick_bytes;
+    uint64_t bytes = 0;
+    for (int round = 0; round < BUILDS; round++) {
+        dmi_bvh* bvh;
+        const double start = bench_now_ns();
+        CHECK(dmi_bvh_create(picker, inner, &bvh));
+        best = fmin(best, bench_now_ns() - start);
+        bytes = env.bytes + env.pick_bytes - before;
+        dmi_bvh_destroy(bvh);
+    }
+    printf("{\"what\": \"build\", \"who\": \"%s\", \"ms\": %.1f, \"ratio\": %.2f, \"bytes_a_triangle\": %.1f}\n",
+           names[i], best / 1e6, best / bare, (double)bytes / (double)mesh->face_count);
+    fflush(stdout);
+    dmi_picker_destroy(picker);
+    dmi_mesh_destroy(&env, inner);
+}
+
+static void compare_builds(bench* b, uint32_t triangles) {
+    bench_mesh mesh = bench_mesh_new(triangles, 1);
+    double bare = INFINITY;
+    for (int round = 0; round < BUILDS; round++) {
+        const double start = bench_now_ns();
+        b->bare = bare_embree_instances(b->device, &mesh, 1, NULL, RTC_SCENE_FLAG_ROBUST);
+        bare = fmin(bare, bench_now_ns() - start);
+        rtcReleaseScene(b->bare);
+    }
+    printf("{\"what\": \"build\", \"who\": \"embree\", \"ms\": %.1f}\n", bare / 1e6);
+    for (int i = 0; i < 2; i++) build_with(&mesh, i, bare);
+    bench_mesh_free(&mesh);
+}
+
 /* ---- commits ---- */
 
 /* Opens one door a little and commits. */
@@ -195,6 +242,7 @@ int main(int argc, char** argv) {
     const uint32_t triangles = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : TRIANGLES;
     b.device = rtcNewDevice("threads=1");
     for (int i = 0; i < 2; i++) b.worlds[i] = open_world(choices[i]);
+    compare_builds(&b, triangles);
     pick_one_object(&b, triangles);
     bench_mesh mesh = bench_mesh_new(SMALL_TRIANGLES, 1);
     for (int i = 0; i < 2; i++) prepare(&b.worlds[i], &mesh);

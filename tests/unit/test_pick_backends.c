@@ -299,7 +299,7 @@ static void nothing_slips_between_triangles(void** state) {
         for (uint32_t i = 0; i < 20000; i++) {
             const uint32_t face = dmi_random_u32(&random) % bvh->parts[0].face_count;
             const float* corner[3];
-            dmi_bvh_corners(bvh, 0, face, corner);
+            dmi_bvh_corners(bvh, &bvh->parts[0], face, corner);
             const float t0 = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5f : dmi_random_unit(&random);
             dmi_part_ray ray = {.far = INFINITY};
             for (int k = 0; k < 3; k++) {
