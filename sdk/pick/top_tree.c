@@ -8,7 +8,7 @@
 
 #include "pick/lanes.h"
 
-#define FIRST_CAPACITY 16                                    /* leaves; doubles when full */
+#define FIRST_CAPACITY 8                                     /* leaves; doubles when full */
 #define MOST_PENDING (DMI_WIDE * (DMI_TOP_FREE_LEVELS + 32)) /* ranges of a rebuild that wait */
 #define ENTRIES (DMI_WIDE + 1)                               /* of a node that overflows */
 #define LEAST_ENTRIES 2                                      /* of each half */
