@@ -249,6 +249,7 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
         if name:find "gltf" then libraries = table.join(libraries, decoders) end -- it compresses files itself
         program(name, { source }, everything, libraries, "/tests")
             defines(gltf_macros)
+            defines(pick_macros)
             if room ~= "abi" then defines { "DM_TEST_ROOM=\"" .. room .. "\"" } end
     end
 end
