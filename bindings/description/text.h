@@ -1,4 +1,4 @@
-/* Memory and strings of a program that ends where something is wrong. */
+/* Memory of a program that ends where something is wrong. */
 #ifndef DESCRIBE_TEXT_H
 #define DESCRIBE_TEXT_H
 
@@ -7,7 +7,5 @@
 /* Prints "describe: ..." and ends the program. */
 _Noreturn void text_fail(const char* format, ...);
 void* text_alloc(size_t size);
-/* Returns the whole file as a string. */
-char* text_read(const char* path);
 
 #endif

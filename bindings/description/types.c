@@ -87,7 +87,7 @@ cJSON* signature_to_json(CXCursor cursor, CXType function) {
     cJSON* out = cJSON_CreateObject();
     names found = {.count = 0};
     if (!clang_Cursor_isNull(cursor)) clang_visitChildren(cursor, keep_parameter, &found);
-    function = clang_getCanonicalType(function).kind == function.kind ? function : clang_getCanonicalType(function);
+    if (function.kind != CXType_FunctionProto) function = clang_getCanonicalType(function); /* in parentheses */
     cJSON_AddItemToObject(out, "returns", type_to_json(clang_getResultType(function), clang_getNullCursor()));
     cJSON* parameters = cJSON_AddArrayToObject(out, "parameters");
     for (int i = 0; i < clang_getNumArgTypes(function); i++) {

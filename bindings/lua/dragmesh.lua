@@ -43,8 +43,7 @@ end
 --- A struct of C with struct_size set. fields: a table of values to set.
 function M.new(name, fields)
     local struct = ffi.new(name)
-    local sized = pcall(function() return struct.struct_size end)
-    if sized then struct.struct_size = ffi.sizeof(name) end
+    if ffi.offsetof(name, "struct_size") then struct.struct_size = ffi.sizeof(name) end
     for key, value in pairs(fields or {}) do struct[key] = value end
     return struct
 end

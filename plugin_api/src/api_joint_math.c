@@ -95,8 +95,7 @@ dm_result DM_CALL dm_joint_value_at(const dm_joint* joint, float share, float* o
     if (result == DM_OK && !dmi_joint_has_limits(&known)) result = DM_ERROR_INVALID_ARGUMENT;
     if (result != DM_OK) return result;
     const float rest = dmi_joint_clamp(&known, 0);
-    const float open = known.upper - rest >= rest - known.lower ? known.upper : known.lower;
-    const float value = rest + share * (open - rest);
+    const float value = rest + share * (dmi_joint_open_end(&known) - rest);
     if (!isfinite(value)) return DM_ERROR_NOT_FINITE;
     *out_value = value;
     return DM_OK;

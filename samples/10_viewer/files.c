@@ -1,13 +1,11 @@
 /* Whole files. */
 #include "files.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+#include "../common/regular_file.h"
 
 void* take(size_t count, size_t size) {
     void* memory = calloc(count ? count : 1, size);
@@ -16,18 +14,8 @@ void* take(size_t count, size_t size) {
     exit(1);
 }
 
-FILE* file_open(const char* path) {
-    struct stat info = {0};
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe without a writer opens too */
-    if (descriptor < 0) return NULL;
-    if (fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode)) return fdopen(descriptor, "rb");
-    close(descriptor);
-    errno = EINVAL;
-    return NULL;
-}
-
 char* file_read(const char* path, size_t* out_size) {
-    FILE* file = file_open(path);
+    FILE* file = open_regular_file(path);
     if (file == NULL) return NULL;
     char* bytes = NULL;
     if (fseek(file, 0, SEEK_END) == 0) {

@@ -3,10 +3,6 @@
 #define VIEWER_FILES_H
 
 #include <stddef.h>
-#include <stdio.h>
-
-/* Opens a regular file for reading; NULL with errno set. Pipes and devices, which may never end, are no files. */
-FILE* file_open(const char* path);
 
 /* A file's bytes and a zero after them, to be freed; NULL with errno set. */
 char* file_read(const char* path, size_t* out_size);

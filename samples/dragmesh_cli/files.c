@@ -2,28 +2,15 @@
 #include "files.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
+#include "../common/regular_file.h"
 #include "cli.h"
 
 #define STREAM_MOST ((size_t)1 << 30) /* bytes that are read of a stream; by hand */
-
-FILE* file_open(const char* path) {
-    struct stat info = {0};
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe without a writer opens too */
-    if (descriptor < 0) return NULL;
-    if (fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode)) return fdopen(descriptor, "rb");
-    errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
-    const int reason = errno;
-    close(descriptor);
-    errno = reason;
-    return NULL;
-}
 
 const char* file_problem(void) {
     return errno == EINVAL ? "it is a pipe or a device, not a file" : strerror(errno);
@@ -52,7 +39,7 @@ static char* read_all(FILE* file, size_t* out_size) {
 
 char* file_read(const char* path, size_t* out_size) {
     if (strcmp(path, "-") == 0) return read_all(stdin, out_size);
-    FILE* file = file_open(path);
+    FILE* file = open_regular_file(path);
     if (file == NULL) return NULL;
     char* bytes = read_all(file, out_size);
     const int reason = errno;

@@ -6,9 +6,6 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Opens a regular file for reading; NULL with errno set. Pipes and devices, which may never end, are no files: EINVAL.
- */
-FILE* file_open(const char* path);
 /* What errno says of a file that could not be opened or read. */
 const char* file_problem(void);
 /* The bytes, with a NUL behind them, to be freed; NULL with errno set. "-" is standard input, of which a GB is the

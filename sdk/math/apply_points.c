@@ -185,7 +185,7 @@ void dmi_pose_apply_points_isa(dmi_isa isa, const dm_pose* pose, const float* sr
         apply_packed_avx512(m, src, dst, count);
         return;
     }
-    if (isa == DMI_ISA_AVX2 || isa == DMI_ISA_AVX512) {
+    if (dmi_isa_has_avx2(isa)) {
         if (packed) {
             apply_packed_avx2(m, src, dst, count);
         } else {

@@ -21,6 +21,11 @@ float dmi_joint_clamp(const dm_joint* joint, float value) {
     return fminf(fmaxf(value, joint->lower), joint->upper);
 }
 
+float dmi_joint_open_end(const dm_joint* joint) {
+    const float rest = dmi_joint_clamp(joint, 0);
+    return joint->upper - rest >= rest - joint->lower ? joint->upper : joint->lower;
+}
+
 /* Returns the length that a screw advances a radian; 0 for other joints. */
 static float advance(const dm_joint* joint) {
     return joint->type == DM_JOINT_SCREW ? joint->pitch : 0;

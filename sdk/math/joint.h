@@ -38,6 +38,8 @@ bool dmi_joint_turns(int32_t type);
 bool dmi_joint_has_limits(const dm_joint* joint);
 /* Clamps to the limits, where the joint has any. */
 float dmi_joint_clamp(const dm_joint* joint, float value);
+/* Returns the limit that is farther from rest, the upper one of two alike. The joint has limits. */
+float dmi_joint_open_end(const dm_joint* joint);
 /* Moves the origin along the axis line to the point nearest `centre`. */
 void dmi_joint_set_origin_near(dm_joint* joint, const float centre[3]);
 

@@ -123,8 +123,8 @@ static void follow_hands(dmi_drag* drag, const dm_drag_input* input, float dt) {
 /* Returns the joint value that moves the part by its whole range towards its open end. */
 static float open_range(const dmi_drag* drag) {
     const dm_joint* joint = &drag->joint;
-    const float rest = dmi_joint_clamp(joint, 0), range = dmi_rules_range(&drag->rules, joint);
-    return dmi_joint_has_limits(joint) && rest - joint->lower > joint->upper - rest ? -range : range;
+    const float range = dmi_rules_range(&drag->rules, joint);
+    return dmi_joint_has_limits(joint) && dmi_joint_open_end(joint) == joint->lower ? -range : range;
 }
 
 static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {

@@ -2,8 +2,6 @@
 #ifndef DMI_MOTION_DRAG_BOUNDS_H
 #define DMI_MOTION_DRAG_BOUNDS_H
 
-#include <math.h>
-
 #include "motion/drag_rules.h"
 
 /* Bounds of one update; infinite on a free side. */
@@ -11,9 +9,6 @@ typedef struct dmi_bounds {
     float lower, upper;
 } dmi_bounds;
 
-static inline dmi_bounds dmi_no_bounds(void) {
-    return (dmi_bounds){-INFINITY, INFINITY};
-}
 /* Returns the value inside the bounds that is nearest to `value`. */
 float dmi_bounds_clamp(dmi_bounds bounds, float value);
 /* Whether the bounds hold a part at `value` that is asked to go to `target`. */

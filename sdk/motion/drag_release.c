@@ -45,8 +45,7 @@ float dmi_release_open_end(const dmi_released_part* part) {
     const dm_joint* joint = part->joint;
     const float rest = dmi_joint_clamp(joint, 0), pulled = part->value + LOOK_AHEAD * part->velocity - rest;
     const float side = part->side != 0 ? (float)part->side : pulled;
-    if (side == 0 || rests_at_stop(joint))
-        return joint->upper - rest >= rest - joint->lower ? joint->upper : joint->lower;
+    if (side == 0 || rests_at_stop(joint)) return dmi_joint_open_end(joint);
     return side > 0 ? joint->upper : joint->lower;
 }
 

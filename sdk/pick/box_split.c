@@ -174,3 +174,30 @@ void dmi_box_split(dmi_box_item* items, const dmi_box_range* range, uint32_t blo
     else
         halves(items, range, out);
 }
+
+/* Index of the range with the largest box of those of more than `block` items; `count` when there is none. */
+static uint32_t largest(const dmi_box_range* ranges, uint32_t count, uint32_t block) {
+    uint32_t best = count;
+    float best_area = -1;
+    for (uint32_t i = 0; i < count; i++) {
+        if (ranges[i].count <= block) continue;
+        const float area = dmi_box_area(&ranges[i].box);
+        if (area <= best_area) continue;
+        best_area = area;
+        best = i;
+    }
+    return best;
+}
+
+uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, int halve, dmi_box_range* ranges, uint32_t most) {
+    uint32_t count = 1;
+    while (count < most) {
+        const uint32_t i = largest(ranges, count, block);
+        if (i == count) break;
+        dmi_box_range two[2];
+        dmi_box_split(items, &ranges[i], block, halve, two);
+        ranges[i] = two[0];
+        ranges[count++] = two[1];
+    }
+    return count;
+}

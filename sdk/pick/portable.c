@@ -16,8 +16,7 @@ static void close(void* device) {
 
 static dmi_wide_trace* best_trace(void) {
 #if defined(__x86_64__)
-    const dmi_isa isa = dmi_cpu_best_isa();
-    if (isa == DMI_ISA_AVX2 || isa == DMI_ISA_AVX512) return dmi_wide_trace_avx2;
+    if (dmi_isa_has_avx2(dmi_cpu_best_isa())) return dmi_wide_trace_avx2;
 #endif
     return dmi_wide_trace_plain;
 }

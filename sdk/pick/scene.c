@@ -256,8 +256,7 @@ void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_
 
 static dmi_scene_trace* best_trace(void) {
 #if defined(__x86_64__)
-    const dmi_isa isa = dmi_cpu_best_isa();
-    if (isa == DMI_ISA_AVX2 || isa == DMI_ISA_AVX512) return dmi_scene_trace_avx2;
+    if (dmi_isa_has_avx2(dmi_cpu_best_isa())) return dmi_scene_trace_avx2;
 #endif
     return dmi_scene_trace_plain;
 }

@@ -57,13 +57,6 @@ static dmi_box node_box(const dmi_top_node* node) {
 
 /* ---- links ---- */
 
-static void set_box(dmi_wide_node* node, uint32_t slot, const dmi_box* box) {
-    for (int k = 0; k < 3; k++) {
-        node->planes[k][slot] = box->low[k];
-        node->planes[3 + k][slot] = box->high[k];
-    }
-}
-
 static void set_parent(dmi_top_tree* tree, uint32_t reference, uint32_t parent) {
     if (reference & DMI_LEAF)
         tree->leaves[reference & ~DMI_LEAF].parent = parent;
@@ -72,7 +65,7 @@ static void set_parent(dmi_top_tree* tree, uint32_t reference, uint32_t parent) 
 }
 
 static void set_child(dmi_top_tree* tree, uint32_t index, uint32_t slot, const entry* child) {
-    set_box(&tree->nodes[index].wide, slot, &child->box);
+    dmi_wide_node_set_box(&tree->nodes[index].wide, slot, &child->box);
     tree->nodes[index].wide.child[slot] = child->reference;
     set_parent(tree, child->reference, index);
 }
@@ -93,7 +86,7 @@ static void drop_child(dmi_top_tree* tree, uint32_t index, uint32_t slot) {
     const uint32_t last = --node->count;
     const entry moved = get_child(tree, index, last);
     set_child(tree, index, slot, &moved);
-    set_box(&node->wide, last, &inside_out);
+    dmi_wide_node_set_box(&node->wide, last, &inside_out);
     node->wide.child[last] = 0;
 }
 
@@ -136,7 +129,7 @@ static void climb(dmi_top_tree* tree, uint32_t index) {
         const uint32_t slot = slot_of(tree, parent, index);
         const dmi_box old = child_box(&tree->nodes[parent].wide, slot), box = node_box(&tree->nodes[index]);
         if (same(&old, &box)) return;
-        set_box(&tree->nodes[parent].wide, slot, &box);
+        dmi_wide_node_set_box(&tree->nodes[parent].wide, slot, &box);
         index = parent;
     }
 }
@@ -215,7 +208,7 @@ static void add_or_split(dmi_top_tree* tree, uint32_t index, const entry* added)
             tree->levels++;
             return;
         }
-        set_box(&tree->nodes[parent].wide, slot_of(tree, parent, index), &halves[0].box);
+        dmi_wide_node_set_box(&tree->nodes[parent].wide, slot_of(tree, parent, index), &halves[0].box);
         child = halves[1];
         index = parent;
     }
@@ -383,34 +376,12 @@ typedef struct pending {
     uint32_t first, count, parent, level;
 } pending;
 
-/* Index of the range with the largest box of those of several leaves; `count` when none is. */
-static uint32_t largest(const dmi_box_range* ranges, uint32_t count) {
-    uint32_t best = count;
-    float best_area = -1;
-    for (uint32_t i = 0; i < count; i++) {
-        const float area = dmi_box_area(&ranges[i].box);
-        if (ranges[i].count < 2 || area <= best_area) continue;
-        best_area = area;
-        best = i;
-    }
-    return best;
-}
-
 /* Splits a range into up to eight; returns how many, and the box of all. */
 static uint32_t split_range(dmi_top_tree* tree, const pending* work, dmi_box* out_box, dmi_box_range out[DMI_WIDE]) {
-    uint32_t count = 1;
     out[0] = (dmi_box_range){.first = work->first, .count = work->count};
     dmi_box_range_measure(tree->items, &out[0]);
     *out_box = out[0].box;
-    while (count < DMI_WIDE) {
-        const uint32_t i = largest(out, count);
-        if (i == count) break;
-        dmi_box_range two[2];
-        dmi_box_split(tree->items, &out[i], 1, work->level >= DMI_TOP_FREE_LEVELS, two);
-        out[i] = two[0];
-        out[count++] = two[1];
-    }
-    return count;
+    return dmi_box_split_up(tree->items, 1, work->level >= DMI_TOP_FREE_LEVELS, out, DMI_WIDE);
 }
 
 /* Makes the node of a range of several leaves, links it, and puts off its children of several. */

@@ -1,6 +1,7 @@
 /* The ways of a ray through a wide tree and through a scene, shared by the instruction sets (wide_trace_plain.c,
- * wide_trace_avx2.c). They define TARGET      the attributes of a function of their instruction set enter_node  and
- * test_block, declared below and all give the same bits: no multiplication is contracted with an addition.
+ * wide_trace_avx2.c). They define TARGET, the attributes of a function of their instruction set, and the functions
+ * enter_node and test_block, which are declared below. All give the same bits: no multiplication is contracted with an
+ * addition.
  *
  * Boxes are tested after Ize 2013 ("Robust BVH ray traversal"), triangles after Woop, Benthin and Wald 2013
  * ("Watertight ray/triangle intersection"): a ray never slips between two triangles that share an edge. */

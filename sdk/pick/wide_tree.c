@@ -88,40 +88,8 @@ static void fill_block(const builder* b, const dmi_box_range* range, dmi_triangl
 }
 
 static void set_child(dmi_wide_node* node, uint32_t slot, const dmi_box* box, uint32_t reference) {
-    for (int k = 0; k < 3; k++) {
-        node->planes[k][slot] = box->low[k];
-        node->planes[3 + k][slot] = box->high[k];
-    }
+    dmi_wide_node_set_box(node, slot, box);
     node->child[slot] = reference;
-}
-
-/* Index of the range with the largest box of those that are more than a block; `count` when all are blocks. */
-static uint32_t largest(const dmi_box_range* ranges, uint32_t count) {
-    uint32_t best = count;
-    float best_area = -1;
-    for (uint32_t i = 0; i < count; i++) {
-        if (ranges[i].count <= DMI_BLOCK) continue;
-        const float area = dmi_box_area(&ranges[i].box);
-        if (area > best_area) {
-            best_area = area;
-            best = i;
-        }
-    }
-    return best;
-}
-
-static uint32_t split_range(builder* b, const pending* work, dmi_box_range out[DMI_WIDE]) {
-    uint32_t count = 1;
-    out[0] = work->range;
-    while (count < DMI_WIDE) {
-        const uint32_t i = largest(out, count);
-        if (i == count) break;
-        dmi_box_range two[2];
-        dmi_box_split(b->items, &out[i], DMI_BLOCK, work->level >= DMI_FREE_LEVELS, two);
-        out[i] = two[0];
-        out[count++] = two[1];
-    }
-    return count;
 }
 
 static bool make_leaf(builder* b, uint32_t node, uint32_t slot, const dmi_box_range* range) {
@@ -141,7 +109,8 @@ static bool make_node(builder* b, const pending* work) {
     const uint32_t index = tree->node_count++;
     if (index > 0) tree->nodes[work->parent].child[work->slot] = index;
     dmi_box_range ranges[DMI_WIDE];
-    const uint32_t count = split_range(b, work, ranges);
+    ranges[0] = work->range;
+    const uint32_t count = dmi_box_split_up(b->items, DMI_BLOCK, work->level >= DMI_FREE_LEVELS, ranges, DMI_WIDE);
     static const dmi_box inside_out = {{INFINITY, INFINITY, INFINITY, 0}, {-INFINITY, -INFINITY, -INFINITY, 0}};
     for (uint32_t i = 0; i < DMI_WIDE; i++) {
         if (i >= count) {

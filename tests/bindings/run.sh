@@ -28,6 +28,8 @@ for compiler in g++ clang++; do
     "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/scenario.cpp -o "$work/$compiler" $link
     same "$compiler" "$work/$compiler"
     "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/example.cpp -o "$work/example" $link
+    "$work/example" tests/replay/hands/object.dmo > "$work/example.txt" && grep -q 'a fifth open' "$work/example.txt" ||
+        { echo "bindings: the example of C++ did not open a part" >&2; failed=1; }
 done
 LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
 exit $failed

@@ -116,4 +116,21 @@ static inline dm_drag_hint test_pull(void) {
     return (dm_drag_hint){.point = {0.91f, 0.5f, 1.07f}, .vector = {0, 0, 0.2f}};
 }
 
+/* Where the player looks from. */
+static const dm_vec3 test_camera = {2.5f, 1.8f, 4};
+
+static inline dm_ray test_ray_to(dm_vec3 point) {
+    return (dm_ray){test_camera, {point.x - test_camera.x, point.y - test_camera.y, point.z - test_camera.z}};
+}
+
+/* Where a joint at `value` takes the point that the hand pulls. */
+static inline dm_vec3 test_point_on(const dm_joint* joint, float value) {
+    dm_pose pose;
+    const dm_vec3 grab = test_pull().point;
+    float point[3] = {grab.x, grab.y, grab.z};
+    assert_int_equal(dm_joint_pose(joint, value, &pose), DM_OK);
+    dm_pose_apply_points(&pose, point, 0, point, 0, 1);
+    return (dm_vec3){point[0], point[1], point[2]};
+}
+
 #endif

@@ -3,21 +3,6 @@
 
 #include <math.h>
 
-static const dm_vec3 camera = {2.5f, 1.8f, 4};
-
-static dm_ray ray_to(dm_vec3 point) {
-    return (dm_ray){camera, {point.x - camera.x, point.y - camera.y, point.z - camera.z}};
-}
-
-static dm_vec3 point_on(const dm_joint* joint, float value) {
-    dm_pose pose;
-    const dm_vec3 grab = test_pull().point;
-    float point[3] = {grab.x, grab.y, grab.z};
-    assert_int_equal(dm_joint_pose(joint, value, &pose), DM_OK);
-    dm_pose_apply_points(&pose, point, 0, point, 0, 1);
-    return (dm_vec3){point[0], point[1], point[2]};
-}
-
 /* Grabs the door's handle and swings it open along the true hinge to `value`. */
 static dm_drag swing(test_world* w, dm_object object, uint32_t flags, float value, dm_drag_state* out_state) {
     const dm_drag_desc desc = {.struct_size = sizeof desc,
@@ -29,7 +14,7 @@ static dm_drag swing(test_world* w, dm_object object, uint32_t flags, float valu
     dm_drag drag = 0;
     assert_int_equal(dm_drag_begin(w->context, &desc, &drag), DM_OK);
     for (int k = 0; k <= 120; k++) { /* holds on for what a change of the joint takes */
-        const dm_ray ray = ray_to(point_on(&hinge, value * fminf((float)k / 60, 1)));
+        const dm_ray ray = test_ray_to(test_point_on(&hinge, value * fminf((float)k / 60, 1)));
         assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, out_state), DM_OK);
     }
     return drag;

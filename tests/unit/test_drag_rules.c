@@ -3,21 +3,6 @@
 
 #include <math.h>
 
-static const dm_vec3 camera = {2.5f, 1.8f, 4};
-
-static dm_ray ray_to(dm_vec3 point) {
-    return (dm_ray){camera, {point.x - camera.x, point.y - camera.y, point.z - camera.z}};
-}
-
-static dm_vec3 point_on(const dm_joint* joint, float value) {
-    dm_pose pose;
-    const dm_vec3 grab = test_pull().point;
-    float point[3] = {grab.x, grab.y, grab.z};
-    assert_int_equal(dm_joint_pose(joint, value, &pose), DM_OK);
-    dm_pose_apply_points(&pose, point, 0, point, 0, 1);
-    return (dm_vec3){point[0], point[1], point[2]};
-}
-
 typedef struct hinged {
     test_world w;
     dm_object object;
@@ -51,7 +36,7 @@ static dm_drag_input pointer_at(float value) {
     const dm_joint hinge = test_hinge();
     dm_drag_input input = dm_drag_input_default();
     input.hand.kind = DM_HAND_RAY;
-    input.hand.ray = ray_to(point_on(&hinge, value));
+    input.hand.ray = test_ray_to(test_point_on(&hinge, value));
     return input;
 }
 
@@ -156,7 +141,7 @@ static void a_door_opens_away_from_the_player(void** state) {
     dm_joint both = test_hinge();
     both.lower = -1.5f;
     assert_int_equal(dm_object_set_joint(h.w.context, h.object, TEST_DOOR, &both), DM_OK);
-    const dm_vec3 open = point_on(&both, 1.5f), other = point_on(&both, -1.5f);
+    const dm_vec3 open = test_point_on(&both, 1.5f), other = test_point_on(&both, -1.5f);
     for (int side = 0; side < 2; side++) {
         const dm_drag drag = begin(&h, NULL);
         dm_release_desc wish = dm_release_desc_default();

@@ -8,12 +8,6 @@
 #include "test_snapshot.h"
 #include "test_world.h"
 
-static const dm_vec3 camera = {2.5f, 1.8f, 4};
-
-static dm_ray ray_to(dm_vec3 point) {
-    return (dm_ray){camera, {point.x - camera.x, point.y - camera.y, point.z - camera.z}};
-}
-
 static dm_vec3 moved(const dm_joint* joint, float value, dm_vec3 from) {
     dm_pose pose;
     float point[3] = {from.x, from.y, from.z};
@@ -34,7 +28,8 @@ static dm_drag begin(const test_world* w, dm_object object, dm_vec3 grab, const 
 static dm_drag_state pull(const test_world* w, dm_drag drag, const dm_joint* along, float from, float value, int rest) {
     dm_drag_state now = dm_drag_state_default();
     for (int k = 1; k <= 60 + rest; k++) {
-        const dm_ray ray = ray_to(moved(along, from + (value - from) * fminf((float)k / 60, 1), test_pull().point));
+        const dm_ray ray =
+            test_ray_to(moved(along, from + (value - from) * fminf((float)k / 60, 1), test_pull().point));
         assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, &now), DM_OK);
     }
     return now;
@@ -90,7 +85,7 @@ static void the_next_drag_begins_where_the_last_ended(void** state) {
             assert_memory_equal(&again.joint, &end.joint, sizeof end.joint); /* source and confidences too */
             assert_true(jump(&again.pose, &last.pose) < 1e-5f);
             dm_drag_state now = dm_drag_state_default();
-            const dm_ray still = ray_to(last.grab_point);
+            const dm_ray still = test_ray_to(last.grab_point);
             assert_int_equal(dm_drag_update(w.context, second, &still, 0.016f, &now), DM_OK);
             assert_true(jump(&now.pose, &last.pose) < 0.01f);
             test_world_close(&w);
@@ -326,7 +321,7 @@ static void endless_times_give_finite_poses(void** state) {
         dm_drag_state now = dm_drag_state_default();
         dm_release_plan plan = dm_release_plan_default();
         for (int frame = 0; frame < 40; frame++) {
-            const dm_ray ray = ray_to(moved(&hinge, 0.05f * (float)frame, test_pull().point));
+            const dm_ray ray = test_ray_to(moved(&hinge, 0.05f * (float)frame, test_pull().point));
             if (frame == 20) assert_int_equal(dm_drag_release(w.context, drag, NULL, &plan), DM_OK);
             assert_int_equal(dm_drag_update(w.context, drag, frame < 20 ? &ray : NULL, 0.002f, &now), DM_OK);
             assert_true(isfinite(now.value + now.target + now.velocity + now.pose.real[1] + now.pose.dual[0]));
@@ -349,7 +344,7 @@ static void outputs_fit_the_callers_version(void** state) {
     } newer, same;
     memset(&newer, 0xAA, sizeof newer), memset(&same, 0xAA, sizeof same);
     newer.known.struct_size = sizeof newer, same.known.struct_size = sizeof same.known;
-    const dm_ray ray = ray_to(test_pull().point);
+    const dm_ray ray = test_ray_to(test_pull().point);
     const dm_drag a = begin(&w, object, test_pull().point, NULL), b = begin(&w, object, test_pull().point, NULL);
     assert_int_equal(dm_drag_update(w.context, a, &ray, 0.016f, &newer.known), DM_OK);
     assert_int_equal(dm_drag_update(w.context, b, &ray, 0.016f, &same.known), DM_OK);
@@ -477,7 +472,7 @@ static uint64_t warnings(test_world* w, dm_object object, dm_vec3 point, float v
         .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .grab_point = point, .start_value = value};
     dm_drag drag = 0;
     dm_drag_state now = dm_drag_state_default();
-    const dm_ray ray = ray_to(test_pull().point);
+    const dm_ray ray = test_ray_to(test_pull().point);
     w->messages.count = 0, w->messages.text[0] = 0;
     assert_int_equal(dm_drag_begin(w->context, &desc, &drag), DM_OK);
     for (int i = 0; i < 3; i++) assert_int_equal(dm_drag_update(w->context, drag, &ray, dt, &now), DM_OK);
@@ -608,7 +603,7 @@ typedef struct recording {
 static void record(const test_world* w, dm_drag drag, const dm_joint* along, recording* out) {
     memset(out, 0, sizeof *out);
     for (int k = 0; k < 120; k++) {
-        const dm_ray ray = ray_to(moved(along, 0.2f + 0.01f * (float)k, test_pull().point));
+        const dm_ray ray = test_ray_to(moved(along, 0.2f + 0.01f * (float)k, test_pull().point));
         out->frames[k].struct_size = sizeof out->frames[k];
         if (k == 80) assert_int_equal(dm_drag_release(w->context, drag, NULL, NULL), DM_OK);
         assert_int_equal(dm_drag_update(w->context, drag, k < 80 ? &ray : NULL, 0.016f, &out->frames[k]), DM_OK);
@@ -685,7 +680,7 @@ static void play_on(dmi_isa isa, const uint8_t* file, size_t size, recording* ou
     const dm_drag drag = begin(&w, object, test_pull().point, NULL);
     memset(out, 0, sizeof *out);
     for (int k = 0; k < 120; k++) {
-        const dm_ray ray = ray_to(moved(&hinge, 0.01f * (float)k, test_pull().point));
+        const dm_ray ray = test_ray_to(moved(&hinge, 0.01f * (float)k, test_pull().point));
         out->frames[k].struct_size = sizeof out->frames[k];
         if (k == 60) assert_int_equal(dm_drag_release(w.context, drag, &rule, NULL), DM_OK);
         assert_int_equal(dm_drag_update(w.context, drag, k < 60 ? &ray : NULL, 0.016f, &out->frames[k]), DM_OK);
@@ -713,7 +708,7 @@ static void expect_finite_frames(const test_world* w, dm_drag drag, size_t place
     const dm_joint hinge = test_hinge();
     dm_drag_state now = dm_drag_state_default();
     for (int frame = 0; frame < 8; frame++) {
-        const dm_ray ray = ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
+        const dm_ray ray = test_ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
         assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, &now), DM_OK);
         float sum = now.value + now.target + now.velocity + now.grab_point.x + now.grab_point.y + now.grab_point.z;
         for (int i = 0; i < 4; i++) sum += now.pose.real[i] + now.pose.dual[i];
@@ -752,7 +747,7 @@ static void hostile_snapshots_do_no_harm(void** state) {
             if (result != DM_OK || k % 3 != 0) continue;
             dm_drag_state now = dm_drag_state_default();
             for (int frame = 0; frame < 4; frame++) {
-                const dm_ray ray = ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
+                const dm_ray ray = test_ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
                 assert_int_equal(dm_drag_update(w.context, drag, &ray, 0.016f, &now), DM_OK);
             }
         }

@@ -167,6 +167,18 @@ double dmi_gltf_change(const dmi_gltf_elements* elements, uint64_t i, int compon
     return read_at(elements, elements->changes + i * elements->change_stride, component);
 }
 
+uint64_t dmi_gltf_find_change(const dmi_gltf_elements* elements, uint64_t element) {
+    uint64_t low = 0, high = elements->change_count;
+    while (low < high) {
+        const uint64_t middle = low + (high - low) / 2;
+        if (dmi_gltf_changed(elements, middle) < element)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < elements->change_count && dmi_gltf_changed(elements, low) == element ? low : elements->change_count;
+}
+
 void dmi_gltf_read_indices(const dmi_gltf_elements* elements, uint32_t* out) {
     const uint8_t* data = elements->data;
     const uint64_t count = data ? elements->count : 0, stride = elements->stride;

@@ -42,22 +42,14 @@ static dm_result find_attribute(dmi_edit* e, const dmi_copy* copy, const cJSON* 
     return dmi_gltf_refuse(&e->problem, DM_ERROR_OUT_OF_MEMORY, "glTF: export: no memory for %.40s", out->name);
 }
 
-/* The bytes as they are, with sparse changes; these are sorted by element, as glTF demands, or the first counts. */
+/* The bytes as they are, with sparse changes. */
 static void copy_values(const dmi_copy* copy, attribute* a) {
     const dmi_gltf_elements* from = &a->from;
     for (uint64_t v = 0; v < copy->vertex_count; v++) {
         const uint64_t element = copy->elements[v];
         const uint8_t* source = from->data ? from->data + element * from->stride : NULL;
-        uint64_t low = 0, high = from->change_count;
-        while (low < high) {
-            const uint64_t middle = low + (high - low) / 2;
-            if (dmi_gltf_changed(from, middle) < element)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        if (low < from->change_count && dmi_gltf_changed(from, low) == element)
-            source = from->changes + low * from->change_stride;
+        const uint64_t change = dmi_gltf_find_change(from, element);
+        if (change < from->change_count) source = from->changes + change * from->change_stride;
         if (source) memcpy(a->bytes + v * a->stride, source, a->element);
     }
 }

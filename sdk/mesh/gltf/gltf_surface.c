@@ -113,19 +113,11 @@ static void read_transform(const cJSON* transform, double m[6]) {
     m[3] = sin(turn) * scale[0], m[4] = cos(turn) * scale[1], m[5] = offset[1];
 }
 
-/* The component of an element, with sparse changes, which are sorted as glTF demands. */
+/* The component of an element, with sparse changes. */
 static double value_of(const dmi_gltf_elements* from, uint64_t element, int component) {
-    uint64_t low = 0, high = from->change_count;
-    while (low < high) {
-        const uint64_t middle = low + (high - low) / 2;
-        if (dmi_gltf_changed(from, middle) < element)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low < from->change_count && dmi_gltf_changed(from, low) == element)
-        return dmi_gltf_change(from, low, component);
-    return dmi_gltf_element(from, element, component);
+    const uint64_t change = dmi_gltf_find_change(from, element);
+    return change < from->change_count ? dmi_gltf_change(from, change, component)
+                                       : dmi_gltf_element(from, element, component);
 }
 
 /* Corners without coordinates, and coordinates that are not finite, are 0. */
