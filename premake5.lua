@@ -51,7 +51,7 @@ local function make(name, kind_, sources, includes, libraries)
         kind(kind_)
         language "C"
         files(sources)
-        includedirs(includes)
+        includedirs(table.join(includes, { "third_party" }))
         objdir("build/obj/" .. name)
         if #libraries > 0 then links(libraries) end
 end
@@ -157,19 +157,23 @@ for _, room in ipairs(rooms) do
     if room[1] == "pick" then defines(pick_macros) end
 end
 
+-- cJSON under names of our own: neither the host's copy nor ours takes the other's calls.
+library("cjson", { "third_party/cjson/cJSON.c" }, {})
+
 -- Libraries --------------------------------------------------------------------------------------------------------
 
--- The boundary with all rooms in one archive: the whole library for static linking, C alone.
-library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, room_libraries)
+-- The boundary with all rooms and cJSON in one archive: the whole library for static linking, C alone.
+local core_libraries = table.join(room_libraries, { "cjson" })
+library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, core_libraries)
     defines { "DM_BUILDING" }
     -- The archive is made anew from its objects and the rooms' archives: ar by itself only ever adds.
     local folder, add = "../%{cfg.buildcfg}/lib/lib", ""
-    for _, name in ipairs(room_libraries) do add = add .. " 'addlib " .. folder .. name .. ".a'" end
+    for _, name in ipairs(core_libraries) do add = add .. " 'addlib " .. folder .. name .. ".a'" end
     postbuildcommands {
         "@(echo create $(TARGET).new; printf '%s\\n'" .. add .. "; printf 'addmod %s\\n' $(OBJECTS); echo save) | $(AR) -M",
         "@mv $(TARGET).new $(TARGET)" }
 
-local core = { "dragmesh_core", "cjson", "dl", "m" }
+local core = { "dragmesh_core", "dl", "m" }
 
 shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plugin_api/dragmesh.map")
 
@@ -186,7 +190,7 @@ for _, library in ipairs(compression) do
 end
 shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
     { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh" }) },
-    table.join({ "dragmesh_core", "cjson", "m" }, decoders), "plugin_api/dragmesh_gltf.map")
+    table.join({ "dragmesh_core", "m" }, decoders), "plugin_api/dragmesh_gltf.map")
     language "C++"
     defines(gltf_macros)
 
@@ -196,7 +200,7 @@ library("dragmesh_generator", { "training/generator/**.c" },
     { api, generator, include_folder("dragmesh_generator", "sdk", { "base", "math", "mesh" }) })
 
 shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },
-    { "dragmesh_generator", "dragmesh_core", "cjson", "dl", "m" }, "training/lab/lab.map")
+    { "dragmesh_generator", "dragmesh_core", "dl", "m" }, "training/lab/lab.map")
 
 -- Programs ---------------------------------------------------------------------------------------------------------
 
@@ -242,7 +246,7 @@ local everything = { api, "sdk", generator, "tests/include", "samples/dragmesh_c
 for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
     for _, source in ipairs(os.matchfiles("tests/" .. room .. "/test_*.c")) do
         local name = source:match("([%w_]+)%.c$")
-        local libraries = { "cmocka", "dragmesh_gltf", "dragmesh_generator", "dragmesh_core", "cjson", "dl", "m" }
+        local libraries = { "cmocka", "dragmesh_gltf", "dragmesh_generator", "dragmesh_core", "dl", "m" }
         if room == "abi" or room == "e2e" then
             libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
         end
@@ -256,7 +260,7 @@ end
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
     program(source:match("([%w_]+)%.c$"), { source, "tests/fuzz/driver.c" }, everything,
-        { "dragmesh_gltf", "dragmesh_core", "cjson", "dl", "m" }, "/fuzz")
+        { "dragmesh_gltf", "dragmesh_core", "dl", "m" }, "/fuzz")
 end
 
 -- Benchmarks that call Embree themselves too; without its headers they are left out.
@@ -264,7 +268,7 @@ local embree = installed "embree4/rtcore.h" and "embree4" or installed "embree3/
 local beside_embree = { bench_peers = true, bench_pick = true }
 
 for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
-    local name, libraries = source:match("([%w_]+)%.c$"), { "dragmesh_core", "cjson", "dl", "m" }
+    local name, libraries = source:match("([%w_]+)%.c$"), { "dragmesh_core", "dl", "m" }
     local sources = { source, "tests/bench/support.c", "tests/bench/world.c" }
     if beside_embree[name] then
         table.insert(sources, "tests/bench/bare_embree.c")

@@ -96,12 +96,12 @@ static uint32_t processor_count(void) {
 
 /* Fills the device; on failure it holds neither handle nor library. */
 static dm_result open_device(device* d, char* why, size_t why_size) {
-    if (!embree_load(&d->library, library_names, why, why_size)) return DM_ERROR_UNSUPPORTED;
+    if (!dmi_embree_load(&d->library, library_names, why, why_size)) return DM_ERROR_UNSUPPORTED;
     d->handle = d->library.NewDevice(DEVICE_CONFIG);
     if (d->handle == NULL) {
         const int32_t error = d->library.GetDeviceError(NULL);
         snprintf(why, why_size, "Embree makes no device: %s", name_of(error));
-        embree_unload(&d->library);
+        dmi_embree_unload(&d->library);
         return error == EMBREE_ERROR_NONE ? DM_ERROR_INTERNAL : result_of(error);
     }
     d->library.SetDeviceErrorFunction(d->handle, on_error, d->env);
@@ -129,7 +129,7 @@ static dm_result open(dmi_env* env, void** out_device, char* why, size_t why_siz
 static void close(void* handle) {
     device* d = handle;
     d->library.ReleaseDevice(d->handle);
-    embree_unload(&d->library);
+    dmi_embree_unload(&d->library);
     dmi_free(d->env, d, sizeof *d);
 }
 

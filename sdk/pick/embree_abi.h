@@ -92,7 +92,7 @@ typedef struct embree_library {
 
 /* Loads one of the libraries called `names` (up to NULL), the first that is there and whole. False where none is;
  * `why` is then filled with the reasons. */
-bool embree_load(embree_library* out_library, const char* const* names, char* why, size_t why_size);
-void embree_unload(embree_library* library);
+bool dmi_embree_load(embree_library* out_library, const char* const* names, char* why, size_t why_size);
+void dmi_embree_unload(embree_library* library);
 
 #endif

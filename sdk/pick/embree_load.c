@@ -53,7 +53,7 @@ static void append(char* why, size_t size, const char* text) {
     snprintf(why + used, size - used, "%s%s", used > 0 ? "; " : "", text);
 }
 
-bool embree_load(embree_library* out_library, const char* const* names, char* why, size_t why_size) {
+bool dmi_embree_load(embree_library* out_library, const char* const* names, char* why, size_t why_size) {
     why[0] = 0;
     for (; *names != NULL; names++) {
         embree_library library = {.handle = dlopen(*names, load_flags())};
@@ -71,6 +71,6 @@ bool embree_load(embree_library* out_library, const char* const* names, char* wh
     return false;
 }
 
-void embree_unload(embree_library* library) {
+void dmi_embree_unload(embree_library* library) {
     dlclose(library->handle);
 }

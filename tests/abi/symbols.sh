@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tests/abi/symbols.sh BUILD_FOLDER — the shared libraries export what they promise and nothing else, and the core calls
-# nothing that a library must not: no thread, no print, no exit.
+# nothing that a library must not: no thread, no print, no exit; the archive for static linking keeps to its own names.
 set -euo pipefail
 folder=$1
 cd "$(dirname "$0")/../.."
@@ -29,6 +29,14 @@ actual=$(exported "$folder/libdragmesh_gltf.so")
 [ -n "$actual" ] || complain "libdragmesh_gltf.so exports nothing"
 others=$(echo "$actual" | grep -v '^dm_gltf_' || true)
 [ -z "$others" ] || complain "libdragmesh_gltf.so also exports:" "$others"
+
+# What the core needs at run time: the C library alone. Embree is opened by name.
+needed=$(readelf -d "$folder/libdragmesh.so" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | grep -vxE 'lib(c|m|dl)\.so\.[0-9]+|ld-linux.*' || true)
+[ -z "$needed" ] || complain "libdragmesh.so needs:" "$needed"
+
+# The archive for static linking: no name that the host or another library could have too.
+others=$(nm --extern-only --defined-only "$folder/lib/libdragmesh_core.a" | awk 'NF == 3 { print $3 }' | grep -v '^dmi\?_' || true)
+[ -z "$others" ] || complain "libdragmesh_core.a also defines:" "$others"
 
 calls=$(nm -A --undefined-only "$folder/lib/libdragmesh_core.a" |
     grep -E ' (pthread_create|thrd_create|printf|fprintf|puts|putchar|abort|exit|_exit|fork|system)$' || true)

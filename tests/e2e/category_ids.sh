@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 table=training/generator/categories.h lib=build/release/lib
-flags="-std=gnu17 -O1 -ffp-contract=off -fno-math-errno -fno-trapping-math -Iplugin_api/include -Isdk -Itraining/generator -Itraining/lab -Itests/include"
+flags="-std=gnu17 -O1 -ffp-contract=off -fno-math-errno -fno-trapping-math -Iplugin_api/include -Isdk -Itraining/generator -Itraining/lab -Itests/include -Ithird_party"
 grep -o '^ *X([a-z0-9_]*, [0-9][0-9]*, [A-Z_]*)' $table | tr -d ' ' > "$work/rows"
 next=$(($(cut -d, -f2 "$work/rows" | sort -n | tail -1) + 1))
 
@@ -24,7 +24,7 @@ hashes() {
     cp training/generator/generator.c "$work/$1"
     # The library's own generator.o stays out: what it defines is there already.
     gcc $flags -I"$work/$1" "$work/$1/generator.c" "$work"/*.o $lib/libdragmesh_generator.a $lib/libdragmesh_core.a \
-        -lcjson -ldl -lm -o "$work/$1/hashes"
+        -ldl -lm -o "$work/$1/hashes"
     "$work/$1/hashes" "$next" | sort > "$work/$1/all"
     grep -v '^kind added_kind ' "$work/$1/all" > "$work/$1/others"
 }

@@ -8,7 +8,7 @@ grep -qw avx2 /proc/cpuinfo || { echo "no AVX2 here: skipped"; exit 0; }
 out=build/avx512 cc=gcc
 mkdir -p "$out/obj"
 command -v ccache > /dev/null && cc="ccache gcc"
-flags="-std=gnu17 -O2 -ffp-contract=off -D_GNU_SOURCE -w -Iplugin_api/include -Isdk -Itests/include -Itraining/generator"
+flags="-std=gnu17 -O2 -ffp-contract=off -D_GNU_SOURCE -w -Iplugin_api/include -Isdk -Itests/include -Itraining/generator -Ithird_party"
 compile() { # SOURCE
     local emulate=
     case $1 in */gemm_avx512.c|*/apply_points.c) emulate="-mavx2 -mfma -include tests/isa/emulate_avx512.h" ;; esac
@@ -17,12 +17,12 @@ compile() { # SOURCE
 export -f compile
 export cc flags out
 rm -f "$out"/obj/*.o "$out/libcore.a"
-printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c build/embed/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
+printf '%s\n' sdk/{base,math,mesh,nn,segmentation,kinematics/*,motion}/*.c third_party/cjson/cJSON.c build/embed/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
 ar rcs "$out/libcore.a" "$out"/obj/*.o
 compile tests/isa/cpu_avx512.c
 for test in test_gemm test_layers test_dual_quat test_golden_kpp test_golden_vae; do
     compile tests/*/"$test".c
-    $cc "$out/obj/$test.o" "$out/obj/cpu_avx512.o" "$out/libcore.a" -Wl,--wrap=dmi_cpu_best_isa -lcmocka -lcjson -lm \
+    $cc "$out/obj/$test.o" "$out/obj/cpu_avx512.o" "$out/libcore.a" -Wl,--wrap=dmi_cpu_best_isa -lcmocka -lm \
         -o "$out/$test"
     echo "== avx512 $test"
     CMOCKA_MESSAGE_OUTPUT=stdout "$out/$test"

@@ -1,0 +1,90 @@
+/* cJSON under names of our own (dmi_cJSON_…), so that neither a host's cJSON nor ours takes the other's calls, linked
+ * statically or not. Unchanged upstream files: upstream/. tests/abi/symbols.sh finds a function that lacks its line. */
+#ifndef DMI_THIRD_PARTY_CJSON_H
+#define DMI_THIRD_PARTY_CJSON_H
+
+#define CJSON_HIDE_SYMBOLS /* a DLL exports none of it */
+
+#define cJSON_Duplicate_rec dmi_cJSON_Duplicate_rec
+#define cJSON_Version dmi_cJSON_Version
+#define cJSON_InitHooks dmi_cJSON_InitHooks
+#define cJSON_Parse dmi_cJSON_Parse
+#define cJSON_ParseWithLength dmi_cJSON_ParseWithLength
+#define cJSON_ParseWithOpts dmi_cJSON_ParseWithOpts
+#define cJSON_ParseWithLengthOpts dmi_cJSON_ParseWithLengthOpts
+#define cJSON_Print dmi_cJSON_Print
+#define cJSON_PrintUnformatted dmi_cJSON_PrintUnformatted
+#define cJSON_PrintBuffered dmi_cJSON_PrintBuffered
+#define cJSON_PrintPreallocated dmi_cJSON_PrintPreallocated
+#define cJSON_Delete dmi_cJSON_Delete
+#define cJSON_GetArraySize dmi_cJSON_GetArraySize
+#define cJSON_GetArrayItem dmi_cJSON_GetArrayItem
+#define cJSON_GetObjectItem dmi_cJSON_GetObjectItem
+#define cJSON_GetObjectItemCaseSensitive dmi_cJSON_GetObjectItemCaseSensitive
+#define cJSON_HasObjectItem dmi_cJSON_HasObjectItem
+#define cJSON_GetErrorPtr dmi_cJSON_GetErrorPtr
+#define cJSON_GetStringValue dmi_cJSON_GetStringValue
+#define cJSON_GetNumberValue dmi_cJSON_GetNumberValue
+#define cJSON_IsInvalid dmi_cJSON_IsInvalid
+#define cJSON_IsFalse dmi_cJSON_IsFalse
+#define cJSON_IsTrue dmi_cJSON_IsTrue
+#define cJSON_IsBool dmi_cJSON_IsBool
+#define cJSON_IsNull dmi_cJSON_IsNull
+#define cJSON_IsNumber dmi_cJSON_IsNumber
+#define cJSON_IsString dmi_cJSON_IsString
+#define cJSON_IsArray dmi_cJSON_IsArray
+#define cJSON_IsObject dmi_cJSON_IsObject
+#define cJSON_IsRaw dmi_cJSON_IsRaw
+#define cJSON_CreateNull dmi_cJSON_CreateNull
+#define cJSON_CreateTrue dmi_cJSON_CreateTrue
+#define cJSON_CreateFalse dmi_cJSON_CreateFalse
+#define cJSON_CreateBool dmi_cJSON_CreateBool
+#define cJSON_CreateNumber dmi_cJSON_CreateNumber
+#define cJSON_CreateString dmi_cJSON_CreateString
+#define cJSON_CreateRaw dmi_cJSON_CreateRaw
+#define cJSON_CreateArray dmi_cJSON_CreateArray
+#define cJSON_CreateObject dmi_cJSON_CreateObject
+#define cJSON_CreateStringReference dmi_cJSON_CreateStringReference
+#define cJSON_CreateObjectReference dmi_cJSON_CreateObjectReference
+#define cJSON_CreateArrayReference dmi_cJSON_CreateArrayReference
+#define cJSON_CreateIntArray dmi_cJSON_CreateIntArray
+#define cJSON_CreateFloatArray dmi_cJSON_CreateFloatArray
+#define cJSON_CreateDoubleArray dmi_cJSON_CreateDoubleArray
+#define cJSON_CreateStringArray dmi_cJSON_CreateStringArray
+#define cJSON_AddItemToArray dmi_cJSON_AddItemToArray
+#define cJSON_AddItemToObject dmi_cJSON_AddItemToObject
+#define cJSON_AddItemToObjectCS dmi_cJSON_AddItemToObjectCS
+#define cJSON_AddItemReferenceToArray dmi_cJSON_AddItemReferenceToArray
+#define cJSON_AddItemReferenceToObject dmi_cJSON_AddItemReferenceToObject
+#define cJSON_DetachItemViaPointer dmi_cJSON_DetachItemViaPointer
+#define cJSON_DetachItemFromArray dmi_cJSON_DetachItemFromArray
+#define cJSON_DeleteItemFromArray dmi_cJSON_DeleteItemFromArray
+#define cJSON_DetachItemFromObject dmi_cJSON_DetachItemFromObject
+#define cJSON_DetachItemFromObjectCaseSensitive dmi_cJSON_DetachItemFromObjectCaseSensitive
+#define cJSON_DeleteItemFromObject dmi_cJSON_DeleteItemFromObject
+#define cJSON_DeleteItemFromObjectCaseSensitive dmi_cJSON_DeleteItemFromObjectCaseSensitive
+#define cJSON_InsertItemInArray dmi_cJSON_InsertItemInArray
+#define cJSON_ReplaceItemViaPointer dmi_cJSON_ReplaceItemViaPointer
+#define cJSON_ReplaceItemInArray dmi_cJSON_ReplaceItemInArray
+#define cJSON_ReplaceItemInObject dmi_cJSON_ReplaceItemInObject
+#define cJSON_ReplaceItemInObjectCaseSensitive dmi_cJSON_ReplaceItemInObjectCaseSensitive
+#define cJSON_Duplicate dmi_cJSON_Duplicate
+#define cJSON_Compare dmi_cJSON_Compare
+#define cJSON_Minify dmi_cJSON_Minify
+#define cJSON_AddNullToObject dmi_cJSON_AddNullToObject
+#define cJSON_AddTrueToObject dmi_cJSON_AddTrueToObject
+#define cJSON_AddFalseToObject dmi_cJSON_AddFalseToObject
+#define cJSON_AddBoolToObject dmi_cJSON_AddBoolToObject
+#define cJSON_AddNumberToObject dmi_cJSON_AddNumberToObject
+#define cJSON_AddStringToObject dmi_cJSON_AddStringToObject
+#define cJSON_AddRawToObject dmi_cJSON_AddRawToObject
+#define cJSON_AddObjectToObject dmi_cJSON_AddObjectToObject
+#define cJSON_AddArrayToObject dmi_cJSON_AddArrayToObject
+#define cJSON_SetNumberHelper dmi_cJSON_SetNumberHelper
+#define cJSON_SetValuestring dmi_cJSON_SetValuestring
+#define cJSON_malloc dmi_cJSON_malloc
+#define cJSON_free dmi_cJSON_free
+
+#include "upstream/cJSON.h"
+
+#endif
