@@ -202,6 +202,11 @@ class drag : public owner<dm_drag, detail::end_drag> {
         return detail::fill(dm_drag_state_default(),
                             [&](dm_drag_state* out) { return dm_drag_step(context_, handle_, &input, seconds, out); });
     }
+    /* After a step with DM_INPUT_ASK: takes another value. [frame] */
+    result<dm_drag_state> take(float value) {
+        return detail::fill(dm_drag_state_default(),
+                            [&](dm_drag_state* out) { return dm_drag_take(context_, handle_, value, out); });
+    }
     result<dm_release_plan> let_go(const dm_release_desc& desc) {
         return detail::fill(dm_release_plan_default(),
                             [&](dm_release_plan* out) { return dm_drag_release(context_, handle_, &desc, out); });
@@ -263,6 +268,17 @@ class object : public owner<dm_object, dm_object_destroy> {
     }
     result<void> refine(std::uint32_t part_id, const dm_drag_hint& hint) {
         return dm_object_refine(context_, handle_, part_id, &hint);
+    }
+    /* Links parts, in place of the links of before; none: unlinks them. */
+    result<void> set_links(span<const dm_link> links) {
+        return dm_object_set_links(context_, handle_, links.data(), static_cast<std::uint32_t>(links.size()));
+    }
+    /* Moves what is linked with a part. values: of one instance, one a part; held: as many, or none: 1 where a link
+     * holds the part. [frame] */
+    result<void> follow_links(std::uint32_t part_id, span<float> values, span<std::uint8_t> held = {}) const {
+        if (held.size() != 0 && held.size() != values.size()) return DM_ERROR_INVALID_ARGUMENT;
+        return dm_object_follow_links(context_, handle_, part_id, values.data(), held.data(),
+                                      static_cast<std::uint32_t>(values.size()));
     }
     /* The bytes of a .dmo. */
     result<std::vector<std::uint8_t>> save() const {

@@ -11,8 +11,10 @@
 
 namespace {
 
-constexpr int frames = 60, shown_every = 10, saved_at = 30, released_frames = 120;
+constexpr int frames = 60, shown_every = 10, saved_at = 30, released_frames = 120, handle_turns_at = 25;
 constexpr float frame_time = 1.0f / 60;
+constexpr float handle_turn = 1, widest = 0.45f;     /* rad */
+constexpr std::array<float, 2> snaps = {0.2f, 0.4f}; /* rad */
 constexpr std::uint32_t door = 1, drawer = 2;
 const dm_ray first_ray = {{0.9f, 0.9f, 2.0f}, {-0.35f, -0.45f, -1.55f}};
 
@@ -157,6 +159,49 @@ void drag_and_release(const dragmesh::object& object, const dm_hit& hit) {
     print_floats(" ", last.pose.dual, 4);
 }
 
+void drag_behind_latch(const dragmesh::object& object, const dm_hit& hit) {
+    dm_drag_rules rules = dm_drag_rules_default();
+    dm_drag_desc desc = dm_drag_desc_default();
+    dm_drag_input input = dm_drag_input_default();
+    dm_drag_state state = dm_drag_state_default();
+    rules.flags = DM_RULE_LATCH, rules.snaps = snaps.data(), rules.snap_count = 2;
+    desc.part_id = hit.part_id, desc.grab_point = hit.object_point, desc.rules = &rules;
+    auto drag = must(object.grab(desc), "begin");
+    input.flags = DM_INPUT_ASK, input.hand.kind = DM_HAND_RAY;
+    std::uint32_t events = 0, detents = 0;
+    for (int frame = 0; frame < frames; frame++) {
+        input.hand.ray = ray_at(frame);
+        input.handles[0] = frame < handle_turns_at ? 0 : handle_turn;
+        state = must(drag.step(input, frame_time), "step");
+        if (state.value > widest) state = must(drag.take(widest), "take");
+        events |= state.events, detents += state.detents;
+        if (frame % shown_every == 0) print_state("latch", state);
+    }
+    state.events = events;
+    print_state("latched", state);
+    std::printf("detents %u\n", detents);
+}
+
+dm_link link(std::uint32_t driver, std::uint32_t driven, std::int32_t kind, float from) {
+    dm_link out = {};
+    out.driver = driver, out.driven = driven, out.kind = kind, out.from = from;
+    return out;
+}
+
+void follow_links(dragmesh::object& object) {
+    std::array<dm_link, 2> links = {link(door, drawer, DM_LINK_MOVES, 0.1f), link(drawer, door, DM_LINK_HOLDS, 0.05f)};
+    links[0].ratio = 0.25f;
+    std::array<float, 2> values = {-0.9f, 0};
+    std::array<std::uint8_t, 2> held = {};
+    must(object.set_links(links), "links");
+    for (int i = 0; i < 2; i++) {
+        must(object.follow_links(door, values, held), "follow");
+        print_floats("linked", values.data(), 2);
+        std::printf("held %u %u\n", held[0], held[1]);
+        values[0] = 0.9f;
+    }
+}
+
 void save_and_load(dragmesh::context& context, const dragmesh::object& object) {
     const auto data = must(object.save(), "save");
     std::uint32_t hash = 2166136261u; /* FNV-1a */
@@ -180,10 +225,13 @@ int main(int argc, char** argv) {
     dm_object_desc desc = dm_object_desc_default();
     desc.mesh = &mesh, desc.parts = parts.data(), desc.part_count = 2, desc.model = model.get();
     {
-        const auto object = must(context.prepare(desc), "prepare");
+        auto object = must(context.prepare(desc), "prepare");
         print_hypotheses(object, door);
         print_hypotheses(object, drawer);
-        drag_and_release(object, pick(context, object));
+        const dm_hit hit = pick(context, object);
+        drag_and_release(object, hit);
+        drag_behind_latch(object, hit);
+        follow_links(object);
         save_and_load(context, object);
     }
     mesh.index_count = 3 * 12; /* one box, without any part */

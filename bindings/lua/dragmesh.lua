@@ -170,6 +170,17 @@ function Object:set_joint(part, joint) check(C.dm_object_set_joint(self.context.
 
 function Object:reset_joint(part) check(C.dm_object_reset_joint(self.context.pointer, self.handle, part)) end
 
+--- Links parts, in place of the links of before. links: tables with the fields of dm_link; none: unlinks them.
+function Object:set_links(links)
+    check(C.dm_object_set_links(self.context.pointer, self.handle, ffi.new("dm_link[?]", #links, links), #links))
+end
+
+--- Moves what is linked with a part. values: the joint values of one instance, a float[?] from 0 on; held: a uint8_t[?]
+-- that gets 1 where a link holds the part, or nil; count: of parts.
+function Object:follow_links(part, values, held, count)
+    check(C.dm_object_follow_links(self.context.pointer, self.handle, part, values, held, count))
+end
+
 --- The bytes of a .dmo, a string.
 function Object:save()
     local size = ffi.new "size_t[1]"
@@ -215,6 +226,13 @@ end
 function Drag:step(input, seconds)
     self.state.struct_size = ffi.sizeof "dm_drag_state"
     check(C.dm_drag_step(self.context.pointer, self.handle, input, seconds, self.state))
+    return self.state
+end
+
+--- After a step with DM_INPUT_ASK: takes another value.
+function Drag:take(value)
+    self.state.struct_size = ffi.sizeof "dm_drag_state"
+    check(C.dm_drag_take(self.context.pointer, self.handle, value, self.state))
     return self.state
 end
 

@@ -5,8 +5,10 @@ local dragmesh = require "dragmesh"
 dragmesh.load(arg[1])
 local C = dragmesh.C
 
-local FRAMES, SHOWN_EVERY, SAVED_AT, RELEASED_FRAMES = 60, 10, 30, 120
+local FRAMES, SHOWN_EVERY, SAVED_AT, RELEASED_FRAMES, HANDLE_TURNS_AT = 60, 10, 30, 120, 25
 local FRAME_TIME = 1 / 60
+local HANDLE_TURN, WIDEST = 1, 0.45 -- rad
+local SNAPS = ffi.new("float[2]", 0.2, 0.4) -- rad
 local DOOR, DRAWER = 1, 2
 
 local float = ffi.typeof "float[1]"
@@ -110,6 +112,37 @@ local function drag_and_release(object, hit)
     print_pose(last.pose)
 end
 
+local function drag_behind_latch(object, hit)
+    local rules = dragmesh.new("dm_drag_rules", { flags = C.DM_RULE_LATCH, snaps = SNAPS, snap_count = 2 })
+    local desc = dragmesh.new("dm_drag_desc", { part_id = hit.part_id, grab_point = hit.object_point, rules = rules })
+    local input = dragmesh.new("dm_drag_input", { flags = C.DM_INPUT_ASK })
+    input.hand.kind = C.DM_HAND_RAY
+    local drag, events, detents = object:grab(desc), 0, 0
+    for frame = 0, FRAMES - 1 do
+        input.hand.ray = ray_at(frame)
+        input.handles[0] = frame < HANDLE_TURNS_AT and 0 or HANDLE_TURN
+        local state = drag:step(input, FRAME_TIME)
+        if state.value > f32(WIDEST) then state = drag:take(WIDEST) end
+        events, detents = bit.bor(events, state.events), detents + state.detents
+        if frame % SHOWN_EVERY == 0 then print_state("latch", state) end
+    end
+    print_state("latched", drag.state, events)
+    print("detents " .. detents)
+    drag:close()
+end
+
+local function follow_links(object)
+    local values, held = ffi.new("float[2]", -0.9, 0), ffi.new "uint8_t[2]"
+    object:set_links { { driver = DOOR, driven = DRAWER, ratio = 0.25, from = 0.1 },
+        { driver = DRAWER, driven = DOOR, kind = C.DM_LINK_HOLDS, from = 0.05 } }
+    for _ = 1, 2 do
+        object:follow_links(DOOR, values, held, 2)
+        print_floats("linked", values[0], values[1])
+        print(("held %d %d"):format(held[0], held[1]))
+        values[0] = 0.9
+    end
+end
+
 local function save_and_load(context, object)
     local data, hash = object:save(), 2166136261 -- FNV-1a
     for i = 1, #data do
@@ -135,7 +168,10 @@ local object = context:prepare(dragmesh.new("dm_object_desc",
     { mesh = mesh, parts = hints, part_count = 2, model = model.handle }))
 print_hypotheses(object, DOOR)
 print_hypotheses(object, DRAWER)
-drag_and_release(object, pick(context, object))
+local hit = pick(context, object)
+drag_and_release(object, hit)
+drag_behind_latch(object, hit)
+follow_links(object)
 save_and_load(context, object)
 mesh.index_count = 3 * 12 -- one box, without any part
 local fine, message = pcall(context.prepare, context, dragmesh.new("dm_object_desc", { mesh = mesh }))

@@ -7,8 +7,10 @@
 #include "cabinet.h"
 #include "weights.h"
 
-enum { FRAMES = 60, SHOWN_EVERY = 10, SAVED_AT = 30, RELEASED_FRAMES = 120 };
+enum { FRAMES = 60, SHOWN_EVERY = 10, SAVED_AT = 30, RELEASED_FRAMES = 120, HANDLE_TURNS_AT = 25 };
 static const float frame_time = 1.0f / 60;
+static const float handle_turn = 1, widest = 0.45f; /* rad */
+static const float snaps[2] = {0.2f, 0.4f};         /* rad */
 static const dm_ray first_ray = {{0.9f, 0.9f, 2.0f}, {-0.35f, -0.45f, -1.55f}};
 
 static void must(dm_result result, const char* what) {
@@ -127,6 +129,47 @@ static void drag_and_release(dm_context* context, dm_object object, const dm_hit
     print_floats(" ", end.pose.dual, 4);
 }
 
+/* The door is held by a latch until its handle turns, and opens no wider than the host takes. */
+static void drag_behind_latch(dm_context* context, dm_object object, const dm_hit* hit) {
+    dm_drag_rules rules = dm_drag_rules_default();
+    dm_drag_desc desc = dm_drag_desc_default();
+    dm_drag_input input = dm_drag_input_default();
+    dm_drag_state state = dm_drag_state_default();
+    dm_drag drag;
+    rules.flags = DM_RULE_LATCH, rules.snaps = snaps, rules.snap_count = 2;
+    desc.object = object, desc.part_id = hit->part_id, desc.grab_point = hit->object_point, desc.rules = &rules;
+    must(dm_drag_begin(context, &desc, &drag), "begin");
+    input.flags = DM_INPUT_ASK, input.hand.kind = DM_HAND_RAY;
+    uint32_t events = 0, detents = 0;
+    for (int frame = 0; frame < FRAMES; frame++) {
+        input.hand.ray = ray_at(frame);
+        input.handles[0] = frame < HANDLE_TURNS_AT ? 0 : handle_turn;
+        must(dm_drag_step(context, drag, &input, frame_time, &state), "step");
+        if (state.value > widest) must(dm_drag_take(context, drag, widest, &state), "take");
+        events |= state.events, detents += state.detents;
+        if (frame % SHOWN_EVERY == 0) print_state("latch", &state);
+    }
+    state.events = events;
+    print_state("latched", &state);
+    printf("detents %u\n", detents);
+    must(dm_drag_end(context, drag, NULL), "end");
+}
+
+/* The drawer comes along with the door, and holds it again once it is far out. */
+static void follow_links(dm_context* context, dm_object object) {
+    const dm_link links[2] = {{.driver = CABINET_DOOR, .driven = CABINET_DRAWER, .ratio = 0.25f, .from = 0.1f},
+                              {.driver = CABINET_DRAWER, .driven = CABINET_DOOR, .kind = DM_LINK_HOLDS, .from = 0.05f}};
+    float values[2] = {-0.9f, 0};
+    uint8_t held[2];
+    must(dm_object_set_links(context, object, links, 2), "links");
+    for (int i = 0; i < 2; i++) {
+        must(dm_object_follow_links(context, object, CABINET_DOOR, values, held, 2), "follow");
+        print_floats("linked", values, 2);
+        printf("held %u %u\n", held[0], held[1]);
+        values[0] = 0.9f;
+    }
+}
+
 static void save_and_load(dm_context* context, dm_object object) {
     size_t size = 0;
     dm_object again;
@@ -157,6 +200,8 @@ int main(int argc, char** argv) {
     print_hypotheses(context, object, CABINET_DRAWER);
     const dm_hit hit = pick(context, object);
     drag_and_release(context, object, &hit);
+    drag_behind_latch(context, object, &hit);
+    follow_links(context, object);
     save_and_load(context, object);
     mesh.index_count = 3 * 12; /* one box, without any part */
     dm_object none;
