@@ -3,12 +3,14 @@
 
 #include <stdbool.h>
 
+#include "base/compiler.h"
+
 dmi_isa dmi_cpu_best_isa(void) {
-#if defined(__x86_64__) || defined(__i386__)
+#if defined(__x86_64__)
     /* The compiler's run time checks the processor and the operating system (saved registers). */
-    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    const bool avx2 = DMI_CPU_HAS("avx2") && DMI_CPU_HAS("fma");
+    const bool avx512 =
+        DMI_CPU_HAS("avx512f") && DMI_CPU_HAS("avx512bw") && DMI_CPU_HAS("avx512dq") && DMI_CPU_HAS("avx512vl");
     if (avx2 && avx512) return DMI_ISA_AVX512;
     if (avx2) return DMI_ISA_AVX2;
     return DMI_ISA_SCALAR;

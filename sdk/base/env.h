@@ -4,14 +4,8 @@
 
 #include <stdatomic.h>
 
+#include "base/compiler.h"
 #include "dragmesh/dragmesh.h"
-
-/* Lets compilers check arguments against a printf format. */
-#if defined(__GNUC__)
-#define DMI_PRINTF(text, first) __attribute__((format(printf, text, first)))
-#else
-#define DMI_PRINTF(text, first)
-#endif
 
 #define DMI_ALIGNMENT 64 /* bytes, of scratch memory and large arrays: a cache line, and a vector of AVX-512 */
 

@@ -7,6 +7,8 @@
 
 #include <stdbool.h>
 
+#include "base/compiler.h"
+
 #define CHUNK_COUNT 26            /* 64 + 128 + ... covers all 32-bit indices but the last 64 */
 #define FIRST_CHUNK_BITS 6        /* 64 slots; each chunk doubles */
 #define GENERATION_MASK 0xFFFFFFu /* 24 bits of the handle */
@@ -44,7 +46,7 @@ static size_t chunk_slots(uint32_t chunk) {
 /* Returns the slot of an index; NULL when no chunk holds it. */
 static slot* slot_at(const dmi_pool* pool, uint32_t index) {
     uint64_t shifted = (uint64_t)index + ((uint64_t)1 << FIRST_CHUNK_BITS);
-    uint32_t bits = 63 - (uint32_t)__builtin_clzll(shifted); /* floor of the binary logarithm */
+    uint32_t bits = dmi_floor_log2(shifted);
     uint32_t chunk = bits - FIRST_CHUNK_BITS;
     if (chunk >= CHUNK_COUNT) return NULL;
     slot* slots = atomic_load_explicit(&pool->chunks[chunk], memory_order_acquire);

@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/compiler.h"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -42,7 +44,7 @@ typedef struct xyz8 {
     __m256 x, y, z;
 } xyz8;
 
-#define AVX2 __attribute__((target("avx2,fma")))
+#define AVX2 DMI_TARGET("avx2,fma")
 
 /* Eight packed points as three registers of one coordinate each, the points of a half in the order 0 3 2 1, and back.
  * The low halves hold points 0-3, the high ones 4-7: first as a = x0 y0 z0 x1, b = y1 z1 x2 y2, c = z2 x3 y3 z3, where
@@ -117,7 +119,7 @@ AVX2 static void apply_strided_avx2(const float m[16], const char* src, size_t s
     }
 }
 
-#define AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,fma")))
+#define AVX512 DMI_TARGET("avx512f,avx512bw,avx512dq,avx512vl,fma")
 
 /* Which of the 32 floats of two registers goes to each place of a third. */
 typedef struct pick {

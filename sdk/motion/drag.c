@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/compiler.h"
 #include "math/constants.h"
 #include "math/vec3.h"
 
@@ -20,7 +21,7 @@
 #define LIMIT_TOLERANCE 1e-4f   /* share of the range that counts as at a limit; by hand */
 
 /* Inlined although called twice: every frame calls it for the plain pointer. */
-#define INLINE __attribute__((always_inline)) static inline
+#define INLINE DMI_ALWAYS_INLINE static inline
 
 static const dmi_told told_nothing = {.bounds = {-INFINITY, INFINITY}};
 

@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #include <math.h>
 
-#define TARGET __attribute__((target("avx2,fma")))
+#define TARGET DMI_TARGET("avx2,fma")
 /* 12 sums and their operands fill the 16 registers. */
 #define TILE_ROWS 6
 #define TILE_PANELS 1

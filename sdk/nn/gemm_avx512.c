@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #include <math.h>
 
-#define TARGET __attribute__((target("avx512f")))
+#define TARGET DMI_TARGET("avx512f")
 /* 16 sums and their operands in 32 registers. */
 #define TILE_ROWS 8
 #define TILE_PANELS 2

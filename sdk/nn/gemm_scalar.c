@@ -3,11 +3,13 @@
 
 #include <string.h>
 
+#include "base/compiler.h"
+
 #define LANES 4 /* floats of a vector; compilers split it where a machine has none */
 #define GROUPS (DMI_PANEL / LANES)
 #define TILE_ROWS 2 /* sums of eight vectors, in 16 registers */
 
-typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
+typedef DMI_VECTOR(float, LANES) lanes;
 
 void dmi_panels_pack(const float* source, size_t output_stride, size_t input_stride, uint32_t columns, uint32_t depth,
                      float* out_panels) {

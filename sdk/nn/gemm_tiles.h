@@ -8,9 +8,10 @@
 #ifndef DMI_NN_GEMM_TILES_H
 #define DMI_NN_GEMM_TILES_H
 
+#include "base/compiler.h"
 #include "nn/gemm.h"
 
-#define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
+#define TARGET_INLINE TARGET DMI_ALWAYS_INLINE static inline
 #define TILE (TILE_ROWS * TILE_PANELS) /* most rows x panels of a tile */
 
 /* Start of the sums without a bias. */

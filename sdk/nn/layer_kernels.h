@@ -4,15 +4,16 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/compiler.h"
 #include "nn/kernels.h"
 
 #define NORM_EPSILON 1e-5f /* added to the variance; PyTorch's default, as trained */
 
-typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
-typedef int32_t int_lanes __attribute__((vector_size(LANES * sizeof(int32_t))));
+typedef DMI_VECTOR(float, LANES) lanes;
+typedef DMI_VECTOR(int32_t, LANES) int_lanes;
 
 /* Copies the end of a row: `count` < LANES numbers, then `filler`. Not inlined: rows of whole vectors never need it. */
-TARGET __attribute__((noinline)) static void copy_part(float* to, const float* from, uint32_t count, float filler) {
+TARGET DMI_NO_INLINE static void copy_part(float* to, const float* from, uint32_t count, float filler) {
     for (uint32_t i = 0; i < LANES; i++) to[i] = i < count ? from[i] : filler;
 }
 

@@ -1,7 +1,9 @@
 /* The kernels of AVX2. AVX-512 differs only in the matrix product, which takes most of the time. */
 #if defined(__x86_64__)
+#include "base/compiler.h"
+
 #define LANES 8
-#define TARGET __attribute__((target("avx2,fma")))
+#define TARGET DMI_TARGET("avx2,fma")
 #include "nn/layer_kernels.h"
 
 const dmi_kernels dmi_kernels_avx2 = {

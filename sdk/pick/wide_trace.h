@@ -10,10 +10,11 @@
 
 #include <math.h>
 
+#include "base/compiler.h"
 #include "pick/placed.h"
 #include "pick/wide_tree.h"
 
-#define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
+#define TARGET_INLINE TARGET DMI_ALWAYS_INLINE static inline
 /* Bound of the rounding of a slab's far end, relative: 1 + 2 gamma(3) and a bit. */
 #define FAR_SLACK 1.0000005f
 #define MOST_STACKED ((DMI_WIDE - 1) * DMI_MOST_LEVELS + 1)
@@ -111,7 +112,7 @@ TARGET static bool trace_block(const dmi_triangle_block* block, traced_ray* ray,
     block_test test;
     bool hit = false;
     for (uint32_t left = test_block(block, ray, &test); left != 0; left &= left - 1) {
-        if (take_hit(block, &test, (uint32_t)__builtin_ctz(left), ray, out)) hit = true;
+        if (take_hit(block, &test, dmi_trailing_zeros(left), ray, out)) hit = true;
     }
     return hit;
 }
@@ -122,7 +123,7 @@ TARGET_INLINE uint32_t stack_children(const dmi_wide_node* node, const traced_ra
     float near[DMI_WIDE];
     const uint32_t bottom = depth;
     for (uint32_t entered = enter_node(node, ray, near); entered != 0; entered &= entered - 1) {
-        const uint32_t child = (uint32_t)__builtin_ctz(entered);
+        const uint32_t child = dmi_trailing_zeros(entered);
         const stacked item = {near[child], node->child[child]};
         uint32_t at = depth++;
         for (; at > bottom && stack[at - 1].near < item.near; at--) stack[at] = stack[at - 1];

@@ -1,10 +1,11 @@
 /* Traces wide trees by eight lanes of AVX2 for boxes, four for triangles. */
+#include "base/compiler.h"
 #include "base/cpu.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
 
-#define TARGET __attribute__((target("avx2,fma")))
+#define TARGET DMI_TARGET("avx2,fma")
 #include "pick/wide_trace.h"
 
 TARGET_INLINE uint32_t enter_node(const dmi_wide_node* node, const traced_ray* ray, float out_near[DMI_WIDE]) {

@@ -1,6 +1,7 @@
 /* Keeps coordinates separated, so that the loops vectorise over points. */
 #include "kinematics/analysis/batched_transform.h"
 
+#include "base/compiler.h"
 #include "base/cpu.h"
 #include "math/linear3.h"
 
@@ -47,7 +48,7 @@ static void distances_scalar(const dmi_batched_transform* transform, float cosin
 
 #if defined(__x86_64__)
 
-#define AVX2 __attribute__((target("avx2")))
+#define AVX2 DMI_TARGET("avx2")
 #define AVX2_LANES 8 /* floats of a register */
 
 /* Returns a coordinate in cells, clamped into the grid. Adds the square of the clamped distance where it exceeds a

@@ -3,6 +3,8 @@
 #ifndef DMI_ANALYSIS_DISTANCE_GRID_H
 #define DMI_ANALYSIS_DISTANCE_GRID_H
 
+#include <math.h>
+
 #include "base/arena.h"
 
 #define DMI_DISTANCE_GRID_CELLS 56 /* along the longest side; by hand */
@@ -38,7 +40,7 @@ static inline float dmi_distance_grid_distance(const dmi_distance_grid* grid, co
         index = index * grid->size[k] + (int32_t)inside;
     }
     float distance = grid->distance[index];
-    return outside > 0 ? distance + __builtin_sqrtf(outside) * grid->cell : distance;
+    return outside > 0 ? distance + sqrtf(outside) * grid->cell : distance;
 }
 
 /* Computes the same for `count` points, coordinates separated. count <= DMI_POINT_BATCH. */

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "base/compiler.h"
 #include "base/cpu.h"
 #include "math/linear3.h"
 
@@ -60,7 +61,7 @@ static void transform_lines_scalar(const lines* in, size_t out_stride, int16_t* 
 
 #if defined(__x86_64__)
 
-#define AVX2 __attribute__((target("avx2")))
+#define AVX2 DMI_TARGET("avx2")
 
 AVX2 static inline __m256i load_lanes(const lines* in, int32_t q) {
     return _mm256_loadu_si256((const __m256i*)(in->squares + (size_t)q * in->stride));

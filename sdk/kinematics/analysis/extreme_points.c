@@ -1,6 +1,7 @@
 /* Projects blocks of points onto all directions, several points at a time. */
 #include "kinematics/analysis/extreme_points.h"
 
+#include "base/compiler.h"
 #include "math/linear3.h"
 
 #define FIXED_DIRECTIONS 96      /* over the half sphere; by hand */
@@ -9,8 +10,8 @@
 #define LANES 4                  /* points at a time */
 #define BLOCK 1024               /* points copied at a time, coordinates separated: fits a level 1 cache; by hand */
 
-typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
-typedef int32_t int_lanes __attribute__((vector_size(LANES * sizeof(int32_t))));
+typedef DMI_VECTOR(float, LANES) lanes;
+typedef DMI_VECTOR(int32_t, LANES) int_lanes;
 
 /* Extent along a direction, and the first points that reach its two ends. */
 typedef struct extreme {

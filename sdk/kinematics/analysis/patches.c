@@ -2,6 +2,7 @@
  * and rims. */
 #include <stdlib.h>
 
+#include "base/compiler.h"
 #include "kinematics/analysis/analysis_steps.h"
 #include "kinematics/analysis/patch_faces.h"
 #include "math/linear3.h"
@@ -105,8 +106,8 @@ static void fit_axis(const side* s, const region* r, dmi_patch* patch) {
     patch->residual = slip.turn_residual[0];
 }
 
-typedef float lanes __attribute__((vector_size(LANES * sizeof(float))));
-typedef int32_t int_lanes __attribute__((vector_size(LANES * sizeof(int32_t))));
+typedef DMI_VECTOR(float, LANES) lanes;
+typedef DMI_VECTOR(int32_t, LANES) int_lanes;
 
 static inline lanes select_lanes(int_lanes mask, lanes yes, lanes no) {
     return (lanes)((mask & (int_lanes)yes) | (~mask & (int_lanes)no));

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/compiler.h"
 #include "base/cpu.h"
 
 #define LANES DMI_FPS_POINT_STEP
@@ -102,8 +103,8 @@ static inline uint32_t next_of(dmi_fps* g, uint32_t centre, uint32_t out_members
 
 #if defined(__x86_64__)
 /* Does the same operations with AVX2, without FMA, so that the result has the same bits. */
-__attribute__((target("avx2"), flatten)) static uint32_t next_avx2(dmi_fps* g, uint32_t centre,
-                                                                   uint32_t out_members[DMI_FPS_GROUP]) {
+DMI_TARGET("avx2")
+DMI_FLATTEN static uint32_t next_avx2(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
     return next_of(g, centre, out_members);
 }
 #endif

@@ -1,6 +1,7 @@
 /* Transforms the points and computes their nearness by brute force over the whole cloud's other side. */
 #include "kinematics/kpp/kpp_points.h"
 
+#include "base/compiler.h"
 #include "base/cpu.h"
 
 #define LANES 64       /* points at a time; divides the counts of the cloud's blocks */
@@ -38,8 +39,7 @@ static inline float nearest_of(const columns* c, uint32_t first, uint32_t count,
 
 #if defined(__x86_64__)
 /* Does the same operations with AVX2, without FMA, so that the result has the same bits. */
-__attribute__((target("avx2"))) static float nearest_avx2(const columns* c, uint32_t first, uint32_t count,
-                                                          const float from[3]) {
+DMI_TARGET("avx2") static float nearest_avx2(const columns* c, uint32_t first, uint32_t count, const float from[3]) {
     return nearest_of(c, first, count, from);
 }
 #endif

@@ -5,6 +5,8 @@
 #include <memory>
 #include <new>
 
+#include "base/compiler.h"
+
 #if defined(DMI_NO_DRACO)
 
 struct dmi_draco {};
@@ -42,18 +44,11 @@ int dmi_draco_read(const dmi_draco*, uint32_t, int, void*) {
 
 #else
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wpedantic"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+DMI_FOREIGN_HEADERS_BEGIN
 #include <draco/compression/decode.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+DMI_FOREIGN_HEADERS_END
 
 struct dmi_draco {
     std::unique_ptr<draco::Mesh> mesh;

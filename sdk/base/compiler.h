@@ -1,0 +1,63 @@
+/* What gcc and clang (clang-cl and mingw too) offer beyond ISO C: the one place of the library that names it. Other
+ * compilers get the last branch; docs/platforms.md says what Microsoft's cl lacks beyond it. */
+#ifndef DMI_BASE_COMPILER_H
+#define DMI_BASE_COMPILER_H
+
+#include <stdint.h>
+
+#if defined(__GNUC__) || defined(__clang__)
+
+/* Before `static inline`: inlined although called often. */
+#define DMI_ALWAYS_INLINE __attribute__((always_inline))
+#define DMI_NO_INLINE __attribute__((noinline))
+/* All calls in the function's body are inlined, so that they get its instruction set. */
+#define DMI_FLATTEN __attribute__((flatten))
+/* Compiles a function for instruction sets beyond the machine's least, such as "avx2,fma". */
+#define DMI_TARGET(sets) __attribute__((target(sets)))
+/* Lets the compiler check arguments against a printf format. */
+#define DMI_PRINTF(text, first) __attribute__((format(printf, text, first)))
+/* A vector of `lanes` numbers, with C's operators: typedef DMI_VECTOR(float, 4) lanes; */
+#define DMI_VECTOR(type, lanes) type __attribute__((vector_size((lanes) * sizeof(type))))
+/* Whether the processor has a set and the operating system saves its registers. */
+#define DMI_CPU_HAS(set) __builtin_cpu_supports(set)
+/* Around headers of other libraries, which have warnings of their own. */
+#define DMI_FOREIGN_HEADERS_BEGIN                                                                                      \
+    _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wconversion\"")                                  \
+        _Pragma("GCC diagnostic ignored \"-Wpedantic\"") _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")
+#define DMI_FOREIGN_HEADERS_END _Pragma("GCC diagnostic pop")
+
+/* Number of zero bits below the lowest 1. bits: not 0. */
+static inline uint32_t dmi_trailing_zeros(uint32_t bits) {
+    return (uint32_t)__builtin_ctz(bits);
+}
+
+/* Floor of the binary logarithm. value: not 0. */
+static inline uint32_t dmi_floor_log2(uint64_t value) {
+    return 63 - (uint32_t)__builtin_clzll(value);
+}
+
+#else
+
+#define DMI_ALWAYS_INLINE
+#define DMI_NO_INLINE
+#define DMI_FLATTEN
+#define DMI_TARGET(sets)
+#define DMI_PRINTF(text, first)
+#define DMI_CPU_HAS(set) 0
+#define DMI_FOREIGN_HEADERS_BEGIN
+#define DMI_FOREIGN_HEADERS_END
+
+static inline uint32_t dmi_trailing_zeros(uint32_t bits) {
+    uint32_t zeros = 0;
+    for (; !(bits & 1); bits >>= 1) zeros++;
+    return zeros;
+}
+
+static inline uint32_t dmi_floor_log2(uint64_t value) {
+    uint32_t bits = 0;
+    for (; value > 1; value >>= 1) bits++;
+    return bits;
+}
+
+#endif
+#endif
