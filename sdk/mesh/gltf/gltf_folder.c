@@ -1,13 +1,9 @@
 /* dm_gltf_open_file: a document and the files beside it, read from its folder and from nowhere else. */
 #include <errno.h>
-#include <fcntl.h>
-#include <limits.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include "mesh/gltf/gltf_disk.h"
 #include "mesh/gltf/gltf_file.h"
 
 /* Bytes of a file. */
@@ -16,56 +12,44 @@ typedef struct contents {
     size_t size;
 } contents;
 
-/* Reads all that the file has. Pipes and devices, which may never end, are no files here. Returns DM_OK, NOT_FOUND with
- * errno set, OUT_OF_MEMORY or TOO_LARGE. */
-static dm_result read_descriptor(dmi_env* env, int file, contents* out) {
-    struct stat info;
-    if (fstat(file, &info) != 0) return DM_ERROR_NOT_FOUND;
-    if (!S_ISREG(info.st_mode)) {
-        errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
-        return DM_ERROR_NOT_FOUND;
-    }
-    if (info.st_size > UINT32_MAX) return DM_ERROR_TOO_LARGE;
-    out->size = (size_t)info.st_size;
+/* Reads all that the file has. Returns DM_OK, NOT_FOUND with errno set, OUT_OF_MEMORY or TOO_LARGE. */
+static dm_result read_descriptor(dmi_env* env, int file, uint64_t size, contents* out) {
+    if (size > UINT32_MAX) return DM_ERROR_TOO_LARGE;
+    out->size = (size_t)size;
     out->data = dmi_alloc(env, out->size, 16);
     if (!out->data) return DM_ERROR_OUT_OF_MEMORY;
-    size_t have = 0;
-    while (have < out->size) {
-        const ssize_t got = read(file, (uint8_t*)out->data + have, out->size - have);
-        if (got <= 0) break;
-        have += (size_t)got;
-    }
-    if (have == out->size) return DM_OK;
+    if (dmi_disk_read(file, out->data, out->size)) return DM_OK;
     dmi_free(env, out->data, out->size);
     errno = EIO;
     return DM_ERROR_NOT_FOUND;
 }
 
 static dm_result read_file(dmi_env* env, const char* path, contents* out) {
-    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    uint64_t size;
+    const int file = dmi_disk_open(path, &size);
     if (file < 0) return DM_ERROR_NOT_FOUND;
-    const dm_result result = read_descriptor(env, file, out);
+    const dm_result result = read_descriptor(env, file, size, out);
     const int reason = errno;
-    close(file);
+    dmi_disk_close(file);
     errno = reason;
     return result;
 }
 
-/* Writes the folder's path and the file's, if links don't lead out of the folder. */
-static int find_inside(const char* folder, const char* path, char out[PATH_MAX]) {
-    char base[PATH_MAX], joined[PATH_MAX];
-    if (!realpath(folder, base) || strlen(base) + strlen(path) + 2 > sizeof joined) return 0;
+/* Writes the file's path, if links don't lead out of the folder. */
+static int find_inside(const char* folder, const char* path, char out[DMI_DISK_PATH]) {
+    char base[DMI_DISK_PATH], joined[DMI_DISK_PATH];
+    if (!dmi_disk_real_path(folder, base) || strlen(base) + strlen(path) + 2 > sizeof joined) return 0;
     const size_t length = strlen(base);
     strcpy(joined, base);
     strcpy(joined + length, "/");
     strcpy(joined + length + 1, path);
-    if (!realpath(joined, out)) return 0;
+    if (!dmi_disk_real_path(joined, out)) return 0;
     return strcmp(base, "/") == 0 || (strncmp(out, base, length) == 0 && out[length] == '/');
 }
 
 static int32_t DM_CALL open_beside(void* user, const char* path, const void** out_data, size_t* out_size) {
     dm_gltf* gltf = user;
-    char inside[PATH_MAX];
+    char inside[DMI_DISK_PATH];
     contents found;
     if (!find_inside(gltf->on_disk.folder, path, inside)) return DM_ERROR_NOT_FOUND;
     const dm_result result = read_file(&gltf->env, inside, &found);
@@ -86,7 +70,7 @@ dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf) {
 
 /* The folder that holds the file, as new memory of *out_size bytes. */
 static char* folder_of(dmi_env* env, const char* path, size_t* out_size) {
-    const char* slash = strrchr(path, '/');
+    const char* slash = dmi_disk_last_separator(path);
     const size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
     char* folder = dmi_alloc(env, length + 1, 1);
     if (!folder) return NULL;
