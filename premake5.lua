@@ -204,7 +204,7 @@ shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },
 
 -- Programs ---------------------------------------------------------------------------------------------------------
 
-program("dragmesh_cli", { "samples/dragmesh_cli/*.c" }, { api }, { "dragmesh", "dragmesh_gltf", "cjson", "png", "m" })
+program("dragmesh_cli", { "samples/dragmesh_cli/*.c", "samples/common/platform.c" }, { api }, { "dragmesh", "dragmesh_gltf", "cjson", "m" })
     targetname "dragmesh"
 
 program("dragmesh_generate", { "training/generate/*.c" }, { api, "sdk", generator },
@@ -234,7 +234,7 @@ end
 
 if has_viewer then
     local has_jpeg = installed "jpeglib.h"
-    program("dragmesh_viewer", { "samples/10_viewer/*.c" }, { api }, table.join(
+    program("dragmesh_viewer", { "samples/10_viewer/*.c", "samples/common/platform.c" }, { api }, table.join(
         { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" }, has_jpeg and { "jpeg" } or {}))
         if not has_jpeg then defines { "VIEWER_NO_JPEG" } end
 end

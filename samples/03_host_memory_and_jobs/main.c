@@ -4,6 +4,7 @@
 #include <stdatomic.h>
 
 #include "../common/cabinet.h"
+#include "../common/platform.h"
 #include "../common/weights.h"
 
 /* ---- memory ---- */
@@ -24,12 +25,12 @@ static void* DM_CALL allocate(void* user, size_t size, size_t alignment) {
     size_t peak = atomic_load(&b->peak);
     while (used > peak && !atomic_compare_exchange_weak(&b->peak, &peak, used)) {
     }
-    return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return platform_allocate(size, alignment);
 }
 
 static void DM_CALL release(void* user, void* memory, size_t size) {
     atomic_fetch_sub(&((budget*)user)->used, size);
-    free(memory);
+    platform_release(memory);
 }
 
 /* ---- jobs: a game has a pool; four threads a call show the contract just as well ---- */

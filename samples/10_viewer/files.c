@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/regular_file.h"
+#include "../common/platform.h"
 
 void* take(size_t count, size_t size) {
     void* memory = calloc(count ? count : 1, size);
@@ -15,7 +15,7 @@ void* take(size_t count, size_t size) {
 }
 
 char* file_read(const char* path, size_t* out_size) {
-    FILE* file = open_regular_file(path);
+    FILE* file = platform_open_regular(path);
     if (file == NULL) return NULL;
     char* bytes = NULL;
     if (fseek(file, 0, SEEK_END) == 0) {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/regular_file.h"
+#include "../common/platform.h"
 #include "files.h"
 
 enum { KINDS = 7, LINE = 4096 }; /* kinds of events, bytes of a line */
@@ -88,7 +88,7 @@ int session_read(session* session, const char* path) {
     memset(session, 0, sizeof *session);
     session->width = 960;
     session->height = 600;
-    FILE* file = open_regular_file(path);
+    FILE* file = platform_open_regular(path);
     char* line = take(LINE, 1);
     int status = file != NULL && fgets(line, LINE, file) != NULL && strcmp(line, "dragmesh-session 1\n") == 0 ? 0 : -1;
     if (status != 0) fprintf(stderr, "viewer: '%s' is no session (its first line is \"dragmesh-session 1\")\n", path);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/platform.h"
 #include "bench_objects.h"
 #include "box_object.h"
 #include "json.h"
@@ -30,14 +31,13 @@ typedef struct counter {
 
 static void* count_allocate(void* user, size_t size, size_t alignment) {
     ((counter*)user)->calls++;
-    const size_t step = alignment < sizeof(void*) ? sizeof(void*) : alignment; /* aligned_alloc wants whole steps */
-    return aligned_alloc(step, (size + step - 1) / step * step);
+    return platform_allocate(size, alignment < sizeof(void*) ? sizeof(void*) : alignment);
 }
 
 static void count_release(void* user, void* memory, size_t size) {
     (void)user;
     (void)size;
-    free(memory);
+    platform_release(memory);
 }
 
 typedef struct saved_object {

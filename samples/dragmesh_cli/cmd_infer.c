@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/regular_file.h"
+#include "../common/platform.h"
 #include "files.h"
 #include "job.h"
 #include "json.h"
@@ -54,7 +54,7 @@ static int refuse_line(session* session, unsigned number) {
 }
 
 static int answer_jobs(session* session, const char* path, int no_hints) {
-    FILE* file = strcmp(path, "-") == 0 ? stdin : open_regular_file(path);
+    FILE* file = strcmp(path, "-") == 0 ? stdin : platform_open_regular(path);
     if (file == NULL) {
         fprintf(stderr, "dragmesh: can't read the jobs '%s': %s\n", path, file_problem());
         return CLI_USAGE;

@@ -1,13 +1,13 @@
 /* Folders of object.glb + joints.json: objects whose joints are known. */
 #include "dataset.h"
 
-#include <dirent.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/platform.h"
 #include "files.h"
 
 static int by_name(const void* a, const void* b) {
@@ -17,21 +17,27 @@ static int by_name(const void* a, const void* b) {
 static bool has_joints(const char* folder, const char* name) {
     char* object = path_join(folder, name);
     char* joints = path_join(object, "joints.json");
-    const bool found = name[0] != '.' && file_exists(joints);
+    const bool found = name[0] != '.' && platform_exists(joints);
     free(joints);
     free(object);
     return found;
 }
 
+typedef struct listing {
+    const char* folder;
+    name_list names;
+} listing;
+
+static void add_object(void* user, const char* name) {
+    listing* found = user;
+    if (has_joints(found->folder, name)) name_list_add(&found->names, name, strlen(name));
+}
+
 name_list dataset_list(const char* folder) {
-    name_list list = {NULL, 0};
-    DIR* directory = opendir(folder);
-    if (directory == NULL) return list;
-    for (struct dirent* entry = readdir(directory); entry != NULL; entry = readdir(directory))
-        if (has_joints(folder, entry->d_name)) name_list_add(&list, entry->d_name, strlen(entry->d_name));
-    closedir(directory);
-    if (list.count) qsort(list.names, list.count, sizeof *list.names, by_name);
-    return list;
+    listing found = {folder, {NULL, 0}};
+    platform_list(folder, add_object, &found);
+    if (found.names.count) qsort(found.names.names, found.names.count, sizeof *found.names.names, by_name);
+    return found.names;
 }
 
 static char* copy_text(const cJSON* json, const char* name, const char* otherwise) {

@@ -5,9 +5,8 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
-#include "../common/regular_file.h"
+#include "../common/platform.h"
 #include "cli.h"
 
 #define STREAM_MOST ((size_t)1 << 30) /* bytes that are read of a stream; by hand */
@@ -39,7 +38,7 @@ static char* read_all(FILE* file, size_t* out_size) {
 
 char* file_read(const char* path, size_t* out_size) {
     if (strcmp(path, "-") == 0) return read_all(stdin, out_size);
-    FILE* file = open_regular_file(path);
+    FILE* file = platform_open_regular(path);
     if (file == NULL) return NULL;
     char* bytes = read_all(file, out_size);
     const int reason = errno;
@@ -51,7 +50,7 @@ char* file_read(const char* path, size_t* out_size) {
 enum file_line file_read_line(FILE* file, char** line, size_t* room, size_t* out_length) {
     size_t length = 0;
     int c;
-    while ((c = getc_unlocked(file)) != EOF && c != '\n') {
+    while ((c = platform_getc(file)) != EOF && c != '\n') {
         if (length == LINE_MOST) return LINE_TOO_LONG;
         if (length + 1 >= *room) *line = cli_grow(*line, *room = *room ? 2 * *room : BUFSIZ);
         (*line)[length++] = (char)c;
@@ -64,15 +63,10 @@ enum file_line file_read_line(FILE* file, char** line, size_t* room, size_t* out
 }
 
 int file_write(const char* path, const void* data, size_t size) {
-    FILE* file = fopen(path, "wb");
+    FILE* file = platform_open(path, "wb");
     if (file == NULL) return -1;
     const bool wrote = fwrite(data, 1, size, file) == size;
     return fclose(file) == 0 && wrote ? 0 : -1;
-}
-
-bool file_exists(const char* path) {
-    struct stat info = {0};
-    return stat(path, &info) == 0;
 }
 
 char* path_join(const char* folder, const char* name) {

@@ -18,7 +18,6 @@ enum file_line { LINE_READ, LINE_NONE, LINE_TOO_LONG };
 enum file_line file_read_line(FILE* file, char** line, size_t* room, size_t* out_length);
 /* 0, or -1 with errno set. */
 int file_write(const char* path, const void* data, size_t size);
-bool file_exists(const char* path);
 /* folder/name, to be freed. */
 char* path_join(const char* folder, const char* name);
 

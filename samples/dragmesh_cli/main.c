@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/platform.h"
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "timing.h"
@@ -42,6 +43,7 @@ static void print_help(FILE* out) {
 }
 
 int main(int argc, char** argv) {
+    platform_start(&argc, &argv);
     if (argc < 2) {
         print_help(stderr);
         return CLI_USAGE;

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "../common/platform.h"
 #include "files.h"
 
 static const char* const kinematics_file = "kpp_net.safetensors";
@@ -21,16 +21,12 @@ typedef struct weights {
 /* Returns the folder of the program; to be freed. */
 static char* program_folder(void) {
     char path[4096];
-    const ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
-    if (length <= 0) return path_join(".", "");
-    path[length] = 0;
-    *strrchr(path, '/') = 0;
-    return path_join(path, "");
+    return path_join(platform_program_folder(path, sizeof path) ? path : ".", "");
 }
 
 static bool holds_weights(const char* folder) {
     char* file = path_join(folder, kinematics_file);
-    const bool found = file_exists(file);
+    const bool found = platform_exists(file);
     free(file);
     return found;
 }
@@ -58,7 +54,7 @@ static dm_result read_weights(session* session, const char* folder, const char* 
     char* path = path_join(folder, name);
     dm_result result = DM_OK;
     *out = (weights){NULL, 0};
-    if (required || file_exists(path)) {
+    if (required || platform_exists(path)) {
         out->data = file_read(path, &out->size);
         if (out->data == NULL)
             result = session_fail(session, DM_ERROR_NOT_FOUND, "can't read the weights '%s': %s", path, file_problem());

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "../common/platform.h"
 #include "cli.h"
 
 /* Names from a comma-separated list; the option may come several times. */
@@ -38,7 +39,7 @@ typedef struct option_spec {
 int options_read(const cli_command* command, int argc, char** argv, const option_spec* options, size_t option_count,
                  const char** out_operand);
 /* Prints a message and the usage; answers CLI_USAGE. */
-int options_refuse(const cli_command* command, const char* format, ...) __attribute__((format(printf, 2, 3)));
+int options_refuse(const cli_command* command, const char* format, ...) PLATFORM_PRINTF(2, 3);
 
 void name_list_add(name_list* list, const char* name, size_t length);
 void name_list_free(name_list* list);

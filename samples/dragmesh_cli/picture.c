@@ -1,13 +1,18 @@
 /* An RGB picture and its .png. */
 #include "picture.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <png.h>
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#include <stb/stb_image_write.h>
 
+#include "../common/platform.h"
 #include "cli.h"
 
 picture picture_new(int width, int height) {
@@ -54,14 +59,16 @@ void picture_line(picture* picture, double x0, double y0, double x1, double y1, 
     }
 }
 
+static void write_bytes(void* user, void* data, int size) {
+    fwrite(data, 1, (size_t)size, user);
+}
+
 int picture_write(const picture* picture, const char* path) {
-    png_image image;
-    memset(&image, 0, sizeof image);
-    image.version = PNG_IMAGE_VERSION;
-    image.width = (png_uint_32)picture->width;
-    image.height = (png_uint_32)picture->height;
-    image.format = PNG_FORMAT_RGB;
-    if (png_image_write_to_file(&image, path, 0, picture->rgb, 0, NULL)) return 0;
-    fprintf(stderr, "dragmesh: can't write '%s': %s\n", path, image.message);
+    FILE* file = platform_open(path, "wb");
+    const bool wrote = file != NULL && stbi_write_png_to_func(write_bytes, file, picture->width, picture->height, 3,
+                                                              picture->rgb, 3 * picture->width);
+    const bool failed = file == NULL || ferror(file);
+    if (file != NULL && fclose(file) == 0 && wrote && !failed) return 0;
+    fprintf(stderr, "dragmesh: can't write '%s': %s\n", path, strerror(errno));
     return -1;
 }

@@ -18,7 +18,7 @@ void picture_set(picture* picture, int x, int y, vec linear);
 /* A line of `width` pixels, anti-aliased, over what is there; clipped to the columns [left, right). */
 void picture_line(picture* picture, double x0, double y0, double x1, double y1, double width, const uint8_t rgb[3],
                   int left, int right);
-/* 0, or -1 with `errno` or libpng's reason printed. */
+/* 0, or -1 with the reason printed. */
 int picture_write(const picture* picture, const char* path);
 
 #endif

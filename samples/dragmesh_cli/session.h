@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "../common/platform.h"
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
@@ -41,7 +42,7 @@ bool session_init(session* session, const dm_allocator* allocator, enum session_
 void session_close(session* session);
 
 /* Sets session->error to an error of the tool's own and returns `code`. */
-dm_result session_fail(session* session, dm_result code, const char* format, ...) __attribute__((format(printf, 3, 4)));
+dm_result session_fail(session* session, dm_result code, const char* format, ...) PLATFORM_PRINTF(3, 4);
 
 /* Makes `path` the session's file; does nothing when it is already. */
 dm_result session_use_file(session* session, const char* path);

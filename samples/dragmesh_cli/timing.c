@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "../common/platform.h"
+
 double timing_now_ns(clockid_t clock) {
     struct timespec now;
     clock_gettime(clock, &now);
@@ -20,11 +22,10 @@ void timing_sort(double* values, size_t count) {
 
 const char* timing_isa(void) {
 #if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
+    if (PLATFORM_CPU_HAS("avx512f") && PLATFORM_CPU_HAS("avx512bw") && PLATFORM_CPU_HAS("avx512dq") &&
+        PLATFORM_CPU_HAS("avx512vl"))
         return "avx512";
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "avx2" : "sse2";
+    return PLATFORM_CPU_HAS("avx2") && PLATFORM_CPU_HAS("fma") ? "avx2" : "sse2";
 #elif defined(__aarch64__)
     return "neon";
 #else

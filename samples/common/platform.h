@@ -1,0 +1,69 @@
+/* What differs between operating systems and compilers, for the programs here: files by UTF-8 paths, arguments, memory.
+ * platform.c has the functions that are not inline. */
+#ifndef SAMPLES_PLATFORM_H
+#define SAMPLES_PLATFORM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#if defined(_WIN32)
+#include <malloc.h>
+#endif
+
+#if defined(__MINGW32__) && !defined(__clang__)
+#define PLATFORM_PRINTF(text, first) __attribute__((format(gnu_printf, text, first)))
+#elif defined(__GNUC__)
+#define PLATFORM_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#else
+#define PLATFORM_PRINTF(text, first)
+#endif
+
+/* Whether the processor has an instruction set, and the operating system keeps its registers. */
+#define PLATFORM_CPU_HAS(set) __builtin_cpu_supports(set)
+
+/* To be called first in main. On Windows it replaces the arguments by their UTF-8 and makes the standard streams
+ * binary, as they are elsewhere. */
+void platform_start(int* argc, char*** argv);
+
+/* fopen. */
+FILE* platform_open(const char* path, const char* mode);
+/* Opens a regular file for reading; NULL with errno set. Pipes and devices, which may never end, are no files: EINVAL.
+ * A folder: EISDIR. */
+FILE* platform_open_regular(const char* path);
+bool platform_exists(const char* path);
+/* 0, or -1 with errno set. */
+int platform_make_folder(const char* path);
+/* Calls entry(user, name) for each name in a folder, in no order; false when there is no such folder. */
+bool platform_list(const char* folder, void (*entry)(void* user, const char* name), void* user);
+/* Writes the folder of the running program; false when it is unknown. */
+bool platform_program_folder(char* out_path, size_t size);
+
+/* alignment: a power of two, at least that of a pointer. */
+static inline void* platform_allocate(size_t size, size_t alignment) {
+#if defined(_WIN32)
+    return _aligned_malloc(size, alignment);
+#else
+    return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+#endif
+}
+
+static inline void platform_release(void* memory) {
+#if defined(_WIN32)
+    _aligned_free(memory);
+#else
+    free(memory);
+#endif
+}
+
+/* getc without a lock. */
+static inline int platform_getc(FILE* file) {
+#if defined(_WIN32)
+    return _getc_nolock(file);
+#else
+    return getc_unlocked(file);
+#endif
+}
+
+#endif
