@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code,
 # every relative link names a file or folder that exists, so does every path in code style outside docs/research, and
-# code that names its file (```c FILE, ```cpp FILE) stands in it, line by line.
+# code that names its file (```c FILE, ```cpp FILE …) stands in it, line by line.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$(find docs -name '*.md'; find samples bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
@@ -31,7 +31,7 @@ gone=$(grep -noE '`(sdk|plugin_api|training|tests|scripts|docs|samples|bindings)
     done)
 
 # Blanks aside: code is set shorter on a page than in its file.
-invented=$(awk '/^```(c|cpp) / { source = $2; next } /^```/ { source = "" } source && NF { print FILENAME "\t" source "\t" $0 }' $files |
+invented=$(awk '/^```(c|cpp|csharp|rust|python|lua) / { source = $2; next } /^```/ { source = "" } source && NF { print FILENAME "\t" source "\t" $0 }' $files |
     while IFS=$'\t' read -r page source line; do
         grep -qxF -- "$(sed 's/[[:blank:]]//g' <<< "$line")" <(sed 's/[[:blank:]]//g' "$source") ||
             echo "$page: not in $source: $line"

@@ -1,5 +1,5 @@
-/* describe RESOURCE_FOLDER INCLUDE_FOLDER JSON FFI_HEADER -- writes the description of the public headers that every
- * binding is made from or checked against, and a C header without directives. */
+/* describe RESOURCE_FOLDER INCLUDE_FOLDER OUT_FOLDER -- writes the description of the public headers, a C header
+ * without directives, and what each binding is generated from them. Prints the names of the files, in OUT_FOLDER. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,11 +7,27 @@
 
 #include "ffi.h"
 #include "header.h"
+#include "languages.h"
 #include "layout.h"
 #include "text.h"
 
 static const char* const headers[] = {"dragmesh/dragmesh.h", "dragmesh/ext/gltf.h"};
 enum { HEADERS = sizeof headers / sizeof *headers, PATH_ROOM = 4096 };
+
+static const char json_name[] = "dragmesh_api.json", ffi_name[] = "dragmesh_ffi.h";
+
+/* What is written from the description, beside it. */
+static const struct {
+    const char* name;
+    char* (*text)(const cJSON* api);
+} sources[] = {
+    {ffi_name, ffi_write},
+    {"cpp/dragmesh_check.hpp", cpp_write},
+    {"csharp/DragMesh/Native.cs", csharp_write},
+    {"csharp/DragMesh/Layout.cs", csharp_layout_write},
+    {"rust/dragmesh-sys/src/generated.rs", rust_write},
+    {"python/dragmesh/native.py", python_write},
+};
 
 static const char about[] =
     "The C interface of dragmesh. Written by scripts/describe from the public headers: not to be "
@@ -99,26 +115,39 @@ static void write_unit(const char* path) {
     write_file(path, text);
 }
 
-int main(int argc, char** argv) {
-    if (argc != 5) text_fail("usage: describe RESOURCE_FOLDER INCLUDE_FOLDER JSON FFI_HEADER");
-    const char *resources = argv[1], *folder = argv[2], *json_path = argv[3], *ffi_path = argv[4];
-    char include[PATH_ROOM], unit_path[PATH_ROOM];
+static char* describe_all(CXIndex index, const char* resources, const char* folder, const char* unit_path, cJSON* api) {
+    char include[PATH_ROOM];
     snprintf(include, sizeof include, "-I%s", folder);
-    snprintf(unit_path, sizeof unit_path, "%s.c", json_path);
-    write_unit(unit_path);
     const char* const arguments[] = {"-std=c17", "-resource-dir", resources, include};
-    CXIndex index = clang_createIndex(0, 1);
-    cJSON* api = new_description();
+    write_unit(unit_path);
     describe_headers(index, folder, unit_path, arguments, 4, api);
     layout_describe(index, unit_path, arguments, 4, api);
     remove(unit_path);
-    char *json = cJSON_Print(api), *ffi = ffi_write(api);
+    char* json = cJSON_Print(api);
     if (json == NULL) text_fail("no memory");
-    write_file(json_path, json);
-    write_file(ffi_path, ffi);
-    check_ffi(index, ffi_path, resources, api);
+    return json;
+}
+
+int main(int argc, char** argv) {
+    if (argc != 4) text_fail("usage: describe RESOURCE_FOLDER INCLUDE_FOLDER OUT_FOLDER");
+    const char *resources = argv[1], *folder = argv[2], *out = argv[3];
+    char path[PATH_ROOM];
+    CXIndex index = clang_createIndex(0, 1);
+    cJSON* api = new_description();
+    snprintf(path, sizeof path, "%s/unit.c", out);
+    char* json = describe_all(index, resources, folder, path, api);
+    snprintf(path, sizeof path, "%s/%s", out, json_name);
+    write_file(path, json), puts(json_name);
+    free(json);
+    for (size_t i = 0; i < sizeof sources / sizeof *sources; i++) {
+        char* text = sources[i].text(api);
+        snprintf(path, sizeof path, "%s/%s", out, sources[i].name);
+        write_file(path, text), puts(sources[i].name);
+        free(text);
+    }
+    snprintf(path, sizeof path, "%s/%s", out, ffi_name);
+    check_ffi(index, path, resources, api);
     clang_disposeIndex(index);
     cJSON_Delete(api);
-    free(json), free(ffi);
     return 0;
 }

@@ -1,39 +1,10 @@
 #include "ffi.h"
 
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "text.h"
+#include "writer.h"
 
 static const double most_int = 2147483647.0; /* a larger constant is no enumerator */
-
-typedef struct writer {
-    char* text;
-    size_t length, room;
-} writer;
-
-static void put(writer* w, const char* format, ...) {
-    for (;;) {
-        va_list arguments;
-        va_start(arguments, format);
-        const int n = vsnprintf(w->text + w->length, w->room - w->length, format, arguments);
-        va_end(arguments);
-        if (n < 0) text_fail("a declaration can't be written");
-        if (w->length + (size_t)n < w->room) {
-            w->length += (size_t)n;
-            return;
-        }
-        w->room = 2 * (w->room + (size_t)n);
-        if ((w->text = realloc(w->text, w->room)) == NULL) text_fail("no memory");
-    }
-}
-
-static const char* string_of(const cJSON* entry, const char* key) {
-    return cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(entry, key));
-}
 
 static void put_parameters(writer* w, const cJSON* parameters);
 

@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
-# tests/abi/description.sh — the committed description says what the public headers say, and a changed struct, constant or function does not pass.
+# tests/abi/description.sh — the committed description and what each binding is generated from it say what the public headers say,
+# and a changed struct, constant or function passes in none of them.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 scripts/describe --check
+generated="dragmesh_api.json dragmesh_ffi.h cpp/dragmesh_check.hpp csharp/DragMesh/Native.cs rust/dragmesh-sys/src/generated.rs
+python/dragmesh/native.py"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 # rejected NAME SED_SCRIPT — the check must fail after this change of the headers.
@@ -12,10 +15,18 @@ rejected() {
     sed -i "$2" "$work"/include/dragmesh/*.h
     ! diff -rq plugin_api/include "$work/include" > /dev/null || { echo "description: \"$1\" changes nothing" >&2; exit 1; }
     ! scripts/describe --check "$work/include" 2> "$work/log" || { echo "description: \"$1\" passed" >&2; exit 1; }
-    grep -q 'differs from the public headers' "$work/log" || { cat "$work/log" >&2; exit 1; }
+    for file in $generated; do
+        grep -q "bindings/$file differs from the public headers" "$work/log" ||
+            { echo "description: \"$1\" passed in bindings/$file" >&2; cat "$work/log" >&2; exit 1; }
+    done
+    # The C++ binding is of the header itself: the compiler must notice.
+    ! g++ -std=c++17 -fsyntax-only -I"$work/include" -x c++ bindings/cpp/dragmesh_check.hpp 2> "$work/log" ||
+        { echo "description: g++ took \"$1\"" >&2; exit 1; }
+    grep -q 'static assertion failed\|was not declared' "$work/log" || { cat "$work/log" >&2; exit 1; }
 }
 rejected "a field of another type" 's/^    float start_value;/    double start_value;/'
 rejected "a field more" 's/^    dm_vec3 grab_point; .*/&\n    float tenfold;/'
 rejected "another value" 's/DM_ERROR_TOO_LARGE = -17/DM_ERROR_TOO_LARGE = -71/'
 rejected "a parameter of another type" 's/dm_model model, dm_object\* out_object/uint32_t model, dm_object* out_object/'
 rejected "another result" 's/^DM_API uint32_t DM_CALL dm_version(void);/DM_API int32_t DM_CALL dm_version(void);/'
+rejected "a function less" 's/^DM_API uint32_t DM_CALL dm_version(void);//'

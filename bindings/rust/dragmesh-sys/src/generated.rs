@@ -1,0 +1,1607 @@
+// The C interface of dragmesh. Written by scripts/describe from the public headers: not to be edited.
+use core::ffi::{c_char, c_void};
+
+pub const DM_VERSION_MAJOR: i32 = 0;
+pub const DM_VERSION_MINOR: i32 = 1;
+pub const DM_VERSION_PATCH: i32 = 0;
+/// Number of key poses of a generated motion (paper: T).
+pub const DM_MOTION_FRAMES: i32 = 16;
+/// Most hypotheses kept for one part.
+pub const DM_MAX_HYPOTHESES: i32 = 8;
+/// Most parts of one object, the body not counted.
+pub const DM_MAX_PARTS: i32 = 4096;
+/// Most bytes of a label, the zero not counted.
+pub const DM_MAX_LABEL: i32 = 4096;
+/// Most vertices or triangles of one object.
+pub const DM_MAX_ELEMENTS: i32 = 268435456;
+/// Most links of one object.
+pub const DM_MAX_LINKS: i32 = 256;
+/// Most snap values of one drag.
+pub const DM_MAX_SNAPS: i32 = 16;
+/// No library of the interface dm.core/1 needs more bytes for a dm\_drag\_save; it says how many by dm\_drag\_snapshot\_size.
+pub const DM_DRAG_SNAPSHOT_MAX: i32 = 65536;
+pub const DM_GLTF_NO_CARRIER: u32 = 4294967295;
+pub const DM_OK: i32 = 0;
+/// a null pointer, an unknown enum value, a count that makes no sense
+pub const DM_ERROR_INVALID_ARGUMENT: i32 = -1;
+/// struct\_size too small, or a newer field is set that this library can't know
+pub const DM_ERROR_STRUCT_SIZE: i32 = -2;
+/// null, destroyed, or of another kind or context
+pub const DM_ERROR_STALE_HANDLE: i32 = -3;
+/// the host's allocator answered NULL
+pub const DM_ERROR_OUT_OF_MEMORY: i32 = -4;
+/// a NaN or infinite number in the input
+pub const DM_ERROR_NOT_FINITE: i32 = -5;
+/// an index names a vertex or a hypothesis that does not exist
+pub const DM_ERROR_INDEX_OUT_OF_RANGE: i32 = -6;
+/// no triangle belongs to the part
+pub const DM_ERROR_EMPTY_MASK: i32 = -7;
+/// every triangle belongs to the part: nothing stays to move against
+pub const DM_ERROR_FULL_MASK: i32 = -8;
+/// no triangle with an area, or all vertices in one point
+pub const DM_ERROR_DEGENERATE_MESH: i32 = -9;
+/// the drag vector has no length
+pub const DM_ERROR_ZERO_DRAG: i32 = -10;
+/// the drag point is farther from the part than half the object's size
+pub const DM_ERROR_DRAG_OFF_PART: i32 = -11;
+/// truncated, corrupt or hostile bytes
+pub const DM_ERROR_BAD_DATA: i32 = -12;
+/// readable weights, but not of the architecture asked for
+pub const DM_ERROR_WRONG_MODEL: i32 = -13;
+/// made by a newer version than this library can read
+pub const DM_ERROR_VERSION: i32 = -14;
+/// the progress callback asked to stop
+pub const DM_ERROR_CANCELLED: i32 = -15;
+/// the call needs weights and none were given
+pub const DM_ERROR_NO_MODEL: i32 = -16;
+/// more than DM\_MAX\_ELEMENTS or DM\_MAX\_PARTS
+pub const DM_ERROR_TOO_LARGE: i32 = -17;
+/// the output buffer can't hold the answer; the size needed is set
+pub const DM_ERROR_BUFFER_TOO_SMALL: i32 = -18;
+/// no such part, node or instance
+pub const DM_ERROR_NOT_FOUND: i32 = -19;
+/// valid, but this build or this file kind can't do it
+pub const DM_ERROR_UNSUPPORTED: i32 = -20;
+/// a bug of ours; please report it
+pub const DM_ERROR_INTERNAL: i32 = -21;
+pub const DM_LOG_ERROR: i32 = 0;
+pub const DM_LOG_WARNING: i32 = 1;
+pub const DM_LOG_INFO: i32 = 2;
+/// right-handed, +Y up (glTF, Godot, OpenGL)
+pub const DM_AXES_GLTF: i32 = 0;
+/// left-handed, +Y up, +Z forward
+pub const DM_AXES_UNITY: i32 = 1;
+/// left-handed, +Z up, +X forward
+pub const DM_AXES_UNREAL: i32 = 2;
+/// right-handed, +Z up (Blender, ROS, most CAD)
+pub const DM_AXES_BLENDER: i32 = 3;
+/// dm\_context\_desc.custom\_axes
+pub const DM_AXES_CUSTOM: i32 = 4;
+/// Embree 3.13 or 4 where its shared library is found, else the library's own
+pub const DM_PICK_AUTO: i32 = 0;
+/// Embree alone
+pub const DM_PICK_EMBREE: i32 = 1;
+/// the library's own: everywhere, in the host's memory
+pub const DM_PICK_PORTABLE: i32 = 2;
+/// nothing, for hosts that cast their own rays: objects keep no trees, there are no scenes
+pub const DM_PICK_NONE: i32 = 3;
+pub const DM_JOINT_UNKNOWN: i32 = 0;
+/// turns about a line between two limits, rad
+pub const DM_JOINT_REVOLUTE: i32 = 1;
+/// slides along a direction, host units
+pub const DM_JOINT_PRISMATIC: i32 = 2;
+/// turns and advances \`pitch\` host units a radian
+pub const DM_JOINT_SCREW: i32 = 3;
+/// turns without limits
+pub const DM_JOINT_CONTINUOUS: i32 = 4;
+pub const DM_JOINT_FIXED: i32 = 5;
+/// positions: three each
+pub const DM_FLOAT32: i32 = 0;
+/// positions: three each
+pub const DM_FLOAT64: i32 = 1;
+/// indices and part ids
+pub const DM_UINT32: i32 = 0;
+/// indices and part ids
+pub const DM_UINT16: i32 = 1;
+/// indices and part ids
+pub const DM_UINT8: i32 = 2;
+/// indices and part ids
+pub const DM_INT32: i32 = 3;
+pub const DM_PER_VERTEX: i32 = 0;
+pub const DM_PER_FACE: i32 = 1;
+pub const DM_JOINT_FROM_NETWORK: i32 = 0;
+pub const DM_JOINT_FROM_GEOMETRY: i32 = 1;
+/// certain, limits too: no pull changes it
+pub const DM_JOINT_FROM_HOST: i32 = 2;
+/// a hypothesis of the library that dm\_object\_desc.choose has chosen: no pull puts another joint in its place, but its limits are estimates and give
+pub const DM_JOINT_CHOSEN: i32 = 3;
+pub const DM_LIMIT_LOWER: i32 = 1;
+pub const DM_LIMIT_UPPER: i32 = 2;
+pub const DM_CHOICE_KEEP: i32 = -1;
+/// keep no triangles: the object can't be added to a scene, and is small
+pub const DM_PREPARE_WITHOUT_PICKING: i32 = 1;
+/// the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO\_MODEL when \`model\` has no kinematics weights
+pub const DM_PREPARE_NETWORK_ALONE: i32 = 2;
+/// follow the joint in force, limits and all, whatever the pull says, as with a host's joint
+pub const DM_DRAG_KEEP_JOINT: i32 = 1;
+/// no point is grabbed: for hands of DM\_HAND\_RATE, STEP and VALUE, and for releases. grab\_point is not read; the middle of the part's box stands for it
+pub const DM_DRAG_WITHOUT_POINT: i32 = 2;
+/// the part stays where it is, gives a little, and says so (DM\_EVENT\_LOCKED)
+pub const DM_RULE_LOCKED: i32 = 1;
+/// a latch holds it at rest until a handle has turned (dm\_drag\_input.handles), and catches it again when it comes to rest with the handle let go
+pub const DM_RULE_LATCH: i32 = 2;
+/// the driven part's value is offset + ratio \* (the driver's beyond \`from\`), inside its limits
+pub const DM_LINK_MOVES: i32 = 0;
+/// the driven part is held until the driver has reached \`from\`: a handle
+pub const DM_LINK_FREES: i32 = 1;
+/// the driven part is held once the driver has reached \`from\`: of drawers, one at a time
+pub const DM_LINK_HOLDS: i32 = 2;
+/// of DM\_LINK\_MOVES: moving the driven part moves the driver
+pub const DM_LINK_BOTH_WAYS: i32 = 1;
+/// no news of it: the part goes on to where it was asked to be
+pub const DM_HAND_NONE: i32 = 0;
+/// a pointer: \`ray\`
+pub const DM_HAND_RAY: i32 = 1;
+/// a hand in space: \`point\`. It keeps its distance to the point that it grabbed
+pub const DM_HAND_POINT: i32 = 2;
+/// a stick or a key held down: \`amount\`, -1 to 1, times dm\_drag\_rules.drive\_speed
+pub const DM_HAND_RATE: i32 = 3;
+/// a wheel: moves by \`amount\`, a share of the range
+pub const DM_HAND_STEP: i32 = 4;
+/// a slider of the host's: goes to the joint value \`amount\`
+pub const DM_HAND_VALUE: i32 = 5;
+/// locked in this update, as by DM\_RULE\_LOCKED
+pub const DM_INPUT_LOCKED: i32 = 1;
+/// dm\_drag\_take may change the value that this update takes
+pub const DM_INPUT_ASK: i32 = 2;
+/// follows the pointer
+pub const DM_DRAG_HELD: i32 = 0;
+/// moves on by itself: dm\_drag\_release
+pub const DM_DRAG_RELEASED: i32 = 1;
+/// has come to where it goes
+pub const DM_DRAG_AT_REST: i32 = 2;
+/// it has met its lower limit (within 0.5 % of the range), dm\_drag\_state.impact fast; again after it was 2 % away
+pub const DM_EVENT_LIMIT_LOWER: i32 = 1;
+/// the same of the upper one
+pub const DM_EVENT_LIMIT_UPPER: i32 = 2;
+/// it is more than 2 % of the range away from rest
+pub const DM_EVENT_LEFT_REST: i32 = 4;
+/// it is within 0.5 % of the range of rest, having left it
+pub const DM_EVENT_REACHED_REST: i32 = 8;
+/// dm\_drag\_rules.open\_share
+pub const DM_EVENT_OPENED: i32 = 16;
+/// dm\_drag\_rules.closed\_share
+pub const DM_EVENT_CLOSED: i32 = 32;
+/// it has gone over to another detent or snap value: dm\_drag\_state.detents
+pub const DM_EVENT_DETENT: i32 = 64;
+/// the pull has changed the joint: dm\_drag\_state.changes
+pub const DM_EVENT_JOINT: i32 = 128;
+/// dm\_drag\_input's bounds hold it
+pub const DM_EVENT_BLOCKED: i32 = 256;
+/// they no longer do
+pub const DM_EVENT_FREED: i32 = 512;
+/// the latch has caught it
+pub const DM_EVENT_LATCHED: i32 = 1024;
+/// the handle has opened the latch
+pub const DM_EVENT_UNLATCHED: i32 = 2048;
+/// it was tried while locked or latched; again after the hand has let up
+pub const DM_EVENT_LOCKED: i32 = 4096;
+/// dm\_drag\_rules.break\_distance has let go of it
+pub const DM_EVENT_LET_GO: i32 = 8192;
+/// as the player meant it, by where the part is and how fast it goes
+pub const DM_INTENT_AUTO: i32 = 0;
+/// glides to a stop; also stops a part that moves by itself
+pub const DM_INTENT_STAY: i32 = 1;
+/// goes on to the end of the joint that lies the way it was pulled
+pub const DM_INTENT_OPEN: i32 = 2;
+/// falls back to rest
+pub const DM_INTENT_CLOSE: i32 = 3;
+/// does once more what it did after the last release
+pub const DM_INTENT_REPLAY: i32 = 4;
+/// stops dead
+pub const DM_INTENT_FREEZE: i32 = 5;
+/// opens when it is nearer to rest than to its open end, else closes
+pub const DM_INTENT_TOGGLE: i32 = 6;
+/// paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets
+pub const DM_RELEASE_BY_RULE: i32 = 1;
+/// a part that opens to both sides of rest opens away from \`away\_from\`
+pub const DM_RELEASE_AWAY_FROM: i32 = 2;
+/// How a texture goes on beyond its edges: OpenGL's numbers.
+pub const DM_GLTF_WRAP_REPEAT: i32 = 10497;
+/// How a texture goes on beyond its edges: OpenGL's numbers.
+pub const DM_GLTF_WRAP_CLAMP: i32 = 33071;
+/// How a texture goes on beyond its edges: OpenGL's numbers.
+pub const DM_GLTF_WRAP_MIRROR: i32 = 33648;
+
+pub type dm_result = i32;
+#[repr(C)]
+pub struct dm_context {
+    opaque: [u8; 0],
+}
+/// loaded weights
+pub type dm_model = u64;
+/// a prepared object: parts and their joints
+pub type dm_object = u64;
+/// a generated motion of one part: 16 key poses, sampled continuously
+pub type dm_motion = u64;
+/// one player dragging one part
+pub type dm_drag = u64;
+/// placed objects that rays can pick
+pub type dm_scene = u64;
+pub type dm_task = Option<unsafe extern "C" fn(data: *mut c_void, index: u32)>;
+/// Asks the host for a joint type (a designer's tag, a rule, a vision-language model). Return DM\_JOINT\_UNKNOWN to leave the question to the library.
+pub type dm_intent_callback = Option<unsafe extern "C" fn(user: *mut c_void, part_id: u32, box_min: dm_vec3, box_max: dm_vec3) -> i32>;
+/// Asks the host which hypothesis is right (a designer's rule, a vision-language model that is shown pictures). Return its index to put it in force: its source is DM\_JOINT\_CHOSEN then, and both confidences are 1. DM\_CHOICE\_KEEP leaves the library's answer with its confidences. What else is no index ends the preparation with INDEX\_OUT\_OF\_RANGE. dm\_object\_get\_hypotheses and dm\_object\_reset\_joint go on giving the library's own ranking. Called on the thread that prepares, for one part after the other in order of id; not for parts that the host declares fixed.
+pub type dm_choice_callback = Option<unsafe extern "C" fn(user: *mut c_void, choice: *const dm_choice) -> i32>;
+/// 0..1, rising; return non-zero to cancel. Called on the thread that prepares, whatever jobs run beside it.
+pub type dm_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, done: f32) -> i32>;
+#[repr(C)]
+pub struct dm_gltf {
+    opaque: [u8; 0],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_vec3 {
+    pub x: f32,
+    pub y: f32,
+    pub z: f32,
+}
+
+impl Default for dm_vec3 {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// A rigid pose x' = R x + t as a unit dual quaternion real + eps dual, both in x, y, z, w order; dual = 1/2 t (\*) real with t as a pure quaternion. Identity: real = {0,0,0,1}, dual = {0,0,0,0}.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_pose {
+    pub real: [f32; 4],
+    pub dual: [f32; 4],
+}
+
+impl Default for dm_pose {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// direction need not be unit; distances along the ray are in host units, not in multiples of it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_ray {
+    pub origin: dm_vec3,
+    pub direction: dm_vec3,
+}
+
+impl Default for dm_ray {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// Hooks: see "Callbacks" above. Host memory. allocate returns memory aligned to \`alignment\` (a power of two) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_allocator {
+    pub user: *mut c_void,
+    pub allocate: Option<unsafe extern "C" fn(user: *mut c_void, size: usize, alignment: usize) -> *mut c_void>,
+    pub release: Option<unsafe extern "C" fn(user: *mut c_void, memory: *mut c_void, size: usize)>,
+}
+
+impl Default for dm_allocator {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// Messages for people. \`text\` is valid during the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_log {
+    pub user: *mut c_void,
+    pub message: Option<unsafe extern "C" fn(user: *mut c_void, level: i32, code: dm_result, text: *const c_char)>,
+}
+
+impl Default for dm_log {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// The host's job system. parallel\_for runs task(data, i) for every i in \[0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_jobs {
+    pub user: *mut c_void,
+    pub parallel_for: Option<unsafe extern "C" fn(user: *mut c_void, count: u32, task: dm_task, data: *mut c_void) -> i32>,
+}
+
+impl Default for dm_jobs {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_context_desc {
+    pub struct_size: u32,
+    /// DM\_AXES\_\*; 0 = glTF
+    pub axes: i32,
+    /// length of one host unit; 0 = 1. Unreal: 0.01
+    pub unit_in_metres: f32,
+    /// for DM\_AXES\_CUSTOM: row-major matrix that takes a host vector to the canonical frame; orthogonal, determinant +1 or -1
+    pub custom_axes: [f32; 9],
+    /// zeros = malloc/free
+    pub allocator: dm_allocator,
+    /// zeros = silent
+    pub log: dm_log,
+    /// zeros = inline
+    pub jobs: dm_jobs,
+    /// DM\_PICK\_\*; 0 = auto
+    pub picking: i32,
+    /// 0
+    pub reserved: u32,
+}
+
+impl Default for dm_context_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_memory_info {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// held now through the context's allocator
+    pub bytes: u64,
+    /// most ever held
+    pub peak_bytes: u64,
+    /// calls of allocate so far
+    pub allocations: u64,
+    /// held now by Embree, which reports sizes but has its own allocator
+    pub pick_bytes: u64,
+}
+
+impl Default for dm_memory_info {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// Bytes of safetensors files; each may be absent (NULL, 0). They are copied and repacked: free them after the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_model_desc {
+    pub struct_size: u32,
+    /// KPP-Net: sdk/models/kpp\_net.safetensors
+    pub kinematics: *const c_void,
+    pub kinematics_size: usize,
+    /// DQ-VAE: sdk/models/dq\_vae.safetensors
+    pub motion: *const c_void,
+    pub motion_size: usize,
+    /// chooses between candidate joints: sdk/models/ranker.safetensors; absent: by rules
+    pub ranker: *const c_void,
+    pub ranker_size: usize,
+}
+
+impl Default for dm_model_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// The host's mesh, read in place. Triangles. The sizes of the buffers guard against a forgotten format, scope or stride: one that does not hold what counts, formats and strides say is refused, and nothing is read past its end.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_mesh_desc {
+    pub struct_size: u32,
+    /// bytes between vertices; 0 = packed
+    pub position_stride: u32,
+    /// vertex\_count x 3
+    pub positions: *const c_void,
+    pub vertex_count: u64,
+    /// of the buffer from \`positions\` on; 0 = not stated, and not checked
+    pub position_bytes: u64,
+    /// index\_count, a multiple of 3; NULL = vertices in order, three a triangle
+    pub indices: *const c_void,
+    pub index_count: u64,
+    /// of the buffer; 0 = not stated, and not checked
+    pub index_bytes: u64,
+    /// which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that dm\_object\_desc.parts does not list are the body's. Per vertex, a triangle belongs to the id that two of its corners share (else the smallest)
+    pub part_ids: *const c_void,
+    /// of the buffer from \`part\_ids\` on; required with part\_ids. It must be that of one id a vertex or a face, as part\_id\_scope says, neither less nor more
+    pub part_id_bytes: u64,
+    /// bytes; 0 = packed
+    pub part_id_stride: u32,
+    /// DM\_FLOAT32 | DM\_FLOAT64
+    pub position_format: i32,
+    /// DM\_UINT32 | DM\_UINT16 | DM\_UINT8
+    pub index_format: i32,
+    /// DM\_UINT32 | DM\_UINT16 | DM\_UINT8 | DM\_INT32 (negative = body)
+    pub part_id_format: i32,
+    /// DM\_PER\_VERTEX | DM\_PER\_FACE
+    pub part_id_scope: i32,
+    /// 0
+    pub reserved: u32,
+}
+
+impl Default for dm_mesh_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_drag_hint {
+    /// on or near the part, host object frame
+    pub point: dm_vec3,
+    /// non-zero; its length is how far it was pulled
+    pub vector: dm_vec3,
+}
+
+impl Default for dm_drag_hint {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_pivot {
+    /// host object frame
+    pub origin: dm_vec3,
+    /// the node's own x, y and z axis, three numbers each, host object frame; of any length, also mirrored. Zeros: unknown
+    pub axes: [f32; 9],
+}
+
+impl Default for dm_pivot {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_part_desc {
+    pub struct_size: u32,
+    /// as in part\_ids; 1..
+    pub id: u32,
+    /// id of the part that carries this one; 0 = the body. A part moves with its parent
+    pub parent: u32,
+    /// DM\_JOINT\_\*; 0 = to be found out
+    pub joint_type: i32,
+    /// optional evidence
+    pub drag: *const dm_drag_hint,
+    /// optional evidence: names that the asset has for the part, UTF-8, outermost first, joined by '/': file, parents, node, mesh. Names in any language that tell what it is (door, lid, Hebel) count, others don't. At most DM\_MAX\_LABEL bytes
+    pub label: *const c_char,
+    /// optional evidence
+    pub pivot: *const dm_pivot,
+}
+
+impl Default for dm_part_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// How a part moves.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_joint {
+    pub struct_size: u32,
+    /// DM\_JOINT\_\*
+    pub type_: i32,
+    /// probability that the type is right, 0..1
+    pub type_confidence: f32,
+    /// probability that type, axis and origin are all right, 0..1; never above the other
+    pub joint_confidence: f32,
+    /// screws: host units a radian, signed along the axis
+    pub pitch: f32,
+    /// unit; host object frame. A positive value turns right-handed in a right-handed host frame (left-handed in a left-handed one), or slides along it. Found with a drag, positive goes its way; without one, the longer way is positive, so \`upper\` opens
+    pub axis: dm_vec3,
+    /// the point of the axis line nearest the part's centre; a host's own stays as it was given
+    pub origin: dm_vec3,
+    /// limits of the joint value (rad or host units); the rest pose is value 0. None when they are equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) is none; where only one side is, a little more than that stands for it
+    pub lower: f32,
+    /// limits of the joint value (rad or host units); the rest pose is value 0. None when they are equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) is none; where only one side is, a little more than that stands for it
+    pub upper: f32,
+    /// DM\_JOINT\_FROM\_\*, DM\_JOINT\_CHOSEN
+    pub source: i32,
+}
+
+impl Default for dm_joint {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y and z are any, the same for the same joint; x, y, z and \`rotation\` have determinant +1 in the host's coordinates.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_joint_frame {
+    pub struct_size: u32,
+    /// DM\_JOINT\_\*
+    pub type_: i32,
+    /// host object frame
+    pub origin: dm_vec3,
+    /// unit
+    pub x: dm_vec3,
+    /// unit
+    pub y: dm_vec3,
+    /// unit
+    pub z: dm_vec3,
+    /// unit quaternion x, y, z, w that takes the frame's coordinates to the object's
+    pub rotation: [f32; 4],
+    /// hinges and screws: rad about x; sliders: host units along x; 0 where there is none
+    pub lower: f32,
+    /// hinges and screws: rad about x; sliders: host units along x; 0 where there is none
+    pub upper: f32,
+    /// DM\_LIMIT\_LOWER | DM\_LIMIT\_UPPER: which there are
+    pub limits: u32,
+    /// screws: host units along x a radian
+    pub pitch: f32,
+}
+
+impl Default for dm_joint_frame {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, value).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_part_state {
+    pub struct_size: u32,
+    /// joint value; 0 = rest
+    pub value: f32,
+    /// as shown, from rest. It differs from dm\_joint\_pose(joint, value) only while the part comes over to a joint that has just changed. Zeros: that of joint and value
+    pub pose: dm_pose,
+    /// stays the last field
+    pub joint: dm_joint,
+}
+
+impl Default for dm_part_state {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_part_info {
+    pub struct_size: u32,
+    pub id: u32,
+    pub parent: u32,
+    /// of the part alone, without the parts it carries
+    pub triangle_count: u32,
+    pub box_min: dm_vec3,
+    pub box_max: dm_vec3,
+    /// area-weighted surface centroid
+    pub centre: dm_vec3,
+    pub area: f32,
+}
+
+impl Default for dm_part_info {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// Where a hypothesis takes its part at one end of its range. Host object frame. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_joint_end {
+    /// joint value
+    pub value: f32,
+    /// of the part, from rest
+    pub pose: dm_pose,
+    /// of the part alone, as in dm\_part\_info
+    pub box_min: dm_vec3,
+    /// of the part alone, as in dm\_part\_info
+    pub box_max: dm_vec3,
+    pub centre: dm_vec3,
+}
+
+impl Default for dm_joint_end {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// A ranked hypothesis and what it would do. struct\_size: what the library has filled.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_hypothesis {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// with its limits and probabilities
+    pub joint: *const dm_joint,
+    /// at the lower and the upper limit. Of a joint without limits: a quarter turn, or half the object's size, either way
+    pub ends: [dm_joint_end; 2],
+}
+
+impl Default for dm_hypothesis {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// A part and its hypotheses, for the host to choose from. Valid during the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_choice {
+    pub struct_size: u32,
+    /// of hypotheses; 1 .. DM\_MAX\_HYPOTHESES
+    pub count: u32,
+    pub part: *const dm_part_info,
+    /// most probable first
+    pub hypotheses: *const *const dm_hypothesis,
+}
+
+impl Default for dm_choice {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_object_desc {
+    pub struct_size: u32,
+    /// DM\_PREPARE\_\*
+    pub flags: u32,
+    pub mesh: *const dm_mesh_desc,
+    /// NULL: every id \> 0 in part\_ids is a part carried by the body
+    pub parts: *const dm_part_desc,
+    pub part_count: u32,
+    /// 0
+    pub reserved: u32,
+    /// weights; 0 = geometry alone
+    pub model: dm_model,
+    /// of the surface sampling; the same seed gives the same bits
+    pub seed: u64,
+    pub intent: dm_intent_callback,
+    pub intent_user: *mut c_void,
+    pub progress: dm_progress_callback,
+    pub progress_user: *mut c_void,
+    /// optional evidence: names of the whole object, as dm\_part\_desc.label; they count for the parts whose own label tells nothing
+    pub label: *const c_char,
+    /// which way is up, host object frame; it counts together with labels and pivots alone. 0 = that of the context's axes
+    pub up: dm_vec3,
+    /// 0
+    pub reserved2: u32,
+    pub choose: dm_choice_callback,
+    pub choose_user: *mut c_void,
+}
+
+impl Default for dm_object_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_object_info {
+    pub struct_size: u32,
+    pub part_count: u32,
+    pub vertex_count: u64,
+    pub triangle_count: u64,
+    /// host object frame; with oblique custom axes it may be larger than need be
+    pub box_min: dm_vec3,
+    /// host object frame; with oblique custom axes it may be larger than need be
+    pub box_max: dm_vec3,
+    /// largest side of the box
+    pub size: f32,
+    /// 1 when it kept its triangles
+    pub pickable: u32,
+}
+
+impl Default for dm_object_info {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// What the player asked for. The network answers with a motion of DM\_MOTION\_FRAMES poses from rest.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_motion_desc {
+    pub struct_size: u32,
+    pub part_id: u32,
+    /// required
+    pub drag: dm_drag_hint,
+    /// optional: where the pointer drew the drag point, from drag.point on; 65536 at most
+    pub path: *const dm_vec3,
+    /// 0: the path that opens the joint all the way in the drag's direction
+    pub path_count: u32,
+    /// 0: the most likely motion (z = mean); else z is drawn with this seed
+    pub seed: u32,
+}
+
+impl Default for dm_motion_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter through two ratios, which are times: smoothing\_time is damping over stiffness, coast\_time inertia over damping.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_drag_feel {
+    /// s for the part to close half the gap to the pointer; 0 = 0.02, negative = none
+    pub smoothing_time: f32,
+    /// share of the range over which the ends give; 0 = hard ends
+    pub soft_limit: f32,
+    /// s in which a part left alone loses half its speed, and how heavy it is in the hand; 0 = 0.1 once released and weightless in the hand, negative = stops where it is let go
+    pub coast_time: f32,
+    /// joint value from one catch to the next, the first at rest (rad or host units); 0 = none
+    pub detent: f32,
+    /// how hard catches hold, up to 1; 0 = 0.7. Nothing without \`detent\`
+    pub detent_pull: f32,
+    /// s for the released part to spring back to rest; 0 = push buttons alone, in 0.12; negative = nothing springs back
+    pub return_time: f32,
+}
+
+impl Default for dm_drag_feel {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// What a part does besides following the hand. Zeros are off, but for the defaults of thresholds. "Range" is from lower to upper limit; where one of them is missing, 1 rad or the object's size. docs/feel.md.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_drag_rules {
+    pub struct_size: u32,
+    /// DM\_RULE\_\*
+    pub flags: u32,
+    /// snap\_count joint values, rising: there the part catches, as at detents, and pulls as hard as feel.detent\_pull says. Not with feel.detent
+    pub snaps: *const f32,
+    /// DM\_MAX\_SNAPS at most
+    pub snap_count: u32,
+    /// joint value: how far a snap value reaches to either side; 0 = half-way to the next, or a twentieth of the range where there is none
+    pub snap_reach: f32,
+    /// share of the range from rest: DM\_EVENT\_OPENED beyond; 0 = 0.1
+    pub open_share: f32,
+    /// share of the range from rest: DM\_EVENT\_CLOSED within; 0 = 0.02; less than the other
+    pub closed_share: f32,
+    /// s that lie between opened and closed at least
+    pub event_time: f32,
+    /// joint value a second; 0 = none
+    pub max_speed: f32,
+    /// joint value a second squared while it gets faster, the highest force over the part's inertia; 0 = none
+    pub max_acceleration: f32,
+    /// share of the range that a locked or latched part gives at most; 0 = 0.01, negative = none
+    pub lock_give: f32,
+    /// joint value of a handle, of either sign, from which on the latch is open; 0 = 0.785
+    pub latch_turn: f32,
+    /// a released part nearer to rest than this share of the range closes; 0 = none does
+    pub auto_close_share: f32,
+    /// s that takes; 0 = 0.25
+    pub auto_close_time: f32,
+    /// s after the release before feel.return\_time brings it back
+    pub close_delay: f32,
+    /// a released part falls to rest from nearer than this share of the range, and else to its open end, as a hatch does; 0 = it does not fall
+    pub tip_share: f32,
+    /// s of a fall over the whole range; 0 = 0.7
+    pub fall_time: f32,
+    /// share of its speed, 0 to 1, with which it comes back from a limit that it falls, glides or swings against
+    pub restitution: f32,
+    /// host units from the hand to where it holds the part, beyond which it lets go (DM\_EVENT\_LET\_GO) and the part is released; 0 = never
+    pub break_distance: f32,
+    /// share of the range a second at dm\_hand.amount 1; 0 = 1
+    pub drive_speed: f32,
+    /// 0
+    pub reserved: u32,
+}
+
+impl Default for dm_drag_rules {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// A link between two parts. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_link {
+    /// part ids
+    pub driver: u32,
+    /// part ids
+    pub driven: u32,
+    /// DM\_LINK\_\*
+    pub kind: i32,
+    /// DM\_LINK\_BOTH\_WAYS
+    pub flags: u32,
+    /// value of the driven part a value of the driver; 0 = 1. Rad, host units: rack and pinion
+    pub ratio: f32,
+    /// value of the driven part while the driver is at \`from\`
+    pub offset: f32,
+    /// value of the driver: nothing moves while it is nearer to 0, on that side of 0
+    pub from: f32,
+}
+
+impl Default for dm_link {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_drag_desc {
+    pub struct_size: u32,
+    pub part_id: u32,
+    pub object: dm_object,
+    /// on the part as it is now, host object frame
+    pub grab_point: dm_vec3,
+    /// joint value the part has now; 0 = rest. Not with \`state\`
+    pub start_value: f32,
+    pub feel: dm_drag_feel,
+    /// DM\_DRAG\_KEEP\_JOINT
+    pub flags: u32,
+    /// how far a pull that goes on takes the part beyond limits that the library estimated, as a share of the range. 0 = as far as it is pulled, by a turn or the object's size at most; negative = not at all. The host's own limits never give, nor does a stop at rest
+    pub limit_give: f32,
+    /// the instance's own joint and value, as an earlier drag ended with them: the first pose is the last one of then. NULL = the object's joint in force, at start\_value
+    pub state: *const dm_part_state,
+    /// of the instance along the axes of the object frame, negative = mirrored; 0 = 1. Then grab\_point, rays, state and poses are in the scaled frame (object coordinates times scale), and poses are rigid in it
+    pub scale: dm_vec3,
+    /// 0
+    pub reserved: u32,
+    /// NULL = none, and no events
+    pub rules: *const dm_drag_rules,
+}
+
+impl Default for dm_drag_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_hand {
+    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open
+    pub kind: i32,
+    /// object frame; scaled with dm\_drag\_desc.scale
+    pub ray: dm_ray,
+    /// the same
+    pub point: dm_vec3,
+    /// of RATE, STEP, VALUE
+    pub amount: f32,
+    /// of a second hand alone, where it takes hold: read in its first update, on the part as it is
+    pub grab_point: dm_vec3,
+}
+
+impl Default for dm_hand {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// All that can be told a drag in one update.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_drag_input {
+    pub struct_size: u32,
+    /// DM\_INPUT\_\*
+    pub flags: u32,
+    pub hand: dm_hand,
+    /// another hand on the part, by ray or point; DM\_HAND\_NONE = none. Both count as far as each can move the part. It comes and goes without a jump
+    pub second: dm_hand,
+    /// joint values of the handles of a latch, where their drags or links have them
+    pub handles: [f32; 2],
+    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
+    pub lower: f32,
+    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
+    pub upper: f32,
+}
+
+impl Default for dm_drag_input {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_drag_state {
+    pub struct_size: u32,
+    /// of the part from rest, object frame; compose with the parent part's own pose
+    pub pose: dm_pose,
+    /// where the grabbed point is now
+    pub grab_point: dm_vec3,
+    /// joint value
+    pub value: f32,
+    /// value the pointer asks for, before smoothing and inside the limits
+    pub target: f32,
+    /// d value / dt
+    pub velocity: f32,
+    /// -1 at lower, +1 at upper, 0 between
+    pub at_limit: i32,
+    /// DM\_DRAG\_HELD …
+    pub phase: i32,
+    /// how often the pull has changed the joint that the drag follows: dm\_drag\_get\_part\_state. The pose comes over to a new joint within 0.6 s; the grabbed point first, mostly in 0.1 s
+    pub changes: u32,
+    /// DM\_EVENT\_\*; 0 without dm\_drag\_desc.rules, as the two below
+    pub events: u32,
+    /// detents or snap values that it has gone over to since the update before; a long update may pass several
+    pub detents: u32,
+    /// joint value a second: how fast it met a limit or was blocked; 0 without such an event
+    pub impact: f32,
+}
+
+impl Default for dm_drag_state {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_release_desc {
+    pub struct_size: u32,
+    /// DM\_INTENT\_\*
+    pub intent: i32,
+    /// s from here to the end; 0 = as far and fast as it goes asks for
+    pub duration: f32,
+    /// of the DQ-VAE, as dm\_motion\_desc.seed
+    pub seed: u32,
+    /// DM\_RELEASE\_\*
+    pub flags: u32,
+    /// object frame, scaled with dm\_drag\_desc.scale: the player, say
+    pub away_from: dm_vec3,
+}
+
+impl Default for dm_release_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_release_plan {
+    pub struct_size: u32,
+    /// as decided: DM\_INTENT\_STAY, OPEN, CLOSE or FREEZE
+    pub intent: i32,
+    pub start_value: f32,
+    pub end_value: f32,
+    /// s; 0 when it is there already
+    pub duration: f32,
+    /// 1: paced by the DQ-VAE; 0: by a rule
+    pub from_network: u32,
+}
+
+impl Default for dm_release_plan {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_camera {
+    pub struct_size: u32,
+    /// rad; 0 = orthographic with ortho\_height
+    pub fov_y: f32,
+    /// host world frame
+    pub eye: dm_vec3,
+    /// need not be unit or orthogonal, not parallel
+    pub forward: dm_vec3,
+    /// need not be unit or orthogonal, not parallel
+    pub up: dm_vec3,
+    /// pixels
+    pub viewport_width: f32,
+    /// pixels
+    pub viewport_height: f32,
+    /// orthographic: host units from bottom to top; else not used
+    pub ortho_height: f32,
+}
+
+impl Default for dm_camera {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_scene_desc {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+}
+
+impl Default for dm_scene_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_hit {
+    pub struct_size: u32,
+    /// as dm\_scene\_add gave it
+    pub instance: u32,
+    /// 0 = nothing hit
+    pub object: dm_object,
+    /// 0 = the body
+    pub part_id: u32,
+    /// index in the host's mesh
+    pub triangle: u32,
+    /// host units from the ray's origin
+    pub distance: f32,
+    /// barycentric weights of the triangle's second and third corner
+    pub u: f32,
+    /// barycentric weights of the triangle's second and third corner
+    pub v: f32,
+    /// host world frame
+    pub point: dm_vec3,
+    /// unit, geometric, of the triangle's winding; host world frame
+    pub normal: dm_vec3,
+    /// the same point in the object's frame with the part as it is now: dm\_drag\_desc.grab\_point
+    pub object_point: dm_vec3,
+}
+
+impl Default for dm_hit {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_core_1 {
+    /// bytes of this table in the library at hand: check before calling a newer entry
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub result_string: Option<unsafe extern "C" fn(result: dm_result) -> *const c_char>,
+    pub version: Option<unsafe extern "C" fn() -> u32>,
+    pub context_create: Option<unsafe extern "C" fn(desc: *const dm_context_desc, out_context: *mut *mut dm_context) -> dm_result>,
+    pub context_destroy: Option<unsafe extern "C" fn(context: *mut dm_context)>,
+    pub context_get_memory: Option<unsafe extern "C" fn(context: *const dm_context, out_info: *mut dm_memory_info) -> dm_result>,
+    pub model_load: Option<unsafe extern "C" fn(context: *mut dm_context, desc: *const dm_model_desc, out_model: *mut dm_model) -> dm_result>,
+    pub model_unload: Option<unsafe extern "C" fn(context: *mut dm_context, model: dm_model) -> dm_result>,
+    pub mesh_find_part: Option<unsafe extern "C" fn(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result>,
+    pub object_prepare: Option<unsafe extern "C" fn(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result>,
+    pub object_save: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result>,
+    pub object_load: Option<unsafe extern "C" fn(context: *mut dm_context, data: *const c_void, size: usize, model: dm_model, out_object: *mut dm_object) -> dm_result>,
+    pub object_destroy: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object) -> dm_result>,
+    pub object_get_info: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, out_info: *mut dm_object_info) -> dm_result>,
+    pub object_get_part: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, index: u32, out_info: *mut dm_part_info) -> dm_result>,
+    pub object_get_joint: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, part_id: u32, out_joint: *mut dm_joint) -> dm_result>,
+    pub object_get_hypotheses: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint, out_joints: *mut dm_joint, capacity: u32, out_count: *mut u32) -> dm_result>,
+    pub object_refine: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint) -> dm_result>,
+    pub object_set_joint: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, part_id: u32, joint: *const dm_joint) -> dm_result>,
+    pub object_reset_joint: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, part_id: u32) -> dm_result>,
+    pub joint_pose: Option<unsafe extern "C" fn(joint: *const dm_joint, value: f32, out_pose: *mut dm_pose) -> dm_result>,
+    pub joint_value: Option<unsafe extern "C" fn(joint: *const dm_joint, pose: *const dm_pose, out_value: *mut f32, out_angle_error: *mut f32, out_distance_error: *mut f32) -> dm_result>,
+    pub joint_get_frame: Option<unsafe extern "C" fn(joint: *const dm_joint, out_frame: *mut dm_joint_frame) -> dm_result>,
+    pub joint_scale: Option<unsafe extern "C" fn(joint: *const dm_joint, scale: dm_vec3, out_joint: *mut dm_joint) -> dm_result>,
+    pub motion_generate: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, desc: *const dm_motion_desc, out_motion: *mut dm_motion) -> dm_result>,
+    pub motion_sample: Option<unsafe extern "C" fn(context: *mut dm_context, motion: dm_motion, t: f32, out_pose: *mut dm_pose, out_value: *mut f32) -> dm_result>,
+    pub motion_get_frames: Option<unsafe extern "C" fn(context: *mut dm_context, motion: dm_motion, out_poses: *mut dm_pose, out_values: *mut f32) -> dm_result>,
+    pub motion_destroy: Option<unsafe extern "C" fn(context: *mut dm_context, motion: dm_motion) -> dm_result>,
+    pub drag_begin: Option<unsafe extern "C" fn(context: *mut dm_context, desc: *const dm_drag_desc, out_drag: *mut dm_drag) -> dm_result>,
+    pub drag_update: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, ray: *const dm_ray, dt: f32, out_state: *mut dm_drag_state) -> dm_result>,
+    pub drag_release: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, desc: *const dm_release_desc, out_plan: *mut dm_release_plan) -> dm_result>,
+    pub drag_end: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, out_state: *mut dm_part_state) -> dm_result>,
+    pub drag_get_part_state: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, out_state: *mut dm_part_state) -> dm_result>,
+    pub drag_snapshot_size: Option<unsafe extern "C" fn() -> usize>,
+    pub drag_save: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, buffer: *mut c_void, capacity: usize) -> dm_result>,
+    pub drag_restore: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, data: *const c_void, size: usize) -> dm_result>,
+    pub pose_multiply: Option<unsafe extern "C" fn(a: *const dm_pose, b: *const dm_pose, out_pose: *mut dm_pose)>,
+    pub pose_to_matrix: Option<unsafe extern "C" fn(pose: *const dm_pose, out_matrix: *mut f32)>,
+    pub pose_apply_points: Option<unsafe extern "C" fn(pose: *const dm_pose, src: *const f32, src_stride: usize, dst: *mut f32, dst_stride: usize, count: usize)>,
+    pub camera_ray: Option<unsafe extern "C" fn(context: *const dm_context, camera: *const dm_camera, x: f32, y: f32, out_ray: *mut dm_ray) -> dm_result>,
+    pub scene_create: Option<unsafe extern "C" fn(context: *mut dm_context, desc: *const dm_scene_desc, out_scene: *mut dm_scene) -> dm_result>,
+    pub scene_destroy: Option<unsafe extern "C" fn(context: *mut dm_context, scene: dm_scene) -> dm_result>,
+    pub scene_add: Option<unsafe extern "C" fn(context: *mut dm_context, scene: dm_scene, object: dm_object, placement: *const dm_pose, out_instance: *mut u32) -> dm_result>,
+    pub scene_move: Option<unsafe extern "C" fn(context: *mut dm_context, scene: dm_scene, instance: u32, part_id: u32, pose: *const dm_pose) -> dm_result>,
+    pub scene_remove: Option<unsafe extern "C" fn(context: *mut dm_context, scene: dm_scene, instance: u32) -> dm_result>,
+    pub scene_commit: Option<unsafe extern "C" fn(context: *mut dm_context, scene: dm_scene) -> dm_result>,
+    pub scene_pick: Option<unsafe extern "C" fn(context: *mut dm_context, scene: dm_scene, ray: *const dm_ray, out_hit: *mut dm_hit) -> dm_result>,
+    pub drag_step: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, input: *const dm_drag_input, dt: f32, out_state: *mut dm_drag_state) -> dm_result>,
+    pub drag_take: Option<unsafe extern "C" fn(context: *mut dm_context, drag: dm_drag, value: f32, out_state: *mut dm_drag_state) -> dm_result>,
+    pub object_set_links: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result>,
+    pub object_follow_links: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result>,
+    pub joint_value_at: Option<unsafe extern "C" fn(joint: *const dm_joint, share: f32, out_value: *mut f32) -> dm_result>,
+}
+
+impl Default for dm_core_1 {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// Files beside a .gltf: buffers when it is opened, images when it is exported or a surface is asked for.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_gltf_files {
+    pub user: *mut c_void,
+    /// Hands over the bytes of the file at \`path\`: relative to the document, UTF-8, '/' between folders. It never is absolute, never has "..", a backslash or a colon in it. Returns DM\_OK, DM\_ERROR\_OUT\_OF\_MEMORY, or another number: there is no such file.
+    pub open: Option<unsafe extern "C" fn(user: *mut c_void, path: *const c_char, out_data: *const *const c_void, out_size: *mut usize) -> i32>,
+    /// Takes the bytes back, before dm\_gltf\_close returns.
+    pub close: Option<unsafe extern "C" fn(user: *mut c_void, data: *const c_void, size: usize)>,
+}
+
+impl Default for dm_gltf_files {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_gltf_desc {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// the bytes of a .glb or .gltf; borrowed for the call
+    pub data: *const c_void,
+    pub size: usize,
+    /// zeros = malloc/free
+    pub allocator: dm_allocator,
+    /// zeros = silent
+    pub log: dm_log,
+    /// zeros = none: everything is embedded. \`user\` lives as long as the dm\_gltf
+    pub files: dm_gltf_files,
+}
+
+impl Default for dm_gltf_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces are those of the merged mesh. It holds the nodes with meshes in file order (document order of the nodes array), a node's primitives in order, every vertex in the scene's frame less dm\_gltf\_get\_origin (node transforms applied). Primitives of a node that share an accessor share its vertices. A node with a skin stands bone by bone, as its bones stand in the file; a vertex goes with its heaviest bone.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_gltf_node {
+    /// valid UTF-8, '?' for what is none; "" when it has none. Lives as long as the dm\_gltf
+    pub name: *const c_char,
+    /// index in the file's nodes array, of the node or bone
+    pub node: u32,
+    /// the nearest dm\_gltf\_node above it, by index here: it goes where that one goes. Else DM\_GLTF\_NO\_CARRIER
+    pub carrier: u32,
+    pub first_vertex: u64,
+    pub vertex_count: u64,
+    pub first_face: u64,
+    pub face_count: u64,
+    /// base colour factor of its first material, linear; white without one
+    pub colour: [f32; 4],
+}
+
+impl Default for dm_gltf_node {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// Faces of the merged mesh that lie side by side and have one material. Those of a dm\_gltf\_node are one or more.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_gltf_surface {
+    pub first_face: u64,
+    pub face_count: u64,
+    /// base colour factor, linear; white without a material
+    pub colour: [f32; 4],
+    /// the base colour texture as it is stored: PNG, JPEG, or what an extension has, sRGB. NULL: none. Surfaces with the same image have the same pointer; lives as long as the dm\_gltf
+    pub image: *const c_void,
+    /// bytes
+    pub image_size: usize,
+    /// DM\_GLTF\_WRAP\_\*
+    pub wrap_u: i32,
+    /// DM\_GLTF\_WRAP\_\*
+    pub wrap_v: i32,
+}
+
+impl Default for dm_gltf_surface {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// One animated part: which faces it takes and its key poses (host frame = the file's scene frame, from rest).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_gltf_track {
+    /// of the new node and animation target; NULL = "moving\_part"
+    pub name: *const c_char,
+    /// face\_count of the merged mesh
+    pub face_ids: *const u8,
+    /// faces with this id move
+    pub value: u8,
+    pub reserved: [u8; 7],
+    /// key\_count
+    pub poses: *const dm_pose,
+    /// seconds, rising
+    pub times: *const f32,
+    pub key_count: u32,
+    pub reserved2: u32,
+}
+
+impl Default for dm_gltf_track {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// A mesh to write as one node of a new .glb.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct dm_gltf_part {
+    pub name: *const c_char,
+    /// vertex\_count x 3, glTF frame
+    pub positions: *const f32,
+    /// index\_count
+    pub indices: *const u32,
+    pub vertex_count: u64,
+    pub index_count: u64,
+    /// base colour, linear
+    pub colour: [f32; 4],
+}
+
+impl Default for dm_gltf_part {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+#[link(name = "dragmesh")]
+extern "C" {
+    /// NAME of a result, such as "DM\_ERROR\_EMPTY\_MASK"; "DM\_ERROR\_UNKNOWN" for others. Never NULL. \[any-thread\]
+    pub fn dm_result_string(result: dm_result) -> *const c_char;
+    /// Version of the library in use, as DM\_VERSION. \[any-thread\]
+    pub fn dm_version() -> u32;
+    /// The function table of an interface id, NULL for an unknown one. "dm.core/1" -\> const dm\_core\_1\*. \[any-thread\]
+    pub fn dm_get_interface(id: *const c_char) -> *const c_void;
+    /// Makes a context. desc NULL = all defaults. Errors: UNSUPPORTED when desc.picking asks for what is not there. \[any-thread\]
+    pub fn dm_context_create(desc: *const dm_context_desc, out_context: *mut *mut dm_context) -> dm_result;
+    /// Destroys it and everything made with it; NULL does nothing. \[exclusive context\]
+    pub fn dm_context_destroy(context: *mut dm_context);
+    /// out\_info-\>struct\_size must be set. \[any-thread\]
+    pub fn dm_context_get_memory(context: *const dm_context, out_info: *mut dm_memory_info) -> dm_result;
+    /// Reads weights. Errors: BAD\_DATA, WRONG\_MODEL, VERSION. \[any-thread\]
+    pub fn dm_model_load(context: *mut dm_context, desc: *const dm_model_desc, out_model: *mut dm_model) -> dm_result;
+    /// Objects prepared with it keep their joints, and motions made with it stay; new motions and refinements of such objects answer NO\_MODEL. \[exclusive object\]
+    pub fn dm_model_unload(context: *mut dm_context, model: dm_model) -> dm_result;
+    /// Finds the part that a point of the surface belongs to, when no mask names it: 1 in out\_face\_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm\_mesh\_desc. mesh-\>part\_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them. Errors: as dm\_object\_prepare's of the mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays. \[any-thread\]
+    pub fn dm_mesh_find_part(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result;
+    /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, FULL\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
+    pub fn dm_object_prepare(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result;
+    /// Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out\_size gets the bytes needed or written, with BUFFER\_TOO\_SMALL too. \[exclusive object\]
+    pub fn dm_object_save(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result;
+    /// Reads what dm\_object\_save wrote, by this or any earlier version. \`model\` (may be 0) serves its motions. Errors: BAD\_DATA, VERSION. \[any-thread\]
+    pub fn dm_object_load(context: *mut dm_context, data: *const c_void, size: usize, model: dm_model, out_object: *mut dm_object) -> dm_result;
+    /// Its drags and motions end with it, and its instances leave their scenes. \[exclusive object, and none of those in use\]
+    pub fn dm_object_destroy(context: *mut dm_context, object: dm_object) -> dm_result;
+    /// out\_info-\>struct\_size must be set. \[any-thread\]
+    pub fn dm_object_get_info(context: *mut dm_context, object: dm_object, out_info: *mut dm_object_info) -> dm_result;
+    /// Part by position 0 .. part\_count-1, in order of id. out\_info-\>struct\_size must be set. \[any-thread\]
+    pub fn dm_object_get_part(context: *mut dm_context, object: dm_object, index: u32, out_info: *mut dm_part_info) -> dm_result;
+    /// The joint in force: the best hypothesis, or the host's own. out\_joint-\>struct\_size must be set. \[any-thread\]
+    pub fn dm_object_get_joint(context: *mut dm_context, object: dm_object, part_id: u32, out_joint: *mut dm_joint) -> dm_result;
+    /// Ranked hypotheses, best first, re-ranked by \`drag\` when it is given (microseconds; no network pass). capacity up to DM\_MAX\_HYPOTHESES; out\_joints\[0\].struct\_size must be set, the others get it; out\_count gets how many were written. \[any-thread\]
+    pub fn dm_object_get_hypotheses(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint, out_joints: *mut dm_joint, capacity: u32, out_count: *mut u32) -> dm_result;
+    /// Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force. Milliseconds, not for every frame. Errors: NO\_MODEL; UNSUPPORTED when the object kept no triangles. \[exclusive object\]
+    pub fn dm_object_refine(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint) -> dm_result;
+    /// The host knows better: puts its joint in force. The axis may have any length, limits may be infinite (dm\_joint.lower). Source becomes DM\_JOINT\_FROM\_HOST and both confidences 1, unless the joint is, bit for bit, the one in force or the library's own answer: then source and confidences are those of that one. Drags and motions that already run keep the joint they began with. \[exclusive object\]
+    pub fn dm_object_set_joint(context: *mut dm_context, object: dm_object, part_id: u32, joint: *const dm_joint) -> dm_result;
+    /// Puts the library's own answer back in force. \[exclusive object\]
+    pub fn dm_object_reset_joint(context: *mut dm_context, object: dm_object, part_id: u32) -> dm_result;
+    /// Links parts of an object, in place of the links of before; count 0 to DM\_MAX\_LINKS, 0: none. Copied; a saved object does not hold them. Errors: INVALID\_ARGUMENT also when a part is moved by two drivers, or by itself over others; NOT\_FOUND. \[exclusive object\]
+    pub fn dm_object_set_links(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result;
+    /// Moves what is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part; that of the part itself changes where a driver of it is at its limit (dm\_drag\_take). out\_held (may be NULL): 1 for the parts that links hold where they are (DM\_INPUT\_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. \[frame\]
+    pub fn dm_object_follow_links(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result;
+    /// Pose of a joint at a value, in the frame of the joint. \[frame\]
+    pub fn dm_joint_pose(joint: *const dm_joint, value: f32, out_pose: *mut dm_pose) -> dm_result;
+    /// Inverse of dm\_joint\_pose: the value at which the joint comes nearest to a pose (from rest), and how far off the joint the pose is: the angle between both, rad, and the distance of the joint's origin under both, host units. Of values a turn apart: inside the limits, else nearest to 0; of a screw, by its advance. Both errors may be NULL. NOT\_FINITE when an answer is beyond a float. \[frame\]
+    pub fn dm_joint_value(joint: *const dm_joint, pose: *const dm_pose, out_value: *mut f32, out_angle_error: *mut f32, out_distance_error: *mut f32) -> dm_result;
+    /// The joint value at a share of the way from rest to the open end, the limit that is farther from rest: 0 is rest, 1 open, 0.1 ajar. INVALID\_ARGUMENT for a joint without limits. \[frame\]
+    pub fn dm_joint_value_at(joint: *const dm_joint, share: f32, out_value: *mut f32) -> dm_result;
+    /// The joint as a constraint of a physics engine; out\_frame-\>struct\_size must be set. \[frame\]
+    pub fn dm_joint_get_frame(joint: *const dm_joint, out_frame: *mut dm_joint_frame) -> dm_result;
+    /// Carries a joint over into the frame of an instance scaled by (x, y, z), as dm\_drag\_begin does: the line through the scaled points; limits of slides and the pitch in scaled units, angles as they are. out\_joint-\>struct\_size must be set; it may be \`joint\`. Zeros = 1. \[frame\]
+    pub fn dm_joint_scale(joint: *const dm_joint, scale: dm_vec3, out_joint: *mut dm_joint) -> dm_result;
+    /// The DQ-VAE's motion for a drag, projected exactly onto the joint in force; a fixed part's motion is rest. Errors: NO\_MODEL, ZERO\_DRAG, DRAG\_OFF\_PART. \[any-thread\]
+    pub fn dm_motion_generate(context: *mut dm_context, object: dm_object, desc: *const dm_motion_desc, out_motion: *mut dm_motion) -> dm_result;
+    /// Pose at t in \[0, 1\] (clamped), 0 = rest; between key poses along the joint's own screw. NULL value is allowed. \[frame\]
+    pub fn dm_motion_sample(context: *mut dm_context, motion: dm_motion, t: f32, out_pose: *mut dm_pose, out_value: *mut f32) -> dm_result;
+    /// The DM\_MOTION\_FRAMES key poses, and (when not NULL) their joint values. \[frame\]
+    pub fn dm_motion_get_frames(context: *mut dm_context, motion: dm_motion, out_poses: *mut dm_pose, out_values: *mut f32) -> dm_result;
+    /// \[any-thread\]
+    pub fn dm_motion_destroy(context: *mut dm_context, motion: dm_motion) -> dm_result;
+    /// The player grabs a part. Where the library found the joint, a pull tells more about it: the drag holds the part's other hypotheses, and likely joints beyond them, and follows the one that explains the pull best, and limits that were estimated yield when the pull goes on beyond them. docs/feel.md. A grab point or value that can't be meant (other units, degrees) gets a warning. \[any-thread\]
+    pub fn dm_drag_begin(context: *mut dm_context, desc: *const dm_drag_desc, out_drag: *mut dm_drag) -> dm_result;
+    /// The grabbed point follows the pointer ray (object frame; scaled with dm\_drag\_desc.scale) as closely as its joint allows; dt in seconds. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032 rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm\_drag\_release it moves by itself, and ray may be NULL. out\_state-\>struct\_size must be set. \[frame\]
+    pub fn dm_drag_update(context: *mut dm_context, drag: dm_drag, ray: *const dm_ray, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
+    /// dm\_drag\_update for all that a dm\_drag\_input holds. A released part needs no hand. Errors: INVALID\_ARGUMENT, also for handles, bounds and DM\_INPUT\_LOCKED of a drag without dm\_drag\_desc.rules. \[frame\]
+    pub fn dm_drag_step(context: *mut dm_context, drag: dm_drag, input: *const dm_drag_input, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
+    /// After an update with DM\_INPUT\_ASK, whose out\_state is what is about to be: takes another value, inside the limits and bounds of that update. Events are then those of the value taken. Without this call, the update stands. Errors: INVALID\_ARGUMENT when the last update did not ask. \[frame\]
+    pub fn dm_drag_take(context: *mut dm_context, drag: dm_drag, value: f32, out_state: *mut dm_drag_state) -> dm_result;
+    /// The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE paces it where the object has its weights and desc.flags doesn't forbid it. dm\_drag\_update moves it, dm\_drag\_end ends it at any time; a second release changes its mind or replays. desc NULL = all defaults; out\_plan may be NULL, else its struct\_size must be set. Microseconds to a millisecond. One caller at a time per drag. \[any-thread\]
+    pub fn dm_drag_release(context: *mut dm_context, drag: dm_drag, desc: *const dm_release_desc, out_plan: *mut dm_release_plan) -> dm_result;
+    /// Lets go. out\_state (may be NULL, else its struct\_size must be set) gets what dm\_drag\_get\_part\_state gives. \[any-thread\]
+    pub fn dm_drag_end(context: *mut dm_context, drag: dm_drag, out_state: *mut dm_part_state) -> dm_result;
+    /// Where the part stands and the joint that the drag follows now, with the limits and the confidence that the pull so far has left it. The same piece taken back by dm\_drag\_desc.state goes on where this one is. out\_state-\>struct\_size must be set. \[frame\]
+    pub fn dm_drag_get_part_state(context: *mut dm_context, drag: dm_drag, out_state: *mut dm_part_state) -> dm_result;
+    /// Bytes that dm\_drag\_save writes: the same for every drag of this library, DM\_DRAG\_SNAPSHOT\_MAX at most. \[any-thread\]
+    pub fn dm_drag_snapshot_size() -> usize;
+    /// Writes the whole state of a drag, for rollback: after dm\_drag\_restore the same calls give the same bits. For this very version of the library on this kind of machine; what lasts is dm\_part\_state. BUFFER\_TOO\_SMALL when capacity is less than dm\_drag\_snapshot\_size. \[frame\]
+    pub fn dm_drag_save(context: *mut dm_context, drag: dm_drag, buffer: *mut c_void, capacity: usize) -> dm_result;
+    /// Puts a drag back into a saved state, of this or any other drag of the same part. Errors leave it as it is: BAD\_DATA, VERSION, and INVALID\_ARGUMENT when the state is of another part. \[frame\]
+    pub fn dm_drag_restore(context: *mut dm_context, drag: dm_drag, data: *const c_void, size: usize) -> dm_result;
+    /// out = a after b: x -\> a(b(x)). \[frame\]
+    pub fn dm_pose_multiply(a: *const dm_pose, b: *const dm_pose, out_pose: *mut dm_pose);
+    /// 4x4, column-major, column vectors (OpenGL, glTF, Unity's Matrix4x4 memory order). \[frame\]
+    pub fn dm_pose_to_matrix(pose: *const dm_pose, out_matrix: *mut f32);
+    /// Moves \`count\` float32 points; strides in bytes, 0 = packed. src may equal dst. \[frame\]
+    pub fn dm_pose_apply_points(pose: *const dm_pose, src: *const f32, src_stride: usize, dst: *mut f32, dst_stride: usize, count: usize);
+    /// Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. \[frame\]
+    pub fn dm_camera_ray(context: *const dm_context, camera: *const dm_camera, x: f32, y: f32, out_ray: *mut dm_ray) -> dm_result;
+    /// Errors: UNSUPPORTED when the context picks nothing (DM\_PICK\_NONE, or nothing was found). \[any-thread\]
+    pub fn dm_scene_create(context: *mut dm_context, desc: *const dm_scene_desc, out_scene: *mut dm_scene) -> dm_result;
+    /// \[exclusive object\]
+    pub fn dm_scene_destroy(context: *mut dm_context, scene: dm_scene) -> dm_result;
+    /// Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on, used again after a removal. Errors: UNSUPPORTED when the object can't be picked. Takes effect with dm\_scene\_commit. \[exclusive object\]
+    pub fn dm_scene_add(context: *mut dm_context, scene: dm_scene, object: dm_object, placement: *const dm_pose, out_instance: *mut u32) -> dm_result;
+    /// Moves a part of an instance to \`pose\` (from rest, object frame; the pose of the parts that carry it included), or with part\_id 0 the whole instance to a new placement. Takes effect with dm\_scene\_commit. \[frame\]
+    pub fn dm_scene_move(context: *mut dm_context, scene: dm_scene, instance: u32, part_id: u32, pose: *const dm_pose) -> dm_result;
+    /// \[exclusive object\]
+    pub fn dm_scene_remove(context: *mut dm_context, scene: dm_scene, instance: u32) -> dm_result;
+    /// Makes the moves visible to picks. Once a frame, after them. \[frame\]
+    pub fn dm_scene_commit(context: *mut dm_context, scene: dm_scene) -> dm_result;
+    /// Nearest hit of a ray. DM\_OK with out\_hit-\>object 0 when nothing is hit. Several threads may pick at once while none moves or commits. out\_hit-\>struct\_size must be set. \[frame\]
+    pub fn dm_scene_pick(context: *mut dm_context, scene: dm_scene, ray: *const dm_ray, out_hit: *mut dm_hit) -> dm_result;
+}
+
+#[cfg(feature = "gltf")]
+#[link(name = "dragmesh_gltf")]
+extern "C" {
+    /// Reads triangles, strips and fans, also quantised ones (KHR\_mesh\_quantization) and, where the build has their libraries, compressed ones (EXT\_meshopt\_compression, KHR\_meshopt\_compression, KHR\_draco\_mesh\_compression). Another required extension that may change geometry: UNSUPPORTED, by name. Left out with a warning: primitives that are broken, points, lines, morph targets, nodes whose scale is zero. Left out in silence, because they are no body: nodes and meshes named UCX\_\*, UBX\_\*, UCP\_\*, USP\_\*, \*\_collider, \*-colonly, \*-convcolonly; invisible nodes (KHR\_node\_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD\_DATA, NOT\_FINITE, INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH. Others: NOT\_FOUND (a file beside it), VERSION, TOO\_LARGE (it would take more memory than 16 MB and 256 bytes a byte of the file).
+    pub fn dm_gltf_open(desc: *const dm_gltf_desc, out_gltf: *mut *mut dm_gltf) -> dm_result;
+    /// The same for a file and those beside it, which are read from its folder and from nowhere else; \`desc\` leaves data, size and files at 0. NOT\_FOUND: there is no such regular file.
+    pub fn dm_gltf_open_file(path: *const c_char, desc: *const dm_gltf_desc, out_gltf: *mut *mut dm_gltf) -> dm_result;
+    pub fn dm_gltf_close(gltf: *mut dm_gltf);
+    pub fn dm_gltf_node_count(gltf: *const dm_gltf) -> u32;
+    pub fn dm_gltf_get_node(gltf: *const dm_gltf, index: u32, out_node: *mut dm_gltf_node) -> dm_result;
+    /// positions float32, indices uint32; no part ids. Points into the dm\_gltf.
+    pub fn dm_gltf_get_mesh(gltf: *const dm_gltf, out_mesh: *mut dm_mesh_desc) -> dm_result;
+    /// Where the merged mesh's origin is in the scene: 0, 0, 0 but for objects more than 256 times their size away, whose shape floats could not hold there.
+    pub fn dm_gltf_get_origin(gltf: *const dm_gltf, out_origin: *mut f64);
+    pub fn dm_gltf_surface_count(gltf: *const dm_gltf) -> u32;
+    /// An image that can't be had is left out with a warning. Errors: NOT\_FOUND, OUT\_OF\_MEMORY.
+    pub fn dm_gltf_get_surface(gltf: *mut dm_gltf, index: u32, out_surface: *mut dm_gltf_surface) -> dm_result;
+    /// Writes where the corners of a surface lie in its base colour texture: u and v of each, three corners a face, in the order of the merged mesh; (0, 0) is the image's top left corner. Scaled, turned and shifted as the material says (KHR\_texture\_transform). corner\_count: three times face\_count. Errors: NOT\_FOUND (no texture, or no coordinates), BUFFER\_TOO\_SMALL, BAD\_DATA, OUT\_OF\_MEMORY.
+    pub fn dm_gltf_get_texture_coordinates(gltf: *mut dm_gltf, index: u32, out_uv: *mut f32, corner_count: u64) -> dm_result;
+    /// Sets \`value\` for every face of the named nodes or bones and of all that they carry (a name that several nodes share means all of them; that of a node with a skin means all its bones; "#12" means node 12 of the file, for files without names). Errors: NOT\_FOUND, naming the first missing name and some that exist.
+    pub fn dm_gltf_mark_faces(gltf: *const dm_gltf, names: *const *const c_char, name_count: u32, value: u8, inout_face_ids: *mut u8, face_count: u64) -> dm_result;
+    /// What the file says of a node, as dm\_part\_desc takes it: the names of those that carry it, outermost first, of its mesh and its own, joined by '/', and its origin and axes in the merged mesh's frame. name: as for dm\_gltf\_mark\_faces; of several nodes, the first. out\_label: label\_size bytes, where not all names fit the outer ones are left out; may be NULL. out\_pivot may be NULL. Errors: NOT\_FOUND.
+    pub fn dm_gltf_get_hints(gltf: *const dm_gltf, name: *const c_char, out_label: *mut c_char, label_size: usize, out_pivot: *mut dm_pivot) -> dm_result;
+    /// Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask\_value NULL: non-zero is moving. out\_part\_ids: as many bytes as max(vertex\_count, face\_count). out\_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD\_DATA, INVALID\_ARGUMENT (neither length fits), EMPTY\_MASK, FULL\_MASK.
+    pub fn dm_gltf_read_mask(gltf: *const dm_gltf, data: *const c_void, size: usize, mask_value: *const i64, out_part_ids: *mut u8, out_scope: *mut i32, out_ambiguous: *mut i32) -> dm_result;
+    /// Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. out\_data is released with dm\_gltf\_release\_bytes.
+    pub fn dm_gltf_export(gltf: *const dm_gltf, tracks: *const dm_gltf_track, track_count: u32, out_data: *mut *mut c_void, out_size: *mut usize) -> dm_result;
+    pub fn dm_gltf_release_bytes(gltf: *const dm_gltf, data: *mut c_void, size: usize);
+    /// Writes a static .glb with one identity node a part. allocator zeros = malloc/free; release out\_data with the same.
+    pub fn dm_gltf_write(parts: *const dm_gltf_part, part_count: u32, allocator: *const dm_allocator, log: *const dm_log, out_data: *mut *mut c_void, out_size: *mut usize) -> dm_result;
+    /// Makes any text valid UTF-8, in place: a '?' for each piece that is no character, also for one that was cut off. Names and messages of this library are so already; hosts need it for what they write beside them. Returns the new length, never a longer one. NULL: 0.
+    pub fn dm_gltf_mend_text(text: *mut c_char) -> usize;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::mem::size_of;
+
+    macro_rules! check {
+        ($name:ident, $size:expr $(, $field:ident $offset:expr)*) => {
+            let value = $name::default();
+            let start = &value as *const _ as usize;
+            assert_eq!(size_of::<$name>(), $size, stringify!($name));
+            $(assert_eq!(core::ptr::addr_of!(value.$field) as usize - start, $offset, stringify!($name, $field));)*
+        };
+    }
+
+    #[test]
+    #[cfg(target_pointer_width = "64")]
+    fn layouts_are_those_of_c() {
+        check!(dm_vec3, 12, x 0, y 4, z 8);
+        check!(dm_pose, 32, real 0, dual 16);
+        check!(dm_ray, 24, origin 0, direction 12);
+        check!(dm_allocator, 24, user 0, allocate 8, release 16);
+        check!(dm_log, 16, user 0, message 8);
+        check!(dm_jobs, 16, user 0, parallel_for 8);
+        check!(dm_context_desc, 112, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 72, jobs 88, picking 104, reserved 108);
+        check!(dm_memory_info, 40, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32);
+        check!(dm_model_desc, 56, struct_size 0, kinematics 8, kinematics_size 16, motion 24, motion_size 32, ranker 40, ranker_size 48);
+        check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
+        check!(dm_drag_hint, 24, point 0, vector 12);
+        check!(dm_pivot, 48, origin 0, axes 12);
+        check!(dm_part_desc, 40, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 24, pivot 32);
+        check!(dm_joint, 56, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52);
+        check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
+        check!(dm_part_state, 96, struct_size 0, value 4, pose 8, joint 40);
+        check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
+        check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
+        check!(dm_hypothesis, 160, struct_size 0, reserved 4, joint 8, ends 16);
+        check!(dm_choice, 24, struct_size 0, count 4, part 8, hypotheses 16);
+        check!(dm_object_desc, 120, struct_size 0, flags 4, mesh 8, parts 16, part_count 24, reserved 28, model 32, seed 40, intent 48, intent_user 56, progress 64, progress_user 72, label 80, up 88, reserved2 100, choose 104, choose_user 112);
+        check!(dm_object_info, 56, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52);
+        check!(dm_motion_desc, 48, struct_size 0, part_id 4, drag 8, path 32, path_count 40, seed 44);
+        check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
+        check!(dm_drag_rules, 88, struct_size 0, flags 4, snaps 8, snap_count 16, snap_reach 20, open_share 24, closed_share 28, event_time 32, max_speed 36, max_acceleration 40, lock_give 44, latch_turn 48, auto_close_share 52, auto_close_time 56, close_delay 60, tip_share 64, fall_time 68, restitution 72, break_distance 76, drive_speed 80, reserved 84);
+        check!(dm_link, 28, driver 0, driven 4, kind 8, flags 12, ratio 16, offset 20, from 24);
+        check!(dm_drag_desc, 96, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 72, reserved 84, rules 88);
+        check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
+        check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
+        check!(dm_drag_state, 84, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80);
+        check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
+        check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
+        check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
+        check!(dm_scene_desc, 8, struct_size 0, reserved 4);
+        check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
+        check!(dm_core_1, 416, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408);
+        check!(dm_gltf_files, 24, user 0, open 8, close 16);
+        check!(dm_gltf_desc, 88, struct_size 0, reserved 4, data 8, size 16, allocator 24, log 48, files 64);
+        check!(dm_gltf_node, 64, name 0, node 8, carrier 12, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
+        check!(dm_gltf_surface, 56, first_face 0, face_count 8, colour 16, image 32, image_size 40, wrap_u 48, wrap_v 52);
+        check!(dm_gltf_track, 48, name 0, face_ids 8, value 16, reserved 17, poses 24, times 32, key_count 40, reserved2 44);
+        check!(dm_gltf_part, 56, name 0, positions 8, indices 16, vertex_count 24, index_count 32, colour 40);
+    }
+
+    #[test]
+    #[cfg(target_pointer_width = "32")]
+    fn layouts_are_those_of_c() {
+        check!(dm_vec3, 12, x 0, y 4, z 8);
+        check!(dm_pose, 32, real 0, dual 16);
+        check!(dm_ray, 24, origin 0, direction 12);
+        check!(dm_allocator, 12, user 0, allocate 4, release 8);
+        check!(dm_log, 8, user 0, message 4);
+        check!(dm_jobs, 8, user 0, parallel_for 4);
+        check!(dm_context_desc, 84, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 60, jobs 68, picking 76, reserved 80);
+        check!(dm_memory_info, 40, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32);
+        check!(dm_model_desc, 28, struct_size 0, kinematics 4, kinematics_size 8, motion 12, motion_size 16, ranker 20, ranker_size 24);
+        check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
+        check!(dm_drag_hint, 24, point 0, vector 12);
+        check!(dm_pivot, 48, origin 0, axes 12);
+        check!(dm_part_desc, 28, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 20, pivot 24);
+        check!(dm_joint, 56, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52);
+        check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
+        check!(dm_part_state, 96, struct_size 0, value 4, pose 8, joint 40);
+        check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
+        check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
+        check!(dm_hypothesis, 156, struct_size 0, reserved 4, joint 8, ends 12);
+        check!(dm_choice, 16, struct_size 0, count 4, part 8, hypotheses 12);
+        check!(dm_object_desc, 88, struct_size 0, flags 4, mesh 8, parts 12, part_count 16, reserved 20, model 24, seed 32, intent 40, intent_user 44, progress 48, progress_user 52, label 56, up 60, reserved2 72, choose 76, choose_user 80);
+        check!(dm_object_info, 56, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52);
+        check!(dm_motion_desc, 44, struct_size 0, part_id 4, drag 8, path 32, path_count 36, seed 40);
+        check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
+        check!(dm_drag_rules, 84, struct_size 0, flags 4, snaps 8, snap_count 12, snap_reach 16, open_share 20, closed_share 24, event_time 28, max_speed 32, max_acceleration 36, lock_give 40, latch_turn 44, auto_close_share 48, auto_close_time 52, close_delay 56, tip_share 60, fall_time 64, restitution 68, break_distance 72, drive_speed 76, reserved 80);
+        check!(dm_link, 28, driver 0, driven 4, kind 8, flags 12, ratio 16, offset 20, from 24);
+        check!(dm_drag_desc, 88, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 68, reserved 80, rules 84);
+        check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
+        check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
+        check!(dm_drag_state, 84, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80);
+        check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
+        check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
+        check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
+        check!(dm_scene_desc, 8, struct_size 0, reserved 4);
+        check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
+        check!(dm_core_1, 212, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208);
+        check!(dm_gltf_files, 12, user 0, open 4, close 8);
+        check!(dm_gltf_desc, 48, struct_size 0, reserved 4, data 8, size 12, allocator 16, log 28, files 36);
+        check!(dm_gltf_node, 64, name 0, node 4, carrier 8, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
+        check!(dm_gltf_surface, 48, first_face 0, face_count 8, colour 16, image 32, image_size 36, wrap_u 40, wrap_v 44);
+        check!(dm_gltf_track, 32, name 0, face_ids 4, value 8, reserved 9, poses 16, times 20, key_count 24, reserved2 28);
+        check!(dm_gltf_part, 48, name 0, positions 4, indices 8, vertex_count 16, index_count 24, colour 32);
+    }
+}
