@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# tests/bindings/run.sh BUILD_FOLDER — the common scenario prints the same through every binding as in C.
+# tests/bindings/run.sh BUILD_FOLDER — the common scenario prints the same through every binding as in C; each binding's own tests
+# and examples run.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/release}
@@ -21,10 +22,20 @@ same() {
     fi
 }
 
+# passes NAME COMMAND… — the command ends well; its output is shown where it does not.
+passes() {
+    local name=$1; shift
+    "$@" > "$work/log.txt" 2>&1 && { tail -n 1 "$work/log.txt"; return; }
+    echo "bindings: $name failed" >&2
+    tail -n 20 "$work/log.txt" >&2
+    failed=1
+}
+
 gcc -std=c17 $warnings -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c -o "$work/c" $link
 "$work/c" > "$work/c.txt"
 grep -q '^error DM_ERROR_EMPTY_MASK$' "$work/c.txt" || { echo "bindings: the C program did not come to its end" >&2; exit 1; }
 for compiler in g++ clang++; do
+    "$compiler" -std=c++17 $warnings -Iplugin_api/include -fsyntax-only -x c++ bindings/cpp/dragmesh_check.hpp
     "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/scenario.cpp -o "$work/$compiler" $link
     same "$compiler" "$work/$compiler"
     "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/example.cpp -o "$work/example" $link
@@ -32,4 +43,16 @@ for compiler in g++ clang++; do
         { echo "bindings: the example of C++ did not open a part" >&2; failed=1; }
 done
 LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
+
+# C#, by Debian's mono.
+sharp() { LD_LIBRARY_PATH="$build" mono "$work/$1.exe" "${@:2}"; }
+mcs="mcs -nologo -unsafe -warnaserror -langversion:7.2"
+$mcs -target:library -out:"$work/DragMesh.dll" bindings/csharp/DragMesh/*.cs
+for source in tests/Scenario tests/Behaviour tests/Reload examples/Open; do
+    $mcs -r:"$work/DragMesh.dll" -out:"$work/$(basename $source).exe" "bindings/csharp/$source.cs"
+done
+same "C#" sharp Scenario sdk/models
+passes "the layer of C#" sharp Behaviour tests/replay/hands/object.dmo
+passes "reloads from C#" sharp Reload sdk/models tests/replay/hands/object.dmo
+passes "the example of C#" sharp Open tests/replay/hands/object.dmo
 exit $failed

@@ -1,0 +1,236 @@
+using System;
+using System.IO;
+using System.Runtime.InteropServices;
+using System.Threading.Tasks;
+
+namespace DragMesh
+{
+    /// <summary>Marks static functions that the library calls, for ahead-of-time compilers (IL2CPP) that look for an
+    /// attribute of this name.</summary>
+    [AttributeUsage(AttributeTargets.Method)]
+    internal sealed class MonoPInvokeCallbackAttribute : Attribute
+    {
+        public MonoPInvokeCallbackAttribute(Type type) { }
+    }
+
+    /// <summary>The memory of a context, which everything made with it checks before it ends itself.</summary>
+    internal sealed class ContextHandle : SafeHandle
+    {
+        /// <summary>Taken to end anything: finalizers run on a thread of their own.</summary>
+        internal readonly object Gate = new object();
+
+        internal ContextHandle() : base(IntPtr.Zero, true) { }
+        public override bool IsInvalid => handle == IntPtr.Zero;
+        internal IntPtr Pointer => handle;
+        internal void Set(IntPtr pointer) => SetHandle(pointer);
+
+        protected override bool ReleaseHandle()
+        {
+            lock (Gate)
+            {
+                Native.dm_context_destroy(handle);
+                handle = IntPtr.Zero;
+            }
+            return true;
+        }
+    }
+
+    /// <summary>How to make a context. Zeros are the defaults.</summary>
+    public sealed class ContextOptions
+    {
+        public Axes Axes;
+        /// <summary>Length of one host unit; 0 = 1.</summary>
+        public float UnitInMetres;
+        public Picking Picking;
+        /// <summary>Gets the messages. It must not call this context.</summary>
+        public Action<LogLevel, string> Log;
+        /// <summary>Prepares parts side by side on the thread pool. Answers keep their bits.</summary>
+        public bool Parallel;
+    }
+
+    /// <summary>A context of the library. Dispose ends it and everything made with it; what is left then throws
+    /// ObjectDisposedException.</summary>
+    public sealed unsafe class Context : IDisposable
+    {
+        // Kept for ever: the library holds pointers to them.
+        private static readonly LogMessage onMessage = OnMessage;
+        private static readonly JobsParallelFor onJobs = OnJobs;
+
+        [ThreadStatic] private static string lastError;
+
+        internal readonly ContextHandle Handle = new ContextHandle();
+        private readonly Action<LogLevel, string> log;
+        private GCHandle self; // weak, so that it keeps nothing alive
+
+        public Context() : this(new ContextOptions()) { }
+
+        public Context(ContextOptions options)
+        {
+            log = options.Log;
+            self = GCHandle.Alloc(this, GCHandleType.Weak);
+            ContextDesc desc = ContextDesc.New();
+            desc.Axes = (int)options.Axes;
+            desc.UnitInMetres = options.UnitInMetres;
+            desc.Picking = (int)options.Picking;
+            desc.Log.User = (void*)GCHandle.ToIntPtr(self);
+            desc.Log.Message = Marshal.GetFunctionPointerForDelegate(onMessage);
+            if (options.Parallel) desc.Jobs.ParallelFor = Marshal.GetFunctionPointerForDelegate(onJobs);
+            IntPtr pointer;
+            Check(Native.dm_context_create(&desc, &pointer));
+            Handle.Set(pointer);
+        }
+
+        ~Context()
+        {
+            Dispose();
+        }
+
+        public void Dispose()
+        {
+            Handle.Dispose();
+            if (self.IsAllocated) self.Free();
+            GC.SuppressFinalize(this);
+        }
+
+        /// <summary>Version of the library in use: major, minor, patch.</summary>
+        public static Version LibraryVersion
+        {
+            get
+            {
+                uint v = Native.dm_version();
+                return new Version((int)(v >> 22), (int)(v >> 12 & 0x3ff), (int)(v & 0xfff));
+            }
+        }
+
+        internal IntPtr Pointer
+        {
+            get
+            {
+                if (Handle.IsClosed || Handle.IsInvalid) throw new ObjectDisposedException("DragMesh.Context");
+                return Handle.Pointer;
+            }
+        }
+
+        public MemoryInfo Memory()
+        {
+            MemoryInfo info = MemoryInfo.New();
+            Check(Native.dm_context_get_memory(Pointer, &info));
+            return info;
+        }
+
+        /// <summary>Reads weights, each the bytes of a safetensors file; each may be absent.</summary>
+        public Model LoadModel(ReadOnlySpan<byte> kinematics, ReadOnlySpan<byte> motion, ReadOnlySpan<byte> ranker)
+        {
+            ModelDesc desc = ModelDesc.New();
+            ulong id;
+            fixed (byte* k = &MemoryMarshal.GetReference(kinematics))
+            fixed (byte* m = &MemoryMarshal.GetReference(motion))
+            fixed (byte* r = &MemoryMarshal.GetReference(ranker))
+            {
+                desc.Kinematics = k;
+                desc.KinematicsSize = (UIntPtr)kinematics.Length;
+                desc.Motion = m;
+                desc.MotionSize = (UIntPtr)motion.Length;
+                desc.Ranker = r;
+                desc.RankerSize = (UIntPtr)ranker.Length;
+                Check(Native.dm_model_load(Pointer, &desc, &id));
+            }
+            return new Model(this, id);
+        }
+
+        /// <summary>Reads the shipped weights in a folder.</summary>
+        public Model LoadModel(string folder)
+        {
+            return LoadModel(File.ReadAllBytes(Path.Combine(folder, "kpp_net.safetensors")),
+                             File.ReadAllBytes(Path.Combine(folder, "dq_vae.safetensors")),
+                             File.ReadAllBytes(Path.Combine(folder, "ranker.safetensors")));
+        }
+
+        /// <summary>Finds out how each part moves.</summary>
+        public PreparedObject Prepare(Mesh mesh, PrepareOptions options = null)
+        {
+            return new PreparedObject(this, (options ?? new PrepareOptions()).Run(this, mesh));
+        }
+
+        /// <summary>Reads a .dmo. model: for its motions.</summary>
+        public PreparedObject Load(ReadOnlySpan<byte> dmo, Model model = null)
+        {
+            ulong id;
+            fixed (byte* data = &MemoryMarshal.GetReference(dmo))
+                Check(Native.dm_object_load(Pointer, data, (UIntPtr)dmo.Length, model == null ? 0 : model.Id, &id));
+            return new PreparedObject(this, id);
+        }
+
+        /// <summary>Finds the part that a point of a mesh belongs to: 1 for each face that moves with it.</summary>
+        public byte[] FindPart(Mesh mesh, DragHint drag)
+        {
+            byte[] faces = new byte[mesh.FaceCount];
+            mesh.Use((MeshDesc* desc) =>
+            {
+                DragHint hint = drag;
+                fixed (byte* f = faces)
+                    Check(Native.dm_mesh_find_part(Pointer, desc, &hint, f, (ulong)faces.Length));
+            });
+            return faces;
+        }
+
+        public Scene NewScene()
+        {
+            SceneDesc desc = SceneDesc.New();
+            ulong id;
+            Check(Native.dm_scene_create(Pointer, &desc, &id));
+            return new Scene(this, id);
+        }
+
+        /// <summary>The ray through a pixel, (0, 0) the top left corner.</summary>
+        public Ray CameraRay(Camera camera, float x, float y)
+        {
+            Ray ray;
+            Check(Native.dm_camera_ray(Pointer, &camera, x, y, &ray));
+            return ray;
+        }
+
+        /// <summary>Throws for a failed call, with what the library has said of it on this thread.</summary>
+        internal void Check(int result)
+        {
+            if (result < 0)
+            {
+                string message = lastError;
+                lastError = null;
+                throw new DragMeshException(result, message);
+            }
+            GC.KeepAlive(this);
+        }
+
+        [MonoPInvokeCallback(typeof(LogMessage))]
+        private static void OnMessage(void* user, int level, int code, byte* text)
+        {
+            try
+            {
+                string message = Text.From(text);
+                if (level == (int)LogLevel.Error) lastError = message;
+                Context context = (Context)GCHandle.FromIntPtr((IntPtr)user).Target;
+                if (context != null && context.log != null) context.log((LogLevel)level, message);
+            }
+            catch (Exception)
+            {
+                // Nothing may pass through the library; a log that fails is no reason to fail the call.
+            }
+        }
+
+        [MonoPInvokeCallback(typeof(JobsParallelFor))]
+        private static int OnJobs(void* user, uint count, IntPtr task, void* data)
+        {
+            try
+            {
+                DragMesh.Task run = Marshal.GetDelegateForFunctionPointer<DragMesh.Task>(task);
+                Parallel.For(0, count, i => run(data, (uint)i));
+                return 1;
+            }
+            catch (NotSupportedException)
+            {
+                return 0; // the library runs them itself
+            }
+        }
+    }
+}

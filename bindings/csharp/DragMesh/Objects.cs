@@ -1,0 +1,315 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+
+namespace DragMesh
+{
+    /// <summary>Something that a context has made. Dispose ends it now, else a finalizer does; where the context has
+    /// ended first, there is nothing left to end.</summary>
+    public abstract class Owned : SafeHandle
+    {
+        internal readonly Context Context;
+        internal readonly Owned Kept; // what ends this when it ends: not to be collected before
+        private readonly ContextHandle owner;
+        private readonly ulong id;
+
+        internal Owned(Context context, ulong id, Owned kept = null) : base(IntPtr.Zero, true)
+        {
+            Context = context;
+            Kept = kept;
+            owner = context.Handle;
+            this.id = id;
+            SetHandle((IntPtr)1); // an id has 64 bits on every machine, a pointer has not
+        }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        internal ulong Id
+        {
+            get
+            {
+                if (IsClosed) throw new ObjectDisposedException(GetType().FullName);
+                return id;
+            }
+        }
+
+        internal IntPtr Pointer => Context.Pointer;
+
+        internal void Check(int result)
+        {
+            Context.Check(result);
+            GC.KeepAlive(this);
+        }
+
+        internal abstract int End(IntPtr context, ulong ended);
+
+        protected override bool ReleaseHandle()
+        {
+            lock (owner.Gate)
+            {
+                if (owner.Pointer != IntPtr.Zero) End(owner.Pointer, id);
+            }
+            return true;
+        }
+    }
+
+    /// <summary>Loaded weights.</summary>
+    public sealed class Model : Owned
+    {
+        internal Model(Context context, ulong id) : base(context, id) { }
+        internal override int End(IntPtr context, ulong ended) => Native.dm_model_unload(context, ended);
+    }
+
+    /// <summary>Parts and their joints.</summary>
+    public sealed unsafe class PreparedObject : Owned
+    {
+        internal PreparedObject(Context context, ulong id) : base(context, id) { }
+        internal override int End(IntPtr context, ulong ended) => Native.dm_object_destroy(context, ended);
+
+        /// <summary>As dm_hit.object has it.</summary>
+        public ulong Number => Id;
+
+        public ObjectInfo Info()
+        {
+            ObjectInfo info = ObjectInfo.New();
+            Check(Native.dm_object_get_info(Pointer, Id, &info));
+            return info;
+        }
+
+        /// <summary>All parts, in order of id.</summary>
+        public PartInfo[] Parts()
+        {
+            PartInfo[] parts = new PartInfo[Info().PartCount];
+            for (int i = 0; i < parts.Length; i++)
+            {
+                PartInfo part = PartInfo.New();
+                Check(Native.dm_object_get_part(Pointer, Id, (uint)i, &part));
+                parts[i] = part;
+            }
+            return parts;
+        }
+
+        /// <summary>The joint in force.</summary>
+        public Joint JointOf(uint part)
+        {
+            Joint joint = Joint.New();
+            Check(Native.dm_object_get_joint(Pointer, Id, part, &joint));
+            return joint;
+        }
+
+        /// <summary>All that were found, most probable first; ranked by a drag where one is given.</summary>
+        public Joint[] Hypotheses(uint part, DragHint? drag = null)
+        {
+            Joint[] joints = new Joint[Constants.DM_MAX_HYPOTHESES];
+            joints[0] = Joint.New();
+            DragHint hint = drag.GetValueOrDefault();
+            uint count;
+            fixed (Joint* out_joints = joints)
+                Check(Native.dm_object_get_hypotheses(Pointer, Id, part, drag.HasValue ? &hint : null, out_joints,
+                                                      (uint)joints.Length, &count));
+            Array.Resize(ref joints, (int)count);
+            return joints;
+        }
+
+        public void SetJoint(uint part, Joint joint) => Check(Native.dm_object_set_joint(Pointer, Id, part, &joint));
+
+        /// <summary>Puts the library's own answer back in force.</summary>
+        public void ResetJoint(uint part) => Check(Native.dm_object_reset_joint(Pointer, Id, part));
+
+        /// <summary>Infers the joint again, with a player's drag as evidence.</summary>
+        public void Refine(uint part, DragHint drag) => Check(Native.dm_object_refine(Pointer, Id, part, &drag));
+
+        public void SetLinks(ReadOnlySpan<Link> links)
+        {
+            fixed (Link* l = &MemoryMarshal.GetReference(links))
+                Check(Native.dm_object_set_links(Pointer, Id, l, (uint)links.Length));
+        }
+
+        /// <summary>Moves what is linked with a part that has moved. values: one a part, in order of id. held: 1 for
+        /// parts that links hold; empty: not asked for.</summary>
+        public void FollowLinks(uint part, Span<float> values, Span<byte> held)
+        {
+            if (held.Length != 0 && held.Length != values.Length) throw new ArgumentException("one of held a value");
+            fixed (float* v = &MemoryMarshal.GetReference(values))
+            fixed (byte* h = &MemoryMarshal.GetReference(held))
+                Check(Native.dm_object_follow_links(Pointer, Id, part, v, h, (uint)values.Length));
+        }
+
+        /// <summary>The bytes of a .dmo.</summary>
+        public byte[] Save()
+        {
+            UIntPtr size;
+            Check(Native.dm_object_save(Pointer, Id, null, UIntPtr.Zero, &size));
+            byte[] data = new byte[(long)size];
+            fixed (byte* d = data) Check(Native.dm_object_save(Pointer, Id, d, size, &size));
+            return data;
+        }
+
+        /// <summary>The network's motion for a drag. desc: MotionDesc.New() and what is known.</summary>
+        public Motion Generate(MotionDesc desc)
+        {
+            ulong id;
+            Check(Native.dm_motion_generate(Pointer, Id, &desc, &id));
+            return new Motion(this, id);
+        }
+
+        /// <summary>Grabs a part. desc: DragDesc.New() with part and grab point. rules: DragRules.New() for events,
+        /// latches, locks. snaps: joint values where the part catches. state: as an earlier drag ended.</summary>
+        public Drag Grab(DragDesc desc, DragRules? rules = null, PartState? state = null,
+                         ReadOnlySpan<float> snaps = default(ReadOnlySpan<float>))
+        {
+            DragRules r = rules.GetValueOrDefault(DragRules.New());
+            PartState s = state.GetValueOrDefault();
+            ulong id;
+            fixed (float* values = &MemoryMarshal.GetReference(snaps))
+            {
+                r.Snaps = values;
+                r.SnapCount = (uint)snaps.Length;
+                desc.Object = Id;
+                desc.Rules = rules.HasValue || snaps.Length > 0 ? &r : null;
+                desc.State = state.HasValue ? &s : null;
+                Check(Native.dm_drag_begin(Pointer, &desc, &id));
+            }
+            return new Drag(this, id);
+        }
+    }
+
+    /// <summary>A generated motion.</summary>
+    public sealed unsafe class Motion : Owned
+    {
+        internal Motion(PreparedObject of, ulong id) : base(of.Context, id, of) { }
+        internal override int End(IntPtr context, ulong ended) => Native.dm_motion_destroy(context, ended);
+
+        /// <summary>The pose at t, 0 to 1, and the joint value.</summary>
+        public Pose Sample(float t, out float value)
+        {
+            Pose pose;
+            float v;
+            Check(Native.dm_motion_sample(Pointer, Id, t, &pose, &v));
+            value = v;
+            return pose;
+        }
+    }
+
+    /// <summary>One player dragging one part. Its calls of every frame make no garbage.</summary>
+    public sealed unsafe class Drag : Owned
+    {
+        internal Drag(PreparedObject of, ulong id) : base(of.Context, id, of) { }
+        internal override int End(IntPtr context, ulong ended) => Native.dm_drag_end(context, ended, null);
+
+        /// <summary>The grabbed point follows a ray of the object frame. seconds: since the last update.</summary>
+        public DragState Update(Ray ray, float seconds)
+        {
+            DragState state = DragState.New();
+            Check(Native.dm_drag_update(Pointer, Id, &ray, seconds, &state));
+            return state;
+        }
+
+        /// <summary>A released part goes on.</summary>
+        public DragState Update(float seconds)
+        {
+            DragState state = DragState.New();
+            Check(Native.dm_drag_update(Pointer, Id, null, seconds, &state));
+            return state;
+        }
+
+        /// <summary>Update for all that a DragInput holds.</summary>
+        public DragState Step(DragInput input, float seconds)
+        {
+            DragState state = DragState.New();
+            Check(Native.dm_drag_step(Pointer, Id, &input, seconds, &state));
+            return state;
+        }
+
+        /// <summary>Takes another value than the one that an update with DM_INPUT_ASK is about to take.</summary>
+        public DragState Take(float value)
+        {
+            DragState state = DragState.New();
+            Check(Native.dm_drag_take(Pointer, Id, value, &state));
+            return state;
+        }
+
+        /// <summary>Lets go. desc: ReleaseDesc.New() and what is wanted.</summary>
+        public ReleasePlan Release(ReleaseDesc desc)
+        {
+            ReleasePlan plan = ReleasePlan.New();
+            Check(Native.dm_drag_release(Pointer, Id, &desc, &plan));
+            return plan;
+        }
+
+        public ReleasePlan Release(Intent intent = Intent.Auto)
+        {
+            ReleaseDesc desc = ReleaseDesc.New();
+            desc.Intent = (int)intent;
+            return Release(desc);
+        }
+
+        /// <summary>What the instance keeps: joint, value and pose.</summary>
+        public PartState PartState()
+        {
+            PartState state = DragMesh.PartState.New();
+            Check(Native.dm_drag_get_part_state(Pointer, Id, &state));
+            return state;
+        }
+
+        /// <summary>Ends it and returns what the instance keeps.</summary>
+        public PartState Finish()
+        {
+            PartState state = PartState();
+            Dispose();
+            return state;
+        }
+
+        /// <summary>The whole state, for rollback, into a buffer of SnapshotSize bytes.</summary>
+        public void Save(Span<byte> buffer)
+        {
+            fixed (byte* b = &MemoryMarshal.GetReference(buffer))
+                Check(Native.dm_drag_save(Pointer, Id, b, (UIntPtr)buffer.Length));
+        }
+
+        public void Restore(ReadOnlySpan<byte> saved)
+        {
+            fixed (byte* s = &MemoryMarshal.GetReference(saved))
+                Check(Native.dm_drag_restore(Pointer, Id, s, (UIntPtr)saved.Length));
+        }
+
+        public static int SnapshotSize => (int)Native.dm_drag_snapshot_size();
+    }
+
+    /// <summary>Placed objects that rays can pick.</summary>
+    public sealed unsafe class Scene : Owned
+    {
+        private readonly List<PreparedObject> objects = new List<PreparedObject>(); // kept: one that ends leaves
+
+        internal Scene(Context context, ulong id) : base(context, id) { }
+        internal override int End(IntPtr context, ulong ended) => Native.dm_scene_destroy(context, ended);
+
+        /// <summary>Places an object and returns its instance.</summary>
+        public uint Add(PreparedObject prepared, Pose? placement = null)
+        {
+            Pose pose = placement.GetValueOrDefault();
+            uint instance;
+            Check(Native.dm_scene_add(Pointer, Id, prepared.Id, placement.HasValue ? &pose : null, &instance));
+            if (!objects.Contains(prepared)) objects.Add(prepared);
+            return instance;
+        }
+
+        /// <summary>Moves a part, or with part 0 the instance.</summary>
+        public void Move(uint instance, uint part, Pose pose) =>
+            Check(Native.dm_scene_move(Pointer, Id, instance, part, &pose));
+
+        public void Remove(uint instance) => Check(Native.dm_scene_remove(Pointer, Id, instance));
+
+        /// <summary>Makes moves visible to picks: once a frame.</summary>
+        public void Commit() => Check(Native.dm_scene_commit(Pointer, Id));
+
+        /// <summary>The nearest hit of a ray; false when there is none.</summary>
+        public bool Pick(Ray ray, out Hit hit)
+        {
+            Hit found = Hit.New();
+            Check(Native.dm_scene_pick(Pointer, Id, &ray, &found));
+            hit = found;
+            return found.Object != 0;
+        }
+    }
+}
