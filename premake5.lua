@@ -61,9 +61,14 @@ local function library(name, sources, includes, libraries)
         targetdir "build/%{cfg.buildcfg}/lib"
 end
 
+-- The interface's major version, which a shared library's name ends with.
+local so_version = io.open("plugin_api/include/dragmesh/dragmesh.h"):read "*a":match "DM_VERSION_MAJOR (%d+)"
+
 local function shared(name, sources, includes, libraries, map)
     make(name, "SharedLib", sources, includes, libraries)
         targetdir "build/%{cfg.buildcfg}"
+        targetextension(".so." .. so_version)
+        postbuildcommands { "@ln -sf lib" .. name .. ".so." .. so_version .. " ../%{cfg.buildcfg}/lib" .. name .. ".so" }
         defines { "DM_BUILDING" }
         linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,--gc-sections" }
         filter "configurations:asan or tsan"
@@ -71,10 +76,27 @@ local function shared(name, sources, includes, libraries, map)
         filter {}
 end
 
+-- Compiles a file of plugin_api/glibc into the project: the release build calls functions of the C library by versions that
+-- glibc 2.31 has. pin.h says how.
+local has_glibc = installed "gnu/libc-version.h"
+local function pin(file, functions)
+    if not has_glibc then return end
+    files { "plugin_api/glibc/" .. file .. ".c" }
+    filter "configurations:release"
+        for _, name in ipairs(functions) do linkoptions { "-Wl,--wrap=" .. name } end
+    filter {}
+end
+local pinned = {
+    dl = { "dlopen", "dlsym", "dlclose", "dlerror" },
+    stat = { "fstat", "stat" },
+    cpp_runtime = { "pthread_once", "__pthread_key_create", "_dl_find_object" },
+    start = { "__libc_start_main", "hypot" },
+}
+
 local function program(name, sources, includes, libraries, folder)
     make(name, "ConsoleApp", sources, includes, libraries)
         targetdir("build/%{cfg.buildcfg}" .. (folder or ""))
-        linkoptions { "-Wl,-rpath,'$$ORIGIN',-rpath,'$$ORIGIN/..'" }
+        linkoptions { "-Wl,-rpath,'$$ORIGIN',-rpath,'$$ORIGIN/..',-rpath,'$$ORIGIN/../lib'" }
 end
 
 -- Rooms ------------------------------------------------------------------------------------------------------------
@@ -176,23 +198,30 @@ library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, core_librarie
 local core = { "dragmesh_core", "dl", "m" }
 
 shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plugin_api/dragmesh.map")
+    pin("dl", pinned.dl)
+    filter "configurations:release"
+        linkoptions { "-Wl,--no-as-needed,-l:libdl.so.2,--as-needed" } -- glibc 2.31 has the functions there
+    filter {}
 
--- glTF in and out. Draco's decoder is the one part in C++; a build without a library refuses its extension by name.
-local compression = {
-    { "draco", "draco/compression/decode.h", "DMI_NO_DRACO" }, { "meshoptimizer", "meshoptimizer.h", "DMI_NO_MESHOPT" } }
-local decoders, gltf_macros = {}, {}
-for _, library in ipairs(compression) do
-    if installed(library[2]) then
-        table.insert(decoders, library[1])
-    else
-        table.insert(gltf_macros, library[3])
-    end
-end
+-- glTF in and out. The decoders of Draco and meshoptimizer are C++; a build without Draco refuses its extension by name.
+library("meshoptimizer", { "third_party/meshoptimizer/*.cpp" }, {})
+    language "C++"
+    buildoptions { "-Wno-conversion" }
+local has_draco = installed "draco/compression/decode.h"
+local gltf_macros = has_draco and {} or { "DMI_NO_DRACO" }
+
 shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
     { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh" }) },
-    table.join({ "dragmesh_core", "m" }, decoders), "plugin_api/dragmesh_gltf.map")
+    { "meshoptimizer", "dragmesh_core", "m" }, "plugin_api/dragmesh_gltf.map")
     language "C++"
     defines(gltf_macros)
+    -- The archive, and a C++ runtime of its own: the host's copies of either are never called.
+    if has_draco then linkoptions { "-l:libdraco.a" } end
+    pin("stat", pinned.stat)
+    pin("cpp_runtime", pinned.cpp_runtime)
+    filter "configurations:release"
+        linkoptions { "-static-libstdc++", "-static-libgcc" }
+    filter {}
 
 -- The procedural generator, and the library through which training sees the sdk's own samplers.
 local generator = "training/generator"
@@ -206,6 +235,8 @@ shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },
 
 program("dragmesh_cli", { "samples/dragmesh_cli/*.c", "samples/common/platform.c" }, { api }, { "dragmesh", "dragmesh_gltf", "cjson", "m" })
     targetname "dragmesh"
+    pin("stat", pinned.stat)
+    pin("start", pinned.start)
 
 program("dragmesh_generate", { "training/generate/*.c" }, { api, "sdk", generator },
     { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
@@ -250,7 +281,7 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
         if room == "abi" or room == "e2e" then
             libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
         end
-        if name:find "gltf" then libraries = table.join(libraries, decoders) end -- it compresses files itself
+        if name:find "gltf" then libraries = table.join(libraries, { "meshoptimizer" }, has_draco and { "draco" } or {}) end -- it compresses files itself
         program(name, { source }, everything, libraries, "/tests")
             defines(gltf_macros)
             defines(pick_macros)

@@ -37,6 +37,11 @@ static inline void dmi_copy3(const float a[3], float out[3]) {
     memcpy(out, a, 3 * sizeof(float));
 }
 
+/* As hypotf, but with the same bits from every C library. */
+static inline float dmi_length2(float x, float y) {
+    return (float)sqrt((double)x * x + (double)y * y);
+}
+
 static inline float dmi_length3(const float a[3]) {
     return sqrtf(dmi_dot3(a, a));
 }

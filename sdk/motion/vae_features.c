@@ -60,7 +60,7 @@ static void make_path(const dmi_vae_query* query, const float axis[3], const flo
         float residual = sqrtf(dmi_dot3(step, step));
         if (turns) {
             value = angle_between(&start, &end, axis, value);
-            residual = hypotf(end.length - start.length, end.height - start.height - pitch * value);
+            residual = dmi_length2(end.length - start.length, end.height - start.height - pitch * value);
         } else if (slides) {
             value = dmi_dot3(step, axis);
             float rest[3];

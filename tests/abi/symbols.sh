@@ -4,7 +4,7 @@
 set -euo pipefail
 folder=$1
 cd "$(dirname "$0")/../.."
-failed=0
+failed=0 major=$(sed -n "s/^#define DM_VERSION_MAJOR //p" plugin_api/include/dragmesh/dragmesh.h)
 
 complain() {
     printf '%s\n' "$@" >&2
@@ -30,9 +30,14 @@ actual=$(exported "$folder/libdragmesh_gltf.so")
 others=$(echo "$actual" | grep -v '^dm_gltf_' || true)
 [ -z "$others" ] || complain "libdragmesh_gltf.so also exports:" "$others"
 
-# What the core needs at run time: the C library alone. Embree is opened by name.
-needed=$(readelf -d "$folder/libdragmesh.so" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | grep -vxE 'lib(c|m|dl)\.so\.[0-9]+|ld-linux.*' || true)
-[ -z "$needed" ] || complain "libdragmesh.so needs:" "$needed"
+# What they need at run time: the C library alone. Embree is opened by name.
+for library in libdragmesh libdragmesh_gltf; do
+    needed=$(readelf -d "$folder/$library.so" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' |
+        grep -vxE 'lib(c|m|dl)\.so\.[0-9]+|ld-linux.*' || true)
+    [ -z "$needed" ] || complain "$library.so needs:" "$needed"
+    name=$(readelf -d "$folder/$library.so" | sed -n 's/.*(SONAME).*\[\(.*\)\]/\1/p')
+    [ "$name" = "$library.so.$major" ] || complain "$library.so calls itself $name"
+done
 
 # The archive for static linking: no name that the host or another library could have too.
 others=$(nm --extern-only --defined-only "$folder/lib/libdragmesh_core.a" | awk 'NF == 3 { print $3 }' | grep -v '^dmi\?_' || true)

@@ -13,7 +13,7 @@
 #include <cjson/cJSON.h>
 
 #if !defined(DMI_NO_MESHOPT)
-#include <meshoptimizer.h>
+#include <meshoptimizer/meshoptimizer.h>
 #endif
 
 #include "test_glb.h"

@@ -73,7 +73,7 @@ void dmi_min_area_rectangle(const float (*points)[3], uint32_t count, const floa
     extent2 best = extent_along(hull, n, 1, 0);
     for (uint32_t i = 0; i < n; i++) {
         point2 a = hull[i], b = hull[(i + 1) % n];
-        float length = hypotf(b.x - a.x, b.y - a.y);
+        float length = dmi_length2(b.x - a.x, b.y - a.y);
         if (length < MIN_EDGE) continue;
         float c = (b.x - a.x) / length, s = (b.y - a.y) / length;
         extent2 e = extent_along(hull, n, c, s);

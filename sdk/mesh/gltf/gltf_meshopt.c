@@ -5,7 +5,7 @@
 #include <string.h>
 
 #if !defined(DMI_NO_MESHOPT)
-#include <meshoptimizer.h>
+#include <meshoptimizer/meshoptimizer.h>
 #endif
 
 /* A vertex block spends at least 2 bits on 16 values of a byte each: 64 bytes come out of one. */
