@@ -55,4 +55,20 @@ same "C#" sharp Scenario sdk/models
 passes "the layer of C#" sharp Behaviour tests/replay/hands/object.dmo
 passes "reloads from C#" sharp Reload sdk/models tests/replay/hands/object.dmo
 passes "the example of C#" sharp Open tests/replay/hands/object.dmo
+
+# The Unity package, on a stub of Unity's API, from the folder that a release has.
+unity() {
+    local stubs=tests/bindings/unity package=$work/upm/com.dragmesh.unity
+    bindings/unity/pack "$work/upm" "linux=$build/libdragmesh.so"
+    [ -z "$(find "$package" -name '*.meta' -exec sed -n 's/^guid: //p' {} + | sort | uniq -d)" ] || { echo "two files have one guid"; return 1; }
+    grep -q 'guid: [0-9a-f]\{32\}' "$package/Samples~/Cabinet/Cabinet.unity" || { echo "the scene has no script"; return 1; }
+    $mcs -target:library -out:"$work/UnityEngine.dll" "$stubs/UnityEngine.cs" &&
+        $mcs -target:library -r:"$work/UnityEngine.dll" -out:"$work/UnityEditor.dll" "$stubs/UnityEditor.cs" &&
+        $mcs -target:library -r:"$work/UnityEngine.dll" -out:"$work/DragMesh.Unity.dll" "$package"/Runtime/*.cs "$package"/Runtime/*/*.cs &&
+        $mcs -target:library -r:"$work/UnityEngine.dll" -r:"$work/UnityEditor.dll" -r:"$work/DragMesh.Unity.dll" \
+            -out:"$work/Editor.dll" "$package"/Editor/*.cs &&
+        $mcs -r:"$work/UnityEngine.dll" -r:"$work/DragMesh.Unity.dll" -out:"$work/UnityTest.exe" "$stubs/Test.cs" "$package"/Samples~/*/*.cs &&
+        sharp UnityTest sdk/models
+}
+passes "the Unity package" unity
 exit $failed

@@ -24,6 +24,9 @@ namespace DragMesh
 
         public override bool IsInvalid => handle == IntPtr.Zero;
 
+        /// <summary>Whether it has ended, by itself or with its context.</summary>
+        public bool IsEnded => IsClosed || owner.IsClosed;
+
         internal ulong Id
         {
             get

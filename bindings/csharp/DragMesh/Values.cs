@@ -53,6 +53,21 @@ namespace DragMesh
             return pose;
         }
 
+        /// <summary>The motion back.</summary>
+        public Pose Inverse
+        {
+            get
+            {
+                Pose pose = this;
+                for (int i = 0; i < 3; i++)
+                {
+                    pose.Real[i] = -pose.Real[i];
+                    pose.Dual[i] = -pose.Dual[i];
+                }
+                return pose;
+            }
+        }
+
         /// <summary>The translation: what the pose does to the origin.</summary>
         public Vec3 Translation => Apply(default(Vec3));
 

@@ -125,6 +125,8 @@ static class Behaviour
         Pose turn = Pose.From(0, 0.70710678f, 0, 0.70710678f, new Vec3(1, 2, 3)); // a quarter turn about y
         Vec3 moved = (turn * Pose.Identity).Apply(new Vec3(1, 0, 0));
         Must(Math.Abs(moved.X - 1) < 1e-6 && Math.Abs(moved.Y - 2) < 1e-6 && Math.Abs(moved.Z - 2) < 1e-6, "a pose");
+        Vec3 back = turn.Inverse.Apply(moved);
+        Must(Math.Abs(back.X - 1) < 1e-6 && Math.Abs(back.Y) < 1e-6 && Math.Abs(back.Z) < 1e-6, "an inverse");
         Span<float> matrix = stackalloc float[16];
         turn.ToMatrix(matrix);
         Must(Math.Abs(matrix[13] - 2) < 1e-6 && Math.Abs(turn.Translation.Z - 3) < 1e-6, "a matrix");

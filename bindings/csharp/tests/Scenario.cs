@@ -5,8 +5,9 @@ using DragMesh;
 
 static class Scenario
 {
-    private const int Frames = 60, ShownEvery = 10, SavedAt = 30, ReleasedFrames = 120;
+    private const int Frames = 60, ShownEvery = 10, SavedAt = 30, ReleasedFrames = 120, HandleTurnsAt = 25;
     private const float FrameTime = 1.0f / 60;
+    private const float HandleTurn = 1, Widest = 0.45f; // rad
     private const uint Door = 1, Drawer = 2;
 
     // From x, y, z to x, y, z, and the part: samples/common/cabinet.h.
@@ -138,6 +139,51 @@ static class Scenario
         Print(again.Pose);
     }
 
+    private static unsafe void DragBehindLatch(PreparedObject cabinet, Hit hit)
+    {
+        DragRules rules = DragRules.New();
+        DragDesc desc = DragDesc.New();
+        DragInput input = DragInput.New();
+        DragState state = DragState.New();
+        uint events = 0, detents = 0;
+        rules.Flags = Constants.DM_RULE_LATCH;
+        desc.PartId = hit.PartId;
+        desc.GrabPoint = hit.ObjectPoint;
+        input.Flags = Constants.DM_INPUT_ASK;
+        input.Hand.Kind = (int)HandKind.Ray;
+        using (Drag drag = cabinet.Grab(desc, rules, null, new[] { 0.2f, 0.4f }))
+        {
+            for (int frame = 0; frame < Frames; frame++)
+            {
+                input.Hand.Ray = RayAt(frame);
+                input.Handles[0] = frame < HandleTurnsAt ? 0 : HandleTurn;
+                state = drag.Step(input, FrameTime);
+                if (state.Value > Widest) state = drag.Take(Widest);
+                events |= state.Events;
+                detents += state.Detents;
+                if (frame % ShownEvery == 0) Print("latch", state);
+            }
+        }
+        state.Events = events;
+        Print("latched", state);
+        Console.WriteLine("detents {0}", detents);
+    }
+
+    private static void FollowLinks(PreparedObject cabinet)
+    {
+        float[] values = { -0.9f, 0 };
+        byte[] held = new byte[2];
+        cabinet.SetLinks(new[] { new Link { Driver = Door, Driven = Drawer, Ratio = 0.25f, From = 0.1f },
+                                 new Link { Driver = Drawer, Driven = Door, Kind = Constants.DM_LINK_HOLDS, From = 0.05f } });
+        for (int i = 0; i < 2; i++)
+        {
+            cabinet.FollowLinks(Door, values, held);
+            Print("linked", values);
+            Console.WriteLine("held {0} {1}", held[0], held[1]);
+            values[0] = 0.9f;
+        }
+    }
+
     private static void SaveAndLoad(Context context, PreparedObject cabinet)
     {
         byte[] data = cabinet.Save();
@@ -159,7 +205,10 @@ static class Scenario
                                 new Part { Id = Drawer, Label = "kitchen/cabinet/drawer" } } });
             PrintHypotheses(cabinet, Door);
             PrintHypotheses(cabinet, Drawer);
-            DragAndRelease(cabinet, Pick(context, cabinet));
+            Hit hit = Pick(context, cabinet);
+            DragAndRelease(cabinet, hit);
+            DragBehindLatch(cabinet, hit);
+            FollowLinks(cabinet);
             SaveAndLoad(context, cabinet);
             try
             {
