@@ -255,7 +255,8 @@ local missing = { viewer = true, gpu_skinning = not has_viewer, vlm_intent = not
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
     if name and not missing[name] then
-        program("sample_" .. name, { source }, { api }, needs[name] or { "dragmesh", "m" }, "/samples")
+        local sources = { (source:gsub("main%.c$", "**.c")) }
+        program("sample_" .. name, sources, { api }, needs[name] or { "dragmesh", "m" }, "/samples")
     end
 end
 
@@ -265,7 +266,10 @@ end
 
 if has_viewer then
     local has_jpeg = installed "jpeglib.h"
-    program("dragmesh_viewer", { "samples/10_viewer/*.c", "samples/common/platform.c" }, { api }, table.join(
+    local scenes = { "samples/12_latch/game.c", "samples/12_latch/scene*.c", "samples/12_latch/script.c",
+        "samples/12_latch/scenes/*.c" }
+    local sources = table.join({ "samples/10_viewer/*.c", "samples/common/platform.c" }, scenes)
+    program("dragmesh_viewer", sources, { api }, table.join(
         { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" }, has_jpeg and { "jpeg" } or {}))
         if not has_jpeg then defines { "VIEWER_NO_JPEG" } end
 end

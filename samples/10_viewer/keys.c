@@ -81,6 +81,10 @@ static void save(app* app) {
     world_save(app->world, app->save_path);
 }
 
+static void act(app* app) {
+    world_scene_act(app->world);
+}
+
 static void quit(app* app) {
     app->quit = 1;
 }
@@ -220,6 +224,7 @@ const key_binding key_bindings[] = {
     {"R", "R", "everything to rest", to_rest},
     {"B", "B", "undo: back to before the last grab", undo},
     {"V", "V", "a part let go: as meant, stays, goes on, goes back", next_intent},
+    {"E", "E", "a scene: its own hands play it", act},
     {"M", "M", "piece under pointer: part or body", toggle_node},
     {"P", "P", "paint the part (shift erases); again to finish", paint},
     {"C", "C", "painting: take all that hangs together", fill},

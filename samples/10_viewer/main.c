@@ -15,6 +15,9 @@
 
 static const char* const usage =
     "viewer FILE.glb [options]\n"
+    "  --scene NAME            a scene of samples/12_latch in place of a file: house_door, double_door, safe, "
+    "drawers,\n"
+    "                          hatch, gears, blocked_door, two_hands; E: its own hands play it\n"
     "  --part NODE[,NODE...]   nodes that move as one; repeat it; without it every node but the largest is a part\n"
     "  --dmo FILE.dmo          use this prepared object; --save FILE.dmo: where S saves (beside the .glb)\n"
     "  --models DIR|none       folder with the weights (sdk/models)\n"
@@ -56,10 +59,10 @@ static int read_option(options* options, const char* name, const char* value) {
     const struct {
         const char* name;
         const char** value;
-    } texts[] = {{"--dmo", &options->world.dmo}, {"--models", &options->world.models},
-                 {"--save", &options->save},     {"--record", &options->record},
-                 {"--replay", &options->replay}, {"--png", &options->png},
-                 {"--poses", &options->poses},   {"--apng", &options->apng}};
+    } texts[] = {
+        {"--dmo", &options->world.dmo}, {"--models", &options->world.models}, {"--save", &options->save},
+        {"--record", &options->record}, {"--replay", &options->replay},       {"--png", &options->png},
+        {"--poses", &options->poses},   {"--apng", &options->apng},           {"--scene", &options->world.scene}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         if (strcmp(texts[i].name, name) != 0) continue;
         *texts[i].value = value;
@@ -94,7 +97,7 @@ static int read_options(options* options, int argc, char** argv) {
             i++;
         }
     }
-    return options->world.file != NULL ? 0 : -1;
+    return options->world.file != NULL || options->world.scene != NULL || options->replay != NULL ? 0 : -1;
 }
 
 /* ---- drawing ---- */
@@ -268,6 +271,14 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (options.replay != NULL && session_read(&session, options.replay) != 0) return 2;
+    if (options.world.scene == NULL && options.world.file == NULL && session.scene[0])
+        options.world.scene = session.scene;
+    if (options.world.file == NULL) options.world.file = options.world.scene; /* its name, for what is saved */
+    if (options.world.file == NULL) {
+        fputs(usage, stderr);
+        session_free(&session);
+        return 2;
+    }
     for (uint32_t i = 0; i < session.part_count && !options.world.part_count; i++)
         options.world.parts[i] = session.parts[i];
     if (!options.world.part_count) options.world.part_count = session.part_count;

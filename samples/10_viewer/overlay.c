@@ -177,6 +177,19 @@ static void draw_hand(const app* app, draw* draw) {
     draw_disc(draw, p[0], p[1], size - 1.5f, hand_colour);
 }
 
+/* The hands of a scene that plays itself. */
+static void draw_acting_hands(const app* app, draw* draw) {
+    const script* script = &app->world->script;
+    const float size = fmaxf(4, (float)app->camera.height / 70);
+    float p[3];
+    for (int hand = 0; hand < GAME_HANDS; hand++) {
+        if (script->acting[hand] == GAME_NO_HAND || !camera_project(&app->camera, script->hands[hand].point, p))
+            continue;
+        draw_disc(draw, p[0], p[1], size, (colour){0.1f, 0.1f, 0.12f, 0.9f});
+        draw_disc(draw, p[0], p[1], size - 2, hand_colour);
+    }
+}
+
 static void draw_pointer(const app* app, draw* draw) {
     const float s = fmaxf(8, (float)app->camera.height / 45);
     const colour dark = {0.05f, 0.05f, 0.06f, 0.9f}, light = {1, 1, 1, 1};
@@ -212,6 +225,7 @@ void overlay_draw(const app* app, draw* draw) {
     if (app->painting && app->under.distance > 0) draw_brush(app, draw);
     panel_draw(app, draw, app->painting ? 0 : id);
     if (app->world->held) draw_hand(app, draw);
+    if (app->world->acting) draw_acting_hands(app, draw);
     draw_pointer(app, draw);
     draw_end(draw);
 }

@@ -74,6 +74,8 @@ static int read_line(session* session, char* line) {
         session->z_up = line[3] == 'z';
         return 0;
     }
+    if (strncmp(line, "scene ", 6) == 0)
+        return snprintf(session->scene, sizeof session->scene, "%s", line + 6) < (int)sizeof session->scene ? 0 : -1;
     if (strncmp(line, "part ", 5) == 0 && session->part_count < WORLD_MAX_PARTS) {
         const size_t size = strlen(line + 5) + 1;
         char* name = take(size, 1);
@@ -110,6 +112,7 @@ void session_free(session* session) {
 
 void session_write_head(FILE* file, const camera* camera, const world_options* options) {
     fprintf(file, "dragmesh-session 1\nsize %d %d\nup %c\n", camera->width, camera->height, camera->z_up ? 'z' : 'y');
+    if (options->scene != NULL) fprintf(file, "scene %s\n", options->scene);
     for (uint32_t i = 0; i < options->part_count; i++) fprintf(file, "part %s\n", options->parts[i]);
     const event start = {.kind = EVENT_CAMERA,
                          .numbers = {camera->yaw, camera->pitch, camera->distance, camera->target.x, camera->target.y,

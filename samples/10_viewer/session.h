@@ -3,6 +3,7 @@
  *     dragmesh-session 1
  *     size 640 400            pixels of the window
  *     up z                    optional: the file's up axis (y or z)
+ *     scene house_door        optional: of samples/12_latch, in place of a file
  *     part door,handle        optional, repeated: nodes that move as one
  *     0 camera 0.6 0.38 2.9 0 0.4 0      yaw, pitch, distance, target
  *     3 move 310 205          pointer, pixels from the top left corner
@@ -36,6 +37,7 @@ typedef struct event {
 
 typedef struct session {
     int width, height, z_up;
+    char scene[WORLD_NAME]; /* "": none */
     char* parts[WORLD_MAX_PARTS];
     uint32_t part_count;
     event* events;

@@ -73,9 +73,19 @@ static float mesh_diagonal(const dm_mesh_desc* mesh) {
     return length(sub(high, low));
 }
 
+/* Opens the file, or the scene's shapes as if they were one. */
+static dm_result open_gltf(world* world, const char* path) {
+    dm_gltf_desc desc = {.struct_size = sizeof desc, .log = {world, keep_message}};
+    if (world->table == NULL) return dm_gltf_open_file(path, &desc, &world->gltf);
+    void* bytes = scene_glb(world->table, &desc.size);
+    desc.data = bytes;
+    const dm_result result = dm_gltf_open(&desc, &world->gltf);
+    free(bytes);
+    return result;
+}
+
 static int open_file(world* world, const char* path) {
-    const dm_gltf_desc desc = {.struct_size = sizeof desc, .log = {world, keep_message}};
-    dm_result result = dm_gltf_open_file(path, &desc, &world->gltf);
+    dm_result result = open_gltf(world, path);
     if (result == DM_OK) result = dm_gltf_get_mesh(world->gltf, &world->mesh);
     if (result != DM_OK) return -1;
     world->face_count = (uint32_t)(world->mesh.index_count / 3);
@@ -86,6 +96,10 @@ static int open_file(world* world, const char* path) {
 
 /* What may move: as told, else as saved beside the file, else every node but the largest. */
 static int find_parts(world* world, const world_options* options) {
+    if (world->table != NULL) {
+        world_scene_parts(world);
+        return 0;
+    }
     if (options->part_count) return parts_from_names(world, options->parts, options->part_count);
     char* beside = path_with_ending(options->dmo != NULL ? options->dmo : options->file, ".parts.npy");
     const bool known = parts_load(world, beside) == 0;
@@ -98,6 +112,10 @@ int world_open(world* world, const world_options* options) {
     memset(world, 0, sizeof *world);
     const dm_context_desc host = {.struct_size = sizeof host, .log = {world, keep_message}};
     int status = dm_context_create(&host, &world->context) == DM_OK ? 0 : fail(world, "no context");
+    if (status == 0 && options->scene != NULL) {
+        world->table = scene_find(options->scene);
+        if (world->table == NULL) status = fail(world, "no scene has the name '%s'", options->scene);
+    }
     if (status == 0) status = load_model(world, options->models);
     if (status == 0) status = open_file(world, options->file);
     if (status == 0) status = find_parts(world, options);
@@ -178,6 +196,7 @@ int world_prepare(world* world) {
     const double start = seconds_now();
     if (dm_object_prepare(world->context, &desc, &world->object) != DM_OK) return -1;
     world->prepare_seconds = seconds_now() - start;
+    if (world_scene_equip(world) != 0) return -1;
     return adopt(world);
 }
 

@@ -3,6 +3,7 @@
 #ifndef VIEWER_WORLD_H
 #define VIEWER_WORLD_H
 
+#include "../12_latch/game.h"
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
 #include "vec.h"
@@ -33,6 +34,7 @@ typedef struct world_past {
 /* Which nodes of the file move as one: names, comma-separated. */
 typedef struct world_options {
     const char* file;
+    const char* scene;  /* name of a scene of samples/12_latch in place of a file; may be NULL */
     const char* models; /* folder with the weights; NULL = sdk/models; "none" = geometry alone */
     const char* dmo;    /* a prepared object to load in place of preparing; may be NULL */
     const char* parts[WORLD_MAX_PARTS];
@@ -63,6 +65,10 @@ typedef struct world {
     int32_t intent;                    /* DM_INTENT_*: what parts do when they are let go */
     world_past history[WORLD_HISTORY]; /* the latest last */
     uint32_t history_count;
+    const scene* table; /* the scene whose joints and rules the parts have; NULL: none */
+    game game;          /* its instance */
+    script script;      /* its own hands */
+    int acting;         /* they are at work */
 } world;
 
 /* 0, or -1 with a line in message. The world is closed in either case. */
@@ -99,6 +105,17 @@ void world_set_joint(world* world, uint32_t part, const dm_joint* joint);
 /* Keeps the part as it is now; a grab does so by itself. Puts back what was kept last; 0, or -1 when there is none. */
 void world_remember(world* world, uint32_t part);
 int world_undo(world* world);
+
+/* ---- world_scene.c: only of worlds with a table ---- */
+
+/* The nodes of the scene's .glb are the body and its parts, in order of their ids. */
+void world_scene_parts(world* world);
+/* Gives a prepared object the scene's joints and links; drops the table when the parts are no longer the scene's. */
+int world_scene_equip(world* world);
+int world_scene_grab(world* world, const dm_hit* hit);
+void world_scene_step(world* world, const dm_ray* ray, float dt);
+/* The scene's own hands take over, or stop. */
+void world_scene_act(world* world);
 
 /* Poses of all parts from their values, into the scene too. */
 void world_update(world* world);

@@ -84,6 +84,7 @@ static void end_drag(world* world, uint32_t id) {
 
 int world_grab(world* world, const dm_hit* hit) {
     if (!world->object || hit->part_id == 0 || hit->part_id > world->part_count) return -1;
+    if (world->table != NULL) return world_scene_grab(world, hit);
     world_part* part = &world->parts[hit->part_id];
     if (part->drag) end_drag(world, hit->part_id);
     const dm_pose carrier = carrier_of(world, hit->part_id), inverse = pose_inverse(&carrier);
@@ -112,6 +113,7 @@ static vec3 pull_in_space(const world* world, const dm_ray* ray) {
 }
 
 void world_imagine(world* world, const dm_ray* ray) {
+    if (world->table != NULL) return; /* the joint is the table's, whatever the pull */
     const dm_ray local = carried_ray(world, ray);
     world_part* part = &world->parts[world->held];
     world->pull.vector = pull_in_space(world, &local);
@@ -134,6 +136,10 @@ static void step_part(world* world, uint32_t id, const dm_ray* ray, float dt) {
 
 void world_step(world* world, const dm_ray* ray, float dt) {
     int moving = 0;
+    if (world->table != NULL && world->object) {
+        world_scene_step(world, ray, dt);
+        return;
+    }
     for (uint32_t id = 1; id <= world->part_count; id++) {
         if (!world->parts[id].drag) continue;
         const dm_ray local = id == world->held ? carried_ray(world, ray) : *ray;
@@ -147,6 +153,10 @@ void world_release(world* world) {
     const dm_release_desc desc = {.struct_size = sizeof desc, .intent = world->intent};
     const uint32_t id = world->held;
     world->held = 0;
+    if (world->table != NULL) {
+        game_release(&world->game, 0);
+        return;
+    }
     if (dm_drag_release(world->context, world->parts[id].drag, &desc, NULL) != DM_OK) end_drag(world, id);
     world_update(world);
 }
@@ -164,6 +174,7 @@ void world_set_value(world* world, uint32_t id, float value) {
     dm_part_state* state = &world->parts[id].state;
     let_go(world, id);
     state->value = within(&state->joint, value);
+    if (world->table != NULL) game_set(&world->game, id, state->value);
     dm_joint_pose(&state->joint, state->value, &state->pose);
     world_update(world);
 }
