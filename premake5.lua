@@ -70,7 +70,7 @@ local function shared(name, sources, includes, libraries, map)
         targetextension(".so." .. so_version)
         postbuildcommands { "@ln -sf lib" .. name .. ".so." .. so_version .. " ../%{cfg.buildcfg}/lib" .. name .. ".so" }
         defines { "DM_BUILDING" }
-        linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,--gc-sections" }
+        linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,--gc-sections", "-Wl,-Bsymbolic" }
         filter "configurations:asan or tsan"
             linkoptions { "-Wl,-z,undefs" }
         filter {}
