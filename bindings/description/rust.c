@@ -94,7 +94,7 @@ static void put_struct(writer* w, const cJSON* api, const cJSON* structure) {
     const cJSON* field;
     put(w, "\n");
     put_doc(w, structure, "");
-    put(w, "#[repr(C)]\n#[derive(Clone, Copy)]\npub struct %s {\n", name);
+    put(w, "#[repr(C)]\n#[derive(Clone, Copy, Debug)]\npub struct %s {\n", name);
     cJSON_ArrayForEach(field, cJSON_GetObjectItem(structure, "fields")) {
         put_doc(w, field, "    ");
         put(w, "    pub %s: ", rust_name(string_of(field, "name")));
@@ -148,7 +148,7 @@ static void put_layouts(writer* w, const cJSON* api, const char* abi, int bits) 
 char* rust_write(const cJSON* api) {
     writer w = {0};
     const cJSON *entry, *constant;
-    put(&w, "// %s\nuse core::ffi::{c_char, c_void};\n\n", string_of(api, "about"));
+    put(&w, "// %s\nuse std::os::raw::{c_char, c_void};\n\n", string_of(api, "about"));
     cJSON_ArrayForEach(constant, cJSON_GetObjectItem(api, "constants")) put_constant(&w, constant);
     cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "enums"))
         cJSON_ArrayForEach(constant, cJSON_GetObjectItem(entry, "constants")) put_constant(&w, constant);

@@ -3,11 +3,11 @@
 # and examples run.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-build=${1:-build/release}
+build=$(realpath "${1:-build/release}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 warnings="-Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Werror"
-link="-L$build -ldragmesh -Wl,-rpath,$PWD/$build"
+link="-L$build -ldragmesh -Wl,-rpath,$build"
 failed=0
 
 # same NAME COMMAND… — the command prints what the C program has printed.
@@ -43,6 +43,18 @@ for compiler in g++ clang++; do
         { echo "bindings: the example of C++ did not open a part" >&2; failed=1; }
 done
 LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
+
+# Rust, by Debian's rustc. rustup's, which may stand in front, proves nothing.
+rust() {
+    (cd bindings/rust && PATH=/usr/bin:$PATH CARGO_HOME=$work/cargo CARGO_TARGET_DIR=$work/rust DRAGMESH_LIB_DIR=$build \
+        LD_LIBRARY_PATH=$build RUSTFLAGS="-D warnings" cargo "$@")
+}
+rust_tests() {
+    rust test --offline --features gltf && rust build --offline --examples && [ -x "$work/rust/debug/examples/scenario" ]
+}
+passes "the tests of Rust" rust_tests
+LD_LIBRARY_PATH=$build same Rust "$work/rust/debug/examples/scenario" sdk/models
+LD_LIBRARY_PATH=$build passes "the example of Rust" "$work/rust/debug/examples/open" tests/replay/hands/object.dmo
 
 # C#, by Debian's mono.
 sharp() { LD_LIBRARY_PATH="$build" mono "$work/$1.exe" "${@:2}"; }

@@ -1,5 +1,5 @@
 // The C interface of dragmesh. Written by scripts/describe from the public headers: not to be edited.
-use core::ffi::{c_char, c_void};
+use std::os::raw::{c_char, c_void};
 
 pub const DM_VERSION_MAJOR: i32 = 0;
 pub const DM_VERSION_MINOR: i32 = 1;
@@ -241,7 +241,7 @@ pub struct dm_gltf {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_vec3 {
     pub x: f32,
     pub y: f32,
@@ -257,7 +257,7 @@ impl Default for dm_vec3 {
 
 /// A rigid pose x' = R x + t as a unit dual quaternion real + eps dual, both in x, y, z, w order; dual = 1/2 t (\*) real with t as a pure quaternion. Identity: real = {0,0,0,1}, dual = {0,0,0,0}.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_pose {
     pub real: [f32; 4],
     pub dual: [f32; 4],
@@ -272,7 +272,7 @@ impl Default for dm_pose {
 
 /// direction need not be unit; distances along the ray are in host units, not in multiples of it.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_ray {
     pub origin: dm_vec3,
     pub direction: dm_vec3,
@@ -287,7 +287,7 @@ impl Default for dm_ray {
 
 /// Hooks: see "Callbacks" above. Host memory. allocate returns memory aligned to \`alignment\` (a power of two) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_allocator {
     pub user: *mut c_void,
     pub allocate: Option<unsafe extern "C" fn(user: *mut c_void, size: usize, alignment: usize) -> *mut c_void>,
@@ -303,7 +303,7 @@ impl Default for dm_allocator {
 
 /// Messages for people. \`text\` is valid during the call.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_log {
     pub user: *mut c_void,
     pub message: Option<unsafe extern "C" fn(user: *mut c_void, level: i32, code: dm_result, text: *const c_char)>,
@@ -318,7 +318,7 @@ impl Default for dm_log {
 
 /// The host's job system. parallel\_for runs task(data, i) for every i in \[0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_jobs {
     pub user: *mut c_void,
     pub parallel_for: Option<unsafe extern "C" fn(user: *mut c_void, count: u32, task: dm_task, data: *mut c_void) -> i32>,
@@ -332,7 +332,7 @@ impl Default for dm_jobs {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_context_desc {
     pub struct_size: u32,
     /// DM\_AXES\_\*; 0 = glTF
@@ -363,7 +363,7 @@ impl Default for dm_context_desc {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_memory_info {
     pub struct_size: u32,
     /// 0
@@ -389,7 +389,7 @@ impl Default for dm_memory_info {
 
 /// Bytes of safetensors files; each may be absent (NULL, 0). They are copied and repacked: free them after the call.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_model_desc {
     pub struct_size: u32,
     /// KPP-Net: sdk/models/kpp\_net.safetensors
@@ -414,7 +414,7 @@ impl Default for dm_model_desc {
 
 /// The host's mesh, read in place. Triangles. The sizes of the buffers guard against a forgotten format, scope or stride: one that does not hold what counts, formats and strides say is refused, and nothing is read past its end.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_mesh_desc {
     pub struct_size: u32,
     /// bytes between vertices; 0 = packed
@@ -458,7 +458,7 @@ impl Default for dm_mesh_desc {
 
 /// A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_drag_hint {
     /// on or near the part, host object frame
     pub point: dm_vec3,
@@ -475,7 +475,7 @@ impl Default for dm_drag_hint {
 
 /// Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_pivot {
     /// host object frame
     pub origin: dm_vec3,
@@ -491,7 +491,7 @@ impl Default for dm_pivot {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_part_desc {
     pub struct_size: u32,
     /// as in part\_ids; 1..
@@ -519,7 +519,7 @@ impl Default for dm_part_desc {
 
 /// How a part moves.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_joint {
     pub struct_size: u32,
     /// DM\_JOINT\_\*
@@ -553,7 +553,7 @@ impl Default for dm_joint {
 
 /// A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y and z are any, the same for the same joint; x, y, z and \`rotation\` have determinant +1 in the host's coordinates.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_joint_frame {
     pub struct_size: u32,
     /// DM\_JOINT\_\*
@@ -589,7 +589,7 @@ impl Default for dm_joint_frame {
 
 /// Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, value).
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_part_state {
     pub struct_size: u32,
     /// joint value; 0 = rest
@@ -610,7 +610,7 @@ impl Default for dm_part_state {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_part_info {
     pub struct_size: u32,
     pub id: u32,
@@ -635,7 +635,7 @@ impl Default for dm_part_info {
 
 /// Where a hypothesis takes its part at one end of its range. Host object frame. Frozen.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_joint_end {
     /// joint value
     pub value: f32,
@@ -657,7 +657,7 @@ impl Default for dm_joint_end {
 
 /// A ranked hypothesis and what it would do. struct\_size: what the library has filled.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_hypothesis {
     pub struct_size: u32,
     /// 0
@@ -679,7 +679,7 @@ impl Default for dm_hypothesis {
 
 /// A part and its hypotheses, for the host to choose from. Valid during the call.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_choice {
     pub struct_size: u32,
     /// of hypotheses; 1 .. DM\_MAX\_HYPOTHESES
@@ -699,7 +699,7 @@ impl Default for dm_choice {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_object_desc {
     pub struct_size: u32,
     /// DM\_PREPARE\_\*
@@ -738,7 +738,7 @@ impl Default for dm_object_desc {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_object_info {
     pub struct_size: u32,
     pub part_count: u32,
@@ -765,7 +765,7 @@ impl Default for dm_object_info {
 
 /// What the player asked for. The network answers with a motion of DM\_MOTION\_FRAMES poses from rest.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_motion_desc {
     pub struct_size: u32,
     pub part_id: u32,
@@ -790,7 +790,7 @@ impl Default for dm_motion_desc {
 
 /// How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter through two ratios, which are times: smoothing\_time is damping over stiffness, coast\_time inertia over damping.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_drag_feel {
     /// s for the part to close half the gap to the pointer; 0 = 0.02, negative = none
     pub smoothing_time: f32,
@@ -815,7 +815,7 @@ impl Default for dm_drag_feel {
 
 /// What a part does besides following the hand. Zeros are off, but for the defaults of thresholds. "Range" is from lower to upper limit; where one of them is missing, 1 rad or the object's size. docs/feel.md.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_drag_rules {
     pub struct_size: u32,
     /// DM\_RULE\_\*
@@ -871,7 +871,7 @@ impl Default for dm_drag_rules {
 
 /// A link between two parts. Frozen.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_link {
     /// part ids
     pub driver: u32,
@@ -897,7 +897,7 @@ impl Default for dm_link {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_drag_desc {
     pub struct_size: u32,
     pub part_id: u32,
@@ -931,7 +931,7 @@ impl Default for dm_drag_desc {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_hand {
     /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open
     pub kind: i32,
@@ -954,7 +954,7 @@ impl Default for dm_hand {
 
 /// All that can be told a drag in one update.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_drag_input {
     pub struct_size: u32,
     /// DM\_INPUT\_\*
@@ -980,7 +980,7 @@ impl Default for dm_drag_input {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_drag_state {
     pub struct_size: u32,
     /// of the part from rest, object frame; compose with the parent part's own pose
@@ -1017,7 +1017,7 @@ impl Default for dm_drag_state {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_release_desc {
     pub struct_size: u32,
     /// DM\_INTENT\_\*
@@ -1042,7 +1042,7 @@ impl Default for dm_release_desc {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_release_plan {
     pub struct_size: u32,
     /// as decided: DM\_INTENT\_STAY, OPEN, CLOSE or FREEZE
@@ -1065,7 +1065,7 @@ impl Default for dm_release_plan {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_camera {
     pub struct_size: u32,
     /// rad; 0 = orthographic with ortho\_height
@@ -1094,7 +1094,7 @@ impl Default for dm_camera {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_scene_desc {
     pub struct_size: u32,
     /// 0
@@ -1111,7 +1111,7 @@ impl Default for dm_scene_desc {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_hit {
     pub struct_size: u32,
     /// as dm\_scene\_add gave it
@@ -1146,7 +1146,7 @@ impl Default for dm_hit {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_core_1 {
     /// bytes of this table in the library at hand: check before calling a newer entry
     pub struct_size: u32,
@@ -1215,7 +1215,7 @@ impl Default for dm_core_1 {
 
 /// Files beside a .gltf: buffers when it is opened, images when it is exported or a surface is asked for.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_files {
     pub user: *mut c_void,
     /// Hands over the bytes of the file at \`path\`: relative to the document, UTF-8, '/' between folders. It never is absolute, never has "..", a backslash or a colon in it. Returns DM\_OK, DM\_ERROR\_OUT\_OF\_MEMORY, or another number: there is no such file.
@@ -1232,7 +1232,7 @@ impl Default for dm_gltf_files {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_desc {
     pub struct_size: u32,
     /// 0
@@ -1259,7 +1259,7 @@ impl Default for dm_gltf_desc {
 
 /// What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces are those of the merged mesh. It holds the nodes with meshes in file order (document order of the nodes array), a node's primitives in order, every vertex in the scene's frame less dm\_gltf\_get\_origin (node transforms applied). Primitives of a node that share an accessor share its vertices. A node with a skin stands bone by bone, as its bones stand in the file; a vertex goes with its heaviest bone.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_node {
     /// valid UTF-8, '?' for what is none; "" when it has none. Lives as long as the dm\_gltf
     pub name: *const c_char,
@@ -1284,7 +1284,7 @@ impl Default for dm_gltf_node {
 
 /// Faces of the merged mesh that lie side by side and have one material. Those of a dm\_gltf\_node are one or more.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_surface {
     pub first_face: u64,
     pub face_count: u64,
@@ -1309,7 +1309,7 @@ impl Default for dm_gltf_surface {
 
 /// One animated part: which faces it takes and its key poses (host frame = the file's scene frame, from rest).
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_track {
     /// of the new node and animation target; NULL = "moving\_part"
     pub name: *const c_char,
@@ -1335,7 +1335,7 @@ impl Default for dm_gltf_track {
 
 /// A mesh to write as one node of a new .glb.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_part {
     pub name: *const c_char,
     /// vertex\_count x 3, glTF frame
