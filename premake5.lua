@@ -298,9 +298,9 @@ for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
         { "dragmesh_gltf", "dragmesh_core", "dl", "m" }, "/fuzz")
 end
 
--- Benchmarks that call Embree themselves too; without its headers they are left out.
+-- Benchmarks that call Embree (and cglm) themselves too; without their headers they are left out.
 local embree = installed "embree4/rtcore.h" and "embree4" or installed "embree3/rtcore.h" and "embree3"
-local beside_embree = { bench_peers = true, bench_pick = true }
+local beside_embree = { bench_peers = installed "cglm/cglm.h", bench_pick = true }
 
 for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
     local name, libraries = source:match("([%w_]+)%.c$"), { "dragmesh_core", "dl", "m" }
@@ -309,5 +309,5 @@ for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
         table.insert(sources, "tests/bench/bare_embree.c")
         table.insert(libraries, embree)
     end
-    if embree or not beside_embree[name] then program(name, sources, everything, libraries, "/bench") end
+    if beside_embree[name] == nil or embree and beside_embree[name] then program(name, sources, everything, libraries, "/bench") end
 end

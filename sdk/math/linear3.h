@@ -15,6 +15,11 @@ static inline float dmi_max(float a, float b) {
     return b > a ? b : a;
 }
 
+/* low for NaN. */
+static inline float dmi_clamp(float value, float low, float high) {
+    return !(value > low) ? low : value < high ? value : high;
+}
+
 static inline float dmi_dot3(const float a[3], const float b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -26,6 +31,14 @@ static inline void dmi_cross3(const float a[3], const float b[3], float out[3]) 
 
 static inline void dmi_sub3(const float a[3], const float b[3], float out[3]) {
     for (int i = 0; i < 3; i++) out[i] = a[i] - b[i];
+}
+
+static inline void dmi_add3(const float a[3], const float b[3], float out[3]) {
+    for (int i = 0; i < 3; i++) out[i] = a[i] + b[i];
+}
+
+static inline void dmi_scale3(const float a[3], float s, float out[3]) {
+    for (int i = 0; i < 3; i++) out[i] = a[i] * s;
 }
 
 /* out = a + s b */

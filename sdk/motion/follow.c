@@ -4,9 +4,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-#define CGLM_ALL_UNALIGNED
-#include <cglm/cglm.h>
-
 #include "math/constants.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -27,6 +24,8 @@
 #define END_ON_SINE 0.15f      /* between a point's motion and the line of sight; below: seen end on */
 #define MIN_ARM 1e-6f          /* lever arm of a turning point, share of its coordinates; below: rounding */
 
+typedef float vec3[3];
+
 /* A sliding point relative to the ray's origin at value v: P = arm + (along + v) a, with the arm perpendicular to a. */
 typedef struct slide_view {
     vec3 a, d, arm;
@@ -37,7 +36,7 @@ typedef struct slide_view {
  * minimum. Otherwise the pointer is beyond the line's vanishing point, and the angle decreases all the way towards it:
  * to the limit that lies along the ray. */
 static float follow_slide_perspective(slide_view* view, float start, float lower, float upper) {
-    const float across = glm_vec3_dot(view->d, view->arm), arm2 = glm_vec3_norm2(view->arm);
+    const float across = dmi_dot3(view->d, view->arm), arm2 = dmi_dot3(view->arm, view->arm);
     if (!(arm2 > MIN_SINE2 * view->along * view->along)) return start; /* seen end on */
     if (across > 0) return view->ad * arm2 / across - view->along;
     if (view->ad > 0 && upper < INFINITY) return upper;
@@ -48,11 +47,11 @@ static float follow_slide_perspective(slide_view* view, float start, float lower
 /* Returns the value of the closest point between the two lines. */
 static float follow_slide_parallel(slide_view* view, float start) {
     vec3 across;
-    glm_vec3_scale(view->a, view->ad, across);
-    glm_vec3_sub(view->d, across, across);
-    const float sine2 = glm_vec3_norm2(across);
+    dmi_scale3(view->a, view->ad, across);
+    dmi_sub3(view->d, across, across);
+    const float sine2 = dmi_dot3(across, across);
     if (!(sine2 > MIN_SINE2)) return start;
-    return view->ad * glm_vec3_dot(view->d, view->arm) / sine2 - view->along;
+    return view->ad * dmi_dot3(view->d, view->arm) / sine2 - view->along;
 }
 
 static float follow_slide(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
@@ -62,10 +61,10 @@ static float follow_slide(const dm_joint* joint, const float rest_point[3], cons
     dmi_copy3(dmi_xyz(joint->axis).v, view.a);
     dmi_copy3(dmi_xyz(ray->direction).v, view.d);
     dmi_sub3(rest_point, dmi_xyz(ray->origin).v, p);
-    view.along = glm_vec3_dot(view.a, p);
-    view.ad = glm_vec3_dot(view.a, view.d);
-    glm_vec3_scale(view.a, view.along, view.arm);
-    glm_vec3_sub(p, view.arm, view.arm);
+    view.along = dmi_dot3(view.a, p);
+    view.ad = dmi_dot3(view.a, view.d);
+    dmi_scale3(view.a, view.along, view.arm);
+    dmi_sub3(p, view.arm, view.arm);
     return projection == DMI_PARALLEL ? follow_slide_parallel(&view, start)
                                       : follow_slide_perspective(&view, start, lower, upper);
 }
@@ -83,21 +82,21 @@ static turn_view view_turn(const dm_joint* joint, const float rest_point[3], con
     dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin), eye = dmi_xyz(ray->origin);
     vec3 arm, foot;
     dmi_copy3(dmi_xyz(ray->direction).v, view.d);
-    glm_vec3_sub((float*)rest_point, origin.v, arm);
-    glm_vec3_scale(axis.v, glm_vec3_dot(arm, axis.v), foot);
-    glm_vec3_sub(arm, foot, view.u);
-    glm_vec3_cross(axis.v, view.u, view.w);
-    glm_vec3_add(origin.v, foot, foot);
-    glm_vec3_sub(foot, eye.v, view.centre);
-    glm_vec3_scale(axis.v, joint->type == DM_JOINT_SCREW ? joint->pitch : 0, view.advance);
+    dmi_sub3(rest_point, origin.v, arm);
+    dmi_scale3(axis.v, dmi_dot3(arm, axis.v), foot);
+    dmi_sub3(arm, foot, view.u);
+    dmi_cross3(axis.v, view.u, view.w);
+    dmi_add3(origin.v, foot, foot);
+    dmi_sub3(foot, eye.v, view.centre);
+    dmi_scale3(axis.v, joint->type == DM_JOINT_SCREW ? joint->pitch : 0, view.advance);
     return view;
 }
 
 /* Whether the point moves at all: one on the axis of a pure turn has only the rounding of its coordinates as arm. */
 static bool moves_point(const dm_joint* joint, const float rest_point[3], turn_view* view) {
     dmi_float3 origin = dmi_xyz(joint->origin);
-    const float arm = glm_vec3_norm(view->u) + glm_vec3_norm(view->advance);
-    return arm > MIN_ARM * (glm_vec3_norm((float*)rest_point) + glm_vec3_norm(origin.v));
+    const float arm = dmi_length3(view->u) + dmi_length3(view->advance);
+    return arm > MIN_ARM * (dmi_length3(rest_point) + dmi_length3(origin.v));
 }
 
 typedef struct slopes {
@@ -106,16 +105,16 @@ typedef struct slopes {
 
 /* Objective |P - (d.P) d|^2 / 2: half the squared distance from the ray's line. */
 static slopes parallel_slopes(vec3 d, vec3 p, vec3 velocity, vec3 acceleration) {
-    const float pd = glm_vec3_dot(p, d), vd = glm_vec3_dot(velocity, d), ad = glm_vec3_dot(acceleration, d);
-    return (slopes){glm_vec3_dot(p, velocity) - pd * vd,
-                    glm_vec3_dot(velocity, velocity) - vd * vd + glm_vec3_dot(p, acceleration) - pd * ad};
+    const float pd = dmi_dot3(p, d), vd = dmi_dot3(velocity, d), ad = dmi_dot3(acceleration, d);
+    return (slopes){dmi_dot3(p, velocity) - pd * vd,
+                    dmi_dot3(velocity, velocity) - vd * vd + dmi_dot3(p, acceleration) - pd * ad};
 }
 
 /* Objective -(d.P) / |P|: minus the cosine of the angle to the ray. */
 static slopes perspective_slopes(vec3 d, vec3 p, vec3 velocity, vec3 acceleration) {
-    const float distance = glm_vec3_norm(p), n = glm_vec3_dot(p, d), n1 = glm_vec3_dot(velocity, d);
-    const float n2 = glm_vec3_dot(acceleration, d), cosine = n / distance, q1 = glm_vec3_dot(p, velocity) / distance;
-    const float q2 = (glm_vec3_dot(velocity, velocity) + glm_vec3_dot(p, acceleration) - q1 * q1) / distance;
+    const float distance = dmi_length3(p), n = dmi_dot3(p, d), n1 = dmi_dot3(velocity, d);
+    const float n2 = dmi_dot3(acceleration, d), cosine = n / distance, q1 = dmi_dot3(p, velocity) / distance;
+    const float q2 = (dmi_dot3(velocity, velocity) + dmi_dot3(p, acceleration) - q1 * q1) / distance;
     const float g1 = (n1 - cosine * q1) / distance;
     return (slopes){-g1, -(n2 - cosine * q2 - 2 * g1 * q1) / distance};
 }
@@ -144,8 +143,8 @@ static float descend(turn_view* view, float start, float lower, float upper) {
         if (slope.first < 0) left = value;
         if (slope.first > 0) right = value;
         float step = slope.second > 0 ? -slope.first / slope.second : -copysignf(MAX_STEP, slope.first);
-        step = glm_clamp(step, -MAX_STEP, MAX_STEP);
-        float next = glm_clamp(value + step, lower, upper);
+        step = dmi_clamp(step, -MAX_STEP, MAX_STEP);
+        float next = dmi_clamp(value + step, lower, upper);
         if (fabsf(next - value) <= view->step_tolerance * fmaxf(1, fabsf(value))) return next;
         if (next <= left || next >= right) next = 0.5f * (left + right);
         value = next;
@@ -160,18 +159,18 @@ static float distance_from_ray(turn_view* view, float value) {
     for (int i = 0; i < 3; i++) {
         p[i] = view->centre[i] + c * view->u[i] + s * view->w[i] + value * view->advance[i];
     }
-    const float along = glm_vec3_dot(p, view->d);
+    const float along = dmi_dot3(p, view->d);
     if (view->projection == DMI_PERSPECTIVE && !(along > 0)) return INFINITY;
     for (int i = 0; i < 3; i++) p[i] -= along * view->d[i];
-    return glm_vec3_norm(p);
+    return dmi_length3(p);
 }
 
 /* A circle seen at a slant runs out and back on the screen; its two branches meet in a fold. A local minimiser would
  * turn round there when the pointer comes back on the other branch. So the value mirrored at the fold is tried too, and
  * taken when it is clearly nearer to the ray, but only near the fold, so that the part never sweeps across. */
 static float pass_fold(turn_view* view, float value, float lower, float upper) {
-    const float out = glm_vec3_dot(view->u, view->d), side = glm_vec3_dot(view->w, view->d);
-    const float arm = glm_vec3_norm(view->u);
+    const float out = dmi_dot3(view->u, view->d), side = dmi_dot3(view->w, view->d);
+    const float arm = dmi_length3(view->u);
     if (!(out * out + side * side > MIN_SLANT * MIN_SLANT * arm * arm)) return value;
     const float quarter = DMI_HALF_PI_F,
                 slope = atan2f(side, out) + quarter; /* where the circle runs parallel to the ray */
@@ -190,7 +189,7 @@ static float pass_fold(turn_view* view, float value, float lower, float upper) {
  * the point. */
 static float find_branch(turn_view* view, float value, float lower, float upper) {
     const float here = distance_from_ray(view, value);
-    if (here < BRANCH_MISS * glm_vec3_norm(view->u)) return value;
+    if (here < BRANCH_MISS * dmi_length3(view->u)) return value;
     const float spacing = (upper - lower) / BRANCH_PLACES;
     float best = value, least = here;
     for (int i = 0; i < BRANCH_PLACES; i++) {
@@ -215,7 +214,7 @@ static float follow(const dm_joint* joint, const float rest_point[3], const dm_r
         value = descend(&view, start, least, most);
         if (!coarse) value = find_branch(&view, pass_fold(&view, value, least, most), least, most);
     }
-    return isfinite(value) ? glm_clamp(value, lower, upper) : start;
+    return isfinite(value) ? dmi_clamp(value, lower, upper) : start;
 }
 
 float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
