@@ -59,6 +59,14 @@ static void watch_rest(dmi_watch* watch, const dmi_watched* now) {
     watch->events |= open ? DM_EVENT_OPENED : DM_EVENT_CLOSED;
 }
 
+/* A bounce within the update has been at the limit, wherever the part is by its end. */
+static void watch_bounce(dmi_watch* watch, const dmi_watched* now) {
+    dmi_watched there = *now;
+    if (now->struck == 0) return;
+    there.value = now->struck > 0 ? now->joint->upper : now->joint->lower;
+    watch_rest(watch, &there);
+}
+
 static void watch_detents(dmi_watch* watch, const dmi_watched* now) {
     const float place = place_of(now);
     if (!(fabsf(place - watch->catch_index) > RIDGE)) return;
@@ -83,6 +91,7 @@ void dmi_watch_update(dmi_watch* watch, const dmi_watched* now, float dt) {
     watch->since_opening += dt;
     watch->peak_speed = fmaxf(fabsf(now->velocity), watch->peak_speed * exp2f(-dt / PEAK_HALF_LIFE));
     watch_limits(watch, now);
+    watch_bounce(watch, now);
     watch_rest(watch, now);
     watch_detents(watch, now);
     watch_bounds(watch, now);
