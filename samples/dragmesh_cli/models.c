@@ -36,7 +36,7 @@ static char* find_folder(const char* models) {
     if (models != NULL) return path_join(models, "");
     const char* named = getenv("DRAGMESH_MODELS");
     if (named != NULL && *named) return path_join(named, "");
-    static const char* const places[] = {"models", "../../sdk/models"};
+    static const char* const places[] = {"models", "../models", "../../sdk/models"};
     char* program = program_folder();
     char* found = NULL;
     for (size_t i = 0; i < sizeof places / sizeof *places && found == NULL; i++) {
