@@ -303,7 +303,7 @@ local embree = installed "embree4/rtcore.h" and "embree4" or installed "embree3/
 local beside_embree = { bench_peers = installed "cglm/cglm.h", bench_pick = true }
 
 for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
-    local name, libraries = source:match("([%w_]+)%.c$"), { "dragmesh_core", "dl", "m" }
+    local name, libraries = source:match("([%w_]+)%.c$"), { "dragmesh_gltf", "dragmesh_core", "dl", "m" }
     local sources = { source, "tests/bench/support.c", "tests/bench/world.c" }
     if beside_embree[name] then
         table.insert(sources, "tests/bench/bare_embree.c")

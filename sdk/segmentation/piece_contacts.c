@@ -5,9 +5,12 @@
 
 #include "math/linear3.h"
 
-#define MAX_COMPARED 256 /* samples of one bucket compared with one sample: bounds crowded buckets; by hand */
-#define MIN_SLOTS 16     /* of a hash table; by hand */
-#define NO_BYTE 0xff     /* memset value that makes every uint32_t DMI_PIECE_NONE */
+/* Samples of one bucket that are compared with one sample. Bounds the work in crowded buckets; by hand. */
+#define MAX_COMPARED 256
+#define MIN_COMPARED 16
+#define COMPARED_IN_ALL (1u << 22) /* the sum over all samples, where it asks for fewer than MAX_COMPARED; by hand */
+#define MIN_SLOTS 16               /* of a hash table; by hand */
+#define NO_BYTE 0xff               /* memset value that makes every uint32_t DMI_PIECE_NONE */
 
 /* Multipliers and shift of the hashes: large odd constants with mixed bits, as of xxHash32 and MurmurHash3. */
 #define HASH_X 0x9e3779b1u
@@ -21,6 +24,7 @@ enum { NEIGHBOUR_CELLS = 27, FIRST_LATER_CELL = 14, CELLS_OF_A_SLAB = 9 };
 typedef struct hash_grid {
     uint32_t *heads, *next; /* per bucket: its first sample; per sample: the next of its bucket */
     uint32_t mask;          /* buckets - 1 */
+    uint32_t compared;      /* samples of a bucket that are compared with one sample */
     float cells_per_unit;
 } hash_grid;
 
@@ -69,7 +73,7 @@ static void compare_samples(const dmi_pieces* pieces, uint32_t a, uint32_t b) {
 /* Compares sample `s` with the samples of a bucket, from `first` on. */
 static void compare_with_bucket(const dmi_pieces* pieces, const hash_grid* grid, uint32_t s, uint32_t first) {
     uint32_t compared = 0;
-    for (uint32_t other = first; other != DMI_PIECE_NONE && compared < MAX_COMPARED; other = grid->next[other]) {
+    for (uint32_t other = first; other != DMI_PIECE_NONE && compared < grid->compared; other = grid->next[other]) {
         compare_samples(pieces, s, other);
         compared++;
     }
@@ -89,11 +93,18 @@ static void compare_with_neighbours(const dmi_pieces* pieces, const hash_grid* g
     }
 }
 
+static uint32_t compared_with_each(uint32_t sample_count) {
+    const uint32_t share = COMPARED_IN_ALL / sample_count;
+    if (share > MAX_COMPARED) return MAX_COMPARED;
+    return share > MIN_COMPARED ? share : MIN_COMPARED;
+}
+
 static dm_result find_sample_contacts(dmi_arena* arena, dmi_pieces* pieces) {
     const uint32_t count = pieces->first[pieces->count];
     uint32_t buckets = MIN_SLOTS;
     while (buckets < count) buckets *= 2;
-    hash_grid grid = {.mask = buckets - 1, .cells_per_unit = 1 / pieces->contact_distance};
+    hash_grid grid = {
+        .mask = buckets - 1, .compared = compared_with_each(count), .cells_per_unit = 1 / pieces->contact_distance};
     grid.heads = dmi_arena_push(arena, buckets * sizeof *grid.heads);
     grid.next = dmi_arena_push(arena, count * sizeof *grid.next);
     if (grid.heads == NULL || grid.next == NULL) return out_of_memory(arena, pieces->mesh);

@@ -7,8 +7,10 @@
 #include "math/linear3.h"
 #include "segmentation/piece_contacts.h"
 
-#define MESH_SAMPLES 12288     /* samples distributed over the whole mesh by area; by hand */
-#define MIN_PIECE_SAMPLES 16   /* samples added to every piece, whatever its area; by hand */
+#define MESH_SAMPLES 12288   /* samples distributed over the whole mesh by area; by hand */
+#define MIN_PIECE_SAMPLES 16 /* samples added to every piece, whatever its area; by hand */
+#define ADDED_SAMPLES                                                                                                  \
+    32768 /* of all pieces: where there are more pieces than this allows for, each gets fewer; by hand */
 #define CONTACT_SPACINGS 1.25f /* contact distance in mean sample spacings; by hand */
 #define SAMPLE_SEED 1          /* of the random positions within faces; arbitrary */
 
@@ -60,6 +62,13 @@ static void sample_piece(dmi_pieces* pieces, uint32_t piece, const uint32_t* fac
     }
 }
 
+/* Returns how many samples each piece gets whatever its area: at least 1. */
+static uint32_t samples_added(uint32_t piece_count) {
+    const uint32_t share = ADDED_SAMPLES / piece_count;
+    if (share > MIN_PIECE_SAMPLES) return MIN_PIECE_SAMPLES;
+    return share > 0 ? share : 1;
+}
+
 static dm_result sample_pieces(dmi_arena* arena, dmi_pieces* pieces) {
     const dmi_mesh* mesh = pieces->mesh;
     uint32_t* begin = dmi_arena_push(arena, ((size_t)pieces->count + 2) * sizeof *begin);
@@ -71,10 +80,10 @@ static dm_result sample_pieces(dmi_arena* arena, dmi_pieces* pieces) {
     memset(pieces->area, 0, pieces->count * sizeof *pieces->area);
     for (uint32_t f = 0; f < mesh->face_count; f++) pieces->area[pieces->labels[f]] += mesh->face_area[f];
     for (uint32_t p = 0; p < pieces->count; p++) total += pieces->area[p];
+    const uint32_t added = samples_added(pieces->count);
     pieces->first[0] = 0;
     for (uint32_t p = 0; p < pieces->count; p++)
-        pieces->first[p + 1] =
-            pieces->first[p] + MIN_PIECE_SAMPLES + (uint32_t)(MESH_SAMPLES * pieces->area[p] / total);
+        pieces->first[p + 1] = pieces->first[p] + added + (uint32_t)(MESH_SAMPLES * pieces->area[p] / total);
     pieces->contact_distance = CONTACT_SPACINGS * sqrtf(total / MESH_SAMPLES);
     pieces->samples = dmi_arena_push(arena, pieces->first[pieces->count] * sizeof *pieces->samples);
     if (pieces->samples == NULL) return out_of_memory(arena, mesh);

@@ -14,6 +14,8 @@
 #define CERTAIN_LOG_ODDS 3.0f /* while a neighbour is this likely to belong, the part is incomplete; by hand */
 #define MIN_LOG_ODDS (-6.0f)  /* neighbours below this never join; by hand */
 #define MAX_AREA_SHARE 0.95f  /* of the mesh's area, at which a growth ends; by hand */
+#define MAX_WORK (1u << 22)   /* samples in contact that a growth visits, for time: twice the most measured */
+#define RATING_WORK 16        /* of one neighbour, in the time of samples visited; measured */
 #define MAX_REGIONS 2000      /* smooth regions of the cut sheet beyond which it is not grown, for time; by hand */
 
 /* A growth network and how to run it. */
@@ -121,14 +123,17 @@ static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_
     if (g.log_odds == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to rate %u pieces", level->pieces.count);
     dmi_region_add(&g.region, seed);
+    uint64_t work = 0;
     int stages = 0;
     while (stages < MAX_STAGES && g.area <= MAX_AREA_SHARE * level->total_area && result == DM_OK) {
         rate_neighbours(&g, rater);
-        if (g.next_log_odds < CERTAIN_LOG_ODDS) {
+        work += g.region.contact_sample_count + (uint64_t)RATING_WORK * g.region.neighbour_count;
+        const bool is_last = g.next_piece == DMI_PIECE_NONE || work > MAX_WORK;
+        if (g.next_log_odds < CERTAIN_LOG_ODDS || is_last) {
             result = propose_stage(arena, &g, out);
             stages++;
         }
-        if (g.next_piece == DMI_PIECE_NONE) break;
+        if (is_last) break;
         add_next_piece(&g);
     }
     set_later(&g, first, out);

@@ -757,7 +757,8 @@ DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
  * that moves with it, 0 for the others; as part ids per face they go straight into a dm_mesh_desc. mesh->part_ids tell
  * pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or
  * one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was
- * pulled; a zero vector: no direction. Milliseconds to tens of them. Errors: as dm_object_prepare's of the mesh;
+ * pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces;
+ * never more than linear in their number. Errors: as dm_object_prepare's of the mesh;
  * BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays.
  * [any-thread] */
 DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,

@@ -1,0 +1,306 @@
+/* Inputs that are slow where work grows faster than its input, each at a size and at twice that size, for callgrind to
+ * count (complexity.sh):
+ *
+ *     bench_complexity           prints the families' names
+ *     bench_complexity FAMILY    runs one
+ *
+ * What is counted happens within counted_once and counted_twice. */
+#include <dragmesh/ext/gltf.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../include/test_glb.h"
+#include "base/random.h"
+#include "world.h"
+
+#define COUNTED __attribute__((noinline))
+#define CHECK(call) bench_check(call, #call)
+#define BOX_VERTICES 8
+#define BOX_TRIANGLES 12
+#define BODY 1.0f  /* half of a side of the box that every mesh begins with */
+#define ABOVE 1.1f /* height of what lies above it */
+#define TURN 6.2831853f
+#define NODE_TEXT 64 /* bytes of a node in a JSON text, at most */
+
+typedef struct input input;
+
+typedef struct family {
+    const char* name;
+    uint32_t size; /* items; then twice as many */
+    void (*make)(input* in, uint32_t items);
+    void (*run)(input* in);
+} family;
+
+struct input {
+    bench_world world;
+    bench_mesh mesh; /* positions, indices and part ids one a face */
+    dmi_random random;
+    test_glb glb;
+    uint32_t items;
+};
+
+/* ---- meshes: a box, the body, and many items above it, the part ---- */
+
+static void mesh_begin(input* in, uint32_t items) {
+    const size_t vertices = BOX_VERTICES * ((size_t)items + 1), faces = BOX_TRIANGLES * ((size_t)items + 1);
+    in->mesh = (bench_mesh){.positions = bench_alloc(vertices * 3 * sizeof(float)),
+                            .indices = bench_alloc(faces * 3 * sizeof(uint32_t)),
+                            .part_ids = bench_alloc(faces * sizeof(uint32_t)),
+                            .parts = 1};
+    in->random = dmi_random_make(1, 0);
+}
+
+static float unit(input* in) {
+    return dmi_random_unit(&in->random);
+}
+
+/* From -1 to 1. */
+static float both(input* in) {
+    return 2 * unit(in) - 1;
+}
+
+static uint32_t vertex(input* in, float x, float y, float z) {
+    float* at = in->mesh.positions + (size_t)in->mesh.vertex_count * 3;
+    at[0] = x;
+    at[1] = y;
+    at[2] = z;
+    return in->mesh.vertex_count++;
+}
+
+static void face(input* in, uint32_t a, uint32_t b, uint32_t c, uint32_t part) {
+    uint32_t* at = in->mesh.indices + (size_t)in->mesh.face_count * 3;
+    at[0] = a;
+    at[1] = b;
+    at[2] = c;
+    in->mesh.part_ids[in->mesh.face_count++] = part;
+}
+
+static void box(input* in, const float low[3], float side, uint32_t part) {
+    static const uint8_t corners[BOX_TRIANGLES][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    const uint32_t first = in->mesh.vertex_count;
+    for (uint32_t c = 0; c < BOX_VERTICES; c++)
+        vertex(in, low[0] + side * (float)(c & 1), low[1] + side * (float)(c >> 1 & 1),
+               low[2] + side * (float)(c >> 2));
+    for (uint32_t t = 0; t < BOX_TRIANGLES; t++)
+        face(in, first + corners[t][0], first + corners[t][1], first + corners[t][2], part);
+}
+
+static void body(input* in, uint32_t items) {
+    const float low[3] = {-BODY, -BODY, -BODY};
+    mesh_begin(in, items);
+    box(in, low, 2 * BODY, 0);
+}
+
+/* Triangles with almost no area, each by itself. */
+static void make_slivers(input* in, uint32_t items) {
+    const float width = 1e-6f;
+    body(in, items);
+    for (uint32_t i = 0; i < items; i++) {
+        const float y = both(in);
+        const uint32_t a = vertex(in, -1, y, ABOVE), b = vertex(in, 1, y, ABOVE);
+        face(in, a, b, vertex(in, 1, y + width, ABOVE), 1);
+    }
+}
+
+/* Pages of one book: triangles on one edge. */
+static void make_one_edge(input* in, uint32_t items) {
+    body(in, items);
+    const uint32_t a = vertex(in, 0, 0, ABOVE), b = vertex(in, 0, 0, 2 * ABOVE);
+    for (uint32_t i = 0; i < items; i++) {
+        const float angle = TURN * (float)i / (float)items;
+        face(in, a, b, vertex(in, cosf(angle), sinf(angle), 1.5f * ABOVE), 1);
+    }
+}
+
+/* Triangles round one vertex. */
+static void make_fan(input* in, uint32_t items) {
+    body(in, items);
+    const uint32_t centre = vertex(in, 0, 0, 1.5f * ABOVE), first = in->mesh.vertex_count;
+    for (uint32_t i = 0; i < items; i++) {
+        const float angle = TURN * (float)i / (float)items;
+        vertex(in, cosf(angle), sinf(angle), ABOVE);
+    }
+    for (uint32_t i = 0; i < items; i++) face(in, centre, first + i, first + (i + 1) % items, 1);
+}
+
+/* Small boxes strewn over the body. */
+static void make_shells(input* in, uint32_t items) {
+    const float side = 0.002f;
+    body(in, items);
+    for (uint32_t i = 0; i < items; i++) {
+        const float low[3] = {both(in), both(in), 1.01f};
+        box(in, low, side, i % 2);
+    }
+}
+
+/* Triangles anywhere, of both parts. */
+static void make_soup(input* in, uint32_t items) {
+    const float spread = 0.1f;
+    body(in, items);
+    for (uint32_t i = 0; i < items; i++) {
+        const float x = both(in), y = both(in), z = ABOVE + unit(in);
+        uint32_t corners[3];
+        for (int c = 0; c < 3; c++)
+            corners[c] = vertex(in, x + spread * unit(in), y + spread * unit(in), z + spread * unit(in));
+        face(in, corners[0], corners[1], corners[2], i % 2);
+    }
+}
+
+/* The same triangle again and again, each with vertices of its own. */
+static void make_coincident(input* in, uint32_t items) {
+    body(in, items);
+    for (uint32_t i = 0; i < items; i++) {
+        const uint32_t a = vertex(in, -0.9f, -0.9f, ABOVE), b = vertex(in, 0.9f, -0.9f, ABOVE);
+        face(in, a, b, vertex(in, 0, 0.9f, ABOVE), 1);
+    }
+}
+
+static dm_mesh_desc whole_mesh(const input* in) {
+    dm_mesh_desc mesh = bench_mesh_desc(&in->mesh);
+    mesh.part_ids = NULL;
+    mesh.part_id_bytes = 0;
+    return mesh;
+}
+
+static void run_find(input* in) {
+    const dm_mesh_desc mesh = whole_mesh(in);
+    const float* last = in->mesh.positions + (size_t)(in->mesh.vertex_count - 1) * 3;
+    const dm_drag_hint drag = {{last[0], last[1], last[2]}, {0, 0, 1}};
+    uint8_t* faces = bench_alloc(in->mesh.face_count);
+    const dm_result result = dm_mesh_find_part(in->world.context, &mesh, &drag, faces, in->mesh.face_count);
+    if (result != DM_ERROR_FULL_MASK) bench_check(result, "dm_mesh_find_part");
+    free(faces);
+}
+
+static void run_prepare(input* in) {
+    const dm_mesh_desc mesh = bench_mesh_desc(&in->mesh);
+    const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = in->world.model};
+    CHECK(dm_object_prepare(in->world.context, &desc, &in->world.object));
+}
+
+/* ---- glTF ---- */
+
+/* Nodes of one name that share a mesh of one triangle; nested: each is the child of the one before. */
+static void make_nodes(input* in, uint32_t items, bool nested) {
+    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const char head[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":[";
+    char* text = bench_alloc(sizeof head + (size_t)items * NODE_TEXT + NODE_TEXT);
+    char* end = stpcpy(text, head);
+    for (uint32_t i = 0; i < items; i++) {
+        end += sprintf(end, "%s{\"name\":\"door\",\"mesh\":0", i > 0 ? "," : "");
+        if (nested && i + 1 < items) end += sprintf(end, ",\"children\":[%u]", i + 1);
+        *end++ = '}';
+    }
+    strcpy(end, "]}");
+    in->glb = test_glb_pack(text, corners, sizeof corners);
+    free(text);
+}
+
+static void make_namesakes(input* in, uint32_t items) {
+    make_nodes(in, items, false);
+}
+
+static void make_chain(input* in, uint32_t items) {
+    make_nodes(in, items, true);
+}
+
+static void run_gltf(input* in) {
+    static const char* const names[] = {"door", "door_41"};
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = in->glb.data, .size = in->glb.size};
+    dm_gltf* gltf;
+    dm_mesh_desc mesh = {.struct_size = sizeof mesh};
+    CHECK(dm_gltf_open(&desc, &gltf));
+    CHECK(dm_gltf_get_mesh(gltf, &mesh));
+    uint8_t* faces = bench_alloc(mesh.index_count / 3);
+    dm_gltf_mark_faces(gltf, names, 2, 1, faces, mesh.index_count / 3); /* the second name is missing */
+    free(faces);
+    dm_gltf_close(gltf);
+}
+
+/* ---- scenes ---- */
+
+static void make_object(input* in, uint32_t items) {
+    const uint32_t triangles = 100;
+    in->mesh = bench_mesh_new(triangles, 1);
+    in->items = items;
+    run_prepare(in);
+}
+
+/* Instances come, move, are seen, and go. */
+static void run_scene(input* in) {
+    const dm_scene_desc desc = {.struct_size = sizeof desc};
+    uint32_t* instances = bench_alloc(in->items * sizeof *instances);
+    dm_scene scene;
+    CHECK(dm_scene_create(in->world.context, &desc, &scene));
+    for (uint32_t i = 0; i < in->items; i++) {
+        const dm_pose pose = {{0, 0, 0, 1}, {(float)i, 0, 0, 0}};
+        CHECK(dm_scene_add(in->world.context, scene, in->world.object, &pose, &instances[i]));
+    }
+    CHECK(dm_scene_commit(in->world.context, scene));
+    for (uint32_t i = 0; i < in->items; i++) {
+        const dm_pose pose = {{0, 0, 0, 1}, {0, (float)i, 0, 0}};
+        CHECK(dm_scene_move(in->world.context, scene, instances[i], 1, &pose));
+        CHECK(dm_scene_commit(in->world.context, scene));
+    }
+    for (uint32_t i = 0; i < in->items; i++) CHECK(dm_scene_remove(in->world.context, scene, instances[i]));
+    CHECK(dm_scene_destroy(in->world.context, scene));
+    free(instances);
+}
+
+/* ---- counting ---- */
+
+static const family families[] = {
+    {"find_slivers", 2000, make_slivers, run_find},
+    {"find_one_edge", 500, make_one_edge, run_find},
+    {"find_fan", 8000, make_fan, run_find},
+    {"find_shells", 2000, make_shells, run_find},
+    {"find_soup", 4000, make_soup, run_find},
+    {"find_coincident", 4000, make_coincident, run_find},
+    {"prepare_slivers", 8000, make_slivers, run_prepare},
+    {"prepare_one_edge", 8000, make_one_edge, run_prepare},
+    {"prepare_fan", 8000, make_fan, run_prepare},
+    {"prepare_shells", 2000, make_shells, run_prepare},
+    {"prepare_soup", 8000, make_soup, run_prepare},
+    {"prepare_coincident", 8000, make_coincident, run_prepare},
+    {"gltf_namesakes", 4000, make_namesakes, run_gltf},
+    {"gltf_chain", 100, make_chain, run_gltf},
+    {"scene", 1000, make_object, run_scene},
+};
+enum { FAMILIES = sizeof families / sizeof families[0] };
+
+COUNTED static void counted_once(const family* of, input* in) {
+    of->run(in);
+}
+
+COUNTED static void counted_twice(const family* of, input* in) {
+    of->run(in);
+}
+
+static void run(const family* of, uint32_t items, void (*counted)(const family* of, input* in)) {
+    input in = {.items = 0};
+    bench_world_open(&in.world, "sdk/models", NULL);
+    of->make(&in, items);
+    counted(of, &in);
+    bench_world_close(&in.world);
+    bench_mesh_free(&in.mesh);
+    free(in.glb.data);
+}
+
+int main(int argc, char** argv) {
+    for (int f = 0; f < FAMILIES; f++) {
+        if (argc < 2) puts(families[f].name);
+        if (argc < 2 || strcmp(argv[1], families[f].name) != 0) continue;
+        run(&families[f], families[f].size, counted_once);
+        run(&families[f], 2 * families[f].size, counted_twice);
+        return 0;
+    }
+    return argc < 2 ? 0 : 1;
+}
