@@ -7,6 +7,9 @@ static const char* const plain_types[] = {"int8_t",   "c.c_int8",   "uint8_t",  
                                           "uint16_t", "c.c_uint16", "int32_t",  "c.c_int32",  "uint32_t", "c.c_uint32",
                                           "int64_t",  "c.c_int64",  "uint64_t", "c.c_uint64", "size_t",   "c.c_size_t",
                                           "float",    "c.c_float",  "double",   "c.c_double", NULL};
+static const char* const python_types[] = {"int8_t",  "int", "uint8_t",  "int",   "int16_t", "int",   "uint16_t", "int",
+                                           "int32_t", "int", "uint32_t", "int",   "int64_t", "int",   "uint64_t", "int",
+                                           "size_t",  "int", "float",    "float", "double",  "float", NULL};
 static const char* const keywords[] = {"from", "from_", NULL};
 
 static void put_text(writer* w, const char* text) {
@@ -30,7 +33,7 @@ static void put_type(writer* w, const cJSON* api, const cJSON* type) {
     if (stars > 0 && (is_text || is_void || is_opaque(api, name))) stars--;
     for (int i = 0; i < stars; i++) put(w, "c.POINTER(");
     if (is_text)
-        put(w, cJSON_HasObjectItem(type, "const") ? "c.c_char_p" : "c.c_char");
+        put(w, "c.c_char_p"); /* takes a buffer to write into, too */
     else if (is_void)
         put(w, number_of(type, "pointers") > 0 ? "c.c_void_p" : "None");
     else if (is_opaque(api, name))
@@ -68,16 +71,35 @@ static void put_constant(writer* w, const cJSON* constant) {
     put(w, "%s = %.0f\n", string_of(constant, "name"), cJSON_GetObjectItem(constant, "value")->valuedouble);
 }
 
+/* Writes what a field reads as, for type checkers. */
+static void put_annotation(writer* w, const cJSON* api, const cJSON* field) {
+    const cJSON* type = cJSON_GetObjectItem(field, "type");
+    const char *name = string_of(field, "name"), *other = replaced(keywords, name);
+    put(w, "    %s: ", other != NULL ? other : name);
+    if (is_callback(api, type) || number_of(type, "pointers") > 0 || number_of(type, "count") > 0) {
+        put(w, "Any\n");
+        return;
+    }
+    const bool declared = type_of(api, string_of(type, "name")) != NULL;
+    const char* plain = declared ? "int" : replaced(python_types, string_of(type, "name"));
+    if (plain != NULL)
+        put(w, "%s", plain);
+    else
+        put_pascal(w, string_of(type, "name"));
+    put(w, "\n");
+}
+
 static void put_struct(writer* w, const cJSON* api, const cJSON* structure) {
     const cJSON *fields = cJSON_GetObjectItem(structure, "fields"), *field;
     put(w, "\n\nclass ");
     put_pascal(w, string_of(structure, "name"));
-    put(w, "(%s):\n", is_sized(structure) ? "Sized" : "c.Structure");
+    put(w, "(%s):\n", is_sized(structure) ? "Sized" : "Struct");
     if (string_of(structure, "doc") != NULL) {
         put(w, "    \"\"\"");
         put_text(w, string_of(structure, "doc"));
         put(w, "\"\"\"\n\n");
     }
+    cJSON_ArrayForEach(field, fields) put_annotation(w, api, field);
     put(w, "    _fields_ = [\n");
     cJSON_ArrayForEach(field, fields) {
         const char *name = string_of(field, "name"), *other = replaced(keywords, name);
@@ -131,14 +153,12 @@ char* python_write(const cJSON* api) {
     const cJSON *entry, *constant;
     put(&w, "# %s\n", string_of(api, "about"));
     put(&w, "# pylint: disable=line-too-long, missing-class-docstring, too-many-lines, too-few-public-methods\n"
-            "\"\"\"The structs, constants and functions of the C headers, for ctypes.\"\"\"\nimport ctypes as c\n\n");
+            "\"\"\"The structs, constants and functions of the C headers, for ctypes.\"\"\"\nimport ctypes as c\nfrom "
+            "typing import Any\n\n"
+            "from .base import Sized, Struct\n\n");
     cJSON_ArrayForEach(constant, cJSON_GetObjectItem(api, "constants")) put_constant(&w, constant);
     cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "enums"))
         cJSON_ArrayForEach(constant, cJSON_GetObjectItem(entry, "constants")) put_constant(&w, constant);
-    put(&w, "\n\nclass Sized(c.Structure):\n    \"\"\"A struct that begins with its own size.\"\"\"\n\n"
-            "    def __init__(self, *arguments, **fields):\n"
-            "        super().__init__(*arguments, **fields)\n"
-            "        self.struct_size = c.sizeof(self)\n");
     cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "structs")) put_struct(&w, api, entry);
     put(&w, "\n");
     put_functions(&w, api, "FUNCTIONS", false);

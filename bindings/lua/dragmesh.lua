@@ -56,11 +56,12 @@ local function class(finish)
     methods.__index = methods
     --- Ends it now; a second time does nothing.
     function methods:close()
-        if self.handle ~= 0 and not self.context.closed then finish(self.context.pointer, self.handle) end
+        if self.handle ~= 0 and self.context.pointer ~= nil then finish(self.context.pointer, self.handle) end
         self.handle = ffi.cast("uint64_t", 0)
     end
-    methods.make = function(context, handle)
-        local self = setmetatable({ context = context, handle = handle }, methods)
+    -- kept: what must not be collected before this
+    methods.make = function(context, handle, kept)
+        local self = setmetatable({ context = context, handle = handle, kept = kept }, methods)
         self.guard = newproxy(true) -- LuaJIT collects userdata with __gc, tables it does not
         getmetatable(self.guard).__gc = function() self:close() end
         return self
@@ -81,7 +82,7 @@ Context.__index = Context
 function M.context(desc)
     local out = ffi.new "dm_context*[1]"
     check(C.dm_context_create(desc or M.new "dm_context_desc", out))
-    local self = setmetatable({ pointer = out[0], closed = false }, Context)
+    local self = setmetatable({ pointer = out[0] }, Context)
     self.guard = newproxy(true)
     getmetatable(self.guard).__gc = function() self:close() end
     return self
@@ -89,8 +90,8 @@ end
 
 --- Ends it, and everything made with it.
 function Context:close()
-    if not self.closed then C.dm_context_destroy(self.pointer) end
-    self.closed = true
+    C.dm_context_destroy(self.pointer)
+    self.pointer = nil -- later calls by what it has made are refused
 end
 
 --- Reads weights, each the bytes of a file as a string; nil = absent.
@@ -109,24 +110,26 @@ function Context:load_model_from(folder)
         read(folder .. "/ranker.safetensors"))
 end
 
---- Finds out how each part moves. desc: a dm_object_desc; what it points to must live during the call.
-function Context:prepare(desc)
+--- Finds out how each part moves. desc: a dm_object_desc; what it points to must live during the call. model: the weights,
+-- instead of desc.model; nil = none.
+function Context:prepare(desc, model)
     local out = ffi.new "dm_object[1]"
+    if model then desc.model = model.handle end
     check(C.dm_object_prepare(self.pointer, desc, out))
-    return Object.make(self, out[0])
+    return Object.make(self, out[0], model)
 end
 
 --- Reads the bytes of a .dmo, a string. model: for its motions; nil = none.
 function Context:load_object(data, model)
     local out = ffi.new "dm_object[1]"
     check(C.dm_object_load(self.pointer, data, #data, model and model.handle or 0, out))
-    return Object.make(self, out[0])
+    return Object.make(self, out[0], model)
 end
 
 function Context:scene()
     local out = ffi.new "dm_scene[1]"
     check(C.dm_scene_create(self.pointer, M.new "dm_scene_desc", out))
-    return Scene.make(self, out[0])
+    return Scene.make(self, out[0], {})
 end
 
 --- The ray through a pixel, (0, 0) the top left corner.
@@ -195,7 +198,7 @@ function Object:grab(desc)
     local out = ffi.new "dm_drag[1]"
     desc.object = self.handle
     check(C.dm_drag_begin(self.context.pointer, desc, out))
-    local drag = Drag.make(self.context, out[0])
+    local drag = Drag.make(self.context, out[0], self)
     drag.state = M.new "dm_drag_state" -- one for all frames
     return drag
 end
@@ -203,7 +206,7 @@ end
 function Object:motion(desc)
     local out = ffi.new "dm_motion[1]"
     check(C.dm_motion_generate(self.context.pointer, self.handle, desc, out))
-    return Motion.make(self.context, out[0])
+    return Motion.make(self.context, out[0], self)
 end
 
 --- The pose at t, 0 to 1, and the joint value.
@@ -274,6 +277,7 @@ function Drag:restore(data) check(C.dm_drag_restore(self.context.pointer, self.h
 function Scene:add(object, placement)
     local out = ffi.new "uint32_t[1]"
     check(C.dm_scene_add(self.context.pointer, self.handle, object.handle, placement, out))
+    self.kept[out[0]] = object
     return out[0]
 end
 
@@ -282,7 +286,10 @@ function Scene:move(instance, part, pose)
     check(C.dm_scene_move(self.context.pointer, self.handle, instance, part, pose))
 end
 
-function Scene:remove(instance) check(C.dm_scene_remove(self.context.pointer, self.handle, instance)) end
+function Scene:remove(instance)
+    check(C.dm_scene_remove(self.context.pointer, self.handle, instance))
+    self.kept[instance] = nil
+end
 
 function Scene:commit() check(C.dm_scene_commit(self.context.pointer, self.handle)) end
 

@@ -165,7 +165,7 @@ for i = 0, 1 do
     hints[i].struct_size, hints[i].id, hints[i].label = ffi.sizeof "dm_part_desc", i + 1, labels[i + 1]
 end
 local object = context:prepare(dragmesh.new("dm_object_desc",
-    { mesh = mesh, parts = hints, part_count = 2, model = model.handle }))
+    { mesh = mesh, parts = hints, part_count = 2 }), model)
 print_hypotheses(object, DOOR)
 print_hypotheses(object, DRAWER)
 local hit = pick(context, object)

@@ -43,6 +43,13 @@ for compiler in g++ clang++; do
         { echo "bindings: the example of C++ did not open a part" >&2; failed=1; }
 done
 LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
+LUA_PATH="$PWD/bindings/lua/?.lua;;" passes "reloads from LuaJIT" luajit bindings/lua/reload.lua "$build/libdragmesh.so" sdk/models \
+    tests/replay/hands/object.dmo
+
+# Python, Debian's own, with Debian's numpy.
+PYTHONPATH=bindings/python DRAGMESH_LIBRARY_PATH=$build same Python /usr/bin/python3 bindings/python/tests/scenario.py sdk/models
+DRAGMESH_LIBRARY_PATH=$build passes "the layer of Python" /usr/bin/python3 tests/python/test_binding.py
+passes "the wheel" tests/python/wheel.sh "$build"
 
 # Rust, by Debian's rustc. rustup's, which may stand in front, proves nothing.
 rust() {
@@ -64,7 +71,7 @@ for source in tests/Scenario tests/Behaviour tests/Reload examples/Open; do
     $mcs -r:"$work/DragMesh.dll" -out:"$work/$(basename $source).exe" "bindings/csharp/$source.cs"
 done
 same "C#" sharp Scenario sdk/models
-passes "the layer of C#" sharp Behaviour tests/replay/hands/object.dmo
+passes "the layer of C#" sharp Behaviour tests/replay/hands/object.dmo sdk/models
 passes "reloads from C#" sharp Reload sdk/models tests/replay/hands/object.dmo
 passes "the example of C#" sharp Open tests/replay/hands/object.dmo
 

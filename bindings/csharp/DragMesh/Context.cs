@@ -149,7 +149,8 @@ namespace DragMesh
         /// <summary>Finds out how each part moves.</summary>
         public PreparedObject Prepare(Mesh mesh, PrepareOptions options = null)
         {
-            return new PreparedObject(this, (options ?? new PrepareOptions()).Run(this, mesh));
+            if (options == null) options = new PrepareOptions();
+            return new PreparedObject(this, options.Run(this, mesh), options.Model);
         }
 
         /// <summary>Reads a .dmo. model: for its motions.</summary>
@@ -158,7 +159,7 @@ namespace DragMesh
             ulong id;
             fixed (byte* data = &MemoryMarshal.GetReference(dmo))
                 Check(Native.dm_object_load(Pointer, data, (UIntPtr)dmo.Length, model == null ? 0 : model.Id, &id));
-            return new PreparedObject(this, id);
+            return new PreparedObject(this, id, model);
         }
 
         /// <summary>Finds the part that a point of a mesh belongs to: 1 for each face that moves with it.</summary>

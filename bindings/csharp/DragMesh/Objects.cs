@@ -9,7 +9,7 @@ namespace DragMesh
     public abstract class Owned : SafeHandle
     {
         internal readonly Context Context;
-        internal readonly Owned Kept; // what ends this when it ends: not to be collected before
+        internal readonly Owned Kept; // what this needs: not to be collected before
         private readonly ContextHandle owner;
         private readonly ulong id;
 
@@ -66,7 +66,7 @@ namespace DragMesh
     /// <summary>Parts and their joints.</summary>
     public sealed unsafe class PreparedObject : Owned
     {
-        internal PreparedObject(Context context, ulong id) : base(context, id) { }
+        internal PreparedObject(Context context, ulong id, Model model) : base(context, id, model) { }
         internal override int End(IntPtr context, ulong ended) => Native.dm_object_destroy(context, ended);
 
         /// <summary>As dm_hit.object has it.</summary>

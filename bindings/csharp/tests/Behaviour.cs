@@ -1,4 +1,4 @@
-// What the layer of C# adds to the library: layout, exceptions, callbacks, owners. Behaviour OBJECT.dmo
+// What the layer of C# adds to the library: layout, exceptions, callbacks, owners. Behaviour OBJECT.dmo WEIGHTS_FOLDER
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -120,6 +120,31 @@ static class Behaviour
         context.Dispose();
     }
 
+    // In a method of its own, so that nothing refers to the weights when it returns.
+    private static PreparedObject WithWeights(Context context, string folder)
+    {
+        return context.Prepare(Chest(), new PrepareOptions { Model = context.LoadModel(folder) });
+    }
+
+    private static void Weights(string folder)
+    {
+        using (Context context = new Context())
+        {
+            PreparedObject chest = WithWeights(context, folder);
+            for (int i = 0; i < 3; i++)
+            {
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+            }
+            MotionDesc desc = MotionDesc.New();
+            desc.PartId = 7;
+            desc.Drag = new DragHint(new Vec3(0.5f, 0.56f, 0.6f), new Vec3(0, 0.2f, 0));
+            float value;
+            chest.Generate(desc).Sample(1, out value);
+            Must(Math.Abs(value) > 0.01f, "a motion by weights that nothing else keeps");
+        }
+    }
+
     private static void Poses()
     {
         Pose turn = Pose.From(0, 0.70710678f, 0, 0.70710678f, new Vec3(1, 2, 3)); // a quarter turn about y
@@ -157,6 +182,7 @@ static class Behaviour
         Exceptions(dmo);
         Callbacks();
         Owners(dmo);
+        Weights(arguments[1]);
         Poses();
         Garbage(dmo);
         Console.WriteLine("C#: {0} checks passed", checks);

@@ -1,8 +1,17 @@
-"""dragmesh: makes any 3D object openable. See api.py; lab.py is for training."""
-from .api import Axes, Context, Drag, Error, Event, Intent, JointType, Model, Motion, Object, Picking, load
-from .api import joint_frame, joint_pose, joint_value, joint_value_at, pose_matrix
-from .structs import Joint, PartState, Pose
+"""dragmesh: makes any 3D object openable. A typed layer over dragmesh.h; arrays are numpy's, and everything is in the
+host's own frame and units. lab.py is for training."""
+from .assets import prepare_gltf
+from .context import Context
+from .gltf import Gltf, write_glb
+from .native import Camera, Hit, Hypothesis, Joint, JointFrame, PartInfo, PartState, Pose, Ray, Vec3
+from .objects import Drag, Model, Motion, Object, Scene
+from .values import (Axes, Error, Event, Intent, JointSource, JointType, LinkKind, Phase, Picking, Rule, StepFlag,
+                     joint_frame, joint_pose, joint_scaled, joint_value, joint_value_at, load, pose_apply, pose_matrix,
+                     pose_multiply, version)
 
-__all__ = ["Axes", "Context", "Drag", "Error", "Event", "Intent", "Joint", "JointType", "Model", "Motion", "Object",
-           "PartState", "Picking", "Pose", "joint_frame", "joint_pose", "joint_value", "joint_value_at", "load",
-           "pose_matrix"]
+__version__ = "0.1.0"
+__all__ = ["Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf", "Hit", "Hypothesis", "Intent", "Joint",
+           "JointFrame", "JointSource", "JointType", "LinkKind", "Model", "Motion", "Object", "PartInfo", "PartState",
+           "Phase", "Picking", "Pose", "Ray", "Rule", "Scene", "StepFlag", "Vec3", "joint_frame", "joint_pose",
+           "joint_scaled", "joint_value", "joint_value_at", "load", "pose_apply", "pose_matrix", "pose_multiply",
+           "prepare_gltf", "version", "write_glb"]

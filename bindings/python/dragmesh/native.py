@@ -2,6 +2,9 @@
 # pylint: disable=line-too-long, missing-class-docstring, too-many-lines, too-few-public-methods
 """The structs, constants and functions of the C headers, for ctypes."""
 import ctypes as c
+from typing import Any
+
+from .base import Sized, Struct
 
 DM_VERSION_MAJOR = 0
 DM_VERSION_MINOR = 1
@@ -119,15 +122,10 @@ DM_GLTF_WRAP_CLAMP = 33071
 DM_GLTF_WRAP_MIRROR = 33648
 
 
-class Sized(c.Structure):
-    """A struct that begins with its own size."""
-
-    def __init__(self, *arguments, **fields):
-        super().__init__(*arguments, **fields)
-        self.struct_size = c.sizeof(self)
-
-
-class Vec3(c.Structure):
+class Vec3(Struct):
+    x: float
+    y: float
+    z: float
     _fields_ = [
         ("x", c.c_float),
         ("y", c.c_float),
@@ -135,27 +133,34 @@ class Vec3(c.Structure):
     ]
 
 
-class Pose(c.Structure):
+class Pose(Struct):
     """A rigid pose x' = R x + t as a unit dual quaternion real + eps dual, both in x, y, z, w order; dual = 1/2 t (*) real with t as a pure quaternion. Identity: real = {0,0,0,1}, dual = {0,0,0,0}."""
 
+    real: Any
+    dual: Any
     _fields_ = [
         ("real", c.c_float * 4),
         ("dual", c.c_float * 4),
     ]
 
 
-class Ray(c.Structure):
+class Ray(Struct):
     """direction need not be unit; distances along the ray are in host units, not in multiples of it."""
 
+    origin: Vec3
+    direction: Vec3
     _fields_ = [
         ("origin", Vec3),
         ("direction", Vec3),
     ]
 
 
-class Allocator(c.Structure):
+class Allocator(Struct):
     """Hooks: see \"Callbacks\" above. Host memory. allocate returns memory aligned to `alignment` (a power of two) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on."""
 
+    user: Any
+    allocate: Any
+    release: Any
     _fields_ = [
         ("user", c.c_void_p),
         ("allocate", c.CFUNCTYPE(c.c_void_p, c.c_void_p, c.c_size_t, c.c_size_t)),
@@ -163,18 +168,22 @@ class Allocator(c.Structure):
     ]
 
 
-class Log(c.Structure):
+class Log(Struct):
     """Messages for people. `text` is valid during the call."""
 
+    user: Any
+    message: Any
     _fields_ = [
         ("user", c.c_void_p),
         ("message", c.CFUNCTYPE(None, c.c_void_p, c.c_int32, c.c_int32, c.c_char_p)),
     ]
 
 
-class Jobs(c.Structure):
+class Jobs(Struct):
     """The host's job system. parallel_for runs task(data, i) for every i in [0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread."""
 
+    user: Any
+    parallel_for: Any
     _fields_ = [
         ("user", c.c_void_p),
         ("parallel_for", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint32, c.CFUNCTYPE(None, c.c_void_p, c.c_uint32), c.c_void_p)),
@@ -182,6 +191,15 @@ class Jobs(c.Structure):
 
 
 class ContextDesc(Sized):
+    struct_size: int
+    axes: int
+    unit_in_metres: float
+    custom_axes: Any
+    allocator: Allocator
+    log: Log
+    jobs: Jobs
+    picking: int
+    reserved: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("axes", c.c_int32),
@@ -196,6 +214,12 @@ class ContextDesc(Sized):
 
 
 class MemoryInfo(Sized):
+    struct_size: int
+    reserved: int
+    bytes: int
+    peak_bytes: int
+    allocations: int
+    pick_bytes: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -209,6 +233,13 @@ class MemoryInfo(Sized):
 class ModelDesc(Sized):
     """Bytes of safetensors files; each may be absent (NULL, 0). They are copied and repacked: free them after the call."""
 
+    struct_size: int
+    kinematics: Any
+    kinematics_size: int
+    motion: Any
+    motion_size: int
+    ranker: Any
+    ranker_size: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("kinematics", c.c_void_p),
@@ -223,6 +254,22 @@ class ModelDesc(Sized):
 class MeshDesc(Sized):
     """The host's mesh, read in place. Triangles. The sizes of the buffers guard against a forgotten format, scope or stride: one that does not hold what counts, formats and strides say is refused, and nothing is read past its end."""
 
+    struct_size: int
+    position_stride: int
+    positions: Any
+    vertex_count: int
+    position_bytes: int
+    indices: Any
+    index_count: int
+    index_bytes: int
+    part_ids: Any
+    part_id_bytes: int
+    part_id_stride: int
+    position_format: int
+    index_format: int
+    part_id_format: int
+    part_id_scope: int
+    reserved: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("position_stride", c.c_uint32),
@@ -243,18 +290,22 @@ class MeshDesc(Sized):
     ]
 
 
-class DragHint(c.Structure):
+class DragHint(Struct):
     """A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it."""
 
+    point: Vec3
+    vector: Vec3
     _fields_ = [
         ("point", Vec3),
         ("vector", Vec3),
     ]
 
 
-class Pivot(c.Structure):
+class Pivot(Struct):
     """Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin."""
 
+    origin: Vec3
+    axes: Any
     _fields_ = [
         ("origin", Vec3),
         ("axes", c.c_float * 9),
@@ -262,6 +313,13 @@ class Pivot(c.Structure):
 
 
 class PartDesc(Sized):
+    struct_size: int
+    id: int
+    parent: int
+    joint_type: int
+    drag: Any
+    label: Any
+    pivot: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("id", c.c_uint32),
@@ -276,6 +334,16 @@ class PartDesc(Sized):
 class Joint(Sized):
     """How a part moves."""
 
+    struct_size: int
+    type: int
+    type_confidence: float
+    joint_confidence: float
+    pitch: float
+    axis: Vec3
+    origin: Vec3
+    lower: float
+    upper: float
+    source: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("type", c.c_int32),
@@ -293,6 +361,17 @@ class Joint(Sized):
 class JointFrame(Sized):
     """A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y and z are any, the same for the same joint; x, y, z and `rotation` have determinant +1 in the host's coordinates."""
 
+    struct_size: int
+    type: int
+    origin: Vec3
+    x: Vec3
+    y: Vec3
+    z: Vec3
+    rotation: Any
+    lower: float
+    upper: float
+    limits: int
+    pitch: float
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("type", c.c_int32),
@@ -311,6 +390,10 @@ class JointFrame(Sized):
 class PartState(Sized):
     """Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, value)."""
 
+    struct_size: int
+    value: float
+    pose: Pose
+    joint: Joint
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("value", c.c_float),
@@ -320,6 +403,14 @@ class PartState(Sized):
 
 
 class PartInfo(Sized):
+    struct_size: int
+    id: int
+    parent: int
+    triangle_count: int
+    box_min: Vec3
+    box_max: Vec3
+    centre: Vec3
+    area: float
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("id", c.c_uint32),
@@ -332,9 +423,14 @@ class PartInfo(Sized):
     ]
 
 
-class JointEnd(c.Structure):
+class JointEnd(Struct):
     """Where a hypothesis takes its part at one end of its range. Host object frame. Frozen."""
 
+    value: float
+    pose: Pose
+    box_min: Vec3
+    box_max: Vec3
+    centre: Vec3
     _fields_ = [
         ("value", c.c_float),
         ("pose", Pose),
@@ -347,6 +443,10 @@ class JointEnd(c.Structure):
 class Hypothesis(Sized):
     """A ranked hypothesis and what it would do. struct_size: what the library has filled."""
 
+    struct_size: int
+    reserved: int
+    joint: Any
+    ends: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -358,6 +458,10 @@ class Hypothesis(Sized):
 class Choice(Sized):
     """A part and its hypotheses, for the host to choose from. Valid during the call."""
 
+    struct_size: int
+    count: int
+    part: Any
+    hypotheses: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("count", c.c_uint32),
@@ -367,6 +471,23 @@ class Choice(Sized):
 
 
 class ObjectDesc(Sized):
+    struct_size: int
+    flags: int
+    mesh: Any
+    parts: Any
+    part_count: int
+    reserved: int
+    model: int
+    seed: int
+    intent: Any
+    intent_user: Any
+    progress: Any
+    progress_user: Any
+    label: Any
+    up: Vec3
+    reserved2: int
+    choose: Any
+    choose_user: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("flags", c.c_uint32),
@@ -389,6 +510,14 @@ class ObjectDesc(Sized):
 
 
 class ObjectInfo(Sized):
+    struct_size: int
+    part_count: int
+    vertex_count: int
+    triangle_count: int
+    box_min: Vec3
+    box_max: Vec3
+    size: float
+    pickable: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("part_count", c.c_uint32),
@@ -404,6 +533,12 @@ class ObjectInfo(Sized):
 class MotionDesc(Sized):
     """What the player asked for. The network answers with a motion of DM_MOTION_FRAMES poses from rest."""
 
+    struct_size: int
+    part_id: int
+    drag: DragHint
+    path: Any
+    path_count: int
+    seed: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("part_id", c.c_uint32),
@@ -414,9 +549,15 @@ class MotionDesc(Sized):
     ]
 
 
-class DragFeel(c.Structure):
+class DragFeel(Struct):
     """How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter through two ratios, which are times: smoothing_time is damping over stiffness, coast_time inertia over damping."""
 
+    smoothing_time: float
+    soft_limit: float
+    coast_time: float
+    detent: float
+    detent_pull: float
+    return_time: float
     _fields_ = [
         ("smoothing_time", c.c_float),
         ("soft_limit", c.c_float),
@@ -430,6 +571,27 @@ class DragFeel(c.Structure):
 class DragRules(Sized):
     """What a part does besides following the hand. Zeros are off, but for the defaults of thresholds. \"Range\" is from lower to upper limit; where one of them is missing, 1 rad or the object's size. docs/feel.md."""
 
+    struct_size: int
+    flags: int
+    snaps: Any
+    snap_count: int
+    snap_reach: float
+    open_share: float
+    closed_share: float
+    event_time: float
+    max_speed: float
+    max_acceleration: float
+    lock_give: float
+    latch_turn: float
+    auto_close_share: float
+    auto_close_time: float
+    close_delay: float
+    tip_share: float
+    fall_time: float
+    restitution: float
+    break_distance: float
+    drive_speed: float
+    reserved: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("flags", c.c_uint32),
@@ -455,9 +617,16 @@ class DragRules(Sized):
     ]
 
 
-class Link(c.Structure):
+class Link(Struct):
     """A link between two parts. Frozen."""
 
+    driver: int
+    driven: int
+    kind: int
+    flags: int
+    ratio: float
+    offset: float
+    from_: float
     _fields_ = [
         ("driver", c.c_uint32),
         ("driven", c.c_uint32),
@@ -470,6 +639,18 @@ class Link(c.Structure):
 
 
 class DragDesc(Sized):
+    struct_size: int
+    part_id: int
+    object: int
+    grab_point: Vec3
+    start_value: float
+    feel: DragFeel
+    flags: int
+    limit_give: float
+    state: Any
+    scale: Vec3
+    reserved: int
+    rules: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("part_id", c.c_uint32),
@@ -486,7 +667,12 @@ class DragDesc(Sized):
     ]
 
 
-class Hand(c.Structure):
+class Hand(Struct):
+    kind: int
+    ray: Ray
+    point: Vec3
+    amount: float
+    grab_point: Vec3
     _fields_ = [
         ("kind", c.c_int32),
         ("ray", Ray),
@@ -499,6 +685,13 @@ class Hand(c.Structure):
 class DragInput(Sized):
     """All that can be told a drag in one update."""
 
+    struct_size: int
+    flags: int
+    hand: Hand
+    second: Hand
+    handles: Any
+    lower: float
+    upper: float
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("flags", c.c_uint32),
@@ -511,6 +704,18 @@ class DragInput(Sized):
 
 
 class DragState(Sized):
+    struct_size: int
+    pose: Pose
+    grab_point: Vec3
+    value: float
+    target: float
+    velocity: float
+    at_limit: int
+    phase: int
+    changes: int
+    events: int
+    detents: int
+    impact: float
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("pose", Pose),
@@ -528,6 +733,12 @@ class DragState(Sized):
 
 
 class ReleaseDesc(Sized):
+    struct_size: int
+    intent: int
+    duration: float
+    seed: int
+    flags: int
+    away_from: Vec3
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("intent", c.c_int32),
@@ -539,6 +750,12 @@ class ReleaseDesc(Sized):
 
 
 class ReleasePlan(Sized):
+    struct_size: int
+    intent: int
+    start_value: float
+    end_value: float
+    duration: float
+    from_network: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("intent", c.c_int32),
@@ -550,6 +767,14 @@ class ReleasePlan(Sized):
 
 
 class Camera(Sized):
+    struct_size: int
+    fov_y: float
+    eye: Vec3
+    forward: Vec3
+    up: Vec3
+    viewport_width: float
+    viewport_height: float
+    ortho_height: float
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("fov_y", c.c_float),
@@ -563,6 +788,8 @@ class Camera(Sized):
 
 
 class SceneDesc(Sized):
+    struct_size: int
+    reserved: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -570,6 +797,17 @@ class SceneDesc(Sized):
 
 
 class Hit(Sized):
+    struct_size: int
+    instance: int
+    object: int
+    part_id: int
+    triangle: int
+    distance: float
+    u: float
+    v: float
+    point: Vec3
+    normal: Vec3
+    object_point: Vec3
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("instance", c.c_uint32),
@@ -586,6 +824,59 @@ class Hit(Sized):
 
 
 class Core1(Sized):
+    struct_size: int
+    reserved: int
+    result_string: Any
+    version: Any
+    context_create: Any
+    context_destroy: Any
+    context_get_memory: Any
+    model_load: Any
+    model_unload: Any
+    mesh_find_part: Any
+    object_prepare: Any
+    object_save: Any
+    object_load: Any
+    object_destroy: Any
+    object_get_info: Any
+    object_get_part: Any
+    object_get_joint: Any
+    object_get_hypotheses: Any
+    object_refine: Any
+    object_set_joint: Any
+    object_reset_joint: Any
+    joint_pose: Any
+    joint_value: Any
+    joint_get_frame: Any
+    joint_scale: Any
+    motion_generate: Any
+    motion_sample: Any
+    motion_get_frames: Any
+    motion_destroy: Any
+    drag_begin: Any
+    drag_update: Any
+    drag_release: Any
+    drag_end: Any
+    drag_get_part_state: Any
+    drag_snapshot_size: Any
+    drag_save: Any
+    drag_restore: Any
+    pose_multiply: Any
+    pose_to_matrix: Any
+    pose_apply_points: Any
+    camera_ray: Any
+    scene_create: Any
+    scene_destroy: Any
+    scene_add: Any
+    scene_move: Any
+    scene_remove: Any
+    scene_commit: Any
+    scene_pick: Any
+    drag_step: Any
+    drag_take: Any
+    object_set_links: Any
+    object_follow_links: Any
+    joint_value_at: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -643,9 +934,12 @@ class Core1(Sized):
     ]
 
 
-class GltfFiles(c.Structure):
+class GltfFiles(Struct):
     """Files beside a .gltf: buffers when it is opened, images when it is exported or a surface is asked for."""
 
+    user: Any
+    open: Any
+    close: Any
     _fields_ = [
         ("user", c.c_void_p),
         ("open", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_char_p, c.POINTER(c.c_void_p), c.POINTER(c.c_size_t))),
@@ -654,6 +948,13 @@ class GltfFiles(c.Structure):
 
 
 class GltfDesc(Sized):
+    struct_size: int
+    reserved: int
+    data: Any
+    size: int
+    allocator: Allocator
+    log: Log
+    files: GltfFiles
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -665,9 +966,17 @@ class GltfDesc(Sized):
     ]
 
 
-class GltfNode(c.Structure):
+class GltfNode(Struct):
     """What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces are those of the merged mesh. It holds the nodes with meshes in file order (document order of the nodes array), a node's primitives in order, every vertex in the scene's frame less dm_gltf_get_origin (node transforms applied). Primitives of a node that share an accessor share its vertices. A node with a skin stands bone by bone, as its bones stand in the file; a vertex goes with its heaviest bone."""
 
+    name: Any
+    node: int
+    carrier: int
+    first_vertex: int
+    vertex_count: int
+    first_face: int
+    face_count: int
+    colour: Any
     _fields_ = [
         ("name", c.c_char_p),
         ("node", c.c_uint32),
@@ -680,9 +989,16 @@ class GltfNode(c.Structure):
     ]
 
 
-class GltfSurface(c.Structure):
+class GltfSurface(Struct):
     """Faces of the merged mesh that lie side by side and have one material. Those of a dm_gltf_node are one or more."""
 
+    first_face: int
+    face_count: int
+    colour: Any
+    image: Any
+    image_size: int
+    wrap_u: int
+    wrap_v: int
     _fields_ = [
         ("first_face", c.c_uint64),
         ("face_count", c.c_uint64),
@@ -694,9 +1010,17 @@ class GltfSurface(c.Structure):
     ]
 
 
-class GltfTrack(c.Structure):
+class GltfTrack(Struct):
     """One animated part: which faces it takes and its key poses (host frame = the file's scene frame, from rest)."""
 
+    name: Any
+    face_ids: Any
+    value: int
+    reserved: Any
+    poses: Any
+    times: Any
+    key_count: int
+    reserved2: int
     _fields_ = [
         ("name", c.c_char_p),
         ("face_ids", c.POINTER(c.c_uint8)),
@@ -709,9 +1033,15 @@ class GltfTrack(c.Structure):
     ]
 
 
-class GltfPart(c.Structure):
+class GltfPart(Struct):
     """A mesh to write as one node of a new .glb."""
 
+    name: Any
+    positions: Any
+    indices: Any
+    vertex_count: int
+    index_count: int
+    colour: Any
     _fields_ = [
         ("name", c.c_char_p),
         ("positions", c.POINTER(c.c_float)),
@@ -789,12 +1119,12 @@ GLTF_FUNCTIONS = {  # name: (result, arguments)
     "dm_gltf_get_surface": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(GltfSurface)]),
     "dm_gltf_get_texture_coordinates": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(c.c_float), c.c_uint64]),
     "dm_gltf_mark_faces": (c.c_int32, [c.c_void_p, c.POINTER(c.c_char_p), c.c_uint32, c.c_uint8, c.POINTER(c.c_uint8), c.c_uint64]),
-    "dm_gltf_get_hints": (c.c_int32, [c.c_void_p, c.c_char_p, c.c_char, c.c_size_t, c.POINTER(Pivot)]),
+    "dm_gltf_get_hints": (c.c_int32, [c.c_void_p, c.c_char_p, c.c_char_p, c.c_size_t, c.POINTER(Pivot)]),
     "dm_gltf_read_mask": (c.c_int32, [c.c_void_p, c.c_void_p, c.c_size_t, c.POINTER(c.c_int64), c.POINTER(c.c_uint8), c.POINTER(c.c_int32), c.POINTER(c.c_int32)]),
     "dm_gltf_export": (c.c_int32, [c.c_void_p, c.POINTER(GltfTrack), c.c_uint32, c.POINTER(c.c_void_p), c.POINTER(c.c_size_t)]),
     "dm_gltf_release_bytes": (None, [c.c_void_p, c.c_void_p, c.c_size_t]),
     "dm_gltf_write": (c.c_int32, [c.POINTER(GltfPart), c.c_uint32, c.POINTER(Allocator), c.POINTER(Log), c.POINTER(c.c_void_p), c.POINTER(c.c_size_t)]),
-    "dm_gltf_mend_text": (c.c_size_t, [c.c_char]),
+    "dm_gltf_mend_text": (c.c_size_t, [c.c_char_p]),
 }
 
 LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
