@@ -32,10 +32,11 @@ class BuildWithLibraries(build_py):
 
 
 class PlatformWheel(bdist_wheel):
-    """For any Python 3 of one platform: nothing is compiled against Python."""
+    """For any Python 3 of one platform: nothing is compiled against Python. DRAGMESH_WHEEL_PLATFORM: its tag, where it
+    is not that of this machine."""
 
     def get_tag(self):
-        return ("py3", "none", super().get_tag()[2])
+        return ("py3", "none", os.environ.get("DRAGMESH_WHEEL_PLATFORM", super().get_tag()[2]))
 
 
 class WithLibraries(Distribution):

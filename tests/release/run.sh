@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/release/run.sh — makes the release of this machine and of the source, twice, with the same bytes; builds hosts with
+# tests/release/run.sh — makes the release of this machine, of the source and of each language, twice, with the same bytes; builds hosts with
 # it (hosts.sh), and the library from the unpacked source by CMakeLists.txt: the same answers, the same exports.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -8,9 +8,9 @@ trap 'rm -rf "$work"' EXIT
 dist=$PWD/build/dist
 case $(uname -m) in aarch64) platform=linux-arm64 ;; *) platform=linux-x64 ;; esac
 rm -rf "$dist"
-scripts/release $platform source > "$work/release.log"
+scripts/release $platform source rust unity wheel > "$work/release.log"
 cp "$dist/SHA256SUMS" "$work/first"
-scripts/release $platform source > "$work/release.log"
+scripts/release $platform source rust unity wheel > "$work/release.log"
 cmp "$dist/SHA256SUMS" "$work/first"
 (cd "$dist" && sha256sum --quiet -c SHA256SUMS)
 binaries=$(echo "$dist"/dragmesh-*-$platform.tar.gz) source=$(echo "$dist"/dragmesh-*-source.tar.gz)
