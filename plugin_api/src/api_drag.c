@@ -8,6 +8,7 @@
 
 #include "api_check.h"
 #include "api_joint_check.h"
+#include "math/elementary.h"
 #include "math/vec3.h"
 
 /* By hand; docs/feel.md. */
@@ -90,11 +91,11 @@ static float scaled_size(const start* s, const float min[3], const float max[3],
     *out_centre = (dm_vec3){0.5f * s->scale.x * (low.x + high.x), 0.5f * s->scale.y * (low.y + high.y),
                             0.5f * s->scale.z * (low.z + high.z)};
     if (is_unscaled(s->scale)) {
-        const float side = fmaxf(max[0] - min[0], fmaxf(max[1] - min[1], max[2] - min[2]));
+        const float side = dmi_fmaxf(max[0] - min[0], dmi_fmaxf(max[1] - min[1], max[2] - min[2]));
         return side * dmi_frame_length_out(&s->object->frame);
     }
     const float x = fabsf(s->scale.x) * (high.x - low.x), y = fabsf(s->scale.y) * (high.y - low.y);
-    return fmaxf(x, fmaxf(y, fabsf(s->scale.z) * (high.z - low.z)));
+    return dmi_fmaxf(x, dmi_fmaxf(y, fabsf(s->scale.z) * (high.z - low.z)));
 }
 
 static void measure(start* s) {
@@ -176,7 +177,7 @@ static void grab_middle(const start* s, dm_drag_desc* desc) {
 static void warn_of_point(dmi_env* env, const start* s) {
     const dm_vec3 p = s->desc->grab_point;
     const float x = p.x - s->centre.x, y = p.y - s->centre.y, z = p.z - s->centre.z;
-    const float far = fmaxf(fabsf(x), fmaxf(fabsf(y), fabsf(z))) / s->object_size;
+    const float far = dmi_fmaxf(fabsf(x), dmi_fmaxf(fabsf(y), fabsf(z))) / s->object_size;
     if (!(far > FAR_POINT)) return;
     dmi_warn(env,
              "dm_drag_begin: desc.grab_point (%g, %g, %g) is %.0f object sizes away from the object, which is %g host "
@@ -187,7 +188,7 @@ static void warn_of_point(dmi_env* env, const start* s) {
 static void warn_of_value(dmi_env* env, const start* s) {
     const char* field = s->desc->state != NULL ? "desc.state.value" : "desc.start_value";
     const dm_joint* joint = &s->joint;
-    const float value = s->value, beyond = fmaxf(value - joint->upper, joint->lower - value);
+    const float value = s->value, beyond = dmi_fmaxf(value - joint->upper, joint->lower - value);
     if (joint->type == DM_JOINT_PRISMATIC && fabsf(value) > FAR_SLIDE * s->object_size) {
         dmi_warn(env,
                  "dm_drag_begin: %s is %g host units, the object is %g large. Were millimetres or another unit meant?",
@@ -214,7 +215,7 @@ static bool is_button(const start* s) {
 static dmi_free_range free_range_out(const start* s, int32_t type, dmi_free_range inner) {
     if (!(s->scale.x > 0 && s->scale.x == s->scale.y && s->scale.x == s->scale.z)) return dmi_unbounded_range();
     const float length = type == DM_JOINT_PRISMATIC ? s->scale.x * dmi_frame_length_out(&s->object->frame) : 1;
-    return (dmi_free_range){fmaxf(inner.lower * length, -FLT_MAX), fminf(inner.upper * length, FLT_MAX)};
+    return (dmi_free_range){dmi_fmaxf(inner.lower * length, -FLT_MAX), dmi_fminf(inner.upper * length, FLT_MAX)};
 }
 
 /* Adds slides along the axes of the canonical frame. */
@@ -316,7 +317,7 @@ static bool same_pose(const dm_pose* a, const dm_pose* b) {
 static dm_drag_feel usable_feel(const dm_drag_feel* given) {
     dm_drag_feel feel = *given;
     float* const numbers[4] = {&feel.smoothing_time, &feel.coast_time, &feel.return_time, &feel.detent};
-    for (int i = 0; i < 4; i++) *numbers[i] = fmaxf(fminf(*numbers[i], LARGEST_FEEL), -LARGEST_FEEL);
+    for (int i = 0; i < 4; i++) *numbers[i] = dmi_fmaxf(dmi_fminf(*numbers[i], LARGEST_FEEL), -LARGEST_FEEL);
     return feel;
 }
 
@@ -330,7 +331,7 @@ static void begin(dmi_drag_slot* slot, start* s) {
     const bool certain = s->desc->flags & DM_DRAG_KEEP_JOINT || s->joint.source == DM_JOINT_FROM_HOST;
     const dm_pose on_joint = dmi_joint_pose(&s->joint, s->value);
     if (!certain && dmi_joint_has_limits(&s->joint)) { /* an earlier drag may have exceeded the estimated limits */
-        s->joint.lower = fminf(s->joint.lower, s->value), s->joint.upper = fmaxf(s->joint.upper, s->value);
+        s->joint.lower = dmi_fminf(s->joint.lower, s->value), s->joint.upper = dmi_fmaxf(s->joint.upper, s->value);
     }
     if (feel.return_time == 0.0f && is_button(s)) feel.return_time = BUTTON_RETURN_TIME;
     slot->scale = s->scale;
@@ -481,7 +482,7 @@ static void write_part_state(const dmi_drag_slot* slot, dm_part_state* out_state
     const uint32_t room = out_state->struct_size - (uint32_t)offsetof(dm_part_state, joint);
     state.joint.struct_size = room < sizeof state.joint ? room : (uint32_t)sizeof state.joint;
     if (drag->tracker.round > 0) state.joint.joint_confidence = dmi_hypothesis_tracker_confidence(&drag->tracker);
-    state.joint.type_confidence = fmaxf(state.joint.type_confidence, state.joint.joint_confidence);
+    state.joint.type_confidence = dmi_fmaxf(state.joint.type_confidence, state.joint.joint_confidence);
     dmi_write_out(out_state, &state, sizeof state);
 }
 

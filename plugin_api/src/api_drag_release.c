@@ -5,6 +5,7 @@
 #include "api_drag.h"
 #include "api_joint_check.h"
 #include "api_motion.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -81,7 +82,7 @@ static int32_t side_away_from(const dmi_drag* drag, dm_vec3 from) {
 /* Returns what DM_INTENT_TOGGLE stands for. */
 static int32_t toggled(const dmi_drag* drag) {
     const dm_joint* joint = &drag->joint;
-    const float rest = dmi_joint_clamp(joint, 0), way = fmaxf(joint->upper - rest, rest - joint->lower);
+    const float rest = dmi_joint_clamp(joint, 0), way = dmi_fmaxf(joint->upper - rest, rest - joint->lower);
     return fabsf(drag->value - rest) > 0.5f * way ? DM_INTENT_CLOSE : DM_INTENT_OPEN;
 }
 

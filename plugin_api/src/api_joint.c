@@ -6,6 +6,7 @@
 #include "api_handles.h"
 #include "api_joint_check.h"
 #include "api_model.h"
+#include "math/elementary.h"
 
 #define DEGREES_BEYOND 25.0f /* rad: four turns. A hinge with a farther limit was meant in degrees; by hand */
 
@@ -109,7 +110,7 @@ static bool same_motion(const dm_joint* a, const dm_joint* b) {
 
 static void warn_of_degrees(dmi_env* env, const dm_joint* joint) {
     if (joint->type != DM_JOINT_REVOLUTE || !dmi_joint_has_limits(joint)) return;
-    const float most = fmaxf(fabsf(joint->lower), fabsf(joint->upper));
+    const float most = dmi_fmaxf(fabsf(joint->lower), fabsf(joint->upper));
     if (most <= DEGREES_BEYOND || dmi_joint_open_side(joint, 1) != 0) return;
     dmi_warn(env, "dm_object_set_joint: joint has limits %g to %g: they are taken as radians. Were degrees meant?",
              (double)joint->lower, (double)joint->upper);

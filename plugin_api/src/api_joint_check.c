@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "api_check.h"
+#include "math/elementary.h"
 #include "math/joint.h"
 
 #define MIN_AXIS_LENGTH 1e-6 /* of a host's axis; shorter ones have no direction; by hand */
@@ -126,8 +127,8 @@ dm_result dmi_scale_read(dmi_env* env, const char* what, dm_vec3 scale, dm_vec3*
     *out = scale;
     const int zeros = (scale.x == 0) + (scale.y == 0) + (scale.z == 0);
     if (zeros == 3) *out = (dm_vec3){1, 1, 1};
-    const float most = fmaxf(fabsf(out->x), fmaxf(fabsf(out->y), fabsf(out->z)));
-    const float least = fminf(fabsf(out->x), fminf(fabsf(out->y), fabsf(out->z)));
+    const float most = dmi_fmaxf(fabsf(out->x), dmi_fmaxf(fabsf(out->y), fabsf(out->z)));
+    const float least = dmi_fminf(fabsf(out->x), dmi_fminf(fabsf(out->y), fabsf(out->z)));
     if (least >= 1 / LARGEST_SCALE && most <= LARGEST_SCALE) return DM_OK;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is (%g, %g, %g): each factor must be %g to %g, or all 0", what,
                     (double)scale.x, (double)scale.y, (double)scale.z, 1 / (double)LARGEST_SCALE,
@@ -136,7 +137,7 @@ dm_result dmi_scale_read(dmi_env* env, const char* what, dm_vec3 scale, dm_vec3*
 
 /* A limit that is none stays finite. */
 static float scaled_limit(float limit, float length) {
-    return fmaxf(fminf(limit * length, FLT_MAX), -FLT_MAX);
+    return dmi_fmaxf(dmi_fminf(limit * length, FLT_MAX), -FLT_MAX);
 }
 
 /* The line goes through the scaled points. A mirror turns a turn's direction round, so its axis is reversed (a slide's

@@ -4,6 +4,7 @@
 #include "api_check.h"
 #include "api_joint_check.h"
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/joint.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -57,7 +58,7 @@ static float value_of(const dm_joint* joint, const dm_pose* pose) {
 
 static float angle_between(const dm_pose* a, const dm_pose* b) {
     const dm_pose back = dmi_pose_inverse(a), off = dmi_pose_multiply(&back, b);
-    return 2 * atan2f(dmi_length3(off.real), fabsf(off.real[3]));
+    return 2 * dmi_atan2f(dmi_length3(off.real), fabsf(off.real[3]));
 }
 
 static float distance_between(const dm_pose* a, const dm_pose* b, const float point[3]) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define MIN_HALF_SINE 1e-7f /* sine of half the angle below which a rotation is rounding noise: a translation */
@@ -40,7 +41,8 @@ dm_pose dmi_pose_from_rotation_translation(const float rotation[4], const float 
 
 /* Closed form: t = p - R p would cancel digits where the axis is far from the origin. */
 dm_pose dmi_pose_from_screw(const float axis[3], const float point[3], float angle, float distance) {
-    const float s = sinf(0.5f * angle), c = cosf(0.5f * angle), h = 0.5f * distance;
+    const dmi_circlef half = dmi_circle_atf(0.5f * angle);
+    const float s = half.sine, c = half.cosine, h = 0.5f * distance;
     float moment[3];
     dmi_cross3(point, axis, moment);
     dm_pose pose;
@@ -131,7 +133,7 @@ dmi_screw dmi_pose_to_screw(const dm_pose* pose) {
     const float* d = pose->dual;
     const float s = dmi_length3(r);
     if (!(s > MIN_HALF_SINE)) return translation_screw(pose);
-    dmi_screw screw = {.axis = {r[0] / s, r[1] / s, r[2] / s}, .angle = 2 * atan2f(s, r[3])};
+    dmi_screw screw = {.axis = {r[0] / s, r[1] / s, r[2] / s}, .angle = 2 * dmi_atan2f(s, r[3])};
     /* With h half the distance, m = p x a the moment and c, s of half the angle, the dual part is (s m + h c a, -h s).
      * c (d . a) - s d_w = h loses no digits at either end of the angles, as -d_w / s does near 0. */
     const float h = r[3] * dmi_dot3(d, screw.axis) - s * d[3];

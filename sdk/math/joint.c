@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -18,7 +19,7 @@ bool dmi_joint_has_limits(const dm_joint* joint) {
 
 float dmi_joint_clamp(const dm_joint* joint, float value) {
     if (!dmi_joint_has_limits(joint)) return value;
-    return fminf(fmaxf(value, joint->lower), joint->upper);
+    return dmi_fminf(dmi_fmaxf(value, joint->lower), joint->upper);
 }
 
 float dmi_joint_open_end(const dm_joint* joint) {
@@ -49,7 +50,7 @@ float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near) 
          * sign. */
         const float s = dmi_dot3(pose->real, dmi_xyz(joint->axis).v), c = pose->real[3];
         if (s == 0 && c == 0) return near; /* half a turn about a perpendicular axis: all twists are equally near */
-        value = 2 * atan2f(s, c);
+        value = 2 * dmi_atan2f(s, c);
         value += DMI_TWO_PI_F * roundf((near - value) / DMI_TWO_PI_F);
     } else if (joint->type == DM_JOINT_PRISMATIC) {
         float translation[3];
@@ -68,10 +69,12 @@ void dmi_joint_reverse(dm_joint* joint) {
 void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
     const dmi_float3 axis = dmi_xyz(joint->axis), origin = dmi_xyz(joint->origin);
     const float distance = (joint->type == DM_JOINT_PRISMATIC ? 1 : advance(joint)) * value;
-    if (dmi_joint_turns(joint->type))
-        dmi_turn3(axis.v, origin.v, cosf(value), sinf(value), rest_point, out);
-    else
+    if (dmi_joint_turns(joint->type)) {
+        const dmi_circlef at = dmi_circle_atf(value);
+        dmi_turn3(axis.v, origin.v, at.cosine, at.sine, rest_point, out);
+    } else {
         dmi_copy3(rest_point, out);
+    }
     dmi_madd3(out, distance, axis.v, out);
 }
 

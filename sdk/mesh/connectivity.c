@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 #define NONE UINT32_MAX
 #define NO_CONCAVE_CUT 2.0f  /* a sine that no edge exceeds */
 #define CELL_TOLERANCES 4    /* side of a grid cell in tolerances; by hand: few searches then leave the cell */
@@ -72,7 +74,7 @@ dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolera
     uint32_t buckets = MIN_BUCKETS;
     while (buckets < mesh->vertex_count) buckets *= 2;
     grid grid = {.mesh = mesh, .tolerance = tolerance, .mask = buckets - 1};
-    grid.cells_a_unit = 1 / fmaxf(CELL_TOLERANCES * tolerance, MIN_CELL);
+    grid.cells_a_unit = 1 / dmi_fmaxf(CELL_TOLERANCES * tolerance, MIN_CELL);
     grid.heads = dmi_arena_push(arena, buckets * sizeof(uint32_t));
     grid.next = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
     if (grid.heads == NULL || grid.next == NULL) return out_of_memory(arena, mesh);

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
 #include "math/vec3.h"
 
 #define ACTIVE_EVERY 3           /* rounds: the active hypothesis is shown, so it is refined more often; by hand */
@@ -36,7 +37,7 @@ static float cost_of_shift(const dmi_grasp* grasp, const dmi_joint_hypothesis* h
     initial.origin = dmi_vec3(hypothesis->initial_origin);
     origin_at(hypothesis, fit, shift, &there.origin);
     const float far = (shift[0] * shift[0] + shift[1] * shift[1]) / (2 * SHIFT_DEVIATION * SHIFT_DEVIATION);
-    return EXACT_LINE_LOG_ODDS + fmaxf(dmi_joint_log_odds(&hypothesis->joint), 0) + far +
+    return EXACT_LINE_LOG_ODDS + dmi_fmaxf(dmi_joint_log_odds(&hypothesis->joint), 0) + far +
            dmi_lever_arm_log_prior(grasp, &initial) - dmi_lever_arm_log_prior(grasp, &there);
 }
 

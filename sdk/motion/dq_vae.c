@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "math/elementary.h"
 #include "math/vec3.h"
 #include "motion/dq_vae_net.h"
 
@@ -152,7 +153,7 @@ static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
     memcpy(s->inputs + WHOLE, object->global, sizeof object->global);
     dmi_mlp_apply(&vae->local, kernels, s->inputs, 1, 0, s->hidden, f_local);
     kernels->modulate(f_local, 1, VAE_FEATURE, s->films.local_scale, s->films.local_shift);
-    for (uint32_t i = 0; i < VAE_FEATURE; i++) f_local[i] = fmaxf(f_local[i], 0.0f);
+    for (uint32_t i = 0; i < VAE_FEATURE; i++) f_local[i] = dmi_fmaxf(f_local[i], 0.0f);
 }
 
 /* Gated fusion (§3.3.2) and the latent's distribution. */
@@ -165,7 +166,7 @@ static void encode_latent(const dmi_dq_vae* vae, const dmi_kernels* kernels, scr
     dmi_mlp_apply(&vae->encoder, kernels, s->inputs, 1, 0, s->hidden, s->latent);
     for (uint32_t i = 0; i < DMI_VAE_LATENT; i++) {
         out->mean[i] = s->latent[i];
-        out->log_variance[i] = fminf(fmaxf(s->latent[DMI_VAE_LATENT + i], MIN_LOG_VARIANCE), MAX_LOG_VARIANCE);
+        out->log_variance[i] = dmi_fminf(dmi_fmaxf(s->latent[DMI_VAE_LATENT + i], MIN_LOG_VARIANCE), MAX_LOG_VARIANCE);
     }
 }
 
@@ -174,7 +175,7 @@ static void sample_latent(const dmi_vae_output* distribution, uint32_t seed, flo
     dmi_random random = dmi_random_make(seed, 0);
     for (uint32_t i = 0; i < DMI_VAE_LATENT; i++) {
         const float noise = seed ? dmi_random_normal(&random) : 0.0f;
-        out_z[i] = distribution->mean[i] + expf(0.5f * distribution->log_variance[i]) * noise;
+        out_z[i] = distribution->mean[i] + dmi_expf(0.5f * distribution->log_variance[i]) * noise;
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/compiler.h"
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/vec3.h"
 
 /* Largest step of the grabbed point that one update makes whole, as a multiple of the pointer's own. By hand: where the
@@ -40,7 +41,7 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     drag->value = drag->target = dmi_joint_clamp(joint, start_value);
     drag->pointer_value = dmi_feel_pointer_value(feel, joint, drag->target);
     drag->blend = dmi_pose_blend_none();
-    drag->release.return_time = fmaxf(feel->return_time, 0);
+    drag->release.return_time = dmi_fmaxf(feel->return_time, 0);
     drag->speed = speed_of(joint, drag->rest_point);
     drag->told = told_nothing;
     drag->asked = drag->target;
@@ -70,17 +71,18 @@ static float target_at(dmi_drag* drag, float pointer_value) {
     const float asked = drag->rules.on ? dmi_snaps_pull(&drag->rules.snaps, pointer_value) : pointer_value;
     if (!drag->limits_are_estimates) return dmi_feel_target(&drag->feel, &drag->joint, asked);
     const float target = dmi_feel_soft_target(&drag->feel, drag->estimated_lower, drag->estimated_upper, asked);
-    const float kept = fminf(fmaxf(target, drag->reachable_lower), drag->reachable_upper);
+    const float kept = dmi_fminf(dmi_fmaxf(target, drag->reachable_lower), drag->reachable_upper);
     if (drag->rules.on && dmi_latch_holds(&drag->latch)) return kept;
     const float reached = drag->rules.on ? dmi_bounds_clamp(drag->told.bounds, kept) : kept;
-    drag->joint.lower = fminf(drag->joint.lower, reached), drag->joint.upper = fmaxf(drag->joint.upper, reached);
+    drag->joint.lower = dmi_fminf(drag->joint.lower, reached),
+    drag->joint.upper = dmi_fmaxf(drag->joint.upper, reached);
     return kept;
 }
 
 INLINE bool unit_ray(const dm_ray* ray, dm_ray* out) {
     const dm_vec3 o = ray->origin, d = ray->direction;
     if (!isfinite(o.x) || !isfinite(o.y) || !isfinite(o.z)) return false;
-    const float most = fmaxf(fabsf(d.x), fmaxf(fabsf(d.y), fabsf(d.z)));
+    const float most = dmi_fmaxf(fabsf(d.x), dmi_fmaxf(fabsf(d.y), fabsf(d.z)));
     if (!(most > 0) || !isfinite(d.x) || !isfinite(d.y) || !isfinite(d.z)) return false;
     const float x = d.x / most, y = d.y / most, z = d.z / most, length = sqrtf(x * x + y * y + z * z);
     *out = (dm_ray){o, {x / length, y / length, z / length}};
@@ -135,8 +137,8 @@ INLINE float ray_motion(const dmi_drag* drag, const dm_ray* ray) {
 INLINE void move_pointer(dmi_drag* drag, float nearest, float hand_motion, float dt) {
     const float gap = nearest - drag->pointer_value, motion = hand_motion / drag->speed;
     const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : GLIDE_GAIN * motion;
-    const float rest = (fabsf(gap) - at_once) * (1 - expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
-    const float step = at_once + (dmi_joint_turns(drag->joint.type) ? fminf(rest, MAX_GLIDE * dt) : rest);
+    const float rest = (fabsf(gap) - at_once) * (1 - dmi_expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
+    const float step = at_once + (dmi_joint_turns(drag->joint.type) ? dmi_fminf(rest, MAX_GLIDE * dt) : rest);
     if (isfinite(step)) drag->pointer_value += copysignf(step, gap);
 }
 
@@ -314,15 +316,15 @@ void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag
     drag->question = (dmi_question){.open = (input->flags & DM_INPUT_ASK) != 0,
                                     .start = start,
                                     .dt = time,
-                                    .lower = fminf(drag->told.bounds.lower, drag->value),
-                                    .upper = fmaxf(drag->told.bounds.upper, drag->value),
+                                    .lower = dmi_fminf(drag->told.bounds.lower, drag->value),
+                                    .upper = dmi_fmaxf(drag->told.bounds.upper, drag->value),
                                     .watch = watch};
     drag->told = told_nothing;
 }
 
 void dmi_drag_take(dmi_drag* drag, float value, dm_drag_state* out_state) {
     const dmi_question* question = &drag->question;
-    const float kept = dmi_joint_clamp(&drag->joint, fminf(fmaxf(value, question->lower), question->upper));
+    const float kept = dmi_joint_clamp(&drag->joint, dmi_fminf(dmi_fmaxf(value, question->lower), question->upper));
     if (kept != drag->value && question->dt > 0) drag->velocity = (kept - question->start) / question->dt;
     drag->stalled = drag->stalled || (kept != drag->value && drag->release.phase == DM_DRAG_RELEASED);
     drag->value = kept;

@@ -1,6 +1,7 @@
 /* What hands other than one pointer ask for: a hand in space, a scalar, two hands. */
 #include <math.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 #include "motion/drag_internal.h"
@@ -135,8 +136,8 @@ static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));
     if (dmi_joint_has_limits(&drag->joint)) {
-        value = fmaxf(value, estimated ? drag->estimated_lower : drag->joint.lower);
-        value = fminf(value, estimated ? drag->estimated_upper : drag->joint.upper);
+        value = dmi_fmaxf(value, estimated ? drag->estimated_lower : drag->joint.lower);
+        value = dmi_fminf(value, estimated ? drag->estimated_upper : drag->joint.upper);
     }
     if (isfinite(value)) drag->pointer_value = value;
     dmi_drag_ask(drag);

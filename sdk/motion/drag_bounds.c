@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
+
 /* By hand. */
 #define STOP_HALF_LIFE 0.02f    /* s in which half of the way to a bound is made at most, and half of the way back */
 #define CATCH_UP_HALF_LIFE 0.1f /* s in which a part that is free again makes up for half of what it is behind */
@@ -11,7 +13,7 @@
 #define FREE_SHARE 0.02f        /* … and free of it again this far */
 
 float dmi_bounds_clamp(dmi_bounds bounds, float value) {
-    return fminf(fmaxf(value, bounds.lower), bounds.upper);
+    return dmi_fminf(dmi_fmaxf(value, bounds.lower), bounds.upper);
 }
 
 bool dmi_bounds_hold(dmi_bounds bounds, float value, float target, float range, bool held_before) {
@@ -24,7 +26,7 @@ bool dmi_bounds_hold(dmi_bounds bounds, float value, float target, float range, 
  * at the start, not negative; out_speed: at the end. */
 static float longest_step(const dmi_rules* rules, float speed, float dt, float* out_speed) {
     const float most = rules->max_speed > 0 ? rules->max_speed : INFINITY, gain = rules->max_acceleration;
-    const float start = fminf(speed, most), end = gain > 0 ? fminf(start + gain * dt, most) : most;
+    const float start = dmi_fminf(speed, most), end = gain > 0 ? dmi_fminf(start + gain * dt, most) : most;
     *out_speed = end;
     if (!(gain > 0)) return most * dt;
     const float rise = (end - start) / gain; /* s in which it gets faster */
@@ -36,7 +38,7 @@ static bool limit_speed(const dmi_rules* rules, float before, float speed_before
     if (!(rules->max_speed > 0) && !(rules->max_acceleration > 0)) return false;
     const float step = *value - before, side = step < 0 ? -1.0f : 1.0f;
     float speed;
-    const float longest = longest_step(rules, fmaxf(side * speed_before, 0), dt, &speed);
+    const float longest = longest_step(rules, dmi_fmaxf(side * speed_before, 0), dt, &speed);
     if (!(fabsf(step) > longest)) return false;
     *value = before + side * longest;
     *velocity = side * speed;
@@ -46,9 +48,9 @@ static bool limit_speed(const dmi_rules* rules, float before, float speed_before
 /* Makes no more than a share of the way to the bounds, and at least that share of the way back to them. */
 static bool limit_to_bounds(dmi_bounds bounds, float before, float dt, float* value, float* velocity) {
     if (bounds.lower == -INFINITY && bounds.upper == INFINITY) return false;
-    const float share = 1 - exp2f(-dt / STOP_HALF_LIFE);
+    const float share = 1 - dmi_exp2f(-dt / STOP_HALF_LIFE);
     const float most = before + (bounds.upper - before) * share, least = before + (bounds.lower - before) * share;
-    const float asked = *value, kept = fmaxf(fminf(asked, most), least);
+    const float asked = *value, kept = dmi_fmaxf(dmi_fminf(asked, most), least);
     if (kept == asked) return false;
     *value = before >= bounds.lower && before <= bounds.upper ? dmi_bounds_clamp(bounds, kept) : kept;
     if (dt > 0) *velocity = (*value - before) / dt;
@@ -64,5 +66,5 @@ bool dmi_limit_step(const dmi_rules* rules, dmi_bounds bounds, float before, flo
 float dmi_catch_up(float asked, float last, float lag, float dt) {
     const float gap = last - asked;
     if (!(gap * lag > 0)) return asked; /* it is there, or the hand has come back past it */
-    return asked + copysignf(fminf(fabsf(gap), fabsf(lag)), lag) * exp2f(-dt / CATCH_UP_HALF_LIFE);
+    return asked + copysignf(dmi_fminf(fabsf(gap), fabsf(lag)), lag) * dmi_exp2f(-dt / CATCH_UP_HALF_LIFE);
 }

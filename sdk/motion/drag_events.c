@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
+
 /* By hand; documented at DM_EVENT_*. */
 #define NEAR_SHARE 0.005f      /* of the range: at a limit or at rest within */
 #define FAR_SHARE 0.02f        /* of the range: away from it beyond */
@@ -44,7 +46,7 @@ static void watch_limits(dmi_watch* watch, const dmi_watched* now) {
     const int32_t met = now->struck != 0 && was != now->struck ? now->struck : watch->limit; /* it may be off again */
     if (met == was || met == 0) return;
     watch->events |= met > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
-    watch->impact = fmaxf(watch->peak_speed, now->impact);
+    watch->impact = dmi_fmaxf(watch->peak_speed, now->impact);
 }
 
 static void watch_rest(dmi_watch* watch, const dmi_watched* now) {
@@ -72,9 +74,10 @@ static void watch_detents(dmi_watch* watch, const dmi_watched* now) {
     if (!(fabsf(place - watch->catch_index) > RIDGE)) return;
     const float was = watch->catch_index, is = roundf(place), snaps = (float)now->rules->snaps.count;
     const float first = snaps > 0 ? 0 : -INFINITY, last = snaps > 0 ? snaps - 1 : INFINITY; /* beyond there is none */
-    const float passed = is > was ? fminf(is, last) - fmaxf(was, first - 1) : fminf(was, last + 1) - fmaxf(is, first);
+    const float passed =
+        is > was ? dmi_fminf(is, last) - dmi_fmaxf(was, first - 1) : dmi_fminf(was, last + 1) - dmi_fmaxf(is, first);
     watch->catch_index = is;
-    watch->detents = (uint32_t)fminf(fmaxf(passed, 0), MAX_DETENTS);
+    watch->detents = (uint32_t)dmi_fminf(dmi_fmaxf(passed, 0), MAX_DETENTS);
     if (watch->detents > 0) watch->events |= DM_EVENT_DETENT;
 }
 
@@ -89,7 +92,7 @@ void dmi_watch_update(dmi_watch* watch, const dmi_watched* now, float dt) {
     watch->events = watch->detents = 0;
     watch->impact = 0;
     watch->since_opening += dt;
-    watch->peak_speed = fmaxf(fabsf(now->velocity), watch->peak_speed * exp2f(-dt / PEAK_HALF_LIFE));
+    watch->peak_speed = dmi_fmaxf(fabsf(now->velocity), watch->peak_speed * dmi_exp2f(-dt / PEAK_HALF_LIFE));
     watch_limits(watch, now);
     watch_bounce(watch, now);
     watch_rest(watch, now);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 
 #define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life; by hand: hides a mouse's pixels */
 #define DEFAULT_COAST_TIME 0.1f      /* s, half-life; by hand */
@@ -16,7 +17,7 @@
 #define LIMIT_BELOW 1e-4             /* rad: sin(x) / x and sinh(x) / x count as 1 below */
 
 float dmi_feel_soft_width(const dm_drag_feel* feel, const dm_joint* joint) {
-    const float share = fminf(fmaxf(feel->soft_limit, 0), MAX_SOFT_SHARE);
+    const float share = dmi_fminf(dmi_fmaxf(feel->soft_limit, 0), MAX_SOFT_SHARE);
     return dmi_joint_has_limits(joint) ? share * (joint->upper - joint->lower) : 0;
 }
 
@@ -28,7 +29,7 @@ static float soften_end(float x, float w) {
 
 /* Inverse of soften_end. */
 static float harden_end(float y, float w) {
-    return y <= -w ? y : 2 * w * (1 - sqrtf(fmaxf(1 - (y + w) / w, 0))) - w;
+    return y <= -w ? y : 2 * w * (1 - sqrtf(dmi_fmaxf(1 - (y + w) / w, 0))) - w;
 }
 
 /* Applies one of the two maps at both ends of the range. */
@@ -39,14 +40,14 @@ static float map_ends(const dm_drag_feel* feel, const dm_joint* joint, float val
 }
 
 float dmi_feel_detent_pull(const dm_drag_feel* feel) {
-    return feel->detent_pull == 0 ? DEFAULT_DETENT_PULL : fminf(fmaxf(feel->detent_pull, 0), 1);
+    return feel->detent_pull == 0 ? DEFAULT_DETENT_PULL : dmi_fminf(dmi_fmaxf(feel->detent_pull, 0), 1);
 }
 
 /* Moves a value towards the nearest detent; monotone, with the least slope at the detents. */
 static float pull_to_detent(const dm_drag_feel* feel, float value) {
     if (!(feel->detent > 0)) return value;
     const float place = value / feel->detent, turns = place - roundf(place);
-    return value - dmi_feel_detent_pull(feel) * feel->detent / DMI_TWO_PI_F * sinf(DMI_TWO_PI_F * turns);
+    return value - dmi_feel_detent_pull(feel) * feel->detent / DMI_TWO_PI_F * dmi_sinf(DMI_TWO_PI_F * turns);
 }
 
 /* Inverse of pull_to_detent, by bisection. */
@@ -69,7 +70,7 @@ float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float poi
 
 /* Dead zone of one width; the map returns to the identity at three widths. */
 static float dead_zone(float beyond, float width) {
-    return beyond >= 3 * width ? beyond : 1.5f * fmaxf(beyond - width, 0);
+    return beyond >= 3 * width ? beyond : 1.5f * dmi_fmaxf(beyond - width, 0);
 }
 
 float dmi_feel_soft_target(const dm_drag_feel* feel, float lower, float upper, float pointer_value) {
@@ -90,13 +91,13 @@ float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, f
 }
 
 float dmi_feel_coast_time(const dm_drag_feel* feel) {
-    return feel->coast_time == 0 ? DEFAULT_COAST_TIME : fmaxf(feel->coast_time, 0);
+    return feel->coast_time == 0 ? DEFAULT_COAST_TIME : dmi_fmaxf(feel->coast_time, 0);
 }
 
 /* Solves x' = rate (T - x) with T linear from `before` to `target`. The result is a convex combination of x and both
  * targets, so it stays within limits. */
 static float follow_first_order(float rate, float before, float target, float dt, float value) {
-    const float k = rate * dt, kept = expf(-k);
+    const float k = rate * dt, kept = dmi_expf(-k);
     const float lag = k > SERIES_BELOW ? (1 - kept) / k : 1 - k / 2 + k * k / 6; /* (1 - exp(-k)) / k */
     return (1 - lag) * target + (lag - kept) * before + kept * value;
 }
@@ -110,13 +111,14 @@ static void follow_second_order(double tau, double rate, double before, double t
     const double y = *value - before + lag, v = *velocity - slope;
     double cosine, sine; /* decayed cos (cosh) of w dt, and decayed sin (sinh) of w dt over w */
     if (square >= 0) {
-        const double slow = exp((w - damping) * dt), fast = exp((-w - damping) * dt);
+        const double slow = dmi_exp((w - damping) * dt), fast = dmi_exp((-w - damping) * dt);
         cosine = 0.5 * (slow + fast);
         sine = w * dt > LIMIT_BELOW ? 0.5 * (slow - fast) / w : dt * fast;
     } else {
-        const double decay = exp(-damping * dt);
-        cosine = decay * cos(w * dt);
-        sine = w * dt > LIMIT_BELOW ? decay * sin(w * dt) / w : dt * decay;
+        const double decay = dmi_exp(-damping * dt);
+        const dmi_circle at = dmi_circle_at(w * dt);
+        cosine = decay * at.cosine;
+        sine = w * dt > LIMIT_BELOW ? decay * at.sine / w : dt * decay;
     }
     *value = target - lag + y * (cosine + damping * sine) + v * sine;
     *velocity = slope + v * (cosine - damping * sine) - y * (rate / tau) * sine;

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
+
 #define MAX_BOUNCES 16        /* of one step, then it stays at the limit; by hand */
 #define SETTLED_SHARE 0.002f  /* of the range: a bounce that does not rise higher is none; by hand */
 #define STANDING_SHARE 0.002f /* of the range: a glide that has no farther to go stands; by hand */
@@ -17,7 +19,7 @@ typedef struct approach {
 static float time_to_strike(const dmi_flight* flight, approach to, float pull) {
     if (flight->acceleration == 0) { /* distance = speed * time_constant * (1 - exp(-t / time_constant)) */
         const float reach = to.speed * flight->time_constant;
-        return reach > to.distance ? -flight->time_constant * logf(1 - to.distance / reach) : INFINITY;
+        return reach > to.distance ? -flight->time_constant * dmi_logf(1 - to.distance / reach) : INFINITY;
     }
     const float square = to.speed * to.speed + 2 * pull * to.distance;
     if (square < 0 || (pull < 0 && to.speed <= 0)) return INFINITY;
@@ -32,7 +34,7 @@ static void move(const dmi_flight* flight, float time, float* value, float* velo
         *velocity += flight->acceleration * time;
         return;
     }
-    const float kept = expf(-time / flight->time_constant);
+    const float kept = dmi_expf(-time / flight->time_constant);
     *value += *velocity * flight->time_constant * (1 - kept);
     *velocity *= kept;
 }
@@ -47,7 +49,7 @@ static bool settles(const dmi_flight* flight, int32_t side, float speed) {
 static void strike(const dmi_flight* flight, int32_t side, dmi_landing* landing, float* value, float* velocity) {
     const float speed = fabsf(*velocity), back = flight->restitution * speed;
     landing->struck = side;
-    landing->impact = fmaxf(landing->impact, speed);
+    landing->impact = dmi_fmaxf(landing->impact, speed);
     landing->settled = settles(flight, side, back);
     *value = side > 0 ? flight->upper : flight->lower;
     *velocity = landing->settled ? 0 : -(float)side * back;
@@ -57,12 +59,12 @@ dmi_landing dmi_flight_advance(const dmi_flight* flight, float dt, float* inout_
     dmi_landing landing = {0};
     float left = dt;
     for (int i = 0; i < MAX_BOUNCES && !landing.settled; i++) {
-        const approach up = {fmaxf(flight->upper - *inout_value, 0), *inout_velocity},
-                       down = {fmaxf(*inout_value - flight->lower, 0), -*inout_velocity};
+        const approach up = {dmi_fmaxf(flight->upper - *inout_value, 0), *inout_velocity},
+                       down = {dmi_fmaxf(*inout_value - flight->lower, 0), -*inout_velocity};
         const float to_upper = time_to_strike(flight, up, flight->acceleration);
         const float to_lower = time_to_strike(flight, down, -flight->acceleration);
-        const float time = fminf(to_upper, to_lower);
-        move(flight, fminf(time, left), inout_value, inout_velocity);
+        const float time = dmi_fminf(to_upper, to_lower);
+        move(flight, dmi_fminf(time, left), inout_value, inout_velocity);
         if (!(time <= left)) {
             landing.settled = flight->acceleration == 0 && settles(flight, 0, fabsf(*inout_velocity));
             return landing;

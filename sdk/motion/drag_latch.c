@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
+
 /* By hand. */
 #define CATCH_SHARE 0.01f /* of the range from rest: the latch catches the part within */
 #define LET_GO 0.8f       /* of the turn that opens the latch: a handle below has been let go */
@@ -24,7 +26,7 @@ static void update_lock(dmi_latch* latch, float value, bool locked) {
 
 uint32_t dmi_latch_update(dmi_latch* latch, const dmi_rules* rules, const dm_joint* joint, float value, bool locked,
                           const float handles[2]) {
-    const float turn = fmaxf(fabsf(handles[0]), fabsf(handles[1])), rest = dmi_joint_clamp(joint, 0);
+    const float turn = dmi_fmaxf(fabsf(handles[0]), fabsf(handles[1])), rest = dmi_joint_clamp(joint, 0);
     uint32_t events = 0;
     latch->turned = turn >= (latch->turned ? LET_GO : 1) * rules->latch_turn;
     if (latch->closed && latch->turned) {
@@ -51,7 +53,7 @@ float dmi_latch_give(const dmi_latch* latch, const dmi_rules* rules, const dm_jo
 
 uint32_t dmi_latch_try(dmi_latch* latch, const dmi_rules* rules, const dm_joint* joint, float asked) {
     const bool was = latch->tried;
-    const float threshold = fmaxf(most_given(rules, joint), CATCH_SHARE * dmi_rules_range(rules, joint));
+    const float threshold = dmi_fmaxf(most_given(rules, joint), CATCH_SHARE * dmi_rules_range(rules, joint));
     const float off = fabsf(asked - latch->at);
     latch->tried = dmi_latch_holds(latch) && off > (was ? LET_UP : TRIED) * threshold;
     return latch->tried && !was ? DM_EVENT_LOCKED : 0;

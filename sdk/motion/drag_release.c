@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 
 /* By hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
 #define LOOK_AHEAD 0.2f           /* s: the part is taken to be where its velocity carries it in this time */
@@ -127,17 +128,17 @@ static float shortest_duration(const dmi_released_part* part, float distance) {
     float time = 0;
     const float speed = rules_of(part)->max_speed, acceleration = rules_of(part)->max_acceleration;
     if (speed > 0) time = PEAK_SPEED * fabsf(distance) / speed;
-    return acceleration > 0 ? fmaxf(time, sqrtf(PEAK_ACCELERATION * fabsf(distance) / acceleration)) : time;
+    return acceleration > 0 ? dmi_fmaxf(time, sqrtf(PEAK_ACCELERATION * fabsf(distance) / acceleration)) : time;
 }
 
 /* Returns the duration of a motion over `distance`: by the share of the range, and not slower than the part already
  * goes. */
 static float natural_duration(const dmi_released_part* part, float distance) {
     const float speed = fabsf(part->velocity), range = range_of(part->joint);
-    const float share = dmi_joint_has_limits(part->joint) ? fminf(fabsf(distance) / range, 1) : 1;
+    const float share = dmi_joint_has_limits(part->joint) ? dmi_fminf(fabsf(distance) / range, 1) : 1;
     float time = FULL_RANGE_TIME * sqrtf(share);
-    if (part->velocity * distance > 0) time = fminf(time, 2 * fabsf(distance) / speed);
-    return fmaxf(fmaxf(time, MIN_DURATION), shortest_duration(part, distance));
+    if (part->velocity * distance > 0) time = dmi_fminf(time, 2 * fabsf(distance) / speed);
+    return dmi_fmaxf(dmi_fmaxf(time, MIN_DURATION), shortest_duration(part, distance));
 }
 
 /* Glides to a stop or to a limit; with detents or snap values, moves on to the nearest one instead. */
@@ -158,7 +159,7 @@ static float velocity_with_room(const dmi_released_part* part, const dmi_release
     const float distance = r->end - r->start, u = r->velocity;
     if (u * distance >= 0) return u;
     const float room = u > 0 ? part->joint->upper - r->start : r->start - part->joint->lower;
-    return copysignf(fminf(fabsf(u), fmaxf(room, 0) / (MAX_BACKWARDS * r->duration)), u);
+    return copysignf(dmi_fminf(fabsf(u), dmi_fmaxf(room, 0) / (MAX_BACKWARDS * r->duration)), u);
 }
 
 static void plan_move(const dmi_released_part* part, dmi_release* r, float end) {
@@ -166,7 +167,7 @@ static void plan_move(const dmi_released_part* part, dmi_release* r, float end) 
     r->end = end;
     r->duration =
         r->return_time > 0 && r->intent == DM_INTENT_CLOSE ? r->return_time : natural_duration(part, distance);
-    if (fabsf(distance) <= ARRIVED_SHARE * fmaxf(range_of(part->joint), 0)) r->duration = 0;
+    if (fabsf(distance) <= ARRIVED_SHARE * dmi_fmaxf(range_of(part->joint), 0)) r->duration = 0;
 }
 
 static dmi_flight flight_of(const dmi_release* r, const dmi_released_part* part) {
@@ -179,7 +180,7 @@ static dmi_flight flight_of(const dmi_release* r, const dmi_released_part* part)
 
 /* Makes a glide that a limit throws back, or a fall, of the plan. */
 static void plan_flight(const dmi_released_part* part, dmi_release* r, bool by_itself) {
-    const float side = r->end < r->start ? -1.0f : 1.0f, time = fmaxf(rules_of(part)->fall_time, MIN_FALL_TIME);
+    const float side = r->end < r->start ? -1.0f : 1.0f, time = dmi_fmaxf(rules_of(part)->fall_time, MIN_FALL_TIME);
     r->acceleration = 0;
     if (r->intent == DM_INTENT_STAY && r->glides && is_thrown_back(part)) {
         const dmi_flight flight = flight_of(r, part);
@@ -223,7 +224,7 @@ void dmi_release_begin(dmi_release* r, const dmi_released_part* part, int32_t in
     else if (asked != DM_INTENT_FREEZE)
         r->intent = DM_INTENT_STAY, plan_stay(part, r);
     if (intent == DM_INTENT_AUTO && asked == DM_INTENT_CLOSE && r->duration > 0 && closes_itself(part))
-        r->duration = fmaxf(rules_of(part)->auto_close_time, shortest_duration(part, r->end - r->start));
+        r->duration = dmi_fmaxf(rules_of(part)->auto_close_time, shortest_duration(part, r->end - r->start));
     else if (rules_of(part)->on)
         plan_flight(part, r, intent == DM_INTENT_AUTO && r->return_time <= 0 && asked != DM_INTENT_STAY);
     if (duration > 0 && r->duration > 0) r->duration = duration;
@@ -294,7 +295,7 @@ static float move_at(const dmi_release* r, float s) {
 
 static float glide_at(const dmi_release* r, const dm_drag_feel* feel) {
     const float time_constant = dmi_feel_coast_time(feel) / DMI_LN_2_F;
-    return r->start + r->velocity * time_constant * (1 - expf(-r->elapsed / time_constant));
+    return r->start + r->velocity * time_constant * (1 - dmi_expf(-r->elapsed / time_constant));
 }
 
 void dmi_release_advance(dmi_release* r, const dm_drag_feel* feel, const dm_joint* joint, float dt, float* out_value,

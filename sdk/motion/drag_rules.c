@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
+
 /* By hand; documented at dm_drag_rules. */
 #define DEFAULT_OPEN_SHARE 0.1f    /* of the range */
 #define DEFAULT_CLOSED_SHARE 0.02f /* of the range */
@@ -44,7 +46,7 @@ dmi_rules dmi_rules_from(const dm_drag_rules* given, const dm_drag_feel* feel, c
                        .event_time = given->event_time,
                        .max_speed = given->max_speed,
                        .max_acceleration = given->max_acceleration,
-                       .lock_give = fmaxf(given_or(given->lock_give, DEFAULT_LOCK_GIVE), 0),
+                       .lock_give = dmi_fmaxf(given_or(given->lock_give, DEFAULT_LOCK_GIVE), 0),
                        .latch_turn = given_or(given->latch_turn, DEFAULT_LATCH_TURN),
                        .auto_close_share = given->auto_close_share,
                        .auto_close_time = given_or(given->auto_close_time, DEFAULT_AUTO_CLOSE),

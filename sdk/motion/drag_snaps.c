@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 
 #define BISECTIONS 40 /* of twice the longest reach: below a float's rounding */
 
@@ -21,7 +22,7 @@ static float reach_of(const dmi_snaps* snaps, uint32_t index, bool upwards) {
     if (!has_next) return snaps->outer_reach;
     const uint32_t low = upwards ? index : index - 1;
     const float half = 0.5f * (snaps->values[low + 1] - snaps->values[low]);
-    return snaps->reach > 0 ? fminf(snaps->reach, half) : half;
+    return snaps->reach > 0 ? dmi_fminf(snaps->reach, half) : half;
 }
 
 float dmi_snaps_pull(const dmi_snaps* snaps, float value) {
@@ -29,7 +30,7 @@ float dmi_snaps_pull(const dmi_snaps* snaps, float value) {
     const uint32_t i = nearest(snaps, value);
     const float off = value - snaps->values[i], reach = reach_of(snaps, i, off > 0);
     if (!(fabsf(off) < reach)) return value;
-    return value - snaps->pull * reach / DMI_PI_F * sinf(DMI_PI_F * off / reach);
+    return value - snaps->pull * reach / DMI_PI_F * dmi_sinf(DMI_PI_F * off / reach);
 }
 
 float dmi_snaps_invert(const dmi_snaps* snaps, float target) {
@@ -61,5 +62,6 @@ float dmi_snaps_place(const dmi_snaps* snaps, float value) {
     const uint32_t i = nearest(snaps, value);
     const float off = value - snaps->values[i];
     const bool outer = off > 0 ? i + 1 == snaps->count : i == 0;
-    return (float)i + fminf(fmaxf(0.5f * off / reach_of(snaps, i, off > 0), outer ? -1 : -0.5f), outer ? 1 : 0.5f);
+    return (float)i +
+           dmi_fminf(dmi_fmaxf(0.5f * off / reach_of(snaps, i, off > 0), outer ? -1 : -0.5f), outer ? 1 : 0.5f);
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -120,7 +121,8 @@ static slopes perspective_slopes(vec3 d, vec3 p, vec3 velocity, vec3 acceleratio
 }
 
 static slopes slopes_at(turn_view* view, float value) {
-    const float c = cosf(value), s = sinf(value);
+    const dmi_circlef at = dmi_circle_atf(value);
+    const float c = at.cosine, s = at.sine;
     vec3 p, velocity, acceleration;
     for (int i = 0; i < 3; i++) {
         const float radius = c * view->u[i] + s * view->w[i];
@@ -145,7 +147,7 @@ static float descend(turn_view* view, float start, float lower, float upper) {
         float step = slope.second > 0 ? -slope.first / slope.second : -copysignf(MAX_STEP, slope.first);
         step = dmi_clamp(step, -MAX_STEP, MAX_STEP);
         float next = dmi_clamp(value + step, lower, upper);
-        if (fabsf(next - value) <= view->step_tolerance * fmaxf(1, fabsf(value))) return next;
+        if (fabsf(next - value) <= view->step_tolerance * dmi_fmaxf(1, fabsf(value))) return next;
         if (next <= left || next >= right) next = 0.5f * (left + right);
         value = next;
     }
@@ -154,7 +156,8 @@ static float descend(turn_view* view, float start, float lower, float upper) {
 
 /* Returns the distance of the point at `value` from the ray; infinite behind the eye of a perspective. */
 static float distance_from_ray(turn_view* view, float value) {
-    const float c = cosf(value), s = sinf(value);
+    const dmi_circlef at = dmi_circle_atf(value);
+    const float c = at.cosine, s = at.sine;
     vec3 p;
     for (int i = 0; i < 3; i++) {
         p[i] = view->centre[i] + c * view->u[i] + s * view->w[i] + value * view->advance[i];
@@ -173,7 +176,7 @@ static float pass_fold(turn_view* view, float value, float lower, float upper) {
     const float arm = dmi_length3(view->u);
     if (!(out * out + side * side > MIN_SLANT * MIN_SLANT * arm * arm)) return value;
     const float quarter = DMI_HALF_PI_F,
-                slope = atan2f(side, out) + quarter; /* where the circle runs parallel to the ray */
+                slope = dmi_atan2f(side, out) + quarter; /* where the circle runs parallel to the ray */
     const float fold = slope + DMI_PI_F * roundf((value - slope) / DMI_PI_F), gap = 2 * (fold - value);
     const float other = value + gap, longest = value > lower && value < upper ? MAX_FOLD : MAX_FOLD_AT_LIMIT;
     if (fabsf(gap) > longest || other < lower || other > upper) return value;
@@ -210,7 +213,7 @@ static float follow(const dm_joint* joint, const float rest_point[3], const dm_r
         turn_view view = view_turn(joint, rest_point, ray, projection);
         view.step_tolerance = coarse ? COARSE_TOLERANCE : STEP_TOLERANCE;
         if (!moves_point(joint, rest_point, &view)) return start;
-        const float least = fmaxf(lower, start - DMI_PI_F), most = fminf(upper, start + DMI_PI_F);
+        const float least = dmi_fmaxf(lower, start - DMI_PI_F), most = dmi_fminf(upper, start + DMI_PI_F);
         value = descend(&view, start, least, most);
         if (!coarse) value = find_branch(&view, pass_fold(&view, value, least, most), least, most);
     }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -30,8 +31,8 @@ static bool view_turn(const dm_joint* joint, const float rest_point[3], const fl
     dmi_reject3(w, axis.v);
     dmi_cross3(u, w, across);
     out->product = dmi_length3(u) * dmi_length3(w);
-    out->angle = atan2f(dmi_dot3(across, axis.v), dmi_dot3(u, w));
-    return fminf(dmi_length3(u), dmi_length3(w)) > MIN_ARM * size;
+    out->angle = dmi_atan2f(dmi_dot3(across, axis.v), dmi_dot3(u, w));
+    return dmi_fminf(dmi_length3(u), dmi_length3(w)) > MIN_ARM * size;
 }
 
 /* Minimises -product cos(v - angle) + (pitch v - along)^2 / 2 downhill from `start`. */
@@ -39,10 +40,11 @@ static float follow_screw(const turn* view, float pitch, float start) {
     float value = start;
     for (int i = 0; i < MAX_STEPS; i++) {
         const float off = pitch * value - view->along;
-        const float first = view->product * sinf(value - view->angle) + pitch * off;
-        const float second = view->product * cosf(value - view->angle) + pitch * pitch;
+        const dmi_circlef at = dmi_circle_atf(value - view->angle);
+        const float first = view->product * at.sine + pitch * off;
+        const float second = view->product * at.cosine + pitch * pitch;
         const float step = second > 0 ? -first / second : -copysignf(MAX_STEP, first);
-        value += fminf(fmaxf(step, -MAX_STEP), MAX_STEP);
+        value += dmi_fminf(dmi_fmaxf(step, -MAX_STEP), MAX_STEP);
         if (fabsf(step) < TOLERANCE) break;
     }
     return value;
@@ -60,5 +62,5 @@ float dmi_follow_point(const dm_joint* joint, const float rest_point[3], const f
         value = view.angle + DMI_TWO_PI_F * roundf((start - view.angle) / DMI_TWO_PI_F);
         if (joint->type == DM_JOINT_SCREW && joint->pitch != 0) value = follow_screw(&view, joint->pitch, start);
     }
-    return isfinite(value) ? fminf(fmaxf(value, lower), upper) : start;
+    return isfinite(value) ? dmi_fminf(dmi_fmaxf(value, lower), upper) : start;
 }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
 #include "math/vec3.h"
 
 #define MIN_PULL 0.006f                 /* share of the part's size: a shorter pull carries no information; fitted */
@@ -41,8 +42,8 @@ void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 a
     const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
                             .axis = axis,
                             .origin = dmi_vec3(tracker->grasp.pull.grab),
-                            .lower = fmaxf(-size, free_range.lower),
-                            .upper = fminf(size, free_range.upper),
+                            .lower = dmi_fmaxf(-size, free_range.lower),
+                            .upper = dmi_fminf(size, free_range.upper),
                             .source = DM_JOINT_FROM_GEOMETRY};
     if (slide.lower < slide.upper) add(tracker, &slide, FALLBACK_SLIDE_LOG_ODDS, false, free_range);
 }
@@ -134,6 +135,6 @@ bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointe
 float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker) {
     const float best = tracker->count ? tracker->list[tracker->best].log_posterior : 0;
     float sum = 0;
-    for (uint32_t i = 0; i < tracker->count; i++) sum += expf(tracker->list[i].log_posterior - best);
+    for (uint32_t i = 0; i < tracker->count; i++) sum += dmi_expf(tracker->list[i].log_posterior - best);
     return sum > 0 ? 1 / sum : 1;
 }

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -49,8 +50,8 @@ bool dmi_joints_alike(const dm_joint* a, const dm_joint* b, float size) {
 
 /* Odds, not probabilities: the confidences of an object's hypotheses do not add up to 1. */
 float dmi_joint_log_odds(const dm_joint* joint) {
-    const float p = fminf(fmaxf(joint->joint_confidence, MIN_CONFIDENCE), 1 - MIN_CONFIDENCE);
-    return logf(p / (1 - p));
+    const float p = dmi_fminf(dmi_fmaxf(joint->joint_confidence, MIN_CONFIDENCE), 1 - MIN_CONFIDENCE);
+    return dmi_logf(p / (1 - p));
 }
 
 /* A turn about an axis close to the grabbed point explains any small pull by a large angle, so it gets a lower prior.
@@ -58,7 +59,7 @@ float dmi_joint_log_odds(const dm_joint* joint) {
 float dmi_lever_arm_log_prior(const dmi_grasp* grasp, const dm_joint* joint) {
     if (!dmi_joint_turns(joint->type)) return 0;
     const float arm = distance_to_line(grasp->pull.grab, joint) / (GOOD_ARM * grasp->size);
-    return 0.5f * logf(fminf(fmaxf(arm, MIN_ARM), 1));
+    return 0.5f * dmi_logf(dmi_fminf(dmi_fmaxf(arm, MIN_ARM), 1));
 }
 
 /* Whether a joint that rests at an end of its range has too little room on the other side of rest. */
@@ -87,7 +88,7 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
     if (!dmi_joint_has_limits(joint)) return;
     const float range = joint->upper - joint->lower, near = REST_SHARE * range;
     const float most = dmi_joint_turns(joint->type) ? DMI_TWO_PI_F : limit_give.length;
-    const float more = limit_give.share == 0 ? most : fmaxf(limit_give.share, 0) * range;
+    const float more = limit_give.share == 0 ? most : dmi_fmaxf(limit_give.share, 0) * range;
     *out_lower = fabsf(joint->lower) <= near ? joint->lower : joint->lower - more;
     *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
 }
@@ -110,7 +111,7 @@ void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothes
     }
     dmi_joint_reachable_range(&hypothesis->joint, grasp->limit_give, out_lower, out_upper);
     if (side_of(&hypothesis->joint) == 0) return;
-    *out_upper = fmaxf(-*out_lower, *out_upper), *out_lower = -*out_upper;
+    *out_upper = dmi_fmaxf(-*out_lower, *out_upper), *out_lower = -*out_upper;
 }
 
 bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis, float pointer_value) {
@@ -125,15 +126,15 @@ static void set_default_range(dmi_joint_hypothesis* hypothesis, float size) {
     const dmi_free_range free = hypothesis->free_range;
     hypothesis->range_unknown = false;
     if (joint->type == DM_JOINT_PRISMATIC) {
-        joint->lower = hypothesis->pointer_value < 0 ? fmaxf(-size, free.lower) : 0;
-        joint->upper = hypothesis->pointer_value < 0 ? 0 : fminf(size, free.upper);
+        joint->lower = hypothesis->pointer_value < 0 ? dmi_fmaxf(-size, free.lower) : 0;
+        joint->upper = hypothesis->pointer_value < 0 ? 0 : dmi_fminf(size, free.upper);
         hypothesis->side = side_of(joint);
         hypothesis->other_side_blocked = is_blocked(joint, free);
         return;
     }
     const bool bounded = free.lower > -DMI_PI_F || free.upper < DMI_PI_F;
     joint->type = bounded ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
-    joint->lower = fmaxf(-DMI_PI_F, free.lower), joint->upper = fminf(DMI_PI_F, free.upper);
+    joint->lower = dmi_fmaxf(-DMI_PI_F, free.lower), joint->upper = dmi_fminf(DMI_PI_F, free.upper);
 }
 
 bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float size) {
@@ -155,7 +156,7 @@ float dmi_expected_residual(const dmi_grasp* grasp) {
  * of a hinge and matches it there alone; relative to the pull so far, so that an early error fades. The heavy tail
  * stands for a hand of unknown skill: where no joint fits well, a near one is little better than a farther one. */
 static float residual_log_likelihood(const dmi_grasp* grasp, float residual) {
-    return -TAIL_EXPONENT * logf(1 + residual / dmi_expected_residual(grasp));
+    return -TAIL_EXPONENT * dmi_logf(1 + residual / dmi_expected_residual(grasp));
 }
 
 /* Likelihood of a hand that follows the joint. */
@@ -173,8 +174,8 @@ float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_join
     const float straight = STRAIGHT_LOG_LIKELIHOOD + residual_log_likelihood(grasp, grasp->pull.bend);
     if (followed > straight + NEGLIGIBLE_LOG_RATIO || !dmi_pull_is_on_chord(&grasp->pull, &hypothesis->joint))
         return followed;
-    const float more = fmaxf(followed, straight);
-    return more + logf(expf(followed - more) + expf(straight - more));
+    const float more = dmi_fmaxf(followed, straight);
+    return more + dmi_logf(dmi_expf(followed - more) + dmi_expf(straight - more));
 }
 
 /* Returns how far a pull must go to one side of rest to make it its side, after it went to the other by `excursion`. A
@@ -185,7 +186,7 @@ static float distance_against(const dmi_grasp* grasp, const dmi_joint_hypothesis
     const float excursion = hypothesis->excursion[hypothesis->side > 0 ? leaves : !leaves];
     if (!leaves) return RETURN_RATIO * excursion;
     const float arm = dmi_joint_turns(joint->type) ? distance_to_line(grasp->pull.grab, joint) : 1;
-    const float opened = fmaxf(excursion - JOSTLE_SHARE * grasp->size / arm, 0);
+    const float opened = dmi_fmaxf(excursion - JOSTLE_SHARE * grasp->size / arm, 0);
     return excursion - opened + LEAVE_RATIO * opened;
 }
 
@@ -205,8 +206,8 @@ static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypot
     const float now = side_of(&hypothesis->joint), value = hypothesis->pointer_value;
     float point[3];
     dmi_joint_move(&hypothesis->joint, value, grasp->pull.grab, point);
-    hypothesis->excursion[value > 0] = fmaxf(hypothesis->excursion[value > 0], fabsf(value));
-    hypothesis->max_residual = fmaxf(hypothesis->max_residual, dmi_pull_residual(&grasp->pull, ray, point));
+    hypothesis->excursion[value > 0] = dmi_fmaxf(hypothesis->excursion[value > 0], fabsf(value));
+    hypothesis->max_residual = dmi_fmaxf(hypothesis->max_residual, dmi_pull_residual(&grasp->pull, ray, point));
     hypothesis->log_posterior = hypothesis->log_prior - hypothesis->shift_cost +
                                 dmi_joint_hypothesis_side_log_prior(grasp, hypothesis, value) +
                                 dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
@@ -216,7 +217,7 @@ static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypot
     const float missed = followed_log_likelihood(grasp, hypothesis, at_stop); /* a part that is held goes on no chord */
     const float pushed =
         PUSH_LOG_PRIOR + dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
-    hypothesis->log_posterior_at_stop = hypothesis->log_prior - hypothesis->shift_cost + fmaxf(missed, pushed);
+    hypothesis->log_posterior_at_stop = hypothesis->log_prior - hypothesis->shift_cost + dmi_fmaxf(missed, pushed);
 }
 
 void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 /* Returns the link that drives a part; NULL: none. */
 static const dmi_link* driver_of(const dmi_link* links, uint32_t count, uint32_t part) {
     for (uint32_t i = 0; i < count; i++) {
@@ -40,8 +42,8 @@ bool dmi_links_order(dmi_link* links, uint32_t count, dmi_link* scratch) {
 
 /* Returns how far a driver is beyond `from`, on the side of rest where that lies. */
 static float beyond(const dmi_link* link, float value) {
-    if (link->from > 0) return fmaxf(value - link->from, 0);
-    if (link->from < 0) return fminf(value - link->from, 0);
+    if (link->from > 0) return dmi_fmaxf(value - link->from, 0);
+    if (link->from < 0) return dmi_fminf(value - link->from, 0);
     return value;
 }
 

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -21,8 +22,9 @@ dmi_pose_blend dmi_pose_blend_none(void) {
 
 dmi_pose_blend dmi_pose_blend_same_joint(const dm_pose* before, const dm_pose* now) {
     const dm_pose back = dmi_pose_inverse(now), offset = dmi_pose_multiply(before, &back);
-    const float turn = 2 * acosf(fminf(fabsf(offset.real[3]), 1));
-    return (dmi_pose_blend){.offset = offset, .turn_time = fminf(TURN_TIME + TURN_TIME_SLOPE * turn, MAX_TURN_TIME)};
+    const float turn = 2 * dmi_acosf(dmi_fminf(fabsf(offset.real[3]), 1));
+    return (dmi_pose_blend){.offset = offset,
+                            .turn_time = dmi_fminf(TURN_TIME + TURN_TIME_SLOPE * turn, MAX_TURN_TIME)};
 }
 
 dmi_pose_blend dmi_pose_blend_new_joint(const dm_pose* before, const dm_pose* now, const float point[3], float size) {
@@ -32,18 +34,18 @@ dmi_pose_blend dmi_pose_blend_new_joint(const dm_pose* before, const dm_pose* no
     dmi_pose_apply(now, point, there);
     dmi_sub3(shown, there, blend.lag);
     const float lengths = size > 0 ? dmi_length3(blend.lag) / size : 0;
-    blend.lag_time = fminf(LAG_TIME + LAG_TIME_SLOPE * lengths, MAX_LAG_TIME);
+    blend.lag_time = dmi_fminf(LAG_TIME + LAG_TIME_SLOPE * lengths, MAX_LAG_TIME);
     return blend;
 }
 
 /* Returns the share that is left, from 1 to 0 by the smoothstep polynomial. */
 static float remaining(float age, float time) {
-    const float s = fminf(age / time, 1);
+    const float s = dmi_fminf(age / time, 1);
     return 1 - s * s * (3 - 2 * s);
 }
 
 dm_pose dmi_pose_blend_apply(const dmi_pose_blend* blend, const dm_pose* joint, const float point[3]) {
-    if (!(blend->age < fmaxf(blend->turn_time, blend->lag_time))) return *joint;
+    if (!(blend->age < dmi_fmaxf(blend->turn_time, blend->lag_time))) return *joint;
     const dm_pose none = dmi_pose_identity();
     const dm_pose left = dmi_pose_sclerp(&none, &blend->offset, remaining(blend->age, blend->turn_time));
     if (blend->lag_time == 0) return dmi_pose_multiply(&left, joint);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -49,7 +50,7 @@ static float bend_of(const dmi_pull* pull) {
     for (uint32_t i = 0; i + 1 < pull->count; i++) {
         float offset[3];
         dmi_sub3(pull->places[i], pull->grab, offset);
-        most = fmaxf(most, fabsf(dmi_dot3(offset, normal)));
+        most = dmi_fmaxf(most, fabsf(dmi_dot3(offset, normal)));
     }
     return most;
 }
@@ -71,7 +72,7 @@ void dmi_pull_add(dmi_pull* pull, const dm_ray* ray) {
     const float distance = dmi_distance3(place, pull->grab);
     if (!isfinite(distance)) return;
     pull->pointer = see_pointer(pull, ray);
-    pull->length = fmaxf(pull->length, distance);
+    pull->length = dmi_fmaxf(pull->length, distance);
     if (distance < pull->spacing) return;
     for (uint32_t i = 0; i < pull->count; i++)
         if (dmi_distance3(place, pull->places[i]) < pull->spacing) return;
@@ -159,7 +160,8 @@ typedef struct place {
 
 static void turn_to(const dmi_pull_fit* fit, const float grab[3], place* out) {
     const dmi_float3 axis = dmi_xyz(fit->joint.axis), origin = dmi_xyz(fit->joint.origin);
-    const float c = cosf(fit->pointer_value), s = sinf(fit->pointer_value);
+    const dmi_circlef at = dmi_circle_atf(fit->pointer_value);
+    const float c = at.cosine, s = at.sine;
     const float pitch = fit->joint.type == DM_JOINT_SCREW ? fit->joint.pitch : 0;
     float arm[3], across[3], quarter[3];
     dmi_sub3(grab, origin.v, arm);
@@ -211,6 +213,6 @@ void dmi_pull_fit_step(dmi_pull_fit* fit, const dmi_pull* pull) {
     else
         slide_to(fit, pull->grab, &at);
     const ray_offset offset = offset_from_ray(pull, ray, at.point);
-    fit->max_residual = fmaxf(fit->max_residual, offset.distance);
+    fit->max_residual = dmi_fmaxf(fit->max_residual, offset.distance);
     if (turns && offset.scale > 0) add_residual(fit, pull, ray, &offset, &at);
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/joint.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -15,7 +16,7 @@
 #define CHORD_STEP 5      /* path points between two chords, as trained */
 
 static float clamp_scalar(float value) {
-    return fminf(fmaxf(value, -SCALAR_LIMIT), SCALAR_LIMIT);
+    return dmi_fminf(dmi_fmaxf(value, -SCALAR_LIMIT), SCALAR_LIMIT);
 }
 
 /* Cylindrical coordinates of a point about the joint's axis: height along it and the lever arm. */
@@ -41,7 +42,7 @@ static float angle_between(const arm* from, const arm* to, const float axis[3], 
     dmi_cross3(from->across, to->across, normal);
     const float sine = dmi_dot3(normal, axis), cosine = dmi_dot3(from->across, to->across);
     if (sine == 0.0f && cosine == 0.0f) return near;
-    const float angle = atan2f(sine, cosine);
+    const float angle = dmi_atan2f(sine, cosine);
     return angle + DMI_TWO_PI_F * roundf((near - angle) / DMI_TWO_PI_F);
 }
 

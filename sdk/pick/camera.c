@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/vec3.h"
 
 #define MIN_SINE 1e-4 /* of the angle between forward and up; by hand */
@@ -49,7 +50,7 @@ static bool make_basis(const dm_camera* camera, double handedness, basis* out) {
 /* Returns half the height of the picture: at distance 1, or of the orthographic box; 0 for an invalid camera. */
 static double half_height(const dm_camera* camera) {
     double fov = (double)camera->fov_y, height = (double)camera->ortho_height;
-    if (fov > 0 && fov < DMI_PI) return tan(0.5 * fov);
+    if (fov > 0 && fov < DMI_PI) return dmi_tan(0.5 * fov);
     return fov == 0 && height > 0 && isfinite(height) ? 0.5 * height : 0;
 }
 

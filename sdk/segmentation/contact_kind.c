@@ -1,6 +1,7 @@
 /* Compares each sample's offset from the other's tangent plane with the distance between the samples. */
 #include "segmentation/contact_kind.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define PARALLEL_COSINE 0.9f /* |cosine| between the normals of parallel faces (26 degrees); by hand */
@@ -13,7 +14,7 @@
 dmi_contact_kind dmi_contact_classify(const dmi_pieces* pieces, const dmi_piece_sample* sample,
                                       const dmi_piece_contact* contact, const float drag[3]) {
     const dmi_piece_sample* other = &pieces->samples[contact->sample];
-    const float distance = fmaxf(contact->distance, MIN_DISTANCE);
+    const float distance = dmi_fmaxf(contact->distance, MIN_DISTANCE);
     float offset[3];
     dmi_sub3(sample->point, other->point, offset);
     /* Signed offsets of the other sample from this one's plane, and of this one from the other's, in distances. */

@@ -1,6 +1,7 @@
 /* Compares the squared distances to all faces. */
 #include "segmentation/nearest_face.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 enum { CLOSED_TRIANGLE = 4 }; /* the three corners and the first one again */
@@ -10,7 +11,7 @@ static float segment_distance(const float p[3], const float a[3], const float b[
     float along[3], offset[3], nearest[3];
     dmi_sub3(b, a, along), dmi_sub3(p, a, offset);
     const float length = dmi_dot3(along, along);
-    const float t = length > 0 ? fminf(fmaxf(dmi_dot3(offset, along) / length, 0), 1) : 0;
+    const float t = length > 0 ? dmi_fminf(dmi_fmaxf(dmi_dot3(offset, along) / length, 0), 1) : 0;
     dmi_madd3(a, t, along, nearest);
     dmi_sub3(p, nearest, offset);
     return dmi_dot3(offset, offset);
@@ -31,7 +32,7 @@ static float triangle_distance(const float p[3], const float a[3], const float b
     }
     const float* corners[CLOSED_TRIANGLE] = {a, b, c, a};
     float best = INFINITY;
-    for (int i = 0; i < 3; i++) best = fminf(best, segment_distance(p, corners[i], corners[i + 1]));
+    for (int i = 0; i < 3; i++) best = dmi_fminf(best, segment_distance(p, corners[i], corners[i + 1]));
     return best;
 }
 

@@ -1,6 +1,7 @@
 /* Fits the box by principal component analysis; measures mirror symmetry on a grid of occupied cells. */
 #include "segmentation/proposal_box.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define CELLS 8             /* along each side of the box; by hand */
@@ -11,14 +12,14 @@ dmi_proposal_box dmi_proposal_box_fit(const float (*points)[3], uint32_t count) 
         .low = {INFINITY, INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY, -INFINITY}, .samples = count};
     double variances[3];
     dmi_principal3(points, count, box.centre, variances, box.axes);
-    box.radius = sqrtf(fmaxf((float)(variances[0] + variances[1] + variances[2]), MIN_VARIANCE));
+    box.radius = sqrtf(dmi_fmaxf((float)(variances[0] + variances[1] + variances[2]), MIN_VARIANCE));
     for (uint32_t s = 0; s < count; s++) {
         float offset[3];
         dmi_sub3(points[s], box.centre, offset);
         for (int k = 0; k < 3; k++) {
             const float x = dmi_dot3(offset, box.axes[k]);
-            box.low[k] = fminf(box.low[k], x);
-            box.high[k] = fmaxf(box.high[k], x);
+            box.low[k] = dmi_fminf(box.low[k], x);
+            box.high[k] = dmi_fmaxf(box.high[k], x);
         }
     }
     return box;
@@ -40,9 +41,9 @@ static void mark_cells(const dmi_proposal_box* box, const float (*points)[3], ui
         int cell[3];
         dmi_sub3(points[s], box->centre, offset);
         for (int k = 0; k < 3; k++) {
-            const float side = fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
+            const float side = dmi_fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
             const float x = (dmi_dot3(offset, box->axes[k]) - box->low[k]) / side;
-            cell[k] = (int)fminf(fmaxf(x * CELLS, 0), CELLS - 1);
+            cell[k] = (int)dmi_fminf(dmi_fmaxf(x * CELLS, 0), CELLS - 1);
         }
         full[cell[0]][cell[1]][cell[2]] = 1;
     }

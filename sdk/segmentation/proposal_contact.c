@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "segmentation/contact_kind.h"
 
@@ -96,5 +97,5 @@ float dmi_proposal_contact_turn(const dmi_proposal_contact* sums) {
         dmi_copy3(sums->right, replaced[i]);
         least -= sums->right[i] * determinant((const float(*)[3])replaced) / whole;
     }
-    return fmaxf(least, 0) / fmaxf(sums->count, 1);
+    return dmi_fmaxf(least, 0) / dmi_fmaxf(sums->count, 1);
 }

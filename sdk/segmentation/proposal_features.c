@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "segmentation/proposal_box.h"
 #include "segmentation/proposal_contact.h"
@@ -27,7 +28,7 @@ typedef struct scratch {
 } scratch;
 
 static float clamp(float x, float limit) {
-    return fminf(fmaxf(x, -limit), limit);
+    return dmi_fminf(dmi_fmaxf(x, -limit), limit);
 }
 
 /* ---- how the part grew ---- */
@@ -44,32 +45,33 @@ static void write_growth(const dmi_proposal* part, float area, float* out) {
         taken += part->inside[p] ? level->pieces.area[p] : 0;
     }
     const float epsilon = MIN_AREA_SHARE * level->total_area + MIN_AREA_ADDED;
-    out[DMI_PROPOSAL_LOG_AREA] = logf((area + epsilon) / level->total_area);
+    out[DMI_PROPOSAL_LOG_AREA] = dmi_logf((area + epsilon) / level->total_area);
     out[DMI_PROPOSAL_SEED_AREA] = level->pieces.area[part->seed] / (area + epsilon);
-    out[DMI_PROPOSAL_LOG_PIECES] = logf((float)members);
+    out[DMI_PROPOSAL_LOG_PIECES] = dmi_logf((float)members);
     out[DMI_PROPOSAL_LOWEST_ODDS] = clamp(part->lowest_log_odds, MAX_ODDS);
     out[DMI_PROPOSAL_LAST_ODDS] = clamp(part->last_log_odds, MAX_ODDS);
     out[DMI_PROPOSAL_NEXT_ODDS] = clamp(part->next_log_odds, MAX_ODDS);
     out[DMI_PROPOSAL_SHEET_IS_CUT] = (float)level->sheet_is_cut;
     out[DMI_PROPOSAL_CARRIED_AREA] = carried / (area + epsilon);
-    out[DMI_PROPOSAL_LOG_MESH_PIECES] = logf((float)level->pieces.count);
+    out[DMI_PROPOSAL_LOG_MESH_PIECES] = dmi_logf((float)level->pieces.count);
     out[DMI_PROPOSAL_SHEET_AREA] = sheet / level->total_area;
     out[DMI_PROPOSAL_SHEET_TAKEN] = taken / (sheet + epsilon);
-    out[DMI_PROPOSAL_LATER_ODDS] = fmaxf(part->later_log_odds, -MAX_ODDS);
-    out[DMI_PROPOSAL_GROWTH_AREA] = area / fmaxf(part->final_area, MIN_AREA);
-    out[DMI_PROPOSAL_LOG_LIKELY] = logf(1 + (float)part->likely_count);
-    out[DMI_PROPOSAL_LIKELY_AREA] = fminf(part->likely_area / area, MAX_AREA_RATIO);
+    out[DMI_PROPOSAL_LATER_ODDS] = dmi_fmaxf(part->later_log_odds, -MAX_ODDS);
+    out[DMI_PROPOSAL_GROWTH_AREA] = area / dmi_fmaxf(part->final_area, MIN_AREA);
+    out[DMI_PROPOSAL_LOG_LIKELY] = dmi_logf(1 + (float)part->likely_count);
+    out[DMI_PROPOSAL_LIKELY_AREA] = dmi_fminf(part->likely_area / area, MAX_AREA_RATIO);
 }
 
 /* ---- contact and motion ---- */
 
 static void write_contact(const dmi_proposal_contact* sums, const dmi_proposal_box* box, float* out) {
-    const float count = fmaxf(sums->count, 1), samples = (float)box->samples;
+    const float count = dmi_fmaxf(sums->count, 1), samples = (float)box->samples;
     float centre[3];
     for (int k = 0; k < 3; k++) centre[k] = sums->count > 0 ? sums->centre[k] / count : box->centre[k];
     out[DMI_PROPOSAL_CONTACTS] = sums->count / samples;
-    out[DMI_PROPOSAL_REST_CONTACTS] = fminf(sums->rest_count / samples, MAX_REST_CONTACTS);
-    out[DMI_PROPOSAL_CONTACT_SPREAD] = sqrtf(fmaxf(sums->square / count - dmi_dot3(centre, centre), 0)) / box->radius;
+    out[DMI_PROPOSAL_REST_CONTACTS] = dmi_fminf(sums->rest_count / samples, MAX_REST_CONTACTS);
+    out[DMI_PROPOSAL_CONTACT_SPREAD] =
+        sqrtf(dmi_fmaxf(sums->square / count - dmi_dot3(centre, centre), 0)) / box->radius;
     out[DMI_PROPOSAL_CONTACT_OFFSET] = dmi_distance3(centre, box->centre) / box->radius;
     for (int i = 0; i < DMI_PROPOSAL_CONTACT_KINDS; i++) out[DMI_PROPOSAL_CONCAVE + i] = sums->kinds[i] / count;
     out[DMI_PROPOSAL_CONTACT_DISTANCE] = sums->distance / count;
@@ -78,7 +80,7 @@ static void write_contact(const dmi_proposal_contact* sums, const dmi_proposal_b
 static void write_motion(const dmi_proposal_contact* sums, const dmi_proposal_box* box, const dmi_grab* grab,
                          float* out) {
     out[DMI_PROPOSAL_HAS_DRAG] = dmi_dot3(grab->drag, grab->drag) > 0.5f ? 1 : 0;
-    out[DMI_PROPOSAL_SLIDE_SPEED] = sqrtf(sums->constant / fmaxf(sums->count, 1));
+    out[DMI_PROPOSAL_SLIDE_SPEED] = sqrtf(sums->constant / dmi_fmaxf(sums->count, 1));
     out[DMI_PROPOSAL_TURN_SPEED] = sqrtf(dmi_proposal_contact_turn(sums));
     out[DMI_PROPOSAL_DRAG_LONGEST] = fabsf(dmi_dot3(grab->drag, box->axes[0]));
     out[DMI_PROPOSAL_DRAG_SHORTEST] = fabsf(dmi_dot3(grab->drag, box->axes[2]));
@@ -95,22 +97,22 @@ static uint32_t gather_points(const dmi_pieces* pieces, const uint8_t* inside, f
 
 static void write_shape(const dmi_proposal_box* box, float area, float* out) {
     float side[3];
-    for (int k = 0; k < 3; k++) side[k] = fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
+    for (int k = 0; k < 3; k++) side[k] = dmi_fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
     const float surface = 2 * (side[0] * side[1] + side[1] * side[2] + side[2] * side[0]);
-    out[DMI_PROPOSAL_LOG_LENGTH] = logf(side[0]);
+    out[DMI_PROPOSAL_LOG_LENGTH] = dmi_logf(side[0]);
     out[DMI_PROPOSAL_WIDTH] = side[1] / side[0];
     out[DMI_PROPOSAL_THICKNESS] = side[2] / side[0];
-    out[DMI_PROPOSAL_BOX_AREA] = fminf(area / surface, MAX_BOX_AREA);
+    out[DMI_PROPOSAL_BOX_AREA] = dmi_fminf(area / surface, MAX_BOX_AREA);
     out[DMI_PROPOSAL_RADIUS] = box->radius;
-    out[DMI_PROPOSAL_LOG_RADIUS] = logf(box->radius);
+    out[DMI_PROPOSAL_LOG_RADIUS] = dmi_logf(box->radius);
 }
 
 static void write_grab(const dmi_proposal_box* box, const dmi_grab* grab, float* out) {
     float offset[3];
     dmi_sub3(grab->point, box->centre, offset);
     for (int k = 0; k < 3; k++) {
-        const float side = fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
-        out[DMI_PROPOSAL_GRAB + k] = fminf(2 * fabsf(dmi_dot3(offset, box->axes[k])) / side, MAX_GRAB_OFFSET);
+        const float side = dmi_fmaxf(box->high[k] - box->low[k], DMI_MIN_BOX_SIDE);
+        out[DMI_PROPOSAL_GRAB + k] = dmi_fminf(2 * fabsf(dmi_dot3(offset, box->axes[k])) / side, MAX_GRAB_OFFSET);
     }
 }
 
@@ -130,8 +132,8 @@ static void write_box_contents(const dmi_proposal* part, const dmi_proposal_box*
         if (components->roots[p] != components->largest && ENCLOSED_OF * count > ENCLOSED_SAMPLES * all)
             enclosed += pieces->area[p];
     }
-    out[DMI_PROPOSAL_REST_IN_BOX] = fminf(samples / (float)box->samples, MAX_AREA_RATIO);
-    out[DMI_PROPOSAL_ENCLOSED_AREA] = fminf(enclosed / area, MAX_AREA_RATIO);
+    out[DMI_PROPOSAL_REST_IN_BOX] = dmi_fminf(samples / (float)box->samples, MAX_AREA_RATIO);
+    out[DMI_PROPOSAL_ENCLOSED_AREA] = dmi_fminf(enclosed / area, MAX_AREA_RATIO);
 }
 
 static void write_detached(const dmi_proposal* part, const dmi_remaining_components* components, float area,
@@ -140,7 +142,7 @@ static void write_detached(const dmi_proposal* part, const dmi_remaining_compone
     for (uint32_t p = 0; p < part->level->pieces.count; p++)
         if (!part->inside[p] && components->roots[p] == p && p != components->largest && components->touches_part[p])
             detached += components->area[p];
-    out[DMI_PROPOSAL_DETACHED_AREA] = fminf(detached / area, MAX_AREA_RATIO);
+    out[DMI_PROPOSAL_DETACHED_AREA] = dmi_fminf(detached / area, MAX_AREA_RATIO);
 }
 
 static void write_repeats(const dmi_proposal* part, float area, float* out) {
@@ -179,7 +181,8 @@ static void write_next(const dmi_proposal* part, const dmi_proposal_box* box, fl
         in_next_box += dmi_proposal_box_contains(&next_box, work->points[s], margin);
     out[DMI_PROPOSAL_NEXT_IN_BOX] = (float)in_box / (float)count;
     out[DMI_PROPOSAL_IN_NEXT_BOX] = (float)in_next_box / (float)box->samples;
-    out[DMI_PROPOSAL_LOG_NEXT_AREA] = clamp(logf(fmaxf(pieces->area[next], MIN_AREA) / area), MAX_LOG_NEXT_AREA);
+    out[DMI_PROPOSAL_LOG_NEXT_AREA] =
+        clamp(dmi_logf(dmi_fmaxf(pieces->area[next], MIN_AREA) / area), MAX_LOG_NEXT_AREA);
     out[DMI_PROPOSAL_NEXT_CONTACTS] = (float)touching / (float)count;
     for (int i = 0; i < DMI_PIECE_MAX_REPEATS && level->repeats[next][i] != DMI_PIECE_NONE; i++)
         if (part->inside[level->repeats[next][i]]) out[DMI_PROPOSAL_NEXT_REPEATS] = 1;
@@ -192,7 +195,7 @@ static void measure(dmi_proposal* part, const dmi_grab* grab, scratch* work) {
     float* out = part->features;
     memset(out, 0, sizeof part->features);
     dmi_remaining_components_find(pieces, part->inside, &work->components);
-    const float area = fmaxf(work->components.part_area, MIN_AREA);
+    const float area = dmi_fmaxf(work->components.part_area, MIN_AREA);
     const uint32_t count = gather_points(pieces, part->inside, work->points);
     const dmi_proposal_box box = dmi_proposal_box_fit((const float(*)[3])work->points, count);
     const dmi_proposal_contact sums = dmi_proposal_contact_sum(part, grab);

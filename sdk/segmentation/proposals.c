@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "segmentation/part_networks.h"
 #include "segmentation/proposal_features.h"
 #include "segmentation/region_growing.h"
@@ -105,7 +106,7 @@ static void set_later(const growth* g, uint32_t first, dmi_proposals* out) {
         dmi_proposal* item = &out->items[i];
         item->later_log_odds = later;
         item->final_area = g->area;
-        if (i > first && item[-1].next_piece != item->next_piece) later = fmaxf(later, item->last_log_odds);
+        if (i > first && item[-1].next_piece != item->next_piece) later = dmi_fmaxf(later, item->last_log_odds);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 #include "segmentation/contact_kind.h"
 
@@ -37,8 +38,8 @@ static piece_extent measure_piece(const dmi_pieces* pieces, const float drag[3],
         const float height = dmi_dot3(sample->point, drag);
         dmi_madd3(out.centre, share, sample->point, out.centre);
         out.mean_square += share * dmi_dot3(sample->point, sample->point);
-        out.low = fminf(out.low, height);
-        out.high = fmaxf(out.high, height);
+        out.low = dmi_fminf(out.low, height);
+        out.high = dmi_fmaxf(out.high, height);
         out.normal_cosine += share * fabsf(dmi_dot3(sample->normal, drag));
     }
     return out;
@@ -46,7 +47,8 @@ static piece_extent measure_piece(const dmi_pieces* pieces, const float drag[3],
 
 /* Returns the extent of both together, weighted by area. */
 static piece_extent merge_extents(const piece_extent* a, const piece_extent* b) {
-    piece_extent out = {.area = a->area + b->area, .low = fminf(a->low, b->low), .high = fmaxf(a->high, b->high)};
+    piece_extent out = {
+        .area = a->area + b->area, .low = dmi_fminf(a->low, b->low), .high = dmi_fmaxf(a->high, b->high)};
     const float share = out.area > 0 ? b->area / out.area : 0.5f;
     for (int k = 0; k < 3; k++) out.centre[k] = (1 - share) * a->centre[k] + share * b->centre[k];
     out.mean_square = (1 - share) * a->mean_square + share * b->mean_square;
@@ -56,7 +58,7 @@ static piece_extent merge_extents(const piece_extent* a, const piece_extent* b) 
 
 /* Returns the root mean square distance of the surface from its centre. */
 static float radius_of(const piece_extent* extent) {
-    return sqrtf(fmaxf(extent->mean_square - dmi_dot3(extent->centre, extent->centre), MIN_VARIANCE));
+    return sqrtf(dmi_fmaxf(extent->mean_square - dmi_dot3(extent->centre, extent->centre), MIN_VARIANCE));
 }
 
 /* ---- the region ---- */
@@ -140,9 +142,9 @@ static void add_sample(dmi_region* region, const dmi_piece_sample* sample) {
 /* ---- features ---- */
 
 static void write_contacts(const neighbour_contacts* sums, float piece_samples, float region_samples, float* out) {
-    const float contacts = fmaxf((float)sums->with_region, 1);
+    const float contacts = dmi_fmaxf((float)sums->with_region, 1);
     out[DMI_NEIGHBOUR_CONTACT_SHARE] =
-        (float)sums->with_region / fmaxf((float)(sums->with_region + sums->with_others), 1);
+        (float)sums->with_region / dmi_fmaxf((float)(sums->with_region + sums->with_others), 1);
     out[DMI_NEIGHBOUR_REGION_CONTACTS] = (float)sums->with_region / piece_samples;
     out[DMI_NEIGHBOUR_OTHER_CONTACTS] = (float)sums->with_others / piece_samples;
     out[DMI_NEIGHBOUR_COVERED_REGION] = (float)sums->from_region / region_samples;
@@ -157,14 +159,15 @@ static void write_contacts(const neighbour_contacts* sums, float piece_samples, 
 
 static void write_sizes(const piece_extent* piece, const piece_extent* region, float total_area, float* out) {
     const piece_extent both = merge_extents(region, piece);
-    out[DMI_NEIGHBOUR_LOG_AREA_RATIO] =
-        fminf(fmaxf(logf(fmaxf(piece->area, MIN_AREA) / fmaxf(region->area, MIN_AREA)), -MAX_LOG_AREA_RATIO),
-              MAX_LOG_AREA_RATIO);
+    out[DMI_NEIGHBOUR_LOG_AREA_RATIO] = dmi_fminf(
+        dmi_fmaxf(dmi_logf(dmi_fmaxf(piece->area, MIN_AREA) / dmi_fmaxf(region->area, MIN_AREA)), -MAX_LOG_AREA_RATIO),
+        MAX_LOG_AREA_RATIO);
     out[DMI_NEIGHBOUR_AREA] = piece->area / total_area;
     out[DMI_NEIGHBOUR_REGION_AREA] = region->area / total_area;
     out[DMI_NEIGHBOUR_RADIUS] = radius_of(piece);
     out[DMI_NEIGHBOUR_REGION_RADIUS] = radius_of(region);
-    out[DMI_NEIGHBOUR_LOG_RADIUS_GROWTH] = fminf(logf(radius_of(&both) / radius_of(region)), MAX_LOG_RADIUS_GROWTH);
+    out[DMI_NEIGHBOUR_LOG_RADIUS_GROWTH] =
+        dmi_fminf(dmi_logf(radius_of(&both) / radius_of(region)), MAX_LOG_RADIUS_GROWTH);
 }
 
 static void write_drag(const piece_extent* piece, const piece_extent* region, const float drag[3], float* out) {
@@ -174,12 +177,12 @@ static void write_drag(const piece_extent* piece, const piece_extent* region, co
     out[DMI_NEIGHBOUR_HAS_DRAG] = dmi_dot3(drag, drag) > 0.5f ? 1 : 0;
     out[DMI_NEIGHBOUR_NORMAL_COSINE] = piece->normal_cosine;
     out[DMI_NEIGHBOUR_REGION_NORMAL_COSINE] = region->normal_cosine;
-    out[DMI_NEIGHBOUR_EXCESS_AHEAD] = fmaxf(piece->high - region->high, 0);
-    out[DMI_NEIGHBOUR_EXCESS_BEHIND] = fmaxf(region->low - piece->low, 0);
+    out[DMI_NEIGHBOUR_EXCESS_AHEAD] = dmi_fmaxf(piece->high - region->high, 0);
+    out[DMI_NEIGHBOUR_EXCESS_BEHIND] = dmi_fmaxf(region->low - piece->low, 0);
     out[DMI_NEIGHBOUR_OFFSET_ALONG] = along;
     out[DMI_NEIGHBOUR_REGION_EXTENT] = region->high - region->low;
     out[DMI_NEIGHBOUR_EXTENT] = piece->high - piece->low;
-    out[DMI_NEIGHBOUR_OFFSET_ACROSS] = sqrtf(fmaxf(dmi_dot3(offset, offset) - along * along, 0));
+    out[DMI_NEIGHBOUR_OFFSET_ACROSS] = sqrtf(dmi_fmaxf(dmi_dot3(offset, offset) - along * along, 0));
 }
 
 static void write_relation(const dmi_region* region, uint32_t piece, float* out) {

@@ -46,4 +46,9 @@ others=$(nm --extern-only --defined-only "$folder/lib/libdragmesh_core.a" | awk 
 calls=$(nm -A --undefined-only "$folder/lib/libdragmesh_core.a" |
     grep -E ' (pthread_create|thrd_create|printf|fprintf|puts|putchar|abort|exit|_exit|fork|system)$' || true)
 [ -z "$calls" ] || complain "the core must not call:" "$calls"
+
+# Every C library rounds these in its own way: sdk/math/elementary.h has them with the same bits everywhere.
+calls=$(nm -A --undefined-only "$folder/lib/libdragmesh_core.a" |
+    grep -E ' (exp2?|log|log2|log10|pow|sin|cos|sincos|tan|asin|acos|atan|atan2|hypot|fmax|fmin)f?$' || true)
+[ -z "$calls" ] || complain "the core must compute by sdk/math/elementary.h, not by:" "$calls"
 exit $failed

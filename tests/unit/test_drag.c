@@ -382,7 +382,8 @@ static void host_axes_do_not_matter(void** state) {
             dmi_drag_update(&host_drag, &host_ray, FRAME, &host_now);
         }
         const float scale = inner.type == DM_JOINT_PRISMATIC ? dmi_frame_length_out(&frame) : 1;
-        assert_near(host_now.value, now.value * scale, 2e-4 * (double)scale);
+        /* Measured: one unit in the last place of a ray moves a screw that is seen nearly from the end by 2.6e-4. */
+        assert_near(host_now.value, now.value * scale, 5e-4 * (double)scale);
         assert_near(host_now.velocity, now.velocity * scale, 5e-3 * (double)scale);
         assert_int_equal(host_now.at_limit, now.at_limit);
     }

@@ -2,6 +2,7 @@
 #include "kinematics/analysis/extreme_points.h"
 
 #include "base/compiler.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define FIXED_DIRECTIONS 96      /* over the half sphere; by hand */
@@ -22,7 +23,8 @@ typedef struct extreme {
 /* Computes direction i of a Fibonacci lattice on the half sphere. */
 static void fixed_direction(int i, float out[3]) {
     float z = ((float)i + 0.5f) / FIXED_DIRECTIONS, r = sqrtf(1 - z * z), angle = GOLDEN_ANGLE * (float)i;
-    out[0] = r * cosf(angle), out[1] = r * sinf(angle), out[2] = z;
+    const dmi_circlef at = dmi_circle_atf(angle);
+    out[0] = r * at.cosine, out[1] = r * at.sine, out[2] = z;
 }
 
 static inline lanes load(const float* p) {

@@ -3,6 +3,7 @@
 
 #include "kinematics/analysis/analysis_steps.h"
 #include "kinematics/analysis/extreme_points.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define MAX_VERTICES 32768    /* of the part, beyond which every n-th is used; by hand */
@@ -102,7 +103,7 @@ static float area_ratio(const dmi_mesh* mesh, const uint8_t* moving) {
         else
             rest += mesh->face_area[f];
     }
-    return (float)(rest / fmax(part, MIN_PART_AREA));
+    return (float)(rest / dmi_fmax(part, MIN_PART_AREA));
 }
 
 /* Sets the diagonal, and low .. high to the part's box grown by the near margin. */

@@ -1,6 +1,7 @@
 /* Minimises the mean square normal speed over angular and linear velocity with eigenvectors of 3 x 3 matrices. */
 #include "kinematics/analysis/slippage.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define DAMPING 1e-4    /* added to the diagonal of B, whose trace is 1: keeps it invertible; by hand */
@@ -93,11 +94,11 @@ void dmi_slippage_compute(const float (*points)[3], const float (*normals)[3], c
         dmi_cross3(w, t, arm);
         dmi_copy3(w, out->turn_axis[i]);
         for (int k = 0; k < 3; k++) out->turn_point[i][k] = (float)(m.centre[k] + m.radius * arm[k]);
-        out->turn_residual[i] = (float)sqrt(fmax(values[2 - i], 0));
+        out->turn_residual[i] = (float)sqrt(dmi_fmax(values[2 - i], 0));
     }
     dmi_eigen3((const double(*)[3])m.slide, values, vectors);
     for (int i = 0; i < 2; i++) {
         dmi_copy3(vectors[2 - i], out->slide[i]);
-        out->slide_residual[i] = (float)sqrt(fmax(values[2 - i], 0));
+        out->slide_residual[i] = (float)sqrt(dmi_fmax(values[2 - i], 0));
     }
 }

@@ -1,6 +1,7 @@
 /* Computes and compares velocities of the part's points. */
 #include "kinematics/candidates/twist.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define MIN_SQUARE 1e-20f /* sum of squared velocities: avoids a division by zero */
@@ -29,5 +30,5 @@ float dmi_twist_difference(const dmi_twist* a, const dmi_twist* b) {
     if (a->is_prismatic != b->is_prismatic) return 1;
     float cosine = 0;
     for (int i = 0; i < DMI_TWIST_POINTS; i++) cosine += dmi_dot3(a->velocity[i], b->velocity[i]);
-    return sqrtf(fmaxf(1 - cosine * cosine, 0));
+    return sqrtf(dmi_fmaxf(1 - cosine * cosine, 0));
 }

@@ -1,6 +1,7 @@
 /* Looks for hardware among the patches of part and body, and among the part's points that touch the body. */
 #include "kinematics/features/axis_hardware.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define ROUND 0.12f       /* most residual of a patch that turns about a line, as for candidates; by hand */
@@ -33,7 +34,7 @@ static float length_of(const interval* r, float size) {
 /* Returns a Gaussian likeness. Most of what is asked about lies far off and costs no exponential. */
 static float likeness(float x, float scale) {
     const float square = x * x / (scale * scale);
-    return square < NEGLIGIBLE ? expf(-square) : 0;
+    return square < NEGLIGIBLE ? dmi_expf(-square) : 0;
 }
 
 /* Returns the sine of the angle between two unit vectors. */

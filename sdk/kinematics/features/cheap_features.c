@@ -1,6 +1,7 @@
 /* Measures shape, place in the part's box, drag, suggested directions and lines, and what KPP-Net says. */
 #include "kinematics/features/cheap_features.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 /* Distances at which a likeness falls to 1 / e, all by hand: in diagonals of the part, half sides of its box, or rad.
@@ -77,9 +78,9 @@ static void offset_features(const dmi_cheap_features* cheap, const dmi_candidate
     const float centroid = dmi_line_distance3(a->centre, c->axis, c->origin) / a->diagonal;
     const float box = dmi_line_distance3(cheap->box_centre, c->axis, c->origin) / a->diagonal;
     row[DMI_FEATURE_CENTROID_OFFSET] = centroid;
-    row[DMI_FEATURE_AT_CENTROID] = expf(-centroid / AT_CENTROID);
+    row[DMI_FEATURE_AT_CENTROID] = dmi_expf(-centroid / AT_CENTROID);
     row[DMI_FEATURE_BOX_OFFSET] = box;
-    row[DMI_FEATURE_AT_BOX_CENTRE] = expf(-box / AT_BOX_CENTRE);
+    row[DMI_FEATURE_AT_BOX_CENTRE] = dmi_expf(-box / AT_BOX_CENTRE);
     row[DMI_FEATURE_BODY_DISTANCE] = dmi_distance_grid_distance(&a->body_grid, c->origin) / a->diagonal;
 }
 
@@ -108,13 +109,13 @@ static void side_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     const float far = dmi_max(place[0], place[1]);
     row[DMI_FEATURE_SIDE_FAR] = far;
     row[DMI_FEATURE_SIDE_NEAR] = dmi_min(place[0], place[1]);
-    row[DMI_FEATURE_ON_SIDE] = expf(-fabsf(far - 1) / ON_SIDE);
+    row[DMI_FEATURE_ON_SIDE] = dmi_expf(-fabsf(far - 1) / ON_SIDE);
 }
 
 /* Returns how near a place in the cross-section is to the nearest corner of one of its thinner edges. */
 static float corner(float wide, float thin, float side_wide, float side_thin, float diagonal) {
     const float a = fabsf(wide) - 0.5f * side_wide, b = thin - 0.5f * side_thin;
-    return expf(-sqrtf(a * a + b * b) / (AT_CORNER * diagonal));
+    return dmi_expf(-sqrtf(a * a + b * b) / (AT_CORNER * diagonal));
 }
 
 /* Computes the place of the axis in the cross-section of the part's box: along its wider side, and along its thinner
@@ -168,10 +169,10 @@ static void drag_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     float v[3];
     dmi_candidate_velocity(c, cheap->hint->point, v);
     const float cosine = dmi_dot3(v, cheap->drag) / (dmi_length3(v) + LEAST_SPEED);
-    const float angle = !slides(c) && is_nearest_axis(cheap, v) ? 0 : acosf(clamp(cosine, 1));
+    const float angle = !slides(c) && is_nearest_axis(cheap, v) ? 0 : dmi_acosf(clamp(cosine, 1));
     row[DMI_FEATURE_DRAG_ANGLE] = angle;
-    row[DMI_FEATURE_DRAG_FOLLOWED_10MRAD] = expf(-angle / FOLLOWED_CLOSELY);
-    row[DMI_FEATURE_DRAG_FOLLOWED_100MRAD] = expf(-angle / FOLLOWED);
+    row[DMI_FEATURE_DRAG_FOLLOWED_10MRAD] = dmi_expf(-angle / FOLLOWED_CLOSELY);
+    row[DMI_FEATURE_DRAG_FOLLOWED_100MRAD] = dmi_expf(-angle / FOLLOWED);
     row[DMI_FEATURE_DRAG_NORMAL_COSINE] = fabsf(dmi_dot3(cheap->drag, cheap->drag_normal));
     const float* of_sides = row + DMI_FEATURE_DRAG_LONG_COSINE;
     for (int k = 0; k < 3; k++)
@@ -191,8 +192,8 @@ static void pull_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     dmi_cross3(way, c->axis, arm); /* from the axis to the dragged point */
     dmi_normalize3(way);
     dmi_normalize3(arm);
-    row[DMI_FEATURE_PULL_OUT_OF_PLANE] = asinf(dmi_min(fabsf(dmi_dot3(cheap->drag, c->axis)), 1));
-    row[DMI_FEATURE_PULL_INWARD] = atan2f(-dmi_dot3(cheap->drag, arm), dmi_dot3(cheap->drag, way));
+    row[DMI_FEATURE_PULL_OUT_OF_PLANE] = dmi_asinf(dmi_min(fabsf(dmi_dot3(cheap->drag, c->axis)), 1));
+    row[DMI_FEATURE_PULL_INWARD] = dmi_atan2f(-dmi_dot3(cheap->drag, arm), dmi_dot3(cheap->drag, way));
 }
 
 static void widest_gap_features(const dmi_part_analysis* a, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
@@ -230,18 +231,18 @@ static void network_features(const dmi_cheap_features* cheap, const dmi_candidat
     const float turning =
         p->type[DM_JOINT_REVOLUTE - 1] + p->type[DM_JOINT_SCREW - 1] + p->type[DM_JOINT_CONTINUOUS - 1];
     const float cosine = fabsf(dmi_dot3(c->axis, slides(c) ? p->slide_axis : p->turn_axis));
-    const float angle = acosf(dmi_min(cosine, 1));
+    const float angle = dmi_acosf(dmi_min(cosine, 1));
     row[DMI_FEATURE_HAS_NETWORK] = 1;
     row[DMI_FEATURE_NETWORK_TYPE] = slides(c) ? p->type[DM_JOINT_PRISMATIC - 1] : turning;
     row[DMI_FEATURE_NETWORK_ANGLE] = angle;
-    row[DMI_FEATURE_NETWORK_NEAR_50MRAD] = expf(-angle / NETWORK_ANGLE_CLOSE);
-    row[DMI_FEATURE_NETWORK_NEAR_200MRAD] = expf(-angle / NETWORK_ANGLE_NEAR);
+    row[DMI_FEATURE_NETWORK_NEAR_50MRAD] = dmi_expf(-angle / NETWORK_ANGLE_CLOSE);
+    row[DMI_FEATURE_NETWORK_NEAR_200MRAD] = dmi_expf(-angle / NETWORK_ANGLE_NEAR);
     for (int k = 0; k < DMI_KPP_TYPES; k++) row[DMI_FEATURE_NETWORK_REVOLUTE + k] = p->type[k];
     if (slides(c)) return;
     const float off = dmi_line_distance3(p->origin, c->axis, c->origin) / cheap->analysis->diagonal;
     row[DMI_FEATURE_NETWORK_OFFSET] = dmi_min(off, MOST_NETWORK_OFFSET);
-    row[DMI_FEATURE_NETWORK_ON_LINE_3] = expf(-off / NETWORK_LINE_CLOSE);
-    row[DMI_FEATURE_NETWORK_ON_LINE_12] = expf(-off / NETWORK_LINE_NEAR);
+    row[DMI_FEATURE_NETWORK_ON_LINE_3] = dmi_expf(-off / NETWORK_LINE_CLOSE);
+    row[DMI_FEATURE_NETWORK_ON_LINE_12] = dmi_expf(-off / NETWORK_LINE_NEAR);
 }
 
 static void family_features(const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
@@ -263,8 +264,8 @@ void dmi_cheap_features_begin(const dmi_part_analysis* analysis, const dmi_drag_
         out->middle[k] = (analysis->box.high[k] + analysis->box.low[k]) / 2;
     }
     dmi_box_centre(&analysis->box, out->box_centre);
-    out->log_diagonal = logf(analysis->diagonal);
-    out->log_area_ratio = logf(1 + analysis->area_ratio) / AREA_RATIO_UNIT;
+    out->log_diagonal = dmi_logf(analysis->diagonal);
+    out->log_area_ratio = dmi_logf(1 + analysis->area_ratio) / AREA_RATIO_UNIT;
     if (hint == NULL) return;
     dmi_copy3(hint->vector, out->drag);
     dmi_normalize3(out->drag);
@@ -295,9 +296,9 @@ void dmi_cheap_features_row(const dmi_cheap_features* cheap, const dmi_candidate
 static void score_features(float score, const float best[2], float most, float log_sum, float row[DMI_FEATURE_COUNT]) {
     const int type = row[DMI_FEATURE_PRISMATIC] > 0;
     row[DMI_FEATURE_SCORE_BELOW_BEST] = dmi_max(score - most, -MOST_LOG_RATIO) / LOG_UNIT;
-    row[DMI_FEATURE_SCORE_LIKENESS] = expf(score - most);
+    row[DMI_FEATURE_SCORE_LIKENESS] = dmi_expf(score - most);
     row[DMI_FEATURE_SCORE_BELOW_TYPE_BEST] = dmi_max(score - best[type], -MOST_LOG_RATIO) / LOG_UNIT;
-    row[DMI_FEATURE_SCORE_TYPE_LIKENESS] = expf(score - best[type]);
+    row[DMI_FEATURE_SCORE_TYPE_LIKENESS] = dmi_expf(score - best[type]);
     row[DMI_FEATURE_SCORE_TYPE_LEAD] = clamp(best[type] - best[!type], MOST_TYPE_LEAD) / LOG_UNIT;
     row[DMI_FEATURE_SCORE_LOG_SHARE] = dmi_max(score - most - log_sum, -MOST_LOG_RATIO) / LOG_UNIT;
 }
@@ -314,7 +315,7 @@ void dmi_cheap_features_kpp_scores(const float* scores, uint32_t count, float (*
         best[type] = dmi_max(best[type], scores[i]);
     }
     const float most = dmi_max(best[0], best[1]);
-    for (uint32_t i = 0; i < count; i++) sum += expf(scores[i] - most);
-    const float log_sum = logf(sum);
+    for (uint32_t i = 0; i < count; i++) sum += dmi_expf(scores[i] - most);
+    const float log_sum = dmi_logf(sum);
     for (uint32_t i = 0; i < count; i++) score_features(scores[i], best, most, log_sum, rows[i]);
 }

@@ -1,6 +1,7 @@
 /* Runs KPP-Net's members and combines them: types by their mean, geometry by the medoid. */
 #include "kinematics/features/kpp_ensemble.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define MOST_OFFSET 2 /* radii of the part: a line farther off differs no more; by hand */
@@ -9,8 +10,8 @@
 static void normalize(float* scores, uint32_t count) {
     float most = -INFINITY, sum = 0;
     for (uint32_t i = 0; i < count; i++) most = dmi_max(most, scores[i]);
-    for (uint32_t i = 0; i < count; i++) sum += expf(scores[i] - most);
-    for (uint32_t i = 0; i < count; i++) scores[i] -= most + logf(sum);
+    for (uint32_t i = 0; i < count; i++) sum += dmi_expf(scores[i] - most);
+    for (uint32_t i = 0; i < count; i++) scores[i] -= most + dmi_logf(sum);
 }
 
 /* Makes a member's input. Each takes other points of the cloud, every second one a turned frame. */
@@ -21,13 +22,13 @@ static void make_input(const dmi_cloud* cloud, uint32_t index, const dmi_drag_hi
 
 /* Returns how differently two members turn the part: an angle in rad plus a distance over the part's radius. */
 static float turn_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
-    const float angle = acosf(dmi_min(fabsf(dmi_dot3(a->turn_axis, b->turn_axis)), 1));
+    const float angle = dmi_acosf(dmi_min(fabsf(dmi_dot3(a->turn_axis, b->turn_axis)), 1));
     return angle + dmi_min(dmi_line_distance3(a->origin, b->turn_axis, b->origin) * per_radius, MOST_OFFSET);
 }
 
 static float slide_gap(const dmi_prediction* a, const dmi_prediction* b, float per_radius) {
     (void)per_radius;
-    return acosf(dmi_min(fabsf(dmi_dot3(a->slide_axis, b->slide_axis)), 1));
+    return dmi_acosf(dmi_min(fabsf(dmi_dot3(a->slide_axis, b->slide_axis)), 1));
 }
 
 /* Returns the medoid, the member that the others agree with most: the mean of two hinges would be none. */

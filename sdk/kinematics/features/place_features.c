@@ -1,6 +1,7 @@
 /* Where a candidate's axis runs through the part and through the whole object, and how the part lies about it. */
 #include "kinematics/analysis/batched_transform.h"
 #include "kinematics/features/feature_groups.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define SURFACE_POINTS 96    /* of the part; by hand */
@@ -114,7 +115,7 @@ static void rotation_features(const dmi_part_analysis* a, const dmi_candidate* c
     const float least = least_of(mean + 1, FRACTIONS - 1);
     row[DMI_FEATURE_HALF_TURN_DISTANCE] = mean[0];
     row[DMI_FEATURE_FRACTION_TURN_DISTANCE] = least;
-    row[DMI_FEATURE_ROUND] = expf(-dmi_min(least, mean[0]) / ROUND_DISTANCE);
+    row[DMI_FEATURE_ROUND] = dmi_expf(-dmi_min(least, mean[0]) / ROUND_DISTANCE);
 }
 
 /* The axis in the outline of the whole object, along the way from the part's centroid to the axis. */
@@ -133,7 +134,7 @@ static void outline_features(const dmi_part_analysis* a, const dmi_candidate* c,
     const float width = high[1] - low[1] + LEAST_LENGTH;
     row[DMI_FEATURE_OUTLINE_AXIS_PLACE] = dmi_max((high[1] - dmi_dot3(c->origin, directions[1])) / width, -1);
     row[DMI_FEATURE_OUTLINE_PART_PLACE] = (dmi_dot3(a->centre, directions[1]) - low[1]) / width;
-    row[DMI_FEATURE_OUTLINE_LOG_WIDTH] = dmi_min(logf(width / a->diagonal), MOST_LOG_WIDTH);
+    row[DMI_FEATURE_OUTLINE_LOG_WIDTH] = dmi_min(dmi_logf(width / a->diagonal), MOST_LOG_WIDTH);
 }
 
 void dmi_place_features(const dmi_feature_context* context, const dmi_candidate* candidate,

@@ -1,6 +1,7 @@
 /* Measures how candidate joints lie to the up direction, the part's box and the pivot. */
 #include "kinematics/hints/hint_features.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 /* By hand, in round numbers; what each means is learnt (hint_weights.def). */
@@ -142,7 +143,7 @@ void dmi_hint_frame_make(const dmi_asset_hints* hints, const dmi_part_analysis* 
 }
 
 static float closeness(float distance, float sigma) {
-    return expf(-distance * distance / (2 * sigma * sigma));
+    return dmi_expf(-distance * distance / (2 * sigma * sigma));
 }
 
 void dmi_pivot_features(const dmi_hint_frame* frame, const dmi_candidate* candidate, float out[DMI_PIVOT_FEATURES]) {

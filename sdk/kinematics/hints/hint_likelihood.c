@@ -4,6 +4,7 @@
 
 #include <float.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 /* Weights by kind: a row for each kind of kinds.def. */
@@ -71,10 +72,10 @@ void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* anal
     float most = -INFINITY, sum = 0;
     dmi_hint_frame_make(hints, analysis, &frame);
     for (uint32_t i = 0; i < count; i++) {
-        probability[i] = logf(dmi_max(probability[i], FLT_MIN));
+        probability[i] = dmi_logf(dmi_max(probability[i], FLT_MIN));
         probability[i] += label_likelihood(&frame, &candidates[i]) + pivot_likelihood(&frame, &candidates[i]);
         most = dmi_max(most, probability[i]);
     }
-    for (uint32_t i = 0; i < count; i++) sum += probability[i] = expf(probability[i] - most);
+    for (uint32_t i = 0; i < count; i++) sum += probability[i] = dmi_expf(probability[i] - most);
     for (uint32_t i = 0; i < count; i++) probability[i] /= sum;
 }

@@ -1,6 +1,7 @@
 /* Signs and re-ranks hypotheses by a drag, in closed form. */
 #include "kinematics/inference/hypotheses.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define DRAG_SPREAD 0.22f   /* rad: a hand is off by 5 to 10 degrees, and the part may have moved already; by hand */
@@ -32,9 +33,9 @@ static float likelihood(const dm_joint* joint, const dmi_drag_hint* hint) {
     velocity_at(joint, hint->point, v);
     float speed = dmi_length3(v);
     if (speed < LEAST_SPEED || length < LEAST_LENGTH) return FLOOR;
-    float cosine = dmi_dot3(v, hint->vector) / (speed * length), angle = acosf(fminf(fmaxf(cosine, -1), 1));
+    float cosine = dmi_dot3(v, hint->vector) / (speed * length), angle = dmi_acosf(dmi_fminf(dmi_fmaxf(cosine, -1), 1));
     float spread = angle / DRAG_SPREAD;
-    float fit = expf(-0.5f * spread * spread) + FLOOR;
+    float fit = dmi_expf(-0.5f * spread * spread) + FLOOR;
     return joint->upper <= 0 && joint->lower < 0 ? fit * AGAINST_STOP : fit;
 }
 
@@ -61,7 +62,7 @@ void dmi_hypotheses_rerank(const dmi_hypotheses* hypotheses, const dmi_drag_hint
     }
     for (uint32_t i = 0; i < result.count; i++) {
         dm_joint* joint = &result.joints[i];
-        joint->joint_confidence = weight[i] / after * fminf(before, 1);
+        joint->joint_confidence = weight[i] / after * dmi_fminf(before, 1);
         joint->type_confidence = (turning(joint) ? turns : after - turns) / after;
     }
     *out = result;

@@ -2,6 +2,7 @@
 #include "kinematics/inference/hypothesis_selection.h"
 
 #include "kinematics/candidates/twist.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define TOP_OF_TYPE DMI_CONSENSUS_MAX /* leading turns, and leading slides, that may become hypotheses; by hand */
@@ -58,7 +59,7 @@ static void weigh(selection* s) {
         s->top[i].weight = 0;
         for (uint32_t j = 0; j < s->count; j++) {
             const float off = s->difference[i][j] = i == j ? 0 : dmi_twist_difference(&twist[i], &twist[j]);
-            s->top[i].weight += probability(s, j) * expf(-off * off / (NEAR * NEAR));
+            s->top[i].weight += probability(s, j) * dmi_expf(-off * off / (NEAR * NEAR));
         }
     }
 }
@@ -110,7 +111,8 @@ static void write_support(const selection* s, uint32_t chosen, dmi_selected* out
         const dmi_candidate* candidate = &s->ranked->candidates[s->top[i].index];
         const float off = s->difference[chosen][i] / ALIKE;
         if (!dmi_consensus_counts(out->candidate, candidate)) continue;
-        out->support[out->support_count++] = (dmi_weighted_candidate){candidate, probability(s, i) * expf(-off * off)};
+        out->support[out->support_count++] =
+            (dmi_weighted_candidate){candidate, probability(s, i) * dmi_expf(-off * off)};
     }
 }
 

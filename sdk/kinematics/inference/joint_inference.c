@@ -8,6 +8,7 @@
 #include "kinematics/limits/free_range.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/ranking/twin_leaves.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define SCRATCH_BLOCK ((size_t)1 << 20)
@@ -123,7 +124,7 @@ static dm_joint make_joint(const work* w, const dmi_selected* selected) {
     const float confidence = dmi_ranker_confidence(ranker(w), w->query->hint != NULL, selected->mass);
     dm_joint joint = {.type = c->type,
                       .joint_confidence = confidence,
-                      .type_confidence = fminf(fmaxf(selected->type_mass, confidence), 1),
+                      .type_confidence = dmi_fminf(dmi_fmaxf(selected->type_mass, confidence), 1),
                       .axis = {c->axis[0], c->axis[1], c->axis[2]},
                       .origin = {c->origin[0], c->origin[1], c->origin[2]},
                       .source = suggested_by_network_alone(c) ? DM_JOINT_FROM_NETWORK : DM_JOINT_FROM_GEOMETRY};

@@ -2,6 +2,7 @@
 #include "kinematics/kpp/kpp_frame.h"
 
 #include "kinematics/kpp/manhattan_frame.h"
+#include "math/elementary.h"
 
 #define MIN_RADIUS 1e-4f  /* object sizes: avoids a division by zero (docs/networks.md) */
 #define NEAR_OFFSET 0.05f /* radii along an axis, above which the near points sign it (docs/networks.md); by hand */
@@ -132,6 +133,6 @@ void dmi_kpp_frame_point_in(const dmi_kpp_frame* frame, const float x[3], float 
     dmi_sub3(x, frame->origin, d);
     dmi_kpp_frame_rotate(frame, d, out);
     float length = dmi_length3(out) * frame->scale, factor = frame->scale;
-    if (length > MAX_LENGTH) factor *= (MAX_LENGTH + logf(length / MAX_LENGTH)) / length;
+    if (length > MAX_LENGTH) factor *= (MAX_LENGTH + dmi_logf(length / MAX_LENGTH)) / length;
     for (int k = 0; k < 3; k++) out[k] *= factor;
 }

@@ -2,6 +2,7 @@
 #include "kinematics/kpp/kpp_prediction.h"
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define MIN_AXIS 1e-6f /* length of a raw axis below which it has no direction; by hand */
@@ -14,8 +15,8 @@ static void rotate_out(const dmi_kpp_frame* frame, const float in[3], float out[
 
 static void softmax(const float* logits, uint32_t count, float* out) {
     float most = -INFINITY, sum = 0;
-    for (uint32_t i = 0; i < count; i++) most = fmaxf(most, logits[i]);
-    for (uint32_t i = 0; i < count; i++) sum += out[i] = expf(logits[i] - most);
+    for (uint32_t i = 0; i < count; i++) most = dmi_fmaxf(most, logits[i]);
+    for (uint32_t i = 0; i < count; i++) sum += out[i] = dmi_expf(logits[i] - most);
     for (uint32_t i = 0; i < count; i++) out[i] /= sum;
 }
 

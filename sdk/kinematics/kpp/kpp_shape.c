@@ -1,6 +1,8 @@
 /* Computes the shape features. */
 #include "kinematics/kpp/kpp_shape.h"
 
+#include "math/elementary.h"
+
 #define CONTACT_NEARNESS 0.5f /* from which a point of the part is in contact (docs/networks.md); by hand */
 
 void dmi_kpp_sign_line(float line[3]) {
@@ -31,8 +33,8 @@ static void write_box(const dmi_kpp_frame* frame, const float (*xyz)[3], uint32_
     }
     for (int k = 0; k < 3; k++) {
         const float a = low[k] * frame->scale, b = high[k] * frame->scale;
-        const float from = logarithmic ? copysignf(logf(1 + fabsf(a)), a) : a;
-        const float to = logarithmic ? copysignf(logf(1 + fabsf(b)), b) : b;
+        const float from = logarithmic ? copysignf(dmi_logf(1 + fabsf(a)), a) : a;
+        const float to = logarithmic ? copysignf(dmi_logf(1 + fabsf(b)), b) : b;
         out_centre[k] = 0.5f * (from + to);
         out_half[k] = 0.5f * (to - from);
     }
@@ -68,7 +70,7 @@ void dmi_kpp_shape_make(const dmi_cloud* cloud, const dmi_kpp_frame* frame, cons
     write_box(frame, xyz, DMI_CLOUD_POINTS, true, object_box, object_box + 3);
     dmi_copy3(drag->point, out + DMI_KPP_SHAPE_DRAG_POINT);
     dmi_copy3(drag->vector, out + DMI_KPP_SHAPE_DRAG_VECTOR);
-    out[DMI_KPP_SHAPE_RADIUS] = 0.5f * logf(geometry->radius) + 1;
+    out[DMI_KPP_SHAPE_RADIUS] = 0.5f * dmi_logf(geometry->radius) + 1;
     fits[0] = geometry->part_fit, fits[1] = geometry->body_fit, fits[2] = geometry->all_fit;
     write_contact(points, out + DMI_KPP_SHAPE_CONTACT_MEAN, out + DMI_KPP_SHAPE_CONTACT_SPREAD,
                   out + DMI_KPP_SHAPE_CONTACT_SHARE);

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define MAX_ITERATIONS 12           /* docs/networks.md; by hand */
@@ -73,7 +74,7 @@ static void nearest_rotation(const double m[3][3], float out[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int r = 0; r < 3; r++)
             for (int c = 0; c < 3; c++)
-                root[r][c] += (double)vectors[i][r] * vectors[i][c] / sqrt(fmax(values[i], MIN_EIGENVALUE));
+                root[r][c] += (double)vectors[i][r] * vectors[i][c] / sqrt(dmi_fmax(values[i], MIN_EIGENVALUE));
     for (int r = 0; r < 3; r++)
         for (int c = 0; c < 3; c++)
             out[r][c] = (float)(m[r][0] * root[0][c] + m[r][1] * root[1][c] + m[r][2] * root[2][c]);

@@ -3,6 +3,7 @@
 #include "base/sort.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/limits/sweep.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 /* Columns of the limit features. Lengths are in the joint's unit: 1 rad, or the part's extent along the slide. */
@@ -94,8 +95,8 @@ static void write_shape(const measure* m, float* out) {
     out[EXTENT] = m->sweep.extent / a->diagonal;
     out[THIN_BY_LONG] = side[2] / dmi_max(side[0], LEAST_SIDE);
     out[MIDDLE_BY_LONG] = side[1] / dmi_max(side[0], LEAST_SIDE);
-    out[LOG_DIAGONAL] = logf(a->diagonal);
-    out[LOG_AREA_RATIO] = logf(1 + a->area_ratio) / AREA_RATIO_UNIT;
+    out[LOG_DIAGONAL] = dmi_logf(a->diagonal);
+    out[LOG_AREA_RATIO] = dmi_logf(1 + a->area_ratio) / AREA_RATIO_UNIT;
     out[FREE_SHARE] = (float)m->sweep.free_count / DMI_SWEEP_POINTS;
 }
 

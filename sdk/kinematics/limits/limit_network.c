@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 #define LEAST_RANGE 0.01f /* between the limits, in the features' unit; by hand */
 #define UNLIKELY 1e-3f    /* ranges less probable than this do not count (all alike, each would have more); by hand */
 #define LOWEST_LOGIT (-30.0f)
@@ -42,8 +44,8 @@ void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network) 
 /* Softmax. The least logit is held so that no probability is denormal. */
 static void softmax(const float* logits, int count, float* out) {
     float most = -INFINITY, sum = 0;
-    for (int i = 0; i < count; i++) most = fmaxf(most, logits[i]);
-    for (int i = 0; i < count; i++) sum += out[i] = expf(fmaxf(logits[i] - most, LOWEST_LOGIT));
+    for (int i = 0; i < count; i++) most = dmi_fmaxf(most, logits[i]);
+    for (int i = 0; i < count; i++) sum += out[i] = dmi_expf(dmi_fmaxf(logits[i] - most, LOWEST_LOGIT));
     for (int i = 0; i < count; i++) out[i] /= sum;
 }
 

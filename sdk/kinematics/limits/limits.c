@@ -4,6 +4,7 @@
 
 #include "kinematics/limits/sweep.h"
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/joint.h"
 
 #define ROUND 0.02f /* diagonals: least mean distance of a turned part from itself that is no round part; by hand */
@@ -28,8 +29,8 @@ static void limit_turn(const dmi_sweep* s, dm_joint* joint) {
         return;
     }
     /* Assumes that the part rests closed: it opens to the side with more room. */
-    joint->upper = up[0] >= -down[0] ? fminf(up[0], USUAL_OPENING) : 0;
-    joint->lower = up[0] >= -down[0] ? 0 : fmaxf(down[0], -USUAL_OPENING);
+    joint->upper = up[0] >= -down[0] ? dmi_fminf(up[0], USUAL_OPENING) : 0;
+    joint->lower = up[0] >= -down[0] ? 0 : dmi_fmaxf(down[0], -USUAL_OPENING);
     if (joint->upper - joint->lower < DMI_SWEEP_TURN) joint->upper = USUAL_OPENING, joint->lower = 0;
 }
 

@@ -1,6 +1,7 @@
 /* Moves samples of a part along a joint and looks up how far they are from the body. */
 #include "kinematics/limits/sweep.h"
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define STOPPED 0.03f      /* share of the free points that must meet the body; by hand */
@@ -19,7 +20,8 @@ static void distances_at(const dmi_sweep* s, float value, const dmi_distance_gri
         return;
     }
     const float advance = s->joint->type == DM_JOINT_SCREW ? s->joint->pitch * value : 0;
-    dmi_batched_transform_distances(&s->moved, cosf(value), sinf(value), advance, grid, out);
+    const dmi_circlef at = dmi_circle_atf(value);
+    dmi_batched_transform_distances(&s->moved, at.cosine, at.sine, advance, grid, out);
 }
 
 /* Returns the share of the free points that are inside the body's cells at a value. */

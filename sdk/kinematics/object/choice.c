@@ -2,6 +2,7 @@
 #include "kinematics/object/choice.h"
 
 #include "math/constants.h"
+#include "math/elementary.h"
 #include "math/vec3.h"
 
 #define OPEN_TURN DMI_HALF_PI_F /* rad from rest, of an end that no limit sets; by hand */
@@ -31,7 +32,7 @@ static void box_at(const dmi_mesh* mesh, uint32_t part, const dm_pose* pose, flo
         for (int corner = 0; corner < 3; corner++) {
             float p[3];
             dmi_pose_apply(pose, mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)face + corner], p);
-            for (int k = 0; k < 3; k++) min[k] = fminf(min[k], p[k]), max[k] = fmaxf(max[k], p[k]);
+            for (int k = 0; k < 3; k++) min[k] = dmi_fminf(min[k], p[k]), max[k] = dmi_fmaxf(max[k], p[k]);
         }
     }
 }

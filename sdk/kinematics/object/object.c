@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/ids.h"
+#include "math/elementary.h"
 #include "math/vec3.h"
 
 #define MAX_DRAG_DISTANCE 0.5f /* object sizes from the part's box to a drag's point; by hand */
@@ -54,8 +55,8 @@ void dmi_object_bound(dmi_object* object) {
         object->box_min[k] = object->parts[0].shape.box_min[k];
         object->box_max[k] = object->parts[0].shape.box_max[k];
         for (uint32_t i = 1; i < object->part_count; i++) {
-            object->box_min[k] = fminf(object->box_min[k], object->parts[i].shape.box_min[k]);
-            object->box_max[k] = fmaxf(object->box_max[k], object->parts[i].shape.box_max[k]);
+            object->box_min[k] = dmi_fminf(object->box_min[k], object->parts[i].shape.box_min[k]);
+            object->box_max[k] = dmi_fmaxf(object->box_max[k], object->parts[i].shape.box_max[k]);
         }
     }
 }
@@ -69,8 +70,8 @@ void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float 
         dmi_frame_point_out(frame, inner, host);
         const dm_vec3 p = {host[0], host[1], host[2]};
         if (corner == 0) *out_min = *out_max = p;
-        *out_min = (dm_vec3){fminf(out_min->x, p.x), fminf(out_min->y, p.y), fminf(out_min->z, p.z)};
-        *out_max = (dm_vec3){fmaxf(out_max->x, p.x), fmaxf(out_max->y, p.y), fmaxf(out_max->z, p.z)};
+        *out_min = (dm_vec3){dmi_fminf(out_min->x, p.x), dmi_fminf(out_min->y, p.y), dmi_fminf(out_min->z, p.z)};
+        *out_max = (dm_vec3){dmi_fmaxf(out_max->x, p.x), dmi_fmaxf(out_max->y, p.y), dmi_fmaxf(out_max->z, p.z)};
     }
 }
 
@@ -93,7 +94,7 @@ dm_part_info dmi_object_part_out(const dmi_object* object, uint32_t index) {
 static float distance_to_box(const dmi_part* shape, const float point[3]) {
     float square = 0.0f;
     for (int i = 0; i < 3; i++) {
-        float outside = fmaxf(fmaxf(shape->box_min[i] - point[i], point[i] - shape->box_max[i]), 0.0f);
+        float outside = dmi_fmaxf(dmi_fmaxf(shape->box_min[i] - point[i], point[i] - shape->box_max[i]), 0.0f);
         square += outside * outside;
     }
     return sqrtf(square);
@@ -104,7 +105,7 @@ static float distance_to_part(const dmi_object* object, uint32_t part, const flo
     float nearest = INFINITY;
     for (uint32_t i = 1; i < object->part_count; i++) {
         if (dmi_object_moves_with(object, i, part)) {
-            nearest = fminf(nearest, distance_to_box(&object->parts[i].shape, point));
+            nearest = dmi_fminf(nearest, distance_to_box(&object->parts[i].shape, point));
         }
     }
     return nearest;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "kinematics/candidates/candidates.h"
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define HIDDEN 64
@@ -76,8 +77,8 @@ static float rule_score(const float* f) {
         score -= 3 * dmi_max(f[DMI_FEATURE_ALONG_PART_MEAN] - some_distance, 0) + 1;
     }
     if (f[DMI_FEATURE_HAS_NETWORK] > 0) {
-        score += logf(f[DMI_FEATURE_NETWORK_TYPE] + doubt) - network_weight * dmi_min(f[DMI_FEATURE_NETWORK_ANGLE], 1) +
-                 2 * f[DMI_FEATURE_NETWORK_NEAR_50MRAD];
+        score += dmi_logf(f[DMI_FEATURE_NETWORK_TYPE] + doubt) -
+                 network_weight * dmi_min(f[DMI_FEATURE_NETWORK_ANGLE], 1) + 2 * f[DMI_FEATURE_NETWORK_NEAR_50MRAD];
         if (turns)
             score -= network_weight * dmi_min(f[DMI_FEATURE_NETWORK_OFFSET], 1) - f[DMI_FEATURE_NETWORK_ON_LINE_3];
     }
@@ -103,7 +104,7 @@ void dmi_ranker_probabilities(const dmi_ranker* ranker, dmi_isa isa, const float
     float most = -INFINITY, sum = 0;
     score(ranker, isa, features, count, out_probability);
     for (uint32_t i = 0; i < count; i++) most = dmi_max(most, out_probability[i]);
-    for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = expf(out_probability[i] - most);
+    for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = dmi_expf(out_probability[i] - most);
     for (uint32_t i = 0; i < count; i++) out_probability[i] /= sum;
 }
 
@@ -111,5 +112,5 @@ float dmi_ranker_confidence(const dmi_ranker* ranker, int dragged, float mass) {
     if (ranker == NULL) return dmi_min(mass, 1);
     const float p = dmi_min(dmi_max(mass, LEAST_CHANCE), 1 - LEAST_CHANCE);
     const float* line = ranker->calibration[dragged ? 1 : 0];
-    return 1 / (1 + expf(-line[0] * logf(p / (1 - p)) - line[1]));
+    return 1 / (1 + dmi_expf(-line[0] * dmi_logf(p / (1 - p)) - line[1]));
 }

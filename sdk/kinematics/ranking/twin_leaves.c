@@ -3,6 +3,7 @@
 
 #include <float.h>
 
+#include "math/elementary.h"
 #include "math/linear3.h"
 
 #define ALONG 0.9f /* cosine between an axis and the side of the box that it runs along; by hand */
@@ -72,6 +73,6 @@ void dmi_twin_weigh(const dmi_part_analysis* analysis, const dmi_candidate* cand
     const leaf_sides sides = sides_of(analysis);
     float sum = 0;
     for (uint32_t i = 0; i < count; i++)
-        sum += probability[i] *= expf(log_likelihood(analysis, &sides, &candidates[i]));
+        sum += probability[i] *= dmi_expf(log_likelihood(analysis, &sides, &candidates[i]));
     for (uint32_t i = 0; i < count; i++) probability[i] /= dmi_max(sum, FLT_MIN);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "math/dual_quat.h"
+#include "math/elementary.h"
 
 static void part_centre(const dmi_moves* moves, uint32_t track, float out[3]) {
     const dm_gltf* gltf = moves->gltf;
@@ -27,7 +28,7 @@ static void find_pivot(const dmi_moves* moves, const dm_gltf_track* from, uint32
     dmi_screw screw = {{0, 0, 0}, {0, 0, 0}, 0, 0};
     for (uint32_t k = 0; k < from->key_count; k++) {
         const dmi_screw found = dmi_pose_to_screw(&from->poses[k]);
-        const float turn = fabsf(sinf(found.angle / 2));
+        const float turn = fabsf(dmi_sinf(found.angle / 2));
         if (turn <= best) continue;
         best = turn;
         screw = found;
@@ -46,8 +47,8 @@ static int ends_where_it_starts(const dm_gltf_track* track, const float pivot[3]
     dmi_pose_apply(last, pivot, b);
     for (int k = 0; k < 4; k++) same += first->real[k] * last->real[k];
     for (int k = 0; k < 3; k++) {
-        distance = fmaxf(distance, fabsf(a[k] - b[k]));
-        length = fmaxf(length, fabsf(a[k]));
+        distance = dmi_fmaxf(distance, fabsf(a[k] - b[k]));
+        length = dmi_fmaxf(length, fabsf(a[k]));
     }
     return track->key_count > 1 && fabsf(same) > 1 - 1e-6f && distance <= 1e-5f * length;
 }

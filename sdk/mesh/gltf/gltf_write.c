@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "math/elementary.h"
 #include "mesh/gltf/gltf_edit.h"
 
 static dm_result check_part(dmi_env* env, const dm_gltf_part* part, uint32_t which) {
@@ -39,8 +40,8 @@ static void add_part(dmi_edit* e, const dm_gltf_part* part) {
     float low[3], high[3];
     for (int k = 0; k < 3; k++) low[k] = high[k] = part->positions[k];
     for (uint64_t i = 0; i < 3 * part->vertex_count; i++) {
-        low[i % 3] = fminf(low[i % 3], part->positions[i]);
-        high[i % 3] = fmaxf(high[i % 3], part->positions[i]);
+        low[i % 3] = dmi_fminf(low[i % 3], part->positions[i]);
+        high[i % 3] = dmi_fmaxf(high[i % 3], part->positions[i]);
     }
     const uint64_t vertex_bytes = part->vertex_count * 3 * sizeof(float);
     const int32_t vertices = dmi_edit_add_view(e, part->positions, vertex_bytes, DMI_GLTF_VERTEX_TARGET);
