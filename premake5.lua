@@ -1,9 +1,16 @@
 -- dragmesh: one library a room, the boundary on top, programs and tests around them. `scripts/build` runs it.
 -- Read by premake5 as it is, and by Debian's premake4 through premake4.lua.
 
+newoption { trigger = "cross", value = "TARGET", description = "Builds for another machine, into build/TARGET",
+    allowed = { { "windows", "64-bit Windows, by mingw-w64" }, { "linux-arm64", "64-bit Arm" }, { "linux-arm32", "32-bit Arm" } } }
+local cross = _OPTIONS["cross"]
+local windows = cross == "windows"
+-- Below build: what is made, and the objects of it.
+local out, objects = cross or "%{cfg.buildcfg}", cross and "obj-" .. cross or "obj"
+
 workspace "dragmesh"
-    configurations { "release", "debug", "asan", "tsan" }
-    location "build/make"
+    configurations(cross and { "release" } or { "release", "debug", "asan", "tsan" })
+    location("build/make" .. (cross and "-" .. cross or ""))
     cdialect "C17"
     cppdialect "C++17"
     warnings "Extra"
@@ -15,6 +22,13 @@ workspace "dragmesh"
     pic "On"
     symbols "On"
     defines { "_GNU_SOURCE" }
+    if windows then
+        -- gcc bug 54412: the stack is aligned to 16 bytes, which aligned moves of wider registers do not bear.
+        buildoptions { "-Wa,-muse-unaligned-vector-move" }
+        -- mingw's isfinite and the like have branches for each type, all of which are compiled.
+        buildoptions { "-Wno-float-conversion" }
+        linkoptions { "-static" } -- libgcc, libstdc++ and winpthread: Windows has none of them
+    end
 
     filter "configurations:release"
         optimize "Speed"
@@ -31,8 +45,9 @@ workspace "dragmesh"
         sanitize { "Thread" }
     filter {}
 
--- Whether a package with that header is there.
+-- Whether a package with that header is there. Other machines have none here.
 local function installed(header)
+    if cross then return false end
     for _, folder in ipairs { "", "x86_64-linux-gnu/", "aarch64-linux-gnu/" } do
         if os.isfile("/usr/include/" .. folder .. header) then return true end
     end
@@ -42,8 +57,15 @@ end
 newoption { trigger = "pick", value = "BACKEND", description = "What picks rays: Embree and our own code, one of them, or none",
     allowed = { { "auto", "both; Embree where its shared library is found at run time" }, { "embree", "Embree alone" },
         { "portable", "our own code alone" }, { "none", "nothing: hosts cast their own rays" } } }
+local pick_choice = _OPTIONS["pick"] or windows and "portable" or "auto" -- Embree was never tried there
 local pick_macros = ({ auto = {}, embree = { "DMI_NO_PORTABLE" }, portable = { "DMI_NO_EMBREE" },
-    none = { "DMI_NO_EMBREE", "DMI_NO_PORTABLE" } })[_OPTIONS["pick"] or "auto"]
+    none = { "DMI_NO_EMBREE", "DMI_NO_PORTABLE" } })[pick_choice]
+
+-- Libraries that are headers alone serve every machine; the rest of /usr/include is of this one.
+local header_libraries = "build/include/header_libraries"
+if cross then
+    os.execute("mkdir -p " .. header_libraries .. " && ln -sfn /usr/include/stb " .. header_libraries)
+end
 
 -- Declares a program or library: its sources, the folders it may include from, and what it links.
 local function make(name, kind_, sources, includes, libraries)
@@ -52,13 +74,16 @@ local function make(name, kind_, sources, includes, libraries)
         language "C"
         files(sources)
         includedirs(table.join(includes, { "third_party" }))
-        objdir("build/obj/" .. name)
-        if #libraries > 0 then links(libraries) end
+        if cross then externalincludedirs { header_libraries } end
+        objdir("build/" .. objects .. "/" .. name)
+        for _, name in ipairs(libraries) do
+            if not (windows and name == "dl") then links { name } end -- Windows loads libraries by itself
+        end
 end
 
 local function library(name, sources, includes, libraries)
     make(name, "StaticLib", sources, includes, libraries or {})
-        targetdir "build/%{cfg.buildcfg}/lib"
+        targetdir("build/" .. out .. "/lib")
 end
 
 -- The interface's major version, which a shared library's name ends with.
@@ -66,11 +91,19 @@ local so_version = io.open("plugin_api/include/dragmesh/dragmesh.h"):read "*a":m
 
 local function shared(name, sources, includes, libraries, map)
     make(name, "SharedLib", sources, includes, libraries)
-        targetdir "build/%{cfg.buildcfg}"
-        targetextension(".so." .. so_version)
-        postbuildcommands { "@ln -sf lib" .. name .. ".so." .. so_version .. " ../%{cfg.buildcfg}/lib" .. name .. ".so" }
+        targetdir("build/" .. out)
         defines { "DM_BUILDING" }
-        linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,--gc-sections", "-Wl,-Bsymbolic" }
+        linkoptions { "-Wl,--gc-sections" }
+        if windows then
+            -- The import library in the format that Microsoft's linker, lld and ld take alike.
+            local path = "../" .. out .. "/" .. name
+            linkoptions { "-Wl,--output-def=" .. path .. ".def" }
+            postbuildcommands { "@llvm-dlltool -m i386:x86-64 -d " .. path .. ".def -D " .. name .. ".dll -l " .. path .. ".lib" }
+        else
+            targetextension(".so." .. so_version)
+            postbuildcommands { "@ln -sf lib" .. name .. ".so." .. so_version .. " ../" .. out .. "/lib" .. name .. ".so" }
+            linkoptions { "-Wl,--version-script=../../" .. map, "-Wl,-z,defs", "-Wl,-Bsymbolic" }
+        end
         filter "configurations:asan or tsan"
             linkoptions { "-Wl,-z,undefs" }
         filter {}
@@ -95,8 +128,11 @@ local pinned = {
 
 local function program(name, sources, includes, libraries, folder)
     make(name, "ConsoleApp", sources, includes, libraries)
-        targetdir("build/%{cfg.buildcfg}" .. (folder or ""))
-        linkoptions { "-Wl,-rpath,'$$ORIGIN',-rpath,'$$ORIGIN/..',-rpath,'$$ORIGIN/../lib'" }
+        if windows then links { "pthread" } end -- mingw's clock_gettime
+        targetdir("build/" .. out .. (folder or ""))
+        if not windows then
+            linkoptions { "-Wl,-rpath,'$$ORIGIN',-rpath,'$$ORIGIN/..',-rpath,'$$ORIGIN/../lib'" }
+        end
 end
 
 -- Rooms ------------------------------------------------------------------------------------------------------------
@@ -176,7 +212,10 @@ for _, room in ipairs(rooms) do
     table.insert(room_libraries, 1, name)
     local sources = table.join({ "sdk/" .. room[1] .. "/*.c" }, made[room[1]] or {})
     library(name, sources, { api, include_folder(name, "sdk", room[2]) })
-    if room[1] == "pick" then defines(pick_macros) end
+    if room[1] == "pick" then
+        defines(pick_macros)
+        if table.contains(pick_macros, "DMI_NO_EMBREE") then removefiles { "sdk/pick/embree*.c" } end
+    end
 end
 
 -- cJSON under names of our own: neither the host's copy nor ours takes the other's calls.
@@ -189,7 +228,7 @@ local core_libraries = table.join(room_libraries, { "cjson" })
 library("dragmesh_core", { "plugin_api/src/*.c" }, { api, "sdk" }, core_libraries)
     defines { "DM_BUILDING" }
     -- The archive is made anew from its objects and the rooms' archives: ar by itself only ever adds.
-    local folder, add = "../%{cfg.buildcfg}/lib/lib", ""
+    local folder, add = "../" .. out .. "/lib/lib", ""
     for _, name in ipairs(core_libraries) do add = add .. " 'addlib " .. folder .. name .. ".a'" end
     postbuildcommands {
         "@(echo create $(TARGET).new; printf '%s\\n'" .. add .. "; printf 'addmod %s\\n' $(OBJECTS); echo save) | $(AR) -M",
@@ -199,9 +238,11 @@ local core = { "dragmesh_core", "dl", "m" }
 
 shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plugin_api/dragmesh.map")
     pin("dl", pinned.dl)
-    filter "configurations:release"
-        linkoptions { "-Wl,--no-as-needed,-l:libdl.so.2,--as-needed" } -- glibc 2.31 has the functions there
-    filter {}
+    if not windows then
+        filter "configurations:release"
+            linkoptions { "-Wl,--no-as-needed,-l:libdl.so.2,--as-needed" } -- glibc 2.31 has the functions there
+        filter {}
+    end
 
 -- glTF in and out. The decoders of Draco and meshoptimizer are C++; a build without Draco refuses its extension by name.
 library("meshoptimizer", { "third_party/meshoptimizer/*.cpp" }, {})
@@ -228,8 +269,10 @@ local generator = "training/generator"
 library("dragmesh_generator", { "training/generator/**.c" },
     { api, generator, include_folder("dragmesh_generator", "sdk", { "base", "math", "mesh" }) })
 
-shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },
-    { "dragmesh_generator", "dragmesh_core", "dl", "m" }, "training/lab/lab.map")
+if not cross then
+    shared("dragmesh_lab", { "training/lab/*.c" }, { api, "sdk", generator },
+        { "dragmesh_generator", "dragmesh_core", "dl", "m" }, "training/lab/lab.map")
+end
 
 -- Programs ---------------------------------------------------------------------------------------------------------
 
@@ -238,8 +281,10 @@ program("dragmesh_cli", { "samples/dragmesh_cli/*.c", "samples/common/platform.c
     pin("stat", pinned.stat)
     pin("start", pinned.start)
 
-program("dragmesh_generate", { "training/generate/*.c" }, { api, "sdk", generator },
-    { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
+if not cross then
+    program("dragmesh_generate", { "training/generate/*.c" }, { api, "sdk", generator },
+        { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
+end
 
 -- What samples link beside the library; one whose library is missing is left out (scripts/install viewer).
 local has_viewer = installed "SDL2/SDL.h" and installed "epoxy/gl.h"
@@ -276,22 +321,37 @@ end
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------
 
-local everything = { api, "sdk", generator, "tests/include", "samples/dragmesh_cli" }
+local everything = { api, "sdk", generator, "tests/include", "samples/dragmesh_cli", "samples/common" }
+-- Debian has cmocka for this machine alone; elsewhere a header of the same calls serves.
+if cross then table.insert(everything, "tests/cross") end
+local cmocka = cross and {} or { "cmocka" }
+-- Programs of this machine run the tool of the other one (tests/e2e); training and what forks stay here too.
+local tested = cross and { "unit", "golden", "abi" } or { "unit", "golden", "e2e", "abi" }
+local here_alone = { test_boost = true, test_lab = true, test_lab_growth = true, test_lab_limits = true,
+    test_pick_backends = true, test_threads = true }
 
-for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
+for _, room in ipairs(tested) do
     for _, source in ipairs(os.matchfiles("tests/" .. room .. "/test_*.c")) do
         local name = source:match("([%w_]+)%.c$")
-        local libraries = { "cmocka", "dragmesh_gltf", "dragmesh_generator", "dragmesh_core", "dl", "m" }
-        if room == "abi" or room == "e2e" then
-            libraries = { "cmocka", "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
+        local libraries = { "dragmesh_gltf", "dragmesh_generator", "dragmesh_core", "dl", "m" }
+        if room == "abi" then libraries = { "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "dl", "m" } end
+        if room == "e2e" then
+            libraries = { "dragmesh", "dragmesh_gltf", "dragmesh_generator", "cjson", "png", "dl", "m" }
         end
-        if name:find "gltf" then libraries = table.join(libraries, { "meshoptimizer" }, has_draco and { "draco" } or {}) end -- it compresses files itself
-        program(name, { source }, everything, libraries, "/tests")
-            defines(gltf_macros)
-            defines(pick_macros)
-            if room ~= "abi" then defines { "DM_TEST_ROOM=\"" .. room .. "\"" } end
+        if name:find "gltf" and not cross then -- it compresses files itself
+            libraries = table.join(libraries, { "meshoptimizer" }, has_draco and { "draco" } or {})
+        end
+        if not (cross and here_alone[name]) then
+            program(name, { source }, everything, table.join(cmocka, libraries), "/tests")
+                defines(gltf_macros)
+                defines(pick_macros)
+                -- They call the core that they hold, not a library.
+                if windows and room ~= "abi" then defines { "DM_STATIC" } end
+                if room ~= "abi" then defines { "DM_TEST_ROOM=\"" .. room .. "\"" } end
+        end
     end
 end
+if cross then return end
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
     program(source:match("([%w_]+)%.c$"), { source, "tests/fuzz/driver.c" }, everything,

@@ -15,7 +15,11 @@
 /* Compiles a function for instruction sets beyond the machine's least, such as "avx2,fma". */
 #define DMI_TARGET(sets) __attribute__((target(sets)))
 /* Lets the compiler check arguments against a printf format. */
+#if defined(__MINGW32__) && !defined(__clang__)
+#define DMI_PRINTF(text, first) __attribute__((format(gnu_printf, text, first))) /* not Microsoft's, without %zu */
+#else
 #define DMI_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#endif
 /* A vector of `lanes` numbers, with C's operators: typedef DMI_VECTOR(float, 4) lanes; */
 #define DMI_VECTOR(type, lanes) type __attribute__((vector_size((lanes) * sizeof(type))))
 /* Whether the processor has a set and the operating system saves its registers. */

@@ -2,6 +2,7 @@
 #include "golden.h"
 
 #include "kinematics/features/kpp_candidate_scores.h"
+#include "platform.h"
 
 #define CANDIDATES 40
 
@@ -35,7 +36,7 @@ static void compare(const dmi_kpp_net* net, dmi_isa isa, const char* name, const
     golden_copy(golden, "local_points", DMI_KPP_LOCAL_GROUPS * DMI_KPP_GROUP, DMI_KPP_CHANNELS, input->local_points);
     golden_copy(golden, "local_centres", DMI_KPP_LOCAL_GROUPS, 3, input->local_centres);
     golden_copy(golden, "shape", DMI_KPP_SHAPE, 0, input->shape);
-    void* scratch = aligned_alloc(64, (dmi_kpp_net_scratch_size(net) + 63) / 64 * 64);
+    void* scratch = platform_allocate(dmi_kpp_net_scratch_size(net), 64);
     dmi_kpp_net_forward(net, isa, input, scratch, &output);
     golden_compare(golden, "type_logits", DMI_KPP_TYPES, 0, output.type_logits, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "turn_axis", 3, 0, output.turn_axis, GOLDEN_TOLERANCE, where);
@@ -43,7 +44,7 @@ static void compare(const dmi_kpp_net* net, dmi_isa isa, const char* name, const
     golden_compare(golden, "origin", 3, 0, output.origin, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "limits", 5, 0, output.limits, GOLDEN_TOLERANCE, where);
     compare_choice(net, isa, golden, input, &output, where);
-    free(scratch);
+    platform_release(scratch);
     free(input);
 }
 

@@ -3,6 +3,7 @@
 #include "golden.h"
 
 #include "motion/dq_vae.h"
+#include "platform.h"
 
 #define FEATURE_TOLERANCE 2e-5f
 
@@ -60,7 +61,7 @@ static void compare(const dmi_dq_vae* vae, dmi_isa isa, const char* name, const 
     dmi_vae_output output;
     char where[64];
     snprintf(where, sizeof where, "%s %s", name, dmi_isa_name(isa));
-    void* scratch = aligned_alloc(64, (dmi_dq_vae_scratch_size(vae) + 63) / 64 * 64);
+    void* scratch = platform_allocate(dmi_dq_vae_scratch_size(vae), 64);
     fill_cloud(golden, &cloud);
     copy_query(golden, &query);
     dmi_dq_vae_prepare(vae, isa, &cloud, scratch, &object);
@@ -70,7 +71,7 @@ static void compare(const dmi_dq_vae* vae, dmi_isa isa, const char* name, const 
     golden_compare(golden, "mean", DMI_VAE_LATENT, 0, output.mean, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "log_variance", DMI_VAE_LATENT, 0, output.log_variance, GOLDEN_TOLERANCE, where);
     golden_compare(golden, "raw", DM_MOTION_FRAMES, 8, output.raw[0], GOLDEN_TOLERANCE, where);
-    free(scratch);
+    platform_release(scratch);
 }
 
 static void answers_as_pytorch(void** state) {

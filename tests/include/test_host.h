@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "dragmesh/dragmesh.h"
+#include "platform.h"
 
 #define TEST_NEVER (-1)
 
@@ -30,7 +31,7 @@ static inline void* DM_CALL test_allocate(void* user, size_t size, size_t alignm
     if (memory->fail_at >= 0 && call >= memory->fail_at) return NULL;
     size_t room = alignment > sizeof(test_block) ? alignment : sizeof(test_block);
     size_t step = alignment > _Alignof(max_align_t) ? alignment : _Alignof(max_align_t);
-    char* base = aligned_alloc(step, (room + size + step - 1) / step * step);
+    char* base = platform_allocate(room + size, step);
     if (base == NULL) return NULL;
     ((test_block*)(void*)(base + room))[-1] = (test_block){base, size};
     memset(base + room, 0xCD, size); /* whoever counts on zeros finds out */
@@ -45,7 +46,7 @@ static inline void DM_CALL test_release(void* user, void* pointer, size_t size) 
     if (block.size != size) atomic_fetch_add(&memory->size_errors, 1);
     atomic_fetch_sub(&memory->live_bytes, (int64_t)block.size);
     atomic_fetch_sub(&memory->live_blocks, 1);
-    free(block.base);
+    platform_release(block.base);
 }
 
 static inline dm_allocator test_allocator(test_memory* memory) {

@@ -61,9 +61,18 @@ static inline void tool_write(const char* path, const void* data, size_t size) {
     fclose(file);
 }
 
-/* build/<config>/name. */
+/* The command that runs the tool of another machine (tests/cross/run.sh); NULL: this one's is tested. */
+static inline const char* tool_elsewhere(const char* name) {
+    return strcmp(name, "dragmesh") == 0 ? getenv("DM_TEST_TOOL") : NULL;
+}
+
+/* build/<config>/name, or that command. */
 static inline void tool_find(const char* name, char out_path[TOOL_PATH]) {
     char own[TOOL_PATH];
+    if (tool_elsewhere(name)) {
+        assert_true(snprintf(out_path, TOOL_PATH, "%s", tool_elsewhere(name)) < TOOL_PATH);
+        return;
+    }
     const ssize_t length = readlink("/proc/self/exe", own, sizeof own - 1);
     assert_true(length > 0);
     own[length] = 0;
@@ -84,16 +93,22 @@ static inline void tool_slurp(const char* path, char out_text[TOOL_TEXT]) {
 static inline void tool_run(tool_output* output, const char* name, const char* input, const char* format, ...) {
     char folder[TOOL_PATH], program[TOOL_PATH], in[TOOL_PATH + 8], out[TOOL_PATH + 8], err[TOOL_PATH + 8];
     static char line[8192];
-    char* arguments[TOOL_ARGUMENTS + 5] = {"timeout", "--foreground", "600", program};
+    char* arguments[TOOL_ARGUMENTS + 5] = {"timeout", "--foreground", "600"};
+    int count = 3;
     va_list list;
     va_start(list, format);
     vsnprintf(line, sizeof line, format, list);
     va_end(list);
-    int count = 4;
+    tool_find(name, program);
+    arguments[count++] = program;
+    if (tool_elsewhere(name)) { /* a runner, its arguments, the program */
+        strtok(program, " ");
+        for (char* next = strtok(NULL, " "); next && count < TOOL_ARGUMENTS; next = strtok(NULL, " "))
+            arguments[count++] = next;
+    }
     for (char* next = strtok(line, "|"); next && count < TOOL_ARGUMENTS + 4; next = strtok(NULL, "|"))
         arguments[count++] = next;
     tool_folder_make(folder);
-    tool_find(name, program);
     snprintf(in, sizeof in, "%s/in", folder);
     snprintf(out, sizeof out, "%s/out", folder);
     snprintf(err, sizeof err, "%s/err", folder);

@@ -8,7 +8,7 @@ grep -qw avx2 /proc/cpuinfo || { echo "no AVX2 here: skipped"; exit 0; }
 out=build/avx512 cc=gcc
 mkdir -p "$out/obj"
 command -v ccache > /dev/null && cc="ccache gcc"
-flags="-std=gnu17 -O2 -ffp-contract=off -D_GNU_SOURCE -w -Iplugin_api/include -Isdk -Itests/include -Itraining/generator -Ithird_party"
+flags="-std=gnu17 -O2 -ffp-contract=off -D_GNU_SOURCE -w -Iplugin_api/include -Isdk -Itests/include -Isamples/common -Itraining/generator -Ithird_party"
 compile() { # SOURCE
     local emulate=
     case $1 in */gemm_avx512.c|*/apply_points.c) emulate="-mavx2 -mfma -include tests/isa/emulate_avx512.h" ;; esac

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "nn/transformer.h"
+#include "platform.h"
 #include "test_safetensors.h"
 
 #define MAX_COLUMNS 40
@@ -232,12 +233,12 @@ static void check_tokens(const dmi_kernels* kernels, const dmi_transformer* laye
     fill(&random, found, sizeof found / sizeof found[0]);
     for (uint32_t i = 0; i < tokens * WIDTH; ++i) wanted[i / WIDTH][i % WIDTH] = found[i];
     const size_t size = dmi_transformer_scratch(tokens, WIDTH, HEADS, HIDDEN) * sizeof(float);
-    float* scratch = aligned_alloc(64, (size + 63) / 64 * 64);
+    float* scratch = platform_allocate(size, 64);
     memset(scratch, 0xff, size); /* NaN */
     dmi_transformer_apply(layer, kernels, tokens, found, scratch);
     plain_layer(weights, tokens, wanted);
     for (uint32_t i = 0; i < tokens * WIDTH; ++i) assert_near(found[i], wanted[i / WIDTH][i % WIDTH], 2e-5);
-    free(scratch);
+    platform_release(scratch);
 }
 
 static void transformer_layer(void** state) {

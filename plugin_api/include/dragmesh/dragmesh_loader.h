@@ -19,6 +19,7 @@
 #define WIN32_LEAN_AND_MEAN
 #endif
 #include <windows.h>
+#define DM_LIBRARY_PATH 4096 /* characters of the longest path */
 #else
 #include <dlfcn.h>
 #endif
@@ -48,23 +49,32 @@ static inline void dm_library_close(dm_library* library) {
     library->handle = NULL;
 }
 
-/* path: as dlopen or LoadLibrary take it. NULL, with library->error set, when there is no such library or it is none.
- */
+/* path: as dlopen or LoadLibrary take it, in UTF-8. NULL, with library->error set, when there is no such library or it
+ * is none. */
 static inline const dm_core_1* dm_library_open(dm_library* library, const char* path) {
     /* A union, because ISO C knows no cast from an object to a function pointer. */
     union {
+#if defined(_WIN32)
+        FARPROC object;
+#else
         void* object;
+#endif
         dm_get_interface_function function;
     } symbol;
+#if defined(_WIN32)
+    wchar_t wide[DM_LIBRARY_PATH];
+#endif
     const dm_core_1* core = NULL;
     symbol.object = NULL;
     library->error = NULL;
 #if defined(_WIN32)
-    library->handle = (void*)LoadLibraryA(path);
+    library->handle = NULL;
+    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, wide, DM_LIBRARY_PATH) > 0)
+        library->handle = (void*)LoadLibraryW(wide);
     if (!library->handle)
         library->error = "LoadLibrary could not load it";
     else
-        symbol.function = (dm_get_interface_function)GetProcAddress((HMODULE)library->handle, "dm_get_interface");
+        symbol.object = GetProcAddress((HMODULE)library->handle, "dm_get_interface");
 #else
     library->handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!library->handle)
