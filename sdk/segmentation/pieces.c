@@ -8,7 +8,7 @@
 #include "segmentation/piece_contacts.h"
 
 #define MESH_SAMPLES 12288   /* samples distributed over the whole mesh by area; by hand */
-#define MIN_PIECE_SAMPLES 16 /* samples added to every piece, whatever its area; by hand */
+#define MIN_PIECE_SAMPLES 16 /* samples added to every piece that has faces, whatever its area; by hand */
 #define ADDED_SAMPLES                                                                                                  \
     32768 /* of all pieces: where there are more pieces than this allows for, each gets fewer; by hand */
 #define CONTACT_SPACINGS 1.25f /* contact distance in mean sample spacings; by hand */
@@ -82,8 +82,11 @@ static dm_result sample_pieces(dmi_arena* arena, dmi_pieces* pieces) {
     for (uint32_t p = 0; p < pieces->count; p++) total += pieces->area[p];
     const uint32_t added = samples_added(pieces->count);
     pieces->first[0] = 0;
-    for (uint32_t p = 0; p < pieces->count; p++)
-        pieces->first[p + 1] = pieces->first[p] + added + (uint32_t)(MESH_SAMPLES * pieces->area[p] / total);
+    for (uint32_t p = 0; p < pieces->count; p++) {
+        const bool empty = begin[p] == begin[p + 1];
+        const uint32_t share = empty ? 0 : added + (uint32_t)(MESH_SAMPLES * pieces->area[p] / total);
+        pieces->first[p + 1] = pieces->first[p] + share;
+    }
     pieces->contact_distance = CONTACT_SPACINGS * sqrtf(total / MESH_SAMPLES);
     pieces->samples = dmi_arena_push(arena, pieces->first[pieces->count] * sizeof *pieces->samples);
     if (pieces->samples == NULL) return out_of_memory(arena, mesh);

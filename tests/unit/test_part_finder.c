@@ -2,6 +2,7 @@
 #include "test_env.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "segmentation/part_finder.h"
@@ -67,6 +68,37 @@ static void test_large_neighbours_are_not_carried(void** state) {
     test_shape_box(&shape, (const float[]){5.01f, 0, 0}, (const float[]){6, 1, 1}, 2);
     find_ok(1, (const float[]){4.5f, 0.5f, 1}, outward);
     expect_parts(0, 1, 0);
+}
+
+static void* DM_CALL allocate_dirty(void* user, size_t size, size_t alignment) {
+    (void)user;
+    void* memory = aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    if (memory != NULL) memset(memory, 0x55, size);
+    return memory;
+}
+
+static void DM_CALL release_dirty(void* user, void* memory, size_t size) {
+    (void)user, (void)size;
+    free(memory);
+}
+
+/* Ids that no face has, 0 too, are pieces without a place: what memory held before must not give them one. */
+static void test_ids_without_faces_are_no_pieces(void** state) {
+    (void)state;
+    dm_context* context;
+    dm_context_desc host = dm_context_desc_default();
+    host.allocator = (dm_allocator){NULL, allocate_dirty, release_dirty};
+    test_shape_cabinet(&shape);
+    uint8_t ids[TEST_SHAPE_MAX];
+    for (uint32_t f = 0; f < shape.face_count; f++) ids[f] = (uint8_t)(2 * shape.part[f] + 1); /* 1, 3, 5 */
+    dm_mesh_desc mesh = test_shape_desc(&shape);
+    mesh.part_ids = ids, mesh.part_id_bytes = shape.face_count, mesh.part_id_format = DM_UINT8;
+    mesh.part_id_scope = DM_PER_FACE;
+    const dm_drag_hint drag = {{on_door[0], on_door[1], on_door[2]}, {0, 0, 1}};
+    assert_int_equal(dm_context_create(&host, &context), DM_OK);
+    assert_int_equal(dm_mesh_find_part(context, &mesh, &drag, found, shape.face_count), DM_OK);
+    expect_parts(0, 1, 1);
+    dm_context_destroy(context);
 }
 
 /* More shells in one corner of the door than samples of one bucket are compared. */
@@ -218,6 +250,7 @@ int main(void) {
         cmocka_unit_test(test_a_node_carries_the_small_pieces_attached_to_it),
         cmocka_unit_test(test_a_node_does_not_carry_the_piece_it_is_attached_to),
         cmocka_unit_test(test_large_neighbours_are_not_carried),
+        cmocka_unit_test(test_ids_without_faces_are_no_pieces),
         cmocka_unit_test(test_sheets_of_one_mesh_are_separate_pieces),
         cmocka_unit_test(test_many_tiny_shells_in_one_cell_do_not_hide_the_part),
         cmocka_unit_test(test_a_bulge_is_cut_where_the_surface_bends_inwards),
