@@ -2,9 +2,10 @@
 -- Read by premake5 as it is, and by Debian's premake4 through premake4.lua.
 
 newoption { trigger = "cross", value = "TARGET", description = "Builds for another machine, into build/TARGET",
-    allowed = { { "windows", "64-bit Windows, by mingw-w64" }, { "linux-arm64", "64-bit Arm" }, { "linux-arm32", "32-bit Arm" } } }
+    allowed = { { "windows", "64-bit Windows, by mingw-w64" }, { "linux-arm64", "64-bit Arm" }, { "linux-arm32", "32-bit Arm" },
+        { "web", "WebAssembly, by Emscripten" } } }
 local cross = _OPTIONS["cross"]
-local windows = cross == "windows"
+local windows, web = cross == "windows", cross == "web"
 -- Below build: what is made, and the objects of it.
 local out, objects = cross or "%{cfg.buildcfg}", cross and "obj-" .. cross or "obj"
 
@@ -19,9 +20,10 @@ workspace "dragmesh"
     buildoptions { "-Wno-enum-float-conversion" }
     fatalwarnings { "All" }
     visibility "Hidden"
-    pic "On"
-    symbols "On"
+    pic(web and "Off" or "On")
+    symbols(web and "Off" or "On")
     defines { "_GNU_SOURCE" }
+    if web then buildoptions { "-msimd128" } end
     if windows then
         -- gcc bug 54412: the stack is aligned to 16 bytes, which aligned moves of wider registers do not bear.
         buildoptions { "-Wa,-muse-unaligned-vector-move" }
@@ -57,7 +59,7 @@ end
 newoption { trigger = "pick", value = "BACKEND", description = "What picks rays: Embree and our own code, one of them, or none",
     allowed = { { "auto", "both; Embree where its shared library is found at run time" }, { "embree", "Embree alone" },
         { "portable", "our own code alone" }, { "none", "nothing: hosts cast their own rays" } } }
-local pick_choice = _OPTIONS["pick"] or windows and "portable" or "auto" -- Embree was never tried there
+local pick_choice = _OPTIONS["pick"] or (windows or web) and "portable" or "auto" -- Embree was never tried there
 local pick_macros = ({ auto = {}, embree = { "DMI_NO_PORTABLE" }, portable = { "DMI_NO_EMBREE" },
     none = { "DMI_NO_EMBREE", "DMI_NO_PORTABLE" } })[pick_choice]
 
@@ -243,6 +245,20 @@ shared("dragmesh", { "plugin_api/src/interface.c" }, { api, "sdk" }, core, "plug
             linkoptions { "-Wl,--no-as-needed,-l:libdl.so.2,--as-needed" } -- glibc 2.31 has the functions there
         filter {}
     end
+
+-- The module that browsers and node load: the core, and the hooks of bindings/js. It exports every dm_* of the header.
+if web then
+    make("dragmesh_web", "ConsoleApp", { "bindings/js/module.c" }, { api }, { "dragmesh_core" })
+        targetdir "build/web"
+        targetname "dragmesh"
+        targetextension ".wasm"
+        linkoptions { "-O3", "--no-entry", "-sALLOW_MEMORY_GROWTH=1", "-sTOTAL_STACK=1MB", "-sWASM_BIGINT",
+            "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0", "-Wl,--export=malloc", "-Wl,--export=free" }
+        for line in io.lines(api .. "/dragmesh/dragmesh.h") do
+            local name = line:match("^DM_API .*DM_CALL (dm_[%w_]+)%(")
+            if name then linkoptions { "-Wl,--export=" .. name } end
+        end
+end
 
 -- glTF in and out. The decoders of Draco and meshoptimizer are C++; a build without Draco refuses its extension by name.
 library("meshoptimizer", { "third_party/meshoptimizer/*.cpp" }, {})

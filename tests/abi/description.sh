@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 scripts/describe --check
 generated="dragmesh_api.json dragmesh_ffi.h cpp/dragmesh_check.hpp csharp/DragMesh/Native.cs rust/dragmesh-sys/src/generated.rs
-python/dragmesh/native.py"
+python/dragmesh/native.py js/abi.js"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 # rejected NAME SED_SCRIPT — the check must fail after this change of the headers.

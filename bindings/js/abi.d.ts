@@ -1,0 +1,280 @@
+// Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
+
+export const VERSION: string;
+export const VERSION_NUMBER: number;
+/** Number of key poses of a generated motion (paper: T). */
+export const MOTION_FRAMES: 16;
+/** Most hypotheses kept for one part. */
+export const MAX_HYPOTHESES: 8;
+/** Most parts of one object, the body not counted. */
+export const MAX_PARTS: 4096;
+/** Most bytes of a label, the zero not counted. */
+export const MAX_LABEL: 4096;
+/** Most vertices or triangles of one object. */
+export const MAX_ELEMENTS: 268435456;
+/** Most links of one object. */
+export const MAX_LINKS: 256;
+/** Most snap values of one drag. */
+export const MAX_SNAPS: 16;
+/** No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by dm_drag_snapshot_size. */
+export const DRAG_SNAPSHOT_MAX: 65536;
+
+export const Result: {
+    readonly OK: 0;
+    /** a null pointer, an unknown enum value, a count that makes no sense */
+    readonly ERROR_INVALID_ARGUMENT: -1;
+    /** struct_size too small, or a newer field is set that this library can't know */
+    readonly ERROR_STRUCT_SIZE: -2;
+    /** null, destroyed, or of another kind or context */
+    readonly ERROR_STALE_HANDLE: -3;
+    /** the host's allocator answered NULL */
+    readonly ERROR_OUT_OF_MEMORY: -4;
+    /** a NaN or infinite number in the input */
+    readonly ERROR_NOT_FINITE: -5;
+    /** an index names a vertex or a hypothesis that does not exist */
+    readonly ERROR_INDEX_OUT_OF_RANGE: -6;
+    /** no triangle belongs to the part */
+    readonly ERROR_EMPTY_MASK: -7;
+    /** every triangle belongs to the part: nothing stays to move against */
+    readonly ERROR_FULL_MASK: -8;
+    /** no triangle with an area, or all vertices in one point */
+    readonly ERROR_DEGENERATE_MESH: -9;
+    /** the drag vector has no length */
+    readonly ERROR_ZERO_DRAG: -10;
+    /** the drag point is farther from the part than half the object's size */
+    readonly ERROR_DRAG_OFF_PART: -11;
+    /** truncated, corrupt or hostile bytes */
+    readonly ERROR_BAD_DATA: -12;
+    /** readable weights, but not of the architecture asked for */
+    readonly ERROR_WRONG_MODEL: -13;
+    /** made by a newer version than this library can read */
+    readonly ERROR_VERSION: -14;
+    /** the progress callback asked to stop */
+    readonly ERROR_CANCELLED: -15;
+    /** the call needs weights and none were given */
+    readonly ERROR_NO_MODEL: -16;
+    /** more than DM_MAX_ELEMENTS or DM_MAX_PARTS */
+    readonly ERROR_TOO_LARGE: -17;
+    /** the output buffer can't hold the answer; the size needed is set */
+    readonly ERROR_BUFFER_TOO_SMALL: -18;
+    /** no such part, node or instance */
+    readonly ERROR_NOT_FOUND: -19;
+    /** valid, but this build or this file kind can't do it */
+    readonly ERROR_UNSUPPORTED: -20;
+    /** a bug of ours; please report it */
+    readonly ERROR_INTERNAL: -21;
+};
+
+export const LogLevel: {
+    readonly ERROR: 0;
+    readonly WARNING: 1;
+    readonly INFO: 2;
+};
+
+/** The host's axes. Canonical inside is glTF's: right-handed, +Y up, metres. */
+export const Axes: {
+    /** right-handed, +Y up (glTF, Godot, OpenGL) */
+    readonly GLTF: 0;
+    /** left-handed, +Y up, +Z forward */
+    readonly UNITY: 1;
+    /** left-handed, +Z up, +X forward */
+    readonly UNREAL: 2;
+    /** right-handed, +Z up (Blender, ROS, most CAD) */
+    readonly BLENDER: 3;
+    /** dm_context_desc.custom_axes */
+    readonly CUSTOM: 4;
+};
+
+/** What picks rays. The hits are the same, except within float rounding of an edge or of another surface. */
+export const Picking: {
+    /** Embree 3.13 or 4 where its shared library is found, else the library's own */
+    readonly AUTO: 0;
+    /** Embree alone */
+    readonly EMBREE: 1;
+    /** the library's own: everywhere, in the host's memory */
+    readonly PORTABLE: 2;
+    /** nothing, for hosts that cast their own rays: objects keep no trees, there are no scenes */
+    readonly NONE: 3;
+};
+
+export const JointType: {
+    readonly UNKNOWN: 0;
+    /** turns about a line between two limits, rad */
+    readonly REVOLUTE: 1;
+    /** slides along a direction, host units */
+    readonly PRISMATIC: 2;
+    /** turns and advances `pitch` host units a radian */
+    readonly SCREW: 3;
+    /** turns without limits */
+    readonly CONTINUOUS: 4;
+    readonly FIXED: 5;
+};
+
+/** positions: three each */
+export const FloatFormat: {
+    /** positions: three each */
+    readonly FLOAT32: 0;
+    /** positions: three each */
+    readonly FLOAT64: 1;
+};
+
+/** indices and part ids */
+export const IntegerFormat: {
+    /** indices and part ids */
+    readonly UINT32: 0;
+    /** indices and part ids */
+    readonly UINT16: 1;
+    /** indices and part ids */
+    readonly UINT8: 2;
+    /** indices and part ids */
+    readonly INT32: 3;
+};
+
+export const PartIdScope: {
+    readonly VERTEX: 0;
+    readonly FACE: 1;
+};
+
+export const JointSource: {
+    readonly FROM_NETWORK: 0;
+    readonly FROM_GEOMETRY: 1;
+    /** certain, limits too: no pull changes it */
+    readonly FROM_HOST: 2;
+    /** a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another joint in its place, but its limits are estimates and give */
+    readonly CHOSEN: 3;
+};
+
+export const Limit: {
+    readonly LOWER: 1;
+    readonly UPPER: 2;
+};
+
+export const Choice: {
+    readonly KEEP: -1;
+};
+
+export const PrepareFlag: {
+    /** keep no triangles: the object can't be added to a scene, and is small */
+    readonly WITHOUT_PICKING: 1;
+    /** the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL when `model` has no kinematics weights */
+    readonly NETWORK_ALONE: 2;
+};
+
+export const DragFlag: {
+    /** follow the joint in force, limits and all, whatever the pull says, as with a host's joint */
+    readonly KEEP_JOINT: 1;
+    /** no point is grabbed: for hands of DM_HAND_RATE, STEP and VALUE, and for releases. grab_point is not read; the middle of the part's box stands for it */
+    readonly WITHOUT_POINT: 2;
+};
+
+export const RuleFlag: {
+    /** the part stays where it is, gives a little, and says so (DM_EVENT_LOCKED) */
+    readonly LOCKED: 1;
+    /** a latch holds it at rest until a handle has turned (dm_drag_input.handles), and catches it again when it comes to rest with the handle let go */
+    readonly LATCH: 2;
+};
+
+/** What a link does to its driven part. */
+export const LinkKind: {
+    /** the driven part's value is offset + ratio * (the driver's beyond `from`), inside its limits */
+    readonly MOVES: 0;
+    /** the driven part is held until the driver has reached `from`: a handle */
+    readonly FREES: 1;
+    /** the driven part is held once the driver has reached `from`: of drawers, one at a time */
+    readonly HOLDS: 2;
+};
+
+/** of DM_LINK_MOVES: moving the driven part moves the driver */
+export const LinkFlag: {
+    /** of DM_LINK_MOVES: moving the driven part moves the driver */
+    readonly BOTH_WAYS: 1;
+};
+
+/** How a hand holds the part. */
+export const HandKind: {
+    /** no news of it: the part goes on to where it was asked to be */
+    readonly NONE: 0;
+    /** a pointer: `ray` */
+    readonly RAY: 1;
+    /** a hand in space: `point`. It keeps its distance to the point that it grabbed */
+    readonly POINT: 2;
+    /** a stick or a key held down: `amount`, -1 to 1, times dm_drag_rules.drive_speed */
+    readonly RATE: 3;
+    /** a wheel: moves by `amount`, a share of the range */
+    readonly STEP: 4;
+    /** a slider of the host's: goes to the joint value `amount` */
+    readonly VALUE: 5;
+};
+
+export const InputFlag: {
+    /** locked in this update, as by DM_RULE_LOCKED */
+    readonly LOCKED: 1;
+    /** dm_drag_take may change the value that this update takes */
+    readonly ASK: 2;
+};
+
+export const DragPhase: {
+    /** follows the pointer */
+    readonly HELD: 0;
+    /** moves on by itself: dm_drag_release */
+    readonly RELEASED: 1;
+    /** has come to where it goes */
+    readonly AT_REST: 2;
+};
+
+/** What has happened to the part since the update before: bits of dm_drag_state.events. */
+export const DragEvent: {
+    /** it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast; again after it was 2 % away */
+    readonly LIMIT_LOWER: 1;
+    /** the same of the upper one */
+    readonly LIMIT_UPPER: 2;
+    /** it is more than 2 % of the range away from rest */
+    readonly LEFT_REST: 4;
+    /** it is within 0.5 % of the range of rest, having left it */
+    readonly REACHED_REST: 8;
+    /** dm_drag_rules.open_share */
+    readonly OPENED: 16;
+    /** dm_drag_rules.closed_share */
+    readonly CLOSED: 32;
+    /** it has gone over to another detent or snap value: dm_drag_state.detents */
+    readonly DETENT: 64;
+    /** the pull has changed the joint: dm_drag_state.changes */
+    readonly JOINT: 128;
+    /** dm_drag_input's bounds hold it */
+    readonly BLOCKED: 256;
+    /** they no longer do */
+    readonly FREED: 512;
+    /** the latch has caught it */
+    readonly LATCHED: 1024;
+    /** the handle has opened the latch */
+    readonly UNLATCHED: 2048;
+    /** it was tried while locked or latched; again after the hand has let up */
+    readonly LOCKED: 4096;
+    /** dm_drag_rules.break_distance has let go of it */
+    readonly LET_GO: 8192;
+};
+
+/** What a released part does next. */
+export const Intent: {
+    /** as the player meant it, by where the part is and how fast it goes */
+    readonly AUTO: 0;
+    /** glides to a stop; also stops a part that moves by itself */
+    readonly STAY: 1;
+    /** goes on to the end of the joint that lies the way it was pulled */
+    readonly OPEN: 2;
+    /** falls back to rest */
+    readonly CLOSE: 3;
+    /** does once more what it did after the last release */
+    readonly REPLAY: 4;
+    /** stops dead */
+    readonly FREEZE: 5;
+    /** opens when it is nearer to rest than to its open end, else closes */
+    readonly TOGGLE: 6;
+};
+
+export const ReleaseFlag: {
+    /** paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets */
+    readonly BY_RULE: 1;
+    /** a part that opens to both sides of rest opens away from `away_from` */
+    readonly AWAY_FROM: 2;
+};

@@ -1,0 +1,84 @@
+// Writes abi.js and abi.d.ts: constants, and the layout of structs in wasm32, from bindings/dragmesh_api.json.
+//   node bindings/js/describe.mjs DESCRIPTION.json OUTPUT_FOLDER     scripts/describe runs it
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+const ABI = '32-bit'; // the description's name for the layout that wasm32 shares
+const HEADER = 'dragmesh/dragmesh.h'; // the extensions are not in the module
+const NOTE = '// Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.\n';
+
+const [, , source, folder] = process.argv;
+const api = JSON.parse(readFileSync(source, 'utf8'));
+const ours = list => list.filter(entry => entry.header === HEADER);
+const structs = new Map(ours(api.structs).filter(struct => struct.name !== 'dm_core_1').map(struct => [struct.name, struct]));
+const typedefs = new Map(api.types.map(type => [type.name, type]));
+
+const camel = name => name.replace(/_([a-z0-9])/g, (_, letter) => letter.toUpperCase());
+
+// How a field is read and written: a kind of number, a struct, or an address (callbacks: an entry of the module's table).
+const numberKinds = { float: 'f32', int32_t: 'i32', uint32_t: 'u32', uint64_t: 'u64', size_t: 'u32', uint8_t: 'u8', double: 'f64' };
+function kindOf(type) {
+    const alias = typedefs.get(type.name);
+    if (type.pointers || type.callback || alias?.kind === 'callback' || alias?.kind === 'opaque') return 'u32';
+    if (structs.has(type.name)) return type.name;
+    const kind = numberKinds[alias?.integer ?? type.name];
+    if (!kind) throw new Error(`bindings/js/describe.mjs: the type ${type.c} is new`);
+    return kind;
+}
+
+function layoutOf(struct) {
+    const { size, offsets } = struct.layout[ABI];
+    const fields = struct.fields.map((field, i) => {
+        const count = field.type.count ?? 1;
+        return `        ${camel(field.name)}: [${offsets[i]}, '${kindOf(field.type)}'${count > 1 ? `, ${count}` : ''}],\n`;
+    });
+    return `    ${struct.name}: { size: ${size}, fields: {\n${fields.join('')}    } },\n`;
+}
+
+// The enums of the header have no names: what each is called here, and the prefix that its constants lose, by its first one.
+const enumNames = {
+    DM_OK: ['Result', 'DM_'], DM_LOG_ERROR: ['LogLevel', 'DM_LOG_'], DM_AXES_GLTF: ['Axes', 'DM_AXES_'],
+    DM_PICK_AUTO: ['Picking', 'DM_PICK_'], DM_JOINT_UNKNOWN: ['JointType', 'DM_JOINT_'], DM_FLOAT32: ['FloatFormat', 'DM_'],
+    DM_UINT32: ['IntegerFormat', 'DM_'], DM_PER_VERTEX: ['PartIdScope', 'DM_PER_'],
+    DM_JOINT_FROM_NETWORK: ['JointSource', 'DM_JOINT_'], DM_LIMIT_LOWER: ['Limit', 'DM_LIMIT_'],
+    DM_CHOICE_KEEP: ['Choice', 'DM_CHOICE_'], DM_PREPARE_WITHOUT_PICKING: ['PrepareFlag', 'DM_PREPARE_'],
+    DM_DRAG_KEEP_JOINT: ['DragFlag', 'DM_DRAG_'], DM_RULE_LOCKED: ['RuleFlag', 'DM_RULE_'],
+    DM_LINK_MOVES: ['LinkKind', 'DM_LINK_'], DM_LINK_BOTH_WAYS: ['LinkFlag', 'DM_LINK_'], DM_HAND_NONE: ['HandKind', 'DM_HAND_'],
+    DM_INPUT_LOCKED: ['InputFlag', 'DM_INPUT_'], DM_DRAG_HELD: ['DragPhase', 'DM_DRAG_'],
+    DM_EVENT_LIMIT_LOWER: ['DragEvent', 'DM_EVENT_'], DM_INTENT_AUTO: ['Intent', 'DM_INTENT_'],
+    DM_RELEASE_BY_RULE: ['ReleaseFlag', 'DM_RELEASE_'],
+};
+
+function enumOf({ doc, constants }) {
+    const known = enumNames[constants[0].name];
+    if (!known) throw new Error(`bindings/js/describe.mjs: the enum of ${constants[0].name} needs a name`);
+    return { name: known[0], doc, members: constants.map(c => ({ ...c, name: c.name.replace(known[1], '') })) };
+}
+
+function signature(fn) {
+    const letters = fn.parameters.map(parameter => parameter.type).concat(fn.returns ?? { name: 'void' })
+        .map(type => (type.name === 'void' && !type.pointers ? 'void' : kindOf(type)));
+    return `    ${fn.name}: '${letters.slice(0, -1).join(' ')} -> ${letters.at(-1)}',\n`;
+}
+
+const enums = ours(api.enums).map(enumOf);
+const numbers = ours(api.constants);
+const version = ['MAJOR', 'MINOR', 'PATCH'].map(part => numbers.find(c => c.name === `DM_VERSION_${part}`).value);
+
+let code = NOTE, types = NOTE;
+code += `\nexport const VERSION = '${version.join('.')}';\nexport const VERSION_NUMBER = ${version[0] << 22 | version[1] << 12 | version[2]};\n`;
+types += '\nexport const VERSION: string;\nexport const VERSION_NUMBER: number;\n';
+for (const { name, value, doc } of numbers.filter(c => c.name.startsWith('DM_') && !c.name.startsWith('DM_VERSION'))) {
+    code += `export const ${name.slice(3)} = ${value};\n`;
+    types += `${doc ? `/** ${doc} */\n` : ''}export const ${name.slice(3)}: ${value};\n`;
+}
+for (const { name, doc, members } of enums) {
+    code += `\nexport const ${name} = Object.freeze({\n${members.map(m => `    ${m.name}: ${m.value},\n`).join('')}});\n`;
+    types += `\n${doc ? `/** ${doc} */\n` : ''}export const ${name}: {\n${members.map(m =>
+        `${m.doc ? `    /** ${m.doc} */\n` : ''}    readonly ${m.name}: ${m.value};\n`).join('')}};\n`;
+}
+code += `\n// Offset, kind and, of arrays, count of each field; sizes in bytes.\nexport const structs = {\n${[...structs.values()].map(layoutOf).join('')}};\n`;
+code += `\n// Parameters and result of each function.\nexport const functions = {\n${ours(api.functions).map(signature).join('')}};\n`;
+
+writeFileSync(join(folder, 'abi.js'), code);
+writeFileSync(join(folder, 'abi.d.ts'), types);

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# tests/web/run.sh [BUILD_FOLDER] — the WebAssembly module, its binding in node, and the page in Chromium.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+build=${1:-build/release}
+most=512000 # bytes of the module gzipped
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+fail() { echo "web: $*" >&2; failed=1; }
+
+scripts/build web > "$work/log" 2>&1 || { tail -20 "$work/log" >&2; exit 1; }
+size=$(gzip -9 -c build/web/dragmesh.wasm | wc -c)
+echo "module: $(stat -c %s build/web/dragmesh.wasm) bytes, $size gzipped"
+[ "$size" -le "$most" ] || fail "the module has $size bytes gzipped, more than $most"
+
+# The same bits as C, compiled for the same machine; close to the native library.
+emcc -O1 -std=c17 -msimd128 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c build/web/lib/libdragmesh_core.a \
+    -sNODERAWFS=1 -sSINGLE_FILE=1 -sALLOW_MEMORY_GROWTH=1 -sWASM_BIGINT -o "$work/scenario.js"
+node "$work/scenario.js" sdk/models > "$work/c.txt"
+node bindings/js/scenario.mjs build/web/dragmesh.wasm sdk/models > "$work/js.txt"
+grep -q '^error DM_ERROR_EMPTY_MASK$' "$work/c.txt" || fail "the C program did not come to its end"
+if cmp -s "$work/c.txt" "$work/js.txt"; then echo "javascript: the same $(wc -l < "$work/c.txt") lines as C"
+else fail "JavaScript differs from C"; diff "$work/c.txt" "$work/js.txt" | head -10 >&2 || true; fi
+gcc -std=c17 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c -o "$work/native" -L"$build" -ldragmesh -Wl,-rpath,"$PWD/$build"
+"$work/native" > "$work/native.txt"
+node tests/web/compare.mjs "$work/native.txt" "$work/js.txt" || fail "JavaScript is far from the native library"
+
+node --test tests/web/test_binding.mjs > "$work/tests" 2>&1 || failed=1
+grep -E '^(not ok|# (tests|pass|fail) )' "$work/tests"
+exit $failed
