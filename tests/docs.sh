@@ -31,7 +31,7 @@ gone=$(grep -noE '`(sdk|plugin_api|training|tests|scripts|docs|samples|bindings)
     done)
 
 # Blanks aside: code is set shorter on a page than in its file.
-invented=$(awk '/^```(c|cpp|csharp|rust|python|lua) / { source = $2; next } /^```/ { source = "" } source && NF { print FILENAME "\t" source "\t" $0 }' $files |
+invented=$(awk '/^```(c|cpp|csharp|rust|python|lua|js) / { source = $2; next } /^```/ { source = "" } source && NF { print FILENAME "\t" source "\t" $0 }' $files |
     while IFS=$'\t' read -r page source line; do
         grep -qxF -- "$(sed 's/[[:blank:]]//g' <<< "$line")" <(sed 's/[[:blank:]]//g' "$source") ||
             echo "$page: not in $source: $line"

@@ -1,5 +1,7 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
+// Hash of the description: e02e759b8f5d4a6c
+
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;
 export const MOTION_FRAMES = 16;

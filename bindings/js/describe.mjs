@@ -1,5 +1,6 @@
 // Writes abi.js and abi.d.ts: constants, and the layout of structs in wasm32, from bindings/dragmesh_api.json.
 //   node bindings/js/describe.mjs DESCRIPTION.json OUTPUT_FOLDER     scripts/describe runs it
+import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -66,6 +67,9 @@ const numbers = ours(api.constants);
 const version = ['MAJOR', 'MINOR', 'PATCH'].map(part => numbers.find(c => c.name === `DM_VERSION_${part}`).value);
 
 let code = NOTE, types = NOTE;
+// Of all that C sees, the table of functions too, which has no place below.
+const hash = createHash('sha256').update(JSON.stringify([ours(api.structs), ours(api.types), ours(api.functions)])).digest('hex').slice(0, 16);
+code += `\n// Hash of the description: ${hash}\n`;
 code += `\nexport const VERSION = '${version.join('.')}';\nexport const VERSION_NUMBER = ${version[0] << 22 | version[1] << 12 | version[2]};\n`;
 types += '\nexport const VERSION: string;\nexport const VERSION_NUMBER: number;\n';
 for (const { name, value, doc } of numbers.filter(c => c.name.startsWith('DM_') && !c.name.startsWith('DM_VERSION'))) {

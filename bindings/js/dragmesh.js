@@ -71,7 +71,7 @@ class Library {
                 log: guard(undefined, (user, level, code, text) => {
                     const live = this.contexts.get(user);
                     live.message = this.memory.text(text);
-                    live.onLog?.(level, resultNames.get(code) ?? String(code), live.message);
+                    if (!live.quiet) live.onLog?.(level, resultNames.get(code) ?? String(code), live.message);
                 }),
                 intent: guard(0, (user, partId, low, high) => hooks(user).intent(partId, this.memory.read('dm_vec3', low), this.memory.read('dm_vec3', high)) ?? 0),
                 progress: guard(1, (user, done) => (hooks(user).progress(done) ? 1 : 0)),
@@ -225,7 +225,10 @@ class Owned {
         this.handle = handle;
         const { live, library } = context;
         this.#release = () => {
-            if (live.address !== 0) library.exports[destroyer](live.address, handle, ...rest);
+            if (live.address === 0) return;
+            live.quiet = true; // it may have ended with what it belongs to, which is no error here
+            library.exports[destroyer](live.address, handle, ...rest);
+            live.quiet = false;
         };
         forgotten.register(this, this.#release, this);
     }
@@ -248,7 +251,7 @@ export class Context {
     constructor(library, { onLog, ...desc }) {
         this.#library = library;
         const slot = library.exports.malloc(1); // its address names this context to the hooks
-        const live = { address: 0, slot, onLog, hooks: null, message: '' };
+        const live = { address: 0, slot, onLog, hooks: null, message: '', quiet: false };
         this.live = live;
         library.contexts.set(slot, live);
         try {

@@ -26,6 +26,9 @@ gcc -std=c17 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c 
 "$work/native" > "$work/native.txt"
 node tests/web/compare.mjs "$work/native.txt" "$work/js.txt" || fail "JavaScript is far from the native library"
 
+node bindings/js/example.mjs > "$work/example.txt"
+grep -q '^left open at 0.9' "$work/example.txt" || fail "the example of the README did not open the door"
+
 node --test tests/web/test_binding.mjs > "$work/tests" 2>&1 || failed=1
 grep -E '^(not ok|# (tests|pass|fail) )' "$work/tests"
 exit $failed
