@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: e02e759b8f5d4a6c
+// Hash of the description: ae47134e9692a4c7
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;
