@@ -1,0 +1,165 @@
+// Turns a scene of three.js into what dragmesh reads: one mesh in the object frame, whose pieces are the scene's nodes. The frame
+// is the scene's own, so that poses apply to what is drawn as they are.
+import { Box3, BufferAttribute, BufferGeometry, Group, Mesh, Vector3 } from './three/three.module.min.js';
+
+// A piece smaller than this share of one beside it, touching it, goes with it: a handle with its door. By hand.
+const SMALL = 0.4;
+// Boxes nearer than this share of the larger one's diagonal touch. By hand.
+const TOUCHING = 0.02;
+// Pieces larger than this share of the largest are about as large. By hand.
+const NEARLY = 0.8;
+
+/** What a node is called, from the scene down, and its frame: evidence of how it moves. */
+function hintsOf(node, scene) {
+    const names = [];
+    for (let up = node; up && up !== scene; up = up.parent) if (up.name) names.unshift(up.name);
+    const m = node.matrixWorld.elements;
+    return { names: names.join('/'), pivot: { origin: [m[12], m[13], m[14]], axes: [...m.slice(0, 3), ...m.slice(4, 7), ...m.slice(8, 11)] } };
+}
+
+// The node that a mesh belongs to. A node that says so holds one piece, as those do that this page has saved. The loader makes a
+// group of a node with several materials: its meshes are one piece.
+function nodeOf(mesh, associations) {
+    for (let up = mesh; up; up = up.parent) if (up.userData.piece) return up;
+    const own = associations?.get(mesh);
+    return own && own.nodes === undefined && mesh.parent ? mesh.parent : mesh;
+}
+
+// A geometry with the vertices where they are seen: skins and morphs at rest, the node's transform applied.
+function bake(mesh) {
+    const source = mesh.geometry, count = source.attributes.position.count, point = new Vector3();
+    const geometry = new BufferGeometry();
+    for (const name of ['uv', 'uv1', 'color']) if (source.attributes[name]) geometry.setAttribute(name, source.attributes[name].clone());
+    const positions = new Float32Array(3 * count);
+    for (let i = 0; i < count; i++) mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).toArray(positions, 3 * i);
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    const order = source.index ? Uint32Array.from(source.index.array) : Uint32Array.from({ length: count }, (_, i) => i);
+    geometry.setIndex(new BufferAttribute(mesh.matrixWorld.determinant() < 0 ? mirrored(order) : order, 1));
+    if (mesh.isSkinnedMesh || !source.attributes.normal) geometry.computeVertexNormals();
+    else geometry.setAttribute('normal', source.attributes.normal.clone().applyNormalMatrix(mesh.normalMatrix.getNormalMatrix(mesh.matrixWorld)));
+    return geometry;
+}
+
+function mirrored(order) {
+    for (let i = 0; i + 2 < order.length; i += 3) [order[i + 1], order[i + 2]] = [order[i + 2], order[i + 1]];
+    return order;
+}
+
+// Pieces of a mesh: the node; of a skin, one a bone that its faces follow most.
+function piecesOf(mesh, node, faceCount) {
+    if (!mesh.isSkinnedMesh) return Array(faceCount).fill(node);
+    const { skinIndex, skinWeight } = mesh.geometry.attributes, order = mesh.geometry.index;
+    return Array.from({ length: faceCount }, (_, face) => {
+        const vertex = order ? order.getX(3 * face) : 3 * face;
+        let best = 0;
+        for (let k = 1; k < 4; k++) if (skinWeight.getComponent(vertex, k) > skinWeight.getComponent(vertex, best)) best = k;
+        return mesh.skeleton.bones[skinIndex.getComponent(vertex, best)] ?? node;
+    });
+}
+
+/** Reads a scene. associations: of GLTFLoader's parser, where there is one. */
+export function readAsset(scene, name, associations) {
+    scene.updateMatrixWorld(true);
+    const surfaces = [], nodes = new Map(), pieces = [];
+    scene.traverseVisible(mesh => {
+        if (!mesh.isMesh || !mesh.geometry.attributes.position) return;
+        const geometry = bake(mesh), faceCount = Math.floor(geometry.index.count / 3);
+        if (faceCount === 0) return;
+        const owners = piecesOf(mesh, nodeOf(mesh, associations), faceCount);
+        const first = pieces.length;
+        for (const node of owners) {
+            if (!nodes.has(node)) nodes.set(node, { node, index: nodes.size, firstFace: pieces.length, box: new Box3(), ...hintsOf(node, scene) });
+            pieces.push(nodes.get(node).index);
+        }
+        surfaces.push({ geometry, material: mesh.material, name: mesh.name, first, faceCount });
+    });
+    if (surfaces.length === 0) throw new Error('There is no mesh in this file.');
+    return assemble(name, surfaces, [...nodes.values()], pieces);
+}
+
+function assemble(name, surfaces, pieceList, pieceOfFace) {
+    const vertexCount = surfaces.reduce((sum, s) => sum + s.geometry.attributes.position.count, 0);
+    const positions = new Float32Array(3 * vertexCount), indices = new Uint32Array(3 * pieceOfFace.length);
+    let vertex = 0;
+    for (const { geometry, first, faceCount } of surfaces) {
+        positions.set(geometry.attributes.position.array, 3 * vertex);
+        for (let i = 0; i < 3 * faceCount; i++) indices[3 * first + i] = vertex + geometry.index.array[i];
+        vertex += geometry.attributes.position.count;
+    }
+    const point = new Vector3();
+    pieceOfFace.forEach((piece, face) => {
+        for (let k = 0; k < 3; k++) pieceList[piece].box.expandByPoint(point.fromArray(positions, 3 * indices[3 * face + k]));
+    });
+    const joined = join(pieceList);
+    const pieces = Uint16Array.from(pieceOfFace, piece => joined[piece] + 1);
+    const box = new Box3().setFromArray(positions);
+    return { name, surfaces, positions, indices, pieces, pieceList, pieceCount: new Set(joined).size, box,
+        size: Math.max(...box.getSize(new Vector3()).toArray()), body: bodyOf(pieceList) };
+}
+
+const diagonal = piece => piece.box.getSize(new Vector3()).length();
+// The body is the largest piece; of those about as large, the one that stands lowest.
+function bodyOf(list) {
+    const most = Math.max(...list.map(diagonal));
+    return list.filter(piece => diagonal(piece) > NEARLY * most).reduce((best, piece) => (middle(piece) < middle(best) ? piece : best)).index;
+}
+const middle = ({ box }) => (box.min.y + box.max.y) / 2;
+const largest = list => list.reduce((best, piece) => (diagonal(piece) > diagonal(best) ? piece : best)).index;
+
+// Which piece each one goes with: itself, or a larger one of its group that it touches.
+function join(list) {
+    const body = list[bodyOf(list)];
+    const holdsBody = group => { for (let up = body.node; up; up = up.parent) if (up === group) return true; return false; };
+    return list.map(piece => {
+        const group = piece.node.parent;
+        if (piece === body || !group || group === body.node || holdsBody(group)) return piece.index;
+        const beside = list.filter(other => other !== piece && (other.node === group || other.node.parent === group) &&
+            diagonal(piece) < SMALL * diagonal(other) && piece.box.clone().expandByScalar(TOUCHING * diagonal(other)).intersectsBox(other.box));
+        return beside.length ? largest(beside) : piece.index;
+    });
+}
+
+/** Draws an asset: one mesh for each surface and owner of its faces. owners: a number a face; 0 = the body. */
+export class Figure {
+    root = new Group();
+    #asset;
+
+    constructor(asset) {
+        this.#asset = asset;
+        this.build(new Uint16Array(asset.pieces.length));
+    }
+
+    build(owners) {
+        for (const mesh of [...this.root.children]) {
+            mesh.geometry.dispose();
+            this.root.remove(mesh);
+        }
+        for (const surface of this.#asset.surfaces) for (const [owner, faces] of byOwner(surface, owners)) this.root.add(this.#mesh(surface, owner, faces));
+    }
+
+    #mesh(surface, owner, faces) {
+        const geometry = new BufferGeometry();
+        for (const [name, attribute] of Object.entries(surface.geometry.attributes)) geometry.setAttribute(name, attribute);
+        const order = new Uint32Array(3 * faces.length);
+        faces.forEach((face, i) => order.set(surface.geometry.index.array.subarray(3 * (face - surface.first), 3 * (face - surface.first) + 3), 3 * i));
+        geometry.setIndex(new BufferAttribute(order, 1));
+        const material = owner ? surface.material.clone() : surface.material; // a part is lit up by itself
+        const mesh = Object.assign(new Mesh(geometry, material), { name: surface.name, castShadow: true, receiveShadow: true, matrixAutoUpdate: false });
+        mesh.userData = { owner, faces, material: surface.material };
+        return mesh;
+    }
+
+    meshesOf(owner) {
+        return this.root.children.filter(mesh => mesh.userData.owner === owner);
+    }
+}
+
+function byOwner({ first, faceCount }, owners) {
+    const groups = new Map();
+    for (let face = first; face < first + faceCount; face++) {
+        const owner = owners[face];
+        if (!groups.has(owner)) groups.set(owner, []);
+        groups.get(owner).push(face);
+    }
+    return groups;
+}
