@@ -19,8 +19,9 @@ end
 local C
 
 --- Loads the library. path: of the shared library; nil: "dragmesh" where the system looks. ffi_header: of
--- dragmesh_ffi.h; nil: beside this file or in the folder above. Call it once, before anything else.
-function M.load(path, ffi_header)
+-- dragmesh_ffi.h; nil: beside this file or in the folder above. gltf_path: of the library for M.gltf; nil: "dragmesh_gltf"
+-- where the system looks. Call it once, before anything else.
+function M.load(path, ffi_header, gltf_path)
     if C then return M end
     local candidates = ffi_header and { ffi_header } or { here .. "dragmesh_ffi.h", here .. "../dragmesh_ffi.h" }
     for _, name in ipairs(candidates) do
@@ -29,7 +30,7 @@ function M.load(path, ffi_header)
             ffi.cdef(file:read "*a")
             file:close()
             C = ffi.load(path or "dragmesh")
-            M.C = C
+            M.C, M.gltf_path = C, gltf_path or "dragmesh_gltf"
             return M
         end
     end
@@ -301,6 +302,38 @@ function Scene:pick(ray)
     return hit
 end
 
+-- Files -------------------------------------------------------------------------------------------------------------
+
+local Gltf = {}
+Gltf.__index = Gltf
+local G
+
+--- Opens a .glb or .gltf with the files beside it.
+function M.gltf(path)
+    G = G or ffi.load(M.gltf_path)
+    local out = ffi.new "dm_gltf*[1]"
+    check(G.dm_gltf_open_file(path, M.new "dm_gltf_desc", out))
+    return setmetatable({ pointer = ffi.gc(out[0], G.dm_gltf_close) }, Gltf)
+end
+
+--- All nodes with a mesh: an array of tables of name, first_face, face_count, from 1 on. Part id of a prepared file: the index
+-- here.
+function Gltf:nodes()
+    local nodes, row = {}, ffi.new "dm_gltf_node"
+    for i = 0, G.dm_gltf_node_count(self.pointer) - 1 do
+        check(G.dm_gltf_get_node(self.pointer, i, row))
+        nodes[i + 1] = { name = ffi.string(row.name), first_face = tonumber(row.first_face), face_count = tonumber(row.face_count) }
+    end
+    return nodes
+end
+
+--- The merged mesh: a float* of positions, a uint32_t* of indices, and how many indices. They live as long as the Gltf.
+function Gltf:mesh()
+    local mesh = M.new "dm_mesh_desc"
+    check(G.dm_gltf_get_mesh(self.pointer, mesh))
+    return ffi.cast("const float*", mesh.positions), ffi.cast("const uint32_t*", mesh.indices), tonumber(mesh.index_count)
+end
+
 -- Poses -------------------------------------------------------------------------------------------------------------
 
 --- A point moved by a pose: x, y, z.
@@ -315,6 +348,40 @@ function M.matrix(pose)
     local m = ffi.new "float[16]"
     C.dm_pose_to_matrix(pose, m)
     return m
+end
+
+--- a after b.
+function M.multiply(a, b)
+    local out = ffi.new "dm_pose"
+    C.dm_pose_multiply(a, b, out)
+    return out
+end
+
+--- The motion back.
+function M.inverse(pose)
+    local r, d = pose.real, pose.dual
+    return ffi.new("dm_pose", { { -r[0], -r[1], -r[2], r[3] }, { -d[0], -d[1], -d[2], d[3] } })
+end
+
+--- A rotation about an axis of length 1, then a translation.
+function M.pose(axis, angle, x, y, z)
+    local s, w = math.sin(angle / 2), math.cos(angle / 2)
+    local qx, qy, qz = axis[1] * s, axis[2] * s, axis[3] * s
+    return ffi.new("dm_pose", { { qx, qy, qz, w }, { (x * w + y * qz - z * qy) / 2, (y * w + z * qx - x * qz) / 2,
+        (z * w + x * qy - y * qx) / 2, -(x * qx + y * qy + z * qz) / 2 } })
+end
+
+--- The pose of a joint at a value, and the value at a share of its way.
+function M.joint_pose(joint, value)
+    local out = ffi.new "dm_pose"
+    check(C.dm_joint_pose(joint, value, out))
+    return out
+end
+
+function M.joint_value_at(joint, share)
+    local out = ffi.new "float[1]"
+    check(C.dm_joint_value_at(joint, share, out))
+    return out[0]
 end
 
 return M

@@ -45,6 +45,12 @@ done
 LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
 LUA_PATH="$PWD/bindings/lua/?.lua;;" passes "reloads from LuaJIT" luajit bindings/lua/reload.lua "$build/libdragmesh.so" sdk/models \
     tests/replay/hands/object.dmo
+love_room() {
+    bindings/lua/love/make "$work/room" "$build" &&
+        SDL_AUDIODRIVER=dummy ALSOFT_DRIVERS=null timeout 300 xvfb-run -a -s "-screen 0 1280x800x24" love "$work/room" --play "$work/room.png" &&
+        [ -s "$work/room.png" ]
+}
+passes "the room of LÖVE" love_room
 
 # Python, Debian's own, with Debian's numpy.
 PYTHONPATH=bindings/python DRAGMESH_LIBRARY_PATH=$build same Python /usr/bin/python3 bindings/python/tests/scenario.py sdk/models
