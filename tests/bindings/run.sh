@@ -56,6 +56,12 @@ passes "the room of LÖVE" love_room
 PYTHONPATH=bindings/python DRAGMESH_LIBRARY_PATH=$build same Python /usr/bin/python3 bindings/python/tests/scenario.py sdk/models
 DRAGMESH_LIBRARY_PATH=$build passes "the layer of Python" /usr/bin/python3 tests/python/test_binding.py
 passes "the wheel" tests/python/wheel.sh "$build"
+blender_addon() {
+    "$build/dragmesh_generate" --category kitchen_cabinet --seed 100 -o "$work" && bindings/python/blender/pack "$work/addon.zip" "$build" &&
+        BLENDER_USER_SCRIPTS=$work/scripts timeout 300 blender -b --factory-startup --python bindings/python/blender/tests/run.py -- \
+            "$work/object.glb" "$work" "$work/addon.zip" | grep "parts made openable"
+}
+passes "the add-on of Blender" blender_addon
 
 # Rust, by Debian's rustc. rustup's, which may stand in front, proves nothing.
 rust() {
