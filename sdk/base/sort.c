@@ -1,11 +1,10 @@
-/* Least-significant-digit radix sort of floats by their bits: three passes of 11 bits. */
+/* Least-significant-digit radix sort of floats by their bits: three passes of 11 bits, which cover a float. */
 #include "base/sort.h"
 
 #include <string.h>
 
 #define DIGIT 11 /* bits; 2048 counters fit the first-level cache */
 #define BUCKETS (1u << DIGIT)
-#define PASSES 3 /* 33 bits cover a float */
 
 /* Maps floats to unsigned integers of the same order: inverts all bits of negative ones, the sign bit of others. */
 static uint32_t key_of(float value) {
@@ -18,8 +17,9 @@ static uint32_t digit_of(float value, int pass) {
     return key_of(value) >> (DIGIT * pass) & (BUCKETS - 1);
 }
 
-static void sort_by_digit(const float* from, uint32_t count, int pass, uint32_t place[BUCKETS], float* to) {
-    uint32_t before = 0;
+static void sort_by_digit(const float* from, uint32_t count, int pass, float* to) {
+    uint32_t place[BUCKETS] = {0}, before = 0;
+    for (uint32_t i = 0; i < count; i++) place[digit_of(from[i], pass)]++;
     for (uint32_t b = 0; b < BUCKETS; b++) {
         const uint32_t size = place[b];
         place[b] = before;
@@ -29,11 +29,8 @@ static void sort_by_digit(const float* from, uint32_t count, int pass, uint32_t 
 }
 
 void dmi_sort_floats(float* values, uint32_t count, float* spare) {
-    uint32_t sizes[PASSES][BUCKETS] = {{0}};
-    for (uint32_t i = 0; i < count; i++)
-        for (int pass = 0; pass < PASSES; pass++) sizes[pass][digit_of(values[i], pass)]++;
-    sort_by_digit(values, count, 0, sizes[0], spare);
-    sort_by_digit(spare, count, 1, sizes[1], values);
-    sort_by_digit(values, count, 2, sizes[2], spare);
+    sort_by_digit(values, count, 0, spare);
+    sort_by_digit(spare, count, 1, values);
+    sort_by_digit(values, count, 2, spare);
     memcpy(values, spare, count * sizeof *values);
 }

@@ -11,10 +11,10 @@ dm_result dmi_analysis_find_near(dmi_arena* arena, const uint8_t* moving, const 
 
 /* contacts.c: gaps, contact regions, and the slippage of the part and of the regions. */
 dm_result dmi_analysis_find_contacts(dmi_arena* arena, dmi_part_analysis* analysis);
-void dmi_analysis_find_slippage(dmi_part_analysis* analysis);
+dm_result dmi_analysis_find_slippage(dmi_arena* arena, dmi_part_analysis* analysis);
 
 /* protrusions.c: points with the widest gaps, the body's side of the box, points that protrude from it. */
-void dmi_analysis_find_protrusions(dmi_part_analysis* analysis);
+dm_result dmi_analysis_find_protrusions(dmi_arena* arena, dmi_part_analysis* analysis);
 
 /* twin.c: has_twin and twin_way. */
 void dmi_analysis_find_twin(dmi_part_analysis* analysis);

@@ -38,9 +38,10 @@ static dm_result make_contact(dmi_arena* arena, float max_gap, const dmi_part_an
 }
 
 dm_result dmi_analysis_find_contacts(dmi_arena* arena, dmi_part_analysis* analysis) {
-    float sorted[DMI_ANALYSIS_POINTS], spare[DMI_ANALYSIS_POINTS];
-    if (measure_gaps(arena, analysis) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
-    memcpy(sorted, analysis->gap, sizeof sorted);
+    const size_t size = sizeof(float) * DMI_ANALYSIS_POINTS;
+    float *sorted = dmi_arena_push(arena, size), *spare = dmi_arena_push(arena, size);
+    if (sorted == NULL || spare == NULL || measure_gaps(arena, analysis) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
+    memcpy(sorted, analysis->gap, size);
     dmi_sort_floats(sorted, DMI_ANALYSIS_POINTS, spare);
     const float max_gaps[DMI_CONTACT_REGIONS] = {ABSOLUTE_GAP, RELATIVE_GAP * analysis->diagonal,
                                                  sorted[DMI_ANALYSIS_POINTS / NEAREST_SHARE]};
@@ -51,9 +52,10 @@ dm_result dmi_analysis_find_contacts(dmi_arena* arena, dmi_part_analysis* analys
     return DM_OK;
 }
 
-/* Computes the slippage of a contact's part side (side 0) or of the body's samples nearest to it (side 1). */
-static void contact_slippage(const dmi_contact* contact, int side, dmi_part_analysis* analysis, int slot) {
-    float xyz[DMI_ANALYSIS_POINTS][3], normal[DMI_ANALYSIS_POINTS][3];
+/* Computes the slippage of a contact's part side (side 0) or of the body's samples nearest to it (side 1). xyz, normal:
+ * scratch for DMI_ANALYSIS_POINTS. */
+static void contact_slippage(const dmi_contact* contact, int side, float (*xyz)[3], float (*normal)[3],
+                             dmi_part_analysis* analysis, int slot) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < contact->count; i++) {
         uint32_t p = contact->points[i], q = analysis->nearest_near[p];
@@ -66,9 +68,16 @@ static void contact_slippage(const dmi_contact* contact, int side, dmi_part_anal
     dmi_slippage_compute((const float(*)[3])xyz, (const float(*)[3])normal, NULL, count, &analysis->slippage[slot]);
 }
 
-void dmi_analysis_find_slippage(dmi_part_analysis* analysis) {
+dm_result dmi_analysis_find_slippage(dmi_arena* arena, dmi_part_analysis* analysis) {
+    const dmi_arena_mark mark = dmi_arena_get_mark(arena);
+    float(*xyz)[3] = dmi_arena_push(arena, sizeof *xyz * DMI_ANALYSIS_POINTS);
+    float(*normal)[3] = dmi_arena_push(arena, sizeof *normal * DMI_ANALYSIS_POINTS);
+    if (xyz == NULL || normal == NULL) return DM_ERROR_OUT_OF_MEMORY;
     dmi_slippage_compute(analysis->points, analysis->normals, NULL, DMI_ANALYSIS_POINTS, &analysis->slippage[0]);
     analysis->has_slippage[0] = true;
     for (int c = 0; c < DMI_CONTACT_REGIONS; c++)
-        for (int side = 0; side < 2; side++) contact_slippage(&analysis->contacts[c], side, analysis, 1 + 2 * c + side);
+        for (int side = 0; side < 2; side++)
+            contact_slippage(&analysis->contacts[c], side, xyz, normal, analysis, 1 + 2 * c + side);
+    dmi_arena_rewind(arena, mark);
+    return DM_OK;
 }

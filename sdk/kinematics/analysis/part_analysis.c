@@ -134,8 +134,9 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
     if (result == DM_OK) result = dmi_analysis_find_contacts(arena, out);
     if (result != DM_OK) return result;
     find_directions((const float(*)[3])vertices, vertex_count, out);
-    dmi_analysis_find_slippage(out);
-    dmi_analysis_find_protrusions(out);
+    result = dmi_analysis_find_slippage(arena, out);
+    if (result == DM_OK) result = dmi_analysis_find_protrusions(arena, out);
+    if (result != DM_OK) return result;
     dmi_analysis_find_twin(out);
     out->object_extreme_point_count =
         dmi_extreme_points((const float(*)[3])cloud->xyz, DMI_CLOUD_POINTS, (const float(*)[3])out->box.axes, 3,

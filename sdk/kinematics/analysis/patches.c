@@ -27,6 +27,11 @@ typedef struct region {
 } region;
 
 /* The part, or the body near it: faces, their regions at one level, patches. */
+/* What fit_axis() fits an axis to. */
+typedef struct samples {
+    float xyz[MAX_SAMPLES][3], normal[MAX_SAMPLES][3], weight[MAX_SAMPLES];
+} samples;
+
 typedef struct side {
     dmi_patch_faces faces;
     uint32_t* welded; /* the identity: vertices are welded already */
@@ -34,6 +39,7 @@ typedef struct side {
     uint32_t *labels, *order;
     region* regions;
     uint32_t region_count;
+    samples* samples;
     dmi_patch* patches;
     uint32_t* patch_count;
 } side;
@@ -58,7 +64,9 @@ static dm_result allocate_labels(dmi_arena* arena, side* s) {
     s->select = dmi_arena_push(arena, faces);
     s->labels = dmi_arena_push(arena, faces * sizeof *s->labels);
     s->order = dmi_arena_push(arena, faces * sizeof *s->order);
-    if (s->welded == NULL || s->select == NULL || s->labels == NULL || s->order == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    s->samples = dmi_arena_push(arena, sizeof *s->samples);
+    if (s->welded == NULL || s->select == NULL || s->labels == NULL || s->order == NULL || s->samples == NULL)
+        return DM_ERROR_OUT_OF_MEMORY;
     memset(s->select, 1, s->faces.mesh.face_count);
     for (uint32_t v = 0; v < s->faces.mesh.vertex_count; v++) s->welded[v] = v;
     return DM_OK;
@@ -88,7 +96,7 @@ static dm_result measure_regions(dmi_arena* arena, uint32_t count, side* s) {
 /* Computes the axis of the best rotational slippage from weighted samples: corners and centre of up to about
  * MAX_FITTED_FACES faces. */
 static void fit_axis(const side* s, const region* r, dmi_patch* patch) {
-    float xyz[MAX_SAMPLES][3], normal[MAX_SAMPLES][3], weight[MAX_SAMPLES];
+    float(*xyz)[3] = s->samples->xyz, (*normal)[3] = s->samples->normal, *weight = s->samples->weight;
     uint32_t count = 0, step = r->faces / MAX_FITTED_FACES + 1;
     for (uint32_t n = 0; n < r->faces && count + FACE_SAMPLES <= MAX_SAMPLES; n += step) {
         uint32_t f = s->order[r->first + n];

@@ -13,10 +13,10 @@
 
 enum { PROBES = 9 }; /* 3 x 3 on a side of the box */
 
-static void sort_points(float values[DMI_ANALYSIS_POINTS]) {
-    float spare[DMI_ANALYSIS_POINTS];
-    dmi_sort_floats(values, DMI_ANALYSIS_POINTS, spare);
-}
+/* Numbers and places of the part's points. */
+typedef struct scratch {
+    float sorted[DMI_ANALYSIS_POINTS], spare[DMI_ANALYSIS_POINTS], xyz[DMI_ANALYSIS_POINTS][3];
+} scratch;
 
 /* Computes mean and longest principal direction. Returns the root mean square distance from the mean. */
 static float spread_of(const float (*points)[3], uint32_t count, float mean[3], float direction[3]) {
@@ -27,10 +27,10 @@ static float spread_of(const float (*points)[3], uint32_t count, float mean[3], 
     return (float)sqrt(variances[0] + variances[1] + variances[2]);
 }
 
-static void find_widest_gaps(dmi_part_analysis* analysis) {
-    float sorted[DMI_ANALYSIS_POINTS], xyz[DMI_ANALYSIS_POINTS][3];
-    memcpy(sorted, analysis->gap, sizeof sorted);
-    sort_points(sorted);
+static void find_widest_gaps(scratch* s, dmi_part_analysis* analysis) {
+    float *sorted = s->sorted, (*xyz)[3] = s->xyz;
+    memcpy(sorted, analysis->gap, sizeof s->sorted);
+    dmi_sort_floats(sorted, DMI_ANALYSIS_POINTS, s->spare);
     float least = sorted[DMI_ANALYSIS_POINTS - DMI_ANALYSIS_POINTS / WIDEST_SHARE];
     if (!isfinite(sorted[DMI_ANALYSIS_POINTS - 1])) return;
     uint32_t count = 0;
@@ -73,12 +73,12 @@ static float face_height(const float sorted[DMI_ANALYSIS_POINTS], float thicknes
 }
 
 /* Finds the points that protrude from the outer face: the one across the box's shortest side, away from the body. */
-static void find_protrusion(dmi_part_analysis* analysis) {
-    float out[3], sorted[DMI_ANALYSIS_POINTS], xyz[DMI_ANALYSIS_POINTS][3];
+static void find_protrusion(scratch* s, dmi_part_analysis* analysis) {
+    float out[3], *sorted = s->sorted, (*xyz)[3] = s->xyz;
     const dmi_box* box = &analysis->box;
     for (int k = 0; k < 3; k++) out[k] = analysis->body_side[2] < 0 ? -box->axes[2][k] : box->axes[2][k];
     for (uint32_t i = 0; i < DMI_ANALYSIS_POINTS; i++) sorted[i] = dmi_dot3(analysis->points[i], out);
-    sort_points(sorted);
+    dmi_sort_floats(sorted, DMI_ANALYSIS_POINTS, s->spare);
     const float face = face_height(sorted, FACE_THICKNESS * analysis->diagonal);
     const float least = face + PROTRUSION_HEIGHT * analysis->diagonal;
     uint32_t count = 0;
@@ -90,10 +90,15 @@ static void find_protrusion(dmi_part_analysis* analysis) {
     analysis->protrusion_share = (float)count / DMI_ANALYSIS_POINTS;
 }
 
-void dmi_analysis_find_protrusions(dmi_part_analysis* analysis) {
+dm_result dmi_analysis_find_protrusions(dmi_arena* arena, dmi_part_analysis* analysis) {
+    const dmi_arena_mark mark = dmi_arena_get_mark(arena);
+    scratch* s = dmi_arena_push(arena, sizeof *s);
     float centre[3];
-    find_widest_gaps(analysis);
+    if (s == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    find_widest_gaps(s, analysis);
     dmi_box_centre(&analysis->box, centre);
     for (int k = 0; k < 3; k++) analysis->body_side[k] = body_side_along(analysis, centre, k);
-    find_protrusion(analysis);
+    find_protrusion(s, analysis);
+    dmi_arena_rewind(arena, mark);
+    return DM_OK;
 }

@@ -14,6 +14,8 @@
 #define LOWEST_LOGIT (-30.0f)
 #define LEAST_UNION 1e-4f /* avoids a division by 0 */
 
+#define BATCH 4 /* joints at a time: they share the weights in the caches, and what they need fits a small stack */
+
 enum { MAX_NAME = 32, HIDDEN = 160, OUTPUTS = 1 + DMI_LIMIT_KINDS * (1 + 2 * DMI_LIMIT_SIZES) };
 
 static bool sizes_rise(const float sizes[DMI_LIMIT_SIZES]) {
@@ -125,12 +127,12 @@ static void answer(const dmi_limit_network* network, const float probability[DMI
     if (out->upper - out->lower < LEAST_RANGE) out->upper = out->lower + LEAST_RANGE;
 }
 
-void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
-                               uint32_t count, dmi_limit_prediction* out) {
-    _Alignas(DMI_ALIGNMENT) float x[DMI_LIMIT_ROWS][DMI_LIMIT_INPUTS], y[DMI_LIMIT_ROWS][OUTPUTS];
-    _Alignas(DMI_ALIGNMENT) float hidden[2][DMI_LIMIT_ROWS][HIDDEN];
+/* count: at most BATCH. */
+static void predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries, uint32_t count,
+                    dmi_limit_prediction* out) {
+    _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_LIMIT_INPUTS], y[BATCH][OUTPUTS], hidden[2][BATCH][HIDDEN];
     float* const buffers[2] = {hidden[0][0], hidden[1][0]};
-    float probability[DMI_LIMIT_ROWS][DMI_LIMIT_SIZES][DMI_LIMIT_SIZES] = {0};
+    float probability[BATCH][DMI_LIMIT_SIZES][DMI_LIMIT_SIZES] = {0};
     for (uint32_t r = 0; r < count; r++) {
         standardise(network, &queries[r], x[r]);
         out[r].free = 0;
@@ -143,4 +145,10 @@ void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, co
         }
     }
     for (uint32_t r = 0; r < count; r++) answer(network, (const float(*)[DMI_LIMIT_SIZES])probability[r], &out[r]);
+}
+
+void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
+                               uint32_t count, dmi_limit_prediction* out) {
+    for (uint32_t first = 0; first < count; first += BATCH)
+        predict(network, isa, queries + first, count - first < BATCH ? count - first : BATCH, out + first);
 }

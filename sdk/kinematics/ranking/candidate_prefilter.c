@@ -1,6 +1,8 @@
 /* Scores candidates by their cheap features and chooses the best. */
 #include "kinematics/ranking/candidate_prefilter.h"
 
+#include "base/compiler.h"
+
 #define HIDDEN 16
 #define BATCH 32 /* rows at a time: they stay in the first cache */
 
@@ -9,8 +11,9 @@ void dmi_prefilter_read(dmi_loader* loader, dmi_prefilter* out_prefilter) {
     dmi_load_standardised_perceptron(loader, "prefilter", sizes, 2, &out_prefilter->network);
 }
 
-static void score(const dmi_prefilter* prefilter, dmi_isa isa, const float (*rows)[DMI_FEATURE_COUNT], uint32_t count,
-                  float* out_scores) {
+/* Not inlined, nor keep_best(): the stack holds the arrays of one at a time. */
+DMI_NO_INLINE static void score(const dmi_prefilter* prefilter, dmi_isa isa, const float (*rows)[DMI_FEATURE_COUNT],
+                                uint32_t count, float* out_scores) {
     _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_CHEAP_COLUMNS], hidden[BATCH][HIDDEN];
     float* const buffers[2] = {hidden[0], NULL};
     for (uint32_t first = 0; first < count; first += BATCH) {
@@ -45,7 +48,7 @@ static float nth_largest(float* values, uint32_t count, uint32_t n) {
 }
 
 /* Moves the best to the front. Of equal ones at the limit, keeps the first. */
-static uint32_t keep_best(const float* scores, dmi_candidate* candidates, uint32_t count) {
+DMI_NO_INLINE static uint32_t keep_best(const float* scores, dmi_candidate* candidates, uint32_t count) {
     float sorted[DMI_CANDIDATES_MAX];
     memcpy(sorted, scores, count * sizeof *scores);
     const float least = nth_largest(sorted, count, DMI_PREFILTER_KEPT - 1);
