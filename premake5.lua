@@ -344,7 +344,7 @@ local cmocka = cross and {} or { "cmocka" }
 -- Programs of this machine run the tool of the other one (tests/e2e); training and what forks stay here too.
 local tested = cross and { "unit", "golden", "abi" } or { "unit", "golden", "e2e", "abi" }
 local here_alone = { test_boost = true, test_lab = true, test_lab_growth = true, test_lab_limits = true,
-    test_pick_backends = true, test_threads = true }
+    test_pick_backends = true, test_stack = true, test_threads = true }
 
 for _, room in ipairs(tested) do
     for _, source in ipairs(os.matchfiles("tests/" .. room .. "/test_*.c")) do

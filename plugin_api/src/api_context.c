@@ -7,6 +7,7 @@
 #include "api_model.h"
 #include "api_object.h"
 #include "api_scene.h"
+#include "base/fp_environment.h"
 
 static dm_result check_hooks(dmi_env* env, const dm_context_desc* desc) {
     if ((desc->allocator.allocate == NULL) != (desc->allocator.release == NULL)) {
@@ -64,6 +65,7 @@ static dm_context* allocate_context(dmi_env* outer) {
 }
 
 dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** out_context) {
+    DMI_OWN_FP;
     if (out_context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_context_desc known = {.struct_size = sizeof known};
     dmi_env outer;

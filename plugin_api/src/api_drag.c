@@ -8,6 +8,7 @@
 
 #include "api_check.h"
 #include "api_joint_check.h"
+#include "base/fp_environment.h"
 #include "math/elementary.h"
 #include "math/vec3.h"
 
@@ -365,6 +366,7 @@ static dm_result publish(dm_context* context, dmi_object_slot* owner, start* s, 
 }
 
 dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_drag_desc known;
@@ -420,6 +422,7 @@ static void step(dmi_drag_slot* slot, const dm_ray* ray, const dm_drag_input* in
 
 dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                  dm_drag_state* out_state) {
+    DMI_OWN_FP;
     static const char* const names[3] = {"dm_drag_update", "dm_drag_update: dt", "dm_drag_update: out_state"};
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
@@ -435,6 +438,7 @@ dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray
 
 dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
                                dm_drag_state* out_state) {
+    DMI_OWN_FP;
     static const char* const names[3] = {"dm_drag_step", "dm_drag_step: dt", "dm_drag_step: out_state"};
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
@@ -448,6 +452,7 @@ dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_
 }
 
 dm_result DM_CALL dm_drag_take(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_take", drag);
@@ -491,6 +496,7 @@ static dm_result check_part_state(dmi_env* env, const char* what, const dm_part_
 }
 
 dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* out_state) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     if (out_state != NULL) {
@@ -507,6 +513,7 @@ dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* 
 }
 
 dm_result DM_CALL dm_drag_get_part_state(dm_context* context, dm_drag drag, dm_part_state* out_state) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_get_part_state", drag);

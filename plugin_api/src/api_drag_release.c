@@ -5,6 +5,7 @@
 #include "api_drag.h"
 #include "api_joint_check.h"
 #include "api_motion.h"
+#include "base/fp_environment.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -94,6 +95,7 @@ static int32_t possible_intent(const dmi_drag_slot* slot, int32_t intent) {
 
 dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,
                                   dm_release_plan* out_plan) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_release", drag);

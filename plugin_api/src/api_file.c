@@ -2,10 +2,12 @@
 #include "api_check.h"
 #include "api_handles.h"
 #include "api_object.h"
+#include "base/fp_environment.h"
 #include "kinematics/object/dmo.h"
 
 dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                  size_t* out_size) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     if (out_size == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_save: out_size is NULL");
@@ -24,6 +26,7 @@ dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* bu
 
 dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
                                  dm_object* out_object) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     if (data == NULL || out_object == NULL) {

@@ -2,6 +2,7 @@
 #include "api_check.h"
 #include "api_handles.h"
 #include "api_mesh.h"
+#include "base/fp_environment.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 #include "segmentation/part_finder.h"
@@ -39,6 +40,7 @@ static dm_result find(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* dr
 
 dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
                                     uint8_t* out_face_ids, uint64_t face_count) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_mesh_desc known;

@@ -6,6 +6,7 @@
 #include "api_handles.h"
 #include "api_joint_check.h"
 #include "api_model.h"
+#include "base/fp_environment.h"
 #include "math/elementary.h"
 
 #define DEGREES_BEYOND 25.0f /* rad: four turns. A hinge with a farther limit was meant in degrees; by hand */
@@ -19,6 +20,7 @@ static dm_result find(dm_context* context, const char* function, dm_object objec
 }
 
 dm_result DM_CALL dm_object_get_joint(dm_context* context, dm_object object, uint32_t part_id, dm_joint* out_joint) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_object_slot* slot;
     uint32_t index;
@@ -42,6 +44,7 @@ static void write_joints(const dmi_frame* frame, const dmi_hypotheses* ranked, u
 dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object, uint32_t part_id,
                                            const dm_drag_hint* drag, dm_joint* out_joints, uint32_t capacity,
                                            uint32_t* out_count) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     if (out_count == NULL || (out_joints == NULL && capacity > 0)) {
@@ -68,6 +71,7 @@ dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object object
 }
 
 dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     if (drag == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_refine: drag is NULL");
@@ -117,6 +121,7 @@ static void warn_of_degrees(dmi_env* env, const dm_joint* joint) {
 }
 
 dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id, const dm_joint* joint) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_object_slot* slot;
@@ -142,6 +147,7 @@ dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uin
 }
 
 dm_result DM_CALL dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_object_slot* slot;
     uint32_t index;

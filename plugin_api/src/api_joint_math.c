@@ -3,6 +3,7 @@
 
 #include "api_check.h"
 #include "api_joint_check.h"
+#include "base/fp_environment.h"
 #include "math/constants.h"
 #include "math/elementary.h"
 #include "math/joint.h"
@@ -19,6 +20,7 @@ static dm_result read_joint(const dm_joint* joint, dm_joint* out) {
 }
 
 dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose) {
+    DMI_OWN_FP;
     dm_joint known;
     if (joint == NULL || out_pose == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result = read_joint(joint, &known);
@@ -71,6 +73,7 @@ static float distance_between(const dm_pose* a, const dm_pose* b, const float po
 
 dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error,
                                  float* out_distance_error) {
+    DMI_OWN_FP;
     dm_joint known;
     dm_pose unit;
     if (joint == NULL || pose == NULL || out_value == NULL) return DM_ERROR_INVALID_ARGUMENT;
@@ -89,6 +92,7 @@ dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, flo
 }
 
 dm_result DM_CALL dm_joint_value_at(const dm_joint* joint, float share, float* out_value) {
+    DMI_OWN_FP;
     dm_joint known;
     if (joint == NULL || out_value == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result = read_joint(joint, &known);
@@ -123,6 +127,7 @@ static void set_limits(const dm_joint* joint, dm_joint_frame* frame) {
 }
 
 dm_result DM_CALL dm_joint_get_frame(const dm_joint* joint, dm_joint_frame* out_frame) {
+    DMI_OWN_FP;
     dm_joint known;
     if (joint == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result = read_joint(joint, &known);
@@ -146,6 +151,7 @@ dm_result DM_CALL dm_joint_get_frame(const dm_joint* joint, dm_joint_frame* out_
 /* ---- scale ---- */
 
 dm_result DM_CALL dm_joint_scale(const dm_joint* joint, dm_vec3 scale, dm_joint* out_joint) {
+    DMI_OWN_FP;
     dm_joint known;
     dm_vec3 factors;
     if (joint == NULL) return DM_ERROR_INVALID_ARGUMENT;

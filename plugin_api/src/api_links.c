@@ -4,6 +4,7 @@
 
 #include "api_check.h"
 #include "api_handles.h"
+#include "base/fp_environment.h"
 
 static dm_result check_link(dmi_env* env, const dm_link* link, uint32_t index) {
     const float numbers[3] = {link->ratio, link->offset, link->from};
@@ -46,6 +47,7 @@ static dm_result read_links(dm_context* context, const dmi_object* object, const
 }
 
 dm_result DM_CALL dm_object_set_links(dm_context* context, dm_object object, const dm_link* links, uint32_t count) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_set_links", object);
@@ -81,6 +83,7 @@ static dm_result check_values(dmi_env* env, const dmi_object* object, const floa
 
 dm_result DM_CALL dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id, float* inout_values,
                                          uint8_t* out_held, uint32_t count) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_follow_links", object);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;

@@ -2,6 +2,7 @@
 #include "api_model.h"
 #include "api_check.h"
 #include "api_handles.h"
+#include "base/fp_environment.h"
 
 static dm_result check_bytes(dmi_env* env, const char* what, const void* data, size_t size) {
     if ((data == NULL) == (size == 0)) return DM_OK;
@@ -22,6 +23,7 @@ static dm_result load_networks(dmi_env* env, const dm_model_desc* desc, dmi_mode
 }
 
 dm_result DM_CALL dm_model_load(dm_context* context, const dm_model_desc* desc, dm_model* out_model) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_model_desc known;

@@ -5,6 +5,7 @@
 #include "api_check.h"
 #include "api_handles.h"
 #include "api_motion.h"
+#include "base/fp_environment.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -139,6 +140,7 @@ dm_result dmi_motion_opening(dm_context* context, const dmi_object_slot* slot, u
 
 dm_result DM_CALL dm_motion_generate(dm_context* context, dm_object object, const dm_motion_desc* desc,
                                      dm_motion* out_motion) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_motion_desc known;
@@ -167,6 +169,7 @@ dm_result DM_CALL dm_motion_generate(dm_context* context, dm_object object, cons
 
 dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion, float t, dm_pose* out_pose,
                                    float* out_value) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_motion_slot* slot = dmi_find(context, context->motions, "dm_motion_sample", motion);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
@@ -181,6 +184,7 @@ dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion, float 
 }
 
 dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion motion, dm_pose* out_poses, float* out_values) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_motion_slot* slot = dmi_find(context, context->motions, "dm_motion_get_frames", motion);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;

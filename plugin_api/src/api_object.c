@@ -8,6 +8,7 @@
 #include "api_model.h"
 #include "api_object.h"
 #include "api_scene.h"
+#include "base/fp_environment.h"
 #include "math/vec3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
@@ -152,6 +153,7 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
 }
 
 dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_object_desc known;
@@ -219,6 +221,7 @@ dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_o
 }
 
 dm_result DM_CALL dm_object_get_part(dm_context* context, dm_object object, uint32_t index, dm_part_info* out_info) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dm_result result =
         dmi_check_out(&context->env, "dm_object_get_part: out_info", out_info, DMI_FIRST_SIZE(dm_part_info, area));

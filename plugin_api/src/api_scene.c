@@ -2,10 +2,12 @@
 #include "api_scene.h"
 #include "api_check.h"
 #include "api_handles.h"
+#include "base/fp_environment.h"
 #include "math/dual_quat.h"
 #include "pick/camera.h"
 
 dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &((dm_context*)context)->env; /* for its log */
     dm_camera known;
@@ -31,6 +33,7 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
 /* ---- create and destroy ---- */
 
 dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc, dm_scene* out_scene) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dm_scene_desc known;
@@ -114,6 +117,7 @@ dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene) {
 
 dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* pose,
                                uint32_t* out_instance) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_add", scene);
@@ -143,6 +147,7 @@ dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object ob
 
 dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id,
                                 const dm_pose* pose) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_move", scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
@@ -153,6 +158,7 @@ dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t in
 }
 
 dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, uint32_t instance) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_remove", scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
@@ -163,6 +169,7 @@ dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, uint32_t 
 }
 
 dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_commit", scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
@@ -171,6 +178,7 @@ dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene) {
 }
 
 dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_pick", scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;

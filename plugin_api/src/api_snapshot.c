@@ -6,6 +6,7 @@
 #include "api_check.h"
 #include "api_drag.h"
 #include "api_joint_check.h"
+#include "base/fp_environment.h"
 #include "math/vec3.h"
 
 #define MAGIC 0x53444D44u    /* "DMDS" */
@@ -58,6 +59,7 @@ static uint64_t part_key(const dmi_drag_slot* slot) {
 }
 
 dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, size_t capacity) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_save", drag);
@@ -262,6 +264,7 @@ static dm_result check_snapshot(dmi_env* env, const dmi_drag_slot* slot, const s
 }
 
 dm_result DM_CALL dm_drag_restore(dm_context* context, dm_drag drag, const void* data, size_t size) {
+    DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env* env = &context->env;
     dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_restore", drag);

@@ -30,6 +30,32 @@
         _Pragma("GCC diagnostic ignored \"-Wpedantic\"") _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")
 #define DMI_FOREIGN_HEADERS_END _Pragma("GCC diagnostic pop")
 
+/* Before a variable: calls function(&variable) where its block is left, by return too. */
+#define DMI_AT_EXIT(function) __attribute__((cleanup(function), unused))
+
+/* The processor's floating-point control; 0 where it has none that matters. */
+static inline uint64_t dmi_fp_control(void) {
+#if defined(__SSE__)
+    return __builtin_ia32_stmxcsr();
+#elif defined(__aarch64__)
+    uint64_t control;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+    return control;
+#else
+    return 0;
+#endif
+}
+
+static inline void dmi_set_fp_control(uint64_t control) {
+#if defined(__SSE__)
+    __builtin_ia32_ldmxcsr((uint32_t)control);
+#elif defined(__aarch64__)
+    __asm__ volatile("msr fpcr, %0" : : "r"(control));
+#else
+    (void)control;
+#endif
+}
+
 /* Number of zero bits below the lowest 1. bits: not 0. */
 static inline uint32_t dmi_trailing_zeros(uint32_t bits) {
     return (uint32_t)__builtin_ctz(bits);
@@ -50,6 +76,16 @@ static inline uint32_t dmi_floor_log2(uint64_t value) {
 #define DMI_CPU_HAS(set) 0
 #define DMI_FOREIGN_HEADERS_BEGIN
 #define DMI_FOREIGN_HEADERS_END
+#define DMI_AT_EXIT(function)
+
+/* Without DMI_AT_EXIT nothing would be restored: nothing is changed. */
+static inline uint64_t dmi_fp_control(void) {
+    return 0;
+}
+
+static inline void dmi_set_fp_control(uint64_t control) {
+    (void)control;
+}
 
 static inline uint32_t dmi_trailing_zeros(uint32_t bits) {
     uint32_t zeros = 0;

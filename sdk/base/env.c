@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/fp_environment.h"
 #include "base/utf8.h"
 
 #define MESSAGE_SIZE 512 /* bytes of a log message, longer ones are cut; by hand */
@@ -91,9 +92,22 @@ dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) {
     return code;
 }
 
+typedef struct host_task {
+    dm_task task;
+    void* data;
+} host_task;
+
+/* The host's workers have floating-point environments of their own. */
+static void DM_CALL run_on_worker(void* data, uint32_t index) {
+    DMI_OWN_FP;
+    const host_task* given = data;
+    given->task(given->data, index);
+}
+
 void dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data) {
     if (count == 0) return;
     const dm_jobs* jobs = &env->jobs;
-    if (count > 1 && jobs->parallel_for != NULL && jobs->parallel_for(jobs->user, count, task, data)) return;
+    host_task given = {task, data};
+    if (count > 1 && jobs->parallel_for != NULL && jobs->parallel_for(jobs->user, count, run_on_worker, &given)) return;
     for (uint32_t i = 0; i < count; i++) task(data, i);
 }

@@ -59,7 +59,7 @@ static void find_gaps(const float (*points)[3], uint32_t count, const float (*ot
     for (uint32_t i = 0; i < count; i++) out[i] = INFINITY;
     for (uint32_t first = 0; first < other_count; first += COLUMN) {
         split_columns(others + first, &c);
-        for (uint32_t i = 0; i < count; i++) out[i] = fminf(out[i], nearest_square(&c, points[i]));
+        for (uint32_t i = 0; i < count; i++) out[i] = dmi_min(out[i], nearest_square(&c, points[i]));
     }
 }
 

@@ -1,4 +1,5 @@
 /* dm_gltf: opening and closing a file, its nodes and its mesh. */
+#include "base/fp_environment.h"
 #include "base/utf8.h"
 #include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_merge.h"
@@ -70,6 +71,7 @@ dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_
 }
 
 dm_result dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf) {
+    DMI_OWN_FP;
     dmi_env setup;
     if (!desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env_init(&setup, NULL, desc->struct_size >= sizeof *desc ? &desc->log : NULL, NULL);
@@ -104,6 +106,7 @@ uint32_t dm_gltf_node_count(const dm_gltf* gltf) {
 }
 
 dm_result dm_gltf_get_node(const dm_gltf* gltf, uint32_t index, dm_gltf_node* out_node) {
+    DMI_OWN_FP;
     if (!gltf || !out_node) return DM_ERROR_INVALID_ARGUMENT;
     if (index >= gltf->node_count) return DM_ERROR_NOT_FOUND;
     *out_node = gltf->nodes[index];
@@ -111,6 +114,7 @@ dm_result dm_gltf_get_node(const dm_gltf* gltf, uint32_t index, dm_gltf_node* ou
 }
 
 dm_result dm_gltf_get_mesh(const dm_gltf* gltf, dm_mesh_desc* out_mesh) {
+    DMI_OWN_FP;
     if (!gltf || !out_mesh) return DM_ERROR_INVALID_ARGUMENT;
     *out_mesh = (dm_mesh_desc){.struct_size = sizeof *out_mesh,
                                .positions = gltf->positions,

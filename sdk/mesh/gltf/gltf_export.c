@@ -10,6 +10,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "base/fp_environment.h"
 #include "mesh/gltf/gltf_animation.h"
 #include "mesh/gltf/gltf_images.h"
 #include "mesh/gltf/gltf_split.h"
@@ -294,6 +295,7 @@ static void close_exporter(exporter* x, dmi_env* env) {
 
 dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data,
                          size_t* out_size) {
+    DMI_OWN_FP;
     if (!gltf) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env env;
     dmi_env_init(&env, &gltf->env.allocator, &gltf->env.log, NULL);

@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/fp_environment.h"
 #include "mesh/gltf/gltf_disk.h"
 #include "mesh/gltf/gltf_file.h"
 
@@ -97,6 +98,7 @@ static dm_result open_contents(dmi_env* env, const char* path, const dm_gltf_des
 }
 
 dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf** out_gltf) {
+    DMI_OWN_FP;
     dmi_env env;
     if (!path || !desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env_init(&env, NULL, desc->struct_size >= sizeof *desc ? &desc->log : NULL, NULL);

@@ -1,6 +1,7 @@
 /* What a file says of a node beside its mesh: the names on the way to it, where it is, and its axes. */
 #include <string.h>
 
+#include "base/fp_environment.h"
 #include "mesh/gltf/gltf_file.h"
 #include "mesh/gltf/gltf_names.h"
 
@@ -44,6 +45,7 @@ static void write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* o
 
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,
                             dm_pivot* out_pivot) {
+    DMI_OWN_FP;
     if (!gltf || !name || (out_label && label_size == 0)) return DM_ERROR_INVALID_ARGUMENT;
     const int64_t index = dmi_gltf_find_node(gltf, name);
     if (index < 0 || !gltf->tree[index].placed) return DM_ERROR_NOT_FOUND;

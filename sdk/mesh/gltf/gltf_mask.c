@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/fp_environment.h"
 #include "base/utf8.h"
 #include "mesh/gltf/gltf_file.h"
 #include "mesh/gltf/gltf_names.h"
@@ -75,6 +76,7 @@ static void list_names(const dm_gltf* gltf, char* out, size_t size) {
 
 dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint32_t name_count, uint8_t value,
                              uint8_t* inout_face_ids, uint64_t face_count) {
+    DMI_OWN_FP;
     if (!gltf || !inout_face_ids || (!names && name_count > 0)) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env env;
     dmi_env_init(&env, &gltf->env.allocator, &gltf->env.log, NULL);
@@ -122,6 +124,7 @@ static dm_result reorder(dmi_env* env, const uint32_t* places, uint8_t* ids, siz
 
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value,
                             uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous) {
+    DMI_OWN_FP;
     if (!gltf || !data || !out_part_ids || !out_scope) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env env;
     dmi_env_init(&env, &gltf->env.allocator, &gltf->env.log, NULL);

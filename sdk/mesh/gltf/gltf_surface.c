@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "base/fp_environment.h"
 #include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_geometry.h"
 
@@ -87,6 +88,7 @@ uint32_t dm_gltf_surface_count(const dm_gltf* gltf) {
 }
 
 dm_result dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* out_surface) {
+    DMI_OWN_FP;
     if (!gltf || !out_surface) return DM_ERROR_INVALID_ARGUMENT;
     if (index >= gltf->piece_count) return DM_ERROR_NOT_FOUND;
     const dmi_gltf_piece* piece = &gltf->pieces[index];
@@ -133,6 +135,7 @@ static void write_coordinates(const dm_gltf* gltf, const dmi_gltf_piece* piece, 
 }
 
 dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* out_uv, uint64_t corner_count) {
+    DMI_OWN_FP;
     if (!gltf || !out_uv) return DM_ERROR_INVALID_ARGUMENT;
     if (index >= gltf->piece_count) return DM_ERROR_NOT_FOUND;
     const dmi_gltf_piece* piece = &gltf->pieces[index];

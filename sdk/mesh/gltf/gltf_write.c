@@ -5,6 +5,8 @@
 #include "math/elementary.h"
 #include "mesh/gltf/gltf_edit.h"
 
+#include "base/fp_environment.h"
+
 static dm_result check_part(dmi_env* env, const dm_gltf_part* part, uint32_t which) {
     if (!part->positions || !part->indices || part->vertex_count == 0 || part->index_count == 0 ||
         part->index_count % 3 != 0)
@@ -65,6 +67,7 @@ static void add_part(dmi_edit* e, const dm_gltf_part* part) {
 
 dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator,
                         const dm_log* log, void** out_data, size_t* out_size) {
+    DMI_OWN_FP;
     dmi_env env;
     dmi_env_init(&env, allocator, log, NULL);
     if (!parts || part_count == 0 || !out_data || !out_size)
