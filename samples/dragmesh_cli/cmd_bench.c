@@ -51,7 +51,7 @@ typedef struct bench {
     box_object shape;
     dm_mesh_desc mesh;
     dm_motion motion;
-    dm_drag drag;
+    dm_drag drag, ruled; /* without rules, with all of them */
     dm_scene scene;
     uint32_t instance;
     dm_camera camera;
@@ -145,10 +145,37 @@ static dm_result call_motion_sample_many(bench* b) {
     return result;
 }
 
+static dm_ray pulling_ray(const bench* b) {
+    return (dm_ray){{0.6f, 0.9f, 2}, {-0.4f - 0.2f * wave(b), -0.5f, -1.9f}};
+}
+
 static dm_result call_drag_update(bench* b) {
-    const dm_ray ray = {{0.6f, 0.9f, 2}, {-0.4f - 0.2f * wave(b), -0.5f, -1.9f}};
+    const dm_ray ray = pulling_ray(b);
     dm_drag_state state = {.struct_size = sizeof state};
     return dm_drag_update(b->session.context, b->drag, &ray, 1 / 60.0f, &state);
+}
+
+/* An update of a drag with all rules, told of handles and bounds. */
+static dm_result step_ruled(bench* b, dm_drag_input* input, dm_drag_state* out_state) {
+    input->hand = (dm_hand){.kind = DM_HAND_RAY, .ray = pulling_ray(b)};
+    input->handles[0] = 1, input->lower = -1, input->upper = 3;
+    return dm_drag_step(b->session.context, b->ruled, input, 1 / 60.0f, out_state);
+}
+
+static dm_result call_drag_step(bench* b) {
+    dm_drag_input input = dm_drag_input_default();
+    dm_drag_state state = dm_drag_state_default();
+    return step_ruled(b, &input, &state);
+}
+
+/* The same with a second hand, and a host that takes another value. */
+static dm_result call_drag_step_two_hands(bench* b) {
+    dm_drag_input input = dm_drag_input_default();
+    dm_drag_state state = dm_drag_state_default();
+    input.second = (dm_hand){.kind = DM_HAND_POINT, .grab_point = box_object_drag.point, .point = {0, 0.5f, 0.5f}};
+    input.flags = DM_INPUT_ASK;
+    const dm_result result = step_ruled(b, &input, &state);
+    return result == DM_OK ? dm_drag_take(b->session.context, b->ruled, 0.99f * state.value, &state) : result;
 }
 
 static dm_result call_joint_pose(bench* b) {
@@ -202,6 +229,8 @@ static const row rows[] = {{"object_prepare", call_object_prepare, 0, NULL},
                            {"motion_sample", call_motion_sample, 2, NULL},
                            {"motion_sample_10000", call_motion_sample_many, 2, NULL},
                            {"drag_update", call_drag_update, 0, NULL},
+                           {"drag_step_ruled", call_drag_step, 0, NULL},
+                           {"drag_step_two_hands", call_drag_step_two_hands, 0, NULL},
                            {"joint_pose", call_joint_pose, 0, NULL},
                            {"pose_apply_points", call_pose_apply_points, 0, NULL},
                            {"camera_ray", call_camera_ray, 0, NULL},
@@ -303,6 +332,30 @@ static dm_result set_up_motion(bench* b) {
     return result;
 }
 
+/* Begins a drag with everything on. */
+static dm_result begin_ruled(bench* b) {
+    static const float snaps[3] = {0.2f, 0.6f, 1.2f};
+    const dm_drag_rules rules = {.struct_size = sizeof rules,
+                                 .flags = DM_RULE_LATCH,
+                                 .snaps = snaps,
+                                 .snap_count = 3,
+                                 .event_time = 0.1f,
+                                 .max_speed = 20,
+                                 .max_acceleration = 400,
+                                 .auto_close_share = 0.1f,
+                                 .close_delay = 1,
+                                 .tip_share = 0.5f,
+                                 .restitution = 0.3f,
+                                 .break_distance = 10};
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = 1,
+                               .object = b->session.object,
+                               .grab_point = box_object_drag.point,
+                               .feel = {.soft_limit = 0.05f},
+                               .rules = &rules};
+    return dm_drag_begin(b->session.context, &desc, &b->ruled);
+}
+
 static dm_result set_up(bench* b) {
     dm_context* context = b->session.context;
     b->shape = box_object_new(GRID);
@@ -323,6 +376,7 @@ static dm_result set_up(bench* b) {
     const dm_scene_desc scene = {.struct_size = sizeof scene};
     result = set_up_motion(b);
     if (result == DM_OK) result = dm_drag_begin(context, &drag, &b->drag);
+    if (result == DM_OK) result = begin_ruled(b);
     if (result == DM_OK) result = dm_scene_create(context, &scene, &b->scene);
     if (result == DM_OK) result = dm_scene_add(context, b->scene, b->session.object, NULL, &b->instance);
     return result == DM_OK ? dm_scene_commit(context, b->scene) : result;

@@ -1,28 +1,16 @@
 /* One drag, update by update: pointer ray -> joint value it asks for (follow.h), rate-limited where that is ill-posed
  * -> feel (drag_feel.h) -> joint value, held back by the host's rules (drag_bounds.h). The hypothesis tracker chooses
  * the joint meanwhile; after the release the plan moves the part (drag_release.h). */
-#include "motion/drag_internal.h"
+#include "motion/drag_pointer.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "base/compiler.h"
 #include "math/constants.h"
 #include "math/elementary.h"
 #include "math/vec3.h"
 
-/* Largest step of the grabbed point that one update makes whole, as a multiple of the pointer's own. By hand: where the
- * path runs within 1/16 rad of the ray, less than that decides where on it the pointer is. */
-#define MAX_GAIN 16.0f
-#define GLIDE_GAIN 2.0f         /* the same on the way to a place that is farther off than that; by hand */
-#define CATCH_UP_HALF_LIFE 0.1f /* s in which half of what is left is made up for; by hand */
-#define MAX_GLIDE 6.0f          /* rad/s of a turn's share of that; by hand, so that no frame shows a jump */
-#define MIN_RAY_TURN 1e-5f      /* rad between two rays: rounding makes less, a pixel makes more; by hand */
-#define MAX_GRAB_OFFSET 0.032f  /* rad, as seen from the eye: 15 pixels of 960 in a view 90 degrees high; by hand */
-#define LIMIT_TOLERANCE 1e-4f   /* share of the range that counts as at a limit; by hand */
-
-/* Inlined although called twice: every frame calls it for the plain pointer. */
-#define INLINE DMI_ALWAYS_INLINE static inline
+#define LIMIT_TOLERANCE 1e-4f /* share of the range that counts as at a limit; by hand */
 
 static const dmi_told told_nothing = {.bounds = {-INFINITY, INFINITY}};
 
@@ -79,106 +67,6 @@ static float target_at(dmi_drag* drag, float pointer_value) {
     return kept;
 }
 
-INLINE bool unit_ray(const dm_ray* ray, dm_ray* out) {
-    const dm_vec3 o = ray->origin, d = ray->direction;
-    if (!isfinite(o.x) || !isfinite(o.y) || !isfinite(o.z)) return false;
-    const float most = dmi_fmaxf(fabsf(d.x), dmi_fmaxf(fabsf(d.y), fabsf(d.z)));
-    if (!(most > 0) || !isfinite(d.x) || !isfinite(d.y) || !isfinite(d.z)) return false;
-    const float x = d.x / most, y = d.y / most, z = d.z / most, length = sqrtf(x * x + y * y + z * z);
-    *out = (dm_ray){o, {x / length, y / length, z / length}};
-    return true;
-}
-
-static bool has_turned(dm_vec3 a, dm_vec3 b) {
-    const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-    return x * x + y * y + z * z > MIN_RAY_TURN * MIN_RAY_TURN;
-}
-
-static bool has_last_ray(const dmi_drag* drag) {
-    const dm_vec3 d = drag->last_ray.direction;
-    return d.x != 0 || d.y != 0 || d.z != 0;
-}
-
-/* Remembers by how much the first ray misses the grabbed point: the player took hold of it beside the pointer. A ray
- * that passes farther off has moved since the grab. */
-static void measure_grab_offset(dmi_drag* drag, const dm_ray* ray) {
-    float now[3], offset[3], square = 0, reach = 0;
-    dmi_ray_closest_point(ray, drag->point, now);
-    const dmi_float3 eye = dmi_xyz(ray->origin);
-    for (int i = 0; i < 3; i++) {
-        offset[i] = drag->point[i] - now[i];
-        square += offset[i] * offset[i];
-        reach += (drag->point[i] - eye.v[i]) * (drag->point[i] - eye.v[i]);
-    }
-    if (square <= MAX_GRAB_OFFSET * MAX_GRAB_OFFSET * reach) drag->grab_offset = dmi_vec3(offset);
-}
-
-static void add_grab_offset(const dmi_drag* drag, dm_ray* ray) {
-    ray->origin.x += drag->grab_offset.x;
-    ray->origin.y += drag->grab_offset.y;
-    ray->origin.z += drag->grab_offset.z;
-}
-
-/* Before the first update the pointer lay on the point. */
-INLINE float ray_motion(const dmi_drag* drag, const dm_ray* ray) {
-    float before[3], now[3], sum = 0;
-    dmi_ray_closest_point(ray, drag->point, now);
-    if (has_last_ray(drag)) {
-        dmi_ray_closest_point(&drag->last_ray, drag->point, before);
-    } else {
-        memcpy(before, drag->point, sizeof before);
-    }
-    for (int i = 0; i < 3; i++) sum += (now[i] - before[i]) * (now[i] - before[i]);
-    return sqrtf(sum);
-}
-
-/* It is there at once when that is at most MAX_GAIN times the hand's own motion away, else it glides there, GLIDE_GAIN
- * times that motion and a share of the rest. */
-INLINE void move_pointer(dmi_drag* drag, float nearest, float hand_motion, float dt) {
-    const float gap = nearest - drag->pointer_value, motion = hand_motion / drag->speed;
-    const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : GLIDE_GAIN * motion;
-    const float rest = (fabsf(gap) - at_once) * (1 - dmi_expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
-    const float step = at_once + (dmi_joint_turns(drag->joint.type) ? dmi_fminf(rest, MAX_GLIDE * dt) : rest);
-    if (isfinite(step)) drag->pointer_value += copysignf(step, gap);
-}
-
-/* Whether the joint is a slide seen end on: the pointer does not show its value, so it is no evidence against its
- * limits. */
-static bool is_unseen_slide(const dmi_drag* drag, const dm_ray* ray) {
-    float sight[3], eye_distance;
-    if (drag->joint.type != DM_JOINT_PRISMATIC) return false;
-    dmi_line_of_sight(drag->rest_point, ray, drag->projection, sight, &eye_distance);
-    return dmi_is_seen_end_on(&drag->joint, drag->rest_point, sight);
-}
-
-INLINE dmi_span span_of(const dmi_drag* drag, bool stated) {
-    dmi_span span = {-INFINITY, INFINITY};
-    if (drag->limits_are_estimates) {
-        span.lower = stated ? drag->estimated_lower : drag->reachable_lower;
-        span.upper = stated ? drag->estimated_upper : drag->reachable_upper;
-    } else if (dmi_joint_has_limits(&drag->joint)) {
-        const float w = dmi_feel_soft_width(&drag->feel, &drag->joint);
-        span.lower = drag->joint.lower - w, span.upper = drag->joint.upper + w;
-    }
-    return span;
-}
-
-INLINE bool read_ray(dmi_drag* drag, const dm_ray* ray, dm_ray* out_unit) {
-    if (!unit_ray(ray, out_unit)) return false;
-    if (!has_last_ray(drag)) measure_grab_offset(drag, out_unit);
-    add_grab_offset(drag, out_unit);
-    return true;
-}
-
-INLINE float nearest_on(dmi_drag* drag, const dm_ray* ray) {
-    /* Rays that never turn come from an orthographic camera; the first one passes the point and suits either. */
-    if (has_last_ray(drag) && has_turned(drag->last_ray.direction, ray->direction)) drag->projection = DMI_PERSPECTIVE;
-    const bool stated = drag->limits_are_estimates && is_unseen_slide(drag, ray);
-    const dmi_span span = span_of(drag, stated);
-    return dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->pointer_value, span.lower,
-                          span.upper);
-}
-
 float dmi_drag_pointer_value(const dmi_drag* drag, float value) {
     return dmi_snaps_invert(&drag->rules.snaps, dmi_feel_pointer_value(&drag->feel, &drag->joint, value));
 }
@@ -210,7 +98,7 @@ static void change_joint(dmi_drag* drag) {
 }
 
 /* Returns true when the joint has changed. */
-INLINE bool track(dmi_drag* drag, float nearest, const dm_ray* ray) {
+bool dmi_drag_track(dmi_drag* drag, float nearest, const dm_ray* ray) {
     if (drag->rules.on && dmi_latch_holds(&drag->latch)) return false; /* that it is held says nothing of its joint */
     if (!dmi_hypothesis_tracker_update(&drag->tracker, nearest, ray, drag->projection)) return false;
     change_joint(drag);
@@ -218,18 +106,18 @@ INLINE bool track(dmi_drag* drag, float nearest, const dm_ray* ray) {
 }
 
 /* Follows the plain pointer. Returns true when the joint has changed. */
-INLINE bool follow(dmi_drag* drag, const dm_ray* ray, float dt) {
-    const float nearest = nearest_on(drag, ray);
-    move_pointer(drag, nearest, ray_motion(drag, ray), dt);
+static bool follow(dmi_drag* drag, const dm_ray* ray, float dt) {
+    const float nearest = dmi_drag_nearest(drag, ray);
+    dmi_drag_move_pointer(drag, nearest, dmi_drag_ray_motion(drag, ray), dt);
     dmi_drag_ask(drag);
     drag->last_ray = *ray;
-    return track(drag, nearest, ray);
+    return drag->tracker.count > 0 && dmi_drag_track(drag, nearest, ray);
 }
 
 static void update_held(dmi_drag* drag, const dm_ray* ray, float dt) {
     float before = drag->target;
     dm_ray unit;
-    if (ray != NULL && read_ray(drag, ray, &unit) && follow(drag, &unit, dt)) before = drag->target;
+    if (ray != NULL && dmi_drag_read_ray(drag, ray, &unit) && follow(drag, &unit, dt)) before = drag->target;
     drag->target = drag->asked;
     if (drag->rules.on) dmi_drag_hold_back(drag, before, dt);
     dmi_feel_follow(&drag->feel, &drag->joint, before, drag->target, dt, &drag->value, &drag->velocity);
@@ -361,34 +249,4 @@ void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
     dmi_drag_plan(drag, intent, duration);
     if (drag->rules.on) dmi_drag_close(drag, 0);
     if (drag->release.phase == DM_DRAG_AT_REST) drag->velocity = 0;
-}
-
-/* ---- the same for other files ---- */
-
-bool dmi_drag_unit_ray(const dm_ray* ray, dm_ray* out) {
-    return unit_ray(ray, out);
-}
-
-bool dmi_drag_read_ray(dmi_drag* drag, const dm_ray* ray, dm_ray* out_unit) {
-    return read_ray(drag, ray, out_unit);
-}
-
-float dmi_drag_nearest(dmi_drag* drag, const dm_ray* ray) {
-    return nearest_on(drag, ray);
-}
-
-void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float hand_motion, float dt) {
-    move_pointer(drag, nearest, hand_motion, dt);
-}
-
-void dmi_drag_track(dmi_drag* drag, float nearest, const dm_ray* ray) {
-    track(drag, nearest, ray);
-}
-
-float dmi_drag_ray_motion(const dmi_drag* drag, const dm_ray* ray) {
-    return ray_motion(drag, ray);
-}
-
-dmi_span dmi_drag_span(const dmi_drag* drag, bool stated) {
-    return span_of(drag, stated);
 }

@@ -4,7 +4,7 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
-#include "motion/drag_internal.h"
+#include "motion/drag_pointer.h"
 
 #define EYE_DISTANCE 8.0f /* sizes of the part, from the grabbed point to an eye; by hand */
 

@@ -11,26 +11,12 @@ typedef struct dmi_span {
     float lower, upper;
 } dmi_span;
 
-/* Returns the span of a pull: limits with their soft ends, or what estimated limits may be exceeded to. stated: no
- * farther than estimated limits. */
-dmi_span dmi_drag_span(const dmi_drag* drag, bool stated);
-/* Copies a ray with a unit direction; false when it is not finite or has no direction. */
-bool dmi_drag_unit_ray(const dm_ray* ray, dm_ray* out_unit);
-/* Makes the ray of the first hand unit and adds its offset, which the first ray of the drag sets. False: not usable. */
-bool dmi_drag_read_ray(dmi_drag* drag, const dm_ray* ray, dm_ray* out_unit);
-/* Returns the joint value nearest to the ray that dmi_drag_read_ray gave. */
-float dmi_drag_nearest(dmi_drag* drag, const dm_ray* unit);
-/* Moves the pointer value to `nearest`, or towards it where that says little. motion: of the hand since the last
- * update, host units. */
-void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float motion, float dt);
-/* Returns how far a ray has moved since the last update, host units at the grabbed point. */
-float dmi_drag_ray_motion(const dmi_drag* drag, const dm_ray* unit);
 /* Returns the pointer value that asks for `value`. */
 float dmi_drag_pointer_value(const dmi_drag* drag, float value);
 /* Sets the value that is asked for by the pointer value. */
 void dmi_drag_ask(dmi_drag* drag);
-/* Shows the tracker a ray; `nearest` is the value of the active joint. */
-void dmi_drag_track(dmi_drag* drag, float nearest, const dm_ray* unit);
+/* Shows the tracker a ray; `nearest` is the value of the active joint. Returns true when the joint has changed. */
+bool dmi_drag_track(dmi_drag* drag, float nearest, const dm_ray* unit);
 void dmi_drag_plan(dmi_drag* drag, int32_t intent, float duration);
 
 /* ---- drag_aim.c ---- */

@@ -280,7 +280,10 @@ static void move_hands(game* g) {
         hands[i]->ray = (dm_ray){eye, {p.x - eye.x, p.y - eye.y, p.z - eye.z}};
         hands[i]->point = p;
     }
-    g->input.hand.amount = g->input.hand.kind == DM_HAND_VALUE ? g->angle : 0.1f * g->speed;
+    const float amounts[] = {[DM_HAND_RATE] = g->speed / RANGE, /* all as fast as the hand */
+                             [DM_HAND_STEP] = g->speed / RANGE * g->dt,
+                             [DM_HAND_VALUE] = g->angle};
+    g->input.hand.amount = amounts[g->input.hand.kind];
     g->input.second.grab_point = place(g, g->now.value);
 }
 
