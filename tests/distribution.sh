@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# tests/distribution.sh SUITE — scripts/demo and scripts/test quick in a bare Debian of that suite (bookworm, trixie …), as
-# root, with debootstrap. Leaves the demo's picture and the log in build/distribution/SUITE; exits 0 when both passed.
+# tests/distribution.sh SUITE — the release in build/dist (where scripts/release has made one) with hosts that use it, then
+# scripts/demo and scripts/test quick in a bare Debian of that suite (bookworm, trixie …), as root, with debootstrap. Leaves
+# the demo's picture and the log in build/distribution/SUITE; exits 0 when all passed.
 #   DM_MIRROR  where packages come from; by default the first of this machine's own apt sources that has the suite
 #   DM_CHROOT  folder of the system, kept and used again as it then stands; by default a fresh one that is removed
 #   JOBS       how many jobs make runs at once
 set -euo pipefail
 [ -z "${DM_CHROOT:-}" ] || export DM_CHROOT=$(realpath -m "$DM_CHROOT") # seen from where this was called
-[ $# = 1 ] || { sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[ $# = 1 ] || { sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 [ "$(id -u)" = 0 ] || { echo "tests/distribution.sh: needs root, for chroot" >&2; exit 2; }
 command -v debootstrap > /dev/null || { echo "tests/distribution.sh: debootstrap is missing" >&2; exit 2; }
@@ -69,7 +70,15 @@ inside() { # COMMAND…, in the source folder
     chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 ${JOBS:+JOBS=$JOBS} \
         sh -c 'cd /dragmesh && exec "$@"' sh "$@" || failed+=("$*")
 }
+packed() { # the release that was made outside, and hosts that know nothing else
+    local archive=$1
+    cp "$archive" "$root/tmp/"
+    chroot "$root" apt-get update -qq
+    DEBIAN_FRONTEND=noninteractive chroot "$root" apt-get install -y -qq --no-install-recommends gcc libc6-dev cmake make pkg-config > /dev/null
+    inside tests/release/hosts.sh "/tmp/$(basename "$archive")" /tmp/hosts
+}
 {
+    for archive in build/dist/dragmesh-*-linux-x64.tar.gz; do [ ! -e "$archive" ] || packed "$archive"; done
     inside scripts/demo
     inside scripts/test quick
 } > >(tee "$out/log") 2>&1

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws how cost grows, from bench_growth's lines: growth.py FOLDER OUT (triangles.jsonl, parts.jsonl, drags.jsonl -> *.png)."""
+"""Draws how cost grows, from the lines of bench_growth and bench_pick: growth.py FOLDER OUT draws those of triangles.jsonl,
+parts.jsonl, drags.jsonl and pick.jsonl that are in the folder."""
 import json
 import sys
 from pathlib import Path
@@ -45,16 +46,43 @@ def draw_objects(rows, x_name, title, out):
                 (".dmo with triangles", xs, column(rows, "dmo_bytes", 1e-6))])])
 
 
+def draw_drags(rows, out):
+    live = column(rows, "live")
+    draw(out, "More and more drags and motions alive", "alive", [
+        ("µs a frame, all", [("dm_drag_update", live, column(rows, "update_us")),
+                             ("dm_motion_sample", live, column(rows, "sample_us"))]),
+        ("bytes each", [("drag + motion", live, column(rows, "bytes_each"))])])
+
+
+def draw_instances(rows, out):
+    commits = [row for row in rows if row["what"] == "commit"]
+    count = column(commits, "instances")
+    picks = {}
+    for row in rows:
+        words = row["what"].split()
+        if words[0] == "pick," and words[-1] == "instances":
+            xs, ys = picks.setdefault(row["who"], ([], []))
+            xs.append(int(words[1]))
+            ys.append(row["ns"])
+    draw(out, "More and more instances of 2,000 triangles", "instances", [
+        ("pick, most rays miss, ns", [({"embree, instances, robust": "bare Embree"}.get(who, who), xs, ys) for who, (xs, ys) in picks.items()]),
+        ("move one and commit, µs", [("dragmesh", count, column(commits, "move_commit_us"))]),
+        ("ms", [("place all of them", count, column(commits, "place_all_ms")),
+                ("remove all of them", count, column(commits, "remove_all_ms"))])])
+
+
 def main(folder, out):
     out.mkdir(parents=True, exist_ok=True)
-    draw_objects(read(folder / "triangles.jsonl"), "triangles", "One part, more and more triangles", out / "triangles.png")
-    draw_objects(read(folder / "parts.jsonl"), "parts", "100,000 triangles, more and more parts", out / "parts.png")
-    drags = read(folder / "drags.jsonl")
-    live = column(drags, "live")
-    draw(out / "drags.png", "More and more drags and motions alive", "alive", [
-        ("µs a frame, all", [("dm_drag_update", live, column(drags, "update_us")),
-                             ("dm_motion_sample", live, column(drags, "sample_us"))]),
-        ("bytes each", [("drag + motion", live, column(drags, "bytes_each"))])])
+    drawings = {
+        "triangles": lambda rows, to: draw_objects(rows, "triangles", "One part, more and more triangles", to),
+        "parts": lambda rows, to: draw_objects(rows, "parts", "100,000 triangles, more and more parts", to),
+        "drags": draw_drags,
+    }
+    for name, draw_rows in drawings.items():
+        if (folder / f"{name}.jsonl").exists():
+            draw_rows(read(folder / f"{name}.jsonl"), out / f"{name}.png")
+    if (folder / "pick.jsonl").exists():
+        draw_instances(read(folder / "pick.jsonl"), out / "instances.png")
 
 
 if __name__ == "__main__":
