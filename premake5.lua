@@ -113,7 +113,7 @@ end
 
 -- Compiles a file of plugin_api/glibc into the project: the release build calls functions of the C library by versions that
 -- glibc 2.31 has. pin.h says how.
-local has_glibc = installed "gnu/libc-version.h"
+local has_glibc = cross == "linux-arm64" or installed "gnu/libc-version.h"
 local function pin(file, functions)
     if not has_glibc then return end
     files { "plugin_api/glibc/" .. file .. ".c" }
