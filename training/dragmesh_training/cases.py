@@ -1,7 +1,9 @@
 """Ranker cases: generated objects' candidate joints with their features and labels, and files of them. The ranker and the
 prefilter are trained on them."""
 import ctypes
+import multiprocessing
 import os
+from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 
@@ -63,10 +65,19 @@ def log_weights(rows, used, total):
     return np.where(rows < used[:, None], out, -1e9).astype(np.float32)
 
 
-def case_file(command, folder, name, kinematics, seed, *more):
-    """The file of that name, made unless it is there by the `make` of a module's `run`."""
-    path = os.path.join(folder, name + ".npz")
-    if not os.path.exists(path):
-        command(["make", path + ".part.npz", "--weights", kinematics, "--seed", str(seed), *more])
-        os.rename(path + ".part.npz", path)
-    return path
+def make_file(command, path, kinematics, seed, *more):
+    command(["make", path + ".part.npz", "--weights", kinematics, "--seed", str(seed), *more])
+    os.rename(path + ".part.npz", path)
+
+
+def case_files(command, folder, files):
+    """The paths of files (name, weights of the KPP-Net, seed, more words …), made by the `make` of a module's `run` unless they
+    are there; one for each processor at a time."""
+    paths = [os.path.join(folder, name + ".npz") for name, *_ in files]
+    spawn = multiprocessing.get_context("spawn")  # a fork would lack the threads that PyTorch may have started
+    with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn) as pool:
+        made = [pool.submit(make_file, command, path, *words)
+                for path, (_, *words) in zip(paths, files) if not os.path.exists(path)]
+        for future in made:
+            future.result()
+    return paths

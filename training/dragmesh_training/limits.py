@@ -15,7 +15,7 @@ import ctypes
 import numpy as np
 import torch
 
-from .cases import case_file, load
+from .cases import case_files, load
 from .descent import descend
 from .export import perceptron_tensors, write_joint_models
 from .features import PRISMATIC
@@ -182,13 +182,12 @@ def run_fit(arguments):
 
 def ship(folder, kinematics, prefilter, out, some=str):
     """The limit networks that ship; goes on where it was stopped. some: how many of so many cases and steps, as a word."""
-    def made(name, seed, count, *more):
-        return case_file(run, folder, f"limits_{name}{seed}", kinematics, seed, "--prefilter", prefilter, "--count",
-                         some(count), *more)
+    def cases(name, seed, count, *more):
+        return f"limits_{name}{seed}", kinematics, seed, "--prefilter", prefilter, "--count", some(count), *more
 
-    validation = made("validation", VALIDATION_SEED, CASES // 2, "--split", "1")
-    files = [made("first", seed, CASES, "--only", "first") for seed in SEEDS]
-    files += [made("all", seed, CASES) for seed in SEEDS]
+    validation, *files = case_files(run, folder, [
+        cases("validation", VALIDATION_SEED, CASES // 2, "--split", "1"),
+        *(cases("first", seed, CASES, "--only", "first") for seed in SEEDS), *(cases("all", seed, CASES) for seed in SEEDS)])
     run(["fit", *files, "--validate", validation, "--steps", some(STEPS), "-o", out])
 
 

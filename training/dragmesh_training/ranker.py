@@ -23,7 +23,7 @@ import time
 import numpy as np
 
 from . import boosted_trees, prefilter
-from .cases import KEPT_BEST, case_file, costs, load, log_weights, make
+from .cases import KEPT_BEST, case_files, costs, load, log_weights, make
 from .config import HELD_OUT
 from .features import HIDDEN_GROUPS, NETWORK, PRISMATIC
 from .lab import LAB, PULLS, chosen_kinds, names_by_id, open_lab, options_of
@@ -285,19 +285,23 @@ def ship(folder, models, out, share):
     held_out = committed_network(folder, "kpp_held_out", HELD_OUT_COMMIT)
     prefilter_file, limits_file = (os.path.join(folder, name + ".safetensors") for name in ("prefilter", "limits"))
     if not os.path.exists(prefilter_file):
-        every = [case_file(run, folder, f"every{seed}", kinematics, seed, "--count", some(PREFILTER_CASES), "--pull", "careful")
-                 for seed, kinematics in zip(PREFILTER_SEEDS, (earlier, shipped))]
+        every = case_files(run, folder, [
+            (f"every{seed}", kinematics, seed, "--count", some(PREFILTER_CASES), "--pull", "careful")
+            for seed, kinematics in zip(PREFILTER_SEEDS, (earlier, shipped))])
         prefilter.run([*every, "--steps", some(prefilter.STEPS), "-o", prefilter_file])
     with_prefilter = "--prefilter", prefilter_file, "--pull", "careful"
-    of_network, of_trees = (
-        [case_file(run, folder, f"cases{seed}", kinematics, seed, "--count", some(CASES), *with_prefilter)
-         for kinematics, of_one in zip((earlier, shipped), seeds) for seed in of_one]
-        for seeds in (NETWORK_SEEDS, TREE_SEEDS))
-    of_drags = [case_file(run, folder, f"drags{seed}", kinematics, seed, "--count", some(DRAG_CASES), "--rows", str(DRAG_ROWS),
-                          "--with-drag", "1", "--prefilter", prefilter_file)
-                for kinematics, of_one in zip((shipped, earlier), DRAG_SEEDS) for seed in of_one]
+    networks = {seed: kinematics for seeds in (NETWORK_SEEDS, TREE_SEEDS)
+                for kinematics, of_one in zip((earlier, shipped), seeds) for seed in of_one}
+    paths = dict(zip(networks, case_files(run, folder, [
+        (f"cases{seed}", kinematics, seed, "--count", some(CASES), *with_prefilter) for seed, kinematics in networks.items()])))
+    of_network, of_trees = ([paths[seed] for of_one in seeds for seed in of_one] for seeds in (NETWORK_SEEDS, TREE_SEEDS))
+    of_drags = case_files(run, folder, [
+        (f"drags{seed}", kinematics, seed, "--count", some(DRAG_CASES), "--rows", str(DRAG_ROWS), "--with-drag", "1",
+         "--prefilter", prefilter_file)
+        for kinematics, of_one in zip((shipped, earlier), DRAG_SEEDS) for seed in of_one])
     limits.ship(folder, shipped, prefilter_file, limits_file, some)
-    validation = case_file(run, folder, "validation", shipped, 105, "--count", some(1500), "--split", "1", *with_prefilter)
+    validation, = case_files(run, folder, [
+        ("validation", shipped, 105, "--count", some(1500), "--split", "1", *with_prefilter)])
     common = ["train", *of_network, "--trees", *of_trees, "--drags", *of_drags, "--validate", validation, *with_prefilter[:2],
               "--limits", limits_file, "--steps", some(STEPS), "--calibration-cases", some(3000, 300)]
     held_out_ranker = os.path.join(folder, "held_out_ranker.safetensors")

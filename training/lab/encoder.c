@@ -13,12 +13,15 @@
 
 enum { ARCH_REQ_XCOMP_PERM = 0x1023, TILE_DATA = 18 }; /* of Linux: a process asks before it uses tiles */
 
+int lab_encoder_has_tiles;
+
 int dm_lab_encoder_available(void) {
     unsigned a, b, c, d, more;
     if (dmi_cpu_best_isa() != DMI_ISA_AVX512 || !__get_cpuid_count(7, 0, &a, &b, &c, &d)) return 0;
     if (!__get_cpuid_count(7, 1, &more, &b, &c, &a)) return 0;
-    const int tiles = d >> 24 & 1, tiles_of_bf16 = d >> 22 & 1, bf16_rounding = more >> 5 & 1;
-    return tiles && tiles_of_bf16 && bf16_rounding && syscall(SYS_arch_prctl, ARCH_REQ_XCOMP_PERM, TILE_DATA) == 0;
+    const int tiles = d >> 24 & 1, tiles_of_bf16 = d >> 22 & 1, registers_of_bf16 = more >> 5 & 1;
+    lab_encoder_has_tiles = tiles && tiles_of_bf16 && syscall(SYS_arch_prctl, ARCH_REQ_XCOMP_PERM, TILE_DATA) == 0;
+    return registers_of_bf16;
 }
 
 static void* make_zeros(size_t bytes) {

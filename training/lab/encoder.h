@@ -1,6 +1,7 @@
 /* KPP-Net's point encoder (paper §3.5; docs/networks.md) forwards and backwards, for training on processors that
- * multiply tiles of bf16 (AMX): several times as fast as PyTorch on one core. Products are of bf16, sums and everything
- * else float. The size is the `game` one: 96 wide, 4 heads, 192 between, points' MLP 17 to 64 to 96. */
+ * multiply pairs of bf16 (AMX tiles, or AVX-512 BF16): several times as fast as PyTorch on one core. Products are of
+ * bf16, sums and everything else float. The size is the `game` one: 96 wide, 4 heads, 192 between, points' MLP 17 to 64
+ * to 96. */
 #ifndef DM_LAB_ENCODER_H
 #define DM_LAB_ENCODER_H
 
@@ -11,7 +12,7 @@
 
 typedef struct dm_lab_encoder dm_lab_encoder;
 
-/* Returns whether the processor and the operating system support it (AMX tiles of bf16). */
+/* Returns whether the processor and the operating system support it (AMX tiles, or AVX-512 BF16). */
 DM_API int dm_lab_encoder_available(void);
 
 /* tokens: groups of 16 points a case, even and at most 48; layers: at most 3; batch: most cases at a time. NULL: not

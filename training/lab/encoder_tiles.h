@@ -1,4 +1,5 @@
-/* Products of bf16 matrices on AMX tiles, and the two layouts of their operands. For the encoder's files alone.
+/* Products of bf16 matrices on AMX tiles, or in registers where the processor has no tiles, and the two layouts of
+ * their operands. For the encoder's files alone.
  *
  * A product's left operand lies row by row; the right one in pairs of rows: the dword in row k, column n holds the
  * numbers of rows 2k (low half) and 2k + 1 of that column. */
@@ -12,8 +13,9 @@
 #define TARGET __attribute__((target("amx-tile,amx-bf16,avx512f,avx512bw,avx512dq,avx512vl,avx512bf16")))
 #define TARGET_INLINE TARGET __attribute__((always_inline)) static inline
 #define ALIGNED _Alignas(64)
-#define LANES 16 /* floats in a register; rows and columns of a tile of sums */
-#define DEPTH 32 /* bf16 in a tile's row */
+#define LANES 16       /* floats in a register; rows and columns of a tile of sums */
+#define DEPTH 32       /* bf16 in a tile's row */
+#define ROWS_AT_ONCE 8 /* of sums in registers, two registers each; divides LANES */
 
 typedef uint16_t bf16;
 
@@ -40,8 +42,12 @@ TARGET_INLINE __m512 get16(const bf16* in) {
     return widened16(_mm256_loadu_si256((const __m256i*)in));
 }
 
+/* Whether this process may use tiles; set by dm_lab_encoder_available. */
+extern int lab_encoder_has_tiles;
+
 /* Every tile full: 16 rows of 64 bytes. Of this thread, until tiles_off. */
 TARGET_INLINE void tiles_on(void) {
+    if (!lab_encoder_has_tiles) return;
     ALIGNED const struct {
         uint8_t palette, start, zeros[14];
         uint16_t bytes[16];
@@ -51,6 +57,7 @@ TARGET_INLINE void tiles_on(void) {
 }
 
 TARGET_INLINE void tiles_off(void) {
+    if (!lab_encoder_has_tiles) return;
     _tile_release();
 }
 
@@ -100,8 +107,63 @@ TARGET_INLINE void tiles_of_sums(const product* p, size_t row, size_t column, in
     if (two_down && two_across) _tile_stored(3, below + LANES, out_bytes);
 }
 
+TARGET_INLINE __m512bh pairs_at(const uint32_t* at) {
+    const __m512i bits = _mm512_loadu_si512(at);
+    __m512bh pairs;
+    __builtin_memcpy(&pairs, &bits, sizeof pairs);
+    return pairs;
+}
+
+/* The pair of numbers at `at` in every lane. */
+TARGET_INLINE __m512bh spread_pair(const bf16* at) {
+    int32_t pair;
+    __builtin_memcpy(&pair, at, sizeof pair);
+    const __m512i bits = _mm512_set1_epi32(pair);
+    __m512bh pairs;
+    __builtin_memcpy(&pairs, &bits, sizeof pairs);
+    return pairs;
+}
+
+/* ROWS_AT_ONCE rows of LANES or twice as many sums. */
+TARGET_INLINE void registers_of_sums(const product* p, size_t row, size_t column, int add, const int two_across) {
+    const bf16* left = p->left + row * p->left_stride;
+    const uint32_t* right = p->right + column;
+    float* out = p->out + row * p->out_stride + column;
+    __m512 sum[ROWS_AT_ONCE][2];
+    for (size_t i = 0; i < ROWS_AT_ONCE; i++) {
+        sum[i][0] = add ? _mm512_loadu_ps(out + i * p->out_stride) : _mm512_setzero_ps();
+        sum[i][1] = add && two_across ? _mm512_loadu_ps(out + i * p->out_stride + LANES) : _mm512_setzero_ps();
+    }
+    for (size_t k = 0; k < p->depth; k += 2, right += p->right_stride) {
+        const __m512bh first = pairs_at(right), second = two_across ? pairs_at(right + LANES) : first;
+        for (size_t i = 0; i < ROWS_AT_ONCE; i++) {
+            const __m512bh pair = spread_pair(left + i * p->left_stride + k);
+            sum[i][0] = _mm512_dpbf16_ps(sum[i][0], pair, first);
+            if (two_across) sum[i][1] = _mm512_dpbf16_ps(sum[i][1], pair, second);
+        }
+    }
+    for (size_t i = 0; i < ROWS_AT_ONCE; i++) {
+        _mm512_storeu_ps(out + i * p->out_stride, sum[i][0]);
+        if (two_across) _mm512_storeu_ps(out + i * p->out_stride + LANES, sum[i][1]);
+    }
+}
+
+TARGET static inline void multiply_in_registers(const product* p, size_t rows, size_t columns, int add) {
+    for (size_t row = 0; row < rows; row += ROWS_AT_ONCE)
+        for (size_t column = 0; column < columns; column += 2 * LANES) {
+            if (column + LANES < columns)
+                registers_of_sums(p, row, column, add, 1);
+            else
+                registers_of_sums(p, row, column, add, 0);
+        }
+}
+
 /* rows, columns: multiples of LANES. */
 TARGET static inline void multiply(const product* p, size_t rows, size_t columns, int add) {
+    if (!lab_encoder_has_tiles) {
+        multiply_in_registers(p, rows, columns, add);
+        return;
+    }
     for (size_t row = 0; row < rows; row += 2 * LANES)
         for (size_t column = 0; column < columns; column += 2 * LANES) {
             const int two_down = row + LANES < rows, two_across = column + LANES < columns;
