@@ -19,7 +19,7 @@ void part_hints_of_node(const dm_gltf* gltf, const char* path, const char* node,
     char file[256] = "", names[DM_MAX_LABEL + 1 - sizeof file];
     *out = (part_hints){.has_pivot = false};
     if (dm_gltf_get_hints(gltf, node, names, sizeof names, &out->pivot) != DM_OK) return;
-    out->has_pivot = true;
+    out->has_pivot = !dm_gltf_pivots_are_lost(gltf);
     if (path != NULL) file_stem(path, file, sizeof file);
     snprintf(out->label, sizeof out->label, "%s/%s", file, names);
 }

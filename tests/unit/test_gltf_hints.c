@@ -23,8 +23,8 @@ typedef struct opened {
     dm_gltf* gltf;
 } opened;
 
-static void open_file(opened* o) {
-    const test_glb glb = test_glb_pack(json, triangle, sizeof triangle);
+static void open_json(opened* o, const char* text) {
+    const test_glb glb = test_glb_pack(text, triangle, sizeof triangle);
     test_env_open(&o->t, TEST_NEVER);
     const dm_gltf_desc desc = {.struct_size = sizeof desc,
                                .data = glb.data,
@@ -33,6 +33,10 @@ static void open_file(opened* o) {
                                .log = test_log(&o->t.messages)};
     assert_int_equal(dm_gltf_open(&desc, &o->gltf), DM_OK);
     free(glb.data);
+}
+
+static void open_file(opened* o) {
+    open_json(o, json);
 }
 
 static void close_file(opened* o) {
@@ -81,6 +85,32 @@ static void pivots_are_in_the_scene(void** state) {
     close_file(&o);
 }
 
+/* Nodes that all stand at one point have lost their pivots; those of `leaf` and the node without a name have not, nor
+ * has a node alone. */
+static void pivots_at_one_point_are_lost(void** state) {
+    (void)state;
+    static const char two_at_one_point[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":["
+        "{\"translation\":[1,2,3],\"children\":[1,2]},{\"mesh\":0},{\"mesh\":0,\"rotation\":[0,1,0,0]}]}";
+    static const char one[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":[{\"mesh\":0}]}";
+    const char* const files[] = {json, two_at_one_point, one};
+    static const int32_t lost[] = {0, 1, 0};
+    for (int i = 0; i < 3; i++) {
+        opened o;
+        open_json(&o, files[i]);
+        assert_int_equal(dm_gltf_pivots_are_lost(o.gltf), lost[i]);
+        close_file(&o);
+    }
+    assert_int_equal(dm_gltf_pivots_are_lost(NULL), 0);
+}
+
 static void unknown_nodes_and_arguments(void** state) {
     (void)state;
     opened o;
@@ -97,9 +127,8 @@ static void unknown_nodes_and_arguments(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names_from_root_to_node),
-        cmocka_unit_test(outer_names_give_way),
-        cmocka_unit_test(pivots_are_in_the_scene),
+        cmocka_unit_test(names_from_root_to_node),     cmocka_unit_test(outer_names_give_way),
+        cmocka_unit_test(pivots_are_in_the_scene),     cmocka_unit_test(pivots_at_one_point_are_lost),
         cmocka_unit_test(unknown_nodes_and_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,8 @@
 #include "mesh/gltf/gltf_file.h"
 #include "mesh/gltf/gltf_names.h"
 
+enum { COLUMN = 4, ORIGIN = 12 }; /* in a transform of 16 numbers: between columns; of the translation */
+
 /* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then: as before
  * where the name does not fit. */
 static size_t put_before(char* out, size_t size, size_t used, const char* name) {
@@ -35,12 +37,25 @@ static void write_path(const dm_gltf* gltf, const dmi_gltf_tree_node* node, char
 
 /* Copies origin and axes from the node's transform to the scene, as the merged mesh has them. */
 static void write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* out) {
-    enum { COLUMN = 4, ORIGIN = 12 };
     float origin[3];
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++) out->axes[3 * column + row] = (float)world[COLUMN * column + row];
     for (int row = 0; row < 3; row++) origin[row] = (float)(world[ORIGIN + row] - gltf->origin[row]);
     out->origin = (dm_vec3){origin[0], origin[1], origin[2]};
+}
+
+int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf) {
+    const uint32_t count = dm_gltf_node_count(gltf);
+    dm_gltf_node node;
+    const double* first = NULL;
+    for (uint32_t i = 0; i < count; i++) {
+        dm_gltf_get_node(gltf, i, &node);
+        const double* origin = gltf->tree[node.node].world + ORIGIN;
+        if (first == NULL) first = origin;
+        for (int row = 0; row < 3; row++)
+            if (origin[row] != first[row]) return 0;
+    }
+    return count > 1;
 }
 
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,

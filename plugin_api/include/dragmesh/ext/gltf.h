@@ -108,6 +108,10 @@ DM_API dm_result DM_CALL dm_gltf_mark_faces(const dm_gltf* gltf, const char* con
 DM_API dm_result DM_CALL dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,
                                            dm_pivot* out_pivot);
 
+/* 1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all are one point, as exporters
+ * leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL. */
+DM_API int32_t DM_CALL dm_gltf_pivots_are_lost(const dm_gltf* gltf);
+
 /* Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort
  * the merged mesh otherwise). mask_value NULL:
  * non-zero is moving. out_part_ids: as many bytes as max(vertex_count, face_count). out_ambiguous (may be NULL): both
