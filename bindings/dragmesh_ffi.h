@@ -696,6 +696,7 @@ dm_result dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* ou
 dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* out_uv, uint64_t corner_count);
 dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char** names, uint32_t name_count, uint8_t value, uint8_t* inout_face_ids, uint64_t face_count);
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size, dm_pivot* out_pivot);
+int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf);
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value, uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous);
 dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data, size_t* out_size);
 void dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size);

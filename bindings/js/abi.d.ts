@@ -35,7 +35,7 @@ export const Result: {
     readonly ERROR_INDEX_OUT_OF_RANGE: -6;
     /** no triangle belongs to the part */
     readonly ERROR_EMPTY_MASK: -7;
-    /** every triangle belongs to the part: nothing stays to move against */
+    /** the mask, or the part found, is the whole mesh: it tells nothing apart */
     readonly ERROR_FULL_MASK: -8;
     /** no triangle with an area, or all vertices in one point */
     readonly ERROR_DEGENERATE_MESH: -9;

@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: ae47134e9692a4c7
+// Hash of the description: af6a635a7e07a4a2
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;

@@ -256,6 +256,8 @@ static int check(const char* folder, const char* baseline, const eval_options* o
     if (options->lies < 0 || options->lies > 1) return options_refuse(&cli_eval, "--lies: 0 to 1");
     if (options->drags < 1 || options->drag_noise < 0 || options->mask_noise < 0 || options->mask_noise >= 1)
         return options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
+    if (options->alone && options->mask_noise > 0)
+        return options_refuse(&cli_eval, "--alone: the mask is the whole mesh, and takes no --mask-noise");
     return CLI_OK;
 }
 
@@ -280,6 +282,7 @@ static int run(int argc, char** argv) {
         {.name = "--drag-noise", .kind = OPTION_NUMBER, .value = &options.drag_noise},
         {.name = "--mask-noise", .kind = OPTION_NUMBER, .value = &options.mask_noise},
         {.name = "--turn", .kind = OPTION_SEED, .value = &options.turn_seed, .given = &options.has_turn},
+        {.name = "--alone", .kind = OPTION_FLAG, .value = &options.alone},
         {.name = "--moving", .kind = OPTION_TEXT, .value = &moving},
         {.name = "--merge", .kind = OPTION_FLAG, .value = &options.merged},
         {.name = "--baseline", .kind = OPTION_TEXT, .value = &baseline},
@@ -305,7 +308,8 @@ const cli_command cli_eval = {
     "eval", run,
     "DIR [--json] [--no-drag] [--pull exact|chord|axis] [--drag-noise DEGREES] [--turn [SEED]]\n"
     "    [--hints [names|pivots|both]] [--no-hints] [--lies FRACTION]\n"
-    "    [--mask-noise FRACTION] [--given-type] [--drags N] [--baseline kpp|geometry|rules|full] [--moving auto "
+    "    [--mask-noise FRACTION | --alone] [--given-type] [--drags N] [--baseline kpp|geometry|rules|full] [--moving "
+    "auto "
     "[--merge]]\n"
     "    [--worst N] [--mistakes OUT_DIR]",
     "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category. --pull: the "
@@ -314,6 +318,9 @@ const cli_command cli_eval = {
     "--hints:\n"
     "    hands over the names and pivots that the folder has; --lies: that share of them is another joint's. "
     "--baseline:\n"
-    "    the network alone, no network, or hand-set rules in the ranker's place. --mistakes draws every wrong answer. "
+    "    the network alone, no network, or hand-set rules in the ranker's place. --alone: each part without the rest "
+    "of "
+    "its\n"
+    "    object. --mistakes draws every wrong answer. "
     "--moving auto\n"
     "    finds the part from the drag's point instead of the true mask, with --merge as if the file were one mesh."};

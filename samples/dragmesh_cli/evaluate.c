@@ -70,14 +70,15 @@ static void place_truth(const similarity* s, known_joint* truth) {
     }
 }
 
+static void widen_box(vec p, vec* low, vec* high) {
+    *low = (vec){fmin(low->x, p.x), fmin(low->y, p.y), fmin(low->z, p.z)};
+    *high = (vec){fmax(high->x, p.x), fmax(high->y, p.y), fmax(high->z, p.z)};
+}
+
 /* Finds the object's box and its largest side. */
 static void measure_box(trial* t, uint64_t count) {
     vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint64_t v = 0; v < count; v++) {
-        const vec p = vec_at(t->positions + 3 * v);
-        low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
-        high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
-    }
+    for (uint64_t v = 0; v < count; v++) widen_box(vec_at(t->positions + 3 * v), &low, &high);
     const vec side = sub(high, low);
     t->low = low;
     t->high = high;
@@ -189,6 +190,35 @@ static dm_result part_ids(trial* t, const metric_case* known, dm_mesh_desc* mesh
     return DM_OK;
 }
 
+/* Leaves the part's faces alone in the mesh. Returns their corners, to be freed. */
+static uint32_t* leave_part_alone(dm_mesh_desc* mesh, const uint8_t* ids, uint8_t* out_ids) {
+    const uint32_t* corners = mesh->indices;
+    uint32_t* kept = cli_alloc(mesh->index_count * sizeof *kept);
+    uint64_t count = 0;
+    for (uint64_t f = 0; f < mesh->index_count / 3; f++) {
+        if (!ids[f]) continue;
+        memcpy(kept + 3 * count, corners + 3 * f, 3 * sizeof *kept);
+        out_ids[count++] = JOB_PART;
+    }
+    mesh->indices = kept;
+    mesh->index_count = 3 * count;
+    mesh->index_bytes = 0;
+    mesh->part_ids = out_ids;
+    mesh->part_id_bytes = count;
+    return kept;
+}
+
+static dm_result answer_alone(trial* t, const dm_mesh_desc* mesh, const job* job, const uint8_t* ids,
+                              joint_answer* out_answer) {
+    dm_mesh_desc alone = *mesh;
+    uint8_t* all = cli_alloc(mesh->index_count / 3);
+    uint32_t* corners = leave_part_alone(&alone, ids, all);
+    const dm_result result = job_answer_mesh(t->session, &alone, job, out_answer);
+    free(corners);
+    free(all);
+    return result;
+}
+
 static dm_result infer(trial* t, const metric_case* known, joint_answer* out_answer) {
     dm_mesh_desc mesh = t->session->mesh;
     mesh.positions = t->positions;
@@ -202,7 +232,8 @@ static dm_result infer(trial* t, const metric_case* known, joint_answer* out_ans
         if (t->options->drag_noise > 0) vector = noisy(vector, t->options->drag_noise, t->random);
         job.drag = (dm_drag_hint){vec_out(known->drag->point), vec_out(vector)};
         if (t->options->given_type) job.type = known->truth->slides ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE;
-        result = job_answer_mesh(t->session, &mesh, &job, out_answer);
+        result = t->options->alone ? answer_alone(t, &mesh, &job, ids, out_answer)
+                                   : job_answer_mesh(t->session, &mesh, &job, out_answer);
     }
     if (result != DM_OK) {
         free(ids);
@@ -258,11 +289,20 @@ static metric_row* new_row(eval_rows* rows) {
     return row;
 }
 
+/* Returns the largest side of the points' box. */
+static double size_of(const vec* points, size_t count) {
+    vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+    for (size_t i = 0; i < count; i++) widen_box(points[i], &low, &high);
+    const vec side = sub(high, low);
+    return fmax(side.x, fmax(side.y, side.z));
+}
+
 static void evaluate_joint(trial* t, int index) {
     const known_joint* truth = &t->object.joints[index];
     metric_case known = {.truth = truth, .size = t->size, .dragged = !t->options->no_drag};
     size_t count;
     vec* moving = moving_vertices(t, &truth->moving, &count);
+    if (t->options->alone && count > 0) known.size = size_of(moving, count);
     const int drags = truth->drag_count < t->options->drags ? truth->drag_count : t->options->drags;
     known_drag pulled[DATASET_DRAGS];
     for (int d = 0; d < drags; d++)

@@ -17,6 +17,7 @@ typedef struct eval_options {
     double drag_noise;              /* degrees: standard deviation of the error of drag directions */
     double mask_noise;              /* share of the part's vertices lost and leaked, in patches */
     int turn_seed, has_turn;        /* every object in a random pose and unit */
+    int alone;                      /* each part as if it were alone in its file */
     int find_part, merged;          /* the part is found from the drag's point; as if the file were one mesh */
     error_report* error_report;     /* NULL: no pictures of wrong answers */
 } eval_options;

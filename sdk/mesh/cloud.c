@@ -285,10 +285,22 @@ static dm_result sample_near(dmi_env* env, sampler* s, float (*xyz)[3], float (*
 
 /* ---- all blocks ---- */
 
+/* Fills the other blocks with the part's samples: nothing stays when it moves. */
+static void repeat_part(dmi_cloud* cloud) {
+    const size_t size = sizeof(float[3]) * (DMI_CLOUD_POINTS - DMI_CLOUD_PART);
+    memcpy(cloud->xyz + DMI_CLOUD_PART, cloud->xyz, size);
+    memcpy(cloud->normal + DMI_CLOUD_PART, cloud->normal, size);
+}
+
 static dm_result sample_all(dmi_env* env, sampler* s, dmi_cloud* cloud) {
     enum { NEAR = DMI_CLOUD_PART, BODY = DMI_CLOUD_PART + DMI_CLOUD_NEAR };
     weigh_moving(s, true);
     sample_block(s, DMI_CLOUD_PART, cloud->xyz, cloud->normal);
+    weigh_moving(s, false);
+    if (s->total <= 0) {
+        repeat_part(cloud);
+        return DM_OK;
+    }
     dm_result result = sample_near(env, s, cloud->xyz + NEAR, cloud->normal + NEAR);
     if (result != DM_OK) return result;
     weigh_moving(s, false);

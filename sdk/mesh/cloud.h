@@ -20,7 +20,8 @@ typedef struct dmi_cloud {
 } dmi_cloud;
 
 /* Samples part `part` (index in mesh->parts, not 0). When the rest has no triangle near the part, the near block holds
- * the rest's samples nearest to it. Never fails for a mesh that dmi_mesh_create accepted, but for memory. */
+ * the rest's samples nearest to it; when there is no rest, both other blocks repeat the part's. Never fails for a mesh
+ * that dmi_mesh_create accepted, but for memory. */
 dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, uint64_t seed, dmi_cloud* out_cloud);
 
 #endif

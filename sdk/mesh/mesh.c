@@ -204,12 +204,18 @@ static dm_result check_areas(dmi_env* env, const dmi_mesh* mesh) {
     if (result != DM_OK) return result;
     for (uint32_t p = 0; p < mesh->part_count; p++) {
         const dmi_part* part = &mesh->parts[p];
-        if (part->area > 0) continue;
+        if (part->area > 0 || part->face_count == 0) continue;
         return dmi_fail(env, DM_ERROR_DEGENERATE_MESH,
                         "dm_mesh_desc.part_ids: none of the %u triangles of part %u%s has an area", part->face_count,
                         part->id, p == 0 ? " (the body)" : "");
     }
     return DM_OK;
+}
+
+/* Gives a part without triangles (the body of a door leaf alone) the object's centre as its box. */
+static void put_in_the_middle(dmi_part* part) {
+    memset(part->box_min, 0, sizeof part->box_min);
+    memset(part->box_max, 0, sizeof part->box_max);
 }
 
 dm_result dmi_mesh_measure_parts(dmi_env* env, dmi_mesh* mesh) {
@@ -224,6 +230,7 @@ dm_result dmi_mesh_measure_parts(dmi_env* env, dmi_mesh* mesh) {
     for (uint32_t f = 0; f < mesh->face_count; f++) add_face(mesh, f, sums);
     for (uint32_t p = 0; p < mesh->part_count; p++) {
         mesh->parts[p].area = (float)sums[p].area;
+        if (mesh->parts[p].face_count == 0) put_in_the_middle(&mesh->parts[p]);
         if (!(sums[p].area > 0)) continue;
         for (int k = 0; k < 3; k++) mesh->parts[p].centre[k] = (float)(sums[p].moment[k] / sums[p].area);
     }

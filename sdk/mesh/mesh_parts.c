@@ -206,9 +206,7 @@ static dm_result count_faces(dmi_env* env, dmi_mesh* mesh) {
         return dmi_fail(env, DM_ERROR_EMPTY_MASK, "dm_mesh_desc.part_ids: no triangle belongs to part %u",
                         mesh->parts[p].id);
     }
-    if (mesh->parts[0].face_count > 0) return DM_OK;
-    return dmi_fail(env, DM_ERROR_FULL_MASK,
-                    "dm_mesh_desc.part_ids: all %u triangles belong to parts, none to the body", mesh->face_count);
+    return DM_OK;
 }
 
 dm_result dmi_mesh_assign_parts(dmi_env* env, const dmi_mesh_reader* reader, const dm_part_desc* descs,

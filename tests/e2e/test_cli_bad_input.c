@@ -92,7 +92,7 @@ static void write_text(const char* name, const char* text) {
 
 typedef struct bad_job {
     const char* file;   /* in the object's folder */
-    const char* fields; /* of the job, after the file: $ the moving node, @ the folder, * all nodes */
+    const char* fields; /* of the job, after the file: $ the moving node, @ the folder */
     const char *error, *says;
 } bad_job;
 
@@ -106,8 +106,8 @@ static const bad_job bad_jobs[] = {
     {"index.glb", "\"moving\":[\"body\"]", "DM_ERROR_NOT_FOUND: ", "triangle 2 names vertex 123456789"},
     {"object.glb", "\"moving\":[\"nosuch\"]", "DM_ERROR_NOT_FOUND: ", "'nosuch'"},
     {"object.glb", "\"moving\":[]", "DM_ERROR_EMPTY_MASK: ", "says what moves"},
-    {"object.glb", "\"moving\":[\"*\"]", "DM_ERROR_FULL_MASK: ", ""},
     {"object.glb", "\"mask\":\"@/zeros.json\"", "DM_ERROR_EMPTY_MASK: ", "mask"},
+    {"object.glb", "\"mask\":\"@/ones.json\"", "DM_ERROR_FULL_MASK: ", "mask"},
     {"object.glb", "\"mask\":\"@/short.json\"", "DM_ERROR_INVALID_ARGUMENT: ", "3 values"},
     {"object.glb", "\"mask\":\"@/nomask.json\"", "DM_ERROR_NOT_FOUND: ", "nomask.json"},
     {"object.glb", "\"mask\":\"@/text.glb\"", "DM_ERROR_BAD_DATA: ", "mask"},
@@ -135,19 +135,8 @@ static cJSON* object_json(void) {
     return json;
 }
 
-static void list_nodes(char* out_names) {
-    cJSON* json = object_json();
-    const cJSON* node;
-    out_names[0] = 0;
-    cJSON_ArrayForEach(node, cJSON_GetObjectItem(json, "nodes")) {
-        if (out_names[0]) strcat(out_names, "\",\"");
-        strcat(out_names, cJSON_GetObjectItem(node, "name")->valuestring);
-    }
-    cJSON_Delete(json);
-}
-
 /* As many zeros as the file has triangles. */
-static void write_mask_of_zeros(const char* name) {
+static void write_mask_of(char value, const char* name) {
     cJSON* json = object_json();
     const cJSON* accessor;
     int corners = 0, at = 0;
@@ -157,20 +146,16 @@ static void write_mask_of_zeros(const char* name) {
     cJSON_Delete(json);
     char* text = malloc((size_t)corners + 8);
     size_t length = 0;
-    for (int face = 0; face < corners / 3; face++) length += (size_t)sprintf(text + length, "%c0", face ? ',' : '[');
+    for (int face = 0; face < corners / 3; face++)
+        length += (size_t)sprintf(text + length, "%c%c", face ? ',' : '[', value);
     strcpy(text + length, "]");
     write_text(name, text);
     free(text);
 }
 
 static void append_fields(char* to, const char* fields) {
-    char nodes[4096];
-    list_nodes(nodes);
     for (to += strlen(to); *fields; fields++) {
-        const char* piece = *fields == '$'   ? object.moving
-                            : *fields == '@' ? object.folder
-                            : *fields == '*' ? nodes
-                                             : NULL;
+        const char* piece = *fields == '$' ? object.moving : *fields == '@' ? object.folder : NULL;
         if (piece)
             to += sprintf(to, "%s", piece);
         else
@@ -190,7 +175,8 @@ static void test_every_bad_job_is_named_and_the_rest_answered(void** state) {
     write_text("text.glb", "This is no model.\n");
     write_text("empty.glb", "");
     write_text("short.json", "[1, 0, 1]");
-    write_mask_of_zeros("zeros.json");
+    write_mask_of('0', "zeros.json");
+    write_mask_of('1', "ones.json");
     write_truncated("truncated.glb");
     write_greedy_accessor("greedy.glb");
     write_not_a_number("nan.glb");

@@ -42,7 +42,7 @@ namespace DragMesh
         public const int DM_ERROR_INDEX_OUT_OF_RANGE = -6;
         /// <summary>no triangle belongs to the part</summary>
         public const int DM_ERROR_EMPTY_MASK = -7;
-        /// <summary>every triangle belongs to the part: nothing stays to move against</summary>
+        /// <summary>the mask, or the part found, is the whole mesh: it tells nothing apart</summary>
         public const int DM_ERROR_FULL_MASK = -8;
         /// <summary>no triangle with an area, or all vertices in one point</summary>
         public const int DM_ERROR_DEGENERATE_MESH = -9;
@@ -532,7 +532,7 @@ namespace DragMesh
         public ulong IndexCount;
         /// <summary>of the buffer; 0 = not stated, and not checked</summary>
         public ulong IndexBytes;
-        /// <summary>which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that dm_object_desc.parts does not list are the body's. Per vertex, a triangle belongs to the id that two of its corners share (else the smallest)</summary>
+        /// <summary>which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that dm_object_desc.parts does not list are the body's. Per vertex, a triangle belongs to the id that two of its corners share (else the smallest). Where everything is of a part, as of a door leaf alone, there is no body, and joints are less sure</summary>
         public void* PartIds;
         /// <summary>of the buffer from `part_ids` on; required with part_ids. It must be that of one id a vertex or a face, as part_id_scope says, neither less nor more</summary>
         public ulong PartIdBytes;
@@ -1296,7 +1296,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_mesh_find_part(IntPtr context, MeshDesc* mesh, DragHint* drag, byte* out_face_ids, ulong face_count);
 
-        /// <summary>Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs. Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, FULL_MASK, DEGENERATE_MESH, ZERO_DRAG, DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread]</summary>
+        /// <summary>Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs. Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, DEGENERATE_MESH, ZERO_DRAG, DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_prepare(IntPtr context, ObjectDesc* desc, ulong* out_object);
 
@@ -1511,6 +1511,10 @@ namespace DragMesh
         /// <summary>What the file says of a node, as dm_part_desc takes it: the names of those that carry it, outermost first, of its mesh and its own, joined by '/', and its origin and axes in the merged mesh's frame. name: as for dm_gltf_mark_faces; of several nodes, the first. out_label: label_size bytes, where not all names fit the outer ones are left out; may be NULL. out_pivot may be NULL. Errors: NOT_FOUND.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_get_hints(IntPtr gltf, byte* name, byte* out_label, UIntPtr label_size, Pivot* out_pivot);
+
+        /// <summary>1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all are one point, as exporters leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_gltf_pivots_are_lost(IntPtr gltf);
 
         /// <summary>Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask_value NULL: non-zero is moving. out_part_ids: as many bytes as max(vertex_count, face_count). out_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD_DATA, INVALID_ARGUMENT (neither length fits), EMPTY_MASK, FULL_MASK.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]

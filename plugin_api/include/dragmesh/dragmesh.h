@@ -102,7 +102,7 @@ enum {
     DM_ERROR_NOT_FINITE = -5,         /* a NaN or infinite number in the input */
     DM_ERROR_INDEX_OUT_OF_RANGE = -6, /* an index names a vertex or a hypothesis that does not exist */
     DM_ERROR_EMPTY_MASK = -7,         /* no triangle belongs to the part */
-    DM_ERROR_FULL_MASK = -8,          /* every triangle belongs to the part: nothing stays to move against */
+    DM_ERROR_FULL_MASK = -8,          /* the mask, or the part found, is the whole mesh: it tells nothing apart */
     DM_ERROR_DEGENERATE_MESH = -9,    /* no triangle with an area, or all vertices in one point */
     DM_ERROR_ZERO_DRAG = -10,         /* the drag vector has no length */
     DM_ERROR_DRAG_OFF_PART = -11,     /* the drag point is farther from the part than half the object's size */
@@ -253,7 +253,8 @@ typedef struct dm_mesh_desc {
     uint64_t index_bytes;    /* of the buffer; 0 = not stated, and not checked */
     const void* part_ids;    /* which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that
                                 dm_object_desc.parts does not list are the body's. Per vertex, a triangle belongs to
-                                the id that two of its corners share (else the smallest) */
+                                the id that two of its corners share (else the smallest). Where everything is of a
+                                part, as of a door leaf alone, there is no body, and joints are less sure */
     uint64_t part_id_bytes;  /* of the buffer from `part_ids` on; required with part_ids. It must be that of one id a
                                 vertex or a face, as part_id_scope says, neither less nor more */
     uint32_t part_id_stride; /* bytes; 0 = packed */
@@ -770,8 +771,8 @@ DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_de
                                            uint8_t* out_face_ids, uint64_t face_count);
 
 /* Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs.
- * Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, FULL_MASK, DEGENERATE_MESH,
- * ZERO_DRAG, DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread] */
+ * Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, DEGENERATE_MESH, ZERO_DRAG,
+ * DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread] */
 DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object);
 
 /* Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size.

@@ -96,6 +96,7 @@ dm_result dmi_analysis_find_near(dmi_arena* arena, const uint8_t* moving, const 
         return DM_ERROR_OUT_OF_MEMORY;
     uint32_t count = list_faces(mesh, moving, low, high, faces, area);
     if (count > 0) sample_faces(faces, area, count, low, high, analysis);
-    if (analysis->near_count < MIN_NEAR_POINTS) add_cloud(cloud, analysis);
+    const bool has_body = analysis->area_ratio > 0;
+    if (has_body && analysis->near_count < MIN_NEAR_POINTS) add_cloud(cloud, analysis);
     return DM_OK;
 }

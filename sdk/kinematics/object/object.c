@@ -52,9 +52,10 @@ bool dmi_object_moves_with(const dmi_object* object, uint32_t index, uint32_t an
 
 void dmi_object_bound(dmi_object* object) {
     for (int k = 0; k < 3; k++) {
-        object->box_min[k] = object->parts[0].shape.box_min[k];
-        object->box_max[k] = object->parts[0].shape.box_max[k];
-        for (uint32_t i = 1; i < object->part_count; i++) {
+        object->box_min[k] = INFINITY;
+        object->box_max[k] = -INFINITY;
+        for (uint32_t i = 0; i < object->part_count; i++) {
+            if (object->parts[i].shape.face_count == 0) continue; /* there is no body */
             object->box_min[k] = dmi_fminf(object->box_min[k], object->parts[i].shape.box_min[k]);
             object->box_max[k] = dmi_fmaxf(object->box_max[k], object->parts[i].shape.box_max[k]);
         }

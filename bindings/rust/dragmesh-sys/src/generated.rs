@@ -36,7 +36,7 @@ pub const DM_ERROR_NOT_FINITE: i32 = -5;
 pub const DM_ERROR_INDEX_OUT_OF_RANGE: i32 = -6;
 /// no triangle belongs to the part
 pub const DM_ERROR_EMPTY_MASK: i32 = -7;
-/// every triangle belongs to the part: nothing stays to move against
+/// the mask, or the part found, is the whole mesh: it tells nothing apart
 pub const DM_ERROR_FULL_MASK: i32 = -8;
 /// no triangle with an area, or all vertices in one point
 pub const DM_ERROR_DEGENERATE_MESH: i32 = -9;
@@ -429,7 +429,7 @@ pub struct dm_mesh_desc {
     pub index_count: u64,
     /// of the buffer; 0 = not stated, and not checked
     pub index_bytes: u64,
-    /// which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that dm\_object\_desc.parts does not list are the body's. Per vertex, a triangle belongs to the id that two of its corners share (else the smallest)
+    /// which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that dm\_object\_desc.parts does not list are the body's. Per vertex, a triangle belongs to the id that two of its corners share (else the smallest). Where everything is of a part, as of a door leaf alone, there is no body, and joints are less sure
     pub part_ids: *const c_void,
     /// of the buffer from \`part\_ids\` on; required with part\_ids. It must be that of one id a vertex or a face, as part\_id\_scope says, neither less nor more
     pub part_id_bytes: u64,
@@ -1375,7 +1375,7 @@ extern "C" {
     pub fn dm_model_unload(context: *mut dm_context, model: dm_model) -> dm_result;
     /// Finds the part that a point of the surface belongs to, when no mask names it: 1 in out\_face\_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm\_mesh\_desc. mesh-\>part\_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces; never more than linear in their number. Errors: as dm\_object\_prepare's of the mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays. \[any-thread\]
     pub fn dm_mesh_find_part(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result;
-    /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, FULL\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
+    /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
     pub fn dm_object_prepare(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result;
     /// Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out\_size gets the bytes needed or written, with BUFFER\_TOO\_SMALL too. \[exclusive object\]
     pub fn dm_object_save(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result;
@@ -1486,6 +1486,8 @@ extern "C" {
     pub fn dm_gltf_mark_faces(gltf: *const dm_gltf, names: *const *const c_char, name_count: u32, value: u8, inout_face_ids: *mut u8, face_count: u64) -> dm_result;
     /// What the file says of a node, as dm\_part\_desc takes it: the names of those that carry it, outermost first, of its mesh and its own, joined by '/', and its origin and axes in the merged mesh's frame. name: as for dm\_gltf\_mark\_faces; of several nodes, the first. out\_label: label\_size bytes, where not all names fit the outer ones are left out; may be NULL. out\_pivot may be NULL. Errors: NOT\_FOUND.
     pub fn dm_gltf_get_hints(gltf: *const dm_gltf, name: *const c_char, out_label: *mut c_char, label_size: usize, out_pivot: *mut dm_pivot) -> dm_result;
+    /// 1 when pivots tell nothing: the file has several dm\_gltf\_nodes, and the origins of all are one point, as exporters leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL.
+    pub fn dm_gltf_pivots_are_lost(gltf: *const dm_gltf) -> i32;
     /// Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask\_value NULL: non-zero is moving. out\_part\_ids: as many bytes as max(vertex\_count, face\_count). out\_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD\_DATA, INVALID\_ARGUMENT (neither length fits), EMPTY\_MASK, FULL\_MASK.
     pub fn dm_gltf_read_mask(gltf: *const dm_gltf, data: *const c_void, size: usize, mask_value: *const i64, out_part_ids: *mut u8, out_scope: *mut i32, out_ambiguous: *mut i32) -> dm_result;
     /// Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. out\_data is released with dm\_gltf\_release\_bytes.
