@@ -191,6 +191,7 @@ class Files(unittest.TestCase):
             gltf.mark_faces(["drawer"], 1, ids)
             self.assertTrue(ids[nodes[1].faces].all() and not ids[nodes[0].faces].any())
             label, (origin, axes) = gltf.hints("drawer")
+            self.assertIsInstance(gltf.pivots_are_lost, bool)
             self.assertTrue(label.endswith("drawer") and axes.shape == (3, 3) and np.isfinite(origin).all())
             thing = dragmesh.prepare_gltf(context, gltf, context.load_shipped_model(), "kitchen")
             joint = thing.joint(2)

@@ -33,7 +33,8 @@ def _parts(gltf: Gltf, nodes: List[Node], body: int, label: Optional[str]) -> Li
         carrier = None if node.carrier is None else first[node.carrier]
         names, pivot = gltf.hints(f"#{node.node}")
         parts.append({"id": index + 1, "parent": 0 if carrier in (None, first[body]) else carrier + 1,
-                      "label": _cut(f"{label}/{names}" if label else names), "pivot": pivot})
+                      "label": _cut(f"{label}/{names}" if label else names),
+                      "pivot": None if gltf.pivots_are_lost else pivot})
     return parts
 
 

@@ -123,6 +123,11 @@ class Gltf:
         self._check(self.library.dm_gltf_get_hints(self.pointer, name.encode(), label, len(label), c.byref(pivot)))
         return label.value.decode(), (np.array(tuple(pivot.origin)), np.array(pivot.axes).reshape(3, 3))
 
+    @property
+    def pivots_are_lost(self) -> bool:
+        """Whether pivots tell nothing: the origins of all nodes, of which there are several, are one point."""
+        return bool(self.library.dm_gltf_pivots_are_lost(self.pointer))
+
     def read_mask(self, data: bytes, value: Optional[int] = None) -> np.ndarray:
         """Part ids from the bytes of a .npy or JSON mask, one a vertex or one a face. value: what moves; None:
         non-zero."""

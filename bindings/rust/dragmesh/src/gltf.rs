@@ -68,6 +68,11 @@ impl Gltf {
         let label = unsafe { CStr::from_ptr(label.as_ptr()) }.to_string_lossy().into_owned();
         Ok((label, pivot))
     }
+
+    /// Whether pivots tell nothing: the origins of all nodes, of which there are several, are one point.
+    pub fn pivots_are_lost(&self) -> bool {
+        unsafe { sys::dm_gltf_pivots_are_lost(self.0) != 0 }
+    }
 }
 
 impl Drop for Gltf {
