@@ -31,4 +31,20 @@ grep -q '^left open at 0.9' "$work/example.txt" || fail "the example of the READ
 
 node --test tests/web/test_binding.mjs > "$work/tests" 2>&1 || failed=1
 grep -E '^(not ok|# (tests|pass|fail) )' "$work/tests"
+
+# The page, with nothing from elsewhere.
+node samples/11_web/build.mjs
+node tests/web/page.mjs build/web/site || fail "the page"
+
+# The package that npm makes: it holds what it exports, and nothing of this folder stays behind.
+(cd bindings/js && npm pack --silent --pack-destination "$work" > /dev/null)
+tar tzf "$work"/dragmesh-*.tgz | sort > "$work/packed"
+for file in dragmesh.js dragmesh.d.ts abi.js abi.d.ts memory.js dragmesh.wasm models/kpp_net.safetensors LICENSE README.md package.json; do
+    grep -qx "package/$file" "$work/packed" || fail "the npm package lacks $file"
+done
+[ -z "$(git status --porcelain --ignored bindings/js)" ] || fail "npm pack leaves files in bindings/js"
+mkdir "$work/host" && tar xzf "$work"/dragmesh-*.tgz -C "$work/host"
+echo 'import { load } from "dragmesh"; console.log((await load()).createContext().memory.bytes > 0);' > "$work/host/use.mjs"
+mkdir "$work/host/node_modules" && mv "$work/host/package" "$work/host/node_modules/dragmesh"
+[ "$(node "$work/host/use.mjs")" = true ] || fail "the npm package does not load"
 exit $failed

@@ -19,6 +19,7 @@ const TAP = 6; // px that a press may move and still be a tap
 const ASKED_AHEAD = 16; // pieces whose joints are found before they are touched
 const MESSAGE_TIME = 4200; // ms
 const CHOOSER = 96; // px at the bottom, for the objects to try
+const BESIDE = 120; // px at the right, for the card that a pull brings
 
 const $ = selector => document.querySelector(selector);
 const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -418,7 +419,7 @@ function setPressed(id) {
 function layout(now = false) {
     const card = $('#panel'), phone = matchMedia('(max-width: 760px)').matches;
     const bounds = card.hidden ? { width: 0, height: 0 } : card.getBoundingClientRect();
-    stage.setInsets(phone ? { right: 0, bottom: (card.hidden ? 0 : bounds.height) + CHOOSER } : { right: card.hidden ? 0 : bounds.width * 0.7, bottom: CHOOSER }, now);
+    stage.setInsets(phone ? { right: 0, bottom: (card.hidden ? 0 : bounds.height) + CHOOSER } : { right: card.hidden ? BESIDE : bounds.width * 0.7, bottom: CHOOSER }, now);
     wake();
 }
 

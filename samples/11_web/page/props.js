@@ -229,13 +229,17 @@ function washer() {
     const turned = add(dial, new LatheGeometry([[0, 0], [0.036, 0], [0.036, 0.006], [0.03, 0.009], [0.029, 0.03], [0.026, 0.034], [0, 0.035]].map(([r, h]) => new Vector2(r, h)), 64), chrome, [0.035, 0.77, front + 0.0005], 'dial_body');
     turned.rotation.x = Math.PI / 2;
     board(dial, dark, [0.004, 0.022, 0.003], [0.035, 0.786, front + 0.0355], { radius: 0.001, name: 'mark' });
-    const door = node(root, 'door', [-hole - 0.052, cy, front + 0.01]);
+    const door = node(root, 'door', [-hole - 0.056, cy, front + 0.014]);
     add(door, new TorusGeometry(hole + 0.018, 0.026, 32, 96), chrome, [0, cy, front + 0.018], 'ring').scale.z = 0.7;
     const bowl = [[0, -0.09], [0.07, -0.084], [0.12, -0.06], [0.15, -0.02], [0.168, 0.012], [0.14, 0.026], [0.08, 0.034], [0, 0.037]];
     const glass = new MeshPhysicalMaterial({ color: 0x36424c, roughness: 0.06, metalness: 0.1, clearcoat: 1, transparent: true, opacity: 0.62 });
     add(door, new LatheGeometry(bowl.map(([r, h]) => new Vector2(r, h)), 80), glass, [0, cy, front + 0.016], 'glass').rotation.x = Math.PI / 2;
     board(door, chrome, [0.024, 0.09, 0.018], [hole + 0.036, cy, front + 0.036], { radius: 0.008, name: 'handle' });
-    board(door, steel, [0.03, 0.1, 0.02], [-hole - 0.046, cy, front + 0.01], { radius: 0.005, name: 'hinge' });
+    // A plate that the ring is fixed to, with two knuckles; the third one is the body's.
+    board(door, chrome, [0.05, 0.15, 0.01], [-hole - 0.026, cy, front + 0.014], { radius: 0.004, name: 'plate' });
+    for (const side of [-1, 1]) add(door, new CylinderGeometry(0.011, 0.011, 0.048, 32), steel, [-hole - 0.056, cy + side * 0.05, front + 0.014], 'knuckle');
+    add(body, new CylinderGeometry(0.0105, 0.0105, 0.048, 32), steel, [-hole - 0.056, cy, front + 0.014], 'knuckle');
+    board(body, steel, [0.02, 0.16, 0.006], [-hole - 0.068, cy, front + 0.003], { radius: 0.002, name: 'hinge' });
     return root;
 }
 

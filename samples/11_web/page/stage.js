@@ -69,7 +69,7 @@ export class Stage {
     #fitDistance() {
         const half = FIELD_OF_VIEW * Math.PI / 360, { width, height } = this.#free();
         const narrow = Math.min(1, width / height);
-        return this.#radius * 0.98 / Math.sin(Math.atan(Math.tan(half) * narrow));
+        return this.#radius * 1.06 / Math.sin(Math.atan(Math.tan(half) * narrow));
     }
 
     // What the panels leave free.

@@ -1,0 +1,163 @@
+// The page in Chromium, with the pointer events of a mouse and of fingers: opens parts, compares pictures, saves and opens a GLB.
+//   node tests/web/page.mjs SITE [--write]     --write: the pictures become those to compare with
+import assert from 'node:assert/strict';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { serve } from '../../samples/11_web/serve.mjs';
+
+const here = name => fileURLToPath(new URL(name, import.meta.url));
+const { chromium } = createRequire(here('../../build/web/npm/package.json'))('playwright-core');
+const [, , site, option] = process.argv;
+const pictures = here('pictures'), out = here('../../build/web/pictures');
+const PATIENCE = 120000; // ms: two slow cores draw without a GPU
+const ALIKE = 0.05; // largest mean difference of two pictures, of 255 levels: 5 %; another version of Chromium draws edges anew
+const SMALL = 160; // px: pictures are compared at this width, where a letter's edge does not count
+
+const server = await serve(site);
+const address = `http://127.0.0.1:${server.address().port}/`;
+// No GPU: SwiftShader draws. Nothing is fetched from elsewhere.
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--no-first-run',
+    '--disable-background-networking', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+mkdirSync(out, { recursive: true });
+
+const desktop = { viewport: { width: 1280, height: 800 } };
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+async function open(kind, prop) {
+    const context = await browser.newContext({ ...kind, reducedMotion: 'reduce', acceptDownloads: true });
+    context.setDefaultTimeout(PATIENCE);
+    const page = await context.newPage(), problems = [];
+    page.on('pageerror', error => problems.push(error.message));
+    page.on('console', message => { if (message.type() === 'error') problems.push(message.text()); });
+    page.on('request', request => { if (!request.url().startsWith(address) && !/^(blob|data):/.test(request.url())) problems.push(`asked for ${request.url()}`); });
+    await page.goto(`${address}#${prop}`);
+    await page.waitForFunction(() => document.body.dataset.ready === '1');
+    return { page, problems, close: () => context.close() };
+}
+
+// Mouse and fingers, as the browser's own input events.
+async function hand(page, touch) {
+    if (!touch) return { down: async (x, y) => { await page.mouse.move(x, y); await page.mouse.down(); }, move: (x, y) => page.mouse.move(x, y), up: () => page.mouse.up() };
+    const session = await page.context().newCDPSession(page);
+    const send = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    return { down: (x, y) => send('touchStart', [{ x, y }]), move: (x, y) => send('touchMove', [{ x, y }]), up: () => send('touchEnd', []) };
+}
+
+const value = page => page.textContent('#panel .value');
+
+// Pulls from a place over a way, in steps that frames see; returns what the card says while the part is held.
+async function pull(page, touch, [x, y], [dx, dy]) {
+    const fingers = await hand(page, touch);
+    await fingers.down(x, y);
+    await page.waitForSelector('#panel:not([hidden])');
+    for (let i = 1; i <= 10; i++) {
+        await fingers.move(x + dx * i / 10, y + dy * i / 10);
+        await page.evaluate(() => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    }
+    await settled(page);
+    const held = await value(page);
+    return { held, kind: await page.textContent('#panel .kind'), up: () => fingers.up() };
+}
+
+// Until the value stands still.
+async function settled(page) {
+    for (let last = '', same = 0; same < 3;) {
+        const now = await value(page);
+        same = now === last ? same + 1 : 0;
+        last = now;
+        await page.waitForTimeout(150);
+    }
+}
+
+// Mean difference of two pictures, 0 to 1, computed by the browser.
+async function difference(page, a, b) {
+    return page.evaluate(async ([a, b, width]) => {
+        const pixels = async source => {
+            const image = await createImageBitmap(await (await fetch(source)).blob()), height = Math.round(width * image.height / image.width);
+            const context = new OffscreenCanvas(width, height).getContext('2d');
+            context.drawImage(image, 0, 0, width, height);
+            return context.getImageData(0, 0, width, height).data;
+        };
+        const [p, q] = await Promise.all([pixels(a), pixels(b)]);
+        return p.length === q.length ? p.reduce((sum, level, i) => sum + Math.abs(level - q[i]), 0) / p.length / 255 : 1;
+    }, [a, b, SMALL].map(each => (Buffer.isBuffer(each) ? `data:image/png;base64,${each.toString('base64')}` : each)));
+}
+
+async function compare(page, name) {
+    const picture = await page.screenshot({ animations: 'disabled' }), file = join(pictures, `${name}.png`);
+    writeFileSync(join(out, `${name}.png`), picture);
+    if (option === '--write') {
+        mkdirSync(pictures, { recursive: true });
+        writeFileSync(file, picture);
+    }
+    assert.ok(existsSync(file), `${file} is missing: node tests/web/page.mjs SITE --write, and look at it`);
+    const off = await difference(page, picture, readFileSync(file));
+    console.log(`${name}: ${(100 * off).toFixed(2)} % from its picture`);
+    assert.ok(off <= ALIKE, `${name} differs by ${(100 * off).toFixed(1)} %: compare ${join(out, name)}.png`);
+    return picture;
+}
+
+const number = text => Number.parseFloat(text.replace('−', '-'));
+
+async function try_(name, kind, prop, from, way, expected) {
+    const { page, problems, close } = await open(kind, prop);
+    const before = await compare(page, `${name}_before`);
+    const { held, kind: what, up } = await pull(page, kind.hasTouch, from, way);
+    const after = await compare(page, `${name}_pulled`);
+    console.log(`${name}: ${what}, ${held}`);
+    assert.match(what, expected);
+    assert.ok(Math.abs(number(held)) > 5, `${name} stands at ${held}`);
+    assert.ok(await difference(page, before, after) > 0.01, `${name} looks as before`);
+    await up();
+    assert.deepEqual(problems, []);
+    return { page, problems, close };
+}
+
+try {
+    const sideboard = await try_('sideboard_desktop', desktop, 'sideboard', [600, 430], [-150, 70], /^Hinge/);
+    await keys(sideboard.page);
+    await saveAndOpen(sideboard.page);
+    assert.deepEqual(sideboard.problems, []);
+    await sideboard.close();
+    await (await try_('chest_desktop', desktop, 'chest', [560, 250], [0, -150], /^Hinge/)).close();
+    await (await try_('washer_phone', phone, 'washer', [235, 400], [-110, 50], /^(Hinge|Turns)/)).close();
+    console.log('page: passed');
+} finally {
+    await browser.close();
+    server.close();
+}
+
+// Arrow keys move the chosen part, Enter closes it, a drawer comes out by Tab and an arrow.
+async function keys(page) {
+    await page.focus('#stage');
+    await page.keyboard.press('Enter');
+    await settled(page);
+    const closed = Math.abs(number(await value(page)));
+    await page.keyboard.down('ArrowRight');
+    await page.waitForTimeout(1200);
+    await page.keyboard.up('ArrowRight');
+    await settled(page);
+    const moved = Math.abs(number(await value(page)));
+    console.log(`keys: from ${closed} to ${moved}`);
+    assert.notEqual(closed, moved);
+}
+
+// The saved GLB has an animation and a node for each part, and opens here with the same parts.
+async function saveAndOpen(page) {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save')]);
+    const file = join(tmpdir(), `dragmesh_${process.pid}.glb`);
+    await download.saveAs(file);
+    const data = readFileSync(file), json = JSON.parse(data.subarray(20, 20 + data.readUInt32LE(12)));
+    assert.equal(data.readUInt32LE(0), 0x46546c67); // 'glTF'
+    assert.equal(json.animations.length, 1);
+    const parts = json.nodes.filter(node => node.extras?.dragmesh);
+    assert.equal(parts.length, 5);
+    assert.ok(parts.every(node => ['revolute', 'prismatic'].includes(node.extras.dragmesh.type)));
+    await page.setInputFiles('#file', file);
+    await page.waitForFunction(() => document.body.dataset.ready === '2');
+    assert.equal(await page.locator('#parts button').count(), 5);
+    console.log(`saved: ${data.length} bytes, ${parts.length} parts, opened again`);
+}
