@@ -117,13 +117,13 @@ async function try_(name, kind, prop, from, way, expected) {
 }
 
 try {
-    const sideboard = await try_('sideboard_desktop', desktop, 'sideboard', [600, 430], [-150, 70], /^Hinge/);
+    const sideboard = await try_('sideboard_desktop', desktop, 'sideboard', [656, 410], [-130, 90], /^Hinge/);
     await keys(sideboard.page);
     await saveAndOpen(sideboard.page);
     assert.deepEqual(sideboard.problems, []);
     await sideboard.close();
-    await (await try_('chest_desktop', desktop, 'chest', [560, 250], [0, -150], /^Hinge/)).close();
-    await (await try_('washer_phone', phone, 'washer', [235, 400], [-110, 50], /^(Hinge|Turns)/)).close();
+    await (await try_('chest_desktop', desktop, 'chest', [500, 270], [0, -130], /^Hinge/)).close();
+    await (await try_('washer_phone', phone, 'washer', [205, 300], [-120, 30], /^(Hinge|Turns)/)).close();
     console.log('page: passed');
 } finally {
     await browser.close();

@@ -5,6 +5,7 @@ import { DragFlag, DragPhase, HandKind, Intent, JointType } from './dragmesh/dra
 // A found part of more faces than this share of a mesh without pieces is the body. By hand.
 const BODY_SHARE = 0.75;
 const KEY_SPEED = 0.6; // share of the range a second, while a key is down
+const LIMIT_GIVE = 0.15; // share of the range that an estimated limit gives: a drawer stays in its case
 const rest = { real: [0, 0, 0, 1], dual: [0, 0, 0, 0] };
 
 /** One part: `own` is its motion from rest, `world` that of the parts that carry it included. */
@@ -57,7 +58,7 @@ export class Part {
 
     #begin(options) {
         this.#changes = 0;
-        this.drag = this.object.beginDrag({ partId: 1, state: this.state, rules: { driveSpeed: KEY_SPEED }, ...options });
+        this.drag = this.object.beginDrag({ partId: 1, state: this.state, limitGive: LIMIT_GIVE, rules: { driveSpeed: KEY_SPEED }, ...options });
     }
 
     follow(ray, dt) {
