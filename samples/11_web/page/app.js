@@ -320,6 +320,7 @@ let last = 0, asleep = true;
 function wake() {
     if (!asleep) return;
     asleep = false;
+    document.body.dataset.still = 'false';
     last = 0;
     requestAnimationFrame(frame);
 }
@@ -335,8 +336,9 @@ function frame(time) {
     busyFrame = glow(dt) || busyFrame;
     panel.update();
     stage.render();
+    asleep = !busyFrame;
+    document.body.dataset.still = String(asleep);
     if (busyFrame) requestAnimationFrame(frame);
-    else asleep = true;
 }
 
 // Moves the parts that a hand holds or that move by themselves; true while there are any.

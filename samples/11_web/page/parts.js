@@ -4,6 +4,7 @@ import { DragFlag, DragPhase, HandKind, Intent, JointType } from './dragmesh/dra
 
 // A found part of more faces than this share of a mesh without pieces is the body. By hand.
 const BODY_SHARE = 0.75;
+const SURE = 0.8; // a joint that is surer than this is kept whatever the pull says; others give way to it. By hand
 const KEY_SPEED = 0.6; // share of the range a second, while a key is down
 const LIMIT_GIVE = 0.15; // share of the range that an estimated limit gives: a drawer stays in its case
 const rest = { real: [0, 0, 0, 1], dual: [0, 0, 0, 0] };
@@ -46,7 +47,8 @@ export class Part {
     /** The player takes hold at a point of the scene. */
     grab(point, ray) {
         this.letGo();
-        this.#begin({ grabPoint: this.localPoint(point) });
+        const sure = this.corrected || this.joint.jointConfidence > SURE;
+        this.#begin({ grabPoint: this.localPoint(point), flags: sure ? DragFlag.KEEP_JOINT : 0 });
         return this.follow(ray, 1 / 60);
     }
 
