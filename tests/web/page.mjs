@@ -13,7 +13,7 @@ const { chromium } = createRequire(here('../../build/web/npm/package.json'))('pl
 const [, , site, option] = process.argv;
 const pictures = here('pictures'), out = here('../../build/web/pictures');
 const PATIENCE = 120000; // ms: two slow cores draw without a GPU
-const ALIKE = 0.05; // largest mean difference of two pictures, of 255 levels: 5 %; another version of Chromium draws edges anew
+const ALIKE = 0.02; // largest mean difference of two pictures, of all levels; measured: 0.003 here; another Chromium draws edges anew
 const SMALL = 160; // px: pictures are compared at this width, where a letter's edge does not count
 const FOLLOWED = 12; // frames after which a part has come to where the pointer asks it to be
 const KEPT = 480; // px: width of the pictures that are kept to compare with
@@ -139,7 +139,7 @@ try {
     assert.deepEqual(sideboard.problems, []);
     await sideboard.close();
     await (await try_('chest_desktop', desktop, 'chest', [363, 193], [0, -93], /^Hinge/)).close();
-    await (await try_('washer_phone', phone, 'washer', [205, 300], [-120, 30], /^(Hinge|Turns)/)).close();
+    await (await try_('washer_phone', phone, 'washer', [203, 428], [-110, 40], /^(Hinge|Turns)/)).close();
     console.log('page: passed');
 } finally {
     await browser.close();
