@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tests/e2e/smoke_training.sh — trains both networks and the ranker for a moment from nothing (2 to 4 minutes). Fails when a
-# loss does not fall, when a run does not go on from its checkpoint, when the same run twice gives other weights, when exported
+# tests/e2e/smoke_training.sh — trains both networks and the ranker for a moment from nothing (4 to 6 minutes). Fails when a
+# loss does not fall, when a run or the whole command does not go on from where it was, when the same run twice gives other weights, when exported
 # weights can't be scored, when the networks of the paper's size can't take a step, or when the library with a ranker of 400
 # cases finds less than half of the joints.
 set -euo pipefail
@@ -35,6 +35,18 @@ for way in "" --plain; do
 done
 for network in kpp vae; do
     "$python" training/train "$network" --run "$work/$network-paper" --set size=paper --set steps=1 --set batch=2 --set pool=256
+done
+
+# The whole command, stopped and gone on with, ends with all three files.
+mkdir -p "$work/whole/ranker"
+for name in earlier held_out; do
+    cp sdk/models/kpp_net.safetensors "$work/whole/ranker/kpp_$name.safetensors"
+done
+whole=("$python" training/train --run "$work/whole" --set steps=40 --set batch=8 --set pool=512 --share 0.002)
+"${whole[@]}" --until 20
+"${whole[@]}" > "$work/whole/log"
+for file in kpp_net dq_vae ranker; do
+    [ -s "$work/whole/$file.safetensors" ] || { echo "smoke training: the whole command left no $file" >&2; exit 1; }
 done
 
 # A clone may lack the commits of the networks of before (dragmesh_training/ranker.py): the shipped one stands in for them.

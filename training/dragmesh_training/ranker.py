@@ -269,7 +269,7 @@ def committed_network(folder, name, commit):
 
 
 def ship(folder, models, out, share):
-    """Makes the ranker of the folder `out`, for the KPP-Net in `models`; goes on where it was stopped. About an hour of one core.
+    """Makes the ranker of the folder `out`, for the KPP-Net in `models`; goes on where it was stopped. About an hour.
     First the prefilter, from cases all of whose candidates are evaluated; then the ranker, from prefiltered cases. A held-out
     ranker, which has not seen the held-out kinds (nor have the prefilter and the KPP-Net that it is asked with), says how well
     kinds are answered that nothing knows, and what the probabilities of such answers are worth. share: of the cases and the
