@@ -27,7 +27,7 @@
  * binary, as they are elsewhere. */
 void platform_start(int* argc, char*** argv);
 
-/* fopen. */
+/* fopen, by modes "rb" and "wb": text is written as it is elsewhere. */
 FILE* platform_open(const char* path, const char* mode);
 /* Opens a regular file for reading; NULL with errno set. Pipes and devices, which may never end, are no files: EINVAL.
  * A folder: EISDIR. */

@@ -139,7 +139,7 @@ static bool is_plain(const bot_options* options) {
 static int run_session(const char* folder, const char* models, const char* poses, bot_options* options, bool all,
                        bool as_json) {
     session session;
-    if (poses != NULL && (options->poses = platform_open(poses, "w")) == NULL) {
+    if (poses != NULL && (options->poses = platform_open(poses, "wb")) == NULL) {
         fprintf(stderr, "dragmesh dragbot: '%s' can't be written\n", poses);
         return CLI_FAILED;
     }

@@ -28,7 +28,7 @@ static int write_named(const error_report* report, const picture* picture, const
 int error_report_open(error_report* report, const char* folder) {
     *report = (error_report){.folder = folder};
     char* path = path_join(folder, "index.txt");
-    if (platform_make_folder(folder) == 0 || errno == EEXIST) report->index = platform_open(path, "w");
+    if (platform_make_folder(folder) == 0 || errno == EEXIST) report->index = platform_open(path, "wb");
     if (report->index == NULL) fprintf(stderr, "dragmesh eval: can't write '%s': %s\n", path, strerror(errno));
     free(path);
     if (report->index == NULL) return -1;

@@ -17,6 +17,7 @@ struct CMUnitTest {
     const char* name;
     void (*test_func)(void** state);
     CMFixtureFunction setup_func, teardown_func;
+    void* initial_state; /* what the test's state points to; NULL: what the group's setup made */
 };
 
 enum { CMOCKA_PASSED = 1, CMOCKA_FAILED, CMOCKA_SKIPPED };
@@ -92,12 +93,11 @@ static inline void cmocka_floats(double a, double b, double tolerance, int wante
 #define fail_msg(...) (printf("[  ERROR   ] --- " __VA_ARGS__), printf("\n"), fail())
 #define skip() cmocka_end(CMOCKA_SKIPPED)
 
-#define cmocka_unit_test(f)                                                                                            \
-    { #f, f, NULL, NULL }
-#define cmocka_unit_test_teardown(f, teardown)                                                                         \
-    { #f, f, NULL, teardown }
-#define cmocka_unit_test_setup_teardown(f, setup, teardown)                                                            \
-    { #f, f, setup, teardown }
+#define cmocka_unit_test(f) cmocka_unit_test_setup_teardown(f, NULL, NULL)
+#define cmocka_unit_test_teardown(f, teardown) cmocka_unit_test_setup_teardown(f, NULL, teardown)
+/* clang-format off */
+#define cmocka_unit_test_setup_teardown(f, setup, teardown) { #f, f, setup, teardown, NULL }
+/* clang-format on */
 
 /* Runs one step; what it says, or FAILED where a fixture returned an error. */
 static inline int cmocka_run_test(const struct CMUnitTest* test, void** state) {
@@ -126,7 +126,7 @@ static inline int cmocka_run_group(const char* group, const struct CMUnitTest* t
         return (int)count;
     }
     for (size_t i = 0; i < count; i++) {
-        void* own = state;
+        void* own = tests[i].initial_state != NULL ? tests[i].initial_state : state;
         printf("[ RUN      ] %s\n", tests[i].name);
         int how = cmocka_run_test(&tests[i], &own);
         if (cmocka_run_fixture(tests[i].teardown_func, &own) != 0) how = CMOCKA_FAILED;
