@@ -580,6 +580,8 @@ struct dm_core_1 {
     dm_result (*object_set_links)(dm_context* context, dm_object object, const dm_link* links, uint32_t count);
     dm_result (*object_follow_links)(dm_context* context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held, uint32_t count);
     dm_result (*joint_value_at)(const dm_joint* joint, float share, float* out_value);
+    void (*pose_inverse)(const dm_pose* pose, dm_pose* out_pose);
+    dm_result (*pose_from_rotation)(const float rotation[4], dm_vec3 translation, dm_pose* out_pose);
 };
 struct dm_gltf_files {
     void* user;
@@ -674,6 +676,8 @@ size_t dm_drag_snapshot_size(void);
 dm_result dm_drag_save(dm_context* context, dm_drag drag, void* buffer, size_t capacity);
 dm_result dm_drag_restore(dm_context* context, dm_drag drag, const void* data, size_t size);
 void dm_pose_multiply(const dm_pose* a, const dm_pose* b, dm_pose* out_pose);
+void dm_pose_inverse(const dm_pose* pose, dm_pose* out_pose);
+dm_result dm_pose_from_rotation(const float rotation[4], dm_vec3 translation, dm_pose* out_pose);
 void dm_pose_to_matrix(const dm_pose* pose, float out_matrix[16]);
 void dm_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride, size_t count);
 dm_result dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray);

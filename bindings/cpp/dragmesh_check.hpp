@@ -400,7 +400,7 @@ static_assert(std::is_same<decltype(dm_hit::v), float>::value && (sizeof(void*) 
 static_assert(std::is_same<decltype(dm_hit::point), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_hit, point) == 36), "dm_hit.point is another field");
 static_assert(std::is_same<decltype(dm_hit::normal), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_hit, normal) == 48), "dm_hit.normal is another field");
 static_assert(std::is_same<decltype(dm_hit::object_point), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_hit, object_point) == 60), "dm_hit.object_point is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_core_1) == 416, "dm_core_1 has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_core_1) == 432, "dm_core_1 has another size");
 static_assert(std::is_same<decltype(dm_core_1::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, struct_size) == 0), "dm_core_1.struct_size is another field");
 static_assert(std::is_same<decltype(dm_core_1::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, reserved) == 4), "dm_core_1.reserved is another field");
 static_assert(std::is_same<decltype(dm_core_1::result_string), const char *(*)(dm_result)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, result_string) == 8), "dm_core_1.result_string is another field");
@@ -454,6 +454,8 @@ static_assert(std::is_same<decltype(dm_core_1::drag_take), dm_result (*)(dm_cont
 static_assert(std::is_same<decltype(dm_core_1::object_set_links), dm_result (*)(dm_context *, dm_object, const dm_link *, uint32_t)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, object_set_links) == 392), "dm_core_1.object_set_links is another field");
 static_assert(std::is_same<decltype(dm_core_1::object_follow_links), dm_result (*)(dm_context *, dm_object, uint32_t, float *, uint8_t *, uint32_t)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, object_follow_links) == 400), "dm_core_1.object_follow_links is another field");
 static_assert(std::is_same<decltype(dm_core_1::joint_value_at), dm_result (*)(const dm_joint *, float, float *)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, joint_value_at) == 408), "dm_core_1.joint_value_at is another field");
+static_assert(std::is_same<decltype(dm_core_1::pose_inverse), void (*)(const dm_pose *, dm_pose *)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, pose_inverse) == 416), "dm_core_1.pose_inverse is another field");
+static_assert(std::is_same<decltype(dm_core_1::pose_from_rotation), dm_result (*)(const float *, dm_vec3, dm_pose *)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, pose_from_rotation) == 424), "dm_core_1.pose_from_rotation is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_files) == 24, "dm_gltf_files has another size");
 static_assert(std::is_same<decltype(dm_gltf_files::user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_files, user) == 0), "dm_gltf_files.user is another field");
 static_assert(std::is_same<decltype(dm_gltf_files::open), int32_t (*)(void *, const char *, const void **, size_t *)>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_files, open) == 8), "dm_gltf_files.open is another field");
@@ -541,6 +543,8 @@ static_assert(std::is_same<decltype(&dm_drag_snapshot_size), size_t (*)()>::valu
 static_assert(std::is_same<decltype(&dm_drag_save), dm_result (*)(dm_context *, dm_drag, void *, size_t)>::value, "dm_drag_save is another function");
 static_assert(std::is_same<decltype(&dm_drag_restore), dm_result (*)(dm_context *, dm_drag, const void *, size_t)>::value, "dm_drag_restore is another function");
 static_assert(std::is_same<decltype(&dm_pose_multiply), void (*)(const dm_pose *, const dm_pose *, dm_pose *)>::value, "dm_pose_multiply is another function");
+static_assert(std::is_same<decltype(&dm_pose_inverse), void (*)(const dm_pose *, dm_pose *)>::value, "dm_pose_inverse is another function");
+static_assert(std::is_same<decltype(&dm_pose_from_rotation), dm_result (*)(const float[4], dm_vec3, dm_pose *)>::value, "dm_pose_from_rotation is another function");
 static_assert(std::is_same<decltype(&dm_pose_to_matrix), void (*)(const dm_pose *, float[16])>::value, "dm_pose_to_matrix is another function");
 static_assert(std::is_same<decltype(&dm_pose_apply_points), void (*)(const dm_pose *, const float *, size_t, float *, size_t, size_t)>::value, "dm_pose_apply_points is another function");
 static_assert(std::is_same<decltype(&dm_camera_ray), dm_result (*)(const dm_context *, const dm_camera *, float, float, dm_ray *)>::value, "dm_camera_ray is another function");

@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: af6a635a7e07a4a2
+// Hash of the description: c29fcca0886bf419
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;
@@ -539,6 +539,8 @@ export const functions = {
     dm_drag_save: 'u32 u64 u32 u32 -> i32',
     dm_drag_restore: 'u32 u64 u32 u32 -> i32',
     dm_pose_multiply: 'u32 u32 u32 -> void',
+    dm_pose_inverse: 'u32 u32 -> void',
+    dm_pose_from_rotation: 'f32 dm_vec3 u32 -> i32',
     dm_pose_to_matrix: 'u32 f32 -> void',
     dm_pose_apply_points: 'u32 u32 u32 u32 u32 u32 -> void',
     dm_camera_ray: 'u32 u32 f32 f32 u32 -> i32',

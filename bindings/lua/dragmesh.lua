@@ -359,16 +359,17 @@ end
 
 --- The motion back.
 function M.inverse(pose)
-    local r, d = pose.real, pose.dual
-    return ffi.new("dm_pose", { { -r[0], -r[1], -r[2], r[3] }, { -d[0], -d[1], -d[2], d[3] } })
+    local out = ffi.new "dm_pose"
+    C.dm_pose_inverse(pose, out)
+    return out
 end
 
 --- A rotation about an axis of length 1, then a translation.
 function M.pose(axis, angle, x, y, z)
-    local s, w = math.sin(angle / 2), math.cos(angle / 2)
-    local qx, qy, qz = axis[1] * s, axis[2] * s, axis[3] * s
-    return ffi.new("dm_pose", { { qx, qy, qz, w }, { (x * w + y * qz - z * qy) / 2, (y * w + z * qx - x * qz) / 2,
-        (z * w + x * qy - y * qx) / 2, -(x * qx + y * qy + z * qz) / 2 } })
+    local s, w, out = math.sin(angle / 2), math.cos(angle / 2), ffi.new "dm_pose"
+    local rotation = ffi.new("float[4]", axis[1] * s, axis[2] * s, axis[3] * s, w)
+    check(C.dm_pose_from_rotation(rotation, ffi.new("dm_vec3", x, y, z), out))
+    return out
 end
 
 --- The pose of a joint at a value, and the value at a share of its way.

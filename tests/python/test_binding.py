@@ -161,6 +161,10 @@ class Scenes(unittest.TestCase):
             up = dragmesh.Pose((0, 0, 0, 1), (0, 1, 0, 0))  # by (0, 2, 0)
             self.assertEqual(dragmesh.pose_apply(up, (1, 1, 1)).tolist(), [1, 3, 1])
             self.assertEqual(dragmesh.pose_matrix(dragmesh.pose_multiply(up, up))[1, 3], 4)
+            turned = dragmesh.pose_from_rotation((0, 2, 0, 2), (1, 2, 3))  # a quarter turn about y
+            moved = dragmesh.pose_apply(turned, (1, 0, 0))
+            np.testing.assert_allclose(moved, (1, 2, 2), atol=1e-6)
+            np.testing.assert_allclose(dragmesh.pose_apply(dragmesh.pose_inverse(turned), moved), (1, 0, 0), atol=1e-6)
             scene.move(instance, 1, up)
             scene.commit()
             self.assertEqual(scene.pick((-5, 1.03, 0.5), (1, 0, 0)), None)

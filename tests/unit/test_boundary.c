@@ -434,6 +434,8 @@ static void test_camera_and_pose_arguments(void** state) {
     joint.type = 6;
     assert_int_equal(dm_joint_pose(&joint, 0, &pose), DM_ERROR_INVALID_ARGUMENT);
     dm_pose_multiply(NULL, &pose, &pose); /* the void ones do nothing */
+    dm_pose_inverse(NULL, &pose);
+    dm_pose_inverse(&pose, NULL);
     dm_pose_to_matrix(&pose, NULL);
     dm_pose_apply_points(&pose, NULL, 0, NULL, 0, 5);
     test_world_close(&w);

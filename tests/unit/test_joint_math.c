@@ -203,9 +203,33 @@ static void what_does_not_fit_a_float_is_refused(void** state) {
     assert_int_equal(dm_joint_scale(&hinge, (dm_vec3){1e30f, 1, 1}, &out), DM_ERROR_INVALID_ARGUMENT);
 }
 
+static void poses_are_made_of_rotation_and_translation(void** state) {
+    (void)state;
+    const float turn[4] = {0, 3, 0, 3}; /* a quarter turn about y, not of length 1 */
+    const dm_vec3 lift = {1, 2, 3};
+    dm_pose pose, back;
+    assert_int_equal(dm_pose_from_rotation(turn, lift, &pose), DM_OK);
+    float point[3] = {1, 0, 0};
+    dm_pose_apply_points(&pose, point, 0, point, 0, 1);
+    assert_true(fabsf(point[0] - 1) < 1e-6f && fabsf(point[1] - 2) < 1e-6f && fabsf(point[2] - 2) < 1e-6f);
+    dm_pose_inverse(&pose, &back);
+    dm_pose_apply_points(&back, point, 0, point, 0, 1);
+    assert_true(fabsf(point[0] - 1) < 1e-6f && fabsf(point[1]) < 1e-6f && fabsf(point[2]) < 1e-6f);
+    const dm_pose kept = back;
+    const float none[4] = {0, 0, 0, 0}, bad[4] = {0, NAN, 0, 1};
+    assert_int_equal(dm_pose_from_rotation(none, lift, &back), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_pose_from_rotation(bad, lift, &back), DM_ERROR_NOT_FINITE);
+    assert_int_equal(dm_pose_from_rotation(turn, (dm_vec3){0, INFINITY, 0}, &back), DM_ERROR_NOT_FINITE);
+    assert_int_equal(dm_pose_from_rotation(turn, (dm_vec3){0, 1e30f, 0}, &back), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_pose_from_rotation(NULL, lift, &back), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_pose_from_rotation(turn, lift, NULL), DM_ERROR_INVALID_ARGUMENT);
+    assert_memory_equal(&back, &kept, sizeof kept);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(value_is_the_inverse_of_pose),
+        cmocka_unit_test(poses_are_made_of_rotation_and_translation),
         cmocka_unit_test(value_says_how_far_off_the_joint_a_pose_is),
         cmocka_unit_test(frames_are_orthonormal_about_the_axis),
         cmocka_unit_test(frames_tell_which_limits_there_are),

@@ -76,6 +76,8 @@ static void play_frame(playground* p, int frame) {
     assert_int_equal(dm_object_follow_links(context, p->object, TEST_DOOR, parts, held, 2), DM_OK);
     assert_int_equal(dm_joint_value_at(&joint, 0.1f, &value), DM_OK);
     dm_pose_multiply(&pose, &drag.pose, &pose);
+    dm_pose_inverse(&pose, &pose);
+    assert_int_equal(dm_pose_from_rotation(pose.real, (dm_vec3){1, 2, 3}, &pose), DM_OK);
     dm_pose_to_matrix(&pose, matrix);
     dm_pose_apply_points(&pose, points, 0, points, 0, 2);
 }

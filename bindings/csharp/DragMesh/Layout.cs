@@ -368,7 +368,7 @@ namespace DragMesh
               Expect("dm_hit.object_point", (byte*)&s.ObjectPoint - at, 60, 60);
             }
             { Core1 s; byte* at = (byte*)&s;
-              Expect("dm_core_1", sizeof(Core1), 416, 212);
+              Expect("dm_core_1", sizeof(Core1), 432, 220);
               Expect("dm_core_1.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_core_1.reserved", (byte*)&s.Reserved - at, 4, 4);
               Expect("dm_core_1.result_string", (byte*)&s.ResultString - at, 8, 8);
@@ -422,6 +422,8 @@ namespace DragMesh
               Expect("dm_core_1.object_set_links", (byte*)&s.ObjectSetLinks - at, 392, 200);
               Expect("dm_core_1.object_follow_links", (byte*)&s.ObjectFollowLinks - at, 400, 204);
               Expect("dm_core_1.joint_value_at", (byte*)&s.JointValueAt - at, 408, 208);
+              Expect("dm_core_1.pose_inverse", (byte*)&s.PoseInverse - at, 416, 212);
+              Expect("dm_core_1.pose_from_rotation", (byte*)&s.PoseFromRotation - at, 424, 216);
             }
             { GltfFiles s; byte* at = (byte*)&s;
               Expect("dm_gltf_files", sizeof(GltfFiles), 24, 12);

@@ -398,6 +398,12 @@ namespace DragMesh
     public unsafe delegate int Core1JointValueAt(Joint* joint, float share, float* out_value);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void Core1PoseInverse(Pose* pose, Pose* out_pose);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1PoseFromRotation(float* rotation, Vec3 translation, Pose* out_pose);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int GltfFilesOpen(void* user, byte* path, void** out_data, UIntPtr* out_size);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1145,6 +1151,8 @@ namespace DragMesh
         public IntPtr ObjectSetLinks;
         public IntPtr ObjectFollowLinks;
         public IntPtr JointValueAt;
+        public IntPtr PoseInverse;
+        public IntPtr PoseFromRotation;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static Core1 New() => new Core1 { StructSize = (uint)sizeof(Core1) };
@@ -1427,6 +1435,14 @@ namespace DragMesh
         /// <summary>out = a after b: x -&gt; a(b(x)). [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern void dm_pose_multiply(Pose* a, Pose* b, Pose* out_pose);
+
+        /// <summary>The motion back: what it does to the points that `pose` has moved undoes it. out_pose may be `pose`. [frame]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern void dm_pose_inverse(Pose* pose, Pose* out_pose);
+
+        /// <summary>The pose that rotates, then translates, as engines keep the place of a node. rotation: quaternion x, y, z, w of any length. Errors: INVALID_ARGUMENT when it has no length; NOT_FINITE. [frame]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_pose_from_rotation(float* rotation, Vec3 translation, Pose* out_pose);
 
         /// <summary>4x4, column-major, column vectors (OpenGL, glTF, Unity's Matrix4x4 memory order). [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -41,15 +41,13 @@ namespace DragMesh
         /// <summary>No motion.</summary>
         public static Pose Identity { get { Pose pose = default(Pose); pose.Real[3] = 1; return pose; } }
 
-        /// <summary>A rotation by the unit quaternion (qx, qy, qz, qw), then a translation.</summary>
-        public static Pose From(float qx, float qy, float qz, float qw, Vec3 t)
+        /// <summary>A rotation by the quaternion (qx, qy, qz, qw), then a translation.</summary>
+        public static Pose From(float qx, float qy, float qz, float qw, Vec3 translation)
         {
-            Pose pose = default(Pose);
-            pose.Real[0] = qx; pose.Real[1] = qy; pose.Real[2] = qz; pose.Real[3] = qw;
-            pose.Dual[0] = 0.5f * (t.X * qw + t.Y * qz - t.Z * qy);
-            pose.Dual[1] = 0.5f * (t.Y * qw + t.Z * qx - t.X * qz);
-            pose.Dual[2] = 0.5f * (t.Z * qw + t.X * qy - t.Y * qx);
-            pose.Dual[3] = -0.5f * (t.X * qx + t.Y * qy + t.Z * qz);
+            float* rotation = stackalloc float[4];
+            rotation[0] = qx; rotation[1] = qy; rotation[2] = qz; rotation[3] = qw;
+            Pose pose;
+            Failure.Check(Native.dm_pose_from_rotation(rotation, translation, &pose));
             return pose;
         }
 
@@ -59,11 +57,7 @@ namespace DragMesh
             get
             {
                 Pose pose = this;
-                for (int i = 0; i < 3; i++)
-                {
-                    pose.Real[i] = -pose.Real[i];
-                    pose.Dual[i] = -pose.Dual[i];
-                }
+                Native.dm_pose_inverse(&pose, &pose);
                 return pose;
             }
         }

@@ -877,6 +877,8 @@ class Core1(Sized):
     object_set_links: Any
     object_follow_links: Any
     joint_value_at: Any
+    pose_inverse: Any
+    pose_from_rotation: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -931,6 +933,8 @@ class Core1(Sized):
         ("object_set_links", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.POINTER(Link), c.c_uint32)),
         ("object_follow_links", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(c.c_float), c.POINTER(c.c_uint8), c.c_uint32)),
         ("joint_value_at", c.CFUNCTYPE(c.c_int32, c.POINTER(Joint), c.c_float, c.POINTER(c.c_float))),
+        ("pose_inverse", c.CFUNCTYPE(None, c.POINTER(Pose), c.POINTER(Pose))),
+        ("pose_from_rotation", c.CFUNCTYPE(c.c_int32, c.c_void_p, Vec3, c.POINTER(Pose))),
     ]
 
 
@@ -1095,6 +1099,8 @@ FUNCTIONS = {  # name: (result, arguments)
     "dm_drag_save": (c.c_int32, [c.c_void_p, c.c_uint64, c.c_void_p, c.c_size_t]),
     "dm_drag_restore": (c.c_int32, [c.c_void_p, c.c_uint64, c.c_void_p, c.c_size_t]),
     "dm_pose_multiply": (None, [c.POINTER(Pose), c.POINTER(Pose), c.POINTER(Pose)]),
+    "dm_pose_inverse": (None, [c.POINTER(Pose), c.POINTER(Pose)]),
+    "dm_pose_from_rotation": (c.c_int32, [c.c_void_p, Vec3, c.POINTER(Pose)]),
     "dm_pose_to_matrix": (None, [c.POINTER(Pose), c.c_void_p]),
     "dm_pose_apply_points": (None, [c.POINTER(Pose), c.POINTER(c.c_float), c.c_size_t, c.POINTER(c.c_float), c.c_size_t, c.c_size_t]),
     "dm_camera_ray": (c.c_int32, [c.c_void_p, c.POINTER(Camera), c.c_float, c.c_float, c.POINTER(Ray)]),
@@ -1164,7 +1170,7 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     Camera: {8: (56, [0, 4, 8, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 20, 32, 44, 48, 52])},
     SceneDesc: {8: (8, [0, 4]), 4: (8, [0, 4])},
     Hit: {8: (72, [0, 4, 8, 16, 20, 24, 28, 32, 36, 48, 60]), 4: (72, [0, 4, 8, 16, 20, 24, 28, 32, 36, 48, 60])},
-    Core1: {8: (416, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304, 312, 320, 328, 336, 344, 352, 360, 368, 376, 384, 392, 400, 408]), 4: (212, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116, 120, 124, 128, 132, 136, 140, 144, 148, 152, 156, 160, 164, 168, 172, 176, 180, 184, 188, 192, 196, 200, 204, 208])},
+    Core1: {8: (432, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304, 312, 320, 328, 336, 344, 352, 360, 368, 376, 384, 392, 400, 408, 416, 424]), 4: (220, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116, 120, 124, 128, 132, 136, 140, 144, 148, 152, 156, 160, 164, 168, 172, 176, 180, 184, 188, 192, 196, 200, 204, 208, 212, 216])},
     GltfFiles: {8: (24, [0, 8, 16]), 4: (12, [0, 4, 8])},
     GltfDesc: {8: (88, [0, 4, 8, 16, 24, 48, 64]), 4: (48, [0, 4, 8, 12, 16, 28, 36])},
     GltfNode: {8: (64, [0, 8, 12, 16, 24, 32, 40, 48]), 4: (64, [0, 4, 8, 16, 24, 32, 40, 48])},

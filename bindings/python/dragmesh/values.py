@@ -175,6 +175,21 @@ def pose_multiply(a: n.Pose, b: n.Pose) -> n.Pose:
     return out
 
 
+def pose_inverse(pose: n.Pose) -> n.Pose:
+    """The motion back."""
+    out = n.Pose()
+    load().dm_pose_inverse(c.byref(pose), c.byref(out))
+    return out
+
+
+def pose_from_rotation(rotation: Sequence[float], translation: Sequence[float] = (0, 0, 0)) -> n.Pose:
+    """A rotation by a quaternion x, y, z, w of any length, then a translation."""
+    x, y, z, w = rotation
+    out = n.Pose()
+    check(load().dm_pose_from_rotation((c.c_float * 4)(x, y, z, w), vec3(translation), c.byref(out)))
+    return out
+
+
 def pose_matrix(pose: n.Pose) -> np.ndarray:
     """4 x 4, for column vectors."""
     out = (c.c_float * 16)()

@@ -938,6 +938,13 @@ DM_API dm_result DM_CALL dm_drag_restore(dm_context* context, dm_drag drag, cons
 /* out = a after b: x -> a(b(x)). [frame] */
 DM_API void DM_CALL dm_pose_multiply(const dm_pose* a, const dm_pose* b, dm_pose* out_pose);
 
+/* The motion back: what it does to the points that `pose` has moved undoes it. out_pose may be `pose`. [frame] */
+DM_API void DM_CALL dm_pose_inverse(const dm_pose* pose, dm_pose* out_pose);
+
+/* The pose that rotates, then translates, as engines keep the place of a node. rotation: quaternion x, y, z, w of any
+ * length. Errors: INVALID_ARGUMENT when it has no length; NOT_FINITE. [frame] */
+DM_API dm_result DM_CALL dm_pose_from_rotation(const float rotation[4], dm_vec3 translation, dm_pose* out_pose);
+
 /* 4x4, column-major, column vectors (OpenGL, glTF, Unity's Matrix4x4 memory order). [frame] */
 DM_API void DM_CALL dm_pose_to_matrix(const dm_pose* pose, float out_matrix[16]);
 
@@ -1050,7 +1057,9 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
     X(dm_result, object_follow_links,                                                                                  \
       (dm_context * context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held,               \
        uint32_t count))                                                                                                \
-    X(dm_result, joint_value_at, (const dm_joint* joint, float share, float* out_value))
+    X(dm_result, joint_value_at, (const dm_joint* joint, float share, float* out_value))                               \
+    X(void, pose_inverse, (const dm_pose* pose, dm_pose* out_pose))                                                    \
+    X(dm_result, pose_from_rotation, (const float rotation[4], dm_vec3 translation, dm_pose* out_pose))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;

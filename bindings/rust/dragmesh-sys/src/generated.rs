@@ -1202,6 +1202,8 @@ pub struct dm_core_1 {
     pub object_set_links: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result>,
     pub object_follow_links: Option<unsafe extern "C" fn(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result>,
     pub joint_value_at: Option<unsafe extern "C" fn(joint: *const dm_joint, share: f32, out_value: *mut f32) -> dm_result>,
+    pub pose_inverse: Option<unsafe extern "C" fn(pose: *const dm_pose, out_pose: *mut dm_pose)>,
+    pub pose_from_rotation: Option<unsafe extern "C" fn(rotation: *const f32, translation: dm_vec3, out_pose: *mut dm_pose) -> dm_result>,
 }
 
 impl Default for dm_core_1 {
@@ -1441,6 +1443,10 @@ extern "C" {
     pub fn dm_drag_restore(context: *mut dm_context, drag: dm_drag, data: *const c_void, size: usize) -> dm_result;
     /// out = a after b: x -\> a(b(x)). \[frame\]
     pub fn dm_pose_multiply(a: *const dm_pose, b: *const dm_pose, out_pose: *mut dm_pose);
+    /// The motion back: what it does to the points that \`pose\` has moved undoes it. out\_pose may be \`pose\`. \[frame\]
+    pub fn dm_pose_inverse(pose: *const dm_pose, out_pose: *mut dm_pose);
+    /// The pose that rotates, then translates, as engines keep the place of a node. rotation: quaternion x, y, z, w of any length. Errors: INVALID\_ARGUMENT when it has no length; NOT\_FINITE. \[frame\]
+    pub fn dm_pose_from_rotation(rotation: *const f32, translation: dm_vec3, out_pose: *mut dm_pose) -> dm_result;
     /// 4x4, column-major, column vectors (OpenGL, glTF, Unity's Matrix4x4 memory order). \[frame\]
     pub fn dm_pose_to_matrix(pose: *const dm_pose, out_matrix: *mut f32);
     /// Moves \`count\` float32 points; strides in bytes, 0 = packed. src may equal dst. \[frame\]
@@ -1551,7 +1557,7 @@ mod tests {
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
         check!(dm_scene_desc, 8, struct_size 0, reserved 4);
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
-        check!(dm_core_1, 416, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408);
+        check!(dm_core_1, 432, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408, pose_inverse 416, pose_from_rotation 424);
         check!(dm_gltf_files, 24, user 0, open 8, close 16);
         check!(dm_gltf_desc, 88, struct_size 0, reserved 4, data 8, size 16, allocator 24, log 48, files 64);
         check!(dm_gltf_node, 64, name 0, node 8, carrier 12, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
@@ -1598,7 +1604,7 @@ mod tests {
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
         check!(dm_scene_desc, 8, struct_size 0, reserved 4);
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
-        check!(dm_core_1, 212, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208);
+        check!(dm_core_1, 220, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208, pose_inverse 212, pose_from_rotation 216);
         check!(dm_gltf_files, 12, user 0, open 4, close 8);
         check!(dm_gltf_desc, 48, struct_size 0, reserved 4, data 8, size 12, allocator 16, log 28, files 36);
         check!(dm_gltf_node, 64, name 0, node 4, carrier 8, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);

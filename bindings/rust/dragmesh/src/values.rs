@@ -96,6 +96,8 @@ impl Vec3Ext for Vec3 {
 pub trait PoseExt: core::marker::Sized {
     /// No motion.
     fn identity() -> Self;
+    /// A rotation by a quaternion x, y, z, w of any length, then a translation.
+    fn from_rotation(rotation: [f32; 4], translation: Vec3) -> Result<Pose>;
     /// `self` after `first`.
     fn after(&self, first: &Pose) -> Pose;
     /// The motion back.
@@ -118,6 +120,12 @@ impl PoseExt for Pose {
         Pose { real: [0.0, 0.0, 0.0, 1.0], dual: [0.0; 4] }
     }
 
+    fn from_rotation(rotation: [f32; 4], translation: Vec3) -> Result<Pose> {
+        let mut pose = Pose::default();
+        check(unsafe { sys::dm_pose_from_rotation(rotation.as_ptr(), translation, &mut pose) })?;
+        Ok(pose)
+    }
+
     fn after(&self, first: &Pose) -> Pose {
         let mut product = Pose::default();
         unsafe { sys::dm_pose_multiply(self, first, &mut product) };
@@ -125,8 +133,9 @@ impl PoseExt for Pose {
     }
 
     fn inverse(&self) -> Pose {
-        let back = |q: [f32; 4]| [-q[0], -q[1], -q[2], q[3]];
-        Pose { real: back(self.real), dual: back(self.dual) }
+        let mut back = Pose::default();
+        unsafe { sys::dm_pose_inverse(self, &mut back) };
+        back
     }
 
     fn apply(&self, point: Vec3) -> Vec3 {

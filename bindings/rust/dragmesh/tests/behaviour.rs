@@ -136,6 +136,15 @@ fn logs_end_with_their_context() {
 }
 
 #[test]
+fn poses_are_made_of_rotation_and_translation() {
+    let turn = Pose::from_rotation([0.0, 2.0, 0.0, 2.0], Vec3::new(1.0, 2.0, 3.0)).unwrap(); // a quarter about y
+    let moved = turn.apply(Vec3::new(1.0, 0.0, 0.0));
+    assert!((moved.x - 1.0).abs() + (moved.y - 2.0).abs() + (moved.z - 2.0).abs() < 1e-5);
+    assert!((turn.inverse().apply(moved).x - 1.0).abs() < 1e-5);
+    assert_eq!(Pose::from_rotation([0.0; 4], moved).err().unwrap().kind(), ErrorKind::InvalidArgument);
+}
+
+#[test]
 fn a_wrong_struct_size_does_no_harm() {
     let context = context();
     let mut object = context.load(DMO, None).unwrap();
