@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: c29fcca0886bf419
+// Hash of the description: 9eab016ee3009a54
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;

@@ -96,18 +96,23 @@ dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint,
                     DM_JOINT_FIXED);
 }
 
-dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint) {
-    dm_result result = dmi_joint_check(env, what, joint, DM_JOINT_REVOLUTE);
-    if (result != DM_OK) return result;
+dm_result dmi_joint_accept_axis(dmi_env* env, const char* what, dm_joint* joint) {
     dm_vec3* a = &joint->axis;
     const double x = (double)a->x, y = (double)a->y, z = (double)a->z, length = sqrt(x * x + y * y + z * z);
-    const bool fixed = joint->type == DM_JOINT_FIXED;
-    if (!(length > MIN_AXIS_LENGTH) && !fixed)
+    const bool moves = joint->type != DM_JOINT_FIXED && joint->type != DM_JOINT_UNKNOWN;
+    if (!(length > MIN_AXIS_LENGTH) && moves)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.axis has length %g", what, length);
     if (!(length > MIN_AXIS_LENGTH))
         *a = (dm_vec3){0, 1, 0}; /* a fixed joint needs an axis, any will do */
     else if (fabs(length - 1) > UNIT_TOLERANCE)
         *a = (dm_vec3){(float)(x / length), (float)(y / length), (float)(z / length)};
+    return DM_OK;
+}
+
+dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint) {
+    dm_result result = dmi_joint_check(env, what, joint, DM_JOINT_REVOLUTE);
+    if (result == DM_OK) result = dmi_joint_accept_axis(env, what, joint);
+    if (result != DM_OK) return result;
     if (joint->type != DM_JOINT_SCREW) joint->pitch = 0;
     if (has_value_limits(joint->type)) return accept_limits(env, what, size, joint);
     /* Where there are no limits, hosts leave anything, often infinities; what a drag gave stays as it is. */

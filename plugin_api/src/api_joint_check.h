@@ -15,6 +15,9 @@ dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, 
 /* Checks that a joint's numbers are finite and at most DMI_LARGEST, and that its type is `first_type` to
  * DM_JOINT_FIXED. Errors name the field. Does not look at the limits. */
 dm_result dmi_joint_check(dmi_env* env, const char* what, const dm_joint* joint, int32_t first_type);
+/* Makes the axis, of any length, a unit one; keeps its bits when it is one. Errors: INVALID_ARGUMENT for an axis of no
+ * length, unless the joint is fixed or of no type. */
+dm_result dmi_joint_accept_axis(dmi_env* env, const char* what, dm_joint* joint);
 /* Checks numbers and type of a host's joint, makes its axis unit and keeps the limits that its type has; limits that
  * mean "none" become none. Errors name the field. size: of the object, host units. Confidences and source stay. */
 dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint* joint);

@@ -16,7 +16,8 @@
 /* Reads a joint whose numbers a pose can be made of. */
 static dm_result read_joint(const dm_joint* joint, dm_joint* out) {
     dm_result result = dmi_joint_read(NULL, "", joint, out);
-    return result == DM_OK ? dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN) : result;
+    if (result == DM_OK) result = dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN);
+    return result == DM_OK ? dmi_joint_accept_axis(NULL, "", out) : result;
 }
 
 dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose) {

@@ -44,6 +44,28 @@ static void value_is_the_inverse_of_pose(void** state) {
     }
 }
 
+static void axes_have_any_length_but_none(void** state) {
+    (void)state;
+    uint32_t seed = 5;
+    for (int i = 0; i < 200; i++) {
+        const dm_joint joint = random_joint(&seed, DM_JOINT_REVOLUTE + i % 4);
+        dm_joint longer = joint;
+        dm_pose pose, same;
+        longer.axis = (dm_vec3){7 * joint.axis.x, 7 * joint.axis.y, 7 * joint.axis.z};
+        assert_int_equal(dm_joint_pose(&joint, 0.4f, &pose), DM_OK);
+        assert_int_equal(dm_joint_pose(&longer, 0.4f, &same), DM_OK);
+        for (int k = 0; k < 4; k++) {
+            assert_true(fabsf(same.real[k] - pose.real[k]) < 1e-5f);
+            assert_true(fabsf(same.dual[k] - pose.dual[k]) < 1e-5f);
+        }
+        longer.axis = (dm_vec3){0, 0, 0};
+        assert_int_equal(dm_joint_pose(&longer, 0.4f, &same), DM_ERROR_INVALID_ARGUMENT);
+        longer.type = DM_JOINT_FIXED;
+        assert_int_equal(dm_joint_pose(&longer, 0.4f, &same), DM_OK);
+        assert_float_equal(same.real[3], 1, 0);
+    }
+}
+
 static void value_says_how_far_off_the_joint_a_pose_is(void** state) {
     (void)state;
     const dm_joint hinge = test_hinge();
@@ -230,6 +252,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(value_is_the_inverse_of_pose),
         cmocka_unit_test(poses_are_made_of_rotation_and_translation),
+        cmocka_unit_test(axes_have_any_length_but_none),
         cmocka_unit_test(value_says_how_far_off_the_joint_a_pose_is),
         cmocka_unit_test(frames_are_orthonormal_about_the_axis),
         cmocka_unit_test(frames_tell_which_limits_there_are),

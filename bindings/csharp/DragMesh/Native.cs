@@ -1356,7 +1356,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_follow_links(IntPtr context, ulong @object, uint part_id, float* inout_values, byte* out_held, uint count);
 
-        /// <summary>Pose of a joint at a value, in the frame of the joint. [frame]</summary>
+        /// <summary>Pose of a joint at a value, in the frame of the joint. The axis may have any length, here and in the functions below. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_joint_pose(Joint* joint, float value, Pose* out_pose);
 

@@ -838,7 +838,8 @@ DM_API dm_result DM_CALL dm_object_follow_links(dm_context* context, dm_object o
 
 /* ---- functions: joints as values --------------------------------------------------------------------------------- */
 
-/* Pose of a joint at a value, in the frame of the joint. [frame] */
+/* Pose of a joint at a value, in the frame of the joint. The axis may have any length, here and in the functions below.
+ * [frame] */
 DM_API dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
 
 /* Inverse of dm_joint_pose: the value at which the joint comes nearest to a pose (from rest), and how far off the joint

@@ -1403,7 +1403,7 @@ extern "C" {
     pub fn dm_object_set_links(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result;
     /// Moves what is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part; that of the part itself changes where a driver of it is at its limit (dm\_drag\_take). out\_held (may be NULL): 1 for the parts that links hold where they are (DM\_INPUT\_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. \[frame\]
     pub fn dm_object_follow_links(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result;
-    /// Pose of a joint at a value, in the frame of the joint. \[frame\]
+    /// Pose of a joint at a value, in the frame of the joint. The axis may have any length, here and in the functions below. \[frame\]
     pub fn dm_joint_pose(joint: *const dm_joint, value: f32, out_pose: *mut dm_pose) -> dm_result;
     /// Inverse of dm\_joint\_pose: the value at which the joint comes nearest to a pose (from rest), and how far off the joint the pose is: the angle between both, rad, and the distance of the joint's origin under both, host units. Of values a turn apart: inside the limits, else nearest to 0; of a screw, by its advance. Both errors may be NULL. NOT\_FINITE when an answer is beyond a float. \[frame\]
     pub fn dm_joint_value(joint: *const dm_joint, pose: *const dm_pose, out_value: *mut f32, out_angle_error: *mut f32, out_distance_error: *mut f32) -> dm_result;
