@@ -118,6 +118,7 @@ local function pin(file, functions)
     if not has_glibc then return end
     files { "plugin_api/glibc/" .. file .. ".c" }
     filter "configurations:release"
+        defines { "DMI_PIN_GLIBC" }
         for _, name in ipairs(functions) do linkoptions { "-Wl,--wrap=" .. name } end
     filter {}
 end

@@ -6,6 +6,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#if defined(DMI_PIN_GLIBC) /* other builds share the C++ runtime */
+
 /* glibc 2.32: the C++ runtime counts references without atomics where it is true. 0 is always safe. */
 char __libc_single_threaded;
 
@@ -68,5 +70,7 @@ int __wrap__dl_find_object(void* address, struct dl_find_object* out) {
     memset(out, 0, sizeof *out);
     return dl_iterate_phdr(holds, &sought) ? 0 : -1;
 }
+
+#endif
 
 #endif

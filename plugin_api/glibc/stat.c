@@ -9,6 +9,8 @@
 #define STAT_VERSION 0
 #endif
 
+#if defined(DMI_PIN_GLIBC) /* elsewhere Debian 12's linker would leave nameless symbols of what nothing calls */
+
 PIN(__fxstat);
 PIN(__xstat);
 
@@ -25,3 +27,5 @@ int __wrap_fstat(int file, struct stat* out) {
 int __wrap_stat(const char* path, struct stat* out) {
     return pinned___xstat(STAT_VERSION, path, out);
 }
+
+#endif
