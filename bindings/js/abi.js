@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 9eab016ee3009a54
+// Hash of the description: dbd29cd09407230b
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;

@@ -20,9 +20,9 @@ static const double own_share = 0.05;    /* of the object's size: the part is wh
  * move_rise of the radius of the ball round the part's way. */
 static const double move_turn = 10 * PI / 180, move_rise = 0.2;
 /* Of a gamepad: the part goes through its range so fast at full deflection, a second; the axis is deflected so far for
- * each share of the asked value that the part is behind. */
+ * each share of the asked value that the part is behind, and by axis_care of that each time the part has gone past. */
 static const float axis_speed = 8;
-static const double axis_gain = 6;
+static const double axis_gain = 1.5, axis_care = 0.5;
 
 static void record_time(bot_times* times, double ns) {
     if (times->count == times->room) {
@@ -64,9 +64,11 @@ typedef struct player {
     dm_drag drag;
     dm_drag_state state;
     dm_joint first_joint;
-    uint32_t changes;  /* in the grabs before this one */
-    double axis_sign;  /* 1, or -1 once the gamepad's axis was seen to move the part the wrong way */
-    double axis_value; /* the true joint's value that the player saw last: turns add up */
+    uint32_t changes;    /* in the grabs before this one */
+    double axis_sign;    /* 1, or -1 once the gamepad's axis was seen to move the part the wrong way */
+    double axis_value;   /* the true joint's value that the player saw last: turns add up */
+    double axis_gain;    /* deflection a share of the asked value that is missing */
+    double axis_missing; /* that share, in the update before */
     bot_frame* frames;
     int frame_count;
     bot_times* times;
@@ -186,7 +188,10 @@ static dm_hand gamepad(player* p, const bot_step* step) {
     p->axis_value = true_value(p->now->truth, &p->state.pose, p->now->part->centre, p->axis_value);
     const double is = p->axis_value / asked;
     if (is < -still_share) p->axis_sign = -1;
-    const double deflection = axis_gain * p->axis_sign * (wanted(p, step) - is);
+    const double missing = wanted(p, step) - is;
+    if (missing * p->axis_missing < 0) p->axis_gain *= axis_care;
+    p->axis_missing = missing;
+    const double deflection = p->axis_gain * p->axis_sign * missing;
     return (dm_hand){.kind = DM_HAND_RATE, .amount = (float)fmin(fmax(deflection, -1), 1)};
 }
 
@@ -272,8 +277,13 @@ static void judge(const bot_case* now, const dm_drag_state* last, bot_result* re
 
 dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot_times* times, bot_result* out_result) {
     *out_result = (bot_result){0};
-    player p = {
-        .session = session, .now = played, .view = *played->view, .axis_sign = 1, .times = times, .result = out_result};
+    player p = {.session = session,
+                .now = played,
+                .view = *played->view,
+                .axis_sign = 1,
+                .axis_gain = axis_gain,
+                .times = times,
+                .result = out_result};
     dm_ray ray;
     dm_hit hit = dm_hit_default();
     p.state = dm_drag_state_default();

@@ -7,6 +7,7 @@
 #include "motion/drag_pointer.h"
 
 #define EYE_DISTANCE 8.0f /* sizes of the part, from the grabbed point to an eye; by hand */
+#define PRESS_TIME 0.25f  /* s at an estimated limit before it gives to a rate; by hand */
 
 static const float eye_directions[DMI_HAND_EYES][3] = {{0.66f, 0.53f, 0.53f}, {-0.53f, 0.66f, 0.53f}};
 
@@ -121,24 +122,44 @@ static void follow_hands(dmi_drag* drag, const dm_drag_input* input, float dt) {
     if (input->hand.kind == DM_HAND_RAY && first.weight > 0) dmi_drag_track(drag, first.value, &ray);
 }
 
+/* Returns the joint with the limits that it was found with: a pull beyond them moves them along. */
+static dm_joint as_found(const dmi_drag* drag) {
+    dm_joint joint = drag->joint;
+    if (drag->limits_are_estimates) joint.lower = drag->estimated_lower, joint.upper = drag->estimated_upper;
+    return joint;
+}
+
 /* Returns the joint value that moves the part by its whole range towards its open end. */
 static float open_range(const dmi_drag* drag) {
-    const dm_joint* joint = &drag->joint;
-    const float range = dmi_rules_range(&drag->rules, joint);
-    return dmi_joint_has_limits(joint) && dmi_joint_open_end(joint) == joint->lower ? -range : range;
+    const dm_joint joint = as_found(drag);
+    const float range = dmi_rules_range(&drag->rules, &joint);
+    return dmi_joint_has_limits(&joint) && dmi_joint_open_end(&joint) == joint.lower ? -range : range;
+}
+
+/* Returns `value` inside the limits. Estimated ones stop a scalar at first, and give, as to a pull, when it asks for
+ * more: a rate for PRESS_TIME, a wheel by one step more. */
+static float inside_limits(dmi_drag* drag, const dm_hand* hand, float value, float dt) {
+    const dm_joint joint = as_found(drag);
+    const float before = drag->pointer_value, stop = dmi_joint_clamp(&joint, value), pressed = drag->hands.pressed;
+    drag->hands.pressed = 0;
+    if (!drag->limits_are_estimates || stop == value || hand->kind == DM_HAND_VALUE) return stop;
+    const bool gives = before != dmi_joint_clamp(&joint, before) || (hand->kind == DM_HAND_STEP && pressed > 0);
+    if (!gives) {
+        const float beyond = dt * (value - stop) / (value - before); /* s of this update */
+        drag->hands.pressed = hand->kind == DM_HAND_STEP ? PRESS_TIME : pressed + beyond;
+        if (hand->kind == DM_HAND_STEP || drag->hands.pressed <= PRESS_TIME) return stop;
+        value = stop + (value - stop) * dmi_fminf((drag->hands.pressed - PRESS_TIME) / beyond, 1);
+    }
+    return dmi_fminf(dmi_fmaxf(value, drag->reachable_lower), drag->reachable_upper);
 }
 
 static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
     const float range = open_range(drag), speed = drag->rules.on ? drag->rules.drive_speed : 1;
-    const bool estimated = drag->limits_are_estimates;
     float value = drag->pointer_value;
     if (hand->kind == DM_HAND_RATE) value += hand->amount * speed * range * dt;
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));
-    if (dmi_joint_has_limits(&drag->joint)) {
-        value = dmi_fmaxf(value, estimated ? drag->estimated_lower : drag->joint.lower);
-        value = dmi_fminf(value, estimated ? drag->estimated_upper : drag->joint.upper);
-    }
+    if (dmi_joint_has_limits(&drag->joint)) value = inside_limits(drag, hand, value, dt);
     if (isfinite(value)) drag->pointer_value = value;
     dmi_drag_ask(drag);
 }

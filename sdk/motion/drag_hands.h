@@ -24,6 +24,7 @@ typedef struct dmi_hands {
     float offset[3]; /* from the hand in space to the point that it grabbed */
     float point[3];  /* of the hand in space, offset added */
     float bias;      /* joint value that is added to what the first hand asks for, since a second one has gone */
+    float pressed;   /* s for which a scalar has asked for more at an estimated limit; 0 = it does not */
     uint32_t eye;    /* of the next ray that the hypothesis tracker gets from a hand in space */
     dmi_second_hand second;
 } dmi_hands;

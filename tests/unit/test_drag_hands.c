@@ -122,6 +122,51 @@ static void a_stick_opens(void** state) {
     }
 }
 
+/* Drags the hinge with a limit that was estimated; 0.3 s after it was met it has given to a stick, at any rate. */
+static float held_for(float seconds, int rate, float amount) {
+    const float rest[3] = {1, 0, 0};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    dm_drag_input input = {.struct_size = sizeof input, .hand = {.kind = DM_HAND_RATE, .amount = amount}};
+    begin(&drag, &hinge, rest, &plain);
+    dmi_drag_track_hypotheses(&drag, &hinge, NULL, 1, 1, (dmi_limit_give){0, 1});
+    for (float time = 0; time < seconds;) {
+        const float dt = fminf(test_frame(rate, time), seconds - time);
+        time += dt;
+        dmi_drag_step(&drag, &input, dt, &now);
+    }
+    input.hand.amount = 0;
+    dmi_drag_step(&drag, &input, 1, &now);
+    return now.value;
+}
+
+static void estimated_limits_give_to_a_stick_that_presses_on(void** state) {
+    (void)state;
+    for (int rate = 0; rate < TEST_RATES; rate++) {
+        assert_near(held_for(1.2f, rate, 1), 1.5, 1e-5); /* there after 1 s, and stopped for 0.25 s */
+        assert_near(held_for(1.75f, rate, 1), 2.25, 1e-2);
+        assert_near(held_for(2, rate, -1), 0, 1e-5); /* rest is no estimate */
+    }
+}
+
+static void estimated_limits_give_to_one_more_step(void** state) {
+    (void)state;
+    const float rest[3] = {1, 0, 0};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    const dm_drag_input step = {.struct_size = sizeof step, .hand = {.kind = DM_HAND_STEP, .amount = 0.4f}},
+                        slider = {.struct_size = sizeof slider, .hand = {.kind = DM_HAND_VALUE, .amount = 3}},
+                        nothing = {.struct_size = sizeof nothing};
+    static const float wanted[5] = {0.6f, 1.2f, 1.5f, 2.1f, 1.5f}; /* three steps, one beyond, the slider */
+    begin(&drag, &hinge, rest, &plain);
+    dmi_drag_track_hypotheses(&drag, &hinge, NULL, 1, 1, (dmi_limit_give){0, 1});
+    for (int i = 0; i < 5; i++) {
+        dmi_drag_step(&drag, i < 4 ? &step : &slider, 1.0f / 60, &now);
+        for (int k = 0; k < 60; k++) dmi_drag_step(&drag, &nothing, 1.0f / 60, &now);
+        assert_near(now.value, wanted[i], 1e-3);
+    }
+}
+
 static void a_wheel_and_a_slider_go_where_they_say(void** state) {
     (void)state;
     const float rest[3] = {1, 0, 0};
@@ -239,6 +284,8 @@ int main(void) {
         cmocka_unit_test(a_hand_keeps_its_distance),
         cmocka_unit_test(a_hand_too_far_lets_go),
         cmocka_unit_test(a_stick_opens),
+        cmocka_unit_test(estimated_limits_give_to_a_stick_that_presses_on),
+        cmocka_unit_test(estimated_limits_give_to_one_more_step),
         cmocka_unit_test(a_wheel_and_a_slider_go_where_they_say),
         cmocka_unit_test(two_hands_agree),
         cmocka_unit_test(the_longer_lever_counts_more),

@@ -931,7 +931,7 @@ namespace DragMesh
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Hand
     {
-        /// <summary>DM_HAND_*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open</summary>
+        /// <summary>DM_HAND_*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open. A limit that the library estimated gives, as far as to a pull, to a RATE that asks for more for 0.25 s and to one STEP more</summary>
         public int Kind;
         /// <summary>object frame; scaled with dm_drag_desc.scale</summary>
         public Ray Ray;

@@ -550,7 +550,9 @@ enum {
 };
 
 typedef struct dm_hand {
-    int32_t kind;  /* DM_HAND_*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open */
+    int32_t kind;  /* DM_HAND_*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open. A limit that the
+                      library estimated gives, as far as to a pull, to a RATE that asks for more for 0.25 s and to one
+                      STEP more */
     dm_ray ray;    /* object frame; scaled with dm_drag_desc.scale */
     dm_vec3 point; /* the same */
     float amount;  /* of RATE, STEP, VALUE */

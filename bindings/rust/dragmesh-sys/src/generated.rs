@@ -933,7 +933,7 @@ impl Default for dm_drag_desc {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_hand {
-    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open
+    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open. A limit that the library estimated gives, as far as to a pull, to a RATE that asks for more for 0.25 s and to one STEP more
     pub kind: i32,
     /// object frame; scaled with dm\_drag\_desc.scale
     pub ray: dm_ray,
