@@ -366,7 +366,7 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
         if has_gltf then table.insert(libraries, 1, "dragmesh_gltf") end
         if not cross then table.insert(libraries, 1, "dragmesh_generator") end
         if name:find "gltf" and not cross then -- it compresses files itself
-            libraries = table.join(libraries, { "meshoptimizer" }, has_draco and { "draco" } or {})
+            libraries = table.join(libraries, { "meshoptimizer" }, has_draco and { "draco" } or {}, { "stdc++" })
         end
         if not cross or listed[name] then
             program(name, { source }, everything, table.join(cmocka, libraries), "/tests")
