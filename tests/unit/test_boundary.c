@@ -342,6 +342,25 @@ static void test_weights_of_the_other_network(void** state) {
     test_world_close(&w);
 }
 
+/* Weights of an architecture that was given up. */
+static void test_weights_of_an_older_version_are_refused_by_name(void** state) {
+    (void)state;
+    static const char now[] = "\"dragmesh-joint-models\"", before[] = "\"dragmesh-ranker\"       ";
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    dm_model_desc desc = {.struct_size = sizeof desc};
+    char* ranker = test_read_file("sdk/models/ranker.safetensors", &desc.ranker_size);
+    char* name = ranker;
+    while (name + strlen(now) < ranker + desc.ranker_size && memcmp(name, now, strlen(now)) != 0) name++;
+    memcpy(name, before, strlen(now));
+    desc.ranker = ranker;
+    dm_model model = 0;
+    assert_error(&w, dm_model_load(w.context, &desc, &model), DM_ERROR_WRONG_MODEL, "'dragmesh-ranker'");
+    free(ranker);
+    test_world_close(&w);
+}
+
 /* ---- drags, scenes, cameras, poses ---- */
 
 static void test_drag_arguments(void** state) {
@@ -457,6 +476,7 @@ int main(void) {
         cmocka_unit_test(test_null_stale_and_foreign_handles),
         cmocka_unit_test(test_model_arguments),
         cmocka_unit_test(test_weights_of_the_other_network),
+        cmocka_unit_test(test_weights_of_an_older_version_are_refused_by_name),
         cmocka_unit_test(test_drag_arguments),
         cmocka_unit_test(test_scene_arguments),
         cmocka_unit_test(test_camera_and_pose_arguments),
