@@ -150,11 +150,11 @@ static bool is_sound_pull(const dmi_pull* p) {
 }
 
 static bool is_sound_hypothesis(const dmi_joint_hypothesis* h) {
-    const float numbers[5] = {h->log_prior, h->log_posterior, h->max_residual, h->log_posterior_at_stop, h->shift_cost};
+    const float numbers[4] = {h->log_prior, h->log_posterior, h->max_residual, h->shift_cost};
     return is_sound_joint(&h->joint) && is_bool(&h->range_unknown) && is_bool(&h->grabbed) &&
            is_bool(&h->other_side_blocked) && h->free_range.lower <= 0 && h->free_range.upper >= 0 &&
            are_within(h->initial_origin, 3) && are_finite(h->shift, 2) && (h->side == 0 || fabsf(h->side) == 1) &&
-           are_finite(h->excursion, 2) && are_finite(&h->pointer_value, 1) && are_numbers(numbers, 5);
+           are_finite(h->excursion, 2) && are_finite(&h->pointer_value, 1) && are_numbers(numbers, 4);
 }
 
 static bool is_sound_refiner(const dmi_axis_refiner* r, uint32_t count) {
@@ -175,7 +175,8 @@ static bool is_sound_tracker(const dmi_hypothesis_tracker* t) {
     }
     if (t->count == 0) return true;
     return are_within(numbers, 3) && t->grasp.size > 0 && is_sound_pull(&t->grasp.pull) &&
-           are_numbers(t->priority, t->count) && is_sound_refiner(&t->refiner, t->count);
+           are_numbers(&t->grasp.straight_log_likelihood, 1) && are_numbers(t->priority, t->count) &&
+           is_sound_refiner(&t->refiner, t->count);
 }
 
 static bool is_sound_release(const dmi_release* r) {

@@ -61,7 +61,7 @@ typedef struct bench {
     float* points;
     clockid_t clock;
     double clock_ns; /* what reading it costs */
-    unsigned round;  /* so that no two calls in a row are the same */
+    unsigned round;  /* of the row, so that no two calls in a row are the same */
 } bench;
 
 /* Returns a number in [0, 1] that changes with every round. */
@@ -285,6 +285,7 @@ static void evict_caches(unsigned char* cold) {
 static dm_result measure(bench* b, const row* row, unsigned char* cold, timing* out) {
     dm_result result = DM_OK;
     double* ns = cli_alloc(MAX_ROUNDS * sizeof *ns);
+    b->round = 0; /* rays begin at the grabbed point, as a player's do: a drag costs by where it was begun */
     choose_clock(b, row, &result);
     for (int i = 0; i < COLD_ROUNDS; i++) {
         evict_caches(cold);

@@ -9,19 +9,6 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-bool dmi_joint_turns(int32_t type) {
-    return type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_SCREW;
-}
-
-bool dmi_joint_has_limits(const dm_joint* joint) {
-    return joint->type != DM_JOINT_CONTINUOUS && joint->lower < joint->upper;
-}
-
-float dmi_joint_clamp(const dm_joint* joint, float value) {
-    if (!dmi_joint_has_limits(joint)) return value;
-    return dmi_fminf(dmi_fmaxf(value, joint->lower), joint->upper);
-}
-
 float dmi_joint_open_end(const dm_joint* joint) {
     const float rest = dmi_joint_clamp(joint, 0);
     return joint->upper - rest >= rest - joint->lower ? joint->upper : joint->lower;
@@ -81,9 +68,12 @@ void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
     const dm_vec3 a = joint->axis;
     if (dmi_joint_turns(joint->type)) {
-        dm_pose pose = dmi_joint_pose(joint, value);
         float p[3];
-        dmi_pose_apply(&pose, rest_point, p);
+        dmi_copy3(rest_point, p);
+        if (value != 0) { /* at rest every point is where it is */
+            const dm_pose pose = dmi_joint_pose(joint, value);
+            dmi_pose_apply(&pose, rest_point, p);
+        }
         const float x = p[0] - joint->origin.x, y = p[1] - joint->origin.y, z = p[2] - joint->origin.z;
         const float pitch = advance(joint);
         out[0] = a.y * z - a.z * y + pitch * a.x;

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "math/dual_quat.h"
+#include "math/elementary.h"
 
 /* Joint values, rest among them, between which a part does not penetrate its body. A side without bound is -FLT_MAX or
  * FLT_MAX. */
@@ -21,6 +22,20 @@ static inline dmi_free_range dmi_reversed_range(dmi_free_range range) {
     return (dmi_free_range){-range.upper, -range.lower};
 }
 
+/* Whether joints of this type turn about a line: revolute, continuous, screw. */
+static inline bool dmi_joint_turns(int32_t type) {
+    return type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_SCREW;
+}
+/* Whether lower and upper bound the value: not for continuous joints, nor when lower == upper (no limits stated). */
+static inline bool dmi_joint_has_limits(const dm_joint* joint) {
+    return joint->type != DM_JOINT_CONTINUOUS && joint->lower < joint->upper;
+}
+/* Clamps to the limits, where the joint has any. */
+static inline float dmi_joint_clamp(const dm_joint* joint, float value) {
+    if (!dmi_joint_has_limits(joint)) return value;
+    return dmi_fminf(dmi_fmaxf(value, joint->lower), joint->upper);
+}
+
 /* Returns the pose at `value` (rad, or length for prismatic). Fixed and unknown joints give the identity. */
 dm_pose dmi_joint_pose(const dm_joint* joint, float value);
 /* Returns the value whose joint pose is nearest to `pose`: the twist about the axis, or the translation along it. Of
@@ -32,12 +47,6 @@ void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]);
 /* Reverses the axis and the limits; a screw's pitch stays. */
 void dmi_joint_reverse(dm_joint* joint);
-/* Whether joints of this type turn about a line: revolute, continuous, screw. */
-bool dmi_joint_turns(int32_t type);
-/* Whether lower and upper bound the value: not for continuous joints, nor when lower == upper (no limits stated). */
-bool dmi_joint_has_limits(const dm_joint* joint);
-/* Clamps to the limits, where the joint has any. */
-float dmi_joint_clamp(const dm_joint* joint, float value);
 /* Returns the limit that is farther from rest, the upper one of two alike. The joint has limits. */
 float dmi_joint_open_end(const dm_joint* joint);
 /* Moves the origin along the axis line to the point nearest `centre`. */

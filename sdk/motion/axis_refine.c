@@ -108,9 +108,8 @@ static bool adopt_shift(const dmi_axis_refiner* refiner, const dmi_grasp* grasp,
     hypothesis->shift_cost = refiner->shift_cost;
     hypothesis->max_residual = refiner->fit.max_residual;
     hypothesis->pointer_value = refiner->fit.pointer_value;
-    hypothesis->log_posterior = hypothesis->log_posterior_at_stop =
-        hypothesis->log_prior + after +
-        dmi_joint_hypothesis_side_log_prior(grasp, hypothesis, hypothesis->pointer_value);
+    hypothesis->log_posterior = hypothesis->log_prior + after +
+                                dmi_joint_hypothesis_side_log_prior(grasp, hypothesis, hypothesis->pointer_value);
     return true;
 }
 

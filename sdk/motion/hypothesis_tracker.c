@@ -97,8 +97,8 @@ static uint32_t update_some(dmi_hypothesis_tracker* tracker, const dm_ray* ray) 
 /* Returns true when another hypothesis, or the other side of rest, is active now. */
 static bool switch_to_best(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray) {
     dmi_joint_hypothesis* best = &tracker->list[tracker->best];
-    dmi_joint_hypothesis_update_active(&tracker->grasp, best, pointer_value, ray);
-    const float needed = best->log_posterior_at_stop + SWITCH_MARGIN;
+    const float at_stop = dmi_joint_hypothesis_update_active(&tracker->grasp, best, pointer_value, ray);
+    const float needed = at_stop + SWITCH_MARGIN;
     const uint32_t winner = update_some(tracker, ray);
     if (tracker->list[winner].log_posterior <= needed) return false;
     const bool changed = winner != tracker->best;
@@ -120,7 +120,7 @@ bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointe
     if (tracker->count == 0) return false;
     dmi_pull* pull = &tracker->grasp.pull;
     pull->projection = projection;
-    dmi_pull_add(pull, ray);
+    dmi_grasp_add(&tracker->grasp, ray);
     if (pull->length < MIN_PULL * tracker->grasp.size) return false;
     tracker->round++;
     if (switch_to_best(tracker, pointer_value, ray)) return true;

@@ -159,6 +159,11 @@ static float residual_log_likelihood(const dmi_grasp* grasp, float residual) {
     return -TAIL_EXPONENT * dmi_logf(1 + residual / dmi_expected_residual(grasp));
 }
 
+void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray) {
+    dmi_pull_add(&grasp->pull, ray);
+    grasp->straight_log_likelihood = STRAIGHT_LOG_LIKELIHOOD + residual_log_likelihood(grasp, grasp->pull.bend);
+}
+
 /* Likelihood of a hand that follows the joint. */
 static float followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual) {
     return is_end_on(grasp, hypothesis) ? 0 : residual_log_likelihood(grasp, residual);
@@ -171,11 +176,10 @@ float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_join
     const float followed = followed_log_likelihood(grasp, hypothesis, residual);
     if (followed > STRAIGHT_LOG_LIKELIHOOD + NEGLIGIBLE_LOG_RATIO || !dmi_joint_turns(hypothesis->joint.type))
         return followed;
-    const float straight = STRAIGHT_LOG_LIKELIHOOD + residual_log_likelihood(grasp, grasp->pull.bend);
+    const float straight = grasp->straight_log_likelihood;
     if (followed > straight + NEGLIGIBLE_LOG_RATIO || !dmi_pull_is_on_chord(&grasp->pull, &hypothesis->joint))
         return followed;
-    const float more = dmi_fmaxf(followed, straight);
-    return more + dmi_logf(dmi_expf(followed - more) + dmi_expf(straight - more));
+    return dmi_fmaxf(followed, straight) + dmi_logf(1 + dmi_expf(-fabsf(followed - straight)));
 }
 
 /* Returns how far a pull must go to one side of rest to make it its side, after it went to the other by `excursion`. A
@@ -202,40 +206,48 @@ float dmi_joint_hypothesis_side_log_prior(const dmi_grasp* grasp, const dmi_join
     return less + (leaves ? DMI_OTHER_SIDE_LOG_PRIOR : 0);
 }
 
-static void update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
-    const float now = side_of(&hypothesis->joint), value = hypothesis->pointer_value;
+/* Returns the log likelihood of the pull so far. */
+static float update_posterior(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
+    const float value = hypothesis->pointer_value;
     float point[3];
     dmi_joint_move(&hypothesis->joint, value, grasp->pull.grab, point);
     hypothesis->excursion[value > 0] = dmi_fmaxf(hypothesis->excursion[value > 0], fabsf(value));
     hypothesis->max_residual = dmi_fmaxf(hypothesis->max_residual, dmi_pull_residual(&grasp->pull, ray, point));
+    const float likelihood = dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
     hypothesis->log_posterior = hypothesis->log_prior - hypothesis->shift_cost +
-                                dmi_joint_hypothesis_side_log_prior(grasp, hypothesis, value) +
-                                dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
-    hypothesis->log_posterior_at_stop = hypothesis->log_posterior;
-    if (now * value >= 0 || hypothesis->other_side_blocked) return;
-    const float at_stop = dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab);
-    const float missed = followed_log_likelihood(grasp, hypothesis, at_stop); /* a part that is held goes on no chord */
-    const float pushed =
-        PUSH_LOG_PRIOR + dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, hypothesis->max_residual);
-    hypothesis->log_posterior_at_stop = hypothesis->log_prior - hypothesis->shift_cost + dmi_fmaxf(missed, pushed);
+                                dmi_joint_hypothesis_side_log_prior(grasp, hypothesis, value) + likelihood;
+    return likelihood;
 }
 
-void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
+/* Returns the log posterior if the stop at rest holds the part. likelihood: log, of the pull so far. */
+static float log_posterior_at_stop(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, const dm_ray* ray,
+                                   float likelihood) {
+    if (side_of(&hypothesis->joint) * hypothesis->pointer_value >= 0 || hypothesis->other_side_blocked)
+        return hypothesis->log_posterior;
+    const float at_stop = dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab);
+    const float missed = followed_log_likelihood(grasp, hypothesis, at_stop); /* a part that is held goes on no chord */
+    return hypothesis->log_prior - hypothesis->shift_cost + dmi_fmaxf(missed, PUSH_LOG_PRIOR + likelihood);
+}
+
+/* Returns the log likelihood of the pull so far. */
+static float follow_and_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
     const dmi_pull* pull = &grasp->pull;
     float lower, upper;
     dmi_joint_hypothesis_range(grasp, hypothesis, &lower, &upper);
     hypothesis->pointer_value = dmi_follow_ray_coarse(&hypothesis->joint, pull->grab, ray, pull->projection,
                                                       hypothesis->pointer_value, lower, upper);
-    update_posterior(grasp, hypothesis, ray);
+    return update_posterior(grasp, hypothesis, ray);
+}
+
+void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
+    follow_and_update(grasp, hypothesis, ray);
 }
 
 /* A joint that rests at an end of its range is followed on both sides as all others are. */
-void dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
-                                        const dm_ray* ray) {
-    if (side_of(&active->joint) != 0) {
-        dmi_joint_hypothesis_update(grasp, active, ray);
-        return;
-    }
-    active->pointer_value = pointer_value;
-    update_posterior(grasp, active, ray);
+float dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
+                                         const dm_ray* ray) {
+    const bool both_sides = side_of(&active->joint) != 0;
+    if (!both_sides) active->pointer_value = pointer_value;
+    const float likelihood = both_sides ? follow_and_update(grasp, active, ray) : update_posterior(grasp, active, ray);
+    return log_posterior_at_stop(grasp, active, ray, likelihood);
 }

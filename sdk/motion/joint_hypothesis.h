@@ -22,24 +22,24 @@ typedef struct dmi_grasp {
     dmi_pull pull;
     float size; /* of the part, host units */
     dmi_limit_give limit_give;
+    float straight_log_likelihood; /* of the pull if the pointer goes straight to where a turn should end */
 } dmi_grasp;
 
 typedef struct dmi_joint_hypothesis {
-    dm_joint joint;              /* host object frame */
-    float initial_origin[3];     /* origin before any shift by the pull */
-    float shift[2];              /* of the axis line from there, in part sizes (pull_fit.h) */
-    float shift_cost;            /* negative log prior of that shift */
-    float side;                  /* of rest on which its range was found: +1 or -1; 0: both */
-    bool range_unknown;          /* inference found no range for it */
-    bool grabbed;                /* in force when the part was grabbed */
-    bool other_side_blocked;     /* on the other side of rest the part would penetrate its body */
-    dmi_free_range free_range;   /* host units */
-    float excursion[2];          /* farthest that the pull has asked for below rest, and above; 0 or more */
-    float log_prior;             /* before the pull, up to a constant */
-    float log_posterior;         /* after it, up to the same constant */
-    float pointer_value;         /* joint value that the pointer asks for, on either side of rest */
-    float max_residual;          /* largest distance of the grabbed point from the pointer so far, host units */
-    float log_posterior_at_stop; /* the same if the stop at rest holds the part */
+    dm_joint joint;            /* host object frame */
+    float initial_origin[3];   /* origin before any shift by the pull */
+    float shift[2];            /* of the axis line from there, in part sizes (pull_fit.h) */
+    float shift_cost;          /* negative log prior of that shift */
+    float side;                /* of rest on which its range was found: +1 or -1; 0: both */
+    bool range_unknown;        /* inference found no range for it */
+    bool grabbed;              /* in force when the part was grabbed */
+    bool other_side_blocked;   /* on the other side of rest the part would penetrate its body */
+    dmi_free_range free_range; /* host units */
+    float excursion[2];        /* farthest that the pull has asked for below rest, and above; 0 or more */
+    float log_prior;           /* before the pull, up to a constant */
+    float log_posterior;       /* after it, up to the same constant */
+    float pointer_value;       /* joint value that the pointer asks for, on either side of rest */
+    float max_residual;        /* largest distance of the grabbed point from the pointer so far, host units */
 } dmi_joint_hypothesis;
 
 /* Returns the log odds of the joint's stated confidence. */
@@ -64,6 +64,8 @@ void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothes
  */
 bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis, float pointer_value);
 
+/* Shows the pull one more ray. */
+void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray);
 /* Returns the log likelihood of a pull with this largest residual. */
 float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
                                           float residual);
@@ -74,9 +76,10 @@ float dmi_expected_residual(const dmi_grasp* grasp);
 
 /* Follows one more ray and updates residual and posterior. */
 void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray);
-/* The same for the active hypothesis; where it is not followed on both sides, it already follows at `pointer_value`. */
-void dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
-                                        const dm_ray* ray);
+/* The same for the active hypothesis; where it is not followed on both sides, it already follows at `pointer_value`.
+ * Returns its log posterior if the stop at rest holds the part. */
+float dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
+                                         const dm_ray* ray);
 /* Gives the joint the side of rest that the pull goes to; true: it had the other. */
 bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float size);
 
