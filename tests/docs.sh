@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code,
 # every relative link names a file or folder that exists, so does every path in code style outside docs/research, and
-# code that names its file (```c FILE, ```cpp FILE …) stands in it, line by line.
+# code that names its file (```c FILE, ```cpp FILE …) stands in it as one piece; code of docs/engines names a file that a test runs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$(find docs -name '*.md'; find samples bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
@@ -30,12 +30,38 @@ gone=$(grep -noE '`(sdk|plugin_api|training|tests|scripts|docs|samples|bindings)
         [ -e "$path" ] || echo "$file:$line: $path does not exist"
     done)
 
-# Blanks aside: code is set shorter on a page than in its file.
-invented=$(awk '/^```(c|cpp|csharp|rust|python|lua|js) / { source = $2; next } /^```/ { source = "" } source && NF { print FILENAME "\t" source "\t" $0 }' $files |
-    while IFS=$'\t' read -r page source line; do
-        grep -qxF -- "$(sed 's/[[:blank:]]//g' <<< "$line")" <(sed 's/[[:blank:]]//g' "$source") ||
-            echo "$page: not in $source: $line"
-    done)
+# What stands in a file as it stands on a page, but for blanks, which pages set shorter.
+bare() { sed 's/[[:blank:]]//g' | grep . || true; }
+language='c|cpp|csharp|rust|python|lua|js|html|cmake|gdscript'
+# check_block PAGE LINE LANGUAGE SOURCE CODE — code that names its file is text of it without a gap; that of docs/engines names
+# one, and a test runs that file, which it names with or without its ending.
+check_block() {
+    local page=$1 line=$2 source=$4 code name
+    if [ -z "$source" ]; then
+        [[ $page != docs/engines/* ]] || echo "$page:$line: $3 that names no file"
+        return
+    fi
+    [ -e "$source" ] || { echo "$page:$line: $source does not exist"; return; }
+    code=$'\n'$(bare <<< "$5")$'\n'
+    [[ $'\n'$(bare < "$source")$'\n' == *"$code"* ]] || echo "$page:$line: not in $source as it stands there: ${5%%$'\n'*} …"
+    name=$(basename "$source")
+    [[ $page != docs/engines/* ]] || grep -rqwE "${name//./\\.}|${name%.*}" tests || echo "$page:$line: no test runs $source"
+}
+blocks() { # PAGE
+    local line kind source code number=0 start=0
+    while IFS= read -r line || [ -n "$line" ]; do
+        number=$((number + 1))
+        if [[ $start = 0 && $line =~ ^\`\`\`($language)(\ ([^ ]+))?$ ]]; then
+            start=$number kind=${BASH_REMATCH[1]} source=${BASH_REMATCH[3]} code=
+        elif [[ $start != 0 && $line = '```' ]]; then
+            check_block "$1" $start "$kind" "$source" "$code"
+            start=0
+        elif [ $start != 0 ]; then
+            code+=$line$'\n'
+        fi
+    done < "$1"
+}
+invented=$(for page in $files; do blocks "$page"; done)
 
 [ -z "$long$broken$gone$invented" ] && exit 0
 printf '%s\n' "$long" "$broken" "$gone" "$invented" | grep . >&2

@@ -1,5 +1,5 @@
 /* The common scenario through dragmesh.hpp: prints what bindings/scenario/scenario.c prints. */
-#include "dragmesh.hpp"
+#include "dragmesh/dragmesh.hpp"
 
 #include <array>
 #include <cstdio>

@@ -31,20 +31,39 @@ passes() {
     failed=1
 }
 
+# guides NAME FIRST_DOOR HANDOVER — two commands, the examples of docs/engines, say of the same cabinet what those of C++ say.
+guides() {
+    if ! $2 > "$work/first_door.txt" || ! $3 > "$work/handover.txt" || ! cmp "$work/first_door.txt" "$work/guide_door.txt" ||
+        ! cmp "$work/handover.txt" "$work/guide_handover.txt"; then
+        echo "bindings: the examples of $1 say something else than those of C++" >&2
+        failed=1
+    fi
+}
+
 gcc -std=c17 $warnings -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c -o "$work/c" $link
 "$work/c" > "$work/c.txt"
 grep -q '^error DM_ERROR_EMPTY_MASK$' "$work/c.txt" || { echo "bindings: the C program did not come to its end" >&2; exit 1; }
+cabinet=$work/cabinet.dmo
+"$build/dragmesh_generate" --category kitchen_cabinet --seed 100 -o "$work/generated"
+cmp samples/cabinet.glb "$work/generated/object.glb" || failed=1 # the cabinet of the guides is one of the generator
+"$build/dragmesh" prepare samples/cabinet.glb -o "$cabinet" > "$work/log.txt"
 for compiler in g++ clang++; do
     "$compiler" -std=c++17 $warnings -Iplugin_api/include -fsyntax-only -x c++ bindings/cpp/dragmesh_check.hpp
-    "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/scenario.cpp -o "$work/$compiler" $link
+    "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include -Ibindings/cpp bindings/cpp/scenario.cpp -o "$work/$compiler" $link
     same "$compiler" "$work/$compiler"
-    "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include bindings/cpp/example.cpp -o "$work/example" $link
-    "$work/example" tests/replay/hands/object.dmo > "$work/example.txt" && grep -q 'a fifth open' "$work/example.txt" ||
-        { echo "bindings: the example of C++ did not open a part" >&2; failed=1; }
+    for example in first_door handover; do
+        "$compiler" -std=c++17 -fno-rtti $warnings -Iplugin_api/include -Ibindings/cpp "bindings/cpp/examples/$example.cpp" -o "$work/$example" $link
+    done
+    "$work/first_door" "$cabinet" > "$work/guide_door.txt" && "$work/handover" "$cabinet" > "$work/guide_handover.txt"
+    # The door comes to where its constraint ends.
+    [ "$(sed 's/.* open at//' "$work/guide_door.txt")" = "$(sed -n 's/.* opens to//p' "$work/guide_handover.txt")" ] ||
+        { echo "bindings: the example of C++ did not open the door" >&2; failed=1; }
 done
 LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
 LUA_PATH="$PWD/bindings/lua/?.lua;;" passes "reloads from LuaJIT" luajit bindings/lua/reload.lua "$build/libdragmesh.so" sdk/models \
     tests/replay/hands/object.dmo
+luajit_runs() { LUA_PATH="$PWD/bindings/lua/?.lua;;" luajit "bindings/lua/examples/$1.lua" "$build/libdragmesh.so" "$cabinet"; }
+guides LuaJIT "luajit_runs first_door" "luajit_runs handover"
 love_room() {
     bindings/lua/love/make "$work/room" "$build" &&
         SDL_AUDIODRIVER=dummy ALSOFT_DRIVERS=null timeout 300 xvfb-run -a -s "-screen 0 1280x800x24" love "$work/room" --play "$work/room.png" &&
@@ -54,6 +73,8 @@ passes "the room of LÖVE" love_room
 
 # Python, Debian's own, with Debian's numpy.
 PYTHONPATH=bindings/python DRAGMESH_LIBRARY_PATH=$build same Python /usr/bin/python3 bindings/python/tests/scenario.py sdk/models
+python_runs() { PYTHONPATH=bindings/python DRAGMESH_LIBRARY_PATH=$build /usr/bin/python3 "bindings/python/examples/$1.py" "$2"; }
+guides Python "python_runs first_door samples/cabinet.glb" "python_runs handover $cabinet"
 DRAGMESH_LIBRARY_PATH=$build passes "the layer of Python" /usr/bin/python3 tests/python/test_binding.py
 passes "the wheel" tests/python/wheel.sh "$build"
 blender_addon() {
@@ -62,6 +83,11 @@ blender_addon() {
             "$work/object.glb" "$work" "$work/addon.zip" | grep "parts made openable"
 }
 passes "the add-on of Blender" blender_addon
+blender_opens() {
+    BLENDER_USER_SCRIPTS=$work/scripts timeout 300 blender -b --factory-startup --python bindings/python/blender/examples/first_door.py -- \
+        "$work/addon.zip" samples/cabinet.glb "$work/open.glb" | grep "door_left: revolute from -\?0.00 to" && [ -s "$work/open.glb" ]
+}
+passes "the example of Blender" blender_opens
 
 # Rust, by Debian's rustc. rustup's, which may stand in front, proves nothing.
 rust() {
@@ -73,33 +99,33 @@ rust_tests() {
 }
 passes "the tests of Rust" rust_tests
 LD_LIBRARY_PATH=$build same Rust "$work/rust/debug/examples/scenario" sdk/models
-LD_LIBRARY_PATH=$build passes "the example of Rust" "$work/rust/debug/examples/open" tests/replay/hands/object.dmo
+rust_runs() { LD_LIBRARY_PATH=$build "$work/rust/debug/examples/$1" "$cabinet"; }
+guides Rust "rust_runs first_door" "rust_runs handover"
 
 # C#, by Debian's mono.
 sharp() { LD_LIBRARY_PATH="$build" mono "$work/$1.exe" "${@:2}"; }
 mcs="mcs -nologo -unsafe -warnaserror -langversion:7.2"
 $mcs -target:library -out:"$work/DragMesh.dll" bindings/csharp/DragMesh/*.cs
-for source in tests/Scenario tests/Behaviour tests/Reload examples/Open; do
+for source in tests/Scenario tests/Behaviour tests/Reload examples/FirstDoor examples/Handover; do
     $mcs -r:"$work/DragMesh.dll" -out:"$work/$(basename $source).exe" "bindings/csharp/$source.cs"
 done
 same "C#" sharp Scenario sdk/models
 passes "the layer of C#" sharp Behaviour tests/replay/hands/object.dmo sdk/models
 passes "reloads from C#" sharp Reload sdk/models tests/replay/hands/object.dmo
-passes "the example of C#" sharp Open tests/replay/hands/object.dmo
+guides "C#" "sharp FirstDoor $cabinet" "sharp Handover $cabinet"
 
 # The Unity package, on a stub of Unity's API, from the folder that a release has.
 unity() {
     local stubs=tests/bindings/unity package=$work/upm/com.dragmesh.unity
     bindings/unity/pack "$work/upm" "linux=$build/libdragmesh.so"
-    [ -z "$(find "$package" -name '*.meta' -exec sed -n 's/^guid: //p' {} + | sort | uniq -d)" ] || { echo "two files have one guid"; return 1; }
-    grep -q 'guid: [0-9a-f]\{32\}' "$package/Samples~/Cabinet/Cabinet.unity" || { echo "the scene has no script"; return 1; }
-    $mcs -target:library -out:"$work/UnityEngine.dll" "$stubs/UnityEngine.cs" &&
+    /usr/bin/python3 tests/bindings/unity/layout.py "$package" &&
+        $mcs -target:library -out:"$work/UnityEngine.dll" "$stubs/UnityEngine.cs" &&
         $mcs -target:library -r:"$work/UnityEngine.dll" -out:"$work/UnityEditor.dll" "$stubs/UnityEditor.cs" &&
         $mcs -target:library -r:"$work/UnityEngine.dll" -out:"$work/DragMesh.Unity.dll" "$package"/Runtime/*.cs "$package"/Runtime/*/*.cs &&
         $mcs -target:library -r:"$work/UnityEngine.dll" -r:"$work/UnityEditor.dll" -r:"$work/DragMesh.Unity.dll" \
             -out:"$work/Editor.dll" "$package"/Editor/*.cs &&
         $mcs -r:"$work/UnityEngine.dll" -r:"$work/DragMesh.Unity.dll" -out:"$work/UnityTest.exe" "$stubs/Test.cs" "$package"/Samples~/*/*.cs &&
-        sharp UnityTest sdk/models
+        sharp UnityTest sdk/models "$package/Samples~/Cabinet/Cabinet.dmo.bytes"
 }
 passes "the Unity package" unity
 exit $failed

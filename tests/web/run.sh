@@ -47,4 +47,11 @@ mkdir "$work/host" && tar xzf "$work"/dragmesh-*.tgz -C "$work/host"
 echo 'import { load } from "dragmesh"; console.log((await load()).createContext().memory.bytes > 0);' > "$work/host/use.mjs"
 mkdir "$work/host/node_modules" && mv "$work/host/package" "$work/host/node_modules/dragmesh"
 [ "$(node "$work/host/use.mjs")" = true ] || fail "the npm package does not load"
+# The examples of docs/engines/web.md, with this package and three.js as npm lays them out.
+"$build/dragmesh" prepare samples/cabinet.glb -o "$work/host/cabinet.dmo" > "$work/log"
+cp bindings/js/examples/* samples/cabinet.glb "$work/host/"
+cp -r build/web/npm/node_modules/three "$work/host/node_modules/"
+grep -q 'stands open at' <(cd "$work/host" && node first_door.mjs cabinet.dmo) || fail "the guide's first_door.mjs"
+grep -q '^grabbed again at 1.20$' <(cd "$work/host" && node handover.mjs cabinet.dmo) || fail "the guide's handover.mjs"
+node tests/web/first_door.mjs "$work/host" || fail "the guide's first_door.html"
 exit $failed

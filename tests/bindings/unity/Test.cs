@@ -1,5 +1,6 @@
 // The Unity package on the stub of its API: the sample's cabinet, a scaled and turned one, is dragged with the mouse.
 using System;
+using System.IO;
 using DragMesh;
 using DragMesh.Unity;
 using UnityEngine;
@@ -35,16 +36,33 @@ static class Test
         }
     }
 
+    // What the editor bakes from the nodes is what the package's build step has baked from the boxes.
+    private static void Bakes(Openable openable, string weights)
+    {
+        using (Model model = Host.Context.LoadModel(weights))
+        using (PreparedObject baked = Host.Context.Load(Baker.Bake(openable, model, null)))
+        {
+            foreach (OpenablePart part in openable.parts)
+            {
+                DragMesh.Joint here = baked.JointOf(part.id), there = openable.Object.JointOf(part.id);
+                Must(here.Kind == there.Kind && there.JointConfidence > 0.5f, "the baked " + part.node.name);
+                Must(Near(Host.To(here.Axis), Host.To(there.Axis)), "the baked axis of the " + part.node.name);
+                Must(Math.Abs(here.Upper - there.Upper) < 0.05f, "the baked limit of the " + part.node.name);
+            }
+        }
+    }
+
     static void Main(string[] arguments)
     {
         GameObject root = new GameObject("cabinet");
         root.transform.localPosition = new Vector3(3, -1, 2);
         root.transform.localRotation = Quaternion.AngleAxis(30, Vector3.up);
         root.transform.localScale = new Vector3(2, 2, 2);
-        Openable openable = Cabinet.Build(root, arguments[0]);
+        Openable openable = Cabinet.Build(root, File.ReadAllBytes(arguments[1]));
         Must(openable.parts.Count == 2 && openable.parts[0].node.name == "door", "parts");
         Must(openable.Object.JointOf(1).Kind == JointType.Revolute, "the door turns");
         Must(openable.Object.JointOf(2).Kind == JointType.Prismatic, "the drawer slides");
+        Bakes(openable, arguments[0]);
         int events = 0;
         uint opened = 0, closed = 0;
         openable.Happened += (part, what) => events++;

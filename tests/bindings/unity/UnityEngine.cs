@@ -66,6 +66,7 @@ namespace UnityEngine
     }
 
     public class Object { public string name { get; set; } = ""; }
+    public class TextAsset : Object { public byte[] bytes { get; set; } }
     public class ScriptableObject : Object
     {
         public static T CreateInstance<T>() where T : ScriptableObject, new() => new T();

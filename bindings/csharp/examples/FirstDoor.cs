@@ -1,9 +1,9 @@
-// Pulls a part of a prepared object open with a pointer, and lets it swing: Open OBJECT.dmo
+// Pulls the first part of a prepared object open with a pointer, and lets it swing: FirstDoor OBJECT.dmo
 using System;
 using System.IO;
 using DragMesh;
 
-static class Open
+static class FirstDoor
 {
     static void Main(string[] arguments)
     {
@@ -18,13 +18,12 @@ static class Open
             DragState state = DragState.New();
             using (Drag drag = thing.Grab(desc, DragRules.New()))
             {
-                for (int frame = 0; frame < 60; frame++) // every frame, with the pointer's ray in the object's frame
-                    state = drag.Update(new Ray(eye, new Vec3(-0.01f * frame, 0, -2)), 1f / 60);
+                for (int frame = 0; frame < 60; frame++) // every frame: the pointer's ray in the object's frame
+                    state = drag.Update(new Ray(eye, new Vec3(-0.003f * frame, 0, -2)), 1f / 60);
                 drag.Release(Intent.Open);
                 while (state.Doing != DragPhase.AtRest) state = drag.Update(1f / 60);
-                PartState kept = drag.Finish(); // what the instance saves
-                Console.WriteLine("part {0} ({1}) stands at {2:0.00}; its middle is at {3}", part.Id, kept.Joint.Kind, kept.Value,
-                                  state.Pose.Apply(part.Centre));
+                PartState kept = drag.Finish(); // joint, value and pose: what the instance saves
+                Console.WriteLine("part {0} stands open at {1:0.00}", part.Id, kept.Value);
             }
         }
     }
