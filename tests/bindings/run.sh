@@ -128,4 +128,14 @@ unity() {
         sharp UnityTest sdk/models "$package/Samples~/Cabinet/Cabinet.dmo.bytes"
 }
 passes "the Unity package" unity
+
+# The engine-free part of the Unreal plugin. Nothing compiles what needs the engine.
+unreal() {
+    local compiler
+    for compiler in g++ clang++; do
+        "$compiler" -std=c++17 $warnings -Iplugin_api/include -Ibindings/cpp -Ibindings/unreal/DragMesh/Source/DragMesh/Public \
+            tests/bindings/unreal/test.cpp -o "$work/unreal" $link && "$work/unreal" "$cabinet" || return 1
+    done
+}
+passes "the Unreal plugin" unreal
 exit $failed

@@ -8,9 +8,9 @@ trap 'rm -rf "$work"' EXIT
 dist=$PWD/build/dist
 case $(uname -m) in aarch64) platform=linux-arm64 ;; *) platform=linux-x64 ;; esac
 rm -rf "$dist"
-scripts/release $platform source rust unity love wheel blender > "$work/release.log"
+scripts/release $platform source rust unity unreal love wheel blender > "$work/release.log"
 cp "$dist/SHA256SUMS" "$work/first"
-scripts/release $platform source rust unity love wheel > "$work/release.log"
+scripts/release $platform source rust unity unreal love wheel > "$work/release.log"
 cmp "$dist/SHA256SUMS" "$work/first"
 (cd "$dist" && sha256sum --quiet -c SHA256SUMS)
 binaries=$(echo "$dist"/dragmesh-*-$platform.tar.gz) source=$(echo "$dist"/dragmesh-*-source.tar.gz)
