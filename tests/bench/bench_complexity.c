@@ -13,13 +13,12 @@
 #include <string.h>
 
 #include "../include/test_glb.h"
+#include "../include/test_shapes.h"
 #include "base/random.h"
 #include "world.h"
 
 #define COUNTED __attribute__((noinline))
 #define CHECK(call) bench_check(call, #call)
-#define BOX_VERTICES 8
-#define BOX_TRIANGLES 12
 #define BODY 1.0f  /* half of a side of the box that every mesh begins with */
 #define ABOVE 1.1f /* height of what lies above it */
 #define TURN 6.2831853f
@@ -45,7 +44,7 @@ struct input {
 /* ---- meshes: a box, the body, and many items above it, the part ---- */
 
 static void mesh_begin(input* in, uint32_t items) {
-    const size_t vertices = BOX_VERTICES * ((size_t)items + 1), faces = BOX_TRIANGLES * ((size_t)items + 1);
+    const size_t vertices = TEST_BOX_VERTICES * ((size_t)items + 1), faces = TEST_BOX_FACES * ((size_t)items + 1);
     in->mesh = (bench_mesh){.positions = bench_alloc(vertices * 3 * sizeof(float)),
                             .indices = bench_alloc(faces * 3 * sizeof(uint32_t)),
                             .part_ids = bench_alloc(faces * sizeof(uint32_t)),
@@ -79,14 +78,14 @@ static void face(input* in, uint32_t a, uint32_t b, uint32_t c, uint32_t part) {
 }
 
 static void box(input* in, const float low[3], float side, uint32_t part) {
-    static const uint8_t corners[BOX_TRIANGLES][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                                                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     const uint32_t first = in->mesh.vertex_count;
-    for (uint32_t c = 0; c < BOX_VERTICES; c++)
+    for (uint32_t c = 0; c < TEST_BOX_VERTICES; c++)
         vertex(in, low[0] + side * (float)(c & 1), low[1] + side * (float)(c >> 1 & 1),
                low[2] + side * (float)(c >> 2));
-    for (uint32_t t = 0; t < BOX_TRIANGLES; t++)
-        face(in, first + corners[t][0], first + corners[t][1], first + corners[t][2], part);
+    for (uint32_t t = 0; t < TEST_BOX_FACES; t++) {
+        const uint8_t* at = test_box_corners[t];
+        face(in, first + at[0], first + at[1], first + at[2], part);
+    }
 }
 
 static void body(input* in, uint32_t items) {

@@ -4,7 +4,7 @@
  *
  * Holds throughout: every answer is a result of the header's, INTERNAL never; outputs are finite after DM_OK and
  * untouched after an error; memory is given back in the sizes in which it was lent, and all of it in the end. */
-#include "box_mesh.h"
+#include "cabinet.h"
 #include "host.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
@@ -35,13 +35,9 @@ static bool has_saved_drag;
 
 /* ---- what must hold ---- */
 
-static void expect_result(dm_result result) {
-    fuzz_expect(result <= DM_OK && result > DM_ERROR_INTERNAL);
-}
-
 /* Checks a result, and that an error has left the `size` bytes of the output as they were, struct_size apart. */
 static bool is_ok(dm_result result, const void* output, size_t size) {
-    expect_result(result);
+    fuzz_expect_result(result);
     const uint8_t* bytes = output;
     for (size_t i = 0; result != DM_OK && i < size; i++) fuzz_expect(bytes[i] == UNTOUCHED);
     return result == DM_OK;
@@ -55,39 +51,6 @@ static bool is_ok(dm_result result, const void* output, size_t size) {
 
 /* is_ok for such an output. */
 #define OK(result, name) is_ok(result, (const uint8_t*)&(name) + sizeof(uint32_t), sizeof(name) - sizeof(uint32_t))
-
-static void expect_finite(const float* numbers, size_t count) {
-    for (size_t i = 0; i < count; i++) fuzz_expect(isfinite(numbers[i]));
-}
-
-static void expect_vector(const dm_vec3* vector) {
-    expect_finite(&vector->x, 3);
-}
-
-static void expect_pose(const dm_pose* pose) {
-    float square = 0;
-    expect_finite(pose->real, 4);
-    expect_finite(pose->dual, 4);
-    for (int i = 0; i < 4; i++) square += pose->real[i] * pose->real[i];
-    fuzz_expect(fabsf(square - 1) < 1e-3f);
-}
-
-static void expect_joint(const dm_joint* joint) {
-    const float numbers[5] = {joint->type_confidence, joint->joint_confidence, joint->pitch, joint->lower,
-                              joint->upper};
-    fuzz_expect(joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_FIXED && joint->lower <= joint->upper);
-    expect_finite(numbers, 5);
-    expect_vector(&joint->axis);
-    expect_vector(&joint->origin);
-    for (int i = 0; i < 2; i++) fuzz_expect(numbers[i] >= 0 && numbers[i] <= 1);
-}
-
-static void expect_state(const dm_drag_state* state) {
-    const float numbers[4] = {state->value, state->target, state->velocity, state->impact};
-    expect_finite(numbers, 4);
-    expect_vector(&state->grab_point);
-    expect_pose(&state->pose);
-}
 
 /* ---- handles ---- */
 
@@ -111,13 +74,13 @@ static uint64_t any_handle(handle_kind kind) {
 static uint32_t any_part(void) {
     const uint8_t way = fuzz_byte(now.in);
     if (way >= 250) return fuzz_word(now.in);
-    return way < 200 ? 1u + way % BOX_MESH_PARTS : way % (BOX_MESH_PARTS + 2u);
+    return way < 200 ? 1u + way % CABINET_PARTS : way % (CABINET_PARTS + 2u);
 }
 
 /* ---- arguments ---- */
 
 static dm_drag_hint any_hint(void) {
-    dm_drag_hint hint = {box_mesh_grab, {0, 0, 1}};
+    dm_drag_hint hint = {cabinet_grab, {0, 0, 1}};
     if (fuzz_one_in(now.in, 3)) hint.point = fuzz_vector(now.in);
     if (fuzz_one_in(now.in, 2)) hint.vector = fuzz_vector(now.in);
     return hint;
@@ -170,12 +133,13 @@ static float seconds(void) {
 
 static void prepare(dm_context* context, fuzz_host* host) {
     if (now.prepares++ >= MAX_PREPARES) return;
-    box_mesh boxes = box_mesh_make();
+    static test_shape shape;
+    cabinet_make(&shape);
     for (uint32_t edits = fuzz_below(now.in, 4); edits > 1; edits--)
-        boxes.positions[fuzz_below(now.in, BOX_MESH_VERTICES)][fuzz_below(now.in, 3)] = fuzz_number(now.in);
-    if (fuzz_one_in(now.in, 8)) boxes.indices[fuzz_below(now.in, 100)] = fuzz_byte(now.in);
-    if (fuzz_one_in(now.in, 8)) boxes.parts[fuzz_below(now.in, BOX_MESH_TRIANGLES)] = fuzz_byte(now.in);
-    const dm_mesh_desc mesh = box_mesh_desc(&boxes);
+        shape.xyz[fuzz_below(now.in, CABINET_VERTICES)][fuzz_below(now.in, 3)] = fuzz_number(now.in);
+    if (fuzz_one_in(now.in, 8)) shape.corners[fuzz_below(now.in, CABINET_FACES)][0] = fuzz_byte(now.in);
+    if (fuzz_one_in(now.in, 8)) shape.part[fuzz_below(now.in, CABINET_FACES)] = fuzz_byte(now.in);
+    const dm_mesh_desc mesh = test_shape_desc(&shape);
     const dm_drag_hint hint = any_hint();
     const dm_pivot pivot = {.origin = fuzz_vector(now.in)};
     dm_part_desc part = {.struct_size = fuzz_struct_size(now.in, sizeof part), .id = any_part(), .label = "room/door"};
@@ -199,11 +163,12 @@ static void prepare(dm_context* context, fuzz_host* host) {
 
 static void find_part(dm_context* context, fuzz_host* host) {
     (void)host;
-    box_mesh boxes = box_mesh_make();
-    dm_mesh_desc mesh = box_mesh_desc(&boxes);
+    static test_shape shape;
+    cabinet_make(&shape);
+    dm_mesh_desc mesh = test_shape_desc(&shape);
     if (fuzz_one_in(now.in, 2)) mesh.part_ids = NULL;
     const dm_drag_hint hint = any_hint();
-    uint8_t faces[BOX_MESH_TRIANGLES];
+    uint8_t faces[CABINET_FACES];
     memset(faces, UNTOUCHED, sizeof faces);
     const uint64_t room = fuzz_one_in(now.in, 4) ? fuzz_byte(now.in) % sizeof faces : sizeof faces;
     if (is_ok(dm_mesh_find_part(context, &mesh, &hint, faces, room), faces, sizeof faces))
@@ -229,15 +194,15 @@ static void save_object(dm_context* context, fuzz_host* host) {
     size_t size = 0, again = 0;
     dm_object loaded;
     const dm_result result = dm_object_save(context, any_handle(OBJECT), first, sizeof first, &size);
-    expect_result(result);
+    fuzz_expect_result(result);
     if (result != DM_OK || dm_object_load(context, first, size, 0, &loaded) != DM_OK) return;
     if (dm_object_save(context, loaded, second, sizeof second, &again) == DM_OK) fuzz_expect(again == size);
-    expect_result(dm_object_destroy(context, loaded));
+    fuzz_expect_result(dm_object_destroy(context, loaded));
 }
 
 static void destroy_object(dm_context* context, fuzz_host* host) {
     (void)host;
-    expect_result(dm_object_destroy(context, any_handle(OBJECT)));
+    fuzz_expect_result(dm_object_destroy(context, any_handle(OBJECT)));
 }
 
 static void get_object(dm_context* context, fuzz_host* host) {
@@ -246,12 +211,12 @@ static void get_object(dm_context* context, fuzz_host* host) {
     OUTPUT(dm_object_info, info);
     OUTPUT(dm_part_info, part);
     OUTPUT(dm_joint, joint);
-    if (OK(dm_object_get_info(context, object, &info), info)) expect_finite(&info.size, 1);
+    if (OK(dm_object_get_info(context, object, &info), info)) fuzz_expect_finite(&info.size, 1);
     if (OK(dm_object_get_part(context, object, fuzz_byte(now.in), &part), part)) {
-        expect_vector(&part.centre);
-        expect_finite(&part.area, 1);
+        fuzz_expect_vector(&part.centre);
+        fuzz_expect_finite(&part.area, 1);
     }
-    if (OK(dm_object_get_joint(context, object, any_part(), &joint), joint)) expect_joint(&joint);
+    if (OK(dm_object_get_joint(context, object, any_part(), &joint), joint)) fuzz_expect_joint(&joint);
 }
 
 static void get_hypotheses(dm_context* context, fuzz_host* host) {
@@ -263,9 +228,9 @@ static void get_hypotheses(dm_context* context, fuzz_host* host) {
     const dm_result result =
         dm_object_get_hypotheses(context, any_handle(OBJECT), any_part(), fuzz_one_in(now.in, 2) ? &hint : NULL, joints,
                                  fuzz_below(now.in, DM_MAX_HYPOTHESES + 1), &count);
-    expect_result(result);
+    fuzz_expect_result(result);
     for (uint32_t i = 0; result == DM_OK && joints[0].struct_size == sizeof joints[0] && i < count; i++)
-        expect_joint(&joints[i]);
+        fuzz_expect_joint(&joints[i]);
 }
 
 static void set_joint(dm_context* context, fuzz_host* host) {
@@ -274,16 +239,16 @@ static void set_joint(dm_context* context, fuzz_host* host) {
     const dm_joint joint = any_joint();
     const dm_drag_hint hint = any_hint();
     const uint32_t way = fuzz_below(now.in, 4);
-    if (way < 2) expect_result(dm_object_set_joint(context, object, any_part(), &joint));
-    if (way == 2) expect_result(dm_object_reset_joint(context, object, any_part()));
-    if (way == 3) expect_result(dm_object_refine(context, object, any_part(), &hint));
+    if (way < 2) fuzz_expect_result(dm_object_set_joint(context, object, any_part(), &joint));
+    if (way == 2) fuzz_expect_result(dm_object_reset_joint(context, object, any_part()));
+    if (way == 3) fuzz_expect_result(dm_object_refine(context, object, any_part(), &hint));
 }
 
 static void link_parts(dm_context* context, fuzz_host* host) {
     (void)host;
     dm_link links[4];
-    float values[BOX_MESH_PARTS];
-    uint8_t held[BOX_MESH_PARTS];
+    float values[CABINET_PARTS];
+    uint8_t held[CABINET_PARTS];
     const dm_object object = any_handle(OBJECT);
     for (int i = 0; i < 4; i++)
         links[i] = (dm_link){any_part(),
@@ -293,11 +258,11 @@ static void link_parts(dm_context* context, fuzz_host* host) {
                              fuzz_number(now.in),
                              fuzz_number(now.in),
                              fuzz_number(now.in)};
-    expect_result(dm_object_set_links(context, object, links, fuzz_below(now.in, 5)));
-    for (int i = 0; i < BOX_MESH_PARTS; i++) values[i] = fuzz_number(now.in);
-    const dm_result result = dm_object_follow_links(context, object, any_part(), values, held, BOX_MESH_PARTS);
-    expect_result(result);
-    if (result == DM_OK) expect_finite(values, BOX_MESH_PARTS);
+    fuzz_expect_result(dm_object_set_links(context, object, links, fuzz_below(now.in, 5)));
+    for (int i = 0; i < CABINET_PARTS; i++) values[i] = fuzz_number(now.in);
+    const dm_result result = dm_object_follow_links(context, object, any_part(), values, held, CABINET_PARTS);
+    fuzz_expect_result(result);
+    if (result == DM_OK) fuzz_expect_finite(values, CABINET_PARTS);
 }
 
 /* ---- calls: drags ---- */
@@ -316,7 +281,7 @@ static void begin_drag(dm_context* context, fuzz_host* host) {
     dm_drag_desc desc = {.struct_size = fuzz_struct_size(now.in, sizeof desc),
                          .part_id = any_part(),
                          .object = any_handle(OBJECT),
-                         .grab_point = box_mesh_grab,
+                         .grab_point = cabinet_grab,
                          .flags = fuzz_below(now.in, 4)};
     if (fuzz_one_in(now.in, 4)) desc.grab_point = fuzz_vector(now.in);
     if (fuzz_one_in(now.in, 4)) desc.start_value = fuzz_number(now.in);
@@ -337,7 +302,7 @@ static void update_drag(dm_context* context, fuzz_host* host) {
         const dm_ray ray = any_ray();
         OUTPUT(dm_drag_state, state);
         if (!OK(dm_drag_update(context, drag, &ray, seconds(), &state), state)) return;
-        expect_state(&state);
+        fuzz_expect_state(&state);
     }
 }
 
@@ -353,8 +318,8 @@ static void step_drag(dm_context* context, fuzz_host* host) {
     input.upper = fuzz_number(now.in);
     OUTPUT(dm_drag_state, state);
     OUTPUT(dm_drag_state, taken);
-    if (OK(dm_drag_step(context, drag, &input, seconds(), &state), state)) expect_state(&state);
-    if (OK(dm_drag_take(context, drag, fuzz_number(now.in), &taken), taken)) expect_state(&taken);
+    if (OK(dm_drag_step(context, drag, &input, seconds(), &state), state)) fuzz_expect_state(&state);
+    if (OK(dm_drag_take(context, drag, fuzz_number(now.in), &taken), taken)) fuzz_expect_state(&taken);
 }
 
 static void release_drag(dm_context* context, fuzz_host* host) {
@@ -367,7 +332,7 @@ static void release_drag(dm_context* context, fuzz_host* host) {
     OUTPUT(dm_release_plan, plan);
     if (!OK(dm_drag_release(context, any_handle(DRAG), &desc, &plan), plan)) return;
     const float numbers[3] = {plan.start_value, plan.end_value, plan.duration};
-    expect_finite(numbers, 3);
+    fuzz_expect_finite(numbers, 3);
 }
 
 static void end_drag(dm_context* context, fuzz_host* host) {
@@ -377,20 +342,20 @@ static void end_drag(dm_context* context, fuzz_host* host) {
     const dm_result result =
         fuzz_one_in(now.in, 2) ? dm_drag_end(context, drag, &state) : dm_drag_get_part_state(context, drag, &state);
     if (!OK(result, state)) return;
-    expect_finite(&state.value, 1);
-    expect_pose(&state.pose);
-    expect_joint(&state.joint);
+    fuzz_expect_finite(&state.value, 1);
+    fuzz_expect_pose(&state.pose);
+    fuzz_expect_joint(&state.joint);
 }
 
 static void save_drag(dm_context* context, fuzz_host* host) {
     (void)host;
     const dm_drag drag = any_handle(DRAG);
     if (has_saved_drag && fuzz_one_in(now.in, 2)) {
-        expect_result(dm_drag_restore(context, drag, saved_drag, dm_drag_snapshot_size()));
+        fuzz_expect_result(dm_drag_restore(context, drag, saved_drag, dm_drag_snapshot_size()));
         return;
     }
     const dm_result result = dm_drag_save(context, drag, saved_drag, sizeof saved_drag);
-    expect_result(result);
+    fuzz_expect_result(result);
     has_saved_drag |= result == DM_OK;
 }
 
@@ -406,8 +371,8 @@ static void generate_motion(dm_context* context, fuzz_host* host) {
     dm_pose pose;
     memset(&pose, UNTOUCHED, sizeof pose);
     if (is_ok(dm_motion_sample(context, any_handle(MOTION), fuzz_number(now.in), &pose, NULL), &pose, sizeof pose))
-        expect_pose(&pose);
-    if (fuzz_one_in(now.in, 3)) expect_result(dm_motion_destroy(context, any_handle(MOTION)));
+        fuzz_expect_pose(&pose);
+    if (fuzz_one_in(now.in, 3)) fuzz_expect_result(dm_motion_destroy(context, any_handle(MOTION)));
 }
 
 static void change_scene(dm_context* context, fuzz_host* host) {
@@ -422,13 +387,13 @@ static void change_scene(dm_context* context, fuzz_host* host) {
         if (is_ok(dm_scene_create(context, &desc, &scene), &scene, sizeof scene)) keep(SCENE, scene);
         break;
     case 1:
-        expect_result(dm_scene_destroy(context, scene));
+        fuzz_expect_result(dm_scene_destroy(context, scene));
         break;
     case 2:
-        expect_result(dm_scene_remove(context, scene, fuzz_byte(now.in) % 4));
+        fuzz_expect_result(dm_scene_remove(context, scene, fuzz_byte(now.in) % 4));
         break;
     case 3:
-        expect_result(dm_scene_move(context, scene, fuzz_byte(now.in) % 4, any_part(), &pose));
+        fuzz_expect_result(dm_scene_move(context, scene, fuzz_byte(now.in) % 4, any_part(), &pose));
         break;
     default:
         memset(&instance, UNTOUCHED, sizeof instance);
@@ -441,13 +406,13 @@ static void pick(dm_context* context, fuzz_host* host) {
     const dm_scene scene = any_handle(SCENE);
     const dm_ray ray = any_ray();
     OUTPUT(dm_hit, hit);
-    if (fuzz_one_in(now.in, 2)) expect_result(dm_scene_commit(context, scene));
+    if (fuzz_one_in(now.in, 2)) fuzz_expect_result(dm_scene_commit(context, scene));
     if (!OK(dm_scene_pick(context, scene, &ray, &hit), hit) || hit.object == 0) return;
     const float numbers[3] = {hit.distance, hit.u, hit.v};
-    expect_finite(numbers, 3);
-    expect_vector(&hit.point);
-    expect_vector(&hit.normal);
-    expect_vector(&hit.object_point);
+    fuzz_expect_finite(numbers, 3);
+    fuzz_expect_vector(&hit.point);
+    fuzz_expect_vector(&hit.normal);
+    fuzz_expect_vector(&hit.object_point);
 }
 
 static void use_joint(dm_context* context, fuzz_host* host) {
@@ -458,15 +423,15 @@ static void use_joint(dm_context* context, fuzz_host* host) {
     dm_pose pose;
     float numbers[3];
     memset(&pose, UNTOUCHED, sizeof pose);
-    if (is_ok(dm_joint_pose(&joint, fuzz_number(now.in), &pose), &pose, sizeof pose)) expect_pose(&pose);
+    if (is_ok(dm_joint_pose(&joint, fuzz_number(now.in), &pose), &pose, sizeof pose)) fuzz_expect_pose(&pose);
     memset(numbers, UNTOUCHED, sizeof numbers);
     if (is_ok(dm_joint_value(&joint, &from, numbers, numbers + 1, numbers + 2), numbers, sizeof numbers))
-        expect_finite(numbers, 3);
+        fuzz_expect_finite(numbers, 3);
     memset(numbers, UNTOUCHED, sizeof numbers);
     if (is_ok(dm_joint_value_at(&joint, fuzz_number(now.in), numbers), numbers, sizeof numbers[0]))
-        expect_finite(numbers, 1);
+        fuzz_expect_finite(numbers, 1);
     OUTPUT(dm_joint_frame, frame);
-    if (OK(dm_joint_get_frame(&joint, &frame), frame)) expect_finite(frame.rotation, 4);
+    if (OK(dm_joint_get_frame(&joint, &frame), frame)) fuzz_expect_finite(frame.rotation, 4);
 }
 
 /* Memory runs out at one of the next allocations. */
@@ -515,12 +480,8 @@ static void open_contexts(void) {
 /* Prepares the object that load_object reads. */
 static void save_an_object(void) {
     dm_context* context;
-    dm_object object;
-    box_mesh boxes = box_mesh_make();
-    const dm_mesh_desc mesh = box_mesh_desc(&boxes);
-    const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh};
     fuzz_expect(dm_context_create(NULL, &context) == DM_OK);
-    fuzz_expect(dm_object_prepare(context, &desc, &object) == DM_OK);
+    const dm_object object = cabinet_prepare(context);
     fuzz_expect(dm_object_save(context, object, saved_object, sizeof saved_object, &saved_size) == DM_OK);
     dm_context_destroy(context);
 }

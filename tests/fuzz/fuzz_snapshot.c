@@ -5,13 +5,12 @@
  *   changes   of a good saved drag, whose checksum is set right: 2 bytes of place, 4 of content, again and again;
  *   a state   its joint and value, the scale of its instance, all as floats, and how it is dragged.
  * Corpora of the last two stay of use when a drag's layout changes. */
-#include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../include/test_shapes.h"
 #include "../include/test_snapshot.h"
-#include "dragmesh/dragmesh.h"
+#include "expect.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
@@ -23,64 +22,16 @@ static dm_object object;
 static uint8_t good[DM_DRAG_SNAPSHOT_MAX]; /* a saved drag, half-way */
 static const dm_vec3 handle = {0.45f, 0.5f, 0.55f};
 
-/* ---- what came out ---- */
-
-static void expect(bool right) {
-    if (!right) abort();
-}
-
-static void expect_finite(const float* numbers, size_t count) {
-    for (size_t i = 0; i < count; i++) expect(isfinite(numbers[i]));
-}
-
-static void expect_finite_pose(const dm_pose* pose) {
-    expect_finite(pose->real, 4);
-    expect_finite(pose->dual, 4);
-}
-
-static void expect_finite_joint(const dm_joint* joint) {
-    const float numbers[11] = {joint->axis.x,   joint->axis.y,          joint->axis.z,          joint->origin.x,
-                               joint->origin.y, joint->origin.z,        joint->pitch,           joint->lower,
-                               joint->upper,    joint->type_confidence, joint->joint_confidence};
-    expect_finite(numbers, 11);
-}
-
-/* ---- an object ---- */
-
-/* A box of a part: 8 corners, 12 triangles. */
-static void add_box(float (*vertices)[3], uint32_t (*triangles)[3], uint8_t* parts, uint32_t box,
-                    const float sides[6]) {
-    static const uint8_t corners[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                                           {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    for (uint32_t c = 0; c < 8; c++)
-        for (uint32_t k = 0; k < 3; k++) vertices[8 * box + c][k] = sides[2 * k + (c >> k & 1)];
-    for (uint32_t t = 0; t < 12; t++) {
-        for (uint32_t k = 0; k < 3; k++) triangles[12 * box + t][k] = 8 * box + corners[t][k];
-        parts[12 * box + t] = box > 0 ? DOOR : 0;
-    }
-}
-
 static void prepare(void) {
-    static const float body[6] = {-0.5f, 0.5f, 0, 1, -0.5f, 0.45f}, leaf[6] = {-0.5f, 0.5f, 0, 1, 0.46f, 0.5f},
-                       knob[6] = {0.4f, 0.5f, 0.45f, 0.55f, 0.5f, 0.55f};
-    float vertices[24][3];
-    uint32_t triangles[36][3];
-    uint8_t parts[36];
-    add_box(vertices, triangles, parts, 0, body);
-    add_box(vertices, triangles, parts, 1, leaf);
-    add_box(vertices, triangles, parts, 2, knob);
-    const dm_mesh_desc mesh = {.struct_size = sizeof mesh,
-                               .positions = vertices,
-                               .vertex_count = 24,
-                               .indices = triangles,
-                               .index_count = 108,
-                               .part_ids = parts,
-                               .part_id_bytes = sizeof parts,
-                               .part_id_format = DM_UINT8,
-                               .part_id_scope = DM_PER_FACE};
+    static test_shape shape;
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){-0.5f, 0, -0.5f}, (const float[]){0.5f, 1, 0.45f}, 0);
+    test_shape_box(&shape, (const float[]){-0.5f, 0, 0.46f}, (const float[]){0.5f, 1, 0.5f}, DOOR);
+    test_shape_box(&shape, (const float[]){0.4f, 0.45f, 0.5f}, (const float[]){0.5f, 0.55f, 0.55f}, DOOR);
+    const dm_mesh_desc mesh = test_shape_desc(&shape);
     const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh};
-    expect(dm_context_create(NULL, &context) == DM_OK);
-    expect(dm_object_prepare(context, &desc, &object) == DM_OK);
+    fuzz_expect(dm_context_create(NULL, &context) == DM_OK);
+    fuzz_expect(dm_object_prepare(context, &desc, &object) == DM_OK);
 }
 
 /* ---- drags ---- */
@@ -94,11 +45,8 @@ static dm_ray pointer(int frame) {
 
 static void expect_finite_update(dm_drag drag, const dm_ray* ray) {
     dm_drag_state now = dm_drag_state_default();
-    expect(dm_drag_update(context, drag, ray, 1.0f / 60, &now) == DM_OK);
-    const float numbers[6] = {now.grab_point.x, now.grab_point.y, now.grab_point.z,
-                              now.value,        now.target,       now.velocity};
-    expect_finite(numbers, 6);
-    expect_finite_pose(&now.pose);
+    fuzz_expect(dm_drag_update(context, drag, ray, 1.0f / 60, &now) == DM_OK);
+    fuzz_expect_state(&now);
 }
 
 /* All kinds of hands in turn. Whether the drag has rules is not known: so nothing that needs them. */
@@ -109,11 +57,9 @@ static void expect_finite_step(dm_drag drag, int frame) {
     if (input.hand.kind <= DM_HAND_POINT)
         input.second = (dm_hand){.kind = DM_HAND_POINT, .point = handle, .grab_point = now.grab_point};
     input.flags = DM_INPUT_ASK;
-    expect(dm_drag_step(context, drag, &input, 1.0f / 60, &now) == DM_OK);
-    expect(dm_drag_take(context, drag, now.value, &now) == DM_OK);
-    const float numbers[4] = {now.value, now.target, now.velocity, now.impact};
-    expect_finite(numbers, 4);
-    expect_finite_pose(&now.pose);
+    fuzz_expect(dm_drag_step(context, drag, &input, 1.0f / 60, &now) == DM_OK);
+    fuzz_expect(dm_drag_take(context, drag, now.value, &now) == DM_OK);
+    fuzz_expect_state(&now);
 }
 
 /* Drags on, saves, goes back, lets go, ends. meant: such as hosts have, so that what is saved can be restored. */
@@ -126,15 +72,15 @@ static void use(dm_drag drag, bool meant) {
         expect_finite_update(drag, &ray);
         expect_finite_step(drag, frame);
     }
-    expect(dm_drag_save(context, drag, saved, sizeof saved) == DM_OK);
+    fuzz_expect(dm_drag_save(context, drag, saved, sizeof saved) == DM_OK);
     const dm_result restored = dm_drag_restore(context, drag, saved, sizeof saved);
-    expect(restored == DM_OK || (!meant && restored == DM_ERROR_BAD_DATA));
+    fuzz_expect(restored == DM_OK || (!meant && restored == DM_ERROR_BAD_DATA));
     if (dm_drag_release(context, drag, NULL, NULL) == DM_OK)
         for (int frame = 0; frame < RELEASED_FRAMES; frame++) expect_finite_update(drag, NULL);
-    expect(dm_drag_end(context, drag, &end) == DM_OK);
-    expect_finite(&end.value, 1);
-    expect_finite_pose(&end.pose);
-    expect_finite_joint(&end.joint);
+    fuzz_expect(dm_drag_end(context, drag, &end) == DM_OK);
+    fuzz_expect_finite(&end.value, 1);
+    fuzz_expect_pose(&end.pose);
+    fuzz_expect_finite_joint(&end.joint);
 }
 
 static dm_drag begin(const dm_part_state* state, dm_vec3 scale) {
@@ -166,7 +112,7 @@ static dm_drag begin_ruled(void) {
     const dm_drag_desc desc = {
         .struct_size = sizeof desc, .part_id = DOOR, .object = object, .grab_point = handle, .rules = &rules};
     dm_drag drag = 0;
-    expect(dm_drag_begin(context, &desc, &drag) == DM_OK);
+    fuzz_expect(dm_drag_begin(context, &desc, &drag) == DM_OK);
     return drag;
 }
 
@@ -177,18 +123,18 @@ static void start(void) {
         const dm_ray ray = pointer(frame);
         expect_finite_update(drag, &ray);
     }
-    expect(dm_drag_save(context, drag, good, sizeof good) == DM_OK);
-    expect(dm_drag_end(context, drag, NULL) == DM_OK);
+    fuzz_expect(dm_drag_save(context, drag, good, sizeof good) == DM_OK);
+    fuzz_expect(dm_drag_end(context, drag, NULL) == DM_OK);
 }
 
 /* ---- saved drags ---- */
 
 static void restore(const uint8_t* saved, size_t size) {
     const dm_drag drag = begin(NULL, (dm_vec3){0, 0, 0});
-    expect(drag != 0);
+    fuzz_expect(drag != 0);
     const dm_result result = dm_drag_restore(context, drag, saved, size);
-    expect(result == DM_OK || result == DM_ERROR_BAD_DATA || result == DM_ERROR_VERSION ||
-           result == DM_ERROR_INVALID_ARGUMENT);
+    fuzz_expect(result == DM_OK || result == DM_ERROR_BAD_DATA || result == DM_ERROR_VERSION ||
+                result == DM_ERROR_INVALID_ARGUMENT);
     use(drag, result != DM_OK); /* an error has left it as it was */
 }
 
@@ -214,17 +160,17 @@ static void ask_joint(const dm_part_state* state, dm_vec3 scale) {
     dm_joint scaled = dm_joint_default();
     dm_joint_frame frame = dm_joint_frame_default();
     float numbers[3];
-    if (dm_joint_pose(joint, state->value, &pose) == DM_OK) expect_finite_pose(&pose);
-    if (dm_joint_value(joint, &state->pose, numbers, numbers + 1, numbers + 2) == DM_OK) expect_finite(numbers, 3);
+    if (dm_joint_pose(joint, state->value, &pose) == DM_OK) fuzz_expect_pose(&pose);
+    if (dm_joint_value(joint, &state->pose, numbers, numbers + 1, numbers + 2) == DM_OK) fuzz_expect_finite(numbers, 3);
     if (dm_joint_scale(joint, scale, &scaled) == DM_OK && isfinite(joint->lower) && isfinite(joint->upper) &&
         isfinite(joint->type_confidence) && isfinite(joint->joint_confidence))
-        expect_finite_joint(&scaled);
+        fuzz_expect_finite_joint(&scaled);
     if (dm_joint_get_frame(joint, &frame) != DM_OK) return;
     const dm_vec3 vectors[4] = {frame.origin, frame.x, frame.y, frame.z};
-    for (int i = 0; i < 4; i++) expect(isfinite(vectors[i].x) && isfinite(vectors[i].y) && isfinite(vectors[i].z));
-    expect_finite(frame.rotation, 4);
+    for (int i = 0; i < 4; i++) fuzz_expect(isfinite(vectors[i].x) && isfinite(vectors[i].y) && isfinite(vectors[i].z));
+    fuzz_expect_finite(frame.rotation, 4);
     const float rest[3] = {frame.lower, frame.upper, frame.pitch};
-    expect_finite(rest, 3);
+    fuzz_expect_finite(rest, 3);
 }
 
 /* Copies the next bytes, zeros where there are no more. */
@@ -258,11 +204,11 @@ static void use_state(const uint8_t* data, size_t size) {
     ask_joint(&state, scale);
     dm_object_set_joint(context, object, DOOR, &state.joint);
     dm_joint now = dm_joint_default();
-    expect(dm_object_get_joint(context, object, DOOR, &now) == DM_OK);
-    expect_finite_joint(&now);
+    fuzz_expect(dm_object_get_joint(context, object, DOOR, &now) == DM_OK);
+    fuzz_expect_joint(&now);
     const dm_drag other = begin(NULL, scale);
     if (other != 0) use(other, is_meant(&state));
-    expect(dm_object_reset_joint(context, object, DOOR) == DM_OK);
+    fuzz_expect(dm_object_reset_joint(context, object, DOOR) == DM_OK);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

@@ -4,11 +4,10 @@
  * An input is a list of letters, each a byte and the bytes that it takes: see `say`. Each letter ends with an update,
  * in which the hand goes on: it wanders over a door with a hinge of the host's, seen from above. */
 #include <math.h>
-#include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "dragmesh/dragmesh.h"
+#include "../include/test_shapes.h"
+#include "expect.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
@@ -42,43 +41,15 @@ static dm_object object;
 static uint8_t snapshot[DM_DRAG_SNAPSHOT_MAX];
 static float saved_values[PARTS];
 
-static void expect(bool right) {
-    if (!right) abort();
-}
-
 /* ---- an object ---- */
 
-/* Adds a box of a part: 8 corners, 12 triangles. */
-static void add_box(float (*vertices)[3], uint32_t (*triangles)[3], uint8_t* parts, uint32_t box, const float sides[6],
-                    uint8_t part) {
-    static const uint8_t corners[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                                           {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    for (uint32_t c = 0; c < 8; c++)
-        for (uint32_t k = 0; k < 3; k++) vertices[8 * box + c][k] = sides[2 * k + (c >> k & 1)];
-    for (uint32_t t = 0; t < 12; t++) {
-        for (uint32_t k = 0; k < 3; k++) triangles[12 * box + t][k] = 8 * box + corners[t][k];
-        parts[12 * box + t] = part;
-    }
-}
-
 static void start(void) {
-    static const float body[6] = {0, 1, 0, 1, -0.9f, -0.05f}, leaf[6] = {0, 1, 0, 1, -0.04f, 0},
-                       knob[6] = {0.85f, 0.95f, 0.45f, 0.55f, 0, 0.05f};
-    float vertices[24][3];
-    uint32_t triangles[36][3];
-    uint8_t parts[36];
-    add_box(vertices, triangles, parts, 0, body, 0);
-    add_box(vertices, triangles, parts, 1, leaf, DOOR);
-    add_box(vertices, triangles, parts, 2, knob, KNOB);
-    const dm_mesh_desc mesh = {.struct_size = sizeof mesh,
-                               .positions = vertices,
-                               .vertex_count = 24,
-                               .indices = triangles,
-                               .index_count = 108,
-                               .part_ids = parts,
-                               .part_id_bytes = sizeof parts,
-                               .part_id_format = DM_UINT8,
-                               .part_id_scope = DM_PER_FACE};
+    static test_shape shape;
+    shape.vertex_count = shape.face_count = 0;
+    test_shape_box(&shape, (const float[]){0, 0, -0.9f}, (const float[]){1, 1, -0.05f}, 0);
+    test_shape_box(&shape, (const float[]){0, 0, -0.04f}, (const float[]){1, 1, 0}, DOOR);
+    test_shape_box(&shape, (const float[]){0.85f, 0.45f, 0}, (const float[]){0.95f, 0.55f, 0.05f}, KNOB);
+    const dm_mesh_desc mesh = test_shape_desc(&shape);
     const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh};
     const dm_joint hinge = {.struct_size = sizeof hinge, .type = DM_JOINT_REVOLUTE, .axis = {0, -1, 0}, .upper = RANGE};
     const dm_joint turn = {.struct_size = sizeof turn,
@@ -86,10 +57,10 @@ static void start(void) {
                            .axis = {0, 0, 1},
                            .origin = {0.9f, 0.5f, 0},
                            .upper = 1};
-    expect(dm_context_create(NULL, &context) == DM_OK);
-    expect(dm_object_prepare(context, &desc, &object) == DM_OK);
-    expect(dm_object_set_joint(context, object, DOOR, &hinge) == DM_OK);
-    expect(dm_object_set_joint(context, object, KNOB, &turn) == DM_OK);
+    fuzz_expect(dm_context_create(NULL, &context) == DM_OK);
+    fuzz_expect(dm_object_prepare(context, &desc, &object) == DM_OK);
+    fuzz_expect(dm_object_set_joint(context, object, DOOR, &hinge) == DM_OK);
+    fuzz_expect(dm_object_set_joint(context, object, KNOB, &turn) == DM_OK);
 }
 
 /* ---- bytes ---- */
@@ -149,8 +120,8 @@ static void begin(game* g) {
                                .feel = feel,
                                .flags = byte(g) % 4,
                                .rules = &rules};
-    if (g->drag != 0) expect(dm_drag_end(context, g->drag, NULL) == DM_OK);
-    expect(dm_drag_begin(context, &desc, &g->drag) == DM_OK);
+    if (g->drag != 0) fuzz_expect(dm_drag_end(context, g->drag, NULL) == DM_OK);
+    fuzz_expect(dm_drag_begin(context, &desc, &g->drag) == DM_OK);
     g->saved = false;
     g->now.value = g->last.value = value, g->step = 0;
 }
@@ -177,21 +148,21 @@ static void let_go(game* g) {
     desc.intent = byte(g) % 7, desc.flags = DM_RELEASE_BY_RULE | byte(g) % 4, desc.duration = some_time(g);
     desc.away_from = place(g, number(g, 0, 6));
     const dm_result result = dm_drag_release(context, g->drag, &desc, NULL);
-    expect(result == DM_OK || (desc.intent == DM_INTENT_REPLAY && result == DM_ERROR_INVALID_ARGUMENT));
+    fuzz_expect(result == DM_OK || (desc.intent == DM_INTENT_REPLAY && result == DM_ERROR_INVALID_ARGUMENT));
     dm_part_state state = dm_part_state_default(); /* a replay begins where it began before */
-    expect(dm_drag_get_part_state(context, g->drag, &state) == DM_OK);
+    fuzz_expect(dm_drag_get_part_state(context, g->drag, &state) == DM_OK);
     g->now.value = state.value;
 }
 
 static void save(game* g) {
-    expect(dm_drag_save(context, g->drag, snapshot, sizeof snapshot) == DM_OK);
+    fuzz_expect(dm_drag_save(context, g->drag, snapshot, sizeof snapshot) == DM_OK);
     memcpy(saved_values, g->values, sizeof saved_values);
     g->saved = true;
 }
 
 static void restore(game* g) {
     if (!g->saved) return;
-    expect(dm_drag_restore(context, g->drag, snapshot, sizeof snapshot) == DM_OK);
+    fuzz_expect(dm_drag_restore(context, g->drag, snapshot, sizeof snapshot) == DM_OK);
     memcpy(g->values, saved_values, sizeof g->values);
     g->now.value = g->last.value = g->values[DOOR - 1], g->step = 0;
 }
@@ -210,7 +181,7 @@ static void link_parts(game* g) {
         if (links[i].kind == DM_LINK_MOVES) links[i].flags = way / 16 % 2;
     }
     const dm_result result = dm_object_set_links(context, object, links, count);
-    expect(result == DM_OK || result == DM_ERROR_INVALID_ARGUMENT);
+    fuzz_expect(result == DM_OK || result == DM_ERROR_INVALID_ARGUMENT);
 }
 
 static void turn_knob(game* g) {
@@ -288,11 +259,8 @@ static void move_hands(game* g) {
 }
 
 static void check_numbers(const dm_drag_state* s) {
-    const float numbers[8] = {s->value,        s->target,       s->velocity,     s->impact,
-                              s->grab_point.x, s->grab_point.y, s->grab_point.z, (float)s->detents};
-    for (int i = 0; i < 8; i++) expect(isfinite(numbers[i]));
-    for (int i = 0; i < 4; i++) expect(isfinite(s->pose.real[i]) && isfinite(s->pose.dual[i]));
-    expect(s->value >= 0 && s->value <= RANGE && s->target >= -TOLERANCE && s->target <= RANGE + TOLERANCE);
+    fuzz_expect_state(s);
+    fuzz_expect(s->value >= 0 && s->value <= RANGE && s->target >= -TOLERANCE && s->target <= RANGE + TOLERANCE);
 }
 
 /* Inside the bounds, or on the way back to them. */
@@ -300,21 +268,21 @@ static void check_bounds(const game* g) {
     if (!(g->input.lower < g->input.upper)) return;
     const float lower = fminf(fmaxf(g->input.lower, 0), fminf(g->last.value, RANGE));
     const float upper = fmaxf(fminf(g->input.upper, RANGE), g->last.value);
-    expect(g->now.value >= lower - TOLERANCE && g->now.value <= upper + TOLERANCE);
+    fuzz_expect(g->now.value >= lower - TOLERANCE && g->now.value <= upper + TOLERANCE);
 }
 
 static void check_jump(const game* g, float step) {
     if (g->calm < REASON || g->dt != FRAME) return;
-    expect(fabsf(step) <= JUMP * RANGE || fabsf(step - g->step) <= JUMP * RANGE);
+    fuzz_expect(fabsf(step) <= JUMP * RANGE || fabsf(step - g->step) <= JUMP * RANGE);
 }
 
 /* What links say of the value, and what the host makes of it. */
 static void take(game* g) {
     g->values[DOOR - 1] = g->now.value;
-    expect(dm_object_follow_links(context, object, DOOR, g->values, g->held, PARTS) == DM_OK);
+    fuzz_expect(dm_object_follow_links(context, object, DOOR, g->values, g->held, PARTS) == DM_OK);
     if (!isnan(g->taken)) g->values[DOOR - 1] = g->taken;
     if (g->values[DOOR - 1] != g->now.value) {
-        expect(dm_drag_take(context, g->drag, g->values[DOOR - 1], &g->now) == DM_OK);
+        fuzz_expect(dm_drag_take(context, g->drag, g->values[DOOR - 1], &g->now) == DM_OK);
         g->calm = 0;
     }
     g->values[DOOR - 1] = g->now.value;
@@ -327,7 +295,7 @@ static void update(game* g) {
     dm_drag_input input = g->input;
     input.flags |= DM_INPUT_ASK | (g->held[DOOR - 1] ? (uint32_t)DM_INPUT_LOCKED : 0);
     const uint8_t was_held = g->held[DOOR - 1];
-    expect(dm_drag_step(context, g->drag, &input, g->dt, &g->now) == DM_OK);
+    fuzz_expect(dm_drag_step(context, g->drag, &input, g->dt, &g->now) == DM_OK);
     check_numbers(&g->now);
     check_bounds(g);
     take(g);
@@ -343,12 +311,12 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     game g = {.data = data, .size = size, .dt = FRAME, .taken = NAN};
     g.input = dm_drag_input_default(), g.now = g.last = dm_drag_state_default();
     g.input.hand.kind = DM_HAND_RAY;
-    expect(dm_object_set_links(context, object, NULL, 0) == DM_OK);
+    fuzz_expect(dm_object_set_links(context, object, NULL, 0) == DM_OK);
     begin(&g);
     for (int i = 0; i < MOST_LETTERS && g.size > 0; i++) {
         if (say(&g)) g.calm = 0;
         update(&g);
     }
-    expect(dm_drag_end(context, g.drag, NULL) == DM_OK);
+    fuzz_expect(dm_drag_end(context, g.drag, NULL) == DM_OK);
     return 0;
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "expect.h"
 #include "input.h"
 
 #define FUZZ_BLOCK_MARK 0x6472616765642121u
@@ -15,6 +16,7 @@
 typedef struct fuzz_host {
     fuzz_input* in;
     int64_t live;                            /* blocks */
+    size_t bytes, peak;                      /* lent, and most ever lent */
     uint32_t refuse_in;                      /* the n-th allocation from now fails; 0 = none */
     void (*reenter)(struct fuzz_host* host); /* what a hook calls; NULL = nothing */
     bool inside;                             /* a hook has called the library: not again */
@@ -26,10 +28,6 @@ typedef struct fuzz_block {
     size_t size;
     void* base;
 } fuzz_block;
-
-static inline void fuzz_expect(bool right) {
-    if (!right) abort();
-}
 
 static inline void fuzz_call_back(fuzz_host* host) {
     if (host->reenter == NULL || host->inside) return;
@@ -51,6 +49,8 @@ static inline void* DM_CALL fuzz_allocate(void* user, size_t size, size_t alignm
     memcpy(memory - sizeof block, &block, sizeof block);
     memset(memory, FUZZ_NEW_BYTE, size);
     host->live++;
+    host->bytes += size;
+    if (host->bytes > host->peak) host->peak = host->bytes;
     return memory;
 }
 
@@ -63,6 +63,7 @@ static inline void DM_CALL fuzz_release(void* user, void* memory, size_t size) {
     memset((uint8_t*)memory - sizeof block, 0, sizeof block);
     free(block.base);
     host->live--;
+    host->bytes -= size;
 }
 
 static inline void DM_CALL fuzz_message(void* user, int32_t level, dm_result code, const char* text) {

@@ -31,17 +31,20 @@ static inline void test_shape_face(test_shape* shape, uint32_t a, uint32_t b, ui
     shape->part[shape->face_count++] = part;
 }
 
-/* 8 shared vertices, 12 triangles. */
+enum { TEST_BOX_VERTICES = 8, TEST_BOX_FACES = 12 };
+
+/* Corners of a box's triangles; bit k of a corner: whether it is at the upper end of axis k. */
+static const uint8_t test_box_corners[TEST_BOX_FACES][3] = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5},
+                                                            {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                                            {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+
 static inline void test_shape_box(test_shape* shape, const float min[3], const float max[3], uint32_t part) {
-    static const uint8_t quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-    uint32_t first = shape->vertex_count;
-    for (int i = 0; i < 8; i++) {
+    const uint32_t first = shape->vertex_count;
+    for (int i = 0; i < TEST_BOX_VERTICES; i++)
         test_shape_vertex(shape, i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]);
-    }
-    for (int q = 0; q < 6; q++) {
-        test_shape_face(shape, first + quads[q][0], first + quads[q][1], first + quads[q][2], part);
-        test_shape_face(shape, first + quads[q][0], first + quads[q][2], first + quads[q][3], part);
+    for (int t = 0; t < TEST_BOX_FACES; t++) {
+        const uint8_t* at = test_box_corners[t];
+        test_shape_face(shape, first + at[0], first + at[1], first + at[2], part);
     }
 }
 
