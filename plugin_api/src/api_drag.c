@@ -234,12 +234,7 @@ static void add_alternatives(dmi_hypothesis_tracker* tracker, const start* s) {
     const dmi_alternatives* alternatives = &s->object->parts[s->part].alternatives;
     for (uint32_t i = 0; i < alternatives->count; i++) {
         const dmi_alternative* one = &alternatives->list[i];
-        const dm_joint inner = {.type = one->type,
-                                .type_confidence = one->confidence,
-                                .joint_confidence = one->confidence,
-                                .axis = {one->axis[0], one->axis[1], one->axis[2]},
-                                .origin = {one->origin[0], one->origin[1], one->origin[2]},
-                                .source = DM_JOINT_FROM_GEOMETRY};
+        const dm_joint inner = dmi_alternative_joint(one);
         dm_joint joint = dmi_frame_joint_out(&s->object->frame, &inner);
         dmi_joint_scale(&joint, s->scale);
         const dmi_free_range range = free_range_out(s, joint.type, one->free_range);

@@ -16,6 +16,9 @@
 #include "math/vec3.h"
 
 #define ORTHOGONALITY_TOLERANCE 1e-4f /* of a product of two columns; by hand */
+#define MIN_SIZE 1e-18                /* of an object, metres or host units; by hand: its inverse square is a float */
+#define MAX_SIZE 1e18                 /* by hand: its square is a float */
+#define MAX_DISTANCE 1e37             /* of an object from its origin; by hand: sums of three of them are floats */
 
 static const float preset_axes[][9] = {
     [DM_AXES_GLTF] = {1, 0, 0, 0, 1, 0, 0, 0, 1},
@@ -88,6 +91,19 @@ static double scale_out(const dmi_frame* frame) {
 
 float dmi_frame_length_out(const dmi_frame* frame) {
     return (float)scale_out(frame);
+}
+
+static bool is_usable(double size, const double centre[3]) {
+    for (int i = 0; i < 3; i++) {
+        if (!(fabs(centre[i]) <= MAX_DISTANCE)) return false; /* NaN too */
+    }
+    return size >= MIN_SIZE && size <= MAX_SIZE;
+}
+
+bool dmi_frame_is_usable(const dmi_frame* frame) {
+    double host[3];
+    for (int i = 0; i < 3; i++) host[i] = frame->centre[i] / (double)frame->axes.unit;
+    return is_usable(frame->size, frame->centre) && is_usable(scale_out(frame), host);
 }
 
 void dmi_frame_point_in(const dmi_frame* frame, const double host[3], float out[3]) {

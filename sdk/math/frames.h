@@ -30,6 +30,10 @@ typedef struct dmi_frame {
     double size;      /* canonical metres */
 } dmi_frame;
 
+/* Returns whether numbers of the object stay inside float's range on both sides: its size and where it is, in metres
+ * and in host units. */
+bool dmi_frame_is_usable(const dmi_frame* frame);
+
 void dmi_frame_point_in(const dmi_frame* frame, const double host[3], float out[3]);
 void dmi_frame_point_out(const dmi_frame* frame, const float inner[3], float out_host[3]);
 void dmi_frame_vector_in(const dmi_frame* frame, const float host[3], float out[3]); /* axes and 1 / size */

@@ -9,11 +9,9 @@
 #include "mesh/mesh_read.h"
 
 #define ALIGNMENT 64
+#define MIN_SIZE 1e-18 /* metres: a smaller object is a point; by hand */
 /* Readable bytes behind the last vertex: Embree loads 16 bytes a vertex. */
 #define POSITION_PADDING 16
-/* Object sizes (metres) whose squares and inverses stay well inside float range. */
-#define MIN_SIZE 1e-18
-#define MAX_SIZE 1e18
 /* Normalised coordinates are rounded to 3e-8: a triangle of less height has no area and no direction. */
 #define SLIVER_HEIGHT 1e-7
 
@@ -87,17 +85,17 @@ static dm_result set_frame(dmi_env* env, const dmi_mesh_reader* reader, const dm
         mesh->frame.centre[k] = 0.5 * (low[k] + high[k]);
         if (high[k] - low[k] > size) size = high[k] - low[k];
     }
+    mesh->frame.axes = *axes;
+    mesh->frame.size = size;
     if (size < MIN_SIZE) {
         return dmi_fail(env, DM_ERROR_DEGENERATE_MESH,
                         "dm_mesh_desc.positions: all triangles lie in one point (size %g m)", size);
     }
-    if (size > MAX_SIZE) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_desc.positions: the object is %g m large, at most %g",
-                        size, MAX_SIZE);
-    }
-    mesh->frame.axes = *axes;
-    mesh->frame.size = size;
-    return DM_OK;
+    if (dmi_frame_is_usable(&mesh->frame)) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                    "dm_mesh_desc.positions: the object is %g m large, with its centre at (%g, %g, %g) m and a unit of "
+                    "%g m: too large, too small or too far away to compute with",
+                    size, mesh->frame.centre[0], mesh->frame.centre[1], mesh->frame.centre[2], (double)axes->unit);
 }
 
 static void set_positions(const dmi_mesh_reader* reader, dmi_mesh* mesh) {

@@ -57,6 +57,23 @@ static void presets_are_what_they_say(void** state) {
     }
 }
 
+/* The numbers of an object must be floats in metres and in host units. */
+static void frames_that_leave_the_range_of_floats(void** state) {
+    (void)state;
+    static const struct {
+        double size, centre;
+        float unit;
+        bool usable;
+    } cases[] = {{1, 0, 1, true},          {1e18, 0, 1, true},    {1e19, 0, 1, false},     {1e-19, 0, 1, false},
+                 {1, 0, 1e-17f, true},     {1, 0, 1e-19f, false}, {1e-10, 0, 1e9f, false}, {1, 1e30, 1, true},
+                 {1, 1e30, 1e-10f, false}, {1, 1e38, 1, false},   {1, NAN, 1, false},      {NAN, 0, 1, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        dmi_frame frame = {.size = cases[i].size, .centre = {0, -cases[i].centre, 0}};
+        assert_true(dmi_axes_init(&frame.axes, DM_AXES_GLTF, NULL, cases[i].unit));
+        assert_int_equal(dmi_frame_is_usable(&frame), cases[i].usable);
+    }
+}
+
 static void bad_axes_are_refused(void** state) {
     (void)state;
     dmi_axes axes;
@@ -225,6 +242,7 @@ static void far_objects_keep_their_precision(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(presets_are_what_they_say),
+        cmocka_unit_test(frames_that_leave_the_range_of_floats),
         cmocka_unit_test(bad_axes_are_refused),
         cmocka_unit_test(points_vectors_and_directions_there_and_back),
         cmocka_unit_test(matrices_say_the_same),

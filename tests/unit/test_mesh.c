@@ -546,6 +546,9 @@ static void meshes_without_area_are_degenerate(void** state) {
     desc = cabinet();
     for (uint32_t v = 0; v < 24; v++) shape.xyz[v][0] *= 1e30f;
     expect_failure(&desc, NULL, 0, DM_ERROR_INVALID_ARGUMENT, "m large");
+    desc = cabinet();
+    for (uint32_t v = 0; v < 24; v++) shape.xyz[v][0] += 2e37f;
+    expect_failure(&desc, NULL, 0, DM_ERROR_INVALID_ARGUMENT, "too far away");
 }
 
 static void slivers_get_no_normal(void** state) {

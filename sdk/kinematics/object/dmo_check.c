@@ -5,9 +5,6 @@
 #include <math.h>
 
 #define UNIT_TOLERANCE 1e-3f /* of an axis' squared length; by hand */
-#define MIN_SIZE 1e-18       /* canonical metres, of an object; by hand */
-#define MAX_SIZE 1e18        /* canonical metres, of an object; by hand */
-#define MAX_CENTRE 1e38      /* canonical metres from the origin: within float's range; by hand */
 #define MAX_AREA 1e12f       /* object sizes squared, of a part; by hand */
 
 enum { JOINT_NUMBERS = 6 }; /* of a joint, that need only be finite */
@@ -24,11 +21,8 @@ static bool is_coordinate(const float v[3]) {
 }
 
 bool dmi_dmo_valid_object(const dmi_object* object) {
-    bool valid = object->frame.size >= MIN_SIZE && object->frame.size <= MAX_SIZE && is_coordinate(object->box_min) &&
-                 is_coordinate(object->box_max) && object->vertex_count <= DM_MAX_ELEMENTS &&
-                 object->triangle_count <= DM_MAX_ELEMENTS;
-    for (int i = 0; i < 3; i++) valid = valid && fabs(object->frame.centre[i]) <= MAX_CENTRE;
-    return valid;
+    return dmi_frame_is_usable(&object->frame) && is_coordinate(object->box_min) && is_coordinate(object->box_max) &&
+           object->vertex_count <= DM_MAX_ELEMENTS && object->triangle_count <= DM_MAX_ELEMENTS;
 }
 
 bool dmi_dmo_valid_shape(const dmi_part* shape) {
@@ -53,7 +47,7 @@ bool dmi_dmo_valid_tree(const dmi_object* object) {
     return true;
 }
 
-bool dmi_dmo_valid_joint(const dm_joint* joint) {
+static bool is_joint(const dm_joint* joint) {
     const dm_vec3 a = joint->axis;
     const float numbers[JOINT_NUMBERS] = {joint->origin.x, joint->origin.y, joint->origin.z,
                                           joint->pitch,    joint->lower,    joint->upper};
@@ -65,11 +59,18 @@ bool dmi_dmo_valid_joint(const dm_joint* joint) {
            joint->source <= DM_JOINT_CHOSEN;
 }
 
-bool dmi_dmo_valid_alternative(const dmi_alternative* alternative) {
+bool dmi_dmo_valid_host_joint(const dm_joint* joint) {
+    return is_joint(joint);
+}
+
+bool dmi_dmo_valid_joint(const dmi_frame* frame, const dm_joint* inner) {
+    const dm_joint host = dmi_frame_joint_out(frame, inner);
+    return is_joint(inner) && is_joint(&host);
+}
+
+bool dmi_dmo_valid_alternative(const dmi_frame* frame, const dmi_alternative* alternative) {
     const int32_t type = alternative->type;
-    const float* a = alternative->axis;
     const bool known = type == DM_JOINT_REVOLUTE || type == DM_JOINT_CONTINUOUS || type == DM_JOINT_PRISMATIC;
-    const float square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-    return known && fabsf(square - 1.0f) <= UNIT_TOLERANCE && dmi_dmo_within(alternative->origin, 3, FLT_MAX) &&
-           fabsf(alternative->confidence - 0.5f) <= 0.5f;
+    const dm_joint joint = dmi_alternative_joint(alternative);
+    return known && dmi_dmo_valid_joint(frame, &joint);
 }

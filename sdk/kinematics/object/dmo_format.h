@@ -12,12 +12,15 @@
  * ALT  for each part but the body: u32 n, n times: i32 type, f32 confidence, axis[3], origin[3]
  *      (absent in files made before there were any)
  * FRE  for each part but the body: free ranges, f32 lower, upper each: of the hypotheses, of the alternatives, of
- * slides along x, y, z; -FLT_MAX or FLT_MAX: no bound (absent in files made before there were any: no bounds) TRI  u64
- * vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index (absent without picking)
+ *      slides along x, y, z; -FLT_MAX or FLT_MAX: no bound (absent in files made before there were any: no bounds)
+ * HST  f32 axes[9] and unit of the host that saved (dmi_axes); for each part with k = -1 its joint in that host's
+ * object frame, whose bits a host with the same axes and unit gets back (absent where no part has k = -1, and in files
+ *      made before there was any)
+ * TRI  u64 vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index (absent without picking)
  *
  * A joint: i32 type, f32 type confidence, confidence, pitch, axis[3], origin[3], lower, upper, i32 source.
- * Joints are object-normalised like everything else, so a file is independent of the host's axes and unit. A reader
- * skips tags that it does not know; a section that old readers must not skip raises the version. */
+ * Joints are object-normalised like everything else but HST, so a file is independent of the host's axes and unit. A
+ * reader skips tags that it does not know; a section that old readers must not skip raises the version. */
 #ifndef DMI_OBJECT_DMO_FORMAT_H
 #define DMI_OBJECT_DMO_FORMAT_H
 
@@ -28,6 +31,7 @@
 #define DMI_DMO_HEADER_SIZE 24                          /* bytes */
 #define DMI_DMO_ENTRY_SIZE 24                           /* bytes */
 #define DMI_DMO_MAX_SECTIONS 64                         /* that a file of any version may list; by hand */
+#define DMI_DMO_AXES 9                                  /* numbers of dmi_axes.to_canonical in HST */
 #define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4)          /* bytes of a part in PART */
 #define DMI_DMO_POINTS_SIZE (DMI_OBJECT_POINTS * 3 * 4) /* bytes of a part in PNT */
 #define DMI_DMO_VERTEX_SIZE (3 * 4)                     /* bytes of a vertex in TRI */
@@ -42,13 +46,14 @@ enum {
     DMI_DMO_POINTS,
     DMI_DMO_ALTERNATIVES,
     DMI_DMO_FREE_RANGES,
+    DMI_DMO_HOST_JOINTS,
     DMI_DMO_TRIANGLES,
     DMI_DMO_SECTIONS
 };
 static const uint32_t dmi_dmo_tags[DMI_DMO_SECTIONS] = {
     DMI_DMO_TAG('O', 'B', 'J', ' '), DMI_DMO_TAG('P', 'A', 'R', 'T'), DMI_DMO_TAG('J', 'N', 'T', ' '),
     DMI_DMO_TAG('P', 'N', 'T', ' '), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('F', 'R', 'E', ' '),
-    DMI_DMO_TAG('T', 'R', 'I', ' ')};
+    DMI_DMO_TAG('H', 'S', 'T', ' '), DMI_DMO_TAG('T', 'R', 'I', ' ')};
 
 /* Returns the CRC-32 of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_dmo_crc(const uint8_t* bytes, size_t size);

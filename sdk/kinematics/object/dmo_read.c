@@ -11,6 +11,7 @@
 typedef struct loading {
     dmi_env* env;
     const dmi_axes* axes;
+    bool same_host;                            /* the host that saved has the same axes and unit */
     dmi_dmo_reader sections[DMI_DMO_SECTIONS]; /* at NULL: absent */
     dmi_object* object;
 } loading;
@@ -109,9 +110,32 @@ static dm_result read_parts(loading* load) {
     return dmi_dmo_valid_tree(load->object) ? DM_OK : bad(load, "section PART: the parts do not form a tree");
 }
 
+/* Reads who saved the file; it need not have said so. */
+static void read_host(loading* load) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_HOST_JOINTS];
+    dmi_axes saved;
+    if (r->at == NULL) return;
+    dmi_get_floats(r, saved.to_canonical, DMI_DMO_AXES);
+    saved.unit = dmi_get_f32(r);
+    load->same_host = memcmp(saved.to_canonical, load->axes->to_canonical, sizeof saved.to_canonical) == 0 &&
+                      memcmp(&saved.unit, &load->axes->unit, sizeof saved.unit) == 0;
+}
+
+/* Reads a joint that is the host's own, of which `inner` is a copy in the inner frame. */
+static bool read_host_joint(loading* load, const dm_joint* inner, dm_joint* out_joint) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_HOST_JOINTS];
+    dm_joint saved;
+    *out_joint = dmi_frame_joint_out(&load->object->frame, inner);
+    if (r->at == NULL) return true;
+    dmi_get_joint(r, &saved);
+    if (load->same_host) *out_joint = saved;
+    return dmi_dmo_valid_host_joint(&saved);
+}
+
 static dm_result read_joints(loading* load) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_JOINTS];
     const dmi_frame* frame = &load->object->frame;
+    read_host(load);
     for (uint32_t i = 1; i < load->object->part_count; i++) {
         dmi_object_part* part = &load->object->parts[i];
         dmi_hypotheses* all = &part->hypotheses;
@@ -123,17 +147,19 @@ static dm_result read_joints(loading* load) {
         bool valid = true;
         for (uint32_t j = 0; j < all->count; j++) {
             dmi_get_joint(r, &all->joints[j]);
-            valid = valid && dmi_dmo_valid_joint(&all->joints[j]);
+            valid = valid && dmi_dmo_valid_joint(frame, &all->joints[j]);
         }
-        dm_joint inner;
         if (in_force >= 0) {
-            inner = all->joints[in_force];
+            part->joint = dmi_frame_joint_out(frame, &all->joints[in_force]);
         } else {
+            dm_joint inner;
             dmi_get_joint(r, &inner);
+            valid = valid && dmi_dmo_valid_joint(frame, &inner) && read_host_joint(load, &inner, &part->joint);
         }
-        if (!valid || !dmi_dmo_valid_joint(&inner)) return bad(load, "section JNT holds an invalid joint");
-        part->joint = dmi_frame_joint_out(frame, &inner);
+        if (!valid) return bad(load, "section JNT or HST holds an invalid joint");
     }
+    const dmi_dmo_reader* host = &load->sections[DMI_DMO_HOST_JOINTS];
+    if (host->overrun || host->left > 0) return bad(load, "section HST has the wrong size");
     return r->overrun || r->left > 0 ? bad(load, "section JNT has the wrong size") : DM_OK;
 }
 
@@ -160,7 +186,8 @@ static dm_result read_alternatives(loading* load) {
             all->list[j].confidence = dmi_get_f32(r);
             dmi_get_floats(r, all->list[j].axis, 3);
             dmi_get_floats(r, all->list[j].origin, 3);
-            if (!dmi_dmo_valid_alternative(&all->list[j])) return bad(load, "section ALT holds an invalid joint");
+            if (!dmi_dmo_valid_alternative(&load->object->frame, &all->list[j]))
+                return bad(load, "section ALT holds an invalid joint");
         }
     }
     return r->overrun || r->left > 0 ? bad(load, "section ALT has the wrong size") : DM_OK;

@@ -54,6 +54,22 @@ static void write_joints(dmi_dmo_writer* w, const dmi_object* object) {
     }
 }
 
+static void write_host_joints(dmi_dmo_writer* w, const dmi_object* object) {
+    const dmi_axes* axes = &object->frame.axes;
+    dmi_put_floats(w, axes->to_canonical, DMI_DMO_AXES);
+    dmi_put_f32(w, axes->unit);
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        if (hypothesis_in_force(object, &object->parts[i]) < 0) dmi_put_joint(w, &object->parts[i].joint);
+    }
+}
+
+static bool has_host_joints(const dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        if (hypothesis_in_force(object, &object->parts[i]) < 0) return true;
+    }
+    return false;
+}
+
 static void write_points(dmi_dmo_writer* w, const dmi_object* object) {
     for (uint32_t i = 1; i < object->part_count; i++) {
         dmi_put_floats(w, &object->parts[i].points[0][0], (size_t)DMI_OBJECT_POINTS * 3);
@@ -99,11 +115,14 @@ static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
 
 static void write_all(dmi_dmo_writer* w, const dmi_object* object) {
     static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const dmi_object*) = {
-        write_object, write_parts, write_joints, write_points, write_alternatives, write_free_ranges, write_triangles};
-    uint32_t count = object->mesh != NULL ? DMI_DMO_SECTIONS : DMI_DMO_TRIANGLES;
+        write_object,       write_parts,       write_joints,      write_points,
+        write_alternatives, write_free_ranges, write_host_joints, write_triangles};
+    const bool host_joints = has_host_joints(object), triangles = object->mesh != NULL;
+    const uint32_t count = DMI_DMO_SECTIONS - !host_joints - !triangles;
     dmi_dmo_writer table = {w->out, DMI_DMO_HEADER_SIZE};
     w->size = DMI_DMO_HEADER_SIZE + count * DMI_DMO_ENTRY_SIZE;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < DMI_DMO_SECTIONS; i++) {
+        if ((i == DMI_DMO_HOST_JOINTS && !host_joints) || (i == DMI_DMO_TRIANGLES && !triangles)) continue;
         size_t begin = w->size;
         writers[i](w, object);
         dmi_put_u32(&table, dmi_dmo_tags[i]);

@@ -1,6 +1,7 @@
 /* The prepared object: memory, queries, and the check of drags. */
 #include "kinematics/object/object.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -86,7 +87,7 @@ dm_part_info dmi_object_part_out(const dmi_object* object, uint32_t index) {
                          .parent = object->parts[shape->parent].shape.id,
                          .triangle_count = shape->face_count,
                          .centre = dmi_vec3(centre),
-                         .area = shape->area * length * length};
+                         .area = dmi_fminf(shape->area * length * length, FLT_MAX)};
     dmi_object_box_out(&object->frame, shape->box_min, shape->box_max, &info.box_min, &info.box_max);
     return info;
 }

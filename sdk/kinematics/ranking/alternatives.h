@@ -16,6 +16,15 @@ typedef struct dmi_alternative {
     dmi_free_range free_range;
 } dmi_alternative;
 
+static inline dm_joint dmi_alternative_joint(const dmi_alternative* a) {
+    return (dm_joint){.type = a->type,
+                      .type_confidence = a->confidence,
+                      .joint_confidence = a->confidence,
+                      .axis = {a->axis[0], a->axis[1], a->axis[2]},
+                      .origin = {a->origin[0], a->origin[1], a->origin[2]},
+                      .source = DM_JOINT_FROM_GEOMETRY};
+}
+
 typedef struct dmi_alternatives {
     dmi_alternative list[DMI_ALTERNATIVES]; /* most probable first */
     uint32_t count;
