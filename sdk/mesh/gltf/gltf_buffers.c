@@ -92,9 +92,9 @@ dm_result dmi_gltf_read_buffers(dm_gltf* gltf, const dmi_gltf_container* from, d
     gltf->decoded = dmi_alloc_zeroed(&gltf->env, views * sizeof *gltf->decoded, 16);
     const int borrowed = from->bin && !gltf->on_disk.data; /* for the call alone */
     gltf->bin_copy = borrowed ? dmi_alloc(&gltf->env, from->bin_size, 16) : NULL;
+    gltf->bin_size = from->bin_size; /* that of the copy, also when the rest fails */
     if (!gltf->buffers || !gltf->decoded || (borrowed && !gltf->bin_copy))
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %zu bytes", from->bin_size);
-    gltf->bin_size = from->bin_size;
     gltf->bin = borrowed ? memcpy(gltf->bin_copy, from->bin, from->bin_size) : from->bin;
     for (uint32_t i = 0; i < count; i++) {
         const dm_result result = fill_buffer(gltf, i, problem);
