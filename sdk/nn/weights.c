@@ -3,6 +3,7 @@
 #include "nn/weights.h"
 
 #include <cjson/cJSON.h>
+#include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,10 +46,15 @@ static dm_result parse_header(dmi_weights* weights, const unsigned char* data, s
     memcpy(text, data + LENGTH_BYTES, (size_t)length);
     text[length] = 0;
     const char* stop = NULL;
+    errno = 0; /* cJSON does not tell a failed malloc from a bad text */
     weights->header = cJSON_ParseWithOpts(text, &stop, 0);
+    const bool no_memory = weights->header == NULL && errno == ENOMEM;
     const bool whole =
         weights->header != NULL && cJSON_IsObject(weights->header) && stop + strspn(stop, " \t\r\n") == text + length;
     dmi_free(weights->env, text, (size_t)length + 1);
+    if (no_memory)
+        return dmi_fail(weights->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for a header of %llu bytes",
+                        (unsigned long long)length);
     if (!whole) return dmi_fail(weights->env, DM_ERROR_BAD_DATA, "weights: the header is not one JSON object");
     weights->tensors_data = data + LENGTH_BYTES + length;
     weights->tensors_size = size - LENGTH_BYTES - (size_t)length;
