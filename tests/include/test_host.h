@@ -3,6 +3,7 @@
 #define DM_TEST_HOST_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +19,7 @@ typedef struct test_memory {
     _Atomic int64_t live_blocks;
     _Atomic int64_t size_errors; /* releases whose size was not the one asked for */
     int64_t fail_at;             /* this call of allocate (from 0) and all later ones answer NULL; TEST_NEVER */
+    bool fail_once;              /* the later ones don't */
 } test_memory;
 
 typedef struct test_block {
@@ -28,7 +30,7 @@ typedef struct test_block {
 static inline void* DM_CALL test_allocate(void* user, size_t size, size_t alignment) {
     test_memory* memory = user;
     int64_t call = atomic_fetch_add(&memory->calls, 1);
-    if (memory->fail_at >= 0 && call >= memory->fail_at) return NULL;
+    if (memory->fail_at >= 0 && (memory->fail_once ? call == memory->fail_at : call >= memory->fail_at)) return NULL;
     size_t room = alignment > sizeof(test_block) ? alignment : sizeof(test_block);
     size_t step = alignment > _Alignof(max_align_t) ? alignment : _Alignof(max_align_t);
     char* base = platform_allocate(room + size, step);

@@ -1,85 +1,11 @@
 /* glTF in and out when malloc fails: JSON is read by cJSON and Draco's meshes by C++, whose memory is not the host's
  * allocator. Each call of malloc fails once. The answer is OUT_OF_MEMORY, nothing is lost, and nothing aborts. */
-#include <errno.h>
-#include <stdbool.h>
 #include <stdio.h>
 
 #include "dragmesh/ext/gltf.h"
 #include "test_env.h"
+#include "test_malloc.h"
 #include "test_prop.h"
-
-/* ---- malloc ---- */
-
-/* Sanitizers have a malloc of their own; elsewhere than in glibc there is no other name for it. */
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define CAN_FAIL 1
-#else
-#define CAN_FAIL 0
-#endif
-
-static bool watching;               /* calls count, and the blocks that live */
-static int64_t calls, fail_at = -1; /* the call that fails, from 0; -1: none */
-static int64_t live;
-static bool has_failed;
-
-#if CAN_FAIL
-/* The libraries call what the program has of these. */
-#pragma GCC visibility push(default)
-extern void* __libc_malloc(size_t size);
-extern void* __libc_calloc(size_t count, size_t size);
-extern void* __libc_realloc(void* memory, size_t size);
-extern void* __libc_memalign(size_t alignment, size_t size);
-extern void __libc_free(void* memory);
-
-static bool fails(void) {
-    if (!watching || calls++ != fail_at) return false;
-    errno = ENOMEM;
-    return has_failed = true;
-}
-
-static void* counted(void* memory) {
-    if (watching && memory != NULL) live++;
-    return memory;
-}
-
-void* malloc(size_t size) {
-    return fails() ? NULL : counted(__libc_malloc(size));
-}
-
-void* calloc(size_t count, size_t size) {
-    return fails() ? NULL : counted(__libc_calloc(count, size));
-}
-
-void* realloc(void* memory, size_t size) {
-    if (fails()) return NULL;
-    void* moved = __libc_realloc(memory, size);
-    if (watching && memory == NULL && moved != NULL) live++;
-    return moved;
-}
-
-void* aligned_alloc(size_t alignment, size_t size) {
-    return fails() ? NULL : counted(__libc_memalign(alignment, size));
-}
-
-void free(void* memory) {
-    if (watching && memory != NULL) live--;
-    __libc_free(memory);
-}
-#pragma GCC visibility pop
-#endif
-
-/* Begins to watch; call `which` of malloc from here on fails. */
-static void watch(int64_t which) {
-    fail_at = which;
-    calls = live = 0;
-    has_failed = false;
-    watching = true;
-}
-
-static int64_t unwatch(void) {
-    watching = false;
-    return live;
-}
 
 /* ---- the calls ---- */
 
@@ -127,26 +53,26 @@ static dm_result export_door(const dm_gltf* gltf) {
 
 /* Checks the answer of a call during which one malloc has failed, or none had to. */
 static void check(const char* call, int way, dm_result result, int64_t left) {
-    const dm_result expected = has_failed ? DM_ERROR_OUT_OF_MEMORY : DM_OK;
+    const dm_result expected = test_malloc.has_failed ? DM_ERROR_OUT_OF_MEMORY : DM_OK;
     if (result != expected || left != 0)
-        fail_msg("%s, way %d, malloc %d: %s, not %s; %d blocks are left", call, way, (int)fail_at,
+        fail_msg("%s, way %d, malloc %d: %s, not %s; %d blocks are left", call, way, (int)test_malloc.fail_at,
                  dm_result_string(result), dm_result_string(expected), (int)left);
 }
 
 static void open_fails_well(void** state) {
     (void)state;
-    if (!CAN_FAIL) skip();
+    if (!TEST_MALLOC) skip();
     for (int way = 0; way < TEST_PROP_WAYS; way++) {
         test_prop prop;
         if (!test_prop_make(&prop, (test_prop_way)way)) continue;
         int64_t n = 0;
         do {
             dm_gltf* gltf = NULL;
-            watch(n++);
+            test_malloc_watch(n++);
             const dm_result result = open_prop(&prop, &gltf);
             if (result == DM_OK) dm_gltf_close(gltf);
-            check("open", way, result, unwatch());
-        } while (has_failed);
+            check("open", way, result, test_malloc_unwatch());
+        } while (test_malloc.has_failed);
         assert_true(n > 50); /* or the failures were not seen */
         test_prop_free(&prop);
     }
@@ -155,25 +81,25 @@ static void open_fails_well(void** state) {
 /* What an export keeps with the file goes with it: opened, exported and closed, nothing is left. */
 static void export_fails_well(void** state) {
     (void)state;
-    if (!CAN_FAIL) skip();
+    if (!TEST_MALLOC) skip();
     for (int way = 0; way < TEST_PROP_WAYS; way++) {
         test_prop prop;
         if (!test_prop_make(&prop, (test_prop_way)way)) continue;
-        watch(-1);
+        test_malloc_watch(-1);
         dm_gltf* gltf = NULL;
         assert_int_equal(open_prop(&prop, &gltf), DM_OK);
-        const int64_t opened = calls;
+        const int64_t opened = test_malloc.calls;
         assert_int_equal(export_door(gltf), DM_OK);
-        const int64_t all = calls;
+        const int64_t all = test_malloc.calls;
         assert_true(all - opened > 50);
         dm_gltf_close(gltf);
-        assert_int_equal(unwatch(), 0);
+        assert_int_equal(test_malloc_unwatch(), 0);
         for (int64_t n = opened; n < all; n++) {
-            watch(n);
+            test_malloc_watch(n);
             assert_int_equal(open_prop(&prop, &gltf), DM_OK);
             const dm_result result = export_door(gltf);
             dm_gltf_close(gltf);
-            check("open and export", way, result, unwatch());
+            check("open and export", way, result, test_malloc_unwatch());
         }
         test_prop_free(&prop);
     }
@@ -181,7 +107,7 @@ static void export_fails_well(void** state) {
 
 static void write_fails_well(void** state) {
     (void)state;
-    if (!CAN_FAIL) skip();
+    if (!TEST_MALLOC) skip();
     const float positions[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     const uint32_t indices[6] = {0, 1, 2, 2, 1, 3};
     const dm_gltf_part parts[2] = {{"body", positions[0], indices, 4, 6, {1, 1, 1, 1}},
@@ -190,11 +116,11 @@ static void write_fails_well(void** state) {
     do {
         void* data = NULL;
         size_t size = 0;
-        watch(n++);
+        test_malloc_watch(n++);
         const dm_result result = dm_gltf_write(parts, 2, NULL, NULL, &data, &size);
         free(data);
-        check("write", 0, result, unwatch());
-    } while (has_failed);
+        check("write", 0, result, test_malloc_unwatch());
+    } while (test_malloc.has_failed);
     assert_true(n > 50);
 }
 
