@@ -355,6 +355,9 @@ if has_viewer then
         if not has_jpeg then defines { "VIEWER_NO_JPEG" } end
 end
 
+-- A host of the public header alone, by which compilers, machines and versions are compared (tests/abi/caller.c).
+program("caller", { "tests/abi/caller.c" }, { api, "samples/common" }, { "dragmesh", "pthread" }, "/tests")
+
 -- Tests: one program a file ------------------------------------------------------------------------------------------
 
 local everything = { api, "sdk", generator, "tests/include", "samples/dragmesh_cli", "samples/common" }

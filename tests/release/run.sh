@@ -29,11 +29,14 @@ add_executable(engine \${dragmesh_SOURCE_DIR}/samples/01_hello_drag/main.c)
 target_link_libraries(engine PRIVATE dragmesh::dragmesh dragmesh::gltf)
 END
 {
-    cmake -Wno-dev -S "$work/engine" -B "$work/engine/build" -DCMAKE_BUILD_TYPE=Release
+    cmake -Wno-dev -S "$work/engine" -B "$work/engine/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang
     cmake --build "$work/engine/build" -j"${JOBS:-$(nproc)}"
     cmake --install "$work/engine/build" --prefix "$work/prefix"
 } > "$work/engine.log" 2>&1 || { cat "$work/engine.log" >&2; exit 1; }
 "$work/engine/build/engine" sdk/models | cmp - "$work/binaries/pkg_config.txt"
+gcc -std=c17 -O1 -Iplugin_api/include -Isamples/common tests/abi/caller.c -o "$work/caller" -L"$work/prefix/lib" -ldragmesh -lpthread \
+    "-Wl,-rpath,$work/prefix/lib"
+tests/e2e/determinism.sh against "clang, by CMake" 0 "$work/caller"
 for library in libdragmesh libdragmesh_gltf; do
     diff <(nm -D --defined-only build/release/$library.so | cut -d' ' -f3 | sort) \
         <(nm -D --defined-only "$work/prefix/lib/$library.so" | cut -d' ' -f3 | sort)

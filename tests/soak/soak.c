@@ -2,6 +2,7 @@
  * start: the library opened and closed, contexts, an editor's cycles, drags, and a day of a scene whose objects come
  * and go. SHARE of the full numbers; 1 without it. Prints a line a life: how often, what the host's allocator holds at
  * the first and the last look, and the resident set. Status 1 where one has grown. */
+#include <malloc.h>
 #include <stdatomic.h>
 #include <string.h>
 #include <unistd.h>
@@ -59,12 +60,17 @@ typedef struct life {
     int64_t first_held, last_held, first_rss, last_rss;
 } life;
 
+/* Pages that are this process's alone, in KB, after the C library has given back what it keeps for later: pages of
+ * files come and go as the system likes. */
 static int64_t resident_kb(void) {
-    long pages = 0;
-    FILE* file = fopen("/proc/self/statm", "r");
-    if (file == NULL || fscanf(file, "%*d %ld", &pages) != 1) exit(1);
+    malloc_trim(0);
+    char line[256];
+    long kb = -1;
+    FILE* file = fopen("/proc/self/status", "r");
+    if (file == NULL) exit(1);
+    while (kb < 0 && fgets(line, sizeof line, file) != NULL) sscanf(line, "RssAnon: %ld", &kb);
     fclose(file);
-    return pages * (sysconf(_SC_PAGESIZE) / 1024);
+    return kb;
 }
 
 static life begin(const char* name, double count) {

@@ -3,7 +3,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/release}
-most=512000 # bytes of the module gzipped
+most=512000      # bytes of the module gzipped
+scene_apart=1e-3 # relative, of the fixed scene's answers where a network runs
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
@@ -25,6 +26,10 @@ else fail "JavaScript differs from C"; diff "$work/c.txt" "$work/js.txt" | head 
 gcc -std=c17 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c -o "$work/native" -L"$build" -ldragmesh -Wl,-rpath,"$PWD/$build"
 "$work/native" > "$work/native.txt"
 node tests/web/compare.mjs "$work/native.txt" "$work/js.txt" || fail "JavaScript is far from the native library"
+
+emcc -O1 -std=c17 -msimd128 -ffp-contract=off -Iplugin_api/include -Isamples/common tests/abi/caller.c build/web/lib/libdragmesh_core.a \
+    -sNODERAWFS=1 -sSINGLE_FILE=1 -sALLOW_MEMORY_GROWTH=1 -sWASM_BIGINT -o "$work/caller.js"
+tests/e2e/determinism.sh against web $scene_apart node "$work/caller.js" || fail "the fixed scene has other answers"
 
 node bindings/js/example.mjs > "$work/example.txt"
 grep -q '^left open at 0.9' "$work/example.txt" || fail "the example of the README did not open the door"
