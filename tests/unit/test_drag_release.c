@@ -66,6 +66,19 @@ static void the_hand_says_what_is_meant(void** state) {
     }
 }
 
+/* A part that is thrown does not slow down on its way: it takes as long as at half the speed that it has. */
+static void fast_parts_arrive_sooner(void** state) {
+    (void)state;
+    const float start = 0.4f, speed = 8;
+    for (int thrown = 0; thrown < 2; thrown++) {
+        const dm_drag_feel feel = {0};
+        dmi_drag drag = held_at(&door, start, thrown ? speed : 0, &feel);
+        dmi_drag_release(&drag, DM_INTENT_OPEN, 0);
+        const float way = door.upper - start;
+        assert_near(drag.release.duration, thrown ? 2 * way / speed : 0.7f * sqrtf(way / door.upper), 1e-4);
+    }
+}
+
 static void no_release_jumps(void** state) {
     (void)state;
     dmi_random random = dmi_random_make(1, 6);
@@ -177,6 +190,7 @@ static void wheels_coast(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_hand_says_what_is_meant),
+        cmocka_unit_test(fast_parts_arrive_sooner),
         cmocka_unit_test(no_release_jumps),
         cmocka_unit_test(a_motion_of_keys_sets_the_pace),
         cmocka_unit_test(the_rate_does_not_matter),

@@ -45,6 +45,18 @@ static void a_grab_between_snaps_moves_nothing(void** state) {
     }
 }
 
+/* Snaps are numbered from 0; half-way to the next is a half, and beyond the outermost ones come -1 and one more. */
+static void places_lie_between_snaps_and_beyond_the_outermost(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dmi_rules rules = kept_rules(&feel, 0);
+    const struct {
+        float value, place;
+    } cases[] = {{-10, -1}, {0.2f, 0}, {0.25f, 0.5f}, {0.3f, 1}, {0.55f, 1.5f}, {0.8f, 2}, {10, 3}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_near(dmi_snaps_place(&rules.snaps, cases[i].value), cases[i].place, 1e-5);
+}
+
 static float sweep(float time) {
     return fminf(0.5f * time, 1);
 }
@@ -82,6 +94,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_map_is_monotone_and_holds_at_snaps),
         cmocka_unit_test(a_grab_between_snaps_moves_nothing),
+        cmocka_unit_test(places_lie_between_snaps_and_beyond_the_outermost),
         cmocka_unit_test(snaps_passed_are_counted),
         cmocka_unit_test(a_released_part_goes_to_a_snap_in_reach),
     };

@@ -200,6 +200,27 @@ static void test_gltf_text_with_embedded_buffer(void** state) {
     close_it(&o);
 }
 
+/* Buffers of 37 and 38 bytes end with one and two signs that stand for nothing. */
+static void test_padded_base64(void** state) {
+    (void)state;
+    static const char* const ends[] = {"AA==", "AAA="};
+    for (int i = 0; i < 2; i++) {
+        char json[1024];
+        snprintf(json, sizeof json,
+                 ASSET "\"buffers\":[{\"byteLength\":%d,\"uri\":\"data:application/octet-stream;base64,"
+                       "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA%s\"}],\"bufferViews\":[{\"buffer\":0,"
+                       "\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
+                       "\"type\":\"VEC3\"}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+                       "\"nodes\":[{\"mesh\":0}]}",
+                 37 + i, ends[i]);
+        opened o;
+        open_bytes(&o, json, strlen(json), TEST_NEVER);
+        assert_int_equal(o.result, DM_OK);
+        assert_near(position(&o, 2), 0, 1, 0);
+        close_it(&o);
+    }
+}
+
 /* ---- names and masks ---- */
 
 static void test_faces_by_node_name(void** state) {
@@ -221,6 +242,9 @@ static void test_faces_by_node_name(void** state) {
     const char* number[] = {"#3"};
     assert_int_equal(dm_gltf_mark_faces(o.gltf, number, 1, 3, ids, 8), DM_OK);
     assert_memory_equal(ids, ((uint8_t[]){1, 1, 1, 1, 3, 3, 2, 2}), 8);
+    assert_int_equal(dm_gltf_mark_faces(NULL, both, 1, 1, ids, 8), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, both, 1, 1, NULL, 8), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, NULL, 1, 1, ids, 8), DM_ERROR_INVALID_ARGUMENT);
     const char* missing[] = {"door", "drawer"};
     assert_int_equal(dm_gltf_mark_faces(o.gltf, missing, 2, 1, ids, 8), DM_ERROR_NOT_FOUND);
     assert_non_null(strstr(o.t.messages.text, "'drawer'"));
@@ -559,6 +583,7 @@ int main(void) {
         cmocka_unit_test(test_strips_fans_and_what_is_left_out),
         cmocka_unit_test(test_sparse_quantised_and_strided),
         cmocka_unit_test(test_gltf_text_with_embedded_buffer),
+        cmocka_unit_test(test_padded_base64),
         cmocka_unit_test(test_faces_by_node_name),
         cmocka_unit_test(test_masks),
         cmocka_unit_test(test_hostile_files_are_named),

@@ -173,11 +173,32 @@ static void assert_scene(const setup* s, const dm_gltf* now, const dm_pose* pose
     }
 }
 
+/* Every accessor of floats that says what its values lie between says so truly. */
+static void assert_limits(const animated* a) {
+    const cJSON* accessors = cJSON_GetObjectItem(a->json, "accessors");
+    for (int i = 0; i < cJSON_GetArraySize(accessors); i++) {
+        const cJSON *accessor = cJSON_GetArrayItem(accessors, i), *min = cJSON_GetObjectItem(accessor, "min"),
+                    *max = cJSON_GetObjectItem(accessor, "max");
+        if (!min || number(accessor, "componentType") != 5126 || cJSON_GetObjectItem(accessor, "byteOffset")) continue;
+        int count;
+        const float* values = floats_of(a, i, &count);
+        const int width = cJSON_GetArraySize(min);
+        for (int k = 0; k < width; k++) {
+            float low = INFINITY, high = -INFINITY;
+            for (int v = 0; v < count; v++)
+                low = fminf(low, values[v * width + k]), high = fmaxf(high, values[v * width + k]);
+            assert_true((float)cJSON_GetArrayItem(min, k)->valuedouble == low);
+            assert_true((float)cJSON_GetArrayItem(max, k)->valuedouble == high);
+        }
+    }
+}
+
 /* Exports, and checks every key there and back. */
 static void assert_moves(setup* s, int expected_keys, void** out_data, size_t* out_size) {
     const dm_gltf_track track = track_of(s);
     if (dm_gltf_export(s->gltf, &track, 1, out_data, out_size) != DM_OK) fail_msg("%s", s->t.messages.text);
     animated a = open_up(*out_data);
+    assert_limits(&a);
     int count;
     const float* times = floats_of(&a, number(item(item(a.json, "animations", 0), "samplers", 0), "input"), &count);
     assert_int_equal(count, expected_keys);

@@ -218,6 +218,8 @@ static void architecture_and_version_decide(void** state) {
         if (open_header(header, 0) != cases[i].result) fail_msg("wrong result: %s", header);
     }
     assert_int_equal(open_header("{}", 0), DM_ERROR_WRONG_MODEL);
+    assert_int_equal(open_header("{} {}", 0), DM_ERROR_BAD_DATA);
+    assert_int_equal(open_header("[1]", 0), DM_ERROR_BAD_DATA);
 }
 
 static void any_allocation_may_fail(void** state) {
