@@ -9,6 +9,7 @@ set -euo pipefail
 [ -z "${DM_BASE:-}" ] || export DM_BASE=$(realpath -m "$DM_BASE")
 cd "$(dirname "$0")/../.."
 [ "$(id -u)" = 0 ] || { echo "trials.sh: needs root, for chroot" >&2; exit 2; }
+command -v debootstrap > /dev/null || { echo "trials.sh: debootstrap is missing" >&2; exit 2; }
 # In namespaces of its own: nothing stays mounted or runs on, however this ends.
 [ -n "${DM_UNSHARED:-}" ] || DM_UNSHARED=1 exec unshare --mount --pid --fork --propagation private "$PWD/tests/engines/trials.sh" "$@"
 [ $# -gt 0 ] || set -- cpp csharp rust love python blender web

@@ -140,6 +140,10 @@ try {
     await sideboard.close();
     await (await try_('chest_desktop', desktop, 'chest', [363, 193], [0, -93], /^Hinge/)).close();
     await (await try_('washer_phone', phone, 'washer', [203, 428], [-110, 40], /^(Hinge|Turns)/)).close();
+    const toolbox = await try_('toolbox_desktop', desktop, 'toolbox', [370, 240], [22, -125], /^Hinge/); // one mesh: the lid is found
+    await dropFiles(toolbox.page);
+    assert.deepEqual(toolbox.problems, []);
+    await toolbox.close();
     console.log('page: passed');
 } finally {
     await browser.close();
@@ -182,4 +186,29 @@ async function saveAndOpen(page) {
     await page.waitForFunction(() => document.body.dataset.ready === '2');
     assert.equal(await page.locator('#parts button').count(), 5);
     console.log(`saved: ${data.length} bytes, ${parts.length} parts, opened again`);
+}
+
+// A file held over the page, and let go there.
+async function drop(page, name, data) {
+    const files = await page.evaluateHandle(([name, base64]) => {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([Uint8Array.from(atob(base64), letter => letter.charCodeAt(0))], name));
+        return transfer;
+    }, [name, data.toString('base64')]);
+    await page.dispatchEvent('#stage', 'dragenter', { dataTransfer: files });
+    assert.match(await page.getAttribute('#drop', 'class') ?? '', /\bover\b/, 'the page does not show that a file may be dropped');
+    await page.dispatchEvent('#stage', 'drop', { dataTransfer: files });
+    assert.doesNotMatch(await page.getAttribute('#drop', 'class') ?? '', /\bover\b/);
+}
+
+// A dropped GLB opens; a dropped file of another sort is refused with words, and what was there stays.
+async function dropFiles(page) {
+    await drop(page, 'cabinet.glb', readFileSync(here('../../samples/cabinet.glb')));
+    await page.waitForFunction(() => document.body.dataset.ready === '2');
+    const names = await page.locator('#parts button').allTextContents();
+    assert.equal(names.length, 4, `the dropped cabinet has the parts ${names}`);
+    await drop(page, 'notes.txt', Buffer.from('no model'));
+    await page.getByText('This file could not be opened').waitFor();
+    assert.equal(await page.locator('#parts button').count(), 4);
+    console.log(`dropped: ${names.join(', ')}`);
 }
