@@ -138,4 +138,12 @@ unreal() {
     done
 }
 passes "the Unreal plugin" unreal
+
+# The extension of Godot, against the header of Godot's interface. bindings/godot/run_in_sid.sh runs it: Debian 12 has no Godot 4.
+godot() {
+    gcc -std=c17 $warnings -Iplugin_api/include -Ithird_party -fsyntax-only bindings/godot/src/*.c && bindings/godot/pack "$work/godot" "$build" &&
+        nm -D --defined-only "$work"/godot/addons/dragmesh/*.so > "$work/names.txt" &&
+        [ "$(awk '{ print $3 }' "$work/names.txt")" = dragmesh_godot_begin ] && echo "the extension of Godot: compiled, one name out"
+}
+passes "the extension of Godot" godot
 exit $failed

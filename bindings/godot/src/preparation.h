@@ -1,0 +1,47 @@
+/* One preparation of an object: its mesh and hints, collected from nodes, and the task that finds out its joints. */
+#ifndef DRAGMESH_GODOT_PREPARATION_H
+#define DRAGMESH_GODOT_PREPARATION_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+
+#include "affine.h"
+#include "dragmesh/dragmesh.h"
+#include "engine.h"
+
+typedef struct preparation {
+    float* positions; /* three numbers a vertex */
+    uint32_t *indices, *face_parts;
+    size_t vertex_count, vertex_capacity, index_count, index_capacity, face_capacity;
+    bool out_of_memory;
+
+    dm_part_desc* parts;
+    dm_pivot* pivots;
+    uint32_t part_count;
+    dm_model model;
+
+    atomic_bool cancelled, finished;
+    _Atomic float progress; /* 0..1 */
+    int64_t task;           /* of Godot's worker threads; -1 = none */
+    dm_result result;
+    dm_object object;
+} preparation;
+
+/* NULL without memory. parts: how many may be described. */
+preparation* preparation_new(uint32_t parts);
+/* Cancels it and waits for its end. */
+void preparation_stop(preparation* p);
+/* The object is the caller's. */
+void preparation_free(preparation* p);
+
+/* Adds the triangles of a Mesh at a place in the object frame; part 0 = the body. */
+void preparation_add_mesh(preparation* p, const gd_value* mesh, const affine* place, uint32_t part);
+/* Describes one part. label: of malloc, is taken over; may be NULL. pivot: may be NULL. */
+void preparation_add_part(preparation* p, uint32_t id, uint32_t parent, int32_t joint_type, char* label,
+                          const affine* pivot);
+
+/* Finds out the joints on one of Godot's worker threads, or here. */
+void preparation_start(preparation* p);
+void preparation_run(preparation* p);
+
+#endif
