@@ -31,7 +31,9 @@ if [ ! -e "$base/etc/debian_version" ]; then
 fi
 cp /etc/resolv.conf /etc/hosts "$base/etc/"
 apt-config dump | grep -E '^Acquire::(https?|Check-Valid-Until|Check-Date|Retries)' > "$base/etc/apt/apt.conf.d/90host" || true
-for variable in npm_config_registry NODE_EXTRA_CA_CERTS; do [ -z "${!variable:-}" ] || echo "export $variable=${!variable}"; done > "$work/way"
+# This machine's way to npm, which may lead through a proxy with a certificate of its own.
+[ ! -e /etc/ssl/certs/ca-certificates.crt ] || install -D -m 644 /etc/ssl/certs/ca-certificates.crt "$base/etc/ssl/host.crt"
+echo "export NODE_EXTRA_CA_CERTS=/etc/ssl/host.crt" > "$work/way"
 chroot "$base" apt-get update -qq
 
 # What a reader does with a page, as a script: types the commands, and saves code under the name that the line above it says.
