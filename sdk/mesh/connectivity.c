@@ -70,7 +70,8 @@ static uint32_t search(const grid* grid, const float p[3], int32_t own[3]) {
     return found;
 }
 
-dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, uint32_t* out_welded) {
+dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, const dmi_progress* progress,
+                            uint32_t* out_welded) {
     uint32_t buckets = MIN_BUCKETS;
     while (buckets < mesh->vertex_count) buckets *= 2;
     grid grid = {.mesh = mesh, .tolerance = tolerance, .mask = buckets - 1};
@@ -80,6 +81,9 @@ dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolera
     if (grid.heads == NULL || grid.next == NULL) return out_of_memory(arena, mesh);
     fill_none(grid.heads, buckets);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        if (v % DMI_PROGRESS_STEP == DMI_PROGRESS_STEP - 1 &&
+            dmi_progress_tell(progress, (float)v / (float)mesh->vertex_count) != DM_OK)
+            return DM_ERROR_CANCELLED;
         int32_t cell[3];
         uint32_t found = search(&grid, mesh->positions + (size_t)v * 3, cell);
         out_welded[v] = found == NONE ? v : found;

@@ -3,11 +3,13 @@
 #define DMI_MESH_CONNECTIVITY_H
 
 #include "base/arena.h"
+#include "base/progress.h"
 #include "mesh/mesh.h"
 
 /* out_welded[v] = the smallest vertex within `tolerance` of v that stands for itself, or v. Vertices in a row, each
- * within the tolerance of the next, need not all become one. */
-dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, uint32_t* out_welded);
+ * within the tolerance of the next, need not all become one. progress: may be NULL. */
+dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, const dmi_progress* progress,
+                            uint32_t* out_welded);
 
 /* Labels 0.. of the faces for which select[f] is non-zero (others get UINT32_MAX): connected over shared welded edges
  * where the unsigned cosine between their normals is above `min_cosine`; min_cosine < -1: shells connected over

@@ -7,6 +7,7 @@
 
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
+#include "mesh/mesh_watched.h"
 
 #define ALIGNMENT 64
 #define MIN_SIZE 1e-18 /* metres: a smaller object is a point; by hand */
@@ -244,20 +245,35 @@ dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh) {
 
 /* ---- the whole ---- */
 
-static dm_result fill_shape(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, dmi_mesh* mesh) {
+/* Each step passes once over the mesh, and takes about as long as another. */
+enum { INDICES_READ = 1, POSITIONS_CHECKED, PARTS_ASSIGNED, FRAME_SET, POSITIONS_SET, FACES_MEASURED, STEPS };
+
+static dm_result tell(const dmi_progress* progress, int steps) {
+    return dmi_progress_tell(progress, (float)steps / STEPS);
+}
+
+static dm_result fill_shape(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes,
+                            const dmi_progress* progress, dmi_mesh* mesh) {
     dm_result result = set_frame(env, reader, axes, mesh);
+    if (result == DM_OK) result = tell(progress, FRAME_SET);
     if (result != DM_OK) return result;
     set_positions(reader, mesh);
+    result = tell(progress, POSITIONS_SET);
+    if (result != DM_OK) return result;
     measure_faces(mesh);
-    return dmi_mesh_measure_parts(env, mesh);
+    result = tell(progress, FACES_MEASURED);
+    return result == DM_OK ? dmi_mesh_measure_parts(env, mesh) : result;
 }
 
 static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, const dm_part_desc* parts,
-                      uint32_t part_count, dmi_mesh* mesh) {
+                      uint32_t part_count, const dmi_progress* progress, dmi_mesh* mesh) {
     dm_result result = dmi_mesh_read_indices(env, reader, mesh->indices);
+    if (result == DM_OK) result = tell(progress, INDICES_READ);
     if (result == DM_OK) result = dmi_mesh_check_positions(env, reader);
+    if (result == DM_OK) result = tell(progress, POSITIONS_CHECKED);
     if (result == DM_OK) result = dmi_mesh_assign_parts(env, reader, parts, part_count, mesh);
-    if (result == DM_OK) result = fill_shape(env, reader, axes, mesh);
+    if (result == DM_OK) result = tell(progress, PARTS_ASSIGNED);
+    if (result == DM_OK) result = fill_shape(env, reader, axes, progress, mesh);
     return result == DM_OK ? check_areas(env, mesh) : result;
 }
 
@@ -265,23 +281,29 @@ static dm_result fill_pieces(dmi_env* env, const dmi_mesh_reader* reader, const 
     dm_result result = dmi_mesh_read_indices(env, reader, mesh->indices);
     if (result == DM_OK) result = dmi_mesh_check_positions(env, reader);
     if (result == DM_OK) result = dmi_mesh_assign_pieces(env, reader, mesh);
-    if (result == DM_OK) result = fill_shape(env, reader, axes, mesh);
+    if (result == DM_OK) result = fill_shape(env, reader, axes, NULL, mesh);
     return result == DM_OK ? check_any_area(env, mesh) : result;
 }
 
-dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
-                          uint32_t part_count, dmi_mesh** out_mesh) {
+dm_result dmi_mesh_create_watched(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
+                                  const dm_part_desc* parts, uint32_t part_count, const dmi_progress* progress,
+                                  dmi_mesh** out_mesh) {
     dmi_mesh_reader reader;
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_reader_open(env, desc, &reader);
     if (result == DM_OK) result = allocate(env, reader.vertex_count, reader.face_count, &mesh);
-    if (result == DM_OK) result = fill(env, &reader, axes, parts, part_count, mesh);
+    if (result == DM_OK) result = fill(env, &reader, axes, parts, part_count, progress, mesh);
     if (result != DM_OK) {
         dmi_mesh_destroy(env, mesh);
         return result;
     }
     *out_mesh = mesh;
     return DM_OK;
+}
+
+dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
+                          uint32_t part_count, dmi_mesh** out_mesh) {
+    return dmi_mesh_create_watched(env, axes, desc, parts, part_count, NULL, out_mesh);
 }
 
 dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, dmi_mesh** out_mesh) {

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "base/env.h"
+#include "base/progress.h"
 
 #define DMI_PICK_WHY_SIZE 400   /* bytes of the reason why a backend does not work here; by hand */
 #define DMI_POSITION_PADDING 16 /* readable bytes from any vertex on: Embree and vector code load four floats */
@@ -15,6 +16,7 @@ typedef struct dmi_triangles {
     const float* positions;  /* vertex_count x 3, of order 1, DMI_POSITION_PADDING bytes behind them */
     const uint32_t* corners; /* face_count x 3 */
     uint32_t vertex_count, face_count;
+    const dmi_progress* progress; /* of building; NULL: none */
 } dmi_triangles;
 
 /* origin + t direction for t from 0 to far; the direction's length is of order 1. The fourth floats do not count: they
@@ -34,8 +36,8 @@ typedef struct dmi_pick_backend {
      * another error; `why` then tells the reason, and the log nothing. */
     dm_result (*open)(dmi_env* env, void** out_device, char* why, size_t why_size);
     void (*close)(void* device);
-    /* Builds a tree, which reads the triangles until it is destroyed. Fails with a message. Any number of threads at
-     * once. */
+    /* Builds a tree, which reads the triangles until it is destroyed. Reports how far it is. Fails with a
+     * message, CANCELLED too. Any number of threads at once. */
     dm_result (*build)(void* device, const dmi_triangles* triangles, void** out_tree);
     void (*destroy)(void* device, void* tree);
     /* Finds the first triangle along the ray, from either side, and never slips between two that share an edge. */

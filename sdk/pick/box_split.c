@@ -2,6 +2,7 @@
 #include "pick/box_split.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "pick/lanes.h"
 
@@ -159,7 +160,14 @@ static void part(dmi_box_item* items, const dmi_box_range* range, const binning*
     out[1] = groups[1];
 }
 
-void dmi_box_split(dmi_box_item* items, const dmi_box_range* range, uint32_t block, int halve, dmi_box_range out[2]) {
+/* Tells of a large range that one more pass is done. Returns whether to go on. */
+static bool tell(const dmi_box_range* range, const dmi_progress* progress) {
+    return range->count < DMI_PROGRESS_STEP || dmi_progress_tell(progress, 0) == DM_OK;
+}
+
+/* Sorts a range of two items or more into two, neither empty; `out` may include `range`. False when it is cancelled. */
+static bool split_range(dmi_box_item* items, const dmi_box_range* range, uint32_t block, int halve,
+                        const dmi_progress* progress, dmi_box_range out[2]) {
     const binning b = make_binning(&range->centres, range->count);
     split best = {INFINITY, 0, 0};
     if (!halve) {
@@ -169,10 +177,12 @@ void dmi_box_split(dmi_box_item* items, const dmi_box_range* range, uint32_t blo
             if (b.scale[axis] > 0) sweep(&filled, b.bins, axis, block, &best);
         }
     }
+    if (!tell(range, progress)) return false;
     if (best.cost < INFINITY)
         part(items, range, &b, &best, out);
     else
         halves(items, range, out);
+    return tell(range, progress);
 }
 
 /* Index of the range with the largest box of those of more than `block` items; `count` when there is none. */
@@ -189,13 +199,14 @@ static uint32_t largest(const dmi_box_range* ranges, uint32_t count, uint32_t bl
     return best;
 }
 
-uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, int halve, dmi_box_range* ranges, uint32_t most) {
+uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, int halve, dmi_box_range* ranges, uint32_t most,
+                          const dmi_progress* progress) {
     uint32_t count = 1;
     while (count < most) {
         const uint32_t i = largest(ranges, count, block);
         if (i == count) break;
         dmi_box_range two[2];
-        dmi_box_split(items, &ranges[i], block, halve, two);
+        if (!split_range(items, &ranges[i], block, halve, progress, two)) return 0;
         ranges[i] = two[0];
         ranges[count++] = two[1];
     }

@@ -3,7 +3,7 @@
 #ifndef DMI_PICK_BOX_SPLIT_H
 #define DMI_PICK_BOX_SPLIT_H
 
-#include <stdint.h>
+#include "base/progress.h"
 
 /* The fourth floats are there for vector code: it may read and compare them, and what they hold does not count. */
 typedef struct dmi_box {
@@ -25,12 +25,12 @@ typedef struct dmi_box_range {
 
 /* Measures a range whose first and count are set. */
 void dmi_box_range_measure(const dmi_box_item* items, dmi_box_range* range);
-/* Sorts a range of two items or more into two, neither empty; `out` may include `range`. Groups of up to `block` items
- * cost as much as one. Where bins tell nothing, or with `halve`, the halves are as large as each other. */
-void dmi_box_split(dmi_box_item* items, const dmi_box_range* range, uint32_t block, int halve, dmi_box_range out[2]);
 /* Splits the range ranges[0] into up to `most`, always the one with the largest box of those of more than `block`
- * items; returns how many there are. */
-uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, int halve, dmi_box_range* ranges, uint32_t most);
+ * items; returns how many there are. Groups of up to `block` items cost as much as one. Where bins tell nothing, or
+ * with `halve`, the halves are as large as each other. Reports large ones; returns 0 when it is
+ * cancelled. */
+uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, int halve, dmi_box_range* ranges, uint32_t most,
+                          const dmi_progress* progress);
 /* Half the surface. */
 float dmi_box_area(const dmi_box* box);
 

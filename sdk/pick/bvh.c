@@ -7,6 +7,8 @@
 
 #include "base/ids.h"
 
+#define COPIED 0.1f /* share of the work, when the mesh is copied; measured */
+
 static size_t positions_size(const dmi_bvh* bvh) {
     return (size_t)bvh->vertex_count * 3 * sizeof(float) + DMI_POSITION_PADDING;
 }
@@ -67,7 +69,7 @@ static void add_face(dmi_bvh* bvh, const dmi_mesh* mesh, uint32_t face) {
 }
 
 /* Copies the mesh with its faces in order of their parts. */
-static void copy_mesh(dmi_bvh* bvh, const dmi_mesh* mesh) {
+static dm_result copy_mesh(dmi_bvh* bvh, const dmi_mesh* mesh, const dmi_progress* progress) {
     memcpy(bvh->positions, mesh->positions, (size_t)mesh->vertex_count * 3 * sizeof(float));
     memset(bvh->positions + (size_t)mesh->vertex_count * 3, 0, DMI_POSITION_PADDING);
     uint32_t first = 0;
@@ -78,27 +80,38 @@ static void copy_mesh(dmi_bvh* bvh, const dmi_mesh* mesh) {
                                        .high = {-INFINITY, -INFINITY, -INFINITY}};
         first += mesh->parts[p].face_count;
     }
-    for (uint32_t f = 0; f < mesh->face_count; f++) {
+    dm_result result = DM_OK;
+    for (uint32_t f = 0; f < mesh->face_count && result == DM_OK; f++) {
         if (has_area(mesh, f)) add_face(bvh, mesh, f);
+        if (f % DMI_PROGRESS_STEP == DMI_PROGRESS_STEP - 1)
+            result = dmi_progress_tell(progress, (float)f / (float)mesh->face_count);
     }
+    return result;
 }
 
-static dm_result build_part(dmi_bvh* bvh, dmi_bvh_part* part) {
+static dm_result build_part(dmi_bvh* bvh, dmi_bvh_part* part, const dmi_progress* progress) {
     if (part->face_count == 0) return DM_OK;
+    const float first = (float)part->first_face / (float)bvh->face_count;
+    const dmi_progress own =
+        dmi_progress_piece(progress, first, first + (float)part->face_count / (float)bvh->face_count);
     const dmi_triangles triangles = {.positions = bvh->positions,
                                      .corners = bvh->corners + (size_t)part->first_face * 3,
                                      .vertex_count = bvh->vertex_count,
-                                     .face_count = part->face_count};
+                                     .face_count = part->face_count,
+                                     .progress = &own};
     return bvh->picker->backend->build(bvh->picker->device, &triangles, &part->tree);
 }
 
-dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh) {
+dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, const dmi_progress* progress, dmi_bvh** out_bvh) {
     dmi_bvh* bvh;
     *out_bvh = NULL;
     if (picker->backend == NULL) return DM_OK;
     dm_result result = allocate(picker, mesh, &bvh);
-    if (result == DM_OK) copy_mesh(bvh, mesh);
-    for (uint32_t p = 0; result == DM_OK && p < mesh->part_count; p++) result = build_part(bvh, &bvh->parts[p]);
+    const dmi_progress copying = dmi_progress_piece(progress, 0, COPIED),
+                       building = dmi_progress_piece(progress, COPIED, 1);
+    if (result == DM_OK) result = copy_mesh(bvh, mesh, &copying);
+    for (uint32_t p = 0; result == DM_OK && p < mesh->part_count; p++)
+        result = build_part(bvh, &bvh->parts[p], &building);
     if (result != DM_OK) {
         dmi_bvh_destroy(bvh);
         return result;

@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <threads.h>
 
+#include "base/fp_environment.h"
 #include "pick/backend.h"
 #include "pick/embree_abi.h"
 
@@ -42,6 +43,8 @@ static dm_result result_of(int32_t error) {
         return DM_ERROR_OUT_OF_MEMORY;
     case EMBREE_ERROR_UNSUPPORTED_CPU:
         return DM_ERROR_UNSUPPORTED;
+    case EMBREE_ERROR_CANCELLED:
+        return DM_ERROR_CANCELLED;
     default:
         return DM_ERROR_INTERNAL;
     }
@@ -65,6 +68,7 @@ static const char* name_of(int32_t error) {
 }
 
 static void on_error(void* user, int32_t error, const char* text) {
+    if (error == EMBREE_ERROR_CANCELLED) return; /* on_progress has said so */
     dmi_fail(user, result_of(error), "Embree: %s: %s", name_of(error), text != NULL ? text : "");
 }
 
@@ -140,10 +144,28 @@ static bool enter(device* d) {
     return builders < d->max_builders && atomic_compare_exchange_weak(&d->builders, &builders, builders + 1);
 }
 
+typedef struct building {
+    const dmi_progress* progress;
+    thrd_t thread;
+    _Atomic bool cancelled;
+} building;
+
+/* Builds that run side by side take work from each other: another thread may come by here. Embree flushes denormals. */
+static bool on_progress(void* user, double share) {
+    DMI_OWN_FP;
+    building* b = user;
+    if (!b->cancelled && thrd_equal(b->thread, thrd_current()) && dmi_progress_tell(b->progress, (float)share) != DM_OK)
+        b->cancelled = true;
+    return !b->cancelled;
+}
+
 /* Builds the scene on the calling thread. */
-static void join_commit(device* d, embree_scene scene) {
+static void join_commit(device* d, embree_scene scene, const dmi_progress* progress) {
+    building own = {.progress = progress, .thread = thrd_current()};
     while (!enter(d)) thrd_yield();
+    d->library.SetSceneProgressMonitorFunction(scene, on_progress, &own);
     d->library.JoinCommitScene(scene);
+    d->library.SetSceneProgressMonitorFunction(scene, NULL, NULL);
     atomic_fetch_sub(&d->builders, 1);
 }
 
@@ -159,7 +181,7 @@ static dm_result build_scene(device* d, const dmi_triangles* triangles, embree_s
         rtc->CommitGeometry(geometry);
         rtc->SetSceneFlags(scene, EMBREE_ROBUST);
         rtc->AttachGeometry(scene, geometry);
-        join_commit(d, scene);
+        join_commit(d, scene, triangles->progress);
     }
     if (geometry != NULL) rtc->ReleaseGeometry(geometry);
     const dm_result result = status(d);

@@ -56,6 +56,7 @@ typedef struct embree_scene* embree_scene;
 typedef struct embree_geometry* embree_geometry;
 typedef void (*embree_error_function)(void* user, int32_t code, const char* text);
 typedef bool (*embree_memory_function)(void* user, ssize_t bytes, bool post);
+typedef bool (*embree_progress_function)(void* user, double share);
 
 /* X(result, name, parameters): the functions, called rtc… in the library. */
 #define EMBREE_FUNCTIONS(X)                                                                                            \
@@ -74,6 +75,7 @@ typedef bool (*embree_memory_function)(void* user, ssize_t bytes, bool post);
     X(embree_scene, NewScene, (embree_device device))                                                                  \
     X(void, SetSceneFlags, (embree_scene scene, int32_t flags))                                                        \
     X(uint32_t, AttachGeometry, (embree_scene scene, embree_geometry geometry))                                        \
+    X(void, SetSceneProgressMonitorFunction, (embree_scene scene, embree_progress_function function, void* user))      \
     X(void, JoinCommitScene, (embree_scene scene))                                                                     \
     X(void, ReleaseScene, (embree_scene scene))
 

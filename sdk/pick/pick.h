@@ -4,6 +4,7 @@
 #define DMI_PICK_PICK_H
 
 #include "base/env.h"
+#include "base/progress.h"
 #include "mesh/mesh.h"
 
 typedef struct dmi_picker dmi_picker; /* the backend of a context, without threads of its own */
@@ -18,7 +19,7 @@ void dmi_picker_destroy(dmi_picker* picker);
 const char* dmi_picker_backend(const dmi_picker* picker);
 
 /* Builds the trees; keeps its own padded copy of the mesh. NULL, and DM_OK, where the context picks nothing. */
-dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh);
+dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, const dmi_progress* progress, dmi_bvh** out_bvh);
 void dmi_bvh_destroy(dmi_bvh* bvh);
 
 /* UNSUPPORTED where the context picks nothing. */

@@ -381,7 +381,7 @@ static uint32_t split_range(dmi_top_tree* tree, const pending* work, dmi_box* ou
     out[0] = (dmi_box_range){.first = work->first, .count = work->count};
     dmi_box_range_measure(tree->items, &out[0]);
     *out_box = out[0].box;
-    return dmi_box_split_up(tree->items, 1, work->level >= DMI_TOP_FREE_LEVELS, out, DMI_WIDE);
+    return dmi_box_split_up(tree->items, 1, work->level >= DMI_TOP_FREE_LEVELS, out, DMI_WIDE, NULL);
 }
 
 /* Makes the node of a range of several leaves, links it, and puts off its children of several. */

@@ -25,6 +25,9 @@ typedef struct builder {
     pending* stack;
     uint32_t waiting;
     dmi_wide_tree* tree;
+    uint32_t placed; /* triangles in blocks */
+    uint32_t told;   /* of them, at the last report */
+    bool cancelled;
 } builder;
 
 static const float* corner(const dmi_triangles* t, uint32_t face, int i) {
@@ -40,8 +43,19 @@ static float most(float a, float b) {
     return a > b ? a : b;
 }
 
-static void make_items(const dmi_triangles* t, dmi_box_item* items) {
+/* Tells that so many triangles are in blocks. Returns whether to go on. */
+static bool tell(builder* b) {
+    b->told = b->placed;
+    b->cancelled =
+        dmi_progress_tell(b->triangles->progress, (float)b->placed / (float)b->triangles->face_count) != DM_OK;
+    return !b->cancelled;
+}
+
+static bool make_items(builder* b) {
+    const dmi_triangles* t = b->triangles;
+    dmi_box_item* items = b->items;
     for (uint32_t f = 0; f < t->face_count; f++) {
+        if (f % DMI_PROGRESS_STEP == DMI_PROGRESS_STEP - 1 && !tell(b)) return false;
         const float *a = corner(t, f, 0), *b = corner(t, f, 1), *c = corner(t, f, 2);
         items[f].id = f;
         items[f].unused = 0;
@@ -50,6 +64,7 @@ static void make_items(const dmi_triangles* t, dmi_box_item* items) {
             items[f].high[k] = most(most(a[k], b[k]), c[k]);
         }
     }
+    return true;
 }
 
 /* Makes room for one more element; false without memory. */
@@ -98,7 +113,8 @@ static bool make_leaf(builder* b, uint32_t node, uint32_t slot, const dmi_box_ra
         return false;
     fill_block(b, range, &tree->blocks[tree->block_count]);
     set_child(&tree->nodes[node], slot, &range->box, DMI_LEAF | tree->block_count++);
-    return true;
+    b->placed += range->count;
+    return b->placed - b->told < DMI_PROGRESS_STEP || tell(b);
 }
 
 /* Makes the node of a range, its leaves, and work of its larger children. */
@@ -110,7 +126,12 @@ static bool make_node(builder* b, const pending* work) {
     if (index > 0) tree->nodes[work->parent].child[work->slot] = index;
     dmi_box_range ranges[DMI_WIDE];
     ranges[0] = work->range;
-    const uint32_t count = dmi_box_split_up(b->items, DMI_BLOCK, work->level >= DMI_FREE_LEVELS, ranges, DMI_WIDE);
+    const float done = (float)b->placed / (float)b->triangles->face_count;
+    const dmi_progress progress = dmi_progress_piece(b->triangles->progress, done, done);
+    const uint32_t count =
+        dmi_box_split_up(b->items, DMI_BLOCK, work->level >= DMI_FREE_LEVELS, ranges, DMI_WIDE, &progress);
+    b->cancelled = count == 0;
+    if (b->cancelled) return false;
     static const dmi_box inside_out = {{INFINITY, INFINITY, INFINITY, 0}, {-INFINITY, -INFINITY, -INFINITY, 0}};
     for (uint32_t i = 0; i < DMI_WIDE; i++) {
         if (i >= count) {
@@ -147,10 +168,7 @@ dm_result dmi_wide_tree_build(dmi_env* env, const dmi_triangles* triangles, dmi_
     tree.nodes = dmi_alloc(env, tree.node_capacity * sizeof *tree.nodes, DMI_ALIGNMENT);
     tree.blocks = dmi_alloc(env, tree.block_capacity * sizeof *tree.blocks, DMI_ALIGNMENT);
     bool made = b.items != NULL && b.stack != NULL && tree.nodes != NULL && tree.blocks != NULL;
-    if (made) {
-        make_items(triangles, b.items);
-        made = make_nodes(&b);
-    }
+    if (made) made = make_items(&b) && make_nodes(&b);
     dmi_free(env, b.items, faces * sizeof *b.items);
     dmi_free(env, b.stack, MOST_PENDING * sizeof *b.stack);
     if (made) {
@@ -160,6 +178,7 @@ dm_result dmi_wide_tree_build(dmi_env* env, const dmi_triangles* triangles, dmi_
     *out_tree = tree;
     if (made) return DM_OK;
     dmi_wide_tree_release(env, out_tree);
+    if (b.cancelled) return DM_ERROR_CANCELLED;
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", faces);
 }
 

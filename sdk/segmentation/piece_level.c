@@ -34,7 +34,7 @@ dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, dmi_mesh_
     if (out->welded == NULL || out->labels == NULL || out->shells == NULL || all == NULL)
         return out_of_memory(arena, mesh);
     memset(all, 1, mesh->face_count);
-    dm_result result = dmi_weld_vertices(arena, mesh, WELD_DISTANCE, out->welded);
+    dm_result result = dmi_weld_vertices(arena, mesh, WELD_DISTANCE, NULL, out->welded);
     if (result == DM_OK) result = dmi_face_sheets(arena, mesh, out->welded, out->labels, &out->count);
     if (result != DM_OK) return result;
     return dmi_face_regions(arena, mesh, out->welded, all, SHELLS_ONLY, out->shells, &shell_count);

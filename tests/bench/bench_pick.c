@@ -178,7 +178,7 @@ static void build_with(const bench_mesh* mesh, int i, double bare) {
     for (int round = 0; round < BUILDS; round++) {
         dmi_bvh* bvh;
         const double start = bench_now_ns();
-        CHECK(dmi_bvh_create(picker, inner, &bvh));
+        CHECK(dmi_bvh_create(picker, inner, NULL, &bvh));
         best = fmin(best, bench_now_ns() - start);
         bytes = env.bytes + env.pick_bytes - before;
         dmi_bvh_destroy(bvh);

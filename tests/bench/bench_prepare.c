@@ -55,7 +55,7 @@ static void stage_mesh(void* user) {
 static void stage_bvh(void* user) {
     stages* s = user;
     dmi_bvh_destroy(s->bvh);
-    check(dmi_bvh_create(s->picker, s->mesh, &s->bvh), "bvh");
+    check(dmi_bvh_create(s->picker, s->mesh, NULL, &s->bvh), "bvh");
 }
 
 static void stage_cloud(void* user) {
@@ -67,7 +67,7 @@ static void stage_weld(void* user) {
     stages* s = user;
     dmi_arena arena;
     dmi_arena_init(&arena, &s->env, ARENA_BLOCK);
-    check(dmi_weld_vertices(&arena, s->mesh, DMI_WELD_TOLERANCE, s->welded), "weld");
+    check(dmi_weld_vertices(&arena, s->mesh, DMI_WELD_TOLERANCE, NULL, s->welded), "weld");
     dmi_arena_release(&arena);
 }
 

@@ -43,7 +43,7 @@ static uint32_t regions(stage* s, const uint8_t* select, float min_cosine) {
 }
 
 static void weld(stage* s, float tolerance) {
-    assert_int_equal(dmi_weld_vertices(&s->arena, s->mesh, tolerance, welded), DM_OK);
+    assert_int_equal(dmi_weld_vertices(&s->arena, s->mesh, tolerance, NULL, welded), DM_OK);
 }
 
 /* Two boxes with 24 vertices of their own each (four a side), as exporters write them. */
@@ -261,7 +261,7 @@ static void every_refused_allocation_is_reported(void** state) {
         dmi_arena_init(&s.arena, &s.t.env, 64); /* small blocks: every push asks the host */
         s.t.memory.calls = 0;
         s.t.memory.fail_at = n;
-        dm_result result = dmi_weld_vertices(&s.arena, s.mesh, 1e-5f, welded);
+        dm_result result = dmi_weld_vertices(&s.arena, s.mesh, 1e-5f, NULL, welded);
         if (result == DM_OK) result = dmi_face_regions(&s.arena, s.mesh, welded, all, 0.9f, labels, &count);
         if (result == DM_OK) result = dmi_face_regions(&s.arena, s.mesh, welded, all, -2, labels, &count);
         dmi_arena_release(&s.arena);

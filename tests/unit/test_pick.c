@@ -46,7 +46,7 @@ static dmi_mesh* create_mesh(fixture* f) {
 
 static dmi_bvh* create_bvh(fixture* f, const dmi_mesh* mesh) {
     dmi_bvh* bvh = NULL;
-    assert_int_equal(dmi_bvh_create(f->picker, mesh, &bvh), DM_OK);
+    assert_int_equal(dmi_bvh_create(f->picker, mesh, NULL, &bvh), DM_OK);
     return bvh;
 }
 
@@ -636,7 +636,8 @@ static void* build_and_pick(void* data) {
         uint32_t instance;
         dm_pose identity = dmi_pose_identity();
         dm_hit hit = {0};
-        int good = dmi_bvh_create(b->picker, b->mesh, &bvh) == DM_OK && dmi_scene_create(b->picker, &scene) == DM_OK &&
+        int good = dmi_bvh_create(b->picker, b->mesh, NULL, &bvh) == DM_OK &&
+                   dmi_scene_create(b->picker, &scene) == DM_OK &&
                    dmi_scene_add(scene, bvh, &b->mesh->frame, 1, &identity, &instance) == DM_OK;
         if (good) {
             dmi_scene_commit(scene);
@@ -715,7 +716,7 @@ static void every_refused_allocation_is_reported(void** state) {
         dmi_scene* scene = NULL;
         uint32_t instance = 77;
         dm_result result = dmi_picker_create(&f.t.env, choice, &picker);
-        if (result == DM_OK) result = dmi_bvh_create(picker, mesh, &bvh);
+        if (result == DM_OK) result = dmi_bvh_create(picker, mesh, NULL, &bvh);
         if (result == DM_OK) result = dmi_scene_create(picker, &scene);
         if (result == DM_OK) result = dmi_scene_add(scene, bvh, &mesh->frame, 1, &identity, &instance);
         if (result != DM_OK) assert_int_equal(instance, 77);

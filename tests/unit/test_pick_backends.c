@@ -60,7 +60,7 @@ static void open_stage(stage* s, int32_t preset, float unit, dmi_random* random)
     s->size = (double)dmi_frame_length_out(&s->mesh->frame);
     for (int b = 0; b < BACKENDS; b++) {
         assert_int_equal(dmi_picker_create(&s->t.env, choices[b], &s->picker[b]), DM_OK);
-        assert_int_equal(dmi_bvh_create(s->picker[b], s->mesh, &s->bvh[b]), DM_OK);
+        assert_int_equal(dmi_bvh_create(s->picker[b], s->mesh, NULL, &s->bvh[b]), DM_OK);
         assert_int_equal(dmi_scene_create(s->picker[b], &s->scene[b]), DM_OK);
     }
     for (uint32_t i = 0; i < INSTANCES; i++) {
@@ -294,7 +294,7 @@ static void nothing_slips_between_triangles(void** state) {
         assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 1));
         assert_int_equal(dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, &mesh), DM_OK);
         assert_int_equal(dmi_picker_create(&t.env, choices[b], &picker), DM_OK);
-        assert_int_equal(dmi_bvh_create(picker, mesh, &bvh), DM_OK);
+        assert_int_equal(dmi_bvh_create(picker, mesh, NULL, &bvh), DM_OK);
         const float* centre = mesh->parts[0].centre;
         for (uint32_t i = 0; i < 20000; i++) {
             const uint32_t face = dmi_random_u32(&random) % bvh->parts[0].face_count;
@@ -347,11 +347,11 @@ static int build_in_little_memory(size_t room) {
     fclose(file);
     struct rlimit limit = {pages * (size_t)sysconf(_SC_PAGESIZE) + room, RLIM_INFINITY};
     const int limited = setrlimit(RLIMIT_AS, &limit) == 0;
-    const dm_result result = dmi_bvh_create(picker, mesh, &bvh);
+    const dm_result result = dmi_bvh_create(picker, mesh, NULL, &bvh);
     limit.rlim_cur = RLIM_INFINITY;
     if (!limited || setrlimit(RLIMIT_AS, &limit) != 0) return 1;
     if (result != DM_OK && result != DM_ERROR_OUT_OF_MEMORY) return 2;
-    if (dmi_bvh_create(picker, mesh, &next) != DM_OK) return 3;
+    if (dmi_bvh_create(picker, mesh, NULL, &next) != DM_OK) return 3;
     const dmi_bvh* last = result == DM_OK ? bvh : next;
     const dmi_part_ray ray = {{0, 0, -2}, {0, 0, 1}, INFINITY};
     dmi_part_hit hit;

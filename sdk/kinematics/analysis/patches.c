@@ -236,7 +236,7 @@ static dm_result weld(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t** w
     uint32_t* computed = dmi_arena_push(arena, sizeof *computed * mesh->vertex_count);
     if (computed == NULL) return DM_ERROR_OUT_OF_MEMORY;
     *welded = computed;
-    return dmi_weld_vertices(arena, mesh, DMI_WELD_TOLERANCE, computed);
+    return dmi_weld_vertices(arena, mesh, DMI_WELD_TOLERANCE, NULL, computed);
 }
 
 dm_result dmi_analysis_find_patches(dmi_arena* arena, const uint8_t* moving, const float low[3], const float high[3],

@@ -275,7 +275,7 @@ dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, c
     if (result == DM_OK) result = read_free_ranges(&load);
     if (result == DM_OK && load.sections[DMI_DMO_TRIANGLES].at != NULL) {
         result = read_triangles(&load);
-        if (result == DM_OK) result = dmi_bvh_create(picker, load.object->mesh, &load.object->bvh);
+        if (result == DM_OK) result = dmi_bvh_create(picker, load.object->mesh, NULL, &load.object->bvh);
     }
     if (result != DM_OK) {
         dmi_object_destroy(env, load.object);

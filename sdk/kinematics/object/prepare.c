@@ -8,15 +8,16 @@
 #include "kinematics/object/choice.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
+#include "mesh/mesh_watched.h"
 
 #define BATCH 32                        /* parts between two calls of the progress callback, with workers; by hand */
 #define MESH_BLOCK ((size_t)1 << 16)    /* bytes, of the shared mesh's arena; by hand */
 #define SCRATCH_BLOCK ((size_t)1 << 20) /* bytes, of the parts' arenas; by hand */
 #define MESH_DONE 0.05f                 /* progress reported when the mesh is checked; by hand */
 #define BVH_DONE 0.1f                   /* progress reported when the BVH is built; by hand */
-#define PARTS_SHARE 0.9f                /* of the progress, for inference; by hand */
-#define PERCENT 100.0f
-#define MAX_FIELD_NAME 64 /* of a field in an error message, with the terminating zero */
+#define WELDED 0.11f                    /* progress reported when the vertices are welded; by hand */
+#define SHARED 0.12f                    /* and when the part masks are repaired */
+#define MAX_FIELD_NAME 64               /* of a field in an error message, with the terminating zero */
 
 /* Input and result of one part's inference. */
 typedef struct part_request {
@@ -34,18 +35,13 @@ typedef struct shared_mesh {
 typedef struct preparation {
     dmi_env* env;
     const dmi_prepare_desc* desc;
+    const dmi_progress* progress; /* of the whole call */
     dmi_object* object;
     part_request* requests; /* one per part; the body's is unused */
     shared_mesh shared;
     dmi_arena_pool scratch; /* of the parts */
     uint32_t first;         /* part of task 0 */
 } preparation;
-
-static dm_result report(dmi_env* env, const dmi_prepare_desc* desc, float done) {
-    if (desc->progress == NULL || !desc->progress(desc->progress_user, done)) return DM_OK;
-    return dmi_fail(env, DM_ERROR_CANCELLED, "dm_object_prepare: the progress callback asked to stop at %.0f %%",
-                    (double)(done * PERCENT));
-}
 
 /* Returns the only hypothesis for a part that the host declares fixed. */
 static dmi_hypotheses fixed_joint(const dmi_part* shape) {
@@ -59,13 +55,17 @@ static dmi_hypotheses fixed_joint(const dmi_part* shape) {
 }
 
 /* Welds the vertices and repairs the part masks. */
-static dm_result make_shared_mesh(dmi_arena* arena, const dmi_mesh* mesh, shared_mesh* out) {
+static dm_result make_shared_mesh(dmi_arena* arena, const dmi_mesh* mesh, const dmi_progress* progress,
+                                  shared_mesh* out) {
     uint32_t* welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *welded);
     if (welded == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to weld %u vertices", mesh->vertex_count);
-    dm_result result = dmi_weld_vertices(arena, mesh, DMI_WELD_TOLERANCE, welded);
+    const dmi_progress welding = dmi_progress_piece(progress, BVH_DONE, WELDED);
+    dm_result result = dmi_weld_vertices(arena, mesh, DMI_WELD_TOLERANCE, &welding, welded);
     out->welded = welded;
-    return result == DM_OK ? dmi_mesh_repair(arena, mesh, welded, &out->mesh) : result;
+    if (result == DM_OK) result = dmi_progress_tell(progress, WELDED);
+    if (result == DM_OK) result = dmi_mesh_repair(arena, mesh, welded, &out->mesh);
+    return result == DM_OK ? dmi_progress_tell(progress, SHARED) : result;
 }
 
 /* Infers the joint of one part; the best hypothesis becomes the joint in use. `cloud` and the arena are scratch. */
@@ -138,7 +138,8 @@ static dm_result prepare_parts(preparation* work) {
         }
         dm_result result = choose_joints(work, tasks);
         if (result != DM_OK) return result;
-        result = report(env, work->desc, BVH_DONE + PARTS_SHARE * (float)(work->first + tasks) / (float)count);
+        const float done = (float)(work->first + tasks) / (float)count;
+        result = dmi_progress_tell(work->progress, SHARED + (1 - SHARED) * done);
         if (result != DM_OK) return result;
     }
     return DM_OK;
@@ -184,7 +185,7 @@ static dm_result run_requests(preparation* work) {
     dmi_arena arena;
     dmi_arena_init(&arena, work->env, MESH_BLOCK);
     dmi_arena_pool_init(&work->scratch, work->env, SCRATCH_BLOCK);
-    dm_result result = make_shared_mesh(&arena, work->object->mesh, &work->shared);
+    dm_result result = make_shared_mesh(&arena, work->object->mesh, work->progress, &work->shared);
     if (result == DM_OK) result = prepare_parts(work);
     dmi_arena_pool_release(&work->scratch);
     dmi_arena_release(&arena);
@@ -221,26 +222,31 @@ static dm_result adopt_mesh(dmi_env* env, dmi_mesh* mesh, uint64_t seed, dmi_obj
     return DM_OK;
 }
 
-static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object* object) {
-    dm_result result = report(env, desc, MESH_DONE);
-    if (result == DM_OK && desc->keep_triangles) result = dmi_bvh_create(picker, object->mesh, &object->bvh);
-    if (result == DM_OK) result = report(env, desc, BVH_DONE);
+static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, const dmi_progress* progress,
+                      dmi_object* object) {
+    const dmi_progress building = dmi_progress_piece(progress, MESH_DONE, BVH_DONE);
+    dm_result result = dmi_progress_tell(progress, MESH_DONE);
+    if (result == DM_OK && desc->keep_triangles) result = dmi_bvh_create(picker, object->mesh, &building, &object->bvh);
+    if (result == DM_OK) result = dmi_progress_tell(progress, BVH_DONE);
     if (result != DM_OK) return result;
-    preparation work = {.env = env, .desc = desc, .object = object};
+    preparation work = {.env = env, .desc = desc, .progress = progress, .object = object};
     result = infer_joints(&work);
     if (result == DM_OK && !desc->keep_triangles) dmi_object_drop_triangles(env, object);
     return result;
 }
 
 dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object** out_object) {
+    const dmi_progress progress = {env, desc->progress, desc->progress_user, 0, 1};
+    const dmi_progress reading = dmi_progress_piece(&progress, 0, MESH_DONE);
     dmi_mesh* mesh = NULL;
-    dm_result result = dmi_mesh_create(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &mesh);
+    dm_result result =
+        dmi_mesh_create_watched(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &reading, &mesh);
     if (result != DM_OK) return result;
     dmi_object* object = NULL;
     result = adopt_mesh(env, mesh, desc->seed, &object);
     if (result != DM_OK) return result;
     object->network_alone = desc->network_alone;
-    result = fill(env, picker, desc, object);
+    result = fill(env, picker, desc, &progress, object);
     if (result != DM_OK) {
         dmi_object_destroy(env, object);
         return result;
@@ -255,7 +261,7 @@ dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, con
     dmi_arena_init(&arena, env, SCRATCH_BLOCK);
     dmi_cloud* cloud = dmi_arena_push(&arena, sizeof *cloud);
     shared_mesh shared;
-    dm_result result = cloud != NULL ? make_shared_mesh(&arena, object->mesh, &shared)
+    dm_result result = cloud != NULL ? make_shared_mesh(&arena, object->mesh, NULL, &shared)
                                      : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
     if (result == DM_OK) result = infer_part(&arena, object, part, models, hint, &shared, cloud);
     dmi_arena_release(&arena);

@@ -1,0 +1,25 @@
+/* How far a long call is: told to the host's progress callback, which may cancel it. Used on the thread that has
+ * called, and there alone. */
+#ifndef DMI_BASE_PROGRESS_H
+#define DMI_BASE_PROGRESS_H
+
+#include "base/env.h"
+
+/* Elements (triangles, vertices) between two reports of a loop: some milliseconds of work each; measured. */
+#define DMI_PROGRESS_STEP ((uint32_t)1 << 16)
+
+typedef struct dmi_progress {
+    dmi_env* env;
+    dm_progress_callback progress; /* NULL: nobody asks */
+    void* user;
+    float from, to; /* what part of the call is watched, 0 to 1 */
+} dmi_progress;
+
+/* The same for a piece of what is watched, by shares of it. `progress` may be NULL. */
+dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float to);
+
+/* Reports that a share, 0 to 1, of what is watched is done. Returns DM_ERROR_CANCELLED, with a message, when the host
+ * asks to stop. NULL: DM_OK. */
+dm_result dmi_progress_tell(const dmi_progress* progress, float share);
+
+#endif
