@@ -2,10 +2,10 @@
  * they are told to, whatever picks. Counted, not timed. */
 #include "test_world.h"
 
-/* Quads a side; the meshes have 0.5 and 1.0 million triangles. */
-enum { SMALL = 512, LARGE = 724 };
+/* Quads a side; the meshes have 131,000 and 262,000 triangles. */
+enum { SMALL = 256, LARGE = 362 };
 
-/* A mesh gets a report for so many triangles at least; measured: one for 400 (Embree) to 55,000 (no picking). */
+/* A mesh gets a report for so many triangles at least; measured: one for 400 (Embree) to 20,000 (no picking). */
 enum { TRIANGLES_A_REPORT = 65536 };
 
 typedef struct grid {
@@ -93,7 +93,7 @@ static void check(int32_t picking) {
     assert_true(many > few);
     assert_true(many >= (int)(large.faces / TRIANGLES_A_REPORT));
     const int64_t held = w.memory.live_blocks;
-    for (int stop = 1; stop <= few; stop += 1 + few / 8) {
+    for (int stop = 1; stop <= few; stop += 1 + few / 6) {
         reports r = {.stop_at = stop};
         dm_object object = 0;
         assert_int_equal(prepare(&w, &small, &r, &object), DM_ERROR_CANCELLED);
