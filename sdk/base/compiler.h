@@ -22,6 +22,8 @@
 #endif
 /* A vector of `lanes` numbers, with C's operators: typedef DMI_VECTOR(float, 4) lanes; */
 #define DMI_VECTOR(type, lanes) type __attribute__((vector_size((lanes) * sizeof(type))))
+/* Before functions that return vectors: as long as they are always inlined, no calling convention matters. */
+#define DMI_RETURNS_VECTORS _Pragma("GCC diagnostic ignored \"-Wpsabi\"")
 /* Whether the processor has a set and the operating system saves its registers. */
 #define DMI_CPU_HAS(set) __builtin_cpu_supports(set)
 /* Around headers of other libraries, which have warnings of their own. */
@@ -73,6 +75,7 @@ static inline uint32_t dmi_floor_log2(uint64_t value) {
 #define DMI_FLATTEN
 #define DMI_TARGET(sets)
 #define DMI_PRINTF(text, first)
+#define DMI_RETURNS_VECTORS
 #define DMI_CPU_HAS(set) 0
 #define DMI_FOREIGN_HEADERS_BEGIN
 #define DMI_FOREIGN_HEADERS_END

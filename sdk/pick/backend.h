@@ -11,16 +11,21 @@
 #define DMI_PICK_WHY_SIZE 400   /* bytes of the reason why a backend does not work here; by hand */
 #define DMI_POSITION_PADDING 16 /* readable bytes from any vertex on: Embree and vector code load four floats */
 
+/* Its corners, and which of the mesh it is: together, so that what a hit needs comes with one line of the cache. */
+typedef struct dmi_pick_face {
+    uint32_t corner[3], of_mesh;
+} dmi_pick_face;
+
 /* Triangles of one part, none without area. The arrays belong to the caller. */
 typedef struct dmi_triangles {
-    const float* positions;  /* vertex_count x 3, of order 1, DMI_POSITION_PADDING bytes behind them */
-    const uint32_t* corners; /* face_count x 3 */
+    const float* positions; /* vertex_count x 3, of order 1, DMI_POSITION_PADDING bytes behind them */
+    const dmi_pick_face* faces;
     uint32_t vertex_count, face_count;
     const dmi_progress* progress; /* of building; NULL: none */
 } dmi_triangles;
 
-/* origin + t direction for t from 0 to far; the direction's length is of order 1. The fourth floats do not count: they
- * let a ray be stored by vector instructions, which is what fast loads of two or three of its floats need. */
+/* origin + t direction for t from 0 to far; the direction's length is of order 1. The fourth floats are 0: a ray is
+ * stored and loaded by vector instructions, and a load of what several stores have written waits for all of them. */
 typedef struct dmi_part_ray {
     float origin[4], direction[4], far;
 } dmi_part_ray;

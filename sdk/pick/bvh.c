@@ -24,16 +24,14 @@ static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** ou
     dmi_bvh* bvh = dmi_alloc_zeroed(env, sizeof *bvh, DMI_ALIGNMENT);
     *out_bvh = bvh;
     if (bvh != NULL) {
-        size_t faces = mesh->face_count;
         bvh->picker = picker;
         bvh->vertex_count = mesh->vertex_count;
         bvh->face_count = mesh->face_count;
         bvh->part_count = mesh->part_count;
         bvh->positions = dmi_alloc(env, positions_size(bvh), DMI_ALIGNMENT);
-        bvh->corners = dmi_alloc(env, faces * 3 * sizeof(uint32_t), DMI_ALIGNMENT);
-        bvh->faces = dmi_alloc(env, faces * sizeof(uint32_t), DMI_ALIGNMENT);
+        bvh->faces = dmi_alloc(env, mesh->face_count * sizeof *bvh->faces, DMI_ALIGNMENT);
         bvh->parts = dmi_alloc_zeroed(env, mesh->part_count * sizeof(dmi_bvh_part), DMI_ALIGNMENT);
-        if (bvh->positions != NULL && bvh->corners != NULL && bvh->faces != NULL && bvh->parts != NULL) return DM_OK;
+        if (bvh->positions != NULL && bvh->faces != NULL && bvh->parts != NULL) return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
 }
@@ -63,9 +61,9 @@ static void include(dmi_bvh_part* part, const float* position) {
 static void add_face(dmi_bvh* bvh, const dmi_mesh* mesh, uint32_t face) {
     dmi_bvh_part* part = &bvh->parts[mesh->face_part[face]];
     const uint32_t place = part->first_face + part->face_count++;
-    bvh->faces[place] = face;
-    memcpy(bvh->corners + (size_t)place * 3, mesh->indices + (size_t)face * 3, 3 * sizeof(uint32_t));
-    for (int i = 0; i < 3; i++) include(part, bvh->positions + (size_t)bvh->corners[(size_t)place * 3 + (size_t)i] * 3);
+    const uint32_t* corner = mesh->indices + (size_t)face * 3;
+    bvh->faces[place] = (dmi_pick_face){{corner[0], corner[1], corner[2]}, face};
+    for (int i = 0; i < 3; i++) include(part, bvh->positions + (size_t)corner[i] * 3);
 }
 
 /* Copies the mesh with its faces in order of their parts. */
@@ -95,7 +93,7 @@ static dm_result build_part(dmi_bvh* bvh, dmi_bvh_part* part, const dmi_progress
     const dmi_progress own =
         dmi_progress_piece(progress, first, first + (float)part->face_count / (float)bvh->face_count);
     const dmi_triangles triangles = {.positions = bvh->positions,
-                                     .corners = bvh->corners + (size_t)part->first_face * 3,
+                                     .faces = bvh->faces + part->first_face,
                                      .vertex_count = bvh->vertex_count,
                                      .face_count = part->face_count,
                                      .progress = &own};
@@ -127,8 +125,7 @@ void dmi_bvh_destroy(dmi_bvh* bvh) {
         if (bvh->parts[p].tree != NULL) bvh->picker->backend->destroy(bvh->picker->device, bvh->parts[p].tree);
     }
     dmi_free(env, bvh->positions, positions_size(bvh));
-    dmi_free(env, bvh->corners, (size_t)bvh->face_count * 3 * sizeof(uint32_t));
-    dmi_free(env, bvh->faces, (size_t)bvh->face_count * sizeof(uint32_t));
+    dmi_free(env, bvh->faces, bvh->face_count * sizeof *bvh->faces);
     dmi_free(env, bvh->parts, bvh->part_count * sizeof(dmi_bvh_part));
     dmi_free(env, bvh, sizeof *bvh);
 }

@@ -13,9 +13,8 @@ typedef struct dmi_bvh_part {
 
 struct dmi_bvh {
     dmi_picker* picker;
-    float* positions;  /* the backend may read DMI_POSITION_PADDING bytes at each vertex */
-    uint32_t* corners; /* of the faces with an area, part after part */
-    uint32_t* faces;   /* index in the mesh of each of these */
+    float* positions;     /* the backend may read DMI_POSITION_PADDING bytes at each vertex */
+    dmi_pick_face* faces; /* those with an area, part after part */
     uint32_t vertex_count, face_count, part_count;
     dmi_bvh_part* parts;
 };
@@ -24,8 +23,8 @@ struct dmi_bvh {
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id);
 /* Corners a, b, c of the face that the backend calls `face` of a part. */
 static inline void dmi_bvh_corners(const dmi_bvh* bvh, const dmi_bvh_part* part, uint32_t face, const float* out[3]) {
-    const uint32_t* corners = bvh->corners + ((size_t)part->first_face + face) * 3;
-    for (int i = 0; i < 3; i++) out[i] = bvh->positions + (size_t)corners[i] * 3;
+    const dmi_pick_face* found = &bvh->faces[part->first_face + face];
+    for (int i = 0; i < 3; i++) out[i] = bvh->positions + (size_t)found->corner[i] * 3;
 }
 
 #endif

@@ -10,6 +10,7 @@
 #include <unistd.h>
 #endif
 #include <stdio.h>
+#include <string.h>
 #include <threads.h>
 
 #include "base/fp_environment.h"
@@ -176,8 +177,8 @@ static dm_result build_scene(device* d, const dmi_triangles* triangles, embree_s
     if (geometry != NULL && scene != NULL) {
         rtc->SetSharedGeometryBuffer(geometry, EMBREE_VERTICES, 0, EMBREE_FLOAT3, triangles->positions, 0,
                                      3 * sizeof(float), triangles->vertex_count);
-        rtc->SetSharedGeometryBuffer(geometry, EMBREE_INDICES, 0, EMBREE_UINT3, triangles->corners, 0,
-                                     3 * sizeof(uint32_t), triangles->face_count);
+        rtc->SetSharedGeometryBuffer(geometry, EMBREE_INDICES, 0, EMBREE_UINT3, triangles->faces, 0,
+                                     sizeof *triangles->faces, triangles->face_count);
         rtc->CommitGeometry(geometry);
         rtc->SetSceneFlags(scene, EMBREE_ROBUST);
         rtc->AttachGeometry(scene, geometry);
@@ -216,11 +217,7 @@ static void destroy(void* handle, void* built) {
 static bool first_hit(const void* built, const dmi_part_ray* ray, dmi_part_hit* out_hit) {
     const tree* t = built;
     embree_ray_hit rtc;
-    for (int k = 0; k < 3; k++) {
-        rtc.origin[k] = ray->origin[k];
-        rtc.direction[k] = ray->direction[k];
-    }
-    rtc.near = rtc.time = 0;
+    memcpy(&rtc, ray, offsetof(dmi_part_ray, far)); /* the fourth floats: near and time */
     rtc.far = ray->far;
     rtc.mask = EMBREE_ALL_RAYS;
     rtc.id = rtc.flags = 0;

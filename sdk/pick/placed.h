@@ -27,14 +27,14 @@ typedef struct dmi_placed_part {
     const dmi_placed_object* owner;
     const dmi_bvh_part* shape;                                                           /* of the owner's bvh */
     bool (*first_hit)(const void* tree, const dmi_part_ray* ray, dmi_part_hit* out_hit); /* the backend's */
-    uint32_t leaf; /* of the scene's tree; DMI_TOP_NONE: nothing to hit */
-    bool moved;    /* since the last commit */
-    dm_pose pose;  /* from rest, object frame */
     /* As committed, from and to the object-normalised frame; doubles so that objects far from the origin keep their
-     * shape. */
-    double to_object[DMI_MATRIX], to_world[DMI_MATRIX], from_world[DMI_MATRIX];
+     * shape. In the order in which a hit needs them. */
     double scale, inverse_scale; /* host units in one of the object-normalised frame */
-    double winding;              /* -1 where to_world mirrors, else 1 */
+    double from_world[DMI_MATRIX], to_world[DMI_MATRIX], to_object[DMI_MATRIX];
+    double winding; /* -1 where to_world mirrors, else 1 */
+    uint32_t leaf;  /* of the scene's tree; DMI_TOP_NONE: nothing to hit */
+    bool moved;     /* since the last commit */
+    dm_pose pose;   /* from rest, object frame */
 } dmi_placed_part;
 
 struct dmi_placed_object {
@@ -98,13 +98,8 @@ typedef struct dmi_world_hit {
 /* Computes matrices and box of a part that has moved. */
 void dmi_placed_part_update(dmi_placed_part* part, const double placement[DMI_MATRIX],
                             const double from_inner[DMI_MATRIX], dmi_box* out_box);
-/* Tests a part whose box the ray enters at `entry`; replaces a hit that is farther away. Of hits at the same distance,
- * that of the lower instance and part wins, so that the order of tests does not count. */
-void dmi_placed_part_hit(const dmi_placed_part* part, const dmi_world_ray* ray, float entry, dmi_world_hit* hit);
-void dmi_placed_part_describe(const dmi_world_ray* ray, const dmi_world_hit* hit, dm_hit* out_hit);
-/* Finds the nearest hit among the parts of a scene; false where there is none. With the same bits from each. */
-typedef bool dmi_scene_trace(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* out_ray,
-                             dmi_world_hit* out_hit);
+/* Finds the nearest hit among the parts of a scene, zeros where there is none. With the same bits from each. */
+typedef void dmi_scene_trace(const dmi_top_tree* tree, const dm_ray* host_ray, dm_hit* out_hit);
 dmi_scene_trace dmi_scene_trace_plain;
 #if defined(__x86_64__)
 dmi_scene_trace dmi_scene_trace_avx2;

@@ -246,10 +246,7 @@ void dmi_scene_commit(dmi_scene* scene) {
 /* ---- pick ---- */
 
 void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_hit) {
-    dmi_world_ray ray;
-    dmi_world_hit hit;
-    *out_hit = (dm_hit){0};
-    if (scene->trace(&scene->tree, host_ray, &ray, &hit)) dmi_placed_part_describe(&ray, &hit, out_hit);
+    scene->trace(&scene->tree, host_ray, out_hit);
 }
 
 /* ---- scenes ---- */

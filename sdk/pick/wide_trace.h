@@ -11,10 +11,9 @@
 #include <math.h>
 
 #include "base/compiler.h"
-#include "pick/placed.h"
+#include "pick/placed_hit.h"
 #include "pick/wide_tree.h"
 
-#define TARGET_INLINE TARGET DMI_ALWAYS_INLINE static inline
 /* Bound of the rounding of a slab's far end, relative: 1 + 2 gamma(3) and a bit. */
 #define FAR_SLACK 1.0000005f
 #define MOST_STACKED ((DMI_WIDE - 1) * DMI_MOST_LEVELS + 1)
@@ -117,35 +116,51 @@ TARGET static bool trace_block(const dmi_triangle_block* block, traced_ray* ray,
     return hit;
 }
 
-/* Puts the children that the ray enters on the stack, the nearest on top. */
-TARGET_INLINE uint32_t stack_children(const dmi_wide_node* node, const traced_ray* ray, stacked* stack,
-                                      uint32_t depth) {
+/* Finds the nearest child that the ray enters; puts the others on the stack, the nearest of them on top. False where it
+ * enters none. Most nodes have one such child: it never is on the stack. */
+TARGET_INLINE bool enter_children(const dmi_wide_node* node, const traced_ray* ray, stacked* stack, uint32_t* depth,
+                                  stacked* out_nearest) {
     float near[DMI_WIDE];
-    const uint32_t bottom = depth;
-    for (uint32_t entered = enter_node(node, ray, near); entered != 0; entered &= entered - 1) {
-        const uint32_t child = dmi_trailing_zeros(entered);
-        const stacked item = {near[child], node->child[child]};
-        uint32_t at = depth++;
-        for (; at > bottom && stack[at - 1].near < item.near; at--) stack[at] = stack[at - 1];
-        stack[at] = item;
+    const uint32_t bottom = *depth;
+    uint32_t entered = enter_node(node, ray, near);
+    if (entered == 0) return false;
+    uint32_t child = dmi_trailing_zeros(entered);
+    stacked nearest = {near[child], node->child[child]};
+    while ((entered &= entered - 1) != 0) {
+        child = dmi_trailing_zeros(entered);
+        stacked other = {near[child], node->child[child]};
+        if (other.near < nearest.near) {
+            const stacked passed = nearest;
+            nearest = other;
+            other = passed;
+        }
+        uint32_t at = (*depth)++;
+        for (; at > bottom && stack[at - 1].near < other.near; at--) stack[at] = stack[at - 1];
+        stack[at] = other;
     }
-    return depth;
+    *out_nearest = nearest;
+    return true;
+}
+
+/* Takes the top of the stack that begins before `far`; false where there is none. */
+TARGET_INLINE bool take_next(const stacked* stack, uint32_t* depth, float far, stacked* out) {
+    while (*depth > 0) {
+        *out = stack[--*depth];
+        if (out->near <= far) return true;
+    }
+    return false;
 }
 
 TARGET static bool trace_tree(const dmi_wide_tree* tree, const dmi_part_ray* part_ray, dmi_part_hit* out) {
     traced_ray ray = start_ray(part_ray);
-    stacked stack[MOST_STACKED];
-    uint32_t depth = 1;
+    stacked stack[MOST_STACKED], item = {0, 0};
+    uint32_t depth = 0;
     bool hit = false;
-    stack[0] = (stacked){0, 0};
-    while (depth > 0) {
-        const stacked item = stack[--depth];
-        if (item.near > ray.far) continue;
-        if (item.reference & DMI_LEAF) {
-            if (trace_block(&tree->blocks[item.reference & ~DMI_LEAF], &ray, out)) hit = true;
-            continue;
+    for (bool more = true; more; more = take_next(stack, &depth, ray.far, &item)) {
+        while (!(item.reference & DMI_LEAF) &&
+               enter_children(&tree->nodes[item.reference], &ray, stack, &depth, &item)) {
         }
-        depth = stack_children(&tree->nodes[item.reference], &ray, stack, depth);
+        if (item.reference & DMI_LEAF && trace_block(&tree->blocks[item.reference & ~DMI_LEAF], &ray, out)) hit = true;
     }
     return hit;
 }
@@ -155,26 +170,27 @@ TARGET_INLINE float bound_of(const dmi_world_hit* hit) {
     return (float)hit->distance * FAR_SLACK;
 }
 
-TARGET static bool trace_scene(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* world,
-                               dmi_world_hit* hit) {
-    stacked stack[(DMI_WIDE - 1) * DMI_TOP_MOST_LEVELS + 1];
+TARGET static void trace_scene(const dmi_top_tree* tree, const dm_ray* host_ray, dm_hit* out_hit) {
+    stacked stack[(DMI_WIDE - 1) * DMI_TOP_MOST_LEVELS + 1], item;
     uint32_t depth = 0;
-    *hit = (dmi_world_hit){.distance = INFINITY};
-    if (!dmi_world_ray_start(host_ray, world)) return false;
+    dmi_world_ray world;
+    dmi_world_hit hit = {.distance = INFINITY};
+    *out_hit = (dm_hit){0};
+    if (!dmi_world_ray_start(host_ray, &world)) return;
     traced_ray ray = {.far = INFINITY};
-    set_slabs(&ray, world->origin_f32, world->direction_f32);
-    if (tree->root != DMI_TOP_NONE) stack[depth++] = (stacked){0, tree->root};
-    while (depth > 0) {
-        const stacked item = stack[--depth];
-        if (item.near > ray.far) continue;
+    set_slabs(&ray, world.origin_f32, world.direction_f32);
+    item = (stacked){0, tree->root};
+    bool more = tree->root != DMI_TOP_NONE;
+    while (more) {
         if (item.reference & DMI_LEAF) {
-            dmi_placed_part_hit(tree->leaves[item.reference & ~DMI_LEAF].item, world, item.near, hit);
-            ray.far = bound_of(hit);
+            hit_part(tree->leaves[item.reference & ~DMI_LEAF].item, &world, item.near, &hit);
+            ray.far = bound_of(&hit);
+        } else if (enter_children(&tree->nodes[item.reference].wide, &ray, stack, &depth, &item)) {
             continue;
         }
-        depth = stack_children(&tree->nodes[item.reference].wide, &ray, stack, depth);
+        more = take_next(stack, &depth, ray.far, &item);
     }
-    return hit->part != NULL;
+    if (hit.part != NULL) describe_hit(&world, &hit, out_hit);
 }
 
 #endif

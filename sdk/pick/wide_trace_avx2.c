@@ -52,9 +52,8 @@ bool dmi_wide_trace_avx2(const dmi_wide_tree* tree, const dmi_part_ray* ray, dmi
     return trace_tree(tree, ray, out_hit);
 }
 
-bool dmi_scene_trace_avx2(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* out_ray,
-                          dmi_world_hit* out_hit) {
-    return trace_scene(tree, host_ray, out_ray, out_hit);
+void dmi_scene_trace_avx2(const dmi_top_tree* tree, const dm_ray* host_ray, dm_hit* out_hit) {
+    trace_scene(tree, host_ray, out_hit);
 }
 
 #endif

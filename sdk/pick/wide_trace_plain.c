@@ -51,7 +51,6 @@ bool dmi_wide_trace_plain(const dmi_wide_tree* tree, const dmi_part_ray* ray, dm
     return trace_tree(tree, ray, out_hit);
 }
 
-bool dmi_scene_trace_plain(const dmi_top_tree* tree, const dm_ray* host_ray, dmi_world_ray* out_ray,
-                           dmi_world_hit* out_hit) {
-    return trace_scene(tree, host_ray, out_ray, out_hit);
+void dmi_scene_trace_plain(const dmi_top_tree* tree, const dm_ray* host_ray, dm_hit* out_hit) {
+    trace_scene(tree, host_ray, out_hit);
 }

@@ -31,7 +31,7 @@ typedef struct builder {
 } builder;
 
 static const float* corner(const dmi_triangles* t, uint32_t face, int i) {
-    return t->positions + (size_t)t->corners[(size_t)face * 3 + (size_t)i] * 3;
+    return t->positions + (size_t)t->faces[face].corner[i] * 3;
 }
 
 /* fminf and fmaxf are calls. */

@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "math/vec3.h"
 #include "pick/bvh.h"
+#include "pick/placed.h"
 #include "pick/wide_tree.h"
 #include "test_shapes.h"
 
@@ -391,8 +392,10 @@ static void instruction_sets_give_the_same_bits(void** state) {
     test_env_open(&t, TEST_NEVER);
     dmi_random random = dmi_random_make(9, 9);
     make_shape(&random);
+    static dmi_pick_face faces[TEST_SHAPE_MAX];
+    for (uint32_t f = 0; f < shape.face_count; f++) memcpy(faces[f].corner, shape.corners[f], sizeof faces[f].corner);
     const dmi_triangles triangles = {.positions = &shape.xyz[0][0],
-                                     .corners = &shape.corners[0][0],
+                                     .faces = faces,
                                      .vertex_count = shape.vertex_count,
                                      .face_count = shape.face_count};
     assert_int_equal(dmi_wide_tree_build(&t.env, &triangles, &tree), DM_OK);
@@ -417,12 +420,78 @@ static void instruction_sets_give_the_same_bits(void** state) {
 #endif
 }
 
+#if defined(__x86_64__)
+/* The parts of a stage in a tree of their own. */
+typedef struct placed_stage {
+    dmi_placed_object* objects[INSTANCES];
+    size_t object_size;
+    dmi_top_tree tree;
+} placed_stage;
+
+static void place_stage(stage* s, placed_stage* out) {
+    double from_inner[DMI_MATRIX] = {0}, placement[DMI_MATRIX];
+    dmi_frame_matrix_out(&s->mesh->frame, from_inner);
+    dmi_top_tree_init(&out->tree, &s->t.env);
+    out->object_size = sizeof(dmi_placed_object) + PARTS * sizeof(dmi_placed_part);
+    for (uint32_t i = 0; i < INSTANCES; i++) {
+        dmi_placed_object* object = dmi_alloc_zeroed(&s->t.env, out->object_size, DMI_ALIGNMENT);
+        object->bvh = s->bvh[1];
+        object->object = 7;
+        object->id = i;
+        dmi_pose_matrix_f64(&s->placement[i], placement);
+        for (uint32_t p = 0; p < PARTS; p++) {
+            dmi_placed_part* part = &object->parts[p];
+            part->owner = object;
+            part->shape = &s->bvh[1]->parts[p];
+            part->first_hit = s->picker[1]->backend->first_hit;
+            part->pose = s->part[i][p];
+            assert_int_equal(dmi_top_tree_add(&out->tree, part, &part->leaf), DM_OK);
+            dmi_placed_part_update(part, placement, from_inner, &out->tree.leaves[part->leaf].box);
+            dmi_top_tree_place(&out->tree, part->leaf);
+        }
+        out->objects[i] = object;
+    }
+}
+#endif
+
+/* What a scene says of a ray, too: it has been computed by the same instruction set. */
+static void scenes_give_the_same_bits(void** state) {
+    (void)state;
+#if defined(__x86_64__)
+    if (dmi_cpu_best_isa() == DMI_ISA_SCALAR || !embree_is_there()) skip();
+    stage s;
+    placed_stage placed;
+    dmi_random random = dmi_random_make(11, 11);
+    make_shape(&random);
+    open_stage(&s, DM_AXES_GLTF, 1, &random);
+    place_stage(&s, &placed);
+    int hits = 0;
+    for (uint32_t i = 0; i < RAYS; i++) {
+        const dm_ray ray = random_ray(&s, &random, i % RAY_KINDS);
+        dm_hit plain, avx2;
+        memset(&plain, 0, sizeof plain);
+        memset(&avx2, 0, sizeof avx2);
+        dmi_scene_trace_plain(&placed.tree, &ray, &plain);
+        dmi_scene_trace_avx2(&placed.tree, &ray, &avx2);
+        assert_memory_equal(&plain, &avx2, sizeof plain);
+        hits += plain.object != 0;
+    }
+    assert_true(hits > RAYS / 2);
+    for (uint32_t i = 0; i < INSTANCES; i++) dmi_free(&s.t.env, placed.objects[i], placed.object_size);
+    dmi_top_tree_release(&placed.tree);
+    close_stage(&s);
+#else
+    skip();
+#endif
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(backends_hit_the_same),
         cmocka_unit_test(nothing_slips_between_triangles),
         cmocka_unit_test(failed_builds_answer_for_themselves),
         cmocka_unit_test(instruction_sets_give_the_same_bits),
+        cmocka_unit_test(scenes_give_the_same_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
