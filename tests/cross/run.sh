@@ -113,5 +113,12 @@ if [ "$target" = windows ]; then
         [ -z "$others" ] || complain "$name also exports" $others
     done
     tests/cross/msvc.sh || complain "the check of Microsoft's rules failed"
+    tests/cross/clash.sh || complain "a host's names, or another copy, change something"
+else
+    for library in $libraries; do
+        case $library in *_cli) continue ;; esac
+        others=$("${compiler%gcc}nm" -D --defined-only "$built/lib$library.so" | awk '$3 !~ /^dm_/ { print $3 }')
+        [ -z "$others" ] || complain "lib$library.so also exports" $others
+    done
 fi
 exit $failed

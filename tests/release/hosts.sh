@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # tests/release/hosts.sh ARCHIVE WORK_FOLDER — hosts that find the unpacked release in each of the ways that it offers:
 # pkg-config, find_package (shared and static), add_subdirectory, FetchContent. Each builds samples/01_hello_drag, and all
-# print the same. Needs a C compiler, cmake and pkg-config, nothing of this repository.
+# print the same. Needs a C compiler, cmake and pkg-config, nothing of this repository. For an archive of another machine,
+# CC is a compiler for it and EMULATOR the command that runs its programs.
 set -euo pipefail
 archive=$(realpath "$1") work=$2
 mkdir -p "$work" && cd "$work"
@@ -9,17 +10,17 @@ tar -xzf "$archive"
 root=$PWD/$(basename "$archive" .tar.gz)
 hello=$root/samples/01_hello_drag
 
-"$root/bin/dragmesh" > usage 2>&1 || grep -q infer usage
+${EMULATOR:-} "$root/bin/dragmesh" > usage 2>&1 || grep -q infer usage
 export PKG_CONFIG_PATH=$root/lib/pkgconfig
 ${CC:-cc} "$hello/main.c" $(pkg-config --cflags --libs dragmesh) -Wl,-rpath,"$(pkg-config --variable=libdir dragmesh)" -o pkg_config
-./pkg_config "$(pkg-config --variable=models dragmesh)" > pkg_config.txt
+${EMULATOR:-} ./pkg_config "$(pkg-config --variable=models dragmesh)" > pkg_config.txt
 grep -q '^hinge' pkg_config.txt
 
 # host NAME PROGRAM: builds the CMake project in the folder NAME; runs its program.
 host() {
     cmake -Wno-dev -S "$1" -B "$1/build" -DCMAKE_PREFIX_PATH="$root" -DCMAKE_BUILD_TYPE=Release > "$1.log" &&
         cmake --build "$1/build" >> "$1.log" || { cat "$1.log" >&2; exit 1; }
-    "$1/build/$2" "$root/models" | cmp - pkg_config.txt || { echo "hosts.sh: $1 answers otherwise" >&2; exit 1; }
+    ${EMULATOR:-} "$1/build/$2" "$root/models" | cmp - pkg_config.txt || { echo "hosts.sh: $1 answers otherwise" >&2; exit 1; }
     echo "hosts.sh: $1 builds and runs"
 }
 # project NAME CMAKE_LINES TARGET: a host in the folder NAME.
