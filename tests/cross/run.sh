@@ -83,6 +83,16 @@ fi
 
 tests/e2e/determinism.sh against "$target" $scene_apart $runner "$built/tests/caller$suffix" || complain "the fixed scene has other answers"
 
+# ---- Draco, which no build for another machine has ----
+
+if [ "$has_gltf" = 1 ]; then
+    gcc -std=gnu17 -O1 -Iplugin_api/include -Isdk -Ithird_party -Itests/include tests/abi/clash/write_props.c \
+        build/release/lib/lib{cjson,meshoptimizer}.a -lstdc++ -lm -o "$work/write_props"
+    "$work/write_props" "$work"
+    ! there infer "$work/draco.glb" --moving door > "$work/props.txt" 2>&1 || complain "Draco's prop is read"
+    grep -q KHR_draco_mesh_compression "$work/props.txt" || complain "the refusal of Draco does not name it"
+fi
+
 # ---- samples ----
 
 for sample in $samples; do
