@@ -5,6 +5,7 @@
 #include "math/linear3.h"
 
 #define MOST_OFFSET 2 /* radii of the part: a line farther off differs no more; by hand */
+#define LARGEST 1e6f  /* of an output: shipped weights stay below 100; squares stay far inside a float's range */
 
 /* Shifts log-likelihoods so that they add up to a probability of one. */
 static void normalize(float* scores, uint32_t count) {
@@ -44,7 +45,18 @@ static const dmi_prediction* medoid(const dmi_prediction members[DMI_KPP_MEMBERS
     return best;
 }
 
-void dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
+static bool are_usable(const float* numbers, int count) {
+    for (int i = 0; i < count; i++)
+        if (!(fabsf(numbers[i]) <= LARGEST)) return false;
+    return true;
+}
+
+static bool is_usable(const dmi_kpp_output* o) {
+    return are_usable(o->type_logits, DMI_KPP_TYPES) && are_usable(o->turn_axis, 3) && are_usable(o->slide_axis, 3) &&
+           are_usable(o->origin, 3) && are_usable(o->context, DMI_KPP_CONTEXT) && are_usable(o->limits, DMI_KPP_LIMITS);
+}
+
+bool dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
                           void* scratch, dmi_kpp_ensemble* out_ensemble) {
     dmi_kpp_ensemble* o = out_ensemble;
     dmi_prediction members[DMI_KPP_MEMBERS];
@@ -52,6 +64,7 @@ void dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* 
     for (uint32_t i = 0; i < DMI_KPP_MEMBERS; i++) {
         make_input(cloud, i, hint, &o->input[i]);
         dmi_kpp_net_forward(net, isa, &o->input[i], scratch, &o->output[i]);
+        if (!is_usable(&o->output[i])) return false;
         dmi_prediction_read(&o->input[i].frame, &o->output[i], &members[i]);
         for (int k = 0; k < DMI_KPP_TYPES; k++) type[k] += members[i].type[k] / DMI_KPP_MEMBERS;
     }
@@ -60,6 +73,7 @@ void dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* 
     dmi_copy3(slide->slide_axis, o->prediction.slide_axis);
     memcpy(o->prediction.slide_limits, slide->slide_limits, sizeof slide->slide_limits);
     memcpy(o->prediction.type, type, sizeof type);
+    return true;
 }
 
 void dmi_kpp_ensemble_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* ensemble,

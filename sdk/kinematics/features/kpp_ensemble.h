@@ -13,8 +13,9 @@ typedef struct dmi_kpp_ensemble {
     dmi_prediction prediction; /* of the member that the others agree with most; type: the mean of all */
 } dmi_kpp_ensemble;
 
-/* hint NULL: without a drag. scratch: as for dmi_kpp_net_forward. */
-void dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
+/* Returns false when an output can't be computed with: weights have overflowed. hint NULL: without a drag. scratch: as
+ * for dmi_kpp_net_forward. */
+bool dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
                           void* scratch, dmi_kpp_ensemble* out_ensemble);
 /* Writes log-likelihoods of candidates up to a constant: the mean of all members. */
 void dmi_kpp_ensemble_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* ensemble,

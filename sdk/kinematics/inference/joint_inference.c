@@ -56,8 +56,9 @@ static dm_result run_kpp_net(dmi_env* env, dmi_arena* arena, work* w) {
     if (query->models.kpp == NULL) return DM_OK;
     void* scratch = dmi_arena_push(arena, dmi_kpp_net_scratch_size(query->models.kpp));
     if (scratch == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for KPP-Net's scratch");
-    dmi_kpp_ensemble_run(query->models.kpp, query->models.isa, query->cloud, query->hint, scratch, &w->ensemble);
-    return DM_OK;
+    if (dmi_kpp_ensemble_run(query->models.kpp, query->models.isa, query->cloud, query->hint, scratch, &w->ensemble))
+        return DM_OK;
+    return dmi_fail(env, DM_ERROR_BAD_DATA, "kinematics: KPP-Net's weights overflow");
 }
 
 /* Keeps the candidates of the type that the host has given. */
@@ -214,6 +215,24 @@ static void find_free_ranges(const work* w, dmi_hypotheses* hypotheses, dmi_alte
     }
 }
 
+static bool is_finite(const dm_joint* joint) {
+    const dm_vec3 a = joint->axis, o = joint->origin;
+    return isfinite(joint->type_confidence) && isfinite(joint->joint_confidence) && isfinite(joint->pitch) &&
+           isfinite(a.x) && isfinite(a.y) && isfinite(a.z) && isfinite(o.x) && isfinite(o.y) && isfinite(o.z) &&
+           isfinite(joint->lower) && isfinite(joint->upper);
+}
+
+/* Weights are finite, but what networks make of them may not be. */
+static bool are_finite(const dmi_hypotheses* hypotheses, const dmi_alternatives* alternatives) {
+    for (uint32_t i = 0; i < hypotheses->count; i++)
+        if (!is_finite(&hypotheses->joints[i])) return false;
+    for (uint32_t i = 0; alternatives != NULL && i < alternatives->count; i++) {
+        const dm_joint joint = dmi_alternative_joint(&alternatives->list[i]);
+        if (!is_finite(&joint)) return false;
+    }
+    return true;
+}
+
 static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_inference_query* query, dmi_hypotheses* out,
                        dmi_alternatives* out_alternatives) {
     work* w = dmi_arena_push(arena, sizeof *w);
@@ -232,8 +251,11 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_inference_query
         rank_candidates(w);
     make_hypotheses(w, out);
     if (out_alternatives != NULL) result = find_alternatives(arena, w, out, out_alternatives);
-    if (result == DM_OK) find_free_ranges(w, out, out_alternatives);
-    return result;
+    if (result != DM_OK) return result;
+    if (!are_finite(out, out_alternatives))
+        return dmi_fail(env, DM_ERROR_BAD_DATA, "kinematics: the ranker's weights overflow");
+    find_free_ranges(w, out, out_alternatives);
+    return DM_OK;
 }
 
 dm_result dmi_joint_inference_run(dmi_env* env, const dmi_inference_query* query, dmi_hypotheses* out_hypotheses,

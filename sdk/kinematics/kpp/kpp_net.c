@@ -167,7 +167,7 @@ static void snap_axis(const float* shape, float axis[3]) {
         const float along = dmi_dot3(axis, direction);
         if (fabsf(along) > fabsf(best)) best = along, nearest = direction;
     }
-    if (fabsf(best) <= SNAP_COSINE * length) return;
+    if (!(fabsf(best) > SNAP_COSINE * length)) return; /* also where weights have overflowed: nothing is near */
     for (int k = 0; k < 3; k++) axis[k] = copysignf(length, best) * nearest[k];
 }
 
