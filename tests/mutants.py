@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Mutation score: changes one place of the code at a time and counts how many changes the relevant tests notice.
 
-    python3 tests/mutants.py [--count 120] [--seed 36] [--log FILE] [--show] [--only NUMBER]
+    python3 tests/mutants.py [--count 120] [--seed 36] [--log FILE] [--show | --again]
 
 Three areas share the mutants: ranking, drags, readers of files. Seed and count name the mutants of a given tree. A mutant
 that does not compile is replaced by the next one. Needs build/release with its objects (scripts/build release). Each
-result is a line of FILE (build/mutants.jsonl); a second run goes on where the first one ended. --show prints what the
-survivors changed, --only tries one mutant again. Status 1 when less than four of five are noticed.
+result is a line of FILE (build/mutants.jsonl); a second run goes on where the first one ended. The changed file alone is
+compiled with sanitizers, as scripts/test runs all tests with them. --show prints what the survivors changed, --again asks
+the tests of now about them. Status 1 when less than four of five are noticed.
 """
 import argparse
 import glob
@@ -25,6 +26,8 @@ LEAST = 0.8  # share of the mutants that must be noticed
 TIMEOUT = 60  # s a test may take; the slowest takes 6 on an idle machine. One that hangs has noticed
 FLAGS = shlex.split("-O1 -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -w -D_GNU_SOURCE -DNDEBUG "
                     "-Iplugin_api/include -Isdk -Ithird_party")
+SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+os.environ["ASAN_OPTIONS"] = "detect_leaks=1:allocator_may_return_null=1"
 LIBRARIES = shlex.split("-lcmocka build/release/lib/libdragmesh_generator.a build/release/lib/libdragmesh_core.a "
                         "build/release/lib/libmeshoptimizer.a -ldraco -lstdc++ -ldl -lm")
 
@@ -42,7 +45,7 @@ AREAS = {
     "readers": (["sdk/kinematics/object/dmo_*.c", "sdk/nn/weights.c", "sdk/mesh/mask.c", "sdk/mesh/mesh_read.c",
                  "sdk/mesh/gltf/*.c"],
                 ["test_mask", "test_mesh", "test_weights", "test_gltf_surface", "test_gltf_hints", "test_gltf_export", "test_gltf",
-                 "test_gltf_props", "test_boundary", "test_dmo", "test_object", "test_gltf_malloc"]),
+                 "test_gltf_props", "test_boundary", "test_dmo", "test_object"]),
 }
 
 # Each way to be wrong: what is looked for, and what stands in its place.
@@ -113,7 +116,7 @@ def candidates(seed):
 def compiled(path, text, out):
     source = out.with_suffix(".c")
     source.write_text(text)
-    command = ["gcc", "-std=gnu17", *FLAGS, f"-I{pathlib.Path(path).parent}", "-c", source, "-o", out]
+    command = ["gcc", "-std=gnu17", *FLAGS, *SANITIZERS, f"-I{pathlib.Path(path).parent}", "-c", source, "-o", out]
     return subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0
 
 
@@ -123,7 +126,7 @@ def noticed_by(path, changed, tests, work):
               if pathlib.Path(name).name != pathlib.Path(path).stem + ".o"]
     program = work / "test"
     for test in tests:
-        link = ["gcc", *(["-fuse-ld=lld"] if os.path.exists("/usr/bin/ld.lld") else []), "-o", program,
+        link = ["gcc", *SANITIZERS, *(["-fuse-ld=lld"] if os.path.exists("/usr/bin/ld.lld") else []), "-o", program,
                 f"build/obj/{test}/release/{test}.o", *([changed] if changed else []), *others, *LIBRARIES]
         subprocess.run(link, check=True)
         try:
@@ -161,7 +164,7 @@ def main():
     parser.add_argument("--seed", type=int, default=36)
     parser.add_argument("--log", type=pathlib.Path, default=pathlib.Path("build/mutants.jsonl"))
     parser.add_argument("--show", action="store_true")
-    parser.add_argument("--only", type=int)
+    parser.add_argument("--again", action="store_true")
     arguments = parser.parse_args()
     os.chdir(pathlib.Path(__file__).resolve().parent.parent)
     done = {}
@@ -175,15 +178,16 @@ def main():
         return
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
-        if not done:
-            for _, tests in AREAS.values():
-                failing = noticed_by("", None, tests, work)
-                if failing:
-                    sys.exit(f"{failing} fails without any change")
+        for _, tests in AREAS.values():
+            failing = noticed_by("", None, tests, work)
+            if failing:
+                sys.exit(f"{failing} fails without any change")
+        again = {number for number, r in done.items() if r["by"] is None} if arguments.again else set()
+        last = max(done, default=-1)
         for number, (area, path, place) in enumerate(candidates(arguments.seed)):
-            if len(done) >= arguments.count and arguments.only is None:
+            if len(done) >= arguments.count and number > max(again, default=-1):
                 break
-            if number != arguments.only if arguments.only is not None else number <= max(done, default=-1):
+            if number <= last and number not in again:
                 continue
             text = pathlib.Path(path).read_text()
             changed = work / (pathlib.Path(path).stem + ".o")
@@ -192,11 +196,8 @@ def main():
             by = noticed_by(path, changed, AREAS[area][1], work)
             result = {"number": number, "area": area, "what": difference(path, place), "by": by}
             print(f"{number:4} {area:8} {by or 'NOT NOTICED'}  {result['what'] if by is None else ''}", flush=True)
-            if arguments.only is not None:
-                return
-            with arguments.log.open("a") as log:
-                log.write(json.dumps(result) + "\n")
             done[number] = result
+            arguments.log.write_text("".join(json.dumps(done[i]) + "\n" for i in sorted(done)))
     share = show([done[i] for i in sorted(done)])
     sys.exit(f"less than {LEAST:.0%} are noticed" if share < LEAST else 0)
 
