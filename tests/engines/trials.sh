@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# tests/engines/trials.sh [PAGE…] — a newcomer of each host: in a bare Debian 12 of its own, with the archives of build/dist
+# tests/engines/trials.sh [PAGE…] — a newcomer of each host: in a bare Debian 12 of its own, with the archives of the release
 # alone, runs the commands that docs/engines/PAGE.md gives under "Install" and "First door", with its code saved in the files that
 # it names, and expects the words that it says the program ends with. Prints the seconds of the packages' download and
 # installation, and those of the rest. As root, with debootstrap; some 400 MB of downloads.
 # PAGE: cpp, csharp, rust, love, python, blender, web; all unless some are given.
+#   DM_DIST  folder of the archives, by default build/dist
 #   DM_BASE  folder of a bare Debian 12 to copy, made where there is none; by default one that is removed
 set -euo pipefail
 [ -z "${DM_BASE:-}" ] || export DM_BASE=$(realpath -m "$DM_BASE")
+[ -z "${DM_DIST:-}" ] || export DM_DIST=$(realpath -m "$DM_DIST")
 cd "$(dirname "$0")/../.."
 [ "$(id -u)" = 0 ] || { echo "trials.sh: needs root, for chroot" >&2; exit 2; }
 command -v debootstrap > /dev/null || { echo "trials.sh: debootstrap is missing" >&2; exit 2; }
@@ -50,7 +52,7 @@ steps() {
 
 for page; do
     rm -rf --one-file-system "$root" && cp -a "$base" "$root" && mounts ON
-    mkdir "$root/root/trial" && cp build/dist/*dragmesh*-0.1.0* "$root/root/trial/"
+    mkdir "$root/root/trial" && cp "${DM_DIST:-build/dist}"/*dragmesh*-0.1.0* "$root/root/trial/"
     { # apt's seconds are counted apart
         cat "$work/way"
         echo 'apt() { local from=$SECONDS; command apt-get -qq "$@" > /dev/null; packages=$((packages + SECONDS - from)); }
