@@ -37,8 +37,19 @@ echo "== the room, played by a hand"
 godot --fixed-fps 60 -- --play 2> "$out/room.log" | sed '/^Godot Engine/,/^$/d' | tee "$out/room.txt"
 grep -q '; 0 failures$' "$out/room.txt"
 
+echo "== saving, networking, physics"
+godot --fixed-fps 60 --script handover.gd 2> "$out/handover.log" | sed '/^Godot Engine/,/^$/d'
+
+echo "== reloads"
+godot --editor --script reload.gd > "$out/reload.log" 2>&1 || { grep -v '^.\[\|^\[' "$out/reload.log" | tail -n 20 >&2; exit 1; }
+grep ' rounds: ' "$out/reload.log"
+
 echo "== its picture"
 in_sid xvfb-run -a -s "-screen 0 1280x800x24" godot --rendering-driver opengl3 --audio-driver Dummy --fixed-fps 60 --path /project -- \
     --play /project/room.png > "$out/picture.log" 2>&1 || { tail "$out/picture.log" >&2; exit 1; }
 cp "$project/room.png" "$out/"
-echo "$out/room.png"
+echo room.png
+
+echo "== the first door"
+godot --script first_door.gd 2> "$out/door.log" | sed '/^Godot Engine/,/^$/d' | tee "$out/door.txt"
+grep -q ' has opened$' "$out/door.txt"

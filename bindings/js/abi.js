@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: dbd29cd09407230b
+// Hash of the description: cb4b10e0dba37785
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;

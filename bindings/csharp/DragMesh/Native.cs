@@ -569,7 +569,7 @@ namespace DragMesh
         public Vec3 Vector;
     }
 
-    /// <summary>Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin.</summary>
+    /// <summary>Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one place: its file has lost them, and an edge that happens to lie there would be taken for a hinge.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Pivot
     {

@@ -372,6 +372,43 @@ static gd_value reset_part(void* self, const gd_value* const* a) {
     return gd_nil();
 }
 
+/* The rigid motion from rest that a node's transform in the object frame shows. */
+static dm_result pose_of_node(const body* b, const part* p, dm_pose* out) {
+    gd_value node = part_node(p);
+    const affine place = body_place_of(b, &node), back = affine_inverse(&p->rest), moved = affine_after(&place, &back);
+    gd_value transform = gd_of_transform(moved.m), basis = gd_get(&transform, "basis"),
+             rotation = gd_call(&basis, "get_rotation_quaternion", 0, NULL);
+    static const char* const names[4] = {"x", "y", "z", "w"};
+    float numbers[4] = {0};
+    for (int i = 0; i < 4; i++) take_number(&rotation, names[i], &numbers[i]);
+    gd_free(&rotation);
+    gd_free(&basis);
+    gd_free(&transform);
+    gd_free(&node);
+    return dm_pose_from_rotation(numbers, (dm_vec3){(float)moved.m[9], (float)moved.m[10], (float)moved.m[11]}, out);
+}
+
+/* Takes over where something else, as physics, has put the node of a part. */
+static gd_value adopt(void* self, const gd_value* const* a) {
+    body* b = self;
+    part* p = part_in(b, a[0], "adopt");
+    gd_value out = empty();
+    dm_part_state state = dm_part_state_default();
+    float angle = 0, distance = 0;
+    if (!p) return out;
+    part_end(p);
+    state.joint = joint_of(b, p);
+    dm_result result = pose_of_node(b, p, &state.pose);
+    if (result == DM_OK) result = dm_joint_value(&state.joint, &state.pose, &state.value, &angle, &distance);
+    if (!fine(result, "adopt")) return out;
+    p->state = state, p->moved = true;
+    if (b->scene) body_show(b, p);
+    gd_put(&out, "value", gd_of_float((double)state.value));
+    gd_put(&out, "angle_error", gd_of_float((double)angle));
+    gd_put(&out, "distance_error", gd_of_float((double)distance));
+    return out;
+}
+
 static gd_value save_drag(void* self, const gd_value* const* a) {
     static uint8_t bytes[DM_DRAG_SNAPSHOT_MAX];
     const part* p = dragged_part(self, a[0], "save_drag");
@@ -502,6 +539,7 @@ static const gd_method_row methods[] = {
     {"value", value_of, FLOAT, false, {NODE}},
     {"part_state", part_state, DICTIONARY, false, {NODE}},
     {"restore_part", restore_part, BOOL, false, {NODE, {"state", DICTIONARY, NULL}}},
+    {"adopt", adopt, DICTIONARY, false, {NODE}},
     {"reset_part", reset_part, NONE, false, {NODE}},
     {"save_drag", save_drag, BYTES, false, {NODE}},
     {"restore_drag", restore_drag, BOOL, false, {NODE, {"bytes", BYTES, NULL}}},

@@ -15,6 +15,7 @@ static bool model_read;
 /* Called on the threads that prepare, too: printing is safe there. */
 static void DM_CALL print_message(void* user, int32_t level, dm_result code, const char* text) {
     (void)user;
+    if (code == DM_ERROR_CANCELLED) return; /* as asked */
     const char* name = dm_result_string(code);
     if (level == DM_LOG_ERROR)
         gd.print_error_with_message(name, text, "dragmesh", "", 0, 0);

@@ -302,7 +302,7 @@ class DragHint(Struct):
 
 
 class Pivot(Struct):
-    """Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin."""
+    """Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one place: its file has lost them, and an edge that happens to lie there would be taken for a hinge."""
 
     origin: Vec3
     axes: Any

@@ -272,7 +272,8 @@ typedef struct dm_drag_hint {
 } dm_drag_hint;
 
 /* Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or
- * left it in the middle or at the file's origin. */
+ * left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one
+ * place: its file has lost them, and an edge that happens to lie there would be taken for a hinge. */
 typedef struct dm_pivot {
     dm_vec3 origin; /* host object frame */
     float axes[9];  /* the node's own x, y and z axis, three numbers each, host object frame; of any length, also

@@ -473,7 +473,7 @@ impl Default for dm_drag_hint {
     }
 }
 
-/// Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin.
+/// Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one place: its file has lost them, and an edge that happens to lie there would be taken for a hinge.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_pivot {
