@@ -90,13 +90,24 @@ static bool is_whole_mesh(const dmi_mesh* mesh, const uint8_t* faces) {
     return true;
 }
 
+static dm_result find(dmi_arena* arena, const dmi_part_query* query, uint8_t* out_faces) {
+    const dmi_mesh* mesh = query->mesh;
+    uint8_t* faces = dmi_arena_push(arena, mesh->face_count); /* an error leaves out_faces as it was */
+    if (faces == NULL) return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to find a part");
+    const dm_result result =
+        has_given_pieces(mesh) ? find_among_given(arena, query, faces) : find_among_proposals(arena, query, faces);
+    if (result != DM_OK) return result;
+    if (is_whole_mesh(mesh, faces))
+        return dmi_fail(arena->env, DM_ERROR_FULL_MASK,
+                        "the grabbed point's part is the whole mesh: nothing would stay");
+    memcpy(out_faces, faces, mesh->face_count);
+    return DM_OK;
+}
+
 dm_result dmi_part_find(dmi_env* env, const dmi_part_query* query, uint8_t* out_faces) {
     dmi_arena arena;
     dmi_arena_init(&arena, env, ARENA_BLOCK);
-    dm_result result = has_given_pieces(query->mesh) ? find_among_given(&arena, query, out_faces)
-                                                     : find_among_proposals(&arena, query, out_faces);
-    if (result == DM_OK && is_whole_mesh(query->mesh, out_faces))
-        result = dmi_fail(env, DM_ERROR_FULL_MASK, "the grabbed point's part is the whole mesh: nothing would stay");
+    dm_result result = find(&arena, query, out_faces);
     dmi_arena_release(&arena);
     return result;
 }

@@ -246,7 +246,10 @@ static void test_faces_by_node_name(void** state) {
     assert_int_equal(dm_gltf_mark_faces(o.gltf, both, 1, 1, NULL, 8), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_gltf_mark_faces(o.gltf, NULL, 1, 1, ids, 8), DM_ERROR_INVALID_ARGUMENT);
     const char* missing[] = {"door", "drawer"};
-    assert_int_equal(dm_gltf_mark_faces(o.gltf, missing, 2, 1, ids, 8), DM_ERROR_NOT_FOUND);
+    uint8_t before[sizeof ids];
+    memcpy(before, ids, sizeof ids);
+    assert_int_equal(dm_gltf_mark_faces(o.gltf, missing, 2, 7, ids, 8), DM_ERROR_NOT_FOUND);
+    assert_memory_equal(ids, before, sizeof ids); /* also of the first name, which is there */
     assert_non_null(strstr(o.t.messages.text, "'drawer'"));
     assert_non_null(strstr(o.t.messages.text, "'knob'"));
     const char* bare[] = {"empty"};
@@ -272,9 +275,11 @@ static void test_masks(void** state) {
     assert_int_equal(scope, DM_PER_VERTEX);
     assert_memory_equal(ids, ((uint8_t[]){1, 1, 0, 0, 0, 0}), 6);
     assert_int_equal(dm_gltf_read_mask(o.gltf, "[0, 0]", 6, NULL, ids, &scope, NULL), DM_ERROR_EMPTY_MASK);
-    assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, 1]", 6, NULL, ids, &scope, NULL), DM_ERROR_FULL_MASK);
+    assert_int_equal(dm_gltf_read_mask(o.gltf, "[8, 8]", 6, NULL, ids, &scope, NULL), DM_ERROR_FULL_MASK);
     assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, 0, 1]", 9, NULL, ids, &scope, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_gltf_read_mask(o.gltf, "[1, ", 4, NULL, ids, &scope, NULL), DM_ERROR_BAD_DATA);
+    assert_int_equal(scope, DM_PER_VERTEX); /* errors leave the answer before */
+    assert_memory_equal(ids, ((uint8_t[]){1, 1, 0, 0, 0, 0}), 6);
     close_it(&o);
 }
 

@@ -206,6 +206,7 @@ static void test_a_whole_mesh_is_no_part(void** state) {
     test_shape_face(&shape, 0, 3, 2, 0);
     test_env_open(&t, TEST_NEVER);
     assert_int_equal(find(&t.env, 0, (const float[]){0.5f, 0.5f, 0}, outward), DM_ERROR_FULL_MASK);
+    for (uint32_t f = 0; f < shape.face_count; f++) assert_int_equal(found[f], 0xcd); /* an error writes nothing */
     test_env_close(&t);
 }
 

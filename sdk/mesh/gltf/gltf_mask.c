@@ -47,17 +47,24 @@ static int mark_nodes(const dm_gltf* gltf, const char* name, uint8_t* marks) {
     return found || number >= 0;
 }
 
-/* Returns how many faces were set. */
-static uint64_t mark_name(const dm_gltf* gltf, const char* name, uint8_t value, uint8_t* marks, uint8_t* face_ids) {
-    uint64_t set = 0;
+/* Adds the nodes that a name stands for to `chosen`; returns how many faces they have. marks: scratch, one a node. */
+static uint64_t choose_name(const dm_gltf* gltf, const char* name, uint8_t* marks, uint8_t* chosen) {
+    uint64_t faces = 0;
     if (!mark_nodes(gltf, name, marks)) return 0;
     for (uint32_t i = 0; i < gltf->node_count; i++) {
         const dm_gltf_node* node = &gltf->nodes[i];
         if (!marks[node->node]) continue;
-        memset(face_ids + node->first_face, value, node->face_count);
-        set += node->face_count;
+        chosen[i] = 1;
+        faces += node->face_count;
     }
-    return set;
+    return faces;
+}
+
+static void set_faces(const dm_gltf* gltf, const uint8_t* chosen, uint8_t value, uint8_t* face_ids) {
+    for (uint32_t i = 0; i < gltf->node_count; i++) {
+        const dm_gltf_node* node = &gltf->nodes[i];
+        if (chosen[i]) memset(face_ids + node->first_face, value, node->face_count);
+    }
 }
 
 /* The first few names, for a message. */
@@ -84,14 +91,16 @@ dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint
         return dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "face_count is %" PRIu64 ", the mesh has %" PRIu64, face_count,
                         gltf->face_count);
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
-    uint8_t* marks = dmi_alloc(&env, count, 1);
+    const size_t size = (size_t)count + gltf->node_count;
+    uint8_t* marks = dmi_alloc_zeroed(&env, size, 1); /* of nodes of the file, then of those that have triangles */
     if (!marks) return dmi_fail(&env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u nodes", count);
+    uint8_t* chosen = marks + count;
     dm_result result = DM_OK;
     for (uint32_t i = 0; i < name_count && result == DM_OK; i++) {
         char known[512];
         if (!names[i]) {
             result = dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "name %u is NULL", i);
-        } else if (mark_name(gltf, names[i], value, marks, inout_face_ids) == 0) {
+        } else if (choose_name(gltf, names[i], marks, chosen) == 0) {
             const int reason = gltf->left_out.code != DM_OK;
             list_names(gltf, known, sizeof known);
             result = dmi_fail(
@@ -99,7 +108,8 @@ dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint
                 names[i], reason ? " (" : "", reason ? gltf->left_out.text : "", reason ? " is left out)" : "", known);
         }
     }
-    dmi_free(&env, marks, count);
+    if (result == DM_OK) set_faces(gltf, chosen, value, inout_face_ids);
+    dmi_free(&env, marks, size);
     return result;
 }
 
@@ -112,14 +122,13 @@ static dm_result check_share(dmi_env* env, const uint8_t* ids, uint64_t count) {
     return DM_OK;
 }
 
-/* From the order of the file to that of the merged mesh. */
-static dm_result reorder(dmi_env* env, const uint32_t* places, uint8_t* ids, size_t count) {
-    uint8_t* copy = dmi_alloc(env, count, 1);
-    if (!copy) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "mask: no memory for %zu values", count);
-    memcpy(copy, ids, count);
-    for (size_t i = 0; i < count; i++) ids[i] = copy[places[i]];
-    dmi_free(env, copy, count);
-    return DM_OK;
+/* Part ids of the mask's values, in the order of the file. */
+static dm_result select_values(dmi_env* env, const dm_gltf* gltf, const int64_t* values, size_t count,
+                               const int64_t* mask_value, uint8_t* ids, int32_t* out_scope, int* out_ambiguous) {
+    if (!ids) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "mask: no memory for %zu values", count);
+    dm_result result = dmi_mask_to_part_ids(env, values, count, mask_value, gltf->vertex_count, gltf->face_count, ids,
+                                            out_scope, out_ambiguous);
+    return result == DM_OK ? check_share(env, ids, count) : result;
 }
 
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value,
@@ -130,15 +139,19 @@ dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, 
     dmi_env_init(&env, &gltf->env.allocator, &gltf->env.log, NULL);
     int64_t* values;
     size_t count;
+    int32_t scope = DM_PER_VERTEX;
     int ambiguous = 0;
     dm_result result = dmi_mask_parse(&env, data, size, &values, &count);
     if (result != DM_OK) return result;
-    result = dmi_mask_to_part_ids(&env, values, count, mask_value, gltf->vertex_count, gltf->face_count, out_part_ids,
-                                  out_scope, &ambiguous);
-    if (result == DM_OK) result = check_share(&env, out_part_ids, count);
-    const uint32_t* places = *out_scope == DM_PER_VERTEX ? gltf->vertex_places : gltf->face_places;
-    if (result == DM_OK && places) result = reorder(&env, places, out_part_ids, count);
+    uint8_t* ids = dmi_alloc(&env, count, 1);
+    result = select_values(&env, gltf, values, count, mask_value, ids, &scope, &ambiguous);
+    if (result == DM_OK) {
+        const uint32_t* places = scope == DM_PER_VERTEX ? gltf->vertex_places : gltf->face_places;
+        for (size_t i = 0; i < count; i++) out_part_ids[i] = ids[places ? places[i] : i];
+        *out_scope = scope;
+        if (out_ambiguous) *out_ambiguous = ambiguous;
+    }
+    dmi_free(&env, ids, count);
     dmi_free(&env, values, count * sizeof *values);
-    if (result == DM_OK && out_ambiguous) *out_ambiguous = ambiguous;
     return result;
 }
