@@ -398,8 +398,10 @@ if cross then return end
 library("fuzz_driver", { "tests/fuzz/driver.c" }, { api, "sdk" })
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
-    program(source:match("([%w_]+)%.c$"), { source }, everything,
-        { "fuzz_driver", "dragmesh_gltf", "dragmesh_core", "dl", "m" }, "/fuzz")
+    local name, sources = source:match("([%w_]+)%.c$"), { source }
+    if name == "fuzz_jobs" then sources = { source, "samples/dragmesh_cli/*.c", "samples/common/platform.c" } end
+    program(name, sources, everything, { "fuzz_driver", "dragmesh_gltf", "dragmesh_core", "dl", "m" }, "/fuzz")
+        if name == "fuzz_jobs" then defines { "main=dragmesh_main" } end
         filter "configurations:fuzz"
             linkoptions { "-fsanitize=fuzzer" }
         filter {}

@@ -1,8 +1,8 @@
 /* Runs a fuzz target without a fuzzing compiler: every file given (folders: every file in them), then seeded random
- * mutations of each. A target is a file with LLVMFuzzerTestOneInput; built by clang with -fsanitize=fuzzer it needs no
+ * mutations of them. A target is a file with LLVMFuzzerTestOneInput; built by clang with -fsanitize=fuzzer it needs no
  * driver.
  *
- *     fuzz_mask [-n MUTATIONS_A_FILE] [-s SEED] [PATH…]      default 1000 and 1; no path: mutations of nothing
+ *     fuzz_mask [-n MUTATIONS] [-s SEED] [PATH…]      default 1000 and 1; no path: mutations of nothing
  *
  * A crash repeats with the same arguments. */
 #include <dirent.h>
@@ -19,10 +19,17 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
+typedef struct input {
+    uint8_t* bytes;
+    size_t size;
+} input;
+
 typedef struct fuzzer {
     dmi_random random;
-    uint64_t mutations, runs;
+    uint64_t runs;
     uint8_t* work; /* INPUT_LIMIT bytes */
+    input* inputs;
+    size_t input_count;
 } fuzzer;
 
 /* From a block of exactly its size, so that a read beyond the end is seen. */
@@ -92,30 +99,39 @@ static size_t edit(fuzzer* fuzzer, size_t size) {
     }
 }
 
-static void run_input(fuzzer* fuzzer, const uint8_t* data, size_t size) {
-    run_once(fuzzer, data, size);
-    for (uint64_t m = 0; m < fuzzer->mutations; m++) {
-        size_t length = size;
-        memcpy(fuzzer->work, data, size);
-        for (size_t edits = 1 + below(fuzzer, MAX_EDITS); edits > 0; edits--) length = edit(fuzzer, length);
-        run_once(fuzzer, fuzzer->work, length);
+/* Runs a change of any input. */
+static void run_mutation(fuzzer* fuzzer) {
+    const input* original = &fuzzer->inputs[below(fuzzer, fuzzer->input_count)];
+    size_t size = original->size;
+    memcpy(fuzzer->work, original->bytes, size);
+    for (size_t edits = 1 + below(fuzzer, MAX_EDITS); edits > 0; edits--) size = edit(fuzzer, size);
+    run_once(fuzzer, fuzzer->work, size);
+}
+
+/* Keeps the bytes, and runs them. */
+static int run_input(fuzzer* fuzzer, const uint8_t* bytes, size_t size) {
+    input* inputs = realloc(fuzzer->inputs, (fuzzer->input_count + 1) * sizeof *inputs);
+    if (inputs != NULL) fuzzer->inputs = inputs;
+    uint8_t* copy = malloc(size > 0 ? size : 1);
+    if (inputs == NULL || copy == NULL) {
+        free(copy);
+        return 1;
     }
+    memcpy(copy, bytes, size);
+    inputs[fuzzer->input_count++] = (input){copy, size};
+    run_once(fuzzer, copy, size);
+    return 0;
 }
 
 static int run_file(fuzzer* fuzzer, const char* path) {
     FILE* file = fopen(path, "rb");
-    uint8_t* data = malloc(INPUT_LIMIT);
-    if (file == NULL || data == NULL) {
+    if (file == NULL) {
         fprintf(stderr, "%s: can't be read\n", path);
-        if (file != NULL) fclose(file);
-        free(data);
         return 1;
     }
-    size_t size = fread(data, 1, INPUT_LIMIT, file);
+    const size_t size = fread(fuzzer->work, 1, INPUT_LIMIT, file);
     fclose(file);
-    run_input(fuzzer, data, size);
-    free(data);
-    return 0;
+    return run_input(fuzzer, fuzzer->work, size);
 }
 
 static int run_path(fuzzer* fuzzer, const char* path) {
@@ -134,13 +150,13 @@ static int run_path(fuzzer* fuzzer, const char* path) {
 }
 
 int main(int argc, char** argv) {
-    fuzzer fuzzer = {.mutations = 1000, .work = malloc(INPUT_LIMIT)};
-    uint64_t seed = 1;
+    fuzzer fuzzer = {.work = malloc(INPUT_LIMIT)};
+    uint64_t seed = 1, mutations = 1000;
     int first = 1, failed = 0;
     for (; first + 1 < argc && argv[first][0] == '-'; first += 2) {
         uint64_t value = strtoull(argv[first + 1], NULL, 10);
         if (strcmp(argv[first], "-n") == 0)
-            fuzzer.mutations = value;
+            mutations = value;
         else if (strcmp(argv[first], "-s") == 0)
             seed = value;
         else
@@ -151,9 +167,12 @@ int main(int argc, char** argv) {
         return 2;
     }
     fuzzer.random = dmi_random_make(seed, 0);
-    if (first == argc) run_input(&fuzzer, (const uint8_t*)"", 0);
+    if (first == argc) failed = run_input(&fuzzer, (const uint8_t*)"", 0);
     for (int i = first; i < argc; i++) failed |= run_path(&fuzzer, argv[i]);
+    for (uint64_t m = 0; m < mutations && fuzzer.input_count > 0; m++) run_mutation(&fuzzer);
     printf("%llu inputs\n", (unsigned long long)fuzzer.runs);
+    for (size_t i = 0; i < fuzzer.input_count; i++) free(fuzzer.inputs[i].bytes);
+    free(fuzzer.inputs);
     free(fuzzer.work);
     return failed;
 }

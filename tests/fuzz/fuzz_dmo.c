@@ -14,8 +14,8 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 enum { CHECKSUM_AT = 8 };
 
-#define MEMORY_BASE ((size_t)1 << 20) /* bytes that a file of any size may take */
-#define MEMORY_FACTOR 64              /* of the file's size, beyond that; by hand: triangles have a tree */
+#define MEMORY_BASE ((size_t)64 << 10) /* docs/reliability.md, of .dmo files */
+#define MEMORY_FACTOR 16
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (contexts[0] == NULL) open_contexts();

@@ -21,7 +21,8 @@ typedef struct buffer {
 
 static buffer make_buffer(size_t elements, size_t stride, size_t element_size) {
     size_t size = elements > 0 ? (elements - 1) * stride + element_size : 0;
-    if (fuzz_one_in(&in, FULL_SIZES)) size = size * fuzz_below(&in, 8) / 4;
+    const size_t other = fuzz_one_in(&in, FULL_SIZES) ? size * fuzz_below(&in, 8) / 4 : 0;
+    if (other > 0) size = other; /* 0 says that no size is stated */
     return (buffer){calloc(1, size > 0 ? size : 1), size};
 }
 

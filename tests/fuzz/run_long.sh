@@ -47,6 +47,10 @@ fuzz() {
         "$(grep -o 'cov: [0-9]*' "$output" | awk '{ n = $2 } END { print n + 0 }')" "$(count_findings "$target" "$mark")" >> "$log"
 }
 
+[ -x "build/fuzz/fuzz/${targets[0]}" ] || { echo "$0: scripts/build fuzz first" >&2; exit 1; }
+before=$(find "$work/findings" -type f | wc -l)
 for ((round = 1; rounds == 0 || round <= rounds; round++)); do
     for target in "${targets[@]}"; do fuzz "$target"; done
 done
+after=$(find "$work/findings" -type f | wc -l)
+[ "$after" = "$before" ] || { echo "$((after - before)) findings in $work/findings" >&2; exit 1; }

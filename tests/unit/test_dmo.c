@@ -348,6 +348,8 @@ static void test_joints_beyond_the_hosts_numbers(void** state) {
     const size_t own = handle + file.data[handle - 8] * JOINT;        /* the host's */
     assert_bad_word(&w, &file, joints + 8 + ORIGIN, largest);
     assert_bad_word(&w, &file, joints + 8 + PITCH, largest);
+    assert_bad_word(&w, &file, joints + 8 + 4, 0x80000001); /* a confidence a little below 0 */
+    assert_bad_word(&w, &file, joints + 8 + 8, 0x3f800001); /* and above 1 */
     assert_bad_word(&w, &file, own + ORIGIN, largest);
     assert_bad_word(&w, &file, section_at(&file, DMI_DMO_ALTERNATIVES) + 24, largest);
     assert_bad_word(&w, &file, host + (DMI_DMO_AXES + 1) * 4 + ORIGIN, 0x7f800000); /* infinity */

@@ -47,16 +47,19 @@ bool dmi_dmo_valid_tree(const dmi_object* object) {
     return true;
 }
 
+static bool is_share(float value) {
+    return value >= 0 && value <= 1;
+}
+
 static bool is_joint(const dm_joint* joint) {
     const dm_vec3 a = joint->axis;
     const float numbers[JOINT_NUMBERS] = {joint->origin.x, joint->origin.y, joint->origin.z,
                                           joint->pitch,    joint->lower,    joint->upper};
-    const float shares[2] = {joint->type_confidence - 0.5f, joint->joint_confidence - 0.5f};
     return joint->type >= DM_JOINT_REVOLUTE && joint->type <= DM_JOINT_FIXED &&
            fabsf(a.x * a.x + a.y * a.y + a.z * a.z - 1.0f) <= UNIT_TOLERANCE &&
            dmi_dmo_within(numbers, JOINT_NUMBERS, FLT_MAX) && joint->lower <= joint->upper &&
-           dmi_dmo_within(shares, 2, 0.5f) && joint->source >= DM_JOINT_FROM_NETWORK &&
-           joint->source <= DM_JOINT_CHOSEN;
+           is_share(joint->type_confidence) && is_share(joint->joint_confidence) &&
+           joint->source >= DM_JOINT_FROM_NETWORK && joint->source <= DM_JOINT_CHOSEN;
 }
 
 bool dmi_dmo_valid_host_joint(const dm_joint* joint) {
