@@ -118,7 +118,8 @@ enum {
 };
 enum {
     DM_INPUT_LOCKED = 1,
-    DM_INPUT_ASK = 2
+    DM_INPUT_ASK = 2,
+    DM_INPUT_BOUNDS = 4
 };
 enum {
     DM_DRAG_HELD = 0,

@@ -93,6 +93,7 @@ static_assert(DM_HAND_STEP == 4, "DM_HAND_STEP has another value");
 static_assert(DM_HAND_VALUE == 5, "DM_HAND_VALUE has another value");
 static_assert(DM_INPUT_LOCKED == 1, "DM_INPUT_LOCKED has another value");
 static_assert(DM_INPUT_ASK == 2, "DM_INPUT_ASK has another value");
+static_assert(DM_INPUT_BOUNDS == 4, "DM_INPUT_BOUNDS has another value");
 static_assert(DM_DRAG_HELD == 0, "DM_DRAG_HELD has another value");
 static_assert(DM_DRAG_RELEASED == 1, "DM_DRAG_RELEASED has another value");
 static_assert(DM_DRAG_AT_REST == 2, "DM_DRAG_AT_REST has another value");

@@ -196,7 +196,7 @@ export const HandKind: {
     readonly NONE: 0;
     /** a pointer: `ray` */
     readonly RAY: 1;
-    /** a hand in space: `point`. It keeps its distance to the point that it grabbed */
+    /** a hand in space: `point`. The vector from it to the grabbed point stays as in its first update */
     readonly POINT: 2;
     /** a stick or a key held down: `amount`, -1 to 1, times dm_drag_rules.drive_speed */
     readonly RATE: 3;
@@ -211,6 +211,8 @@ export const InputFlag: {
     readonly LOCKED: 1;
     /** dm_drag_take may change the value that this update takes */
     readonly ASK: 2;
+    /** lower and upper hold, also when they are equal */
+    readonly BOUNDS: 4;
 };
 
 export const DragPhase: {
@@ -224,7 +226,7 @@ export const DragPhase: {
 
 /** What has happened to the part since the update before: bits of dm_drag_state.events. */
 export const DragEvent: {
-    /** it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast; again after it was 2 % away */
+    /** it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast; again after it was 2 % away. An estimated limit that has given is none */
     readonly LIMIT_LOWER: 1;
     /** the same of the upper one */
     readonly LIMIT_UPPER: 2;

@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: cb4b10e0dba37785
+// Hash of the description: b1347b217df90fc4
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;
@@ -138,6 +138,7 @@ export const HandKind = Object.freeze({
 export const InputFlag = Object.freeze({
     LOCKED: 1,
     ASK: 2,
+    BOUNDS: 4,
 });
 
 export const DragPhase = Object.freeze({

@@ -52,7 +52,9 @@ static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
 
 static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
     static const char* const places[3] = {".grab_point.x", ".grab_point.y", ".grab_point.z"};
-    dm_result result = dmi_check_vector(env, "dm_drag_begin: desc", places, dmi_xyz(desc->grab_point).v);
+    dm_result result = DM_OK;
+    if (!(desc->flags & DM_DRAG_WITHOUT_POINT))
+        result = dmi_check_vector(env, "dm_drag_begin: desc", places, dmi_xyz(desc->grab_point).v);
     if (result == DM_OK) result = dmi_check_number(env, "dm_drag_begin: desc", ".start_value", desc->start_value);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.limit_give", &desc->limit_give, 1);
     if (result == DM_OK) result = check_feel(env, &desc->feel);

@@ -48,7 +48,7 @@ static void write_plan(const dmi_release* release, dm_release_plan* out_plan) {
 static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const dmi_release* last) {
     dm_result result =
         dmi_check_range(env, "dm_drag_release: desc.intent", desc->intent, DM_INTENT_AUTO, DM_INTENT_TOGGLE);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_release: desc.duration", &desc->duration, 1);
+    if (result == DM_OK) result = dmi_check_number(env, "dm_drag_release: desc", ".duration", desc->duration);
     if (result != DM_OK) return result;
     static const char* const places[3] = {".away_from.x", ".away_from.y", ".away_from.z"};
     if (desc->flags & DM_RELEASE_AWAY_FROM)
@@ -82,15 +82,12 @@ static int32_t side_away_from(const dmi_drag* drag, dm_vec3 from) {
 
 /* Returns what DM_INTENT_TOGGLE stands for. */
 static int32_t toggled(const dmi_drag* drag) {
-    const dm_joint* joint = &drag->joint;
-    const float rest = dmi_joint_clamp(joint, 0), way = dmi_fmaxf(joint->upper - rest, rest - joint->lower);
-    return fabsf(drag->value - rest) > 0.5f * way ? DM_INTENT_CLOSE : DM_INTENT_OPEN;
+    return dmi_drag_is_open(drag) ? DM_INTENT_CLOSE : DM_INTENT_OPEN;
 }
 
-/* A part whose way out has no end can neither be near it nor go there: it stays. */
+/* A part whose way out has no end can't go there: it stays. */
 static int32_t possible_intent(const dmi_drag_slot* slot, int32_t intent) {
-    if (slot->open_side == 0 || slot->drag.release.return_time > 0) return intent;
-    return intent == DM_INTENT_AUTO || intent == DM_INTENT_OPEN ? DM_INTENT_STAY : intent;
+    return slot->open_side != 0 && intent == DM_INTENT_OPEN ? DM_INTENT_STAY : intent;
 }
 
 dm_result DM_CALL dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc,

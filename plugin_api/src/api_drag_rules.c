@@ -117,7 +117,7 @@ bool dmi_is_sound_rules(const dmi_rules* r) {
 /* ---- inputs ---- */
 
 static dm_result check_bounds(dmi_env* env, const dm_drag_input* input) {
-    if (input->lower == input->upper || input->lower < input->upper) return DM_OK;
+    if (input->lower < input->upper || (input->lower == input->upper && isfinite(input->lower))) return DM_OK;
     const bool numbers = !isnan(input->lower) && !isnan(input->upper);
     return dmi_fail(env, numbers ? DM_ERROR_INVALID_ARGUMENT : DM_ERROR_NOT_FINITE,
                     "dm_drag_step: input.lower is %g, input.upper %g: they must rise", (double)input->lower,
@@ -126,8 +126,8 @@ static dm_result check_bounds(dmi_env* env, const dm_drag_input* input) {
 
 /* Whether an input says what only rules read. */
 static bool needs_rules(const dm_drag_input* input) {
-    return input->lower != input->upper || input->flags & DM_INPUT_LOCKED || input->handles[0] != 0 ||
-           input->handles[1] != 0;
+    return input->lower != input->upper || input->flags & (DM_INPUT_LOCKED | DM_INPUT_BOUNDS) ||
+           input->handles[0] != 0 || input->handles[1] != 0;
 }
 
 static dm_result check_point(dmi_env* env, const char* what, dm_vec3 point) {
@@ -162,7 +162,7 @@ static dm_result check_second(dmi_env* env, const dm_drag_input* input) {
 dm_result dmi_input_read(dmi_env* env, const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out) {
     dm_result result =
         dmi_read_desc(env, "dm_drag_step: input", input, DMI_FIRST_SIZE(dm_drag_input, upper), sizeof *out, out);
-    if (result == DM_OK && out->flags & ~(uint32_t)(DM_INPUT_LOCKED | DM_INPUT_ASK))
+    if (result == DM_OK && out->flags & ~(uint32_t)(DM_INPUT_LOCKED | DM_INPUT_ASK | DM_INPUT_BOUNDS))
         result =
             dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_step: input.flags is 0x%x: unknown flag", out->flags);
     if (result == DM_OK) result = check_first(env, &out->hand);

@@ -214,8 +214,8 @@ static bool are_sound_hands(const dmi_hands* h) {
 
 /* Bounds of the value that may be taken may be infinite. */
 static bool is_sound_question(const dmi_question* q) {
-    return is_bool(&q->open) && q->dt >= 0 && are_finite(&q->dt, 1) && are_within(&q->start, 1) &&
-           q->lower <= q->upper && is_sound_watch(&q->watch);
+    return is_bool(&q->open) && q->phase >= DM_DRAG_HELD && q->phase <= DM_DRAG_AT_REST && q->dt >= 0 &&
+           are_finite(&q->dt, 1) && are_within(&q->start, 1) && q->lower <= q->upper && is_sound_watch(&q->watch);
 }
 
 /* What an update is told is of that one alone: between two there is nothing. */
@@ -228,10 +228,10 @@ static bool is_sound_keeping(const dmi_drag* d) {
     const float numbers[7] = {
         d->asked, d->lag, d->start.value, d->start.velocity, d->waited, d->landing.impact, d->release.acceleration};
     return is_bool(&d->rules.on) && is_bool(&d->rules.one_sided) && dmi_is_sound_rules(&d->rules) &&
-           is_told_nothing(&d->told) && are_within(numbers, 7) && is_bool(&d->stalled) && is_bool(&d->release.flies) &&
-           is_bool(&d->landing.settled) && d->landing.struck >= -1 && d->landing.struck <= 1 && d->open_side >= -1 &&
-           d->open_side <= 1 && is_sound_watch(&d->watch) && is_sound_latch(&d->latch) && are_sound_hands(&d->hands) &&
-           is_sound_question(&d->question);
+           is_told_nothing(&d->told) && are_within(numbers, 7) && is_bool(&d->stays) && is_bool(&d->stalled) &&
+           is_bool(&d->release.flies) && is_bool(&d->landing.settled) && d->landing.struck >= -1 &&
+           d->landing.struck <= 1 && d->open_side >= -1 && d->open_side <= 1 && is_sound_watch(&d->watch) &&
+           is_sound_latch(&d->latch) && are_sound_hands(&d->hands) && is_sound_question(&d->question);
 }
 
 static bool is_sound_drag(const dmi_drag* d) {
@@ -241,8 +241,8 @@ static bool is_sound_drag(const dmi_drag* d) {
     return is_sound_joint(&d->joint) && dmi_is_usable_feel(&d->feel) && are_within(numbers, 5) &&
            are_within(d->rest_point, 3) && are_within(d->point, 3) && are_within(grab_offset.v, 3) &&
            is_sound_ray(&d->last_ray) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
-           are_rising(limits, 4) && is_sound_blend(&d->blend) && is_sound_tracker(&d->tracker) &&
-           is_sound_release(&d->release) && is_sound_keeping(d);
+           are_rising(limits, 4) && d->pointer_span.lower <= d->pointer_span.upper && is_sound_blend(&d->blend) &&
+           is_sound_tracker(&d->tracker) && is_sound_release(&d->release) && is_sound_keeping(d);
 }
 
 static bool is_sound(const snapshot* s) {

@@ -27,7 +27,8 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     dm_pose pose = dmi_joint_pose(joint, start_value), back = dmi_pose_inverse(&pose);
     dmi_pose_apply(&back, grab_point, drag->rest_point);
     drag->value = drag->target = dmi_joint_clamp(joint, start_value);
-    drag->pointer_value = dmi_feel_pointer_value(feel, joint, drag->target);
+    dmi_drag_measure_span(drag);
+    drag->pointer_value = dmi_drag_pointer_value(drag, drag->target);
     drag->blend = dmi_pose_blend_none();
     drag->release.return_time = dmi_fmaxf(feel->return_time, 0);
     drag->speed = speed_of(joint, drag->rest_point);
@@ -45,12 +46,21 @@ static void init_estimated_limits(dmi_drag* drag) {
     drag->limits_are_estimates = dmi_joint_has_limits(&drag->joint) && limit_give.share >= 0;
     drag->estimated_lower = drag->joint.lower, drag->estimated_upper = drag->joint.upper;
     dmi_joint_reachable_range(&drag->joint, limit_give, &drag->reachable_lower, &drag->reachable_upper);
+    dmi_drag_measure_span(drag);
 }
 
 void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, const dmi_free_range* free_ranges,
                                uint32_t count, float size, dmi_limit_give limit_give) {
     dmi_hypothesis_tracker_init(&drag->tracker, joints, free_ranges, count, drag->rest_point, size, limit_give);
     init_estimated_limits(drag);
+    drag->pointer_value = dmi_drag_pointer_value(drag, drag->target);
+}
+
+/* Lets the limits move along to a value that the hand asks for, as far as the host's bounds let the part go there. */
+static void move_limits(dmi_drag* drag, float value) {
+    const dmi_bounds bounds = drag->told.bounds;
+    drag->joint.lower = dmi_fminf(drag->joint.lower, dmi_fmaxf(value, bounds.lower));
+    drag->joint.upper = dmi_fmaxf(drag->joint.upper, dmi_fminf(value, bounds.upper));
 }
 
 /* Returns the target for a pointer value; estimated limits move along when it exceeds them and nothing holds the part.
@@ -61,14 +71,22 @@ static float target_at(dmi_drag* drag, float pointer_value) {
     const float target = dmi_feel_soft_target(&drag->feel, drag->estimated_lower, drag->estimated_upper, asked);
     const float kept = dmi_fminf(dmi_fmaxf(target, drag->reachable_lower), drag->reachable_upper);
     if (drag->rules.on && dmi_latch_holds(&drag->latch)) return kept;
-    const float reached = drag->rules.on ? dmi_bounds_clamp(drag->told.bounds, kept) : kept;
-    drag->joint.lower = dmi_fminf(drag->joint.lower, reached),
-    drag->joint.upper = dmi_fmaxf(drag->joint.upper, reached);
+    move_limits(drag, kept);
     return kept;
 }
 
 float dmi_drag_pointer_value(const dmi_drag* drag, float value) {
-    return dmi_snaps_invert(&drag->rules.snaps, dmi_feel_pointer_value(&drag->feel, &drag->joint, value));
+    const float unsnapped = drag->limits_are_estimates ? dmi_feel_soft_pointer_value(&drag->feel, value)
+                                                       : dmi_feel_pointer_value(&drag->feel, &drag->joint, value);
+    return dmi_snaps_invert(&drag->rules.snaps, unsnapped);
+}
+
+void dmi_drag_measure_span(dmi_drag* drag) {
+    drag->pointer_span = (dmi_span){-INFINITY, INFINITY};
+    if (!dmi_joint_has_limits(&drag->joint)) return;
+    const float lower = drag->limits_are_estimates ? drag->estimated_lower : drag->joint.lower;
+    const float upper = drag->limits_are_estimates ? drag->estimated_upper : drag->joint.upper;
+    drag->pointer_span = (dmi_span){dmi_drag_pointer_value(drag, lower), dmi_drag_pointer_value(drag, upper)};
 }
 
 void dmi_drag_ask(dmi_drag* drag) {
@@ -80,6 +98,14 @@ static dm_pose shown_pose(const dmi_drag* drag) {
     return dmi_pose_blend_apply(&drag->blend, &pose, drag->rest_point);
 }
 
+/* Returns the value at which the part begins on another joint: what the hand asks for, inside the host's bounds. Where
+ * the rules limit its speed, the value that is nearest to where the part is shown instead, from which it goes on. */
+static float first_value(const dmi_drag* drag, const dm_pose* shown) {
+    const bool limited = drag->rules.on && (drag->rules.max_speed > 0 || drag->rules.max_acceleration > 0);
+    const float value = limited ? dmi_joint_project(&drag->joint, shown, drag->asked) : drag->asked;
+    return dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->told.bounds, value));
+}
+
 /* Switches to the most probable hypothesis at the value that the pointer asks for; the shown pose blends over. */
 static void change_joint(dmi_drag* drag) {
     const dmi_joint_hypothesis* best = &drag->tracker.list[drag->tracker.best];
@@ -88,12 +114,13 @@ static void change_joint(dmi_drag* drag) {
     drag->pointer_value = best->pointer_value;
     init_estimated_limits(drag);
     dmi_drag_ask(drag);
-    drag->target = drag->value = drag->asked;
+    drag->target = drag->value = first_value(drag, &before);
     drag->velocity = 0;
     drag->speed = speed_of(&drag->joint, drag->rest_point);
     const dm_pose now = dmi_joint_pose(&drag->joint, drag->value);
     drag->blend = dmi_pose_blend_new_joint(&before, &now, drag->rest_point, drag->tracker.grasp.size);
-    drag->lag = 0;
+    drag->lag = drag->target - drag->asked;
+    drag->start.value = drag->value, drag->start.velocity = 0; /* the update goes on from there */
     drag->changes++;
 }
 
@@ -132,17 +159,31 @@ static dmi_released_part released_part(const dmi_drag* drag) {
                                .side = drag->open_side};
 }
 
+bool dmi_drag_is_open(const dmi_drag* drag) {
+    const dmi_released_part part = released_part(drag);
+    return dmi_release_is_open(&part);
+}
+
 void dmi_drag_plan(dmi_drag* drag, int32_t intent, float duration) {
     const dmi_released_part part = released_part(drag);
     dmi_release_begin(&drag->release, &part, intent, duration);
-    if (intent != DM_INTENT_REPLAY || !drag->release.flies) return;
-    drag->value = drag->release.start; /* a flight goes on from where the part is */
+    if (intent != DM_INTENT_REPLAY) return;
+    drag->value = drag->release.start;
     drag->velocity = drag->release.velocity;
+}
+
+/* Plans the rest of a motion that something has held up, in the time that it had left. */
+static void plan_again(dmi_drag* drag) {
+    dmi_release* release = &drag->release;
+    const float left = release->duration - release->elapsed;
+    dmi_drag_plan(drag, release->intent, 0);
+    if (release->phase == DM_DRAG_RELEASED && !release->flies && left > release->duration)
+        dmi_drag_plan(drag, release->intent, left);
 }
 
 static void update_released(dmi_drag* drag, float dt) {
     dmi_release* release = &drag->release;
-    if (drag->stalled && !release->flies) dmi_drag_plan(drag, release->intent, 0);
+    if (drag->stalled && !release->flies) plan_again(drag);
     drag->stalled = false;
     if (release->phase != DM_DRAG_RELEASED) return;
     const dmi_released_part part = released_part(drag);
@@ -162,10 +203,20 @@ static void write_state(dmi_drag* drag, dm_drag_state* out_state) {
     drag->point[0] = grab.x, drag->point[1] = grab.y, drag->point[2] = grab.z;
 }
 
-void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state) {
-    const float time = dt > 0 && isfinite(dt) ? dt : 0;
+/* Returns the time that an update advances, s. */
+static float time_of(float dt) {
+    return dt > 0 && isfinite(dt) ? dt : 0;
+}
+
+/* Before the hand is read. */
+static void begin_update(dmi_drag* drag, float time) {
+    drag->question.open = false;
     drag->blend.age += time;
     if (drag->rules.on) dmi_drag_note_start(drag);
+}
+
+/* ray: of a plain pointer; NULL when there is none, or when dmi_drag_aim has read the hands. */
+static void finish_update(dmi_drag* drag, const dm_ray* ray, float time, dm_drag_state* out_state) {
     if (drag->release.phase == DM_DRAG_HELD) {
         update_held(drag, ray, time);
     } else if (drag->release.phase == DM_DRAG_RELEASED) {
@@ -173,6 +224,21 @@ void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state*
     }
     if (drag->rules.on) dmi_drag_keep_rules(drag, time);
     write_state(drag, out_state);
+}
+
+/* A hand takes hold in another way: its offset is measured anew. */
+static void change_hand(dmi_drag* drag, int32_t kind) {
+    const dm_vec3 none = {0, 0, 0};
+    if (drag->hands.kind != DM_HAND_NONE) drag->last_ray.direction = drag->grab_offset = none;
+    drag->hands.has_offset = false;
+    drag->hands.kind = kind;
+}
+
+void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state* out_state) {
+    const float time = time_of(dt);
+    begin_update(drag, time);
+    if (ray != NULL && drag->hands.kind > DM_HAND_RAY) change_hand(drag, DM_HAND_RAY);
+    finish_update(drag, ray, time, out_state);
 }
 
 /* Whether an input has more than the one pointer that dmi_drag_update follows. */
@@ -183,39 +249,49 @@ static bool needs_aim(const dmi_drag* drag, const dm_drag_input* input) {
 }
 
 static void tell(dmi_drag* drag, const dm_drag_input* input) {
-    if (input->lower < input->upper) drag->told.bounds = (dmi_bounds){input->lower, input->upper};
+    if (input->lower < input->upper || input->flags & DM_INPUT_BOUNDS)
+        drag->told.bounds = (dmi_bounds){input->lower, input->upper};
     drag->told.locked = (input->flags & DM_INPUT_LOCKED) != 0;
     memcpy(drag->told.handles, input->handles, sizeof drag->told.handles);
-    if (input->hand.kind == DM_HAND_NONE || input->hand.kind == drag->hands.kind) return;
-    const dm_vec3 none = {0, 0, 0}; /* the hand takes hold in another way: its offset is measured anew */
-    if (drag->hands.kind != DM_HAND_NONE) drag->last_ray.direction = drag->grab_offset = none;
-    drag->hands.has_offset = false;
-    drag->hands.kind = input->hand.kind;
+    if (input->hand.kind == DM_HAND_NONE && drag->hands.kind == DM_HAND_RATE) drag->hands.pressed = 0; /* let go of */
+    if (input->hand.kind != DM_HAND_NONE && input->hand.kind != drag->hands.kind) change_hand(drag, input->hand.kind);
 }
 
 void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag_state* out_state) {
-    const float time = dt > 0 && isfinite(dt) ? dt : 0;
+    const float time = time_of(dt), start = drag->value;
     const dmi_watch watch = drag->watch;
-    const float start = drag->value;
+    const int32_t phase = drag->release.phase;
     const bool aims = needs_aim(drag, input);
     tell(drag, input);
+    begin_update(drag, time);
     if (aims) dmi_drag_aim(drag, input, time);
-    dmi_drag_update(drag, !aims && input->hand.kind == DM_HAND_RAY ? &input->hand.ray : NULL, dt, out_state);
+    finish_update(drag, !aims && input->hand.kind == DM_HAND_RAY ? &input->hand.ray : NULL, time, out_state);
     drag->question = (dmi_question){.open = (input->flags & DM_INPUT_ASK) != 0,
                                     .start = start,
                                     .dt = time,
                                     .lower = dmi_fminf(drag->told.bounds.lower, drag->value),
                                     .upper = dmi_fmaxf(drag->told.bounds.upper, drag->value),
+                                    .phase = phase,
                                     .watch = watch};
     drag->told = told_nothing;
+}
+
+/* Another value than that of the plan holds a released part up, also one that has just arrived. */
+static void take_instead(dmi_drag* drag, float value) {
+    const dmi_question* question = &drag->question;
+    const bool same_joint = drag->changes == question->watch.changes;
+    if (question->dt > 0) drag->velocity = same_joint ? (value - question->start) / question->dt : 0;
+    drag->value = value;
+    drag->landing = (dmi_landing){0};
+    if (question->phase == DM_DRAG_RELEASED) drag->release.phase = DM_DRAG_RELEASED;
+    drag->stalled = drag->release.phase == DM_DRAG_RELEASED;
+    if (drag->release.phase == DM_DRAG_AT_REST) drag->velocity = 0;
 }
 
 void dmi_drag_take(dmi_drag* drag, float value, dm_drag_state* out_state) {
     const dmi_question* question = &drag->question;
     const float kept = dmi_joint_clamp(&drag->joint, dmi_fminf(dmi_fmaxf(value, question->lower), question->upper));
-    if (kept != drag->value && question->dt > 0) drag->velocity = (kept - question->start) / question->dt;
-    drag->stalled = drag->stalled || (kept != drag->value && drag->release.phase == DM_DRAG_RELEASED);
-    drag->value = kept;
+    if (kept != drag->value) take_instead(drag, kept);
     drag->question.open = false;
     if (drag->rules.on) dmi_drag_watch_again(drag);
     write_state(drag, out_state);
@@ -244,8 +320,9 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
 }
 
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
-    drag->stalled = false;
+    drag->stalled = drag->question.open = false;
     drag->waited = 0;
+    drag->stays = intent == DM_INTENT_STAY;
     dmi_drag_plan(drag, intent, duration);
     if (drag->rules.on) dmi_drag_close(drag, 0);
     if (drag->release.phase == DM_DRAG_AT_REST) drag->velocity = 0;

@@ -24,6 +24,7 @@ typedef struct dmi_question {
     float start; /* joint value before the update */
     float dt;
     float lower, upper; /* between which the value may be taken */
+    int32_t phase;      /* before the update */
     dmi_watch watch;
 } dmi_question;
 
@@ -32,6 +33,11 @@ typedef struct dmi_drag_step_start {
     float value, velocity;
     int32_t phase;
 } dmi_drag_step_start;
+
+/* Pointer values that a hand may ask for. */
+typedef struct dmi_span {
+    float lower, upper;
+} dmi_span;
 
 typedef struct dmi_drag {
     dm_joint joint;      /* active joint, host object frame */
@@ -47,6 +53,7 @@ typedef struct dmi_drag {
     dmi_hypothesis_tracker tracker; /* count 0: the joint is certain */
     bool limits_are_estimates;      /* limits were inferred and may be exceeded up to the reachable ones */
     float estimated_lower, estimated_upper, reachable_lower, reachable_upper;
+    dmi_span pointer_span; /* at whose ends the part is at its limits, as they were found; infinite without limits */
     dmi_pose_blend blend;
     uint32_t changes; /* of the active joint */
     dmi_release release;
@@ -62,6 +69,7 @@ typedef struct dmi_drag {
     uint32_t events;     /* found so far in the update at hand, beside those of the watch */
     dmi_landing landing; /* of the last update */
     float waited;        /* s since the release */
+    bool stays;          /* released by a host that asked for DM_INTENT_STAY */
     int32_t open_side;   /* on which a part that opens to both sides is to open: dmi_released_part */
     dmi_question question;
 } dmi_drag;
@@ -84,6 +92,8 @@ void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag
 void dmi_drag_take(dmi_drag* drag, float value, dm_drag_state* out_state);
 /* Tells no events: they are of an update. */
 void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state);
+/* Whether the part is more than half-way open. */
+bool dmi_drag_is_open(const dmi_drag* drag);
 /* Releases the part. intent: DM_INTENT_*; duration: s, 0: chosen by the plan. */
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration);
 

@@ -35,8 +35,10 @@ static void show_to_tracker(dmi_drag* drag, float nearest) {
     dmi_sub3(drag->hands.point, eye, way);
     if (!(dmi_normalize3(way) > 0)) return;
     const dm_ray ray = {dmi_vec3(eye), dmi_vec3(way)};
+    const dmi_projection of_rays = drag->projection;
     drag->projection = DMI_PERSPECTIVE;
     dmi_drag_track(drag, nearest, &ray);
+    drag->projection = of_rays;
 }
 
 /* A hand in space keeps the distance to the grabbed point that it had in its first update. */
@@ -136,14 +138,18 @@ static float open_range(const dmi_drag* drag) {
     return dmi_joint_has_limits(&joint) && dmi_joint_open_end(&joint) == joint.lower ? -range : range;
 }
 
-/* Returns `value` inside the limits. Estimated ones stop a scalar at first, and give, as to a pull, when it asks for
- * more: a rate for PRESS_TIME, a wheel by one step more. */
+static float clamp_to_span(dmi_span span, float value) {
+    return dmi_fminf(dmi_fmaxf(value, span.lower), span.upper);
+}
+
+/* Returns a pointer value inside those of the limits. Estimated ones stop a scalar at first, and give, as to a pull,
+ * when it asks for more: a rate for PRESS_TIME, a wheel by one step more. */
 static float inside_limits(dmi_drag* drag, const dm_hand* hand, float value, float dt) {
-    const dm_joint joint = as_found(drag);
-    const float before = drag->pointer_value, stop = dmi_joint_clamp(&joint, value), pressed = drag->hands.pressed;
+    const dmi_span limits = drag->pointer_span;
+    const float before = drag->pointer_value, stop = clamp_to_span(limits, value), pressed = drag->hands.pressed;
     drag->hands.pressed = 0;
     if (!drag->limits_are_estimates || stop == value || hand->kind == DM_HAND_VALUE) return stop;
-    const bool gives = before != dmi_joint_clamp(&joint, before) || (hand->kind == DM_HAND_STEP && pressed > 0);
+    const bool gives = before != clamp_to_span(limits, before) || (hand->kind == DM_HAND_STEP && pressed > 0);
     if (!gives) {
         const float beyond = dt * (value - stop) / (value - before); /* s of this update */
         drag->hands.pressed = hand->kind == DM_HAND_STEP ? PRESS_TIME : pressed + beyond;
@@ -156,6 +162,7 @@ static float inside_limits(dmi_drag* drag, const dm_hand* hand, float value, flo
 static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
     const float range = open_range(drag), speed = drag->rules.on ? drag->rules.drive_speed : 1;
     float value = drag->pointer_value;
+    if (drag->joint.type == DM_JOINT_FIXED) return;
     if (hand->kind == DM_HAND_RATE) value += hand->amount * speed * range * dt;
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));

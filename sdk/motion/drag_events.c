@@ -17,8 +17,8 @@ static int32_t limit_at(const dmi_watched* now, int32_t was) {
     if (!dmi_joint_has_limits(now->joint)) return 0;
     const float range = dmi_rules_range(now->rules, now->joint);
     const float to_upper = now->joint->upper - now->value, to_lower = now->value - now->joint->lower;
-    if (to_upper <= (was > 0 ? FAR_SHARE : NEAR_SHARE) * range) return 1;
-    return to_lower <= (was < 0 ? FAR_SHARE : NEAR_SHARE) * range ? -1 : 0;
+    if (!now->beyond_upper && to_upper <= (was > 0 ? FAR_SHARE : NEAR_SHARE) * range) return 1;
+    return !now->beyond_lower && to_lower <= (was < 0 ? FAR_SHARE : NEAR_SHARE) * range ? -1 : 0;
 }
 
 static float share_from_rest(const dmi_watched* now) {
@@ -71,6 +71,7 @@ static void watch_bounce(dmi_watch* watch, const dmi_watched* now) {
 
 static void watch_detents(dmi_watch* watch, const dmi_watched* now) {
     const float place = place_of(now);
+    if (now->changes != watch->changes) watch->catch_index = roundf(place); /* of another joint: none was crossed */
     if (!(fabsf(place - watch->catch_index) > RIDGE)) return;
     const float was = watch->catch_index, is = roundf(place), snaps = (float)now->rules->snaps.count;
     const float first = snaps > 0 ? 0 : -INFINITY, last = snaps > 0 ? snaps - 1 : INFINITY; /* beyond there is none */

@@ -25,6 +25,7 @@ typedef struct dmi_watched {
     const dmi_rules* rules;
     float value, velocity;
     bool blocked;
+    bool beyond_lower, beyond_upper; /* an estimated limit has given: where it was last is no limit */
     uint32_t changes;
     int32_t struck;  /* a limit struck during the update: -1, 0 for none, 1 … */
     float impact;    /* … and how fast */

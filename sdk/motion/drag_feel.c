@@ -84,6 +84,10 @@ float dmi_feel_pointer_value(const dm_drag_feel* feel, const dm_joint* joint, fl
     return invert_detents(feel, map_ends(feel, joint, target, harden_end));
 }
 
+float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float target) {
+    return invert_detents(feel, target);
+}
+
 float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value) {
     if (!(feel->detent > 0)) return value;
     const float nearest = dmi_joint_clamp(joint, feel->detent * roundf(value / feel->detent));

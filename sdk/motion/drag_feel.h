@@ -13,6 +13,8 @@ float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float poi
 float dmi_feel_soft_target(const dm_drag_feel* feel, float lower, float upper, float pointer_value);
 /* Inverse of dmi_feel_target: returns a pointer value with this target. */
 float dmi_feel_pointer_value(const dm_drag_feel* feel, const dm_joint* joint, float target);
+/* The same of dmi_feel_soft_target, for targets inside the limits. */
+float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float target);
 /* Returns the detent nearest to a value, inside the limits; the value itself without detents. */
 float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value);
 /* Returns how hard detents and snap values hold, 0 to 1. */

@@ -6,13 +6,10 @@
 
 /* ---- drag.c ---- */
 
-/* Joint values that the hand may ask for. */
-typedef struct dmi_span {
-    float lower, upper;
-} dmi_span;
-
 /* Returns the pointer value that asks for `value`. */
 float dmi_drag_pointer_value(const dmi_drag* drag, float value);
+/* Finds the pointer values of the limits: anew when joint, limits or rules have changed. */
+void dmi_drag_measure_span(dmi_drag* drag);
 /* Sets the value that is asked for by the pointer value. */
 void dmi_drag_ask(dmi_drag* drag);
 /* Shows the tracker a ray; `nearest` is the value of the active joint. Returns true when the joint has changed. */

@@ -14,6 +14,8 @@ static dmi_watched watched(const dmi_drag* drag, bool blocked) {
                          .value = drag->value,
                          .velocity = drag->velocity,
                          .blocked = blocked,
+                         .beyond_lower = drag->limits_are_estimates && drag->joint.lower < drag->estimated_lower,
+                         .beyond_upper = drag->limits_are_estimates && drag->joint.upper > drag->estimated_upper,
                          .changes = drag->changes,
                          .struck = drag->landing.struck,
                          .impact = drag->landing.impact,
@@ -22,7 +24,8 @@ static dmi_watched watched(const dmi_drag* drag, bool blocked) {
 
 void dmi_drag_set_rules(dmi_drag* drag, const dmi_rules* rules) {
     drag->rules = *rules;
-    drag->pointer_value = dmi_snaps_invert(&rules->snaps, drag->pointer_value);
+    dmi_drag_measure_span(drag);
+    drag->pointer_value = dmi_drag_pointer_value(drag, drag->target);
     drag->latch = dmi_latch_begin(rules, &drag->joint, drag->value);
     const dmi_watched now = watched(drag, false);
     drag->watch = dmi_watch_begin(&now);
@@ -48,7 +51,7 @@ void dmi_drag_close(dmi_drag* drag, float dt) {
     dmi_release* release = &drag->release;
     const bool waits = release->return_time > 0 && rules->close_delay > 0;
     drag->waited += dt;
-    if (release->intent != DM_INTENT_STAY) return;
+    if (release->intent != DM_INTENT_STAY || drag->stays) return;
     if (waits && drag->waited < rules->close_delay) {
         release->phase = DM_DRAG_RELEASED;
         return;
@@ -76,9 +79,8 @@ static dmi_bounds step_bounds(const dmi_drag* drag) {
 }
 
 static void limit_step(dmi_drag* drag, float dt) {
-    const bool changed = drag->changes != drag->watch.changes; /* then values are those of another joint */
-    const bool limited = dmi_limit_step(&drag->rules, step_bounds(drag), changed ? drag->value : drag->start.value,
-                                        drag->start.velocity, dt, &drag->value, &drag->velocity);
+    const bool limited = dmi_limit_step(&drag->rules, step_bounds(drag), drag->start.value, drag->start.velocity, dt,
+                                        &drag->value, &drag->velocity);
     if (!limited) return;
     drag->value = dmi_joint_clamp(&drag->joint, drag->value);
     const float left = fabsf(drag->value - drag->release.end);
@@ -92,8 +94,7 @@ static void limit_step(dmi_drag* drag, float dt) {
 static void break_off(dmi_drag* drag) {
     const float most = drag->rules.break_distance;
     if (!(most > 0) || drag->release.phase != DM_DRAG_HELD || dmi_drag_hand_miss(drag) <= most) return;
-    drag->waited = 0;
-    dmi_drag_plan(drag, DM_INTENT_AUTO, 0);
+    dmi_drag_release(drag, DM_INTENT_AUTO, 0);
     drag->events |= DM_EVENT_LET_GO;
 }
 
@@ -102,6 +103,8 @@ void dmi_drag_keep_rules(dmi_drag* drag, float dt) {
     limit_step(drag, dt);
     drag->events |= dmi_latch_try(&drag->latch, &drag->rules, &drag->joint, drag->asked);
     break_off(drag);
+    const bool stands = drag->value == drag->start.value && drag->changes == drag->watch.changes;
+    if (drag->release.phase == DM_DRAG_AT_REST && stands) drag->velocity = 0;
     const float range = dmi_rules_range(&drag->rules, &drag->joint);
     const bool blocked = dmi_bounds_hold(drag->told.bounds, drag->value, drag->asked, range, drag->watch.blocked);
     const dmi_watched now = watched(drag, blocked);

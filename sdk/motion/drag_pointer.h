@@ -95,16 +95,15 @@ static inline bool dmi_drag_is_unseen_slide(const dmi_drag* drag, const dm_ray* 
     return dmi_is_seen_end_on(&drag->joint, drag->rest_point, sight);
 }
 
-/* Returns the span of a pull: limits with their soft ends, or what estimated limits may be exceeded to. stated: no
- * farther than estimated limits. */
+/* Returns the pointer values that a pull may have: those of the limits, or what estimated limits may be exceeded to.
+ * stated: no farther than estimated limits. */
 static inline dmi_span dmi_drag_span(const dmi_drag* drag, bool stated) {
     dmi_span span = {-INFINITY, INFINITY};
     if (drag->limits_are_estimates) {
         span.lower = stated ? drag->estimated_lower : drag->reachable_lower;
         span.upper = stated ? drag->estimated_upper : drag->reachable_upper;
     } else if (dmi_joint_has_limits(&drag->joint)) {
-        const float w = dmi_feel_soft_width(&drag->feel, &drag->joint);
-        span.lower = drag->joint.lower - w, span.upper = drag->joint.upper + w;
+        span = drag->pointer_span;
     }
     return span;
 }

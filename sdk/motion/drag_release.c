@@ -11,6 +11,7 @@
 #define LOOK_AHEAD 0.2f           /* s: the part is taken to be where its velocity carries it in this time */
 #define THROWN_SHARE 0.35f        /* of the range travelled in LOOK_AHEAD: thrown, not just let go */
 #define NEAR_END_SHARE 0.12f      /* of the range: as good as at the end */
+#define HALF_WAY 0.5f             /* of the way to an open end: a part beyond is open */
 #define AT_STOP_SHARE 0.05f       /* of the range: rest and a limit are the same */
 #define ARRIVED_SHARE 1e-4f       /* of the range, or of the value without limits: there already */
 #define MIN_DURATION 0.18f        /* s of any motion */
@@ -37,6 +38,26 @@ static float range_of(const dm_joint* joint) {
     return joint->upper - joint->lower;
 }
 
+static const dmi_rules* rules_of(const dmi_released_part* part) {
+    static const dmi_rules none = {0};
+    return part->rules != NULL ? part->rules : &none;
+}
+
+/* Whether limits bound the part to both sides. */
+static bool has_range(const dmi_released_part* part) {
+    return dmi_joint_has_limits(part->joint) && !rules_of(part)->one_sided;
+}
+
+/* Returns the joint value that shares of a way are of: the range, where the part has one. */
+static float unit_of(const dmi_released_part* part) {
+    if (!dmi_joint_has_limits(part->joint)) return 1;
+    return has_range(part) ? range_of(part->joint) : dmi_rules_range(rules_of(part), part->joint);
+}
+
+static bool is_limit(const dm_joint* joint, float value) {
+    return value == joint->lower || value == joint->upper;
+}
+
 static bool rests_at_stop(const dm_joint* joint) {
     const float near = AT_STOP_SHARE * range_of(joint), rest = dmi_joint_clamp(joint, 0);
     return rest - joint->lower <= near || joint->upper - rest <= near;
@@ -50,14 +71,18 @@ float dmi_release_open_end(const dmi_released_part* part) {
     return side > 0 ? joint->upper : joint->lower;
 }
 
+bool dmi_release_is_open(const dmi_released_part* part) {
+    const dm_joint* joint = part->joint;
+    const float rest = dmi_joint_clamp(joint, 0), below = rest - joint->lower, above = joint->upper - rest;
+    const bool both_sides = !rests_at_stop(joint);
+    if (!has_range(part)) return fabsf(part->value - rest) > HALF_WAY * unit_of(part);
+    const float way = both_sides ? (part->value < rest ? below : above) : dmi_fmaxf(below, above);
+    return fabsf(part->value - rest) > HALF_WAY * way;
+}
+
 /* Returns the distance that exponentially decaying velocity covers. */
 static float glide_length(const dmi_released_part* part) {
     return part->velocity * dmi_feel_coast_time(part->feel) / DMI_LN_2_F;
-}
-
-static const dmi_rules* rules_of(const dmi_released_part* part) {
-    static const dmi_rules none = {0};
-    return part->rules != NULL ? part->rules : &none;
 }
 
 /* Whether a snap value catches the part as it glides to a stop. */
@@ -66,15 +91,12 @@ static bool is_caught(const dmi_released_part* part, float* out_snap) {
     return dmi_snaps_catch(&rules_of(part)->snaps, part->joint, end, out_snap);
 }
 
-/* Whether limits bound the part to both sides. */
-static bool has_range(const dmi_released_part* part) {
-    return dmi_joint_has_limits(part->joint) && !rules_of(part)->one_sided;
-}
-
 /* Whether the part glides against a limit that throws it back. */
 static bool is_thrown_back(const dmi_released_part* part) {
     const float end = part->value + glide_length(part);
-    return rules_of(part)->restitution > 0 && has_range(part) && dmi_joint_clamp(part->joint, end) != end;
+    float snap;
+    return rules_of(part)->restitution > 0 && has_range(part) && dmi_joint_clamp(part->joint, end) != end &&
+           !is_caught(part, &snap);
 }
 
 /* Whether the part falls, to rest or to its open end. */
@@ -107,7 +129,7 @@ static int32_t infer_intent(const dmi_released_part* part, float return_time) {
     const int32_t ruled = intent_by_rules(part, return_time);
     if (ruled != DM_INTENT_AUTO) return ruled;
     if (return_time > 0) return DM_INTENT_CLOSE;
-    if (!dmi_joint_has_limits(joint) || part->feel->detent > 0) return DM_INTENT_STAY;
+    if (!has_range(part) || part->feel->detent > 0) return DM_INTENT_STAY;
     const float range = range_of(joint), thrown = LOOK_AHEAD * part->velocity, ahead = part->value + thrown;
     const float from_rest = fabsf(ahead - dmi_joint_clamp(joint, 0));
     const bool homeward = part->velocity * (dmi_joint_clamp(joint, 0) - part->value) >= 0;
@@ -134,8 +156,8 @@ static float shortest_duration(const dmi_released_part* part, float distance) {
 /* Returns the duration of a motion over `distance`: by the share of the range, and not slower than the part already
  * goes. */
 static float natural_duration(const dmi_released_part* part, float distance) {
-    const float speed = fabsf(part->velocity), range = range_of(part->joint);
-    const float share = dmi_joint_has_limits(part->joint) ? dmi_fminf(fabsf(distance) / range, 1) : 1;
+    const float speed = fabsf(part->velocity);
+    const float share = dmi_joint_has_limits(part->joint) ? dmi_fminf(fabsf(distance) / unit_of(part), 1) : 1;
     float time = FULL_RANGE_TIME * sqrtf(share);
     if (part->velocity * distance > 0) time = dmi_fminf(time, 2 * fabsf(distance) / speed);
     return dmi_fmaxf(dmi_fmaxf(time, MIN_DURATION), shortest_duration(part, distance));
@@ -149,8 +171,7 @@ static void plan_stay(const dmi_released_part* part, dmi_release* r) {
     r->duration = GLIDE_HALF_LIVES * dmi_feel_coast_time(part->feel);
     r->glides = r->end == end;
     if (!r->glides) r->duration = natural_duration(part, r->end - r->start);
-    const float distance = fabsf(r->end - r->start);
-    if (distance <= ARRIVED_SHARE * (dmi_joint_has_limits(part->joint) ? range_of(part->joint) : 1)) r->duration = 0;
+    if (fabsf(r->end - r->start) <= ARRIVED_SHARE * unit_of(part)) r->duration = 0;
 }
 
 /* Returns the initial velocity, reduced so that a part which first moves away from its end does not hit the stop behind
@@ -167,15 +188,21 @@ static void plan_move(const dmi_released_part* part, dmi_release* r, float end) 
     r->end = end;
     r->duration =
         r->return_time > 0 && r->intent == DM_INTENT_CLOSE ? r->return_time : natural_duration(part, distance);
-    if (fabsf(distance) <= ARRIVED_SHARE * dmi_fmaxf(range_of(part->joint), 0)) r->duration = 0;
+    if (fabsf(distance) <= ARRIVED_SHARE * unit_of(part)) r->duration = 0;
 }
 
+/* A fall that does not end at a limit ends without a bounce: nothing is there that throws the part back. */
 static dmi_flight flight_of(const dmi_release* r, const dmi_released_part* part) {
-    return (dmi_flight){.lower = part->joint->lower,
-                        .upper = part->joint->upper,
-                        .acceleration = r->acceleration,
-                        .time_constant = dmi_feel_coast_time(part->feel) / DMI_LN_2_F,
-                        .restitution = rules_of(part)->restitution};
+    dmi_flight flight = {.lower = part->joint->lower,
+                         .upper = part->joint->upper,
+                         .acceleration = r->acceleration,
+                         .time_constant = dmi_feel_coast_time(part->feel) / DMI_LN_2_F,
+                         .restitution = rules_of(part)->restitution};
+    if (r->acceleration == 0 || is_limit(part->joint, r->end)) return flight;
+    if (r->acceleration < 0) flight.lower = r->end;
+    if (r->acceleration > 0) flight.upper = r->end;
+    flight.restitution = 0;
+    return flight;
 }
 
 /* Makes a glide that a limit throws back, or a fall, of the plan. */
@@ -196,7 +223,8 @@ static void plan_flight(const dmi_released_part* part, dmi_release* r, bool by_i
 dmi_landing dmi_release_fly(dmi_release* r, const dmi_released_part* part, float dt, float* out_value,
                             float* out_velocity) {
     const dmi_flight flight = flight_of(r, part);
-    const dmi_landing landing = dmi_flight_advance(&flight, dt, out_value, out_velocity);
+    dmi_landing landing = dmi_flight_advance(&flight, dt, out_value, out_velocity);
+    if (flight.lower != part->joint->lower || flight.upper != part->joint->upper) landing.struck = 0; /* rest is none */
     r->elapsed += dt;
     if (landing.settled) {
         r->phase = DM_DRAG_AT_REST;
@@ -227,7 +255,10 @@ void dmi_release_begin(dmi_release* r, const dmi_released_part* part, int32_t in
         r->duration = dmi_fmaxf(rules_of(part)->auto_close_time, shortest_duration(part, r->end - r->start));
     else if (rules_of(part)->on)
         plan_flight(part, r, intent == DM_INTENT_AUTO && r->return_time <= 0 && asked != DM_INTENT_STAY);
-    if (duration > 0 && r->duration > 0) r->duration = duration;
+    if (duration > 0 && r->duration > 0) {
+        r->duration = duration; /* a glide and a fall take the time that they take */
+        r->glides = r->flies = false;
+    }
     if (!r->glides && r->duration > 0 && !unlimited) r->velocity = velocity_with_room(part, r);
     if (r->duration > 0) return;
     r->velocity = 0;

@@ -43,6 +43,8 @@ void dmi_release_advance(dmi_release* release, const dm_drag_feel* feel, const d
 /* The same for a plan that flies. */
 dmi_landing dmi_release_fly(dmi_release* release, const dmi_released_part* part, float dt, float* out_value,
                             float* out_velocity);
+/* Whether the part is more than half-way from rest to the end on its side. */
+bool dmi_release_is_open(const dmi_released_part* part);
 /* Returns the limit that is not rest; of two, the one on the side that the part was pulled to. */
 float dmi_release_open_end(const dmi_released_part* part);
 

@@ -60,6 +60,7 @@ void dmi_links_follow(const dmi_link* links, uint32_t count, dmi_linked_joints j
     for (uint32_t i = count; i-- > 0;) { /* drivers come first: upwards from the end */
         const dmi_link* link = &links[i];
         if (link->kind != DM_LINK_MOVES || !link->both_ways || link->ratio == 0 || !changed[link->driven]) continue;
+        if (values[link->driven] == link->offset && beyond(link, values[link->driver]) == 0) continue; /* as it is */
         set(joints, link->driver, link->from + (values[link->driven] - link->offset) / link->ratio, values, changed);
     }
     for (uint32_t i = 0; i < count; i++) {

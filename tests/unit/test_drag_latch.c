@@ -119,10 +119,14 @@ static void a_part_near_rest_closes_into_its_latch(void** state) {
         test_begin(&drag, &test_slide, 0.4f, &feel, &rules);
         dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
         assert_near(run_out(&drag, 1, rate).value, 0.4, 1e-4);
-        test_begin(&drag, &test_slide, 0.4f, &feel, &rules); /* glides into the zone */
-        drag.velocity = -1.6f;
-        dmi_drag_release(&drag, DM_INTENT_STAY, 0);
+        test_begin(&drag, &test_slide, 0.3f, &feel, &rules); /* glides into the zone */
+        drag.velocity = -0.8f;
+        dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+        assert_int_equal(drag.release.intent, DM_INTENT_STAY);
         assert_near(run_out(&drag, 2, rate).value, 0, 1e-6);
+        test_begin(&drag, &test_slide, 0.18f, &feel, &rules);
+        dmi_drag_release(&drag, DM_INTENT_STAY, 0); /* the host overrules it */
+        assert_near(run_out(&drag, 2, rate).value, 0.18, 1e-4);
     }
 }
 

@@ -232,8 +232,8 @@ static void inputs_that_make_no_sense_are_refused(void** state) {
     input.handles[1] = NAN;
     assert_error(&h.w, dm_drag_step(h.w.context, with, &input, 0, &now), DM_ERROR_NOT_FINITE, "handles");
     input = pointer_at(0);
-    input.flags = 4;
-    assert_error(&h.w, dm_drag_step(h.w.context, with, &input, 0, &now), DM_ERROR_INVALID_ARGUMENT, "flags is 0x4");
+    input.flags = 8;
+    assert_error(&h.w, dm_drag_step(h.w.context, with, &input, 0, &now), DM_ERROR_INVALID_ARGUMENT, "flags is 0x8");
     input = pointer_at(0);
     input.second.kind = DM_HAND_RATE;
     assert_error(&h.w, dm_drag_step(h.w.context, with, &input, 0, &now), DM_ERROR_INVALID_ARGUMENT, "second.kind is 3");

@@ -148,7 +148,7 @@ namespace DragMesh
         public const int DM_HAND_NONE = 0;
         /// <summary>a pointer: `ray`</summary>
         public const int DM_HAND_RAY = 1;
-        /// <summary>a hand in space: `point`. It keeps its distance to the point that it grabbed</summary>
+        /// <summary>a hand in space: `point`. The vector from it to the grabbed point stays as in its first update</summary>
         public const int DM_HAND_POINT = 2;
         /// <summary>a stick or a key held down: `amount`, -1 to 1, times dm_drag_rules.drive_speed</summary>
         public const int DM_HAND_RATE = 3;
@@ -160,13 +160,15 @@ namespace DragMesh
         public const int DM_INPUT_LOCKED = 1;
         /// <summary>dm_drag_take may change the value that this update takes</summary>
         public const int DM_INPUT_ASK = 2;
+        /// <summary>lower and upper hold, also when they are equal</summary>
+        public const int DM_INPUT_BOUNDS = 4;
         /// <summary>follows the pointer</summary>
         public const int DM_DRAG_HELD = 0;
         /// <summary>moves on by itself: dm_drag_release</summary>
         public const int DM_DRAG_RELEASED = 1;
         /// <summary>has come to where it goes</summary>
         public const int DM_DRAG_AT_REST = 2;
-        /// <summary>it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast; again after it was 2 % away</summary>
+        /// <summary>it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast; again after it was 2 % away. An estimated limit that has given is none</summary>
         public const int DM_EVENT_LIMIT_LOWER = 1;
         /// <summary>the same of the upper one</summary>
         public const int DM_EVENT_LIMIT_UPPER = 2;
@@ -818,7 +820,7 @@ namespace DragMesh
     {
         /// <summary>s for the part to close half the gap to the pointer; 0 = 0.02, negative = none</summary>
         public float SmoothingTime;
-        /// <summary>share of the range over which the ends give; 0 = hard ends</summary>
+        /// <summary>share of the range over which the ends give; 0 = hard ends. Not of limits that the library estimated: see dm_drag_desc.limit_give</summary>
         public float SoftLimit;
         /// <summary>s in which a part left alone loses half its speed, and how heavy it is in the hand; 0 = 0.1 once released and weightless in the hand, negative = stops where it is let go</summary>
         public float CoastTime;
@@ -845,9 +847,9 @@ namespace DragMesh
         public float SnapReach;
         /// <summary>share of the range from rest: DM_EVENT_OPENED beyond; 0 = 0.1</summary>
         public float OpenShare;
-        /// <summary>share of the range from rest: DM_EVENT_CLOSED within; 0 = 0.02; less than the other</summary>
+        /// <summary>share of the range from rest: DM_EVENT_CLOSED within; 0 = 0.02; less than open_share. A part that is grabbed between both counts as open</summary>
         public float ClosedShare;
-        /// <summary>s that lie between opened and closed at least</summary>
+        /// <summary>shortest time between DM_EVENT_OPENED and DM_EVENT_CLOSED, s</summary>
         public float EventTime;
         /// <summary>joint value a second; 0 = none</summary>
         public float MaxSpeed;
@@ -896,7 +898,7 @@ namespace DragMesh
         public float Ratio;
         /// <summary>value of the driven part while the driver is at `from`</summary>
         public float Offset;
-        /// <summary>value of the driver: nothing moves while it is nearer to 0, on that side of 0</summary>
+        /// <summary>value of the driver: nothing moves while it is nearer to 0, on that side of 0. 0: DM_LINK_FREES and DM_LINK_HOLDS take it as reached at rest</summary>
         public float From;
     }
 
@@ -911,7 +913,7 @@ namespace DragMesh
         /// <summary>joint value the part has now; 0 = rest. Not with `state`</summary>
         public float StartValue;
         public DragFeel Feel;
-        /// <summary>DM_DRAG_KEEP_JOINT</summary>
+        /// <summary>DM_DRAG_KEEP_JOINT, DM_DRAG_WITHOUT_POINT</summary>
         public uint Flags;
         /// <summary>how far a pull that goes on takes the part beyond limits that the library estimated, as a share of the range. 0 = as far as it is pulled, by a turn or the object's size at most; negative = not at all. The host's own limits never give, nor does a stop at rest</summary>
         public float LimitGive;
@@ -931,7 +933,7 @@ namespace DragMesh
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Hand
     {
-        /// <summary>DM_HAND_*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open. A limit that the library estimated gives, as far as to a pull, to a RATE that asks for more for 0.25 s and to one STEP more</summary>
+        /// <summary>DM_HAND_*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open with an amount above 0. A limit that the library estimated stops them first. It then gives as to a pull: to a RATE after 0.25 s at the limit, to the next STEP</summary>
         public int Kind;
         /// <summary>object frame; scaled with dm_drag_desc.scale</summary>
         public Ray Ray;
@@ -955,9 +957,9 @@ namespace DragMesh
         public Hand Second;
         /// <summary>joint values of the handles of a latch, where their drags or links have them</summary>
         public fixed float Handles[2];
-        /// <summary>joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back</summary>
+        /// <summary>joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal, but for DM_INPUT_BOUNDS. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back</summary>
         public float Lower;
-        /// <summary>joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back</summary>
+        /// <summary>joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal, but for DM_INPUT_BOUNDS. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back</summary>
         public float Upper;
 
         /// <summary>Zeros, with StructSize set.</summary>

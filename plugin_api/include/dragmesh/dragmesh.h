@@ -447,7 +447,8 @@ typedef struct dm_motion_desc {
  * ratios, which are times: smoothing_time is damping over stiffness, coast_time inertia over damping. */
 typedef struct dm_drag_feel {
     float smoothing_time; /* s for the part to close half the gap to the pointer; 0 = 0.02, negative = none */
-    float soft_limit;     /* share of the range over which the ends give; 0 = hard ends */
+    float soft_limit;     /* share of the range over which the ends give; 0 = hard ends. Not of limits that the library
+                             estimated: see dm_drag_desc.limit_give */
     float coast_time;     /* s in which a part left alone loses half its speed, and how heavy it is in the hand;
                              0 = 0.1 once released and weightless in the hand, negative = stops where it is let go */
     float detent;         /* joint value from one catch to the next, the first at rest (rad or host units); 0 = none */
@@ -480,8 +481,9 @@ typedef struct dm_drag_rules {
     float snap_reach;       /* joint value: how far a snap value reaches to either side; 0 = half-way to the next, or a
                                twentieth of the range where there is none */
     float open_share;       /* share of the range from rest: DM_EVENT_OPENED beyond; 0 = 0.1 */
-    float closed_share;     /* share of the range from rest: DM_EVENT_CLOSED within; 0 = 0.02; less than the other */
-    float event_time;       /* s that lie between opened and closed at least */
+    float closed_share;     /* share of the range from rest: DM_EVENT_CLOSED within; 0 = 0.02; less than open_share. A
+                               part that is grabbed between both counts as open */
+    float event_time;       /* shortest time between DM_EVENT_OPENED and DM_EVENT_CLOSED, s */
     float max_speed;        /* joint value a second; 0 = none */
     float max_acceleration; /* joint value a second squared while it gets faster, the highest force over the part's
                                inertia; 0 = none */
@@ -517,7 +519,8 @@ typedef struct dm_link {
     uint32_t flags;          /* DM_LINK_BOTH_WAYS */
     float ratio;  /* value of the driven part a value of the driver; 0 = 1. Rad, host units: rack and pinion */
     float offset; /* value of the driven part while the driver is at `from` */
-    float from;   /* value of the driver: nothing moves while it is nearer to 0, on that side of 0 */
+    float from;   /* value of the driver: nothing moves while it is nearer to 0, on that side of 0. 0: DM_LINK_FREES and
+                     DM_LINK_HOLDS take it as reached at rest */
 } dm_link;
 
 typedef struct dm_drag_desc {
@@ -527,7 +530,7 @@ typedef struct dm_drag_desc {
     dm_vec3 grab_point; /* on the part as it is now, host object frame */
     float start_value;  /* joint value the part has now; 0 = rest. Not with `state` */
     dm_drag_feel feel;
-    uint32_t flags;   /* DM_DRAG_KEEP_JOINT */
+    uint32_t flags;   /* DM_DRAG_KEEP_JOINT, DM_DRAG_WITHOUT_POINT */
     float limit_give; /* how far a pull that goes on takes the part beyond limits that the library estimated, as a share
                          of the range. 0 = as far as it is pulled, by a turn or the object's size at most; negative =
                          not at all. The host's own limits never give, nor does a stop at rest */
@@ -542,18 +545,19 @@ typedef struct dm_drag_desc {
 
 /* How a hand holds the part. */
 enum {
-    DM_HAND_NONE = 0,  /* no news of it: the part goes on to where it was asked to be */
-    DM_HAND_RAY = 1,   /* a pointer: `ray` */
-    DM_HAND_POINT = 2, /* a hand in space: `point`. It keeps its distance to the point that it grabbed */
-    DM_HAND_RATE = 3,  /* a stick or a key held down: `amount`, -1 to 1, times dm_drag_rules.drive_speed */
-    DM_HAND_STEP = 4,  /* a wheel: moves by `amount`, a share of the range */
-    DM_HAND_VALUE = 5  /* a slider of the host's: goes to the joint value `amount` */
+    DM_HAND_NONE = 0, /* no news of it: the part goes on to where it was asked to be */
+    DM_HAND_RAY = 1,  /* a pointer: `ray` */
+    DM_HAND_POINT =
+        2, /* a hand in space: `point`. The vector from it to the grabbed point stays as in its first update */
+    DM_HAND_RATE = 3, /* a stick or a key held down: `amount`, -1 to 1, times dm_drag_rules.drive_speed */
+    DM_HAND_STEP = 4, /* a wheel: moves by `amount`, a share of the range */
+    DM_HAND_VALUE = 5 /* a slider of the host's: goes to the joint value `amount` */
 };
 
 typedef struct dm_hand {
-    int32_t kind;  /* DM_HAND_*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open. A limit that the
-                      library estimated gives, as far as to a pull, to a RATE that asks for more for 0.25 s and to one
-                      STEP more */
+    int32_t kind;  /* DM_HAND_*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open with an amount above 0.
+                      A limit that the library estimated stops them first. It then gives as to a pull: to a RATE after
+                      0.25 s at the limit, to the next STEP */
     dm_ray ray;    /* object frame; scaled with dm_drag_desc.scale */
     dm_vec3 point; /* the same */
     float amount;  /* of RATE, STEP, VALUE */
@@ -563,7 +567,8 @@ typedef struct dm_hand {
 
 enum {
     DM_INPUT_LOCKED = 1, /* locked in this update, as by DM_RULE_LOCKED */
-    DM_INPUT_ASK = 2     /* dm_drag_take may change the value that this update takes */
+    DM_INPUT_ASK = 2,    /* dm_drag_take may change the value that this update takes */
+    DM_INPUT_BOUNDS = 4  /* lower and upper hold, also when they are equal */
 };
 
 /* All that can be told a drag in one update. */
@@ -575,8 +580,8 @@ typedef struct dm_drag_input {
                            move the part. It comes and goes without a jump */
     float handles[2];   /* joint values of the handles of a latch, where their drags or links have them */
     float lower, upper; /* joint values between which the host's world leaves the part room in this update, infinite on
-                           a free side; none when they are equal. The part stops there softly, and goes on when it is
-                           free; where it is beyond, it is pushed back */
+                           a free side; none when they are equal, but for DM_INPUT_BOUNDS. The part stops there softly,
+                           and goes on when it is free; where it is beyond, it is pushed back */
 } dm_drag_input;
 
 enum {
@@ -588,7 +593,7 @@ enum {
 /* What has happened to the part since the update before: bits of dm_drag_state.events. */
 enum {
     DM_EVENT_LIMIT_LOWER = 1,  /* it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast;
-                                  again  after it was 2 % away */
+                                  again after it was 2 % away. An estimated limit that has given is none */
     DM_EVENT_LIMIT_UPPER = 2,  /* the same of the upper one */
     DM_EVENT_LEFT_REST = 4,    /* it is more than 2 % of the range away from rest */
     DM_EVENT_REACHED_REST = 8, /* it is within 0.5 % of the range of rest, having left it */

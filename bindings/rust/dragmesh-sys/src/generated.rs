@@ -142,7 +142,7 @@ pub const DM_LINK_BOTH_WAYS: i32 = 1;
 pub const DM_HAND_NONE: i32 = 0;
 /// a pointer: \`ray\`
 pub const DM_HAND_RAY: i32 = 1;
-/// a hand in space: \`point\`. It keeps its distance to the point that it grabbed
+/// a hand in space: \`point\`. The vector from it to the grabbed point stays as in its first update
 pub const DM_HAND_POINT: i32 = 2;
 /// a stick or a key held down: \`amount\`, -1 to 1, times dm\_drag\_rules.drive\_speed
 pub const DM_HAND_RATE: i32 = 3;
@@ -154,13 +154,15 @@ pub const DM_HAND_VALUE: i32 = 5;
 pub const DM_INPUT_LOCKED: i32 = 1;
 /// dm\_drag\_take may change the value that this update takes
 pub const DM_INPUT_ASK: i32 = 2;
+/// lower and upper hold, also when they are equal
+pub const DM_INPUT_BOUNDS: i32 = 4;
 /// follows the pointer
 pub const DM_DRAG_HELD: i32 = 0;
 /// moves on by itself: dm\_drag\_release
 pub const DM_DRAG_RELEASED: i32 = 1;
 /// has come to where it goes
 pub const DM_DRAG_AT_REST: i32 = 2;
-/// it has met its lower limit (within 0.5 % of the range), dm\_drag\_state.impact fast; again after it was 2 % away
+/// it has met its lower limit (within 0.5 % of the range), dm\_drag\_state.impact fast; again after it was 2 % away. An estimated limit that has given is none
 pub const DM_EVENT_LIMIT_LOWER: i32 = 1;
 /// the same of the upper one
 pub const DM_EVENT_LIMIT_UPPER: i32 = 2;
@@ -794,7 +796,7 @@ impl Default for dm_motion_desc {
 pub struct dm_drag_feel {
     /// s for the part to close half the gap to the pointer; 0 = 0.02, negative = none
     pub smoothing_time: f32,
-    /// share of the range over which the ends give; 0 = hard ends
+    /// share of the range over which the ends give; 0 = hard ends. Not of limits that the library estimated: see dm\_drag\_desc.limit\_give
     pub soft_limit: f32,
     /// s in which a part left alone loses half its speed, and how heavy it is in the hand; 0 = 0.1 once released and weightless in the hand, negative = stops where it is let go
     pub coast_time: f32,
@@ -828,9 +830,9 @@ pub struct dm_drag_rules {
     pub snap_reach: f32,
     /// share of the range from rest: DM\_EVENT\_OPENED beyond; 0 = 0.1
     pub open_share: f32,
-    /// share of the range from rest: DM\_EVENT\_CLOSED within; 0 = 0.02; less than the other
+    /// share of the range from rest: DM\_EVENT\_CLOSED within; 0 = 0.02; less than open\_share. A part that is grabbed between both counts as open
     pub closed_share: f32,
-    /// s that lie between opened and closed at least
+    /// shortest time between DM\_EVENT\_OPENED and DM\_EVENT\_CLOSED, s
     pub event_time: f32,
     /// joint value a second; 0 = none
     pub max_speed: f32,
@@ -885,7 +887,7 @@ pub struct dm_link {
     pub ratio: f32,
     /// value of the driven part while the driver is at \`from\`
     pub offset: f32,
-    /// value of the driver: nothing moves while it is nearer to 0, on that side of 0
+    /// value of the driver: nothing moves while it is nearer to 0, on that side of 0. 0: DM\_LINK\_FREES and DM\_LINK\_HOLDS take it as reached at rest
     pub from: f32,
 }
 
@@ -907,7 +909,7 @@ pub struct dm_drag_desc {
     /// joint value the part has now; 0 = rest. Not with \`state\`
     pub start_value: f32,
     pub feel: dm_drag_feel,
-    /// DM\_DRAG\_KEEP\_JOINT
+    /// DM\_DRAG\_KEEP\_JOINT, DM\_DRAG\_WITHOUT\_POINT
     pub flags: u32,
     /// how far a pull that goes on takes the part beyond limits that the library estimated, as a share of the range. 0 = as far as it is pulled, by a turn or the object's size at most; negative = not at all. The host's own limits never give, nor does a stop at rest
     pub limit_give: f32,
@@ -933,7 +935,7 @@ impl Default for dm_drag_desc {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_hand {
-    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits; amounts above 0 open. A limit that the library estimated gives, as far as to a pull, to a RATE that asks for more for 0.25 s and to one STEP more
+    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open with an amount above 0. A limit that the library estimated stops them first. It then gives as to a pull: to a RATE after 0.25 s at the limit, to the next STEP
     pub kind: i32,
     /// object frame; scaled with dm\_drag\_desc.scale
     pub ray: dm_ray,
@@ -964,9 +966,9 @@ pub struct dm_drag_input {
     pub second: dm_hand,
     /// joint values of the handles of a latch, where their drags or links have them
     pub handles: [f32; 2],
-    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
+    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal, but for DM\_INPUT\_BOUNDS. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
     pub lower: f32,
-    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
+    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal, but for DM\_INPUT\_BOUNDS. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
     pub upper: f32,
 }
 

@@ -1,0 +1,398 @@
+/* Words of a drag that meet: rules with releases, limits with bounds, one hand after another. */
+#include "test_rules.h"
+
+#include "motion/part_links.h"
+
+#define FRAME (1.0f / 60)
+
+static const dm_drag_feel plain = {0};
+static const dm_joint both_sides = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = -1, .upper = 1.5f};
+
+static dm_drag_rules no_rules(void) {
+    return (dm_drag_rules){.struct_size = sizeof(dm_drag_rules)};
+}
+
+static dm_drag_state run(dmi_drag* drag, float seconds) {
+    dm_drag_state now = {0};
+    for (float time = 0; time < seconds; time += FRAME) dmi_drag_update(drag, NULL, FRAME, &now);
+    return now;
+}
+
+static dm_drag_state hold_at(dmi_drag* drag, float x, float seconds, float lower, float upper) {
+    dm_drag_state now = {0};
+    const dm_drag_input input = {
+        .struct_size = sizeof input, .hand = test_pointer(test_ray_at(x)), .lower = lower, .upper = upper};
+    for (float time = 0; time < seconds; time += FRAME) dmi_drag_step(drag, &input, FRAME, &now);
+    return now;
+}
+
+static void a_fall_ends_where_its_plan_does(void** state) {
+    (void)state;
+    dm_drag_rules rules = no_rules();
+    rules.tip_share = 0.5f, rules.restitution = 0.5f;
+    dmi_drag drag;
+    test_begin(&drag, &both_sides, 0.3f, &plain, &rules);
+    dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+    assert_int_equal(drag.release.intent, DM_INTENT_CLOSE);
+    dm_drag_state now = {0};
+    for (int i = 0; i < 240; i++) {
+        dmi_drag_update(&drag, NULL, FRAME, &now);
+        assert_true(now.value >= 0 && !(now.events & DM_EVENT_LIMIT_LOWER)); /* rest is no limit here */
+    }
+    assert_near(now.value, 0, 1e-6);
+    assert_int_equal(now.phase, DM_DRAG_AT_REST);
+}
+
+static void a_part_with_one_limit_closes_from_near_by(void** state) {
+    (void)state;
+    const dm_joint open_ended = {.type = DM_JOINT_REVOLUTE, .axis = {0, 0, 1}, .lower = 0, .upper = 1024};
+    const dm_drag_rules rules = no_rules();
+    const float grab[3] = {1, 0, 0};
+    dmi_drag drag;
+    dmi_drag_begin(&drag, &open_ended, grab, 0.05f, &plain);
+    const dmi_rules kept = dmi_rules_from(&rules, &plain, &open_ended, true, 1);
+    dmi_drag_set_rules(&drag, &kept);
+    dmi_drag_release(&drag, DM_INTENT_CLOSE, 0);
+    assert_true(drag.release.duration > 0);
+    assert_near(run(&drag, 2).value, 0, 1e-6);
+}
+
+static void a_hand_that_is_torn_off_releases_as_one_that_lets_go(void** state) {
+    (void)state;
+    const dm_drag_feel springs = {.return_time = 0.4f};
+    dm_drag_rules rules = no_rules();
+    rules.break_distance = 0.3f, rules.close_delay = 0.5f;
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0, &springs, &rules);
+    for (int i = 0; i <= 40; i++) hold_at(&drag, 0.025f * (float)i, FRAME, 0, 0);
+    assert_near(hold_at(&drag, 1, 0.5f, 0, 0).value, 1, 1e-3);
+    assert_true(hold_at(&drag, 1.5f, FRAME, 0, 0).phase != DM_DRAG_HELD);
+    assert_near(run(&drag, 0.3f).value, 1, 1e-3); /* the closer waits … */
+    assert_near(run(&drag, 1.5f).value, 0, 1e-6); /* … and closes */
+}
+
+static void a_scalar_reaches_limits_through_soft_ends_and_detents(void** state) {
+    (void)state;
+    static const dm_drag_feel feels[3] = {
+        {.soft_limit = 0.2f}, {.detent = 0.3f}, {.soft_limit = 0.05f, .detent = 0.3f}};
+    for (int i = 0; i < 3; i++) {
+        for (int kind = DM_HAND_RATE; kind <= DM_HAND_VALUE; kind++) {
+            const dm_drag_rules rules = no_rules();
+            dm_drag_input input = {.struct_size = sizeof input, .hand = {.kind = kind, .amount = 1}};
+            dm_drag_state now = {0};
+            uint32_t events = 0;
+            dmi_drag drag;
+            test_begin(&drag, &test_slide, 0, &feels[i], &rules);
+            for (int k = 0; k < 180; k++) dmi_drag_step(&drag, &input, FRAME, &now), events |= now.events;
+            assert_near(now.value, 1, 1e-4);
+            assert_true(now.at_limit == 1 && events & DM_EVENT_LIMIT_UPPER);
+        }
+    }
+}
+
+static void a_pointer_reaches_a_limit_beside_a_catch(void** state) {
+    (void)state;
+    const float snap = 0.9f;
+    dm_drag_rules rules = no_rules();
+    rules.snaps = &snap, rules.snap_count = 1, rules.snap_reach = 0.2f;
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0, &plain, &rules);
+    hold_at(&drag, 0, 0.1f, 0, 0);
+    assert_near(hold_at(&drag, 2, 2, 0, 0).value, 1, 1e-4);
+}
+
+static void a_resting_hand_moves_no_part_with_soft_estimated_ends(void** state) {
+    (void)state;
+    const dm_drag_feel soft = {.soft_limit = 0.1f};
+    const float grab[3] = {1, 0, 0};
+    dmi_drag drag;
+    dmi_drag_begin(&drag, &test_slide, grab, 1, &soft);
+    dmi_drag_track_hypotheses(&drag, &test_slide, NULL, 1, 1, (dmi_limit_give){0, 1});
+    const dm_ray ray = test_ray_at(1);
+    dm_drag_state now = {0};
+    for (int i = 0; i < 60; i++) dmi_drag_update(&drag, &ray, FRAME, &now);
+    assert_near(now.value, 1, 1e-5);
+    assert_near(drag.joint.upper, 1, 1e-5);
+}
+
+static void bounds_move_no_estimated_limit(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const float grab[3] = {0.3f, 0, 0};
+    dmi_drag drag;
+    dmi_drag_begin(&drag, &test_slide, grab, 0.3f, &plain);
+    dmi_drag_track_hypotheses(&drag, &test_slide, NULL, 1, 1, (dmi_limit_give){0, 1});
+    const dmi_rules kept = dmi_rules_from(&rules, &plain, &test_slide, false, 1);
+    dmi_drag_set_rules(&drag, &kept);
+    hold_at(&drag, 0.3f, 1, -INFINITY, -0.4f);
+    assert_true(drag.joint.lower == 0 && drag.value >= 0); /* a stop at rest holds against them */
+    hold_at(&drag, 0.3f, 1, 2.5f, INFINITY);
+    assert_true(drag.joint.upper == 1);
+}
+
+static void bounds_without_room_hold(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const dm_drag_input still = {.struct_size = sizeof still,
+                                 .flags = DM_INPUT_BOUNDS,
+                                 .hand = test_pointer(test_ray_at(0.8f)),
+                                 .lower = 0.3f,
+                                 .upper = 0.3f};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0.3f, &plain, &rules);
+    hold_at(&drag, 0.3f, 0.1f, 0, 0);
+    for (int i = 0; i < 60; i++) dmi_drag_step(&drag, &still, FRAME, &now);
+    assert_near(now.value, 0.3, 1e-6);
+    assert_near(hold_at(&drag, 0.8f, 1, 0.3f, 0.3f).value, 0.8, 1e-3); /* without the flag there are none */
+}
+
+static void a_part_that_opened_the_short_way_is_open(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    dmi_drag drag;
+    test_begin(&drag, &both_sides, -0.9f, &plain, &rules);
+    assert_true(dmi_drag_is_open(&drag));
+    test_begin(&drag, &both_sides, 0.6f, &plain, &rules);
+    assert_false(dmi_drag_is_open(&drag));
+    test_begin(&drag, &test_slide, 0.6f, &plain, &rules);
+    assert_true(dmi_drag_is_open(&drag));
+}
+
+static void only_the_last_update_asks(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const dm_drag_input asks = {
+        .struct_size = sizeof asks, .flags = DM_INPUT_ASK, .hand = test_pointer(test_ray_at(0.2f))};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0, &plain, &rules);
+    dmi_drag_step(&drag, &asks, FRAME, &now);
+    assert_true(drag.question.open);
+    dmi_drag_update(&drag, &asks.hand.ray, FRAME, &now);
+    assert_false(drag.question.open);
+    dmi_drag_step(&drag, &asks, FRAME, &now);
+    dmi_drag_release(&drag, DM_INTENT_STAY, 0);
+    assert_false(drag.question.open);
+}
+
+static void a_part_held_up_as_it_arrives_goes_on(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const dm_drag_input asks = {.struct_size = sizeof asks, .flags = DM_INPUT_ASK};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0.6f, &plain, &rules);
+    dmi_drag_release(&drag, DM_INTENT_CLOSE, 0);
+    dmi_drag_step(&drag, &asks, 5, &now);
+    assert_int_equal(now.phase, DM_DRAG_AT_REST);
+    dmi_drag_take(&drag, 0.3f, &now);
+    assert_int_equal(now.phase, DM_DRAG_RELEASED);
+    assert_false(now.events & (DM_EVENT_LIMIT_LOWER | DM_EVENT_REACHED_REST | DM_EVENT_CLOSED));
+    now = run(&drag, 2);
+    assert_near(now.value, 0, 1e-6);
+    assert_true(now.phase == DM_DRAG_AT_REST && now.velocity == 0);
+}
+
+static void a_part_pushed_at_rest_stands_again(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const dm_drag_input pushed = {.struct_size = sizeof pushed, .lower = -1, .upper = 0.5f}, free = {.struct_size = 0};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 1, &plain, &rules);
+    dmi_drag_release(&drag, DM_INTENT_FREEZE, 0);
+    for (int i = 0; i < 3; i++) dmi_drag_step(&drag, &pushed, FRAME, &now);
+    assert_true(now.value < 1 && now.velocity < 0);
+    for (int i = 0; i < 2; i++) dmi_drag_step(&drag, &free, FRAME, &now);
+    assert_true(now.velocity == 0);
+}
+
+static void a_plan_that_was_held_up_keeps_its_time(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    dm_drag_input held = {.struct_size = sizeof held}, free = held;
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 1, &plain, &rules);
+    dmi_drag_release(&drag, DM_INTENT_CLOSE, 5);
+    float time = 0;
+    for (; time < 10 && (time == 0 || now.phase == DM_DRAG_RELEASED); time += FRAME) {
+        held.lower = now.value, held.upper = 2;
+        const bool stopped = time > 1 && time < 1.03f;
+        dmi_drag_step(&drag, stopped ? &held : &free, FRAME, &now);
+    }
+    assert_near(time, 5, 0.1);
+    assert_near(now.value, 0, 1e-6);
+}
+
+static void a_replay_begins_where_the_motion_did(void** state) {
+    (void)state;
+    dm_drag_rules rules = no_rules();
+    rules.max_speed = 1;
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0.2f, &plain, &rules);
+    dmi_drag_release(&drag, DM_INTENT_OPEN, 0);
+    assert_near(run(&drag, 4).value, 1, 1e-6);
+    dmi_drag_release(&drag, DM_INTENT_REPLAY, 0);
+    dmi_drag_update(&drag, NULL, FRAME, &now);
+    assert_near(now.value, 0.2, 0.02);
+    assert_near(run(&drag, 4).value, 1, 1e-6);
+}
+
+static void a_stated_duration_is_that_of_the_motion(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0.4f, &plain, &rules);
+    drag.velocity = 1;
+    dmi_drag_release(&drag, DM_INTENT_STAY, 0.5f);
+    const float end = drag.release.end;
+    float before = 0.4f;
+    for (int i = 0; i < 31; i++) {
+        dmi_drag_update(&drag, NULL, FRAME, &now);
+        assert_true(fabsf(now.value - before) < 0.05f); /* no jump to the end */
+        before = now.value;
+    }
+    assert_near(now.value, end, 1e-6);
+    dm_drag_rules falling = no_rules();
+    falling.tip_share = 0.5f;
+    test_begin(&drag, &test_slide, 0.4f, &plain, &falling);
+    dmi_drag_release(&drag, DM_INTENT_AUTO, 3);
+    assert_int_equal(run(&drag, 2.8f).phase, DM_DRAG_RELEASED);
+    assert_int_equal(run(&drag, 0.3f).phase, DM_DRAG_AT_REST);
+}
+
+static void a_snap_value_at_a_limit_catches(void** state) {
+    (void)state;
+    const float snaps[2] = {0, 1};
+    dm_drag_rules rules = no_rules();
+    rules.snaps = snaps, rules.snap_count = 2, rules.restitution = 0.5f;
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0.9f, &plain, &rules);
+    drag.velocity = 2;
+    dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+    assert_near(run(&drag, 3).value, 1, 1e-4);
+}
+
+static void an_unmoved_driven_part_leaves_its_driver(void** state) {
+    (void)state;
+    const dmi_link link = {
+        .kind = DM_LINK_MOVES, .driver = 0, .driven = 1, .ratio = 1, .from = 0.5f, .both_ways = true};
+    const dm_joint joints[2] = {both_sides, both_sides};
+    const dmi_linked_joints all = {.first = joints, .stride = sizeof joints[0]};
+    float values[2] = {0.2f, 0};
+    uint8_t changed[2] = {0};
+    dmi_links_follow(&link, 1, all, 1, values, changed);
+    assert_true(values[0] == 0.2f && values[1] == 0);
+}
+
+static void a_lock_holds_in_the_update_that_tells_it(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const dm_vec3 far = {2, 0, 0}, near = {0.5f, 0, 0};
+    const dm_drag_input at = {.struct_size = sizeof at, .hand = {.kind = DM_HAND_POINT, .point = near}},
+                        locked = {.struct_size = sizeof locked,
+                                  .flags = DM_INPUT_LOCKED,
+                                  .hand = {.kind = DM_HAND_POINT, .point = far}};
+    const float grab[3] = {0.5f, 0, 0};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    dmi_drag_begin(&drag, &test_slide, grab, 0.5f, &plain);
+    dmi_drag_track_hypotheses(&drag, &test_slide, NULL, 1, 1, (dmi_limit_give){0, 1});
+    const dmi_rules kept = dmi_rules_from(&rules, &plain, &test_slide, false, 1);
+    dmi_drag_set_rules(&drag, &kept);
+    dmi_drag_step(&drag, &at, FRAME, &now);
+    dmi_drag_step(&drag, &locked, FRAME, &now);
+    assert_true(drag.joint.upper == 1);
+}
+
+static void a_pointer_after_a_hand_in_space_holds_where_it_points(void** state) {
+    (void)state;
+    dm_drag_rules rules = no_rules();
+    rules.break_distance = 0.3f;
+    const dm_vec3 at = {0, 0, 0};
+    const dm_drag_input hand = {.struct_size = sizeof hand, .hand = {.kind = DM_HAND_POINT, .point = at}};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0, &plain, &rules);
+    dmi_drag_step(&drag, &hand, FRAME, &now);
+    for (int i = 0; i <= 60; i++) {
+        const dm_ray ray = test_ray_at(0.01f * (float)i);
+        dmi_drag_update(&drag, &ray, FRAME, &now);
+        assert_int_equal(now.phase, DM_DRAG_HELD);
+    }
+    assert_near(now.value, 0.6, 0.02);
+}
+
+static void a_joint_that_is_fixed_stays_under_a_scalar(void** state) {
+    (void)state;
+    const dm_joint fixed = {.type = DM_JOINT_FIXED};
+    const dm_drag_rules rules = no_rules();
+    const dm_drag_input drive = {.struct_size = sizeof drive, .hand = {.kind = DM_HAND_RATE, .amount = 1}};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &fixed, 0, &plain, &rules);
+    for (int i = 0; i < 60; i++) dmi_drag_step(&drag, &drive, FRAME, &now);
+    assert_true(now.value == 0 && now.events == 0);
+}
+
+/* Two slides whose first is wrong: the hand goes along the second. */
+static void another_joint_begins_inside_the_bounds(void** state) {
+    (void)state;
+    const dm_joint joints[2] = {{.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .upper = 1, .joint_confidence = 0.5f},
+                                {.type = DM_JOINT_PRISMATIC, .axis = {0, 1, 0}, .upper = 1, .joint_confidence = 0.5f}};
+    for (int limited = 0; limited < 2; limited++) {
+        dm_drag_rules rules = no_rules();
+        rules.max_speed = limited ? 0.2f : 0;
+        const float grab[3] = {0, 0, 0};
+        dm_drag_state now = {0};
+        dmi_drag drag;
+        dmi_drag_begin(&drag, &joints[0], grab, 0, &plain);
+        dmi_drag_track_hypotheses(&drag, joints, NULL, 2, 1, (dmi_limit_give){0, 1});
+        const dmi_rules kept = dmi_rules_from(&rules, &plain, &joints[0], false, 1);
+        dmi_drag_set_rules(&drag, &kept);
+        uint32_t events = 0;
+        for (int i = 0; i <= 60; i++) {
+            const float before = now.value;
+            const dm_drag_input input = {.struct_size = sizeof input,
+                                         .hand = test_pointer((dm_ray){{0, 0.015f * (float)i, 5}, {0, 0, -1}}),
+                                         .lower = -1,
+                                         .upper = limited ? 5 : 0.1f};
+            dmi_drag_step(&drag, &input, FRAME, &now);
+            events |= now.events;
+            if (!limited) assert_true(now.value <= 0.1f + 1e-6f);
+            if (limited) assert_true(fabsf(now.value - before) <= 0.2f * FRAME + 1e-5f);
+        }
+        assert_true(events & DM_EVENT_JOINT && drag.joint.axis.y == 1);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_fall_ends_where_its_plan_does),
+        cmocka_unit_test(a_part_with_one_limit_closes_from_near_by),
+        cmocka_unit_test(a_hand_that_is_torn_off_releases_as_one_that_lets_go),
+        cmocka_unit_test(a_scalar_reaches_limits_through_soft_ends_and_detents),
+        cmocka_unit_test(a_pointer_reaches_a_limit_beside_a_catch),
+        cmocka_unit_test(a_resting_hand_moves_no_part_with_soft_estimated_ends),
+        cmocka_unit_test(bounds_move_no_estimated_limit),
+        cmocka_unit_test(bounds_without_room_hold),
+        cmocka_unit_test(a_part_that_opened_the_short_way_is_open),
+        cmocka_unit_test(only_the_last_update_asks),
+        cmocka_unit_test(a_part_held_up_as_it_arrives_goes_on),
+        cmocka_unit_test(a_part_pushed_at_rest_stands_again),
+        cmocka_unit_test(a_plan_that_was_held_up_keeps_its_time),
+        cmocka_unit_test(a_replay_begins_where_the_motion_did),
+        cmocka_unit_test(a_stated_duration_is_that_of_the_motion),
+        cmocka_unit_test(a_snap_value_at_a_limit_catches),
+        cmocka_unit_test(an_unmoved_driven_part_leaves_its_driver),
+        cmocka_unit_test(a_lock_holds_in_the_update_that_tells_it),
+        cmocka_unit_test(a_pointer_after_a_hand_in_space_holds_where_it_points),
+        cmocka_unit_test(a_joint_that_is_fixed_stays_under_a_scalar),
+        cmocka_unit_test(another_joint_begins_inside_the_bounds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
