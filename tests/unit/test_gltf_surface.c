@@ -49,9 +49,9 @@ typedef struct opened {
     dm_gltf* gltf;
 } opened;
 
-static void open_square(opened* o) {
+static void open_document(opened* o, const char* document) {
     test_env_open(&o->t, TEST_NEVER);
-    const test_glb glb = test_glb_pack(DOCUMENT, &square, sizeof square);
+    const test_glb glb = test_glb_pack(document, &square, sizeof square);
     const dm_gltf_desc desc = {.struct_size = sizeof desc,
                                .data = glb.data,
                                .size = glb.size,
@@ -59,6 +59,10 @@ static void open_square(opened* o) {
                                .log = test_log(&o->t.messages)};
     if (dm_gltf_open(&desc, &o->gltf) != DM_OK) fail_msg("%s", o->t.messages.text);
     free(glb.data);
+}
+
+static void open_square(opened* o) {
+    open_document(o, DOCUMENT);
 }
 
 static void close_square(opened* o) {
@@ -125,6 +129,23 @@ static void corners_lie_where_the_file_says(void** state) {
     close_square(&o);
 }
 
+/* The file has coordinates for three of the four vertices. */
+static void corners_without_coordinates_are_0(void** state) {
+    (void)state;
+    static const char four[] = "{\"bufferView\":1,\"componentType\":5126,\"count\":4";
+    char document[sizeof DOCUMENT] = DOCUMENT;
+    char* at = strstr(document, four);
+    assert_non_null(at);
+    at[strlen(four) - 1] = '3';
+    opened o;
+    float uv[6][2];
+    open_document(&o, document);
+    assert_int_equal(dm_gltf_get_texture_coordinates(o.gltf, 0, uv[0], 6), DM_OK);
+    assert_uv(uv[2], 0, 1);
+    assert_uv(uv[3], 0, 0); /* vertex 3 */
+    close_square(&o);
+}
+
 static void failing_memory_is_named(void** state) {
     (void)state;
     dm_result result = DM_ERROR_OUT_OF_MEMORY;
@@ -140,8 +161,8 @@ static void failing_memory_is_named(void** state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(surfaces_have_their_images),
-                                       cmocka_unit_test(corners_lie_where_the_file_says),
-                                       cmocka_unit_test(failing_memory_is_named)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(surfaces_have_their_images), cmocka_unit_test(corners_lie_where_the_file_says),
+        cmocka_unit_test(corners_without_coordinates_are_0), cmocka_unit_test(failing_memory_is_named)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
