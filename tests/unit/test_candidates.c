@@ -239,7 +239,7 @@ static void a_drag_keeps_what_moves_its_point_along_it(void** state) {
 }
 
 /* A hinge along x, one unit from the grabbed point: a chord lies in its plane and leads inward, half as far as the
- * turn; a pull tilted along the hinge leaves the plane. */
+ * turn; a pull tilted along the hinge leaves the plane. They end beside the turn's circle. */
 static void pulls_are_told_by_plane_and_side(void** state) {
     (void)state;
     open_lid();
@@ -248,7 +248,7 @@ static void pulls_are_told_by_plane_and_side(void** state) {
     static const struct {
         float vector[3], out_of_plane, inward, of_slide;
     } rows[] = {{{0, -1, 0}, 0, 0, 0},
-                {{0, -0.7173561f, -0.3032933f}, 0, 0.4f, 0.4f},
+                {{0, -0.35867805f, -0.15164665f}, 0, 0.4f, 0.4f},
                 {{0.5f, -0.8660254f, 0}, 0.5235988f, 0, 0.5235988f}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         dmi_drag_hint hint = {{0, 0, 0.5f}, {0, 0, 0}};
@@ -294,6 +294,31 @@ static void a_drag_along_the_room_is_the_nearest_axis(void** state) {
     test_analysis_close(&lid);
 }
 
+/* A hinge along x, one unit from the grabbed point. A pull that ends on the turn's circle stands for the turn; one of
+ * the same direction that ends elsewhere, or leaves the turn's plane, does not. */
+static void a_pull_to_a_point_of_the_circle_is_a_turn(void** state) {
+    (void)state;
+    open_lid();
+    const dmi_candidate hinge = {.type = DM_JOINT_REVOLUTE, .axis = {1, 0, 0}, .origin = {0, 0, -0.5f}};
+    static const struct {
+        float vector[3], angle, inward;
+    } rows[] = {{{0, -0.7173561f, -0.3032933f}, 0, 0},         /* 0.8 rad of the circle */
+                {{0, -0.35867805f, -0.15164665f}, 0.4f, 0.4f}, /* half as far */
+                {{0, -0.7173561f, 0.3032933f}, 0.4f, -0.4f},   /* outward */
+                {{0.2f, -0.7173561f, -0.3032933f}, 0.46896f, 0.4f}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        dmi_drag_hint hint = {{0, 0, 0.5f}, {0, 0, 0}};
+        dmi_copy3(rows[i].vector, hint.vector);
+        dmi_cheap_features cheap;
+        static float row[DMI_FEATURE_COUNT];
+        dmi_cheap_features_begin(&lid.of_part, &hint, NULL, &cheap);
+        dmi_cheap_features_row(&cheap, &hinge, row);
+        assert_float_equal(row[DMI_FEATURE_DRAG_ANGLE], rows[i].angle, 1e-3f);
+        assert_float_equal(row[DMI_FEATURE_PULL_INWARD], rows[i].inward, 1e-3f);
+    }
+    test_analysis_close(&lid);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(eigenvectors_of_a_known_matrix),
@@ -307,6 +332,7 @@ int main(void) {
         cmocka_unit_test(a_drag_keeps_what_moves_its_point_along_it),
         cmocka_unit_test(pulls_are_told_by_plane_and_side),
         cmocka_unit_test(a_drag_along_the_room_is_the_nearest_axis),
+        cmocka_unit_test(a_pull_to_a_point_of_the_circle_is_a_turn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -132,8 +132,9 @@ static float draw_travel(lab_case* made, float along) {
     return along * most * lab_random_uniform(&made->random, SHORTEST_CHORD, 1.0f);
 }
 
-/* Computes the unit way of a pull from `point`; zero where the point does not move. along: +1 opens, -1 closes. */
-static void draw_way(lab_case* made, int32_t kind, float along, const float point[3], float way[3]) {
+/* Computes the unit way of a pull from `point`; zero where the point does not move. along: +1 opens, -1 closes. Returns
+ * how far a chord goes, object sizes; 0 for other pulls, which go as far as the hand likes. */
+static float draw_way(lab_case* made, int32_t kind, float along, const float point[3], float way[3]) {
     float screen[9], about[3];
     dmi_joint_velocity(&made->joint, 0, point, way);
     for (int i = 0; i < 3; i++) way[i] *= along;
@@ -147,7 +148,8 @@ static void draw_way(lab_case* made, int32_t kind, float along, const float poin
         lab_rotation(about, lab_random_uniform(&made->random, 0.0f, HALF_TURN), screen);
         snap(screen, way);
     }
-    dmi_normalize3(way);
+    const float length = dmi_normalize3(way);
+    return kind == DM_LAB_PULL_CHORD && turns(&made->joint) ? length : 0;
 }
 
 /* Draws a point of the part and the way in which it starts to move. along: +1 opens, -1 closes. */
@@ -168,9 +170,9 @@ static dmi_drag_hint draw_tangent(lab_case* made, float noise, float* out_along)
 /* Changes a drag along the tangent to a pull of the kind. noise: degrees. */
 static void pull_as(lab_case* made, int32_t kind, float noise, float along, dmi_drag_hint* hint) {
     float way[3];
-    const float length = dmi_length3(hint->vector);
     draw_grab(made, kind, along, hint->point);
-    draw_way(made, kind, along, hint->point, way);
+    const float chord = draw_way(made, kind, along, hint->point, way);
+    const float length = chord > 0 ? chord : dmi_length3(hint->vector);
     if (kind == DM_LAB_PULL_TANGENT || (kind != DM_LAB_PULL_EXACT && !lab_random_bool(&made->random, STEADY)))
         shake(&made->random, noise, way);
     if (!(dmi_length3(way) > 0)) return;

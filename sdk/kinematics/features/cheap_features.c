@@ -30,6 +30,8 @@
 #define ALIGNED_COSINE 0.9995f    /* 32 mrad; by hand */
 #define FLAT 0.2f                 /* shortest over longest side of a flat part; by hand */
 #define ALONG_ROOM 0.99996f       /* cosine of half a degree, between a drag and an axis of the room; by hand */
+#define CHORD_TOLERANCE 0.0087f   /* rad: half a degree, between a drag and a chord of a turn; by hand */
+#define MOST_HALF_CHORD 0.85f     /* radii: half of a chord of two radians, the longest that is read so; by hand */
 #define PULLED_ACROSS 0.5f        /* cosine of the drag with the thinner side from which it tells the way; by hand */
 #define LEAST_HALF_SIDE 0.01f     /* diagonals: a thinner box is taken as so thin; by hand */
 #define LEAST_HALF_SECTION 0.005f /* likewise, in the cross-section */
@@ -162,6 +164,22 @@ static bool is_nearest_axis(const dmi_cheap_features* cheap, const float way[3])
     return true;
 }
 
+/* Returns whether the drag is a straight pull to where a turn takes the dragged point: in the plane of the turn, from
+ * one point of its circle to another. */
+static bool is_chord(const dmi_cheap_features* cheap, const dmi_candidate* c, const float way[3]) {
+    const float radius = dmi_length3(way), half = cheap->drag_length / (2 * radius + LEAST_SPEED);
+    if (half > MOST_HALF_CHORD || fabsf(dmi_dot3(cheap->drag, c->axis)) > CHORD_TOLERANCE) return false;
+    float arm[3];
+    dmi_cross3(way, c->axis, arm); /* from the axis to the dragged point */
+    const float inward = dmi_atan2f(-dmi_dot3(cheap->drag, arm), dmi_dot3(cheap->drag, way));
+    return fabsf(inward - dmi_asinf(half)) < CHORD_TOLERANCE;
+}
+
+/* Returns whether a turn explains the drag exactly, though the dragged point does not start to move along it. */
+static bool is_read_as_exact(const dmi_cheap_features* cheap, const dmi_candidate* c, const float way[3]) {
+    return is_nearest_axis(cheap, way) || is_chord(cheap, c, way);
+}
+
 static void drag_features(const dmi_cheap_features* cheap, const dmi_candidate* c, float row[DMI_FEATURE_COUNT]) {
     for (int k = DMI_FEATURE_DRAG_ANGLE; k <= DMI_FEATURE_DRAG_BOX_COSINE; k++) row[k] = 0;
     row[DMI_FEATURE_HAS_DRAG] = cheap->hint != NULL ? 1.0f : 0.0f;
@@ -169,7 +187,7 @@ static void drag_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     float v[3];
     dmi_candidate_velocity(c, cheap->hint->point, v);
     const float cosine = dmi_dot3(v, cheap->drag) / (dmi_length3(v) + LEAST_SPEED);
-    const float angle = !slides(c) && is_nearest_axis(cheap, v) ? 0 : dmi_acosf(clamp(cosine, 1));
+    const float angle = !slides(c) && is_read_as_exact(cheap, c, v) ? 0 : dmi_acosf(clamp(cosine, 1));
     row[DMI_FEATURE_DRAG_ANGLE] = angle;
     row[DMI_FEATURE_DRAG_FOLLOWED_10MRAD] = dmi_expf(-angle / FOLLOWED_CLOSELY);
     row[DMI_FEATURE_DRAG_FOLLOWED_100MRAD] = dmi_expf(-angle / FOLLOWED);
@@ -188,7 +206,7 @@ static void pull_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     if (slides(c)) return;
     float way[3], arm[3];
     dmi_candidate_velocity(c, cheap->hint->point, way);
-    if (is_nearest_axis(cheap, way)) return;
+    if (is_read_as_exact(cheap, c, way)) return;
     dmi_cross3(way, c->axis, arm); /* from the axis to the dragged point */
     dmi_normalize3(way);
     dmi_normalize3(arm);
@@ -268,7 +286,7 @@ void dmi_cheap_features_begin(const dmi_part_analysis* analysis, const dmi_drag_
     out->log_area_ratio = dmi_logf(1 + analysis->area_ratio) / AREA_RATIO_UNIT;
     if (hint == NULL) return;
     dmi_copy3(hint->vector, out->drag);
-    dmi_normalize3(out->drag);
+    out->drag_length = dmi_normalize3(out->drag);
     out->room_axis = room_axis_along(out->drag);
     float least = INFINITY;
     for (uint32_t i = 0; i < DMI_ANALYSIS_POINTS; i++) {

@@ -11,6 +11,7 @@ typedef struct dmi_cheap_features {
     const dmi_drag_hint* hint;        /* NULL: none */
     const dmi_prediction* prediction; /* NULL: none */
     float drag[3], drag_normal[3];    /* unit; the part's normal at the dragged point */
+    float drag_length;                /* object sizes */
     int room_axis;                    /* the axis of the object's frame that the drag runs along; -1: none */
     float side[3], middle[3];         /* lengths of the part's box and its centre, along its axes */
     float box_centre[3];

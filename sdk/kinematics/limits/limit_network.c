@@ -11,6 +11,9 @@
 
 #define LEAST_RANGE 0.01f /* between the limits, in the features' unit; by hand */
 #define UNLIKELY 1e-3f    /* ranges less probable than this do not count (all alike, each would have more); by hand */
+/* Factor of ranges that begin at rest. Animated props open from where they rest more often than generated objects do;
+ * chosen among 1, 1.5, 2 and 4 on game props, with the development set as a check (docs/research/trials_joints.md). */
+#define RESTS_AT_END 2.0f
 #define LOWEST_LOGIT (-30.0f)
 #define LEAST_UNION 1e-4f /* avoids a division by 0 */
 
@@ -84,7 +87,7 @@ static void likely_ranges(const dmi_limit_network* network, const float probabil
             if (probability[d][u] <= UNLIKELY) continue;
             out->down[out->count] = network->sizes[d];
             out->up[out->count] = network->sizes[u];
-            out->probability[out->count++] = probability[d][u];
+            out->probability[out->count++] = probability[d][u] * (d == 0 ? RESTS_AT_END : 1);
         }
 }
 
