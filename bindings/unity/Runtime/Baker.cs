@@ -52,17 +52,27 @@ namespace DragMesh.Unity
         {
             List<Vec3> positions = new List<Vec3>();
             List<int> indices = new List<int>(), ids = new List<int>();
-            foreach (MeshFilter node in openable.GetComponentsInChildren<MeshFilter>())
+            MeshFilter[] nodes = openable.GetComponentsInChildren<MeshFilter>();
+            foreach (MeshFilter node in nodes)
             {
                 OpenablePart part = PartOf(openable, node.transform);
                 Append(openable.transform, node, part == null ? 0 : (int)part.id, positions, indices, ids);
             }
             List<Part> parts = new List<Part>();
-            foreach (OpenablePart part in openable.parts) parts.Add(Describe(openable.transform, part));
+            bool hasPivots = !PivotsAreLost(nodes);
+            foreach (OpenablePart part in openable.parts) parts.Add(Describe(openable.transform, part, hasPivots));
             Mesh mesh = new Mesh(positions.ToArray(), indices.ToArray(), ids.ToArray(), true);
             using (PreparedObject prepared = Host.Context.Prepare(
                        mesh, new PrepareOptions { Model = model, Parts = parts, Label = openable.name, Progress = progress }))
                 return prepared.Save();
+        }
+
+        /// <summary>Whether all nodes stand at one place, as after an export that has applied their transforms.</summary>
+        private static bool PivotsAreLost(MeshFilter[] nodes)
+        {
+            foreach (MeshFilter node in nodes)
+                if (Vector3.Distance(node.transform.position, nodes[0].transform.position) > 0) return false;
+            return nodes.Length > 1;
         }
 
         private static void Append(Transform root, MeshFilter node, int id, List<Vec3> positions, List<int> indices, List<int> ids)
@@ -76,7 +86,7 @@ namespace DragMesh.Unity
         }
 
         /// <summary>What the names and pivots of the nodes tell.</summary>
-        private static unsafe Part Describe(Transform root, OpenablePart part)
+        private static unsafe Part Describe(Transform root, OpenablePart part, bool hasPivot)
         {
             string label = part.node.name;
             for (Transform above = part.node.parent; above != null; above = above == root ? null : above.parent)
@@ -91,7 +101,9 @@ namespace DragMesh.Unity
                 pivot.Axes[3 * i + 1] = axis.y;
                 pivot.Axes[3 * i + 2] = axis.z;
             }
-            return new Part { Id = part.id, Parent = part.parent, JointType = part.jointType, Label = label, Pivot = pivot };
+            Part described = new Part { Id = part.id, Parent = part.parent, JointType = part.jointType, Label = label };
+            if (hasPivot) described.Pivot = pivot;
+            return described;
         }
     }
 }

@@ -32,13 +32,19 @@ def _label(thing):
     return "/".join([thing.users_collection[0].name, *names] if thing.users_collection else names)
 
 
-def _describe(thing, number, numbers):
+def _pivots_are_lost(things):
+    """Whether all objects have one origin, as after an export that has applied their transforms."""
+    return len({tuple(thing.matrix_world.translation) for thing in things}) == 1
+
+
+def _describe(thing, number, numbers, has_pivot):
     matrix = thing.matrix_world
     carrier = thing.parent
     while carrier is not None and carrier not in numbers:
         carrier = carrier.parent
     axes = [list(matrix.col[k][:3]) for k in range(3)]
-    return {"id": number, "parent": numbers.get(carrier, 0), "label": _label(thing), "pivot": (list(matrix.translation), axes)}
+    return {"id": number, "parent": numbers.get(carrier, 0), "label": _label(thing),
+            "pivot": (list(matrix.translation), axes) if has_pivot else None}
 
 
 def prepare(context, body, parts, depsgraph, progress=None):
@@ -49,7 +55,8 @@ def prepare(context, body, parts, depsgraph, progress=None):
     points = np.concatenate([points for points, _ in pieces])
     corners = np.concatenate([faces + start for (_, faces), start in zip(pieces, starts)])
     ids = np.concatenate([np.full(len(faces), number) for number, (_, faces) in enumerate(pieces)])
-    return context.prepare(points, corners, ids, [_describe(part, numbers[part], numbers) for part in parts],
+    has_pivot = not _pivots_are_lost((body, *parts))
+    return context.prepare(points, corners, ids, [_describe(part, numbers[part], numbers, has_pivot) for part in parts],
                            context.load_shipped_model(), label=body.name, progress=progress)
 
 
