@@ -11,8 +11,9 @@
 
 #define LEAST_RANGE 0.01f /* between the limits, in the features' unit; by hand */
 #define UNLIKELY 1e-3f    /* ranges less probable than this do not count (all alike, each would have more); by hand */
-/* Factor of ranges that begin at rest. Animated props open from where they rest more often than generated objects do;
- * chosen among 1, 1.5, 2 and 4 on game props, with the development set as a check (docs/research/trials_joints.md). */
+/* Factor of ranges that begin at rest, where a drag has told to which side the joint opens. Animated props open from
+ * where they rest more often than generated objects do; chosen among 1, 1.5, 2 and 4 on game props, with the
+ * development set as a check (docs/research/trials_joints.md). */
 #define RESTS_AT_END 2.0f
 #define LOWEST_LOGIT (-30.0f)
 #define LEAST_UNION 1e-4f /* avoids a division by 0 */
@@ -78,16 +79,16 @@ static void add_member(const float outputs[OUTPUTS - 1], float probability[DMI_L
         }
 }
 
-/* Lists the ranges that count. */
+/* Lists the ranges that count. at_rest: factor of those that begin at rest. */
 static void likely_ranges(const dmi_limit_network* network, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
-                          ranges* out) {
+                          float at_rest, ranges* out) {
     out->count = 0;
     for (int d = 0; d < DMI_LIMIT_SIZES; d++)
         for (int u = 0; u < DMI_LIMIT_SIZES; u++) {
             if (probability[d][u] <= UNLIKELY) continue;
             out->down[out->count] = network->sizes[d];
             out->up[out->count] = network->sizes[u];
-            out->probability[out->count++] = probability[d][u] * (d == 0 ? RESTS_AT_END : 1);
+            out->probability[out->count++] = probability[d][u] * (d == 0 ? at_rest : 1);
         }
 }
 
@@ -121,9 +122,9 @@ static void standardise(const dmi_limit_network* network, const dmi_limit_query*
 }
 
 static void answer(const dmi_limit_network* network, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
-                   dmi_limit_prediction* out) {
+                   bool dragged, dmi_limit_prediction* out) {
     ranges likely;
-    likely_ranges(network, probability, &likely);
+    likely_ranges(network, probability, dragged ? RESTS_AT_END : 1, &likely);
     const int best = best_range(&likely);
     out->lower = -likely.down[best];
     out->upper = likely.up[best];
@@ -147,7 +148,8 @@ static void predict(const dmi_limit_network* network, dmi_isa isa, const dmi_lim
             add_member(y[r] + 1, probability[r]);
         }
     }
-    for (uint32_t r = 0; r < count; r++) answer(network, (const float(*)[DMI_LIMIT_SIZES])probability[r], &out[r]);
+    for (uint32_t r = 0; r < count; r++)
+        answer(network, (const float(*)[DMI_LIMIT_SIZES])probability[r], queries[r].dragged, &out[r]);
 }
 
 void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,

@@ -3,6 +3,8 @@
 #ifndef DMI_LIMITS_LIMIT_NETWORK_H
 #define DMI_LIMITS_LIMIT_NETWORK_H
 
+#include <stdbool.h>
+
 #include "dragmesh/dragmesh.h"
 #include "kinematics/features/feature_table.h"
 #include "nn/perceptron.h"
@@ -27,6 +29,7 @@ void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network);
 typedef struct dmi_limit_query {
     float features[DMI_LIMIT_FEATURES];
     const float* candidate; /* its candidate features, DMI_FEATURE_COUNT; NULL: unknown */
+    bool dragged;           /* a drag has told to which side it opens */
 } dmi_limit_query;
 
 /* In the features' unit. */

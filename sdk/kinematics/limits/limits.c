@@ -88,6 +88,7 @@ static void set_by_networks(const dmi_part_analysis* analysis, const dmi_predict
     for (uint32_t i = 0; i < count; i++) {
         if (!with_drag) dmi_limits_face_room(analysis, &joints[i]);
         units[i] = dmi_limits_features(analysis, prediction, with_drag, &joints[i], queries[i].features);
+        queries[i].dragged = with_drag != 0;
         queries[i].candidate = joints[i].type != DM_JOINT_PRISMATIC ? features[i] : NULL;
     }
     dmi_limit_network_predict(network, isa, queries, count, predictions);
