@@ -20,6 +20,13 @@ godot() { in_sid godot --headless --path /project "$@"; }
 rm -rf "$project"
 bindings/godot/demo/make "$project" "$build"
 cp bindings/godot/tests/*.gd "$project/"
+# imported_with NAME OPTION — a copy of the cabinet that is imported with an option.
+imported_with() {
+    cp "$project/props/kitchen_cabinet.glb" "$project/props/$1.glb"
+    printf '[remap]\n\nimporter="scene"\nimporter_version=1\ntype="PackedScene"\n\n[params]\n\n%s\n' "$2" > "$project/props/$1.glb.import"
+}
+imported_with openable dragmesh/openable=true
+imported_with rooted 'nodes/root_type="DragMeshBody3D"'
 echo "Godot $(in_sid godot --version)"
 # Godot 4.6 crashes at the end of a headless import that sees an extension for the first time (godotengine/godot issue 111048).
 mkdir -p "$project/.godot"
@@ -49,6 +56,16 @@ in_sid xvfb-run -a -s "-screen 0 1280x800x24" godot --rendering-driver opengl3 -
     --play /project/room.png > "$out/picture.log" 2>&1 || { tail "$out/picture.log" >&2; exit 1; }
 cp "$project/room.png" "$out/"
 echo room.png
+
+echo "== imported scenes"
+godot --script imported.gd 2> "$out/imported.log" | sed '/^Godot Engine/,/^$/d'
+
+echo "== the editor"
+rm -f "$project"/editor*.png
+in_sid xvfb-run -a -s "-screen 0 1600x900x24" godot --editor --rendering-driver opengl3 --audio-driver Dummy --resolution 1600x900 \
+    --path /project --script editor.gd -- /project > "$out/editor.log" 2>&1 || { grep -v '^.\[' "$out/editor.log" | tail >&2; exit 1; }
+grep '^ok: ' "$out/editor.log"
+cp "$project"/editor*.png "$out/"
 
 echo "== the first door"
 godot --script first_door.gd 2> "$out/door.log" | sed '/^Godot Engine/,/^$/d' | tee "$out/door.txt"

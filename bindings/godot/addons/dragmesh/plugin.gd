@@ -1,10 +1,12 @@
-## In the editor: the gizmo of the joints, and a button that finds them, with a progress bar.
+## In the editor: the gizmo of the joints, a button that finds them, with a progress bar, and the import option that does it.
 @tool
 extends EditorPlugin
 
 const Gizmo := preload("gizmo.gd")
+const Import := preload("import.gd")
 
 var gizmo := Gizmo.new()
+var import := Import.new()
 var panel := HBoxContainer.new()
 var bar := ProgressBar.new()
 var body: Node3D
@@ -12,11 +14,13 @@ var body: Node3D
 
 func _enter_tree() -> void:
 	add_node_3d_gizmo_plugin(gizmo)
+	add_scene_post_import_plugin(import)
 	var button := Button.new()
 	button.text = "Find joints"
 	button.pressed.connect(_find)
 	bar.max_value = 1
 	bar.custom_minimum_size.x = 120
+	bar.size_flags_vertical = Control.SIZE_SHRINK_CENTER
 	bar.hide()
 	panel.add_child(button)
 	panel.add_child(bar)
@@ -27,6 +31,7 @@ func _enter_tree() -> void:
 func _exit_tree() -> void:
 	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, panel)
 	panel.queue_free()
+	remove_scene_post_import_plugin(import)
 	remove_node_3d_gizmo_plugin(gizmo)
 
 
@@ -38,6 +43,7 @@ func _edit(object: Object) -> void:
 	if body and is_instance_valid(body):
 		body.progress.disconnect(_show_progress)
 		body.prepared.disconnect(_show_end)
+	bar.hide()
 	body = object
 	if body:
 		body.progress.connect(_show_progress)
@@ -49,12 +55,13 @@ func _make_visible(visible: bool) -> void:
 
 
 func _find() -> void:
-	bar.show()
+	_show_progress(0)
 	body.prepare()
 
 
 func _show_progress(share: float) -> void:
 	bar.value = share
+	bar.show()
 
 
 func _show_end(error: String) -> void:
