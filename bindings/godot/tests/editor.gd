@@ -6,6 +6,11 @@ extends SceneTree
 const SCENE := "res://editor_cabinet.tscn"
 const PROP := "res://props/kitchen_cabinet.glb"
 const BUTTON := "Find joints"
+const SLIDE := Color(0.2, 0.8, 1)
+const NEAR := 0.03 # by eye, as the next
+const LEAST_SATURATION := 0.6
+const LEAST_VALUE := 0.9
+const LEAST_SHARE := 0.002
 const LONGEST := 60.0 # s
 const MIDDLE := Vector3(0, -0.35, 0) # before the editor's camera
 const ZOOM_STEPS := 12
@@ -30,9 +35,20 @@ func wait(seconds: float) -> void:
 		await process_frame
 
 
-func save_picture(name: String) -> void:
+func save_picture(name: String) -> Image:
 	var picture := EditorInterface.get_editor_viewport_3d().get_texture().get_image()
 	picture.save_png(OS.get_cmdline_user_args()[0].path_join(name))
+	return picture
+
+
+## The share of a picture that has the hue of slides and is as bright, as the editor's line of the z axis is too.
+func share_of_slides(picture: Image) -> float:
+	var count := 0
+	for y in picture.get_height():
+		for x in picture.get_width():
+			var colour := picture.get_pixel(x, y)
+			count += 1 if absf(colour.h - SLIDE.h) < NEAR and colour.s > LEAST_SATURATION and colour.v > LEAST_VALUE else 0
+	return float(count) / (picture.get_width() * picture.get_height())
 
 
 func save_cabinet() -> void:
@@ -86,7 +102,7 @@ func look() -> void:
 		wheel(view.get_parent().get_global_rect().get_center())
 		await process_frame
 	await wait(SETTLED)
-	save_picture("editor_before.png")
+	var before := share_of_slides(save_picture("editor_before.png"))
 	var button := find_button(root)
 	expect(button != null and button.is_visible_in_tree(), "the button is above the 3D view")
 	var bar: ProgressBar = button.get_parent().find_children("*", "ProgressBar", true, false)[0]
@@ -99,7 +115,8 @@ func look() -> void:
 	expect(body.is_prepared(), "the button finds the joints")
 	expect(told.size() > 0 and false not in told, "the bar shows each progress")
 	await wait(SETTLED)
-	save_picture("editor.png")
+	var after := share_of_slides(save_picture("editor.png"))
+	expect(after - before > LEAST_SHARE, "the view shows what slides: %.2f %% of it, %.2f %% before" % [100 * after, 100 * before])
 	expect(not bar.visible, "the bar goes at the end")
 	EditorInterface.save_scene()
 	EditorInterface.close_scene()

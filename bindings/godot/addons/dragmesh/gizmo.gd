@@ -15,6 +15,7 @@ const COLOURS := {
 	FIXED: Color(0.8, 0.8, 0.8),
 }
 const STEPS := 32
+const LEAST_IN_METRES := 0.1 # of a slide's range; a shorter one is told in millimetres
 ## Shares of half the diagonal of the part's box, by eye.
 const ROD := 0.012
 const BALL := 0.04
@@ -126,14 +127,19 @@ static func box_of(body: Node3D, part: Node3D) -> AABB:
 
 
 static func text_of(joint: Dictionary) -> String:
-	var limits: String = "no limits"
+	var limits: String = " without limits"
 	if joint.type == FIXED or joint.type == CONTINUOUS:
 		limits = ""
 	elif joint.lower < joint.upper and joint.type == PRISMATIC:
-		limits = "%s … %s m" % [snappedf(joint.lower, 0.01) + 0.0, snappedf(joint.upper, 0.01)] # + 0.0: no -0
+		limits = span(joint, 1, 0.01, " m") if joint.upper - joint.lower >= LEAST_IN_METRES else span(joint, 1000, 0.1, " mm")
 	elif joint.lower < joint.upper:
-		limits = "%d° … %d°" % [roundi(rad_to_deg(joint.lower)), roundi(rad_to_deg(joint.upper))]
-	return ("%s %s" % [KINDS[joint.type], limits]).strip_edges()
+		limits = span(joint, 180 / PI, 1, "°")
+	return KINDS[joint.type] + limits
+
+
+static func span(joint: Dictionary, scale: float, step: float, unit: String) -> String:
+	return " %s … %s%s" % [str(snappedf(joint.lower * scale, step) + 0.0).trim_suffix(".0"), # + 0.0: no -0
+			str(snappedf(joint.upper * scale, step)).trim_suffix(".0"), unit]
 
 
 ## Lower and upper limit; of a joint without: a turn, or as far as the part is large.
