@@ -58,6 +58,14 @@ static void lines_meet_in_their_median(void** state) {
     assert_float_equal(joint.axis.z, 1, 0);
 }
 
+static void support_without_weight_moves_nothing(void** state) {
+    (void)state;
+    const dmi_candidate hinges[] = {hinge_at(0, 0, 0), hinge_at(0, 0, 0.1f), hinge_at(0, 0, 0.2f)};
+    const float weights[] = {1e-43f, 3e-42f, 3e-42f}; /* what a ranker without any certainty leaves of them */
+    const dm_joint joint = apply(hinges, weights, 3);
+    assert_float_equal(joint.axis.z, 1, 1e-6f);
+}
+
 static void a_slide_keeps_its_place(void** state) {
     (void)state;
     dmi_candidate slides[] = {hinge_at(0, 0, 0), hinge_at(0.5f, 0, 0.1f), hinge_at(0.5f, 0, 0.2f)};
@@ -111,6 +119,7 @@ int main(void) {
         cmocka_unit_test(what_has_half_of_them_stays_to_the_bit),
         cmocka_unit_test(axes_of_either_sign_are_averaged),
         cmocka_unit_test(lines_meet_in_their_median),
+        cmocka_unit_test(support_without_weight_moves_nothing),
         cmocka_unit_test(a_slide_keeps_its_place),
         cmocka_unit_test(no_line_is_nearer_to_all),
         cmocka_unit_test(other_directions_and_types_do_not_count),

@@ -7,6 +7,7 @@
 #define SAME_AXIS 0.02f   /* sine between two axes that agree; by hand */
 #define OTHER_AXIS 0.825f /* cosine up to which an axis is another direction; by hand */
 #define SAME_PLACE 1e-4f  /* objects; by hand */
+#define MIN_WEIGHT 1e-20f /* of a mean axis: less is rounding, and has no direction */
 #define ROUNDS 20         /* of Weiszfeld's iteration; by hand */
 
 /* Where a supporting candidate's line passes, in the plane across the chosen axis. */
@@ -32,8 +33,8 @@ static void mean_axis(const dmi_candidate* chosen, const dmi_weighted_candidate*
         agreeing += dmi_length3(across) < SAME_AXIS ? weight : 0;
         sum += weight;
     }
-    dmi_normalize3(mean);
-    dmi_copy3(agreeing < MAJORITY * sum ? mean : chosen->axis, out);
+    const bool has_mean = dmi_normalize3(mean) > MIN_WEIGHT;
+    dmi_copy3(has_mean && agreeing < MAJORITY * sum ? mean : chosen->axis, out);
 }
 
 /* Writes the point with the least weighted sum of distances to all others (the medoid). */
