@@ -85,6 +85,24 @@ static void pivots_are_in_the_scene(void** state) {
     close_file(&o);
 }
 
+/* The triangle lies in the plane z = 0, where such a node leaves it. */
+static void axes_that_no_float_holds_are_unknown(void** state) {
+    (void)state;
+    static const char huge[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"nodes\":[{\"name\":\"a\",\"mesh\":0,\"scale\":[1,1,1e39]}]}";
+    const dm_pivot none = {{0, 0, 0}, {0}};
+    dm_pivot pivot;
+    opened o;
+    open_json(&o, huge);
+    assert_int_equal(dm_gltf_get_hints(o.gltf, "a", NULL, 0, &pivot), DM_OK);
+    assert_memory_equal(&pivot, &none, sizeof pivot);
+    close_file(&o);
+}
+
 /* Nodes that all stand at one point have lost their pivots; those of `leaf` and the node without a name have not, nor
  * has a node alone. */
 static void pivots_at_one_point_are_lost(void** state) {
@@ -127,9 +145,9 @@ static void unknown_nodes_and_arguments(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names_from_root_to_node),     cmocka_unit_test(outer_names_give_way),
-        cmocka_unit_test(pivots_are_in_the_scene),     cmocka_unit_test(pivots_at_one_point_are_lost),
-        cmocka_unit_test(unknown_nodes_and_arguments),
+        cmocka_unit_test(names_from_root_to_node),      cmocka_unit_test(outer_names_give_way),
+        cmocka_unit_test(pivots_are_in_the_scene),      cmocka_unit_test(axes_that_no_float_holds_are_unknown),
+        cmocka_unit_test(pivots_at_one_point_are_lost), cmocka_unit_test(unknown_nodes_and_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

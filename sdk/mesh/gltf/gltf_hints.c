@@ -1,4 +1,7 @@
 /* What a file says of a node beside its mesh: the names on the way to it, where it is, and its axes. */
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "base/fp_environment.h"
@@ -35,9 +38,18 @@ static void write_path(const dm_gltf* gltf, const dmi_gltf_tree_node* node, char
     memmove(out, out + size - used, used);
 }
 
-/* Copies origin and axes from the node's transform to the scene, as the merged mesh has them. */
+static bool fit_floats(const double* numbers, int count) {
+    for (int i = 0; i < count; i++)
+        if (!(fabs(numbers[i]) <= FLT_MAX)) return false;
+    return true;
+}
+
+/* Copies origin and axes from the node's transform to the scene, as the merged mesh has them. Zeros: no float holds
+ * them. */
 static void write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* out) {
     float origin[3];
+    *out = (dm_pivot){{0, 0, 0}, {0}};
+    if (!fit_floats(world, ORIGIN + 3)) return;
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++) out->axes[3 * column + row] = (float)world[COLUMN * column + row];
     for (int row = 0; row < 3; row++) origin[row] = (float)(world[ORIGIN + row] - gltf->origin[row]);
