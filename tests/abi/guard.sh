@@ -58,21 +58,13 @@ for version in "${frozen[@]}"; do
     ! layout_differs "$version" tests/abi/golden/lp64.txt || complain "the layout is not that of $version any more"
 done
 
-# A library of empty functions stands for one that was built with other headers.
-cat > "$work/empty.c" << END
-#include "$header"
-#define EMPTY(result, name, arguments) result DM_CALL dm_##name arguments { __builtin_trap(); }
-DM_CORE_FUNCTIONS(EMPTY)
-const void* DM_CALL dm_get_interface(const char* id) { (void)id; __builtin_trap(); }
-END
 newest=${frozen[-1]}
-soname=$(readelf -d "$build/libdragmesh.so" | sed -n 's/.*(SONAME).*\[\(.*\)\]/\1/p')
-# with_headers NAME SED_SCRIPT — builds the empty library with headers changed so.
+# with_headers NAME SED_SCRIPT — builds an empty library with headers changed so; it stands for one that was built with them.
 with_headers() {
     rm -rf "$work/include"
     cp -r "$newest/include" "$work/include"
     sed -i "$2" "$work/include/$header"
-    gcc -std=c17 -g -w -shared -fPIC -fvisibility=hidden -DDM_BUILDING "-Wl,-soname,$soname" -I"$work/include" "$work/empty.c" -o "$work/empty.so"
+    tests/abi/empty_library.sh "$work/include" "$build/libdragmesh.so" "$work/empty.so"
 }
 with_headers unchanged ''
 ! interface_differs "$newest" "$work/empty.so" || complain "an unchanged header counts as changed"
