@@ -207,6 +207,20 @@ static inline void test_stage_close_own(test_stage* s) {
     assert_int_equal(dm_object_destroy(context, s->own), DM_OK);
 }
 
+/* World, weights and stage of one caller. The world's descriptor is set. */
+static inline void test_stage_open(test_stage* s, test_world* w) {
+    test_world_open(w);
+    test_world_load_model(w);
+    test_stage_open_shared(s, w);
+    test_stage_open_own(s);
+}
+
+static inline void test_stage_close(test_stage* s) {
+    test_stage_close_own(s);
+    test_stage_close_shared(s);
+    test_world_close(s->w);
+}
+
 /* Whether everything still answers right: a joint, a drag from grab to end, a pick. */
 static inline bool test_stage_is_usable(const test_stage* s) {
     dm_context* context = s->w->context;

@@ -238,6 +238,20 @@ static void a_drag_keeps_what_moves_its_point_along_it(void** state) {
     test_analysis_close(&lid);
 }
 
+static const float front[3] = {0, 0, 0.5f}; /* a point of the lid */
+
+/* Returns a candidate's features for a drag of the lid; they stand until the next call. */
+static const float* features_of_drag(const float point[3], const float vector[3], const dmi_candidate* candidate) {
+    static float row[DMI_FEATURE_COUNT];
+    dmi_drag_hint hint;
+    dmi_cheap_features cheap;
+    dmi_copy3(point, hint.point);
+    dmi_copy3(vector, hint.vector);
+    dmi_cheap_features_begin(&lid.of_part, &hint, NULL, &cheap);
+    dmi_cheap_features_row(&cheap, candidate, row);
+    return row;
+}
+
 /* A hinge along x, one unit from the grabbed point: a chord lies in its plane and leads inward, half as far as the
  * turn; a pull tilted along the hinge leaves the plane. They end beside the turn's circle. */
 static void pulls_are_told_by_plane_and_side(void** state) {
@@ -251,15 +265,10 @@ static void pulls_are_told_by_plane_and_side(void** state) {
                 {{0, -0.35867805f, -0.15164665f}, 0, 0.4f, 0.4f},
                 {{0.5f, -0.8660254f, 0}, 0.5235988f, 0, 0.5235988f}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        dmi_drag_hint hint = {{0, 0, 0.5f}, {0, 0, 0}};
-        dmi_copy3(rows[i].vector, hint.vector);
-        dmi_cheap_features cheap;
-        static float row[DMI_FEATURE_COUNT];
-        dmi_cheap_features_begin(&lid.of_part, &hint, NULL, &cheap);
-        dmi_cheap_features_row(&cheap, &hinge, row);
+        const float* row = features_of_drag(front, rows[i].vector, &hinge);
         assert_float_equal(row[DMI_FEATURE_PULL_OUT_OF_PLANE], rows[i].out_of_plane, 1e-4f);
         assert_float_equal(row[DMI_FEATURE_PULL_INWARD], rows[i].inward, 1e-4f);
-        dmi_cheap_features_row(&cheap, &slide, row);
+        row = features_of_drag(front, rows[i].vector, &slide);
         assert_float_equal(row[DMI_FEATURE_PULL_OUT_OF_PLANE], rows[i].of_slide, 1e-3f);
         assert_float_equal(row[DMI_FEATURE_PULL_INWARD], 0, 0);
     }
@@ -279,16 +288,10 @@ static void a_drag_along_the_room_is_the_nearest_axis(void** state) {
                 {{0, 0.5f, 0.3f}, {0, -1, 0}, 1.0303768f, 0.5404195f},          /* goes along {0, -0.3, 0.5} */
                 {{0, 0.3f, 0.5f}, {0, 1, 0}, 2.6011732f, 2.6011732f}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        dmi_drag_hint hint;
-        dmi_copy3(rows[i].point, hint.point);
-        dmi_copy3(rows[i].vector, hint.vector);
-        dmi_cheap_features cheap;
-        static float row[DMI_FEATURE_COUNT];
-        dmi_cheap_features_begin(&lid.of_part, &hint, NULL, &cheap);
-        dmi_cheap_features_row(&cheap, &hinge, row);
+        const float* row = features_of_drag(rows[i].point, rows[i].vector, &hinge);
         assert_float_equal(row[DMI_FEATURE_DRAG_ANGLE], rows[i].angle, 1e-3f);
         if (i == 0) assert_float_equal(row[DMI_FEATURE_PULL_INWARD], 0, 0);
-        dmi_cheap_features_row(&cheap, &slide, row);
+        row = features_of_drag(rows[i].point, rows[i].vector, &slide);
         assert_float_equal(row[DMI_FEATURE_DRAG_ANGLE], rows[i].of_slide, 1e-3f);
     }
     test_analysis_close(&lid);
@@ -307,12 +310,7 @@ static void a_pull_to_a_point_of_the_circle_is_a_turn(void** state) {
                 {{0, -0.7173561f, 0.3032933f}, 0.4f, -0.4f},   /* outward */
                 {{0.2f, -0.7173561f, -0.3032933f}, 0.46896f, 0.4f}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        dmi_drag_hint hint = {{0, 0, 0.5f}, {0, 0, 0}};
-        dmi_copy3(rows[i].vector, hint.vector);
-        dmi_cheap_features cheap;
-        static float row[DMI_FEATURE_COUNT];
-        dmi_cheap_features_begin(&lid.of_part, &hint, NULL, &cheap);
-        dmi_cheap_features_row(&cheap, &hinge, row);
+        const float* row = features_of_drag(front, rows[i].vector, &hinge);
         assert_float_equal(row[DMI_FEATURE_DRAG_ANGLE], rows[i].angle, 1e-3f);
         assert_float_equal(row[DMI_FEATURE_PULL_INWARD], rows[i].inward, 1e-3f);
     }

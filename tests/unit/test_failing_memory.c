@@ -128,14 +128,9 @@ static void fail_in_a_world(way who, int32_t picking) {
     test_world_init(&w);
     if (who == MALLOC_ONCE) w.desc.allocator = (dm_allocator){0};
     w.desc.picking = picking;
-    test_world_open(&w);
-    test_world_load_model(&w);
-    test_stage_open_shared(&s, &w);
-    test_stage_open_own(&s);
+    test_stage_open(&s, &w);
     fail_all(&s, who);
-    test_stage_close_own(&s);
-    test_stage_close_shared(&s);
-    test_world_close(&w);
+    test_stage_close(&s);
 }
 
 static void every_function_has_a_row(void** state) {

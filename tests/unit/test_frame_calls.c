@@ -83,10 +83,7 @@ static void check_frame_calls(int32_t picking) {
     int checked = 0;
     test_world_init(&w);
     w.desc.picking = picking;
-    test_world_open(&w);
-    test_world_load_model(&w);
-    test_stage_open_shared(&s, &w);
-    test_stage_open_own(&s);
+    test_stage_open(&s, &w);
     cJSON* interface = test_interface();
     for (const test_call* call = test_calls; call < test_calls + TEST_CALLS; call++) {
         if (!test_call_is_tagged(interface, call, "frame")) continue;
@@ -100,9 +97,7 @@ static void check_frame_calls(int32_t picking) {
     print_message("%d ways of [frame] calls, %d frames each\n", checked, FRAMES);
     assert_true(checked > 20);
     cJSON_Delete(interface);
-    test_stage_close_own(&s);
-    test_stage_close_shared(&s);
-    test_world_close(&w);
+    test_stage_close(&s);
 }
 
 static void every_function_has_a_row(void** state) {
