@@ -7,7 +7,6 @@
 
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
-#include "mesh/mesh_watched.h"
 
 #define ALIGNMENT 64
 #define MIN_SIZE 1e-18 /* metres: a smaller object is a point; by hand */
@@ -285,9 +284,8 @@ static dm_result fill_pieces(dmi_env* env, const dmi_mesh_reader* reader, const 
     return result == DM_OK ? check_any_area(env, mesh) : result;
 }
 
-dm_result dmi_mesh_create_watched(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
-                                  const dm_part_desc* parts, uint32_t part_count, const dmi_progress* progress,
-                                  dmi_mesh** out_mesh) {
+dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
+                          uint32_t part_count, const dmi_progress* progress, dmi_mesh** out_mesh) {
     dmi_mesh_reader reader;
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_reader_open(env, desc, &reader);
@@ -299,11 +297,6 @@ dm_result dmi_mesh_create_watched(dmi_env* env, const dmi_axes* axes, const dm_m
     }
     *out_mesh = mesh;
     return DM_OK;
-}
-
-dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
-                          uint32_t part_count, dmi_mesh** out_mesh) {
-    return dmi_mesh_create_watched(env, axes, desc, parts, part_count, NULL, out_mesh);
 }
 
 dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, dmi_mesh** out_mesh) {

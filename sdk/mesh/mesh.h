@@ -2,13 +2,14 @@
 #ifndef DMI_MESH_MESH_H
 #define DMI_MESH_MESH_H
 
-#include "base/env.h"
+#include "base/progress.h"
 #include "mesh/mesh_data.h"
 
 /* Checks everything dragmesh.h promises and names what is wrong and where. `parts` may be NULL: then every id that owns
- * a triangle is a part; with a list, ids that are not in it are the body's. */
+ * a triangle is a part; with a list, ids that are not in it are the body's.
+ * progress: may be NULL; with one, CANCELLED as well. */
 dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
-                          uint32_t part_count, dmi_mesh** out_mesh);
+                          uint32_t part_count, const dmi_progress* progress, dmi_mesh** out_mesh);
 /* A mesh to look for parts in: desc->part_ids may be NULL (then all is one piece), and parts may be empty, cover
  * everything, or have no area. parts[0] has the faces of id 0. */
 dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, dmi_mesh** out_mesh);

@@ -41,7 +41,7 @@ static void show_to_tracker(dmi_drag* drag, float nearest) {
     drag->projection = of_rays;
 }
 
-/* A hand in space keeps the distance to the grabbed point that it had in its first update. */
+/* The vector from a hand in space to the grabbed point stays as in its first update. */
 static wish wish_of_point(dmi_drag* drag, const dm_hand* hand) {
     dmi_hands* hands = &drag->hands;
     const dmi_float3 given = dmi_xyz(hand->point);
@@ -124,16 +124,11 @@ static void follow_hands(dmi_drag* drag, const dm_drag_input* input, float dt) {
     if (input->hand.kind == DM_HAND_RAY && first.weight > 0) dmi_drag_track(drag, first.value, &ray);
 }
 
-/* Returns the joint with the limits that it was found with: a pull beyond them moves them along. */
-static dm_joint as_found(const dmi_drag* drag) {
+/* Returns the joint value that moves the part by its whole range towards its open end. The limits count as they were
+ * found: a pull beyond them moves them along. */
+static float open_range(const dmi_drag* drag) {
     dm_joint joint = drag->joint;
     if (drag->limits_are_estimates) joint.lower = drag->estimated_lower, joint.upper = drag->estimated_upper;
-    return joint;
-}
-
-/* Returns the joint value that moves the part by its whole range towards its open end. */
-static float open_range(const dmi_drag* drag) {
-    const dm_joint joint = as_found(drag);
     const float range = dmi_rules_range(&drag->rules, &joint);
     return dmi_joint_has_limits(&joint) && dmi_joint_open_end(&joint) == joint.lower ? -range : range;
 }
@@ -160,9 +155,9 @@ static float inside_limits(dmi_drag* drag, const dm_hand* hand, float value, flo
 }
 
 static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
+    if (drag->joint.type == DM_JOINT_FIXED) return;
     const float range = open_range(drag), speed = drag->rules.on ? drag->rules.drive_speed : 1;
     float value = drag->pointer_value;
-    if (drag->joint.type == DM_JOINT_FIXED) return;
     if (hand->kind == DM_HAND_RATE) value += hand->amount * speed * range * dt;
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));

@@ -50,8 +50,7 @@ static bool has_range(const dmi_released_part* part) {
 
 /* Returns the joint value that shares of a way are of: the range, where the part has one. */
 static float unit_of(const dmi_released_part* part) {
-    if (!dmi_joint_has_limits(part->joint)) return 1;
-    return has_range(part) ? range_of(part->joint) : dmi_rules_range(rules_of(part), part->joint);
+    return dmi_joint_has_limits(part->joint) ? dmi_rules_range(rules_of(part), part->joint) : 1;
 }
 
 static bool is_limit(const dm_joint* joint, float value) {

@@ -229,8 +229,7 @@ static float log_posterior_at_stop(const dmi_grasp* grasp, const dmi_joint_hypot
     return hypothesis->log_prior - hypothesis->shift_cost + dmi_fmaxf(missed, PUSH_LOG_PRIOR + likelihood);
 }
 
-/* Returns the log likelihood of the pull so far. */
-static float follow_and_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
+float dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
     const dmi_pull* pull = &grasp->pull;
     float lower, upper;
     dmi_joint_hypothesis_range(grasp, hypothesis, &lower, &upper);
@@ -239,15 +238,12 @@ static float follow_and_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hyp
     return update_posterior(grasp, hypothesis, ray);
 }
 
-void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray) {
-    follow_and_update(grasp, hypothesis, ray);
-}
-
 /* A joint that rests at an end of its range is followed on both sides as all others are. */
 float dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,
                                          const dm_ray* ray) {
     const bool both_sides = side_of(&active->joint) != 0;
     if (!both_sides) active->pointer_value = pointer_value;
-    const float likelihood = both_sides ? follow_and_update(grasp, active, ray) : update_posterior(grasp, active, ray);
+    const float likelihood =
+        both_sides ? dmi_joint_hypothesis_update(grasp, active, ray) : update_posterior(grasp, active, ray);
     return log_posterior_at_stop(grasp, active, ray, likelihood);
 }

@@ -74,8 +74,8 @@ float dmi_joint_hypothesis_side_log_prior(const dmi_grasp* grasp, const dmi_join
 /* Returns the residual that the right joint has with an unsteady pointer, host units. */
 float dmi_expected_residual(const dmi_grasp* grasp);
 
-/* Follows one more ray and updates residual and posterior. */
-void dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray);
+/* Follows one more ray and updates residual and posterior. Returns the log likelihood of the pull so far. */
+float dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray);
 /* The same for the active hypothesis; where it is not followed on both sides, it already follows at `pointer_value`.
  * Returns its log posterior if the stop at rest holds the part. */
 float dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypothesis* active, float pointer_value,

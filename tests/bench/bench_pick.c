@@ -171,7 +171,7 @@ static void build_with(const bench_mesh* mesh, int i, double bare) {
     const dm_mesh_desc desc = bench_mesh_desc(mesh);
     dmi_env_init(&env, NULL, NULL, NULL);
     dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 1);
-    CHECK(dmi_mesh_create(&env, &axes, &desc, NULL, 0, &inner));
+    CHECK(dmi_mesh_create(&env, &axes, &desc, NULL, 0, NULL, &inner));
     CHECK(dmi_picker_create(&env, choices[i], &picker));
     const uint64_t before = env.bytes + env.pick_bytes;
     uint64_t bytes = 0;

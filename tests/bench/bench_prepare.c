@@ -49,7 +49,7 @@ static void stage_mesh(void* user) {
     stages* s = user;
     const dm_mesh_desc desc = bench_mesh_desc(&s->shape);
     dmi_mesh_destroy(&s->env, s->mesh);
-    check(dmi_mesh_create(&s->env, &s->axes, &desc, NULL, 0, &s->mesh), "mesh");
+    check(dmi_mesh_create(&s->env, &s->axes, &desc, NULL, 0, NULL, &s->mesh), "mesh");
 }
 
 static void stage_bvh(void* user) {

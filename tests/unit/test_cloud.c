@@ -18,7 +18,7 @@ static dmi_mesh* create(test_env* t, const dm_part_desc* parts, uint32_t count) 
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
     dm_mesh_desc desc = test_shape_desc(&shape);
     dmi_mesh* mesh = NULL;
-    dm_result result = dmi_mesh_create(&t->env, &axes, &desc, parts, count, &mesh);
+    dm_result result = dmi_mesh_create(&t->env, &axes, &desc, parts, count, NULL, &mesh);
     if (result != DM_OK) print_error("%s\n", t->messages.text);
     assert_int_equal(result, DM_OK);
     return mesh;

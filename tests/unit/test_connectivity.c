@@ -23,7 +23,7 @@ static void open_stage(stage* s) {
     dmi_axes axes;
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
     dm_mesh_desc desc = test_shape_desc(&shape);
-    dm_result result = dmi_mesh_create(&s->t.env, &axes, &desc, NULL, 0, &s->mesh);
+    dm_result result = dmi_mesh_create(&s->t.env, &axes, &desc, NULL, 0, NULL, &s->mesh);
     if (result != DM_OK) print_error("%s\n", s->t.messages.text);
     assert_int_equal(result, DM_OK);
     memset(all, 1, sizeof all);

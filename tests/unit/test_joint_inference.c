@@ -21,7 +21,7 @@ static dmi_mesh* make_mesh(dmi_env* env, const test_shape* from) {
     dmi_axes axes;
     dmi_mesh* mesh = NULL;
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
-    assert_int_equal(dmi_mesh_create(env, &axes, &desc, NULL, 0, &mesh), DM_OK);
+    assert_int_equal(dmi_mesh_create(env, &axes, &desc, NULL, 0, NULL, &mesh), DM_OK);
     return mesh;
 }
 

@@ -30,7 +30,7 @@ static bench* open_bench(const dmi_drag_hint* hint) {
     dm_mesh_desc desc = test_shape_desc(&shape);
     dmi_axes axes;
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
-    assert_int_equal(dmi_mesh_create(&b->t.env, &axes, &desc, NULL, 0, &b->mesh), DM_OK);
+    assert_int_equal(dmi_mesh_create(&b->t.env, &axes, &desc, NULL, 0, NULL, &b->mesh), DM_OK);
     assert_int_equal(dmi_cloud_sample(&b->t.env, b->mesh, 1, 5, &b->cloud), DM_OK);
     size_t size;
     void* weights = test_read_file("sdk/models/kpp_net.safetensors", &size);

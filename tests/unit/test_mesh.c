@@ -18,7 +18,7 @@ static dmi_axes gltf_axes(void) {
 static dmi_mesh* create(test_env* t, const dm_mesh_desc* desc, const dm_part_desc* parts, uint32_t count) {
     dmi_axes axes = gltf_axes();
     dmi_mesh* mesh = NULL;
-    dm_result result = dmi_mesh_create(&t->env, &axes, desc, parts, count, &mesh);
+    dm_result result = dmi_mesh_create(&t->env, &axes, desc, parts, count, NULL, &mesh);
     if (result != DM_OK) print_error("%s\n", t->messages.text);
     assert_int_equal(result, DM_OK);
     return mesh;
@@ -31,7 +31,7 @@ static void expect_failure(const dm_mesh_desc* desc, const dm_part_desc* parts, 
     test_env_open(&t, TEST_NEVER);
     dmi_axes axes = gltf_axes();
     dmi_mesh* untouched = (dmi_mesh*)&t;
-    assert_int_equal(dmi_mesh_create(&t.env, &axes, desc, parts, count, &untouched), code);
+    assert_int_equal(dmi_mesh_create(&t.env, &axes, desc, parts, count, NULL, &untouched), code);
     assert_ptr_equal(untouched, &t);
     assert_int_equal(t.messages.count, 1);
     assert_int_equal(t.messages.code, code);
@@ -146,7 +146,7 @@ static void host_axes_give_the_same_inner_mesh(void** state) {
         p[2] = y * 100;
     }
     dmi_mesh* mesh = NULL;
-    assert_int_equal(dmi_mesh_create(&t.env, &unreal, &desc, NULL, 0, &mesh), DM_OK);
+    assert_int_equal(dmi_mesh_create(&t.env, &unreal, &desc, NULL, 0, NULL, &mesh), DM_OK);
     for (uint32_t i = 0; i < 3 * shape.vertex_count; i++) {
         assert_float_equal(gltf->positions[i], mesh->positions[i], 1e-6);
         assert_float_equal(gltf->face_normal[i], mesh->face_normal[i], 1e-6);
@@ -581,7 +581,7 @@ static void every_refused_allocation_is_reported(void** state) {
             dmi_axes axes = gltf_axes();
             dmi_mesh* mesh = NULL;
             dm_result result =
-                dmi_mesh_create(&t.env, &axes, &desc, with_list ? parts : NULL, with_list ? 2 : 0, &mesh);
+                dmi_mesh_create(&t.env, &axes, &desc, with_list ? parts : NULL, with_list ? 2 : 0, NULL, &mesh);
             if (result == DM_OK) {
                 dmi_mesh_destroy(&t.env, mesh);
                 test_env_close(&t);

@@ -22,7 +22,7 @@ static dm_result run(stage* s, int64_t fail_at) {
     dmi_axes axes;
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
     const dm_mesh_desc desc = test_shape_desc(&shape);
-    assert_int_equal(dmi_mesh_create(&s->t.env, &axes, &desc, NULL, 0, &s->mesh), DM_OK);
+    assert_int_equal(dmi_mesh_create(&s->t.env, &axes, &desc, NULL, 0, NULL, &s->mesh), DM_OK);
     dmi_arena_init(&s->arena, &s->t.env, 4096);
     uint32_t* welded = dmi_arena_push(&s->arena, s->mesh->vertex_count * sizeof *welded);
     assert_non_null(welded);

@@ -38,7 +38,7 @@ static void close_fixture(fixture* f) {
 static dmi_mesh* create_mesh(fixture* f) {
     dm_mesh_desc desc = test_shape_desc(&shape);
     dmi_mesh* mesh = NULL;
-    dm_result result = dmi_mesh_create(&f->t.env, &f->axes, &desc, NULL, 0, &mesh);
+    dm_result result = dmi_mesh_create(&f->t.env, &f->axes, &desc, NULL, 0, NULL, &mesh);
     if (result != DM_OK) print_error("%s\n", f->t.messages.text);
     assert_int_equal(result, DM_OK);
     return mesh;

@@ -57,7 +57,7 @@ static void open_stage(stage* s, int32_t preset, float unit, dmi_random* random)
     test_env_open(&s->t, TEST_NEVER);
     assert_true(dmi_axes_init(&s->axes, preset, NULL, unit));
     const dm_mesh_desc desc = test_shape_desc(&shape);
-    assert_int_equal(dmi_mesh_create(&s->t.env, &s->axes, &desc, NULL, 0, &s->mesh), DM_OK);
+    assert_int_equal(dmi_mesh_create(&s->t.env, &s->axes, &desc, NULL, 0, NULL, &s->mesh), DM_OK);
     s->size = (double)dmi_frame_length_out(&s->mesh->frame);
     for (int b = 0; b < BACKENDS; b++) {
         assert_int_equal(dmi_picker_create(&s->t.env, choices[b], &s->picker[b]), DM_OK);
@@ -293,7 +293,7 @@ static void nothing_slips_between_triangles(void** state) {
         dmi_random random = dmi_random_make(5, 5);
         const dm_mesh_desc desc = test_shape_desc(&shape);
         assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 1));
-        assert_int_equal(dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, &mesh), DM_OK);
+        assert_int_equal(dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, NULL, &mesh), DM_OK);
         assert_int_equal(dmi_picker_create(&t.env, choices[b], &picker), DM_OK);
         assert_int_equal(dmi_bvh_create(picker, mesh, NULL, &bvh), DM_OK);
         const float* centre = mesh->parts[0].centre;
@@ -339,7 +339,7 @@ static int build_in_little_memory(size_t room) {
     make_ball(30);
     const dm_mesh_desc desc = test_shape_desc(&shape);
     if (!dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 1) ||
-        dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, &mesh) != DM_OK ||
+        dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, NULL, &mesh) != DM_OK ||
         dmi_picker_create(&t.env, DM_PICK_EMBREE, &picker) != DM_OK)
         return 1;
     unsigned long pages = 0;

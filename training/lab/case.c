@@ -61,7 +61,7 @@ static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** ou
         parts[j].id = j + 1;
         parts[j].parent = object->joints[j].parent;
     }
-    const dm_result result = dmi_mesh_create(env, &axes, &desc, parts, object->joint_count, out_mesh);
+    const dm_result result = dmi_mesh_create(env, &axes, &desc, parts, object->joint_count, NULL, out_mesh);
     dmi_free(env, parts, bytes);
     return result;
 }

@@ -51,7 +51,7 @@ static bool is_share(float value) {
     return value >= 0 && value <= 1;
 }
 
-static bool is_joint(const dm_joint* joint) {
+bool dmi_dmo_valid_joint_numbers(const dm_joint* joint) {
     const dm_vec3 a = joint->axis;
     const float numbers[JOINT_NUMBERS] = {joint->origin.x, joint->origin.y, joint->origin.z,
                                           joint->pitch,    joint->lower,    joint->upper};
@@ -62,13 +62,9 @@ static bool is_joint(const dm_joint* joint) {
            joint->source >= DM_JOINT_FROM_NETWORK && joint->source <= DM_JOINT_CHOSEN;
 }
 
-bool dmi_dmo_valid_host_joint(const dm_joint* joint) {
-    return is_joint(joint);
-}
-
 bool dmi_dmo_valid_joint(const dmi_frame* frame, const dm_joint* inner) {
     const dm_joint host = dmi_frame_joint_out(frame, inner);
-    return is_joint(inner) && is_joint(&host);
+    return dmi_dmo_valid_joint_numbers(inner) && dmi_dmo_valid_joint_numbers(&host);
 }
 
 bool dmi_dmo_valid_alternative(const dmi_frame* frame, const dmi_alternative* alternative) {

@@ -13,8 +13,8 @@
 bool dmi_dmo_within(const float* values, size_t count, float limit); /* |values[i]| <= limit */
 bool dmi_dmo_valid_object(const dmi_object* object);                 /* frame, box and counts */
 bool dmi_dmo_valid_shape(const dmi_part* shape);
-bool dmi_dmo_valid_tree(const dmi_object* object); /* ids rise, every chain of parents ends at the body */
-bool dmi_dmo_valid_host_joint(const dm_joint* joint);
+bool dmi_dmo_valid_tree(const dmi_object* object);       /* ids rise, every chain of parents ends at the body */
+bool dmi_dmo_valid_joint_numbers(const dm_joint* joint); /* in whatever frame they are */
 /* In the inner frame and in the host's, where its numbers may be too large. */
 bool dmi_dmo_valid_joint(const dmi_frame* frame, const dm_joint* inner);
 bool dmi_dmo_valid_alternative(const dmi_frame* frame, const dmi_alternative* alternative);

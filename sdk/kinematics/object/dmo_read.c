@@ -129,7 +129,7 @@ static bool read_host_joint(loading* load, const dm_joint* inner, dm_joint* out_
     if (r->at == NULL) return true;
     dmi_get_joint(r, &saved);
     if (load->same_host) *out_joint = saved;
-    return dmi_dmo_valid_host_joint(&saved);
+    return dmi_dmo_valid_joint_numbers(&saved);
 }
 
 static dm_result read_joints(loading* load) {

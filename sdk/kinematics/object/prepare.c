@@ -8,7 +8,6 @@
 #include "kinematics/object/choice.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
-#include "mesh/mesh_watched.h"
 
 #define BATCH 32                        /* parts between two calls of the progress callback, with workers; by hand */
 #define MESH_BLOCK ((size_t)1 << 16)    /* bytes, of the shared mesh's arena; by hand */
@@ -239,8 +238,7 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
     const dmi_progress progress = {env, desc->progress, desc->progress_user, 0, 1};
     const dmi_progress reading = dmi_progress_piece(&progress, 0, MESH_DONE);
     dmi_mesh* mesh = NULL;
-    dm_result result =
-        dmi_mesh_create_watched(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &reading, &mesh);
+    dm_result result = dmi_mesh_create(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &reading, &mesh);
     if (result != DM_OK) return result;
     dmi_object* object = NULL;
     result = adopt_mesh(env, mesh, desc->seed, &object);
