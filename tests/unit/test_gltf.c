@@ -492,6 +492,21 @@ static void test_deep_nesting_is_refused(void** state) {
     free(json);
 }
 
+/* As in JavaScript, of a name that comes twice in an object the last counts. */
+static void test_last_of_repeated_names_counts(void** state) {
+    (void)state;
+    opened o;
+    open_json(&o,
+              ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"first\",\"mesh\":7,\"name\":\"last\",\"mesh\":0}"),
+              &square, sizeof square);
+    assert_int_equal(o.result, DM_OK);
+    assert_int_equal(o.mesh.index_count, 6);
+    dm_gltf_node node;
+    assert_int_equal(dm_gltf_get_node(o.gltf, 0, &node), DM_OK);
+    assert_string_equal(node.name, "last");
+    close_it(&o);
+}
+
 static void test_other_containers(void** state) {
     (void)state;
     opened o;
@@ -597,6 +612,7 @@ int main(void) {
         cmocka_unit_test(test_extras_may_hold_any_number),
         cmocka_unit_test(test_bad_vertices_and_indices),
         cmocka_unit_test(test_deep_nesting_is_refused),
+        cmocka_unit_test(test_last_of_repeated_names_counts),
         cmocka_unit_test(test_other_containers),
         cmocka_unit_test(test_flipped_bytes_never_crash),
         cmocka_unit_test(test_failing_allocator),

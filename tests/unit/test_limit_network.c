@@ -52,12 +52,13 @@ static void joints_do_not_change_each_others_answers(void** state) {
     dmi_joint_models* models = open_models(&t);
     dmi_random random = dmi_random_make(4, 1);
     float candidate[DMI_FEATURE_COUNT];
-    dmi_limit_query queries[DMI_LIMIT_ROWS];
+    dmi_limit_query queries[DMI_LIMIT_ROWS] = {0};
     dmi_limit_prediction together[DMI_LIMIT_ROWS], alone;
     draw(&random, 1, candidate, DMI_FEATURE_COUNT);
     for (int i = 0; i < DMI_LIMIT_ROWS; i++) {
         draw(&random, 1, queries[i].features, DMI_LIMIT_FEATURES);
         queries[i].candidate = i % 2 == 0 ? candidate : NULL;
+        queries[i].dragged = i % 3 == 0;
     }
     dmi_limit_network_predict(&models->limits, isa, queries, DMI_LIMIT_ROWS, together);
     for (int i = 0; i < DMI_LIMIT_ROWS; i++) {

@@ -1,9 +1,11 @@
 /* JSON read by cJSON, whose memory comes from malloc: its hooks belong to the whole process, so they stay as they are.
- * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16). */
+ * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16), and while it is
+ * read 4 n more (a member of five bytes: 16 bytes of the list of names). */
 #include "mesh/gltf/gltf_json.h"
 
 #include <errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/utf8.h"
@@ -71,6 +73,46 @@ static void mend_strings(cJSON* item) {
     for (cJSON* child = item->child; child; child = child->next) mend_strings(child);
 }
 
+typedef struct member {
+    cJSON* item;
+    uint32_t place; /* in its object */
+} member;
+
+static int by_name_and_place(const void* a, const void* b) {
+    const member *x = a, *y = b;
+    const int names = strcmp(x->item->string, y->item->string);
+    return names != 0 ? names : (x->place > y->place) - (x->place < y->place);
+}
+
+static dm_result keep_last_of_each_name(cJSON* object, dmi_gltf_problem* problem) {
+    const size_t count = (size_t)cJSON_GetArraySize(object);
+    if (count < 2) return DM_OK;
+    member* members = malloc(count * sizeof *members);
+    if (!members)
+        return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "no memory for the names of %zu members", count);
+    uint32_t place = 0;
+    cJSON* item;
+    cJSON_ArrayForEach(item, object) {
+        members[place] = (member){item, place};
+        place++;
+    }
+    qsort(members, count, sizeof *members, by_name_and_place);
+    for (size_t i = 0; i + 1 < count; i++)
+        if (strcmp(members[i].item->string, members[i + 1].item->string) == 0)
+            cJSON_Delete(cJSON_DetachItemViaPointer(object, members[i].item));
+    free(members);
+    return DM_OK;
+}
+
+/* Drops members whose name comes again in the same object. glTF forbids such names (2.0, section 2.7). The last one counts, as
+ * in JavaScript; what is written then has every name once. */
+static dm_result drop_repeated_names(cJSON* item, dmi_gltf_problem* problem) {
+    dm_result result = cJSON_IsObject(item) ? keep_last_of_each_name(item, problem) : DM_OK;
+    for (cJSON* child = item->child; result == DM_OK && child; child = child->next)
+        result = drop_repeated_names(child, problem);
+    return result;
+}
+
 dm_result dmi_json_parse(const char* text, size_t length, dmi_gltf_problem* problem, cJSON** out) {
     const int deepest = nesting(text, length);
     if (deepest > DEEPEST_JSON)
@@ -84,8 +126,12 @@ dm_result dmi_json_parse(const char* text, size_t length, dmi_gltf_problem* prob
     while (root && end < text + length && memchr(" \t\r\n", *end, 5)) end++; /* exporters pad with NUL too */
     if (root && end == text + length) {
         if (!dmi_utf8_is_valid(text, length)) mend_strings(root);
-        *out = root;
-        return DM_OK;
+        const dm_result result = drop_repeated_names(root, problem);
+        if (result == DM_OK)
+            *out = root;
+        else
+            cJSON_Delete(root);
+        return result;
     }
     cJSON_Delete(root);
     const size_t at = end && end >= text ? (size_t)(end - text) : 0;

@@ -17,7 +17,8 @@ int dmi_json_numbers(const cJSON* object, const char* name, int count, double* o
 /* Reads a whole number from 0 to `most`, `otherwise` where it is missing; BAD_DATA says what `place` has instead. */
 dm_result dmi_json_whole(const cJSON* object, const char* name, double otherwise, double most, const char* place,
                          dmi_gltf_problem* problem, uint64_t* out);
-/* Reads a text of `length` bytes, which must be one JSON value. Strings are valid UTF-8 then, but for URIs. */
+/* Reads a text of `length` bytes, which must be one JSON value. Strings are valid UTF-8 then, but for URIs.
+ * Every name is in an object once: of repeated ones the last counts. */
 dm_result dmi_json_parse(const char* text, size_t length, dmi_gltf_problem* problem, cJSON** out);
 
 #endif
