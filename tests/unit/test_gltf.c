@@ -496,8 +496,7 @@ static void test_deep_nesting_is_refused(void** state) {
 static void test_last_of_repeated_names_counts(void** state) {
     (void)state;
     opened o;
-    open_json(&o,
-              ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"first\",\"mesh\":7,\"name\":\"last\",\"mesh\":0}"),
+    open_json(&o, ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"first\",\"mesh\":7,\"name\":\"last\",\"mesh\":0}"),
               &square, sizeof square);
     assert_int_equal(o.result, DM_OK);
     assert_int_equal(o.mesh.index_count, 6);

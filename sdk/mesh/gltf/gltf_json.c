@@ -1,6 +1,6 @@
 /* JSON read by cJSON, whose memory comes from malloc: its hooks belong to the whole process, so they stay as they are.
- * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16), and while it is
- * read 4 n more (a member of five bytes: 16 bytes of the list of names). */
+ * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16), and while it
+ * is read 4 n more (a member of five bytes: 16 bytes of the list of names). */
 #include "mesh/gltf/gltf_json.h"
 
 #include <errno.h>
@@ -104,8 +104,8 @@ static dm_result keep_last_of_each_name(cJSON* object, dmi_gltf_problem* problem
     return DM_OK;
 }
 
-/* Drops members whose name comes again in the same object. glTF forbids such names (2.0, section 2.7). The last one counts, as
- * in JavaScript; what is written then has every name once. */
+/* Drops members whose name comes again in the same object. glTF forbids such names (2.0, section 2.7). The last one
+ * counts, as in JavaScript; what is written then has every name once. */
 static dm_result drop_repeated_names(cJSON* item, dmi_gltf_problem* problem) {
     dm_result result = cJSON_IsObject(item) ? keep_last_of_each_name(item, problem) : DM_OK;
     for (cJSON* child = item->child; result == DM_OK && child; child = child->next)
