@@ -310,6 +310,35 @@ static void test_two_tracks(void** state) {
     tear_down(&s, data, size);
 }
 
+/* A door carries its lever, and each moves by a track of its own: what has gone from the tree leaves no reference. */
+static void test_tracks_of_a_door_and_its_lever(void** state) {
+    (void)state;
+    static const char* const trees[] = {
+        "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"translation\":[1,0,0],\"children\":[2]},{\"mesh\":0}]}",
+        "\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"children\":[2]},"
+        "{\"mesh\":0,\"scale\":[2,1,1]}]}",
+        "\"nodes\":[{\"mesh\":0,\"rotation\":[0.6,0,0,0.8],\"children\":[1]},{\"mesh\":0,\"children\":[2]},{\"mesh\":0}"
+        "]}"};
+    for (size_t i = 0; i < sizeof trees / sizeof *trees; i++) {
+        setup s;
+        void* data;
+        size_t size;
+        set_up(&s, trees[i], 1.2f, 0.5f);
+        memset(s.ids + 4, 1, 4), memset(s.ids + 8, 2, 4);
+        dm_gltf_track tracks[2] = {track_of(&s), track_of(&s)};
+        tracks[1].value = 2;
+        assert_int_equal(dm_gltf_export(s.gltf, tracks, 2, &data, &size), DM_OK);
+        animated a = open_up(data);
+        for (int k = 0; k < KEYS; k++) {
+            dm_gltf* now = open_at_key(&s.t, &a, k);
+            assert_scene(&s, now, &s.poses[k]);
+            dm_gltf_close(now);
+        }
+        cJSON_Delete(a.json);
+        tear_down(&s, data, size);
+    }
+}
+
 static void test_bad_tracks(void** state) {
     (void)state;
     setup s;
@@ -359,6 +388,7 @@ int main(void) {
         cmocka_unit_test(test_full_turn_is_not_driven_back),
         cmocka_unit_test(test_turns_leave_the_pivot_still),
         cmocka_unit_test(test_two_tracks),
+        cmocka_unit_test(test_tracks_of_a_door_and_its_lever),
         cmocka_unit_test(test_bad_tracks),
         cmocka_unit_test(test_failing_allocator),
     };

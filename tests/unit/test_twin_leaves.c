@@ -103,6 +103,56 @@ static void the_far_side_is_likelier_than_the_seam(void** state) {
     }
 }
 
+/* How much likelier than a slide a turn becomes, about an axis along side `along` of the box at `place` of side
+ * `across`, -1 and 1 at its ends. */
+static float gain(dmi_part_analysis* part, int along, int across, float place) {
+    const dmi_box* box = &part->box;
+    const float middle = 0.5f * (box->low[across] + box->high[across]), half = box->high[across] - middle;
+    dmi_candidate candidates[2] = {{.type = DM_JOINT_REVOLUTE}, {.type = DM_JOINT_PRISMATIC}};
+    float probability[2] = {0.5f, 0.5f};
+    for (int k = 0; k < 3; k++) {
+        candidates[0].axis[k] = box->axes[along][k];
+        candidates[0].origin[k] = (middle + place * half) * box->axes[across][k];
+        candidates[1].axis[k] = box->axes[along][k];
+    }
+    dmi_twin_weigh(part, candidates, 2, probability);
+    return probability[0] / probability[1];
+}
+
+/* Along the seam, an axis gains at the side away from it, loses at the seam, and stays in between; across it, one gains
+ * at the ends. Wherever the leaf lies, however large it is, and on whichever side its twin. */
+static void where_an_axis_passes_decides(void** state) {
+    (void)state;
+    static const float lows[] = {-0.5f, 0.3f, -7};
+    static const float places[] = {-1, -0.7f, -0.5f, 0, 0.5f, 0.7f, 1};
+    for (int across = 0; across < 3; across++) {
+        const int along = across == 0 ? 1 : 0, thin = across == 2 ? 1 : 2;
+        for (int i = 0; i < 6; i++) {
+            const float sign = i % 2 ? -1.0f : 1.0f;
+            dmi_part_analysis* part = &a.of_part;
+            memset(part, 0, sizeof *part);
+            part->has_twin = true;
+            part->twin_way[across] = sign;
+            for (int k = 0; k < 3; k++) {
+                part->box.axes[k][k] = 1;
+                part->box.low[k] = lows[i / 2] + 0.1f * (float)k, part->box.high[k] = part->box.low[k] + 0.8f;
+            }
+            for (size_t p = 0; p < sizeof places / sizeof *places; p++) {
+                const float outside = gain(part, along, across, -sign * places[p]);
+                if (places[p] > 0.6f)
+                    assert_true(outside > 20);
+                else if (places[p] < -0.6f)
+                    assert_true(outside < 0.1f);
+                else
+                    assert_float_equal(outside, 1, 1e-5f);
+                const float end = gain(part, across, along, places[p]);
+                assert_true(fabsf(places[p]) > 0.6f ? end > 5 : fabsf(end - 1) < 1e-5f);
+                assert_float_equal(gain(part, thin, across, places[p]), 1, 1e-5f);
+            }
+        }
+    }
+}
+
 /* With the ranker that ships: pulled at the seam, the leaf turns about its far side. */
 static void a_leaf_without_a_frame_hangs_outside(void** state) {
     (void)state;
@@ -132,11 +182,9 @@ static void a_leaf_without_a_frame_hangs_outside(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_mirror_image_beside_a_part_is_its_twin),
-        cmocka_unit_test(a_frame_is_no_twin),
-        cmocka_unit_test(a_wall_behind_or_a_wider_neighbour_is_no_twin),
-        cmocka_unit_test(far_edges_are_candidates),
-        cmocka_unit_test(the_far_side_is_likelier_than_the_seam),
+        cmocka_unit_test(a_mirror_image_beside_a_part_is_its_twin),      cmocka_unit_test(a_frame_is_no_twin),
+        cmocka_unit_test(a_wall_behind_or_a_wider_neighbour_is_no_twin), cmocka_unit_test(far_edges_are_candidates),
+        cmocka_unit_test(the_far_side_is_likelier_than_the_seam),        cmocka_unit_test(where_an_axis_passes_decides),
         cmocka_unit_test(a_leaf_without_a_frame_hangs_outside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

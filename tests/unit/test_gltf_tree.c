@@ -1,0 +1,195 @@
+/* Which nodes of a document are read: those of the scene that a viewer shows, but for what is no body. */
+#include <stdio.h>
+
+#include "dragmesh/ext/gltf.h"
+#include "test_env.h"
+#include "test_glb.h"
+
+static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
+/* Mesh 0 has no name, mesh 1 one of a shape for collisions. */
+#define HEAD                                                                                                           \
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36}],"                                              \
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"                                                              \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"                         \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]},"                                                \
+    "{\"name\":\"UCX_hull\",\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+
+enum { SEEN_SIZE = 256 };
+
+typedef struct opened {
+    test_env t;
+    dm_gltf* gltf;
+    dm_result result;
+    char seen[SEEN_SIZE]; /* names of the nodes with geometry, a space after each */
+} opened;
+
+/* scenes: with its comma, or "". */
+static opened* open_nodes(const char* scenes, const char* nodes) {
+    static opened o;
+    char json[4096];
+    dm_gltf_node node;
+    const int length = snprintf(json, sizeof json, HEAD "%s\"nodes\":[%s]}", scenes, nodes);
+    assert_true(length > 0 && length < (int)sizeof json);
+    const test_glb glb = test_glb_pack(json, triangle, sizeof triangle);
+    o = (opened){0};
+    test_env_open(&o.t, TEST_NEVER);
+    const dm_gltf_desc desc = {.struct_size = sizeof desc,
+                               .data = glb.data,
+                               .size = glb.size,
+                               .allocator = test_allocator(&o.t.memory),
+                               .log = test_log(&o.t.messages)};
+    o.result = dm_gltf_open(&desc, &o.gltf);
+    free(glb.data);
+    for (uint32_t i = 0; o.result == DM_OK && dm_gltf_get_node(o.gltf, i, &node) == DM_OK; i++)
+        strcat(strcat(o.seen, node.name), " ");
+    return &o;
+}
+
+static void close_nodes(opened* o) {
+    if (o->result == DM_OK) dm_gltf_close(o->gltf);
+    test_env_close(&o->t);
+}
+
+static void assert_seen(const char* scenes, const char* nodes, const char* seen) {
+    opened* o = open_nodes(scenes, nodes);
+    assert_int_equal(o->result, DM_OK);
+    assert_string_equal(o->seen, seen);
+    close_nodes(o);
+}
+
+static void assert_refused(const char* scenes, const char* nodes, const char* said) {
+    opened* o = open_nodes(scenes, nodes);
+    assert_int_equal(o->result, DM_ERROR_BAD_DATA);
+    if (!strstr(o->t.messages.text, said)) fail_msg("'%s' lacks '%s'", o->t.messages.text, said);
+    close_nodes(o);
+}
+
+/* ---- the scene ---- */
+
+#define TWO "{\"name\":\"a\",\"mesh\":0},{\"name\":\"b\",\"mesh\":0}"
+
+static void the_scene_that_the_file_names_is_read(void** state) {
+    (void)state;
+    const char* const scenes = "\"scenes\":[{\"nodes\":[0]},{\"nodes\":[1]}],";
+    char named[128];
+    assert_seen(scenes, TWO, "a "); /* the first, where none is named */
+    for (int scene = 0; scene < 2; scene++) {
+        snprintf(named, sizeof named, "\"scene\":%d,%s", scene, scenes);
+        assert_seen(named, TWO, scene ? "b " : "a ");
+    }
+    assert_seen("\"scene\":7,\"scenes\":[{\"nodes\":[1]}],", TWO, "b "); /* names one that is not there */
+}
+
+static void without_a_list_all_is_read(void** state) {
+    (void)state;
+    assert_seen("", TWO, "a b ");
+    assert_seen("\"scene\":0,\"scenes\":[{}],", TWO, "a b ");
+    assert_seen("\"scene\":0,\"scenes\":[{\"nodes\":[]}],", TWO, "a b ");
+}
+
+static void a_listed_node_brings_what_it_carries(void** state) {
+    (void)state;
+    const char* const nodes = "{\"name\":\"a\",\"mesh\":0,\"children\":[2]},{\"name\":\"b\",\"mesh\":0},"
+                              "{\"name\":\"c\",\"mesh\":0,\"children\":[3]},{\"name\":\"d\",\"mesh\":0}";
+    assert_seen("\"scenes\":[{\"nodes\":[0]}],", nodes, "a c d ");
+    assert_seen("\"scenes\":[{\"nodes\":[1,3]}],", nodes, "b "); /* d comes with a, which is not shown */
+}
+
+/* ---- trees that are none ---- */
+
+static void a_node_has_one_parent(void** state) {
+    (void)state;
+    assert_refused("", "{\"children\":[2]},{\"children\":[2]},{\"mesh\":0}",
+                   "node 2 is a child of node 1 and of node 0");
+    assert_refused("", "{\"children\":[1,1]},{\"mesh\":0}", "node 1 is a child of node 0 and of node 0");
+    assert_refused("", "{\"mesh\":0,\"children\":[0]}", "node 0 is a child of node 0");
+}
+
+static void what_is_named_exists(void** state) {
+    (void)state;
+    assert_refused("", "{\"mesh\":0,\"children\":[1]}", "node 0 has child 1, the file has 1 nodes");
+    assert_refused("", "{\"mesh\":0,\"children\":[\"x\"]}", "node 0 has child");
+    assert_refused("\"scenes\":[{\"nodes\":[2]}],", TWO, "the scene lists node 2, the file has 2 nodes");
+    assert_refused("\"scenes\":[{\"nodes\":[null]}],", TWO, "the scene lists node");
+}
+
+static void a_node_without_its_mesh_is_left_out_and_named(void** state) {
+    (void)state;
+    opened* o = open_nodes("", TWO ",{\"name\":\"c\",\"mesh\":2}");
+    assert_string_equal(o->seen, "a b ");
+    assert_non_null(strstr(o->t.messages.text, "node 2 'c': mesh 2 does not exist"));
+    close_nodes(o);
+}
+
+/* Nodes that carry each other hang from no root: nothing shows them. */
+static void a_ring_of_nodes_is_not_shown(void** state) {
+    (void)state;
+    assert_seen("", TWO ",{\"name\":\"c\",\"mesh\":0,\"children\":[3]},{\"name\":\"d\",\"mesh\":0,\"children\":[2]}",
+                "a b ");
+}
+
+/* ---- what is no body ---- */
+
+static void shapes_for_collisions_are_left_out(void** state) {
+    (void)state;
+    static const char* const colliders[] = {"UCX_door",         "UBX_door_01",      "USP_knob",      "UCP_bar",
+                                            "door_collider",    "door_collider2",   "Door_Collider", "door-colonly",
+                                            "door-convcolonly", "door-colonly.001", "_collider"};
+    static const char* const bodies[] = {"door",    "collider", "UCX", "ucx_door", "door_collider_frame",
+                                         "colonly", "007"};
+    char nodes[256], seen[64];
+    for (size_t i = 0; i < sizeof colliders / sizeof *colliders; i++) {
+        snprintf(nodes, sizeof nodes, "{\"name\":\"%s\",\"mesh\":0}," TWO, colliders[i]);
+        assert_seen("", nodes, "a b "); /* wherever in the list it stands */
+        snprintf(nodes, sizeof nodes, TWO ",{\"name\":\"%s\",\"mesh\":0}", colliders[i]);
+        assert_seen("", nodes, "a b ");
+    }
+    for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i++) {
+        snprintf(nodes, sizeof nodes, TWO ",{\"name\":\"%s\",\"mesh\":0}", bodies[i]);
+        snprintf(seen, sizeof seen, "a b %s ", bodies[i]);
+        assert_seen("", nodes, seen);
+    }
+}
+
+static void the_meshs_name_counts_too(void** state) {
+    (void)state;
+    assert_seen("", TWO ",{\"name\":\"c\",\"mesh\":1}", "a b ");
+    assert_seen("", "{\"name\":\"c\",\"mesh\":1}," TWO, "a b ");
+}
+
+static void a_named_group_of_colliders_hides_all_of_them(void** state) {
+    (void)state;
+    assert_seen("", TWO ",{\"name\":\"house_collider\",\"children\":[3]},{\"name\":\"c\",\"mesh\":0}", "a b ");
+    assert_seen("", TWO ",{\"name\":\"house\",\"children\":[3]},{\"name\":\"c\",\"mesh\":0}", "a b c ");
+    /* but a collider with a mesh of its own says nothing of what it carries */
+    assert_seen("", TWO ",{\"name\":\"UCX_c\",\"mesh\":0,\"children\":[3]},{\"name\":\"c\",\"mesh\":0}", "a b c ");
+}
+
+static void an_invisible_node_hides_what_it_carries(void** state) {
+    (void)state;
+    const char* const nodes = TWO ",{\"name\":\"c\",\"mesh\":0,\"children\":[3],\"extensions\":"
+                                  "{\"KHR_node_visibility\":{\"visible\":%s}}},{\"name\":\"d\",\"mesh\":0}";
+    char text[256];
+    snprintf(text, sizeof text, nodes, "false");
+    assert_seen("", text, "a b ");
+    snprintf(text, sizeof text, nodes, "true");
+    assert_seen("", text, "a b c d ");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_scene_that_the_file_names_is_read),
+        cmocka_unit_test(without_a_list_all_is_read),
+        cmocka_unit_test(a_listed_node_brings_what_it_carries),
+        cmocka_unit_test(a_node_has_one_parent),
+        cmocka_unit_test(what_is_named_exists),
+        cmocka_unit_test(a_node_without_its_mesh_is_left_out_and_named),
+        cmocka_unit_test(a_ring_of_nodes_is_not_shown),
+        cmocka_unit_test(shapes_for_collisions_are_left_out),
+        cmocka_unit_test(the_meshs_name_counts_too),
+        cmocka_unit_test(a_named_group_of_colliders_hides_all_of_them),
+        cmocka_unit_test(an_invisible_node_hides_what_it_carries),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
