@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 unset PYTHONPATH DRAGMESH_LIBRARY_PATH
 /usr/bin/python3 -m venv --system-site-packages "$work/venv"
 PYTHON=$work/venv/bin/python3 bindings/python/wheel "$work" "$build"
-"$work/venv/bin/pip" install -q --no-index --no-deps "$work"/dragmesh-0.1.0-py3-none-linux_*.whl
+"$work/venv/bin/pip" install -q --no-index --no-deps "$work"/dragmesh-*-py3-none-linux_*.whl
 gcc -std=c17 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c -o "$work/c" "-L$build" -ldragmesh "-Wl,-rpath,$build"
 "$work/c" > "$work/c.txt"
 cd / # nothing of the repository is found from here
