@@ -1,29 +1,38 @@
 #!/usr/bin/env python3
 """Mutation score: changes one place of the code at a time and counts how many changes the relevant tests notice.
 
-    python3 tests/mutants.py [--count 120] [--seed 36] [--log FILE] [--show | --again]
+    python3 tests/mutants.py [--count 120] [--seed N] [--show | --again]
 
-Three areas share the mutants: ranking, drags, readers of files. Seed and count name the mutants of a given tree. A mutant
-that does not compile is replaced by the next one. Needs build/release with its objects (scripts/build release). Each
-result is a line of FILE (build/mutants.jsonl); a second run goes on where the first one ended. The changed file alone is
-compiled with sanitizers, as scripts/test runs all tests with them. --show prints what the survivors changed, --again asks
-the tests of now about them. Status 1 when less than four of five are noticed.
+Three areas share the mutants: ranking, drags, readers of files. Seed and count name the mutants of a given tree; without a
+seed it is today's date, which no test was written for. A mutant that does not compile is replaced by the next one. Needs
+build/release with its objects (scripts/build release). The changed file alone is compiled with sanitizers, as scripts/test
+runs all tests with them. Its tests run in turn, and stop at the first that fails.
+
+tests/mutants/N.jsonl holds a line that says of which sources, then one for each result. A second run goes on where the first
+ended; where the sources have changed since, it begins anew. --show prints what the survivors changed. --again asks the tests
+of now about them, and notes it beside the first answer, which is the score. Status 1 when less than four of five are noticed.
 """
 import argparse
+import datetime
+import functools
 import glob
+import hashlib
 import json
 import os
 import pathlib
 import random
 import re
+import resource
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
 
-BUILD = pathlib.Path("build/release")
+RESULTS = pathlib.Path("tests/mutants")
 LEAST = 0.8  # share of the mutants that must be noticed
-TIMEOUT = 60  # s a test may take; the slowest takes 6 on an idle machine. One that hangs has noticed
+CPU_LIMIT = 15  # s of the processor that a test may take; the slowest takes 2. One that computes for ever has noticed
+WALL_LIMIT = 1200  # s until one that waits for ever has
 FLAGS = shlex.split("-O1 -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -w -D_GNU_SOURCE -DNDEBUG "
                     "-Iplugin_api/include -Isdk -Ithird_party")
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
@@ -35,18 +44,26 @@ LIBRARIES = shlex.split("-lcmocka build/release/lib/libdragmesh_generator.a buil
 AREAS = {
     "ranking": (["sdk/kinematics/ranking/*.c"],
                 ["test_ranker", "test_boosted_trees", "test_consensus_refine", "test_candidate_prefilter", "test_twin_leaves",
-                 "test_golden_features", "test_joint_inference", "test_no_body", "test_pull", "test_choice", "test_object"]),
+                 "test_golden_features", "test_joint_inference", "test_no_body", "test_huge_weights", "test_pull", "test_choice",
+                 "test_object"]),
     "drag": (["sdk/motion/drag*.c", "sdk/motion/follow*.c", "sdk/motion/hypothesis_tracker.c", "sdk/motion/joint_hypothesis.c",
               "sdk/motion/pull_fit.c", "sdk/motion/axis_refine.c", "sdk/motion/pose_blend.c", "sdk/motion/part_links.c"],
-             ["test_axis_refine", "test_part_links", "test_drag_flight", "test_drag_snaps", "test_drag_feel", "test_drag_latch",
-              "test_drag_hands", "test_drag_events", "test_drag_bounds", "test_pose_blend", "test_hypothesis_tracker",
+             ["test_axis_refine", "test_part_links", "test_drag_corners", "test_drag_flight", "test_drag_snaps", "test_drag_feel",
+              "test_drag_latch", "test_drag_hands", "test_drag_events", "test_drag_bounds", "test_pose_blend", "test_hypothesis_tracker",
               "test_drag_release", "test_drag_words", "test_hands", "test_drag", "test_drag_rules", "test_every_word",
-              "test_drag_boundary", "test_boundary", "test_pull", "test_part_state", "test_no_alloc"]),
+              "test_drag_boundary", "test_boundary", "test_replay_hands", "test_pull", "test_part_state",
+              "test_no_alloc"]),
     "readers": (["sdk/kinematics/object/dmo_*.c", "sdk/nn/weights.c", "sdk/mesh/mask.c", "sdk/mesh/mesh_read.c",
                  "sdk/mesh/gltf/*.c"],
-                ["test_mask", "test_mesh", "test_weights", "test_gltf_surface", "test_gltf_hints", "test_gltf_export", "test_gltf",
-                 "test_gltf_props", "test_boundary", "test_dmo", "test_object"]),
+                ["test_mask", "test_mesh", "test_weights", "test_gltf_surface", "test_gltf_hints", "test_gltf_tree",
+                 "test_gltf_export", "test_gltf", "test_gltf_props", "test_reader_bounds", "test_boundary", "test_dmo",
+                 "test_object_hints", "test_huge_weights", "test_object"]),
 }
+
+# Tests that take long, and what of the area's sources they are for. The others are asked about all of them.
+ONLY_FOR = {"test_pull": "ranking/|pull_fit|axis_refine|hypothesis|follow", "test_choice": "ranking/", "test_part_state": "drag",
+            "test_no_alloc": "drag\\.c", "test_dmo": "dmo_", "test_object": "ranking/|dmo_|mesh_read", "test_object_hints": "dmo_",
+            "test_huge_weights": "ranking/|weights"}
 
 # Each way to be wrong: what is looked for, and what stands in its place.
 CHANGES = [
@@ -120,21 +137,39 @@ def compiled(path, text, out):
     return subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0
 
 
-def noticed_by(path, changed, tests, work):
+@functools.cache
+def joined(area, work):
+    """Objects of a program that runs the test that its argument names: linking one for all takes less than running them."""
+    tests, renamed = AREAS[area][1], []
+    for test in tests:
+        renamed.append(work / f"{area}_{test}.o")
+        subprocess.run(["objcopy", f"--redefine-sym=main={test}", f"build/obj/{test}/release/{test}.o", renamed[-1]], check=True)
+    main = work / f"{area}_main.c"
+    main.write_text("#include <string.h>\n" + "".join(f"int {test}(int, char**);\n" for test in tests)
+                    + "int main(int count, char** arguments) {\n"
+                    + "".join(f'    if (!strcmp(arguments[1], "{test}")) return {test}(1, arguments);\n' for test in tests)
+                    + "    return 2;\n}\n")
+    subprocess.run(["gcc", "-w", "-c", main, "-o", main.with_suffix(".o")], check=True)
+    return [main.with_suffix(".o"), *renamed]
+
+
+def noticed_by(path, changed, area, work):
     """The first test that fails with the changed object, or None."""
+    program = work / "test"
     others = [name for name in glob.glob("build/obj/dragmesh_gltf/release/gltf*.o")
               if pathlib.Path(name).name != pathlib.Path(path).stem + ".o"]
-    program = work / "test"
-    for test in tests:
-        link = ["gcc", *SANITIZERS, *(["-fuse-ld=lld"] if os.path.exists("/usr/bin/ld.lld") else []), "-o", program,
-                f"build/obj/{test}/release/{test}.o", *([changed] if changed else []), *others, *LIBRARIES]
-        subprocess.run(link, check=True)
+    subprocess.run(["gcc", *SANITIZERS, *(["-fuse-ld=lld"] if os.path.exists("/usr/bin/ld.lld") else []), "-o", program,
+                    *joined(area, work), *([changed] if changed else []), *others, *LIBRARIES], check=True)
+    for test in AREAS[area][1]:
+        if path and not re.search(ONLY_FOR.get(test, ""), path):
+            continue
         try:
-            run = subprocess.run([program], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=TIMEOUT)
+            run = subprocess.run([program, test], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=WALL_LIMIT,
+                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT, CPU_LIMIT)))
         except subprocess.TimeoutExpired:
-            return test + " (hangs)"
+            return test + " (waits)"
         if run.returncode != 0:
-            return test
+            return test + (" (hangs)" if run.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else "")
     return None
 
 
@@ -146,58 +181,83 @@ def difference(path, place):
     return f"{path}:{line}\n  - {text[first:last].strip()}\n  + {(text[first:start] + replacement + text[end:last]).strip()}"
 
 
+def sources_of():
+    """A hash of the sources that are changed: the same mutants have the same."""
+    every = sorted({path for patterns, _ in AREAS.values() for pattern in patterns for path in glob.glob(pattern)})
+    return hashlib.sha256(b"".join(path.encode() + pathlib.Path(path).read_bytes() for path in every)).hexdigest()[:16]
+
+
+def cpu_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def write(log, header, done):
+    log.parent.mkdir(exist_ok=True)
+    log.write_text("".join(json.dumps(line) + "\n" for line in [header, *(done[i] for i in sorted(done))]))
+
+
 def show(results):
-    for area in AREAS:
-        of_area = [r for r in results if r["area"] == area]
+    """Prints the score; returns it."""
+    for name in [*AREAS, "all"]:
+        of_area = [r for r in results if name in (r["area"], "all")]
         killed = sum(r["by"] is not None for r in of_area)
+        later = sum("later" in r for r in of_area)
         if of_area:
-            print(f"{area:8} {killed:3} of {len(of_area):3} noticed, {100 * killed / len(of_area):.0f} %")
-    killed = sum(r["by"] is not None for r in results)
-    share = killed / max(1, len(results))
-    print(f"all      {killed:3} of {len(results):3} noticed, {100 * share:.0f} %")
-    return share
+            print(f"{name:8} {killed:3} of {len(of_area):3} noticed, {100 * killed / len(of_area):.1f} %"
+                  + (f"; {later} more by tests written since" if later else ""))
+    print(f"{sum(r['cpu'] for r in results):.0f} s of one core")
+    return killed / max(1, len(results))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=120)
-    parser.add_argument("--seed", type=int, default=36)
-    parser.add_argument("--log", type=pathlib.Path, default=pathlib.Path("build/mutants.jsonl"))
+    parser.add_argument("--seed", type=int, default=int(datetime.date.today().strftime("%Y%m%d")))
     parser.add_argument("--show", action="store_true")
     parser.add_argument("--again", action="store_true")
     arguments = parser.parse_args()
     os.chdir(pathlib.Path(__file__).resolve().parent.parent)
-    done = {}
-    if arguments.log.exists():
-        done = {r["number"]: r for r in map(json.loads, arguments.log.read_text().splitlines())}
+    log = RESULTS / f"{arguments.seed}.jsonl"
+    lines = [json.loads(line) for line in log.read_text().splitlines()] if log.exists() else []
     if arguments.show:
-        for r in done.values():
+        for r in lines[1:]:
             if r["by"] is None:
-                print(f"{r['number']} {r['what']}\n")
-        show(list(done.values()))
+                print(f"{r['number']} {r['what']}" + (f"\n  since noticed by {r['later']}" if "later" in r else "") + "\n")
+        show(lines[1:])
         return
+    header = {"seed": arguments.seed, "sources": sources_of(), "date": str(datetime.date.today())}
+    if lines and lines[0]["sources"] != header["sources"]:
+        if arguments.again:
+            sys.exit(f"{log} is of other sources")
+        print(f"the sources have changed since {lines[0]['date']}: begins anew")
+        lines = []
+    header, done = lines[0] if lines else header, {r["number"]: r for r in lines[1:]}
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
-        for _, tests in AREAS.values():
-            failing = noticed_by("", None, tests, work)
+        for area in AREAS:
+            failing = noticed_by("", None, area, work)
             if failing:
                 sys.exit(f"{failing} fails without any change")
-        again = {number for number, r in done.items() if r["by"] is None} if arguments.again else set()
+        again = {number for number, r in done.items() if r["by"] is None and "later" not in r} if arguments.again else set()
         last = max(done, default=-1)
         for number, (area, path, place) in enumerate(candidates(arguments.seed)):
-            if len(done) >= arguments.count and number > max(again, default=-1):
+            if number > max(again, default=-1) and (arguments.again or len(done) >= arguments.count):
                 break
             if number <= last and number not in again:
                 continue
             text = pathlib.Path(path).read_text()
-            changed = work / (pathlib.Path(path).stem + ".o")
+            changed, before = work / (pathlib.Path(path).stem + ".o"), cpu_seconds()
             if not compiled(path, text[:place[0]] + place[2] + text[place[1]:], changed):
                 continue
-            by = noticed_by(path, changed, AREAS[area][1], work)
-            result = {"number": number, "area": area, "what": difference(path, place), "by": by}
-            print(f"{number:4} {area:8} {by or 'NOT NOTICED'}  {result['what'] if by is None else ''}", flush=True)
-            done[number] = result
-            arguments.log.write_text("".join(json.dumps(done[i]) + "\n" for i in sorted(done)))
+            by = noticed_by(path, changed, area, work)
+            if number not in again:
+                done[number] = {"number": number, "area": area, "what": difference(path, place), "by": by,
+                                "cpu": round(cpu_seconds() - before, 1)}
+            elif by:
+                done[number]["later"] = by
+            print(f"{number:4} {area:8} {by or 'NOT NOTICED  ' + done[number]['what']}", flush=True)
+            write(log, header, done)
     share = show([done[i] for i in sorted(done)])
     sys.exit(f"less than {LEAST:.0%} are noticed" if share < LEAST else 0)
 
