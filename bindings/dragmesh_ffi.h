@@ -143,6 +143,12 @@ enum {
     DM_EVENT_LET_GO = 8192
 };
 enum {
+    DM_STATUS_LATCHED = 1,
+    DM_STATUS_LOCKED = 2,
+    DM_STATUS_BLOCKED = 4,
+    DM_STATUS_OPEN = 8
+};
+enum {
     DM_INTENT_AUTO = 0,
     DM_INTENT_STAY = 1,
     DM_INTENT_OPEN = 2,
@@ -331,6 +337,8 @@ struct dm_joint_frame {
 struct dm_part_state {
     uint32_t struct_size;
     float value;
+    float velocity;
+    uint32_t status;
     dm_pose pose;
     dm_joint joint;
 };
@@ -378,7 +386,6 @@ struct dm_object_desc {
     void* progress_user;
     const char* label;
     dm_vec3 up;
-    uint32_t reserved2;
     dm_choice_callback choose;
     void* choose_user;
 };
@@ -483,6 +490,7 @@ struct dm_drag_state {
     uint32_t events;
     uint32_t detents;
     float impact;
+    uint32_t status;
 };
 struct dm_release_desc {
     uint32_t struct_size;
@@ -689,6 +697,7 @@ dm_result dm_scene_move(dm_context* context, dm_scene scene, uint32_t instance, 
 dm_result dm_scene_remove(dm_context* context, dm_scene scene, uint32_t instance);
 dm_result dm_scene_commit(dm_context* context, dm_scene scene);
 dm_result dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
+uint32_t dm_gltf_version(void);
 dm_result dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf);
 dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf** out_gltf);
 void dm_gltf_close(dm_gltf* gltf);

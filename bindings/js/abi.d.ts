@@ -256,6 +256,18 @@ export const DragEvent: {
     readonly LET_GO: 8192;
 };
 
+/** How a part with dm_drag_rules stands after an update, or at its beginning: bits of dm_drag_state.status. */
+export const DragStatus: {
+    /** the latch holds it */
+    readonly LATCHED: 1;
+    /** DM_RULE_LOCKED or DM_INPUT_LOCKED holds it */
+    readonly LOCKED: 2;
+    /** dm_drag_input's bounds hold it, from DM_EVENT_BLOCKED to DM_EVENT_FREED */
+    readonly BLOCKED: 4;
+    /** it counts as open, from DM_EVENT_OPENED to DM_EVENT_CLOSED */
+    readonly OPEN: 8;
+};
+
 /** What a released part does next. */
 export const Intent: {
     /** as the player meant it, by where the part is and how fast it goes */

@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: b1347b217df90fc4
+// Hash of the description: 1ddb0011af1f42f7
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;
@@ -164,6 +164,13 @@ export const DragEvent = Object.freeze({
     LET_GO: 8192,
 });
 
+export const DragStatus = Object.freeze({
+    LATCHED: 1,
+    LOCKED: 2,
+    BLOCKED: 4,
+    OPEN: 8,
+});
+
 export const Intent = Object.freeze({
     AUTO: 0,
     STAY: 1,
@@ -295,11 +302,13 @@ export const structs = {
         limits: [80, 'u32'],
         pitch: [84, 'f32'],
     } },
-    dm_part_state: { size: 96, fields: {
+    dm_part_state: { size: 104, fields: {
         structSize: [0, 'u32'],
         value: [4, 'f32'],
-        pose: [8, 'dm_pose'],
-        joint: [40, 'dm_joint'],
+        velocity: [8, 'f32'],
+        status: [12, 'u32'],
+        pose: [16, 'dm_pose'],
+        joint: [48, 'dm_joint'],
     } },
     dm_part_info: { size: 56, fields: {
         structSize: [0, 'u32'],
@@ -330,7 +339,7 @@ export const structs = {
         part: [8, 'u32'],
         hypotheses: [12, 'u32'],
     } },
-    dm_object_desc: { size: 88, fields: {
+    dm_object_desc: { size: 80, fields: {
         structSize: [0, 'u32'],
         flags: [4, 'u32'],
         mesh: [8, 'u32'],
@@ -345,9 +354,8 @@ export const structs = {
         progressUser: [52, 'u32'],
         label: [56, 'u32'],
         up: [60, 'dm_vec3'],
-        reserved2: [72, 'u32'],
-        choose: [76, 'u32'],
-        chooseUser: [80, 'u32'],
+        choose: [72, 'u32'],
+        chooseUser: [76, 'u32'],
     } },
     dm_object_info: { size: 56, fields: {
         structSize: [0, 'u32'],
@@ -437,7 +445,7 @@ export const structs = {
         lower: [128, 'f32'],
         upper: [132, 'f32'],
     } },
-    dm_drag_state: { size: 84, fields: {
+    dm_drag_state: { size: 88, fields: {
         structSize: [0, 'u32'],
         pose: [4, 'dm_pose'],
         grabPoint: [36, 'dm_vec3'],
@@ -450,6 +458,7 @@ export const structs = {
         events: [72, 'u32'],
         detents: [76, 'u32'],
         impact: [80, 'f32'],
+        status: [84, 'u32'],
     } },
     dm_release_desc: { size: 32, fields: {
         structSize: [0, 'u32'],

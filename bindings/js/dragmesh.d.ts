@@ -155,6 +155,10 @@ export interface Rules {
 }
 export interface PartState {
     value: number;
+    /** Told, not read. */
+    velocity?: number;
+    /** DragStatus bits; told, not read. */
+    status?: number;
     pose: Pose;
     joint: Joint;
 }
@@ -205,6 +209,8 @@ export interface DragState {
     events: number;
     detents: number;
     impact: number;
+    /** DragStatus bits; 0 without rules. */
+    status: number;
 }
 export interface ReleaseOptions {
     /** Intent */

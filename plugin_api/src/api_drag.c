@@ -480,7 +480,8 @@ static void write_part_state(const dmi_drag_slot* slot, dm_part_state* out_state
     const dmi_drag* drag = &slot->drag;
     dm_drag_state now;
     dmi_drag_get_state(drag, &now);
-    dm_part_state state = {.value = drag->value, .pose = now.pose, .joint = drag->joint};
+    dm_part_state state = {
+        .value = now.value, .velocity = now.velocity, .status = now.status, .pose = now.pose, .joint = drag->joint};
     const uint32_t room = out_state->struct_size - (uint32_t)offsetof(dm_part_state, joint);
     state.joint.struct_size = room < sizeof state.joint ? room : (uint32_t)sizeof state.joint;
     if (drag->tracker.round > 0) state.joint.joint_confidence = dmi_hypothesis_tracker_confidence(&drag->tracker);

@@ -22,10 +22,6 @@ static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.reserved is %u: it must be 0",
                         desc->reserved);
     }
-    if (desc->reserved2 != 0) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.reserved2 is %u: it must be 0",
-                        desc->reserved2);
-    }
     if (desc->part_count > DM_MAX_PARTS) {
         return dmi_fail(env, DM_ERROR_TOO_LARGE, "dm_object_prepare: desc.part_count is %u: the most is %d",
                         desc->part_count, DM_MAX_PARTS);

@@ -317,6 +317,7 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
     out_state->changes = drag->changes;
     out_state->events = out_state->detents = 0;
     out_state->impact = 0;
+    out_state->status = dmi_drag_status(drag);
 }
 
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {

@@ -36,5 +36,7 @@ void dmi_drag_keep_rules(dmi_drag* drag, float dt);
 /* Finds anew what has happened in the last update, which has asked. */
 void dmi_drag_watch_again(dmi_drag* drag);
 void dmi_drag_write_events(const dmi_drag* drag, dm_drag_state* out_state);
+/* Returns what holds the part, and how it stands: DM_STATUS_*; 0 without rules. */
+uint32_t dmi_drag_status(const dmi_drag* drag);
 
 #endif

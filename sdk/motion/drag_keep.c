@@ -118,6 +118,13 @@ void dmi_drag_watch_again(dmi_drag* drag) {
     dmi_watch_update(&drag->watch, &now, drag->question.dt);
 }
 
+uint32_t dmi_drag_status(const dmi_drag* drag) {
+    if (!drag->rules.on) return 0;
+    const bool locked = drag->latch.locked || drag->rules.flags & DM_RULE_LOCKED;
+    return (drag->latch.closed ? DM_STATUS_LATCHED : 0u) | (locked ? DM_STATUS_LOCKED : 0u) |
+           (drag->watch.blocked ? DM_STATUS_BLOCKED : 0u) | (drag->watch.open ? DM_STATUS_OPEN : 0u);
+}
+
 void dmi_drag_write_events(const dmi_drag* drag, dm_drag_state* out_state) {
     const dmi_watch* watch = &drag->watch;
     out_state->events = watch->events;

@@ -581,6 +581,12 @@ static inline void test_after_gltf_write(test_stage* s) {
         free(s->out.data);
 }
 
+static inline dm_result test_call_gltf_version(test_stage* s) {
+    s->out.size = dm_gltf_version();
+    assert_true(s->out.size == DM_VERSION && dm_version() == DM_VERSION);
+    return DM_OK;
+}
+
 static inline dm_result test_call_gltf_mend_text(test_stage* s) {
     strcpy(s->out.label, "T\xfcr");
     s->out.size = dm_gltf_mend_text(s->out.label);
@@ -670,6 +676,7 @@ static const test_call test_calls[] = {
     {"dm_gltf_release_bytes", NULL, test_before_gltf_release_bytes, test_call_gltf_release_bytes, NULL,
      test_after_gltf},
     {"dm_gltf_write", NULL, NULL, test_call_gltf_write, test_after_gltf_write, NULL},
+    {"dm_gltf_version", NULL, NULL, test_call_gltf_version, NULL, NULL},
     {"dm_gltf_mend_text", NULL, NULL, test_call_gltf_mend_text, NULL, NULL},
 };
 enum { TEST_CALLS = sizeof test_calls / sizeof *test_calls };

@@ -97,6 +97,49 @@ static void a_restored_drag_tells_the_same(void** state) {
     test_world_close(&h.w);
 }
 
+static dm_part_state state_of(const hinged* h, dm_drag drag) {
+    dm_part_state state = dm_part_state_default();
+    assert_int_equal(dm_drag_get_part_state(h->w.context, drag, &state), DM_OK);
+    return state;
+}
+
+/* Pulls a door to 1.2 rad within a second. Returns the last state, which is also that of the part. */
+static dm_drag_state pull_out(const hinged* h, dm_drag drag, float handle, uint32_t flags, float upper) {
+    dm_drag_state now = dm_drag_state_default();
+    for (int k = 0; k < 60; k++) {
+        dm_drag_input input = pointer_at(0.02f * (float)k);
+        input.handles[0] = handle, input.flags = flags, input.lower = -1, input.upper = upper;
+        assert_int_equal(dm_drag_step(h->w.context, drag, &input, 1.0f / 60, &now), DM_OK);
+    }
+    const dm_part_state part = state_of(h, drag);
+    assert_true(part.status == now.status && part.velocity == now.velocity && part.value == now.value);
+    return now;
+}
+
+static void a_door_tells_what_holds_it(void** state) {
+    (void)state;
+    hinged h;
+    open_hinged(&h);
+    dm_drag_rules rules = dm_drag_rules_default();
+    rules.flags = DM_RULE_LATCH;
+    const dm_drag drag = begin(&h, &rules);
+    assert_int_equal(state_of(&h, drag).status, DM_STATUS_LATCHED);
+    assert_int_equal(pull_out(&h, drag, 0, 0, 9).status, DM_STATUS_LATCHED);
+    assert_int_equal(pull_out(&h, drag, 0, DM_INPUT_LOCKED, 9).status, DM_STATUS_LATCHED | DM_STATUS_LOCKED);
+    const dm_drag_state open = pull_out(&h, drag, 1, 0, 9);
+    assert_int_equal(open.status, DM_STATUS_OPEN);
+    assert_true(open.velocity > 0.5f);
+    assert_int_equal(pull_out(&h, drag, 1, 0, 0.8f).status, DM_STATUS_OPEN | DM_STATUS_BLOCKED);
+    rules.flags = DM_RULE_LOCKED;
+    assert_int_equal(state_of(&h, begin(&h, &rules)).status, DM_STATUS_LOCKED);
+    const dm_drag plain = begin(&h, NULL);
+    dm_drag_state now = dm_drag_state_default();
+    const dm_drag_input input = pointer_at(1);
+    assert_int_equal(dm_drag_step(h.w.context, plain, &input, 1, &now), DM_OK);
+    assert_true(now.value > 0.9f && now.status == 0);
+    test_world_close(&h.w);
+}
+
 /* Runs a drag without a hand for a second, with a handle at a value. */
 static dm_drag_state wait(const hinged* h, dm_drag drag, float handle) {
     dm_drag_input input = dm_drag_input_default();
@@ -326,6 +369,7 @@ static void links_move_parts_of_an_object(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_door_tells_what_happens),
+        cmocka_unit_test(a_door_tells_what_holds_it),
         cmocka_unit_test(a_restored_drag_tells_the_same),
         cmocka_unit_test(rules_that_make_no_sense_are_refused),
         cmocka_unit_test(inputs_that_make_no_sense_are_refused),

@@ -104,6 +104,17 @@ namespace DragMesh
         LetGo = K.DM_EVENT_LET_GO
     }
 
+    /// <summary>What holds a part, and how it stands: DragState.Status.</summary>
+    [Flags]
+    public enum DragStatus : uint
+    {
+        None = 0,
+        Latched = K.DM_STATUS_LATCHED,
+        Locked = K.DM_STATUS_LOCKED,
+        Blocked = K.DM_STATUS_BLOCKED,
+        Open = K.DM_STATUS_OPEN
+    }
+
     /// <summary>What a released part does next.</summary>
     public enum Intent
     {

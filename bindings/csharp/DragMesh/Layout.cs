@@ -149,11 +149,13 @@ namespace DragMesh
               Expect("dm_joint_frame.pitch", (byte*)&s.Pitch - at, 84, 84);
             }
             { PartState s; byte* at = (byte*)&s;
-              Expect("dm_part_state", sizeof(PartState), 96, 96);
+              Expect("dm_part_state", sizeof(PartState), 104, 104);
               Expect("dm_part_state.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_part_state.value", (byte*)&s.Value - at, 4, 4);
-              Expect("dm_part_state.pose", (byte*)&s.Pose - at, 8, 8);
-              Expect("dm_part_state.joint", (byte*)&s.Joint - at, 40, 40);
+              Expect("dm_part_state.velocity", (byte*)&s.Velocity - at, 8, 8);
+              Expect("dm_part_state.status", (byte*)&s.Status - at, 12, 12);
+              Expect("dm_part_state.pose", (byte*)&s.Pose - at, 16, 16);
+              Expect("dm_part_state.joint", (byte*)&s.Joint - at, 48, 48);
             }
             { PartInfo s; byte* at = (byte*)&s;
               Expect("dm_part_info", sizeof(PartInfo), 56, 56);
@@ -189,7 +191,7 @@ namespace DragMesh
               Expect("dm_choice.hypotheses", (byte*)&s.Hypotheses - at, 16, 12);
             }
             { ObjectDesc s; byte* at = (byte*)&s;
-              Expect("dm_object_desc", sizeof(ObjectDesc), 120, 88);
+              Expect("dm_object_desc", sizeof(ObjectDesc), 120, 80);
               Expect("dm_object_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_object_desc.flags", (byte*)&s.Flags - at, 4, 4);
               Expect("dm_object_desc.mesh", (byte*)&s.Mesh - at, 8, 8);
@@ -204,9 +206,8 @@ namespace DragMesh
               Expect("dm_object_desc.progress_user", (byte*)&s.ProgressUser - at, 72, 52);
               Expect("dm_object_desc.label", (byte*)&s.Label - at, 80, 56);
               Expect("dm_object_desc.up", (byte*)&s.Up - at, 88, 60);
-              Expect("dm_object_desc.reserved2", (byte*)&s.Reserved2 - at, 100, 72);
-              Expect("dm_object_desc.choose", (byte*)&s.Choose - at, 104, 76);
-              Expect("dm_object_desc.choose_user", (byte*)&s.ChooseUser - at, 112, 80);
+              Expect("dm_object_desc.choose", (byte*)&s.Choose - at, 104, 72);
+              Expect("dm_object_desc.choose_user", (byte*)&s.ChooseUser - at, 112, 76);
             }
             { ObjectInfo s; byte* at = (byte*)&s;
               Expect("dm_object_info", sizeof(ObjectInfo), 56, 56);
@@ -305,7 +306,7 @@ namespace DragMesh
               Expect("dm_drag_input.upper", (byte*)&s.Upper - at, 132, 132);
             }
             { DragState s; byte* at = (byte*)&s;
-              Expect("dm_drag_state", sizeof(DragState), 84, 84);
+              Expect("dm_drag_state", sizeof(DragState), 88, 88);
               Expect("dm_drag_state.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_drag_state.pose", (byte*)&s.Pose - at, 4, 4);
               Expect("dm_drag_state.grab_point", (byte*)&s.GrabPoint - at, 36, 36);
@@ -318,6 +319,7 @@ namespace DragMesh
               Expect("dm_drag_state.events", (byte*)&s.Events - at, 72, 72);
               Expect("dm_drag_state.detents", (byte*)&s.Detents - at, 76, 76);
               Expect("dm_drag_state.impact", (byte*)&s.Impact - at, 80, 80);
+              Expect("dm_drag_state.status", (byte*)&s.Status - at, 84, 84);
             }
             { ReleaseDesc s; byte* at = (byte*)&s;
               Expect("dm_release_desc", sizeof(ReleaseDesc), 32, 32);

@@ -196,6 +196,14 @@ namespace DragMesh
         public const int DM_EVENT_LOCKED = 4096;
         /// <summary>dm_drag_rules.break_distance has let go of it</summary>
         public const int DM_EVENT_LET_GO = 8192;
+        /// <summary>the latch holds it</summary>
+        public const int DM_STATUS_LATCHED = 1;
+        /// <summary>DM_RULE_LOCKED or DM_INPUT_LOCKED holds it</summary>
+        public const int DM_STATUS_LOCKED = 2;
+        /// <summary>dm_drag_input's bounds hold it, from DM_EVENT_BLOCKED to DM_EVENT_FREED</summary>
+        public const int DM_STATUS_BLOCKED = 4;
+        /// <summary>it counts as open, from DM_EVENT_OPENED to DM_EVENT_CLOSED</summary>
+        public const int DM_STATUS_OPEN = 8;
         /// <summary>as the player meant it, by where the part is and how fast it goes</summary>
         public const int DM_INTENT_AUTO = 0;
         /// <summary>glides to a stop; also stops a part that moves by itself</summary>
@@ -444,7 +452,7 @@ namespace DragMesh
         public IntPtr Release;
     }
 
-    /// <summary>Messages for people. `text` is valid during the call.</summary>
+    /// <summary>Messages for people, on the threads that the host calls the library on. level: DM_LOG_*. code: of an error, else DM_OK. `text` is UTF-8, valid during the call.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Log
     {
@@ -667,6 +675,10 @@ namespace DragMesh
         public uint StructSize;
         /// <summary>joint value; 0 = rest</summary>
         public float Value;
+        /// <summary>d value / dt, for a physics engine that takes over; told, not read: a drag begins without</summary>
+        public float Velocity;
+        /// <summary>DM_STATUS_*; told, not read</summary>
+        public uint Status;
         /// <summary>as shown, from rest. It differs from dm_joint_pose(joint, value) only while the part comes over to a joint that has just changed. Zeros: that of joint and value</summary>
         public Pose Pose;
         /// <summary>stays the last field</summary>
@@ -766,8 +778,6 @@ namespace DragMesh
         public byte* Label;
         /// <summary>which way is up, host object frame; it counts together with labels and pivots alone. 0 = that of the context's axes</summary>
         public Vec3 Up;
-        /// <summary>0</summary>
-        public uint Reserved2;
         public IntPtr Choose;
         public void* ChooseUser;
 
@@ -992,6 +1002,8 @@ namespace DragMesh
         public uint Detents;
         /// <summary>joint value a second: how fast it met a limit or was blocked; 0 without such an event</summary>
         public float Impact;
+        /// <summary>DM_STATUS_*: what holds the part, and how it stands; 0 without dm_drag_desc.rules</summary>
+        public uint Status;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static DragState New() => new DragState { StructSize = (uint)sizeof(DragState) };
@@ -1037,7 +1049,7 @@ namespace DragMesh
     public unsafe partial struct Camera
     {
         public uint StructSize;
-        /// <summary>rad; 0 = orthographic with ortho_height</summary>
+        /// <summary>rad, below pi; 0 = orthographic with ortho_height</summary>
         public float FovY;
         /// <summary>host world frame</summary>
         public Vec3 Eye;
@@ -1346,7 +1358,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_set_joint(IntPtr context, ulong @object, uint part_id, Joint* joint);
 
-        /// <summary>Puts the library's own answer back in force. [exclusive object]</summary>
+        /// <summary>Puts the library's own answer back in force, after dm_object_set_joint or a choice. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_reset_joint(IntPtr context, ulong @object, uint part_id);
 
@@ -1390,7 +1402,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_motion_get_frames(IntPtr context, ulong motion, Pose* out_poses, float* out_values);
 
-        /// <summary>[any-thread]</summary>
+        /// <summary>Destroys a motion that no other thread samples. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_motion_destroy(IntPtr context, ulong motion);
 
@@ -1454,7 +1466,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern void dm_pose_apply_points(Pose* pose, float* src, UIntPtr src_stride, float* dst, UIntPtr dst_stride, UIntPtr count);
 
-        /// <summary>Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. [frame]</summary>
+        /// <summary>Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID_ARGUMENT when the camera has no view. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_camera_ray(IntPtr context, Camera* camera, float x, float y, Ray* out_ray);
 
@@ -1462,7 +1474,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_create(IntPtr context, SceneDesc* desc, ulong* out_scene);
 
-        /// <summary>[exclusive object]</summary>
+        /// <summary>Destroys it with its instances; their objects stay. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_destroy(IntPtr context, ulong scene);
 
@@ -1474,7 +1486,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_move(IntPtr context, ulong scene, uint instance, uint part_id, Pose* pose);
 
-        /// <summary>[exclusive object]</summary>
+        /// <summary>Takes an instance away, at once. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_remove(IntPtr context, ulong scene, uint instance);
 
@@ -1485,6 +1497,10 @@ namespace DragMesh
         /// <summary>Nearest hit of a ray. DM_OK with out_hit-&gt;object 0 when nothing is hit. Several threads may pick at once while none moves or commits. out_hit-&gt;struct_size must be set. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_pick(IntPtr context, ulong scene, Ray* ray, Hit* out_hit);
+
+        /// <summary>Version of the libdragmesh_gltf in use, as DM_VERSION.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern uint dm_gltf_version();
 
         /// <summary>Reads triangles, strips and fans, also quantised ones (KHR_mesh_quantization) and, where the build has their libraries, compressed ones (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression). Another required extension that may change geometry: UNSUPPORTED, by name. Left out with a warning: primitives that are broken, points, lines, morph targets, nodes whose scale is zero. Left out in silence, because they are no body: nodes and meshes named UCX_*, UBX_*, UCP_*, USP_*, *_collider, *-colonly, *-convcolonly; invisible nodes (KHR_node_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD_DATA, NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. Others: NOT_FOUND (a file beside it), VERSION, TOO_LARGE (it would take more memory than 16 MB and 256 bytes a byte of the file).</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]

@@ -153,6 +153,7 @@ namespace DragMesh
     {
         public DragEvents Happened => (DragEvents)Events;
         public DragPhase Doing => (DragPhase)Phase;
+        public DragStatus Stands => (DragStatus)Status;
     }
 
     internal static class Failure

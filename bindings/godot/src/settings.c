@@ -143,6 +143,8 @@ gd_value value_of_pose(const dm_pose* pose) {
 gd_value value_of_part_state(const dm_part_state* state) {
     gd_value out = gd_new(GDEXTENSION_VARIANT_TYPE_DICTIONARY);
     gd_put(&out, "value", gd_of_float((double)state->value));
+    gd_put(&out, "velocity", gd_of_float((double)state->velocity));
+    gd_put(&out, "status", gd_of_int(state->status));
     gd_put(&out, "pose", value_of_pose(&state->pose));
     gd_put(&out, "joint", value_of_joint(&state->joint));
     return out;
@@ -172,5 +174,6 @@ gd_value value_of_drag_state(const dm_drag_state* state) {
     gd_put(&out, "events", gd_of_int(state->events));
     gd_put(&out, "detents", gd_of_int(state->detents));
     gd_put(&out, "impact", gd_of_float((double)state->impact));
+    gd_put(&out, "status", gd_of_int(state->status));
     return out;
 }

@@ -109,6 +109,10 @@ DM_EVENT_LATCHED = 1024
 DM_EVENT_UNLATCHED = 2048
 DM_EVENT_LOCKED = 4096
 DM_EVENT_LET_GO = 8192
+DM_STATUS_LATCHED = 1
+DM_STATUS_LOCKED = 2
+DM_STATUS_BLOCKED = 4
+DM_STATUS_OPEN = 8
 DM_INTENT_AUTO = 0
 DM_INTENT_STAY = 1
 DM_INTENT_OPEN = 2
@@ -170,7 +174,7 @@ class Allocator(Struct):
 
 
 class Log(Struct):
-    """Messages for people. `text` is valid during the call."""
+    """Messages for people, on the threads that the host calls the library on. level: DM_LOG_*. code: of an error, else DM_OK. `text` is UTF-8, valid during the call."""
 
     user: Any
     message: Any
@@ -393,11 +397,15 @@ class PartState(Sized):
 
     struct_size: int
     value: float
+    velocity: float
+    status: int
     pose: Pose
     joint: Joint
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("value", c.c_float),
+        ("velocity", c.c_float),
+        ("status", c.c_uint32),
         ("pose", Pose),
         ("joint", Joint),
     ]
@@ -486,7 +494,6 @@ class ObjectDesc(Sized):
     progress_user: Any
     label: Any
     up: Vec3
-    reserved2: int
     choose: Any
     choose_user: Any
     _fields_ = [
@@ -504,7 +511,6 @@ class ObjectDesc(Sized):
         ("progress_user", c.c_void_p),
         ("label", c.c_char_p),
         ("up", Vec3),
-        ("reserved2", c.c_uint32),
         ("choose", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.POINTER(Choice))),
         ("choose_user", c.c_void_p),
     ]
@@ -717,6 +723,7 @@ class DragState(Sized):
     events: int
     detents: int
     impact: float
+    status: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("pose", Pose),
@@ -730,6 +737,7 @@ class DragState(Sized):
         ("events", c.c_uint32),
         ("detents", c.c_uint32),
         ("impact", c.c_float),
+        ("status", c.c_uint32),
     ]
 
 
@@ -1115,6 +1123,7 @@ FUNCTIONS = {  # name: (result, arguments)
 }
 
 GLTF_FUNCTIONS = {  # name: (result, arguments)
+    "dm_gltf_version": (c.c_uint32, []),
     "dm_gltf_open": (c.c_int32, [c.POINTER(GltfDesc), c.POINTER(c.c_void_p)]),
     "dm_gltf_open_file": (c.c_int32, [c.c_char_p, c.POINTER(GltfDesc), c.POINTER(c.c_void_p)]),
     "dm_gltf_close": (None, [c.c_void_p]),
@@ -1151,12 +1160,12 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     PartDesc: {8: (40, [0, 4, 8, 12, 16, 24, 32]), 4: (28, [0, 4, 8, 12, 16, 20, 24])},
     Joint: {8: (56, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52])},
     JointFrame: {8: (88, [0, 4, 8, 20, 32, 44, 56, 72, 76, 80, 84]), 4: (88, [0, 4, 8, 20, 32, 44, 56, 72, 76, 80, 84])},
-    PartState: {8: (96, [0, 4, 8, 40]), 4: (96, [0, 4, 8, 40])},
+    PartState: {8: (104, [0, 4, 8, 12, 16, 48]), 4: (104, [0, 4, 8, 12, 16, 48])},
     PartInfo: {8: (56, [0, 4, 8, 12, 16, 28, 40, 52]), 4: (56, [0, 4, 8, 12, 16, 28, 40, 52])},
     JointEnd: {8: (72, [0, 4, 36, 48, 60]), 4: (72, [0, 4, 36, 48, 60])},
     Hypothesis: {8: (160, [0, 4, 8, 16]), 4: (156, [0, 4, 8, 12])},
     Choice: {8: (24, [0, 4, 8, 16]), 4: (16, [0, 4, 8, 12])},
-    ObjectDesc: {8: (120, [0, 4, 8, 16, 24, 28, 32, 40, 48, 56, 64, 72, 80, 88, 100, 104, 112]), 4: (88, [0, 4, 8, 12, 16, 20, 24, 32, 40, 44, 48, 52, 56, 60, 72, 76, 80])},
+    ObjectDesc: {8: (120, [0, 4, 8, 16, 24, 28, 32, 40, 48, 56, 64, 72, 80, 88, 104, 112]), 4: (80, [0, 4, 8, 12, 16, 20, 24, 32, 40, 44, 48, 52, 56, 60, 72, 76])},
     ObjectInfo: {8: (56, [0, 4, 8, 16, 24, 36, 48, 52]), 4: (56, [0, 4, 8, 16, 24, 36, 48, 52])},
     MotionDesc: {8: (48, [0, 4, 8, 32, 40, 44]), 4: (44, [0, 4, 8, 32, 36, 40])},
     DragFeel: {8: (24, [0, 4, 8, 12, 16, 20]), 4: (24, [0, 4, 8, 12, 16, 20])},
@@ -1165,7 +1174,7 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     DragDesc: {8: (96, [0, 4, 8, 16, 28, 32, 56, 60, 64, 72, 84, 88]), 4: (88, [0, 4, 8, 16, 28, 32, 56, 60, 64, 68, 80, 84])},
     Hand: {8: (56, [0, 4, 28, 40, 44]), 4: (56, [0, 4, 28, 40, 44])},
     DragInput: {8: (136, [0, 4, 8, 64, 120, 128, 132]), 4: (136, [0, 4, 8, 64, 120, 128, 132])},
-    DragState: {8: (84, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80]), 4: (84, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80])},
+    DragState: {8: (88, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84]), 4: (88, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84])},
     ReleaseDesc: {8: (32, [0, 4, 8, 12, 16, 20]), 4: (32, [0, 4, 8, 12, 16, 20])},
     ReleasePlan: {8: (24, [0, 4, 8, 12, 16, 20]), 4: (24, [0, 4, 8, 12, 16, 20])},
     Camera: {8: (56, [0, 4, 8, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 20, 32, 44, 48, 52])},

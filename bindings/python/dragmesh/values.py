@@ -80,6 +80,14 @@ class Event(enum.IntFlag):
     LET_GO = n.DM_EVENT_LET_GO
 
 
+class Status(enum.IntFlag):
+    """What holds a part, and how it stands: bits of DragState.status and PartState.status."""
+    LATCHED = n.DM_STATUS_LATCHED
+    LOCKED = n.DM_STATUS_LOCKED
+    BLOCKED = n.DM_STATUS_BLOCKED
+    OPEN = n.DM_STATUS_OPEN
+
+
 class Rule(enum.IntFlag):
     """Flags of the rules of a drag."""
     LOCKED = n.DM_RULE_LOCKED

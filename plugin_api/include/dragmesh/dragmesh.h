@@ -1,4 +1,4 @@
-/* dragmesh: makes any 3D object openable. The whole public surface, version 0.1.
+/* dragmesh: makes any 3D object openable. The whole public surface.
  *
  * One time, per object:   mesh + part ids --prepare--> joints (type, axis, origin, limits)
  * Every frame:            pointer ray --pick--> grabbed point --drag--> joint value --> rigid pose
@@ -9,10 +9,16 @@
  *    pose or a pick would compute with them; factors of a scale are 1e-6 to 1e6. Finite input gives finite output.
  *  - Functions return DM_OK (0) or a negative dm_result. On an error the outputs are untouched, a message that
  *    names the field and the value goes to the log callback, and the context stays usable. Nothing aborts.
- *  - Every descriptor, and every output that may grow, starts with struct_size = sizeof(the struct); the caller sets
- * it, or starts from dm_NAME_default(). A zero in any other field means its default, for ever. A caller that is newer
- * than the library may only send zeros in the part the library can't know, and gets zeros there in outputs. Elements of
- * an array all have the struct_size of the first.
+ *    Any function may answer INVALID_ARGUMENT, STRUCT_SIZE, STALE_HANDLE and NOT_FINITE, one that names a part or an
+ *    instance NOT_FOUND, and one that makes something OUT_OF_MEMORY; each says what else it may answer.
+ *  - Every descriptor, and every output that may grow, starts with struct_size = sizeof(the struct); the caller
+ *    sets it, or starts from dm_NAME_default(). A zero in any other field means its default, for ever. A caller that
+ *    is newer than the library may only send zeros in the part the library can't know, and gets zeros there in
+ *    outputs. Elements of an array all have the struct_size of the first.
+ *  - From version 0.2 on this interface, "dm.core/1", only grows: functions at the end of the table, fields at the end
+ *    of structs that start with struct_size, constants, bits. Structs without struct_size never change. Error codes,
+ *    bits of events and of status may be added: take an unknown negative result as an error, and leave out unknown
+ *    bits. Answers are no part of this, they get better. docs/integration.md, "Versions".
  *  - Handles are 64-bit ids with a generation. 0 is null. A handle to something destroyed answers
  *    DM_ERROR_STALE_HANDLE, and so does one of another context.
  *  - Memory the host passes in is borrowed for the call alone, never kept, never written unless it is an output.
@@ -23,7 +29,7 @@
  *  - Determinism: one build of the library with one C library gives the same bits for the same calls on every x86-64
  *    processor, drags of a loaded .dmo included: begin, update, and a release with DM_RELEASE_BY_RULE. Two things may
  *    differ in their last bits between instruction sets: what runs a network (prepare, refine, motions, other
- * releases), and a drag with feel.coast_time above 0 in the hand, which needs double-precision exp, sin and cos.
+ *    releases), and a drag with feel.coast_time above 0 in the hand, which needs double-precision exp, sin and cos.
  *  - The floating-point environment of the calling thread (rounding, flushed denormals, trapped exceptions) and the
  *    locale change nothing. It is put aside during each call and task, and given back at its end; callbacks run in the
  *    library's. This holds on x86-64 and 64-bit Arm for builds by gcc or clang.
@@ -70,6 +76,7 @@ extern "C" {
 #define DM_VERSION_MAJOR 0
 #define DM_VERSION_MINOR 1
 #define DM_VERSION_PATCH 0
+/* One number that rises with the version. dm_version tells that of the library in use. */
 #define DM_VERSION ((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH)
 
 /* Number of key poses of a generated motion (paper: T). */
@@ -158,7 +165,8 @@ typedef struct dm_allocator {
 
 enum { DM_LOG_ERROR = 0, DM_LOG_WARNING = 1, DM_LOG_INFO = 2 };
 
-/* Messages for people. `text` is valid during the call. */
+/* Messages for people, on the threads that the host calls the library on. level: DM_LOG_*. code: of an error, else
+ * DM_OK. `text` is UTF-8, valid during the call. */
 typedef struct dm_log {
     void* user;
     void(DM_CALL* message)(void* user, int32_t level, dm_result code, const char* text);
@@ -338,10 +346,12 @@ enum { DM_LIMIT_LOWER = 1, DM_LIMIT_UPPER = 2 };
  * axis, origin, limits, source, both confidences, value). */
 typedef struct dm_part_state {
     uint32_t struct_size;
-    float value;  /* joint value; 0 = rest */
-    dm_pose pose; /* as shown, from rest. It differs from dm_joint_pose(joint, value) only while the part comes over to
-                     a joint that has just changed. Zeros: that of joint and value */
-    dm_joint joint; /* stays the last field */
+    float value;     /* joint value; 0 = rest */
+    float velocity;  /* d value / dt, for a physics engine that takes over; told, not read: a drag begins without */
+    uint32_t status; /* DM_STATUS_*; told, not read */
+    dm_pose pose;    /* as shown, from rest. It differs from dm_joint_pose(joint, value) only while the part comes over
+                        to a joint that has just changed. Zeros: that of joint and value */
+    dm_joint joint;  /* stays the last field */
 } dm_part_state;
 
 /* Asks the host for a joint type (a designer's tag, a rule, a vision-language model). Return DM_JOINT_UNKNOWN to
@@ -413,11 +423,10 @@ typedef struct dm_object_desc {
     void* intent_user;
     dm_progress_callback progress;
     void* progress_user;
-    const char* label;  /* optional evidence: names of the whole object, as dm_part_desc.label; they count for the parts
-                           whose own label tells nothing */
-    dm_vec3 up;         /* which way is up, host object frame; it counts together with labels and pivots alone. 0 = that
-                           of the context's axes */
-    uint32_t reserved2; /* 0 */
+    const char* label; /* optional evidence: names of the whole object, as dm_part_desc.label; they count for the parts
+                          whose own label tells nothing */
+    dm_vec3 up;        /* which way is up, host object frame; it counts together with labels and pivots alone. 0 = that
+                          of the context's axes */
     dm_choice_callback choose;
     void* choose_user;
 } dm_object_desc;
@@ -609,6 +618,14 @@ enum {
     DM_EVENT_LET_GO = 8192     /* dm_drag_rules.break_distance has let go of it */
 };
 
+/* How a part with dm_drag_rules stands after an update, or at its beginning: bits of dm_drag_state.status. */
+enum {
+    DM_STATUS_LATCHED = 1, /* the latch holds it */
+    DM_STATUS_LOCKED = 2,  /* DM_RULE_LOCKED or DM_INPUT_LOCKED holds it */
+    DM_STATUS_BLOCKED = 4, /* dm_drag_input's bounds hold it, from DM_EVENT_BLOCKED to DM_EVENT_FREED */
+    DM_STATUS_OPEN = 8     /* it counts as open, from DM_EVENT_OPENED to DM_EVENT_CLOSED */
+};
+
 typedef struct dm_drag_state {
     uint32_t struct_size;
     dm_pose pose;       /* of the part from rest, object frame; compose with the parent part's own pose */
@@ -624,6 +641,7 @@ typedef struct dm_drag_state {
     uint32_t detents;   /* detents or snap values that it has gone over to since the update before; a long update may
                            pass several */
     float impact;       /* joint value a second: how fast it met a limit or was blocked; 0 without such an event */
+    uint32_t status;    /* DM_STATUS_*: what holds the part, and how it stands; 0 without dm_drag_desc.rules */
 } dm_drag_state;
 
 /* What a released part does next. */
@@ -663,7 +681,7 @@ typedef struct dm_release_plan {
 
 typedef struct dm_camera {
     uint32_t struct_size;
-    float fov_y;                           /* rad; 0 = orthographic with ortho_height */
+    float fov_y;                           /* rad, below pi; 0 = orthographic with ortho_height */
     dm_vec3 eye;                           /* host world frame */
     dm_vec3 forward, up;                   /* need not be unit or orthogonal, not parallel */
     float viewport_width, viewport_height; /* pixels */
@@ -828,7 +846,7 @@ DM_API dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object,
 DM_API dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id,
                                              const dm_joint* joint);
 
-/* Puts the library's own answer back in force. [exclusive object] */
+/* Puts the library's own answer back in force, after dm_object_set_joint or a choice. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id);
 
 /* Links parts of an object, in place of the links of before; count 0 to DM_MAX_LINKS, 0: none. Copied; a saved object
@@ -885,7 +903,7 @@ DM_API dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion,
 DM_API dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion motion, dm_pose* out_poses,
                                               float* out_values);
 
-/* [any-thread] */
+/* Destroys a motion that no other thread samples. [any-thread] */
 DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion);
 
 /* ---- functions: drags -------------------------------------------------------------------------------------------- */
@@ -963,14 +981,15 @@ DM_API void DM_CALL dm_pose_apply_points(const dm_pose* pose, const float* src, 
 
 /* ---- functions: camera and scene --------------------------------------------------------------------------------- */
 
-/* Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. [frame] */
+/* Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID_ARGUMENT
+ * when the camera has no view. [frame] */
 DM_API dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y,
                                        dm_ray* out_ray);
 
 /* Errors: UNSUPPORTED when the context picks nothing (DM_PICK_NONE, or nothing was found). [any-thread] */
 DM_API dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_desc* desc, dm_scene* out_scene);
 
-/* [exclusive object] */
+/* Destroys it with its instances; their objects stay. [exclusive object] */
 DM_API dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene);
 
 /* Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on,
@@ -984,7 +1003,7 @@ DM_API dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_ob
 DM_API dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id,
                                        const dm_pose* pose);
 
-/* [exclusive object] */
+/* Takes an instance away, at once. [exclusive object] */
 DM_API dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, uint32_t instance);
 
 /* Makes the moves visible to picks. Once a frame, after them. [frame] */

@@ -7,7 +7,7 @@
  *     ...
  *     dm_library_close(&library);   // after the last context is destroyed
  *
- * A library older than this header has a shorter table: before calling a function that was added after version 0.1, ask
+ * A library older than this header has a shorter table: before calling a function that was added after version 0.2, ask
  * DM_HAS(dm, function). */
 #ifndef DRAGMESH_LOADER_H
 #define DRAGMESH_LOADER_H

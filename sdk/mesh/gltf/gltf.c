@@ -128,6 +128,10 @@ void dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]) {
     for (int k = 0; k < 3; k++) out_origin[k] = gltf ? gltf->origin[k] : 0;
 }
 
+uint32_t dm_gltf_version(void) {
+    return DM_VERSION;
+}
+
 size_t dm_gltf_mend_text(char* text) {
     return text ? dmi_utf8_mend(text) : 0;
 }

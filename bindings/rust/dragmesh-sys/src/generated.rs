@@ -190,6 +190,14 @@ pub const DM_EVENT_UNLATCHED: i32 = 2048;
 pub const DM_EVENT_LOCKED: i32 = 4096;
 /// dm\_drag\_rules.break\_distance has let go of it
 pub const DM_EVENT_LET_GO: i32 = 8192;
+/// the latch holds it
+pub const DM_STATUS_LATCHED: i32 = 1;
+/// DM\_RULE\_LOCKED or DM\_INPUT\_LOCKED holds it
+pub const DM_STATUS_LOCKED: i32 = 2;
+/// dm\_drag\_input's bounds hold it, from DM\_EVENT\_BLOCKED to DM\_EVENT\_FREED
+pub const DM_STATUS_BLOCKED: i32 = 4;
+/// it counts as open, from DM\_EVENT\_OPENED to DM\_EVENT\_CLOSED
+pub const DM_STATUS_OPEN: i32 = 8;
 /// as the player meant it, by where the part is and how fast it goes
 pub const DM_INTENT_AUTO: i32 = 0;
 /// glides to a stop; also stops a part that moves by itself
@@ -303,7 +311,7 @@ impl Default for dm_allocator {
     }
 }
 
-/// Messages for people. \`text\` is valid during the call.
+/// Messages for people, on the threads that the host calls the library on. level: DM\_LOG\_\*. code: of an error, else DM\_OK. \`text\` is UTF-8, valid during the call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_log {
@@ -596,6 +604,10 @@ pub struct dm_part_state {
     pub struct_size: u32,
     /// joint value; 0 = rest
     pub value: f32,
+    /// d value / dt, for a physics engine that takes over; told, not read: a drag begins without
+    pub velocity: f32,
+    /// DM\_STATUS\_\*; told, not read
+    pub status: u32,
     /// as shown, from rest. It differs from dm\_joint\_pose(joint, value) only while the part comes over to a joint that has just changed. Zeros: that of joint and value
     pub pose: dm_pose,
     /// stays the last field
@@ -724,8 +736,6 @@ pub struct dm_object_desc {
     pub label: *const c_char,
     /// which way is up, host object frame; it counts together with labels and pivots alone. 0 = that of the context's axes
     pub up: dm_vec3,
-    /// 0
-    pub reserved2: u32,
     pub choose: dm_choice_callback,
     pub choose_user: *mut c_void,
 }
@@ -1007,6 +1017,8 @@ pub struct dm_drag_state {
     pub detents: u32,
     /// joint value a second: how fast it met a limit or was blocked; 0 without such an event
     pub impact: f32,
+    /// DM\_STATUS\_\*: what holds the part, and how it stands; 0 without dm\_drag\_desc.rules
+    pub status: u32,
 }
 
 impl Default for dm_drag_state {
@@ -1070,7 +1082,7 @@ impl Default for dm_release_plan {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_camera {
     pub struct_size: u32,
-    /// rad; 0 = orthographic with ortho\_height
+    /// rad, below pi; 0 = orthographic with ortho\_height
     pub fov_y: f32,
     /// host world frame
     pub eye: dm_vec3,
@@ -1399,7 +1411,7 @@ extern "C" {
     pub fn dm_object_refine(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint) -> dm_result;
     /// The host knows better: puts its joint in force. The axis may have any length, limits may be infinite (dm\_joint.lower). Source becomes DM\_JOINT\_FROM\_HOST and both confidences 1, unless the joint is, bit for bit, the one in force or the library's own answer: then source and confidences are those of that one. Drags and motions that already run keep the joint they began with. \[exclusive object\]
     pub fn dm_object_set_joint(context: *mut dm_context, object: dm_object, part_id: u32, joint: *const dm_joint) -> dm_result;
-    /// Puts the library's own answer back in force. \[exclusive object\]
+    /// Puts the library's own answer back in force, after dm\_object\_set\_joint or a choice. \[exclusive object\]
     pub fn dm_object_reset_joint(context: *mut dm_context, object: dm_object, part_id: u32) -> dm_result;
     /// Links parts of an object, in place of the links of before; count 0 to DM\_MAX\_LINKS, 0: none. Copied; a saved object does not hold them. Errors: INVALID\_ARGUMENT also when a part is moved by two drivers, or by itself over others; NOT\_FOUND. \[exclusive object\]
     pub fn dm_object_set_links(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result;
@@ -1421,7 +1433,7 @@ extern "C" {
     pub fn dm_motion_sample(context: *mut dm_context, motion: dm_motion, t: f32, out_pose: *mut dm_pose, out_value: *mut f32) -> dm_result;
     /// The DM\_MOTION\_FRAMES key poses, and (when not NULL) their joint values. \[frame\]
     pub fn dm_motion_get_frames(context: *mut dm_context, motion: dm_motion, out_poses: *mut dm_pose, out_values: *mut f32) -> dm_result;
-    /// \[any-thread\]
+    /// Destroys a motion that no other thread samples. \[any-thread\]
     pub fn dm_motion_destroy(context: *mut dm_context, motion: dm_motion) -> dm_result;
     /// The player grabs a part. Where the library found the joint, a pull tells more about it: the drag holds the part's other hypotheses, and likely joints beyond them, and follows the one that explains the pull best, and limits that were estimated yield when the pull goes on beyond them. docs/feel.md. A grab point or value that can't be meant (other units, degrees) gets a warning. \[any-thread\]
     pub fn dm_drag_begin(context: *mut dm_context, desc: *const dm_drag_desc, out_drag: *mut dm_drag) -> dm_result;
@@ -1453,17 +1465,17 @@ extern "C" {
     pub fn dm_pose_to_matrix(pose: *const dm_pose, out_matrix: *mut f32);
     /// Moves \`count\` float32 points; strides in bytes, 0 = packed. src may equal dst. \[frame\]
     pub fn dm_pose_apply_points(pose: *const dm_pose, src: *const f32, src_stride: usize, dst: *mut f32, dst_stride: usize, count: usize);
-    /// Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. \[frame\]
+    /// Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID\_ARGUMENT when the camera has no view. \[frame\]
     pub fn dm_camera_ray(context: *const dm_context, camera: *const dm_camera, x: f32, y: f32, out_ray: *mut dm_ray) -> dm_result;
     /// Errors: UNSUPPORTED when the context picks nothing (DM\_PICK\_NONE, or nothing was found). \[any-thread\]
     pub fn dm_scene_create(context: *mut dm_context, desc: *const dm_scene_desc, out_scene: *mut dm_scene) -> dm_result;
-    /// \[exclusive object\]
+    /// Destroys it with its instances; their objects stay. \[exclusive object\]
     pub fn dm_scene_destroy(context: *mut dm_context, scene: dm_scene) -> dm_result;
     /// Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on, used again after a removal. Errors: UNSUPPORTED when the object can't be picked. Takes effect with dm\_scene\_commit. \[exclusive object\]
     pub fn dm_scene_add(context: *mut dm_context, scene: dm_scene, object: dm_object, placement: *const dm_pose, out_instance: *mut u32) -> dm_result;
     /// Moves a part of an instance to \`pose\` (from rest, object frame; the pose of the parts that carry it included), or with part\_id 0 the whole instance to a new placement. Takes effect with dm\_scene\_commit. \[frame\]
     pub fn dm_scene_move(context: *mut dm_context, scene: dm_scene, instance: u32, part_id: u32, pose: *const dm_pose) -> dm_result;
-    /// \[exclusive object\]
+    /// Takes an instance away, at once. \[exclusive object\]
     pub fn dm_scene_remove(context: *mut dm_context, scene: dm_scene, instance: u32) -> dm_result;
     /// Makes the moves visible to picks. Once a frame, after them. \[frame\]
     pub fn dm_scene_commit(context: *mut dm_context, scene: dm_scene) -> dm_result;
@@ -1474,6 +1486,8 @@ extern "C" {
 #[cfg(feature = "gltf")]
 #[link(name = "dragmesh_gltf")]
 extern "C" {
+    /// Version of the libdragmesh\_gltf in use, as DM\_VERSION.
+    pub fn dm_gltf_version() -> u32;
     /// Reads triangles, strips and fans, also quantised ones (KHR\_mesh\_quantization) and, where the build has their libraries, compressed ones (EXT\_meshopt\_compression, KHR\_meshopt\_compression, KHR\_draco\_mesh\_compression). Another required extension that may change geometry: UNSUPPORTED, by name. Left out with a warning: primitives that are broken, points, lines, morph targets, nodes whose scale is zero. Left out in silence, because they are no body: nodes and meshes named UCX\_\*, UBX\_\*, UCP\_\*, USP\_\*, \*\_collider, \*-colonly, \*-convcolonly; invisible nodes (KHR\_node\_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD\_DATA, NOT\_FINITE, INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH. Others: NOT\_FOUND (a file beside it), VERSION, TOO\_LARGE (it would take more memory than 16 MB and 256 bytes a byte of the file).
     pub fn dm_gltf_open(desc: *const dm_gltf_desc, out_gltf: *mut *mut dm_gltf) -> dm_result;
     /// The same for a file and those beside it, which are read from its folder and from nowhere else; \`desc\` leaves data, size and files at 0. NOT\_FOUND: there is no such regular file.
@@ -1539,12 +1553,12 @@ mod tests {
         check!(dm_part_desc, 40, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 24, pivot 32);
         check!(dm_joint, 56, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52);
         check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
-        check!(dm_part_state, 96, struct_size 0, value 4, pose 8, joint 40);
+        check!(dm_part_state, 104, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
         check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
         check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
         check!(dm_hypothesis, 160, struct_size 0, reserved 4, joint 8, ends 16);
         check!(dm_choice, 24, struct_size 0, count 4, part 8, hypotheses 16);
-        check!(dm_object_desc, 120, struct_size 0, flags 4, mesh 8, parts 16, part_count 24, reserved 28, model 32, seed 40, intent 48, intent_user 56, progress 64, progress_user 72, label 80, up 88, reserved2 100, choose 104, choose_user 112);
+        check!(dm_object_desc, 120, struct_size 0, flags 4, mesh 8, parts 16, part_count 24, reserved 28, model 32, seed 40, intent 48, intent_user 56, progress 64, progress_user 72, label 80, up 88, choose 104, choose_user 112);
         check!(dm_object_info, 56, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52);
         check!(dm_motion_desc, 48, struct_size 0, part_id 4, drag 8, path 32, path_count 40, seed 44);
         check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
@@ -1553,7 +1567,7 @@ mod tests {
         check!(dm_drag_desc, 96, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 72, reserved 84, rules 88);
         check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
         check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
-        check!(dm_drag_state, 84, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80);
+        check!(dm_drag_state, 88, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84);
         check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
         check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
@@ -1586,12 +1600,12 @@ mod tests {
         check!(dm_part_desc, 28, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 20, pivot 24);
         check!(dm_joint, 56, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52);
         check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
-        check!(dm_part_state, 96, struct_size 0, value 4, pose 8, joint 40);
+        check!(dm_part_state, 104, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
         check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
         check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
         check!(dm_hypothesis, 156, struct_size 0, reserved 4, joint 8, ends 12);
         check!(dm_choice, 16, struct_size 0, count 4, part 8, hypotheses 12);
-        check!(dm_object_desc, 88, struct_size 0, flags 4, mesh 8, parts 12, part_count 16, reserved 20, model 24, seed 32, intent 40, intent_user 44, progress 48, progress_user 52, label 56, up 60, reserved2 72, choose 76, choose_user 80);
+        check!(dm_object_desc, 80, struct_size 0, flags 4, mesh 8, parts 12, part_count 16, reserved 20, model 24, seed 32, intent 40, intent_user 44, progress 48, progress_user 52, label 56, up 60, choose 72, choose_user 76);
         check!(dm_object_info, 56, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52);
         check!(dm_motion_desc, 44, struct_size 0, part_id 4, drag 8, path 32, path_count 36, seed 40);
         check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
@@ -1600,7 +1614,7 @@ mod tests {
         check!(dm_drag_desc, 88, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 68, reserved 80, rules 84);
         check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
         check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
-        check!(dm_drag_state, 84, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80);
+        check!(dm_drag_state, 88, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84);
         check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
         check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);

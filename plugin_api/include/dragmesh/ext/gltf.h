@@ -1,6 +1,6 @@
 /* dragmesh extension: glTF 2.0 in and out, and part masks from files. In libdragmesh_gltf; needs no context.
- * Interface id "dm.gltf.draft/0": may still change. All functions [any-thread]; one dm_gltf is for one thread at a
- * time. */
+ * A draft: unlike dm.core/1 it may change with a minor version, so use the library of the header's own version
+ * (dm_gltf_version). All functions [any-thread]; one dm_gltf is for one thread at a time. */
 #ifndef DRAGMESH_EXT_GLTF_H
 #define DRAGMESH_EXT_GLTF_H
 
@@ -9,6 +9,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Version of the libdragmesh_gltf in use, as DM_VERSION. */
+DM_API uint32_t DM_CALL dm_gltf_version(void);
 
 typedef struct dm_gltf dm_gltf;
 
