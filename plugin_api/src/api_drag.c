@@ -458,7 +458,7 @@ dm_result DM_CALL dm_drag_take(dm_context* context, dm_drag drag, float value, d
     if (result == DM_OK)
         result = dmi_check_out(env, "dm_drag_take: out_state", out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
     if (result != DM_OK) return result;
-    if (!slot->drag.question.open) {
+    if (!slot->drag.pending.open) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
                         "dm_drag_take: the last update had no DM_INPUT_ASK, or its value was taken already");
     }

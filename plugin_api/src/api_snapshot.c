@@ -194,7 +194,7 @@ static bool is_sound_blend(const dmi_pose_blend* b) {
            b->turn_time >= 0 && b->lag_time >= 0 && are_finite(&b->turn_time, 1) && are_finite(&b->lag_time, 1);
 }
 
-static bool is_sound_watch(const dmi_watch* w) {
+static bool is_sound_event_state(const dmi_event_state* w) {
     const float numbers[2] = {w->catch_index, w->impact};
     return w->limit >= -1 && w->limit <= 1 && is_bool(&w->away) && is_bool(&w->open) && is_bool(&w->blocked) &&
            w->since_opening >= 0 && w->peak_speed >= 0 && are_finite(numbers, 2) && are_finite(&w->peak_speed, 1);
@@ -213,13 +213,14 @@ static bool are_sound_hands(const dmi_hands* h) {
 }
 
 /* Bounds of the value that may be taken may be infinite. */
-static bool is_sound_question(const dmi_question* q) {
+static bool is_sound_pending(const dmi_pending_value* q) {
     return is_bool(&q->open) && q->phase >= DM_DRAG_HELD && q->phase <= DM_DRAG_AT_REST && q->dt >= 0 &&
-           are_finite(&q->dt, 1) && are_within(&q->start, 1) && q->lower <= q->upper && is_sound_watch(&q->watch);
+           are_finite(&q->dt, 1) && are_within(&q->start, 1) && q->lower <= q->upper &&
+           is_sound_event_state(&q->event_state);
 }
 
-/* What an update is told is of that one alone: between two there is nothing. */
-static bool is_told_nothing(const dmi_told* t) {
+/* Constraints are those of one update: between two there are none. */
+static bool is_unconstrained(const dmi_constraints* t) {
     return t->bounds.lower == -INFINITY && t->bounds.upper == INFINITY && is_bool(&t->locked) && !t->locked &&
            t->handles[0] == 0 && t->handles[1] == 0;
 }
@@ -228,10 +229,10 @@ static bool is_sound_keeping(const dmi_drag* d) {
     const float numbers[7] = {
         d->asked, d->lag, d->start.value, d->start.velocity, d->waited, d->landing.impact, d->release.acceleration};
     return is_bool(&d->rules.on) && is_bool(&d->rules.one_sided) && dmi_is_sound_rules(&d->rules) &&
-           is_told_nothing(&d->told) && are_within(numbers, 7) && is_bool(&d->stays) && is_bool(&d->stalled) &&
+           is_unconstrained(&d->constraints) && are_within(numbers, 7) && is_bool(&d->stays) && is_bool(&d->stalled) &&
            is_bool(&d->release.flies) && is_bool(&d->landing.settled) && d->landing.struck >= -1 &&
-           d->landing.struck <= 1 && d->open_side >= -1 && d->open_side <= 1 && is_sound_watch(&d->watch) &&
-           is_sound_latch(&d->latch) && are_sound_hands(&d->hands) && is_sound_question(&d->question);
+           d->landing.struck <= 1 && d->open_side >= -1 && d->open_side <= 1 && is_sound_event_state(&d->event_state) &&
+           is_sound_latch(&d->latch) && are_sound_hands(&d->hands) && is_sound_pending(&d->pending);
 }
 
 static bool is_sound_drag(const dmi_drag* d) {

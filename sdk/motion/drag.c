@@ -12,7 +12,7 @@
 
 #define LIMIT_TOLERANCE 1e-4f /* share of the range that counts as at a limit; by hand */
 
-static const dmi_told told_nothing = {.bounds = {-INFINITY, INFINITY}};
+static const dmi_constraints unconstrained = {.bounds = {-INFINITY, INFINITY}};
 
 /* Returns the speed of the grabbed point, host units a unit of the joint value. */
 static float speed_of(const dm_joint* joint, const float rest_point[3]) {
@@ -32,7 +32,7 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     drag->blend = dmi_pose_blend_none();
     drag->release.return_time = dmi_fmaxf(feel->return_time, 0);
     drag->speed = speed_of(joint, drag->rest_point);
-    drag->told = told_nothing;
+    drag->constraints = unconstrained;
     drag->asked = drag->target;
     memcpy(drag->point, grab_point, sizeof drag->point);
     if (drag->value == start_value) return;
@@ -58,7 +58,7 @@ void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, const dmi
 
 /* Lets the limits move along to a value that the hand asks for, as far as the host's bounds let the part go there. */
 static void move_limits(dmi_drag* drag, float value) {
-    const dmi_bounds bounds = drag->told.bounds;
+    const dmi_bounds bounds = drag->constraints.bounds;
     drag->joint.lower = dmi_fminf(drag->joint.lower, dmi_fmaxf(value, bounds.lower));
     drag->joint.upper = dmi_fmaxf(drag->joint.upper, dmi_fminf(value, bounds.upper));
 }
@@ -103,7 +103,7 @@ static dm_pose shown_pose(const dmi_drag* drag) {
 static float first_value(const dmi_drag* drag, const dm_pose* shown) {
     const bool limited = drag->rules.on && (drag->rules.max_speed > 0 || drag->rules.max_acceleration > 0);
     const float value = limited ? dmi_joint_project(&drag->joint, shown, drag->asked) : drag->asked;
-    return dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->told.bounds, value));
+    return dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->constraints.bounds, value));
 }
 
 /* Switches to the most probable hypothesis at the value that the pointer asks for; the shown pose blends over. */
@@ -210,7 +210,7 @@ static float time_of(float dt) {
 
 /* Before the hand is read. */
 static void begin_update(dmi_drag* drag, float time) {
-    drag->question.open = false;
+    drag->pending.open = false;
     drag->blend.age += time;
     if (drag->rules.on) dmi_drag_note_start(drag);
 }
@@ -250,50 +250,50 @@ static bool needs_aim(const dmi_drag* drag, const dm_drag_input* input) {
 
 static void tell(dmi_drag* drag, const dm_drag_input* input) {
     if (input->lower < input->upper || input->flags & DM_INPUT_BOUNDS)
-        drag->told.bounds = (dmi_bounds){input->lower, input->upper};
-    drag->told.locked = (input->flags & DM_INPUT_LOCKED) != 0;
-    memcpy(drag->told.handles, input->handles, sizeof drag->told.handles);
+        drag->constraints.bounds = (dmi_bounds){input->lower, input->upper};
+    drag->constraints.locked = (input->flags & DM_INPUT_LOCKED) != 0;
+    memcpy(drag->constraints.handles, input->handles, sizeof drag->constraints.handles);
     if (input->hand.kind == DM_HAND_NONE && drag->hands.kind == DM_HAND_RATE) drag->hands.pressed = 0; /* let go of */
     if (input->hand.kind != DM_HAND_NONE && input->hand.kind != drag->hands.kind) change_hand(drag, input->hand.kind);
 }
 
 void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag_state* out_state) {
     const float time = time_of(dt), start = drag->value;
-    const dmi_watch watch = drag->watch;
+    const dmi_event_state event_state = drag->event_state;
     const int32_t phase = drag->release.phase;
     const bool aims = needs_aim(drag, input);
     tell(drag, input);
     begin_update(drag, time);
     if (aims) dmi_drag_aim(drag, input, time);
     finish_update(drag, !aims && input->hand.kind == DM_HAND_RAY ? &input->hand.ray : NULL, time, out_state);
-    drag->question = (dmi_question){.open = (input->flags & DM_INPUT_ASK) != 0,
-                                    .start = start,
-                                    .dt = time,
-                                    .lower = dmi_fminf(drag->told.bounds.lower, drag->value),
-                                    .upper = dmi_fmaxf(drag->told.bounds.upper, drag->value),
-                                    .phase = phase,
-                                    .watch = watch};
-    drag->told = told_nothing;
+    drag->pending = (dmi_pending_value){.open = (input->flags & DM_INPUT_ASK) != 0,
+                                        .start = start,
+                                        .dt = time,
+                                        .lower = dmi_fminf(drag->constraints.bounds.lower, drag->value),
+                                        .upper = dmi_fmaxf(drag->constraints.bounds.upper, drag->value),
+                                        .phase = phase,
+                                        .event_state = event_state};
+    drag->constraints = unconstrained;
 }
 
 /* Another value than that of the plan holds a released part up, also one that has just arrived. */
 static void take_instead(dmi_drag* drag, float value) {
-    const dmi_question* question = &drag->question;
-    const bool same_joint = drag->changes == question->watch.changes;
-    if (question->dt > 0) drag->velocity = same_joint ? (value - question->start) / question->dt : 0;
+    const dmi_pending_value* pending = &drag->pending;
+    const bool same_joint = drag->changes == pending->event_state.changes;
+    if (pending->dt > 0) drag->velocity = same_joint ? (value - pending->start) / pending->dt : 0;
     drag->value = value;
     drag->landing = (dmi_landing){0};
-    if (question->phase == DM_DRAG_RELEASED) drag->release.phase = DM_DRAG_RELEASED;
+    if (pending->phase == DM_DRAG_RELEASED) drag->release.phase = DM_DRAG_RELEASED;
     drag->stalled = drag->release.phase == DM_DRAG_RELEASED;
     if (drag->release.phase == DM_DRAG_AT_REST) drag->velocity = 0;
 }
 
 void dmi_drag_take(dmi_drag* drag, float value, dm_drag_state* out_state) {
-    const dmi_question* question = &drag->question;
-    const float kept = dmi_joint_clamp(&drag->joint, dmi_fminf(dmi_fmaxf(value, question->lower), question->upper));
+    const dmi_pending_value* pending = &drag->pending;
+    const float kept = dmi_joint_clamp(&drag->joint, dmi_fminf(dmi_fmaxf(value, pending->lower), pending->upper));
     if (kept != drag->value) take_instead(drag, kept);
-    drag->question.open = false;
-    if (drag->rules.on) dmi_drag_watch_again(drag);
+    drag->pending.open = false;
+    if (drag->rules.on) dmi_drag_find_events_again(drag);
     write_state(drag, out_state);
 }
 
@@ -321,7 +321,7 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
 }
 
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {
-    drag->stalled = drag->question.open = false;
+    drag->stalled = drag->pending.open = false;
     drag->waited = 0;
     drag->stays = intent == DM_INTENT_STAY;
     dmi_drag_plan(drag, intent, duration);

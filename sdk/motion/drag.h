@@ -11,22 +11,22 @@
 #include "motion/hypothesis_tracker.h"
 #include "motion/pose_blend.h"
 
-/* What an update was told besides the hand. */
-typedef struct dmi_told {
+/* What constrains the part in one update. */
+typedef struct dmi_constraints {
     dmi_bounds bounds;
     bool locked;
     float handles[2];
-} dmi_told;
+} dmi_constraints;
 
 /* An update that asks: what dmi_drag_take needs to do it again with another value. */
-typedef struct dmi_question {
+typedef struct dmi_pending_value {
     bool open;
     float start; /* joint value before the update */
     float dt;
     float lower, upper; /* between which the value may be taken */
     int32_t phase;      /* before the update */
-    dmi_watch watch;
-} dmi_question;
+    dmi_event_state event_state;
+} dmi_pending_value;
 
 /* Where the part was before an update. */
 typedef struct dmi_drag_step_start {
@@ -58,20 +58,20 @@ typedef struct dmi_drag {
     uint32_t changes; /* of the active joint */
     dmi_release release;
     dmi_rules rules;
-    dmi_told told;             /* of the update at hand; nothing between two */
-    float asked;               /* value that the hand asks for; the target is on its way there (dmi_catch_up) */
-    float lag;                 /* target minus that */
-    bool stalled;              /* the plan of the release was not followed in the last update: planned anew */
-    dmi_drag_step_start start; /* of the last update */
-    dmi_watch watch;
+    dmi_constraints constraints; /* of the update at hand; nothing between two */
+    float asked;                 /* value that the hand asks for; the target is on its way there (dmi_catch_up) */
+    float lag;                   /* target minus that */
+    bool stalled;                /* the plan of the release was not followed in the last update: planned anew */
+    dmi_drag_step_start start;   /* of the last update */
+    dmi_event_state event_state;
     dmi_latch latch;
     dmi_hands hands;
-    uint32_t events;     /* found so far in the update at hand, beside those of the watch */
+    uint32_t events;     /* found so far in the update at hand, beside those of event_state */
     dmi_landing landing; /* of the last update */
     float waited;        /* s since the release */
     bool stays;          /* released by a host that asked for DM_INTENT_STAY */
     int32_t open_side;   /* on which a part that opens to both sides is to open: dmi_released_part */
-    dmi_question question;
+    dmi_pending_value pending;
 } dmi_drag;
 
 /* Starts a drag. grab_point: position of the grabbed point with the joint at start_value. */

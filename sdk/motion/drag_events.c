@@ -13,7 +13,7 @@
 #define MAX_DETENTS 1000000.0f /* of one update, so that the count is one */
 
 /* Returns the limit that the value is at, given the one that it was at. */
-static int32_t limit_at(const dmi_watched* now, int32_t was) {
+static int32_t limit_at(const dmi_event_input* now, int32_t was) {
     if (!dmi_joint_has_limits(now->joint)) return 0;
     const float range = dmi_rules_range(now->rules, now->joint);
     const float to_upper = now->joint->upper - now->value, to_lower = now->value - now->joint->lower;
@@ -21,85 +21,85 @@ static int32_t limit_at(const dmi_watched* now, int32_t was) {
     return !now->beyond_lower && to_lower <= (was < 0 ? FAR_SHARE : NEAR_SHARE) * range ? -1 : 0;
 }
 
-static float share_from_rest(const dmi_watched* now) {
+static float share_from_rest(const dmi_event_input* now) {
     return dmi_rules_share(now->rules, now->joint, now->value);
 }
 
 /* Returns where the value lies among the detents or snap values, whose places are the integers. */
-static float place_of(const dmi_watched* now) {
+static float place_of(const dmi_event_input* now) {
     if (now->rules->snaps.count > 0) return dmi_snaps_place(&now->rules->snaps, now->value);
     return now->feel->detent > 0 ? now->value / now->feel->detent : 0;
 }
 
-dmi_watch dmi_watch_begin(const dmi_watched* now) {
-    dmi_watch watch = {.blocked = now->blocked, .changes = now->changes, .since_opening = INFINITY};
-    watch.limit = limit_at(now, 0);
-    watch.away = share_from_rest(now) > NEAR_SHARE;
-    watch.open = share_from_rest(now) > now->rules->closed_share;
-    watch.catch_index = roundf(place_of(now));
-    return watch;
+dmi_event_state dmi_event_state_begin(const dmi_event_input* now) {
+    dmi_event_state state = {.blocked = now->blocked, .changes = now->changes, .since_opening = INFINITY};
+    state.limit = limit_at(now, 0);
+    state.away = share_from_rest(now) > NEAR_SHARE;
+    state.open = share_from_rest(now) > now->rules->closed_share;
+    state.catch_index = roundf(place_of(now));
+    return state;
 }
 
-static void watch_limits(dmi_watch* watch, const dmi_watched* now) {
-    const int32_t was = watch->limit;
-    watch->limit = limit_at(now, now->struck != 0 ? now->struck : was);
-    const int32_t met = now->struck != 0 && was != now->struck ? now->struck : watch->limit; /* it may be off again */
+static void find_limit_events(dmi_event_state* state, const dmi_event_input* now) {
+    const int32_t was = state->limit;
+    state->limit = limit_at(now, now->struck != 0 ? now->struck : was);
+    const int32_t met = now->struck != 0 && was != now->struck ? now->struck : state->limit; /* it may be off again */
     if (met == was || met == 0) return;
-    watch->events |= met > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
-    watch->impact = dmi_fmaxf(watch->peak_speed, now->impact);
+    state->events |= met > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
+    state->impact = dmi_fmaxf(state->peak_speed, now->impact);
 }
 
-static void watch_rest(dmi_watch* watch, const dmi_watched* now) {
+static void find_rest_events(dmi_event_state* state, const dmi_event_input* now) {
     const float share = share_from_rest(now);
-    const bool was_away = watch->away;
-    watch->away = share > (was_away ? NEAR_SHARE : FAR_SHARE);
-    if (watch->away != was_away) watch->events |= was_away ? DM_EVENT_REACHED_REST : DM_EVENT_LEFT_REST;
-    const bool open = share > (watch->open ? now->rules->closed_share : now->rules->open_share);
-    if (open == watch->open || watch->since_opening < now->rules->event_time) return;
-    watch->open = open;
-    watch->since_opening = 0;
-    watch->events |= open ? DM_EVENT_OPENED : DM_EVENT_CLOSED;
+    const bool was_away = state->away;
+    state->away = share > (was_away ? NEAR_SHARE : FAR_SHARE);
+    if (state->away != was_away) state->events |= was_away ? DM_EVENT_REACHED_REST : DM_EVENT_LEFT_REST;
+    const bool open = share > (state->open ? now->rules->closed_share : now->rules->open_share);
+    if (open == state->open || state->since_opening < now->rules->event_time) return;
+    state->open = open;
+    state->since_opening = 0;
+    state->events |= open ? DM_EVENT_OPENED : DM_EVENT_CLOSED;
 }
 
 /* A bounce within the update has been at the limit, wherever the part is by its end. */
-static void watch_bounce(dmi_watch* watch, const dmi_watched* now) {
-    dmi_watched there = *now;
+static void find_bounce_events(dmi_event_state* state, const dmi_event_input* now) {
+    dmi_event_input there = *now;
     if (now->struck == 0) return;
     there.value = now->struck > 0 ? now->joint->upper : now->joint->lower;
-    watch_rest(watch, &there);
+    find_rest_events(state, &there);
 }
 
-static void watch_detents(dmi_watch* watch, const dmi_watched* now) {
+static void find_detent_events(dmi_event_state* state, const dmi_event_input* now) {
     const float place = place_of(now);
-    if (now->changes != watch->changes) watch->catch_index = roundf(place); /* of another joint: none was crossed */
-    if (!(fabsf(place - watch->catch_index) > RIDGE)) return;
-    const float was = watch->catch_index, is = roundf(place), snaps = (float)now->rules->snaps.count;
+    if (now->changes != state->changes) state->catch_index = roundf(place); /* of another joint: none was crossed */
+    if (!(fabsf(place - state->catch_index) > RIDGE)) return;
+    const float was = state->catch_index, is = roundf(place), snaps = (float)now->rules->snaps.count;
     const float first = snaps > 0 ? 0 : -INFINITY, last = snaps > 0 ? snaps - 1 : INFINITY; /* beyond there is none */
     const float passed =
         is > was ? dmi_fminf(is, last) - dmi_fmaxf(was, first - 1) : dmi_fminf(was, last + 1) - dmi_fmaxf(is, first);
-    watch->catch_index = is;
-    watch->detents = (uint32_t)dmi_fminf(dmi_fmaxf(passed, 0), MAX_DETENTS);
-    if (watch->detents > 0) watch->events |= DM_EVENT_DETENT;
+    state->catch_index = is;
+    state->detents = (uint32_t)dmi_fminf(dmi_fmaxf(passed, 0), MAX_DETENTS);
+    if (state->detents > 0) state->events |= DM_EVENT_DETENT;
 }
 
-static void watch_bounds(dmi_watch* watch, const dmi_watched* now) {
-    if (now->blocked == watch->blocked) return;
-    watch->blocked = now->blocked;
-    watch->events |= now->blocked ? DM_EVENT_BLOCKED : DM_EVENT_FREED;
-    if (now->blocked) watch->impact = watch->peak_speed;
+static void find_bound_events(dmi_event_state* state, const dmi_event_input* now) {
+    if (now->blocked == state->blocked) return;
+    state->blocked = now->blocked;
+    state->events |= now->blocked ? DM_EVENT_BLOCKED : DM_EVENT_FREED;
+    if (now->blocked) state->impact = state->peak_speed;
 }
 
-void dmi_watch_update(dmi_watch* watch, const dmi_watched* now, float dt) {
-    watch->events = watch->detents = 0;
-    watch->impact = 0;
-    watch->since_opening += dt;
-    watch->peak_speed = dmi_fmaxf(fabsf(now->velocity), watch->peak_speed * dmi_exp2f(-dt / PEAK_HALF_LIFE));
-    watch_limits(watch, now);
-    watch_bounce(watch, now);
-    watch_rest(watch, now);
-    watch_detents(watch, now);
-    watch_bounds(watch, now);
-    watch->events |= now->others;
-    if (now->changes != watch->changes) watch->events |= DM_EVENT_JOINT;
-    watch->changes = now->changes;
+void dmi_event_state_update(dmi_event_state* state, const dmi_event_input* now, float dt) {
+    state->events = state->detents = 0;
+    state->impact = 0;
+    state->since_opening += dt;
+    state->peak_speed = dmi_fmaxf(fabsf(now->velocity), state->peak_speed * dmi_exp2f(-dt / PEAK_HALF_LIFE));
+    find_limit_events(state, now);
+    find_bounce_events(state, now);
+    find_rest_events(state, now);
+    find_detent_events(state, now);
+    find_bound_events(state, now);
+    state->events |= now->others;
+    if (now->changes != state->changes) state->events |= DM_EVENT_JOINT;
+    state->changes = now->changes;
 }

@@ -5,7 +5,7 @@
 
 #include "motion/drag_rules.h"
 
-typedef struct dmi_watch {
+typedef struct dmi_event_state {
     int32_t limit;       /* at which the part is: -1, 0 or 1 */
     bool away, open;     /* from rest; as far as opened */
     bool blocked;        /* by the bounds of an update */
@@ -16,10 +16,10 @@ typedef struct dmi_watch {
     uint32_t events;     /* of the last update: DM_EVENT_* */
     uint32_t detents;    /* gone over to in the last update */
     float impact;        /* of the last update, joint value a second */
-} dmi_watch;
+} dmi_event_state;
 
 /* Where the part is after an update. */
-typedef struct dmi_watched {
+typedef struct dmi_event_input {
     const dm_joint* joint;
     const dm_drag_feel* feel;
     const dmi_rules* rules;
@@ -30,11 +30,11 @@ typedef struct dmi_watched {
     int32_t struck;  /* a limit struck during the update: -1, 0 for none, 1 … */
     float impact;    /* … and how fast */
     uint32_t others; /* events that others have found */
-} dmi_watched;
+} dmi_event_input;
 
 /* Starts where the part is, without an event. */
-dmi_watch dmi_watch_begin(const dmi_watched* now);
+dmi_event_state dmi_event_state_begin(const dmi_event_input* now);
 /* Finds what has happened in an update of dt seconds. */
-void dmi_watch_update(dmi_watch* watch, const dmi_watched* now, float dt);
+void dmi_event_state_update(dmi_event_state* state, const dmi_event_input* now, float dt);
 
 #endif

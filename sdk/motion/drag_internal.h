@@ -33,8 +33,15 @@ void dmi_drag_hold_back(dmi_drag* drag, float before, float dt);
 void dmi_drag_close(dmi_drag* drag, float dt);
 /* Limits the step of this update, and finds what has happened. */
 void dmi_drag_keep_rules(dmi_drag* drag, float dt);
+
+/* ---- drag_status.c: only of drags that have rules, but for the status ---- */
+
+/* Starts without an event, where the part is. */
+void dmi_drag_begin_events(dmi_drag* drag);
+/* Finds what has happened in an update of dt seconds. */
+void dmi_drag_find_events(dmi_drag* drag, float dt);
 /* Finds anew what has happened in the last update, which has asked. */
-void dmi_drag_watch_again(dmi_drag* drag);
+void dmi_drag_find_events_again(dmi_drag* drag);
 void dmi_drag_write_events(const dmi_drag* drag, dm_drag_state* out_state);
 /* Returns what holds the part, and how it stands: DM_STATUS_*; 0 without rules. */
 uint32_t dmi_drag_status(const dmi_drag* drag);

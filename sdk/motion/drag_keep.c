@@ -7,41 +7,25 @@
 #define ARRIVED_SHARE 1e-4f /* of the range: a released part is where its plan ends */
 #define SWING_BACK 0.02f /* range a second: a part in the hand that would come back slower than this stays; by hand */
 
-static dmi_watched watched(const dmi_drag* drag, bool blocked) {
-    return (dmi_watched){.joint = &drag->joint,
-                         .feel = &drag->feel,
-                         .rules = &drag->rules,
-                         .value = drag->value,
-                         .velocity = drag->velocity,
-                         .blocked = blocked,
-                         .beyond_lower = drag->limits_are_estimates && drag->joint.lower < drag->estimated_lower,
-                         .beyond_upper = drag->limits_are_estimates && drag->joint.upper > drag->estimated_upper,
-                         .changes = drag->changes,
-                         .struck = drag->landing.struck,
-                         .impact = drag->landing.impact,
-                         .others = drag->events};
-}
-
 void dmi_drag_set_rules(dmi_drag* drag, const dmi_rules* rules) {
     drag->rules = *rules;
     dmi_drag_measure_span(drag);
     drag->pointer_value = dmi_drag_pointer_value(drag, drag->target);
     drag->latch = dmi_latch_begin(rules, &drag->joint, drag->value);
-    const dmi_watched now = watched(drag, false);
-    drag->watch = dmi_watch_begin(&now);
+    dmi_drag_begin_events(drag);
 }
 
 void dmi_drag_note_start(dmi_drag* drag) {
     drag->start = (dmi_drag_step_start){drag->value, drag->velocity, drag->release.phase};
     drag->landing = (dmi_landing){0};
-    drag->events =
-        dmi_latch_update(&drag->latch, &drag->rules, &drag->joint, drag->value, drag->told.locked, drag->told.handles);
+    drag->events = dmi_latch_update(&drag->latch, &drag->rules, &drag->joint, drag->value, drag->constraints.locked,
+                                    drag->constraints.handles);
 }
 
 void dmi_drag_hold_back(dmi_drag* drag, float before, float dt) {
     float target = dmi_catch_up(drag->asked, before, drag->lag, dt);
     if (dmi_latch_holds(&drag->latch)) target = dmi_latch_give(&drag->latch, &drag->rules, &drag->joint, target);
-    drag->target = dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->told.bounds, target));
+    drag->target = dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->constraints.bounds, target));
     drag->lag = drag->target - drag->asked;
 }
 
@@ -73,8 +57,8 @@ static void swing_back(dmi_drag* drag) {
 /* Bounds of this step: a part that is held and not in the hand goes back to where it is held, as far as there is room.
  */
 static dmi_bounds step_bounds(const dmi_drag* drag) {
-    if (!dmi_latch_holds(&drag->latch) || drag->start.phase == DM_DRAG_HELD) return drag->told.bounds;
-    const float at = dmi_bounds_clamp(drag->told.bounds, drag->latch.at);
+    if (!dmi_latch_holds(&drag->latch) || drag->start.phase == DM_DRAG_HELD) return drag->constraints.bounds;
+    const float at = dmi_bounds_clamp(drag->constraints.bounds, drag->latch.at);
     return (dmi_bounds){at, at};
 }
 
@@ -103,31 +87,7 @@ void dmi_drag_keep_rules(dmi_drag* drag, float dt) {
     limit_step(drag, dt);
     drag->events |= dmi_latch_try(&drag->latch, &drag->rules, &drag->joint, drag->asked);
     break_off(drag);
-    const bool stands = drag->value == drag->start.value && drag->changes == drag->watch.changes;
+    const bool stands = drag->value == drag->start.value && drag->changes == drag->event_state.changes;
     if (drag->release.phase == DM_DRAG_AT_REST && stands) drag->velocity = 0;
-    const float range = dmi_rules_range(&drag->rules, &drag->joint);
-    const bool blocked = dmi_bounds_hold(drag->told.bounds, drag->value, drag->asked, range, drag->watch.blocked);
-    const dmi_watched now = watched(drag, blocked);
-    dmi_watch_update(&drag->watch, &now, dt);
-}
-
-void dmi_drag_watch_again(dmi_drag* drag) {
-    const bool blocked = drag->watch.blocked;
-    drag->watch = drag->question.watch;
-    const dmi_watched now = watched(drag, blocked);
-    dmi_watch_update(&drag->watch, &now, drag->question.dt);
-}
-
-uint32_t dmi_drag_status(const dmi_drag* drag) {
-    if (!drag->rules.on) return 0;
-    const bool locked = drag->latch.locked || drag->rules.flags & DM_RULE_LOCKED;
-    return (drag->latch.closed ? DM_STATUS_LATCHED : 0u) | (locked ? DM_STATUS_LOCKED : 0u) |
-           (drag->watch.blocked ? DM_STATUS_BLOCKED : 0u) | (drag->watch.open ? DM_STATUS_OPEN : 0u);
-}
-
-void dmi_drag_write_events(const dmi_drag* drag, dm_drag_state* out_state) {
-    const dmi_watch* watch = &drag->watch;
-    out_state->events = watch->events;
-    out_state->detents = watch->detents;
-    out_state->impact = watch->impact;
+    dmi_drag_find_events(drag, dt);
 }

@@ -3,10 +3,8 @@
 #ifndef DMI_MOTION_DRAG_RELEASE_H
 #define DMI_MOTION_DRAG_RELEASE_H
 
-#include <stdbool.h>
-
 #include "motion/drag_flight.h"
-#include "motion/drag_rules.h"
+#include "motion/drag_intent.h"
 #include "motion/motion.h"
 
 typedef struct dmi_release {
@@ -22,15 +20,6 @@ typedef struct dmi_release {
     float first, last;            /* times on the keys, 0 to 1, where the part starts and ends */
 } dmi_release;
 
-/* A part at the moment of its release. */
-typedef struct dmi_released_part {
-    const dm_joint* joint;
-    const dm_drag_feel* feel;
-    const dmi_rules* rules; /* NULL: none */
-    float value, velocity;
-    int32_t side; /* on which a part that opens to both sides is to open: -1, 1; 0: where it was pulled */
-} dmi_released_part;
-
 /* Plans the release. intent: DM_INTENT_* as the host asked; duration: s, 0: chosen by the plan. phase becomes
  * DM_DRAG_RELEASED, or DM_DRAG_AT_REST when there is nothing to do. */
 void dmi_release_begin(dmi_release* release, const dmi_released_part* part, int32_t intent, float duration);
@@ -43,9 +32,5 @@ void dmi_release_advance(dmi_release* release, const dm_drag_feel* feel, const d
 /* The same for a plan that flies. */
 dmi_landing dmi_release_fly(dmi_release* release, const dmi_released_part* part, float dt, float* out_value,
                             float* out_velocity);
-/* Whether the part is more than half-way from rest to the end on its side. */
-bool dmi_release_is_open(const dmi_released_part* part);
-/* Returns the limit that is not rest; of two, the one on the side that the part was pulled to. */
-float dmi_release_open_end(const dmi_released_part* part);
 
 #endif

@@ -168,12 +168,12 @@ static void only_the_last_update_asks(void** state) {
     dmi_drag drag;
     test_begin(&drag, &test_slide, 0, &plain, &rules);
     dmi_drag_step(&drag, &asks, FRAME, &now);
-    assert_true(drag.question.open);
+    assert_true(drag.pending.open);
     dmi_drag_update(&drag, &asks.hand.ray, FRAME, &now);
-    assert_false(drag.question.open);
+    assert_false(drag.pending.open);
     dmi_drag_step(&drag, &asks, FRAME, &now);
     dmi_drag_release(&drag, DM_INTENT_STAY, 0);
-    assert_false(drag.question.open);
+    assert_false(drag.pending.open);
 }
 
 static void a_part_held_up_as_it_arrives_goes_on(void** state) {

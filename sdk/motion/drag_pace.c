@@ -1,0 +1,98 @@
+/* The motion along the plan of a release: minimum jerk, a generated motion's pace, or a glide. */
+#include <math.h>
+#include <string.h>
+
+#include "math/constants.h"
+#include "math/elementary.h"
+#include "motion/drag_release.h"
+
+/* By hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
+#define SLOPE_STEP 1e-3f     /* of the duration, for the slope of the plan at its start */
+#define SEARCH_STEPS 64      /* even steps over the keys … */
+#define SEARCH_BISECTIONS 20 /* … and bisections of the step found */
+#define MIN_PACE_SCALE 0.5f  /* keys that end this much farther than the plan do not suit it … */
+#define MAX_PACE_SCALE 2.0f  /* … nor those that end this much nearer */
+
+/* Minimum jerk from 0 to 1 (Flash and Hogan 1985). */
+static float minimum_jerk(float s) {
+    return s * s * s * (10 - 15 * s + 6 * s * s);
+}
+
+/* ---- pace of a generated motion ---- */
+
+static float value_on_keys(const dmi_release* r, float t) {
+    dmi_motion motion = {0};
+    memcpy(motion.values, r->keys, sizeof motion.values);
+    return dmi_motion_value(&motion, t);
+}
+
+/* Returns the time, 0 to 1, at which the keys first reach a value on their way outwards. */
+static float time_on_keys(const dmi_release* r, float value) {
+    const float outer = r->keys[DM_MOTION_FRAMES - 1];
+    float low = 0, high = 1;
+    for (int i = 1; i <= SEARCH_STEPS; i++) {
+        high = (float)i / SEARCH_STEPS;
+        if (value_on_keys(r, high) / outer >= value / outer) break;
+        low = high;
+    }
+    for (int i = 0; i < SEARCH_BISECTIONS; i++) {
+        const float middle = 0.5f * (low + high);
+        if (value_on_keys(r, middle) / outer >= value / outer)
+            high = middle;
+        else
+            low = middle;
+    }
+    return 0.5f * (low + high);
+}
+
+bool dmi_release_set_pace(dmi_release* r, const float values[DM_MOTION_FRAMES]) {
+    const bool outwards = fabsf(r->end) > fabsf(r->start);
+    const float outer = outwards ? r->end : r->start, inner = outwards ? r->start : r->end;
+    const float last = values[DM_MOTION_FRAMES - 1], scale = outer / last;
+    if (r->phase != DM_DRAG_RELEASED || r->glides || r->flies || !(scale > MIN_PACE_SCALE && scale < MAX_PACE_SCALE))
+        return false;
+    if (inner / outer < 0) return false; /* the plan crosses rest; generated motions begin there */
+    for (int i = 0; i < DM_MOTION_FRAMES; i++) r->keys[i] = values[i] * scale;
+    r->first = outwards ? time_on_keys(r, inner) : 1;
+    r->last = outwards ? 1 : time_on_keys(r, inner);
+    r->paced = r->first != r->last;
+    return r->paced;
+}
+
+/* ---- motion ---- */
+
+/* Returns the planned value at a share of the duration, without regard to the initial velocity. */
+static float planned(const dmi_release* r, float s) {
+    if (!r->paced) return r->start + (r->end - r->start) * minimum_jerk(s);
+    const float t = r->first + (r->last - r->first) * s;
+    return value_on_keys(r, t);
+}
+
+/* Adds to the plan what value and velocity differ from it at the start, fading: s (1 - s)^3 has slope 1 at 0, and (1 +
+ * 3 s) (1 - s)^3 has value 1 and slope 0 there. */
+static float move_at(const dmi_release* r, float s) {
+    const float h = SLOPE_STEP, left = 1 - s, fade = left * left * left;
+    const float off = r->start - planned(r, 0), slope = (planned(r, h) - planned(r, 0)) / h;
+    const float speed = r->velocity * r->duration - slope;
+    return planned(r, s) + fade * ((1 + 3 * s) * off + s * speed);
+}
+
+static float glide_at(const dmi_release* r, const dm_drag_feel* feel) {
+    const float time_constant = dmi_feel_coast_time(feel) / DMI_LN_2_F;
+    return r->start + r->velocity * time_constant * (1 - dmi_expf(-r->elapsed / time_constant));
+}
+
+void dmi_release_advance(dmi_release* r, const dm_drag_feel* feel, const dm_joint* joint, float dt, float* out_value,
+                         float* out_velocity) {
+    const float old = *out_value;
+    r->elapsed += dt;
+    if (r->elapsed >= r->duration) {
+        *out_value = r->end, *out_velocity = 0;
+        r->phase = DM_DRAG_AT_REST;
+        return;
+    }
+    const float value = r->glides ? glide_at(r, feel) : move_at(r, r->elapsed / r->duration);
+    *out_value = dmi_joint_clamp(joint, value);
+    const float velocity = (*out_value - old) / dt;
+    if (dt > 0 && isfinite(velocity)) *out_velocity = velocity;
+}
