@@ -102,9 +102,14 @@ bool platform_program_folder(char* out_path, size_t size) {
 
 #include <unistd.h>
 
+/* Where a standard stream is closed, the next file that is opened would take its number, and its text. What holds the
+ * number instead is open the other way round, so that the stream fails as before. */
 void platform_start(int* argc, char*** argv) {
     (void)argc;
     (void)argv;
+    for (int number = STDIN_FILENO; number <= STDERR_FILENO; number++) {
+        if (fcntl(number, F_GETFD) == -1) open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
 }
 
 FILE* platform_open(const char* path, const char* mode) {

@@ -24,7 +24,7 @@
 #define PLATFORM_CPU_HAS(set) __builtin_cpu_supports(set)
 
 /* To be called first in main. On Windows it replaces the arguments by their UTF-8 and makes the standard streams
- * binary, as they are elsewhere. */
+ * binary, as they are elsewhere. Elsewhere it keeps files from taking the place of a closed standard stream. */
 void platform_start(int* argc, char*** argv);
 
 /* fopen, by modes "rb" and "wb": text is written as it is elsewhere. */

@@ -17,10 +17,20 @@ static cJSON* result_for(const cJSON* id) {
     return result;
 }
 
+/* Returns the first zero byte of a line, as it is or written as an escape: a text in C would end there. NULL: none. */
+static const char* find_zero(const char* line, size_t length) {
+    static const char escape[] = "\\u0000";
+    for (size_t at = 0; at < length; at++) {
+        if (line[at] == 0 || strncmp(line + at, escape, sizeof escape - 1) == 0) return line + at;
+        at += line[at] == '\\'; /* what it escapes */
+    }
+    return NULL;
+}
+
 /* One line in, one line out; 0 when it carries an error. */
-static bool answer_line(session* session, const char* line, unsigned number, int no_hints) {
-    const char* end = NULL;
-    cJSON* json = cJSON_ParseWithOpts(line, &end, 1);
+static bool answer_line(session* session, const char* line, size_t length, unsigned number, int no_hints) {
+    const char* end = find_zero(line, length);
+    cJSON* json = end == NULL ? cJSON_ParseWithOpts(line, &end, 1) : NULL;
     cJSON* result = result_for(cJSON_GetObjectItemCaseSensitive(json, "id"));
     job job = {0};
     joint_answer answer;
@@ -67,7 +77,7 @@ static int answer_jobs(session* session, const char* path, int no_hints) {
     while ((read = file_read_line(file, &line, &room, &length)) == LINE_READ) {
         number++;
         if (strspn(line, " \t\r") == length) continue;
-        if (!answer_line(session, line, number, no_hints)) status = CLI_FAILED;
+        if (!answer_line(session, line, length, number, no_hints)) status = CLI_FAILED;
     }
     if (read == LINE_TOO_LONG) status = refuse_line(session, number + 1);
     free(line);

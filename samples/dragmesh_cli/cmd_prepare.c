@@ -97,6 +97,7 @@ static void part_name(const session* session, const name_list* moving, uint32_t 
         snprintf(out, size, "%s%s", moving->names[0], moving->count > 1 ? " …" : "");
     else if (dm_gltf_get_node(session->gltf, id - 1, &node) == DM_OK)
         snprintf(out, size, "%s", node.name);
+    dm_gltf_mend_text(out);
 }
 
 static void report(session* session, const name_list* moving, size_t bytes, int as_json) {

@@ -7,6 +7,8 @@
 #include "job.h"
 #include "part_at_point.h"
 
+#define MASK_VALUE_MOST 9007199254740991.0 /* beyond, JSON's numbers are not exact: 2^53 - 1 */
+
 static const char* const type_names[] = {"unknown", "revolute", "prismatic", "screw", "continuous", "fixed"};
 
 const char* joint_type_name(int32_t type) {
@@ -164,7 +166,9 @@ static dm_result read_fields(session* session, const cJSON* json, job* out) {
     if (result == DM_OK) result = choice_from_json(session, json, &out->choice);
     if (result != DM_OK) return result;
     out->drag.vector = (dm_vec3){(float)vector[0], (float)vector[1], (float)vector[2]};
-    out->mask_value = fabs(value) < 9e15 ? (int64_t)value : INT64_MAX;
+    if (!(fabs(value) <= MASK_VALUE_MOST) || value != floor(value))
+        return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"mask_value\" is %.17g, no whole number", value);
+    out->mask_value = (int64_t)value;
     if (out->has_drag != has_vector)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" without \"%s\"",
                             has_vector ? "drag_vector" : "drag_point", has_vector ? "drag_point" : "drag_vector");

@@ -42,8 +42,7 @@ static void print_help(FILE* out) {
         "program) or --models none (geometry alone). Exit status: 0 answered, 1 something failed, 2 bad arguments.\n");
 }
 
-int main(int argc, char** argv) {
-    platform_start(&argc, &argv);
+static int run(int argc, char** argv) {
     if (argc < 2) {
         print_help(stderr);
         return CLI_USAGE;
@@ -61,4 +60,13 @@ int main(int argc, char** argv) {
     }
     fprintf(stderr, "dragmesh: no command '%s'; see dragmesh --help\n", argv[1]);
     return CLI_USAGE;
+}
+
+/* An answer counts once it has arrived: the disk may be full, or the standard output closed. */
+int main(int argc, char** argv) {
+    platform_start(&argc, &argv);
+    const int status = run(argc, argv);
+    if (fflush(stdout) == 0 && !ferror(stdout)) return status;
+    fprintf(stderr, "dragmesh: the standard output takes no more\n");
+    return status == CLI_OK ? CLI_FAILED : status;
 }

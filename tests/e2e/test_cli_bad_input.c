@@ -120,6 +120,8 @@ static const bad_job bad_jobs[] = {
     {"object.glb", "\"moving\":[\"$\"],\"type\":\"sideways\"", "DM_ERROR_INVALID_ARGUMENT: ", "sideways"},
     {"object.glb", "\"moving\":7", "DM_ERROR_INVALID_ARGUMENT: ", "moving"},
     {"object.glb", "\"moving\":[\"$\"],\"mask_noise\":2", "DM_ERROR_INVALID_ARGUMENT: ", "mask_noise"},
+    {"object.glb", "\"mask\":\"@/ones.json\",\"mask_value\":0.5", "DM_ERROR_INVALID_ARGUMENT: ", "mask_value"},
+    {"object.glb", "\"mask\":\"@/ones.json\",\"mask_value\":1e300", "DM_ERROR_INVALID_ARGUMENT: ", "mask_value"},
 };
 enum { BAD_JOBS = sizeof bad_jobs / sizeof *bad_jobs };
 
@@ -305,6 +307,51 @@ static void test_results_that_cannot_be_written(void** state) {
     }
 }
 
+/* Runs the tool in a shell with another standard output; its messages come back. */
+static int run_with_output(const char* arguments, const char* redirection, char messages[TOOL_TEXT]) {
+    char program[TOOL_PATH], errors[TOOL_PATH + 32];
+    static char command[4 * TOOL_PATH];
+    tool_find("dragmesh", program);
+    snprintf(errors, sizeof errors, "%s/errors", object.folder);
+    snprintf(command, sizeof command, "%s %s 2> '%s' %s", program, arguments, errors, redirection);
+    const int status = system(command);
+    tool_slurp(errors, messages);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/* An answer that does not arrive is none. */
+static void test_standard_output_that_takes_nothing(void** state) {
+    (void)state;
+    char infer[2 * TOOL_PATH];
+    snprintf(infer, sizeof infer, "infer '%s' --models none --moving '%s' --json", object.glb, object.moving);
+    const char* const commands[] = {infer, "--help", "--version"};
+    const char* const outputs[] = {"> /dev/full", ">&-"};
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 2; k++) {
+            assert_int_equal(run_with_output(commands[i], outputs[k], out.errors), 1);
+            assert_non_null(strstr(out.errors, "the standard output takes no more"));
+        }
+    }
+}
+
+/* What is printed does not land in the file that is written. */
+static void test_a_closed_standard_output_is_no_file(void** state) {
+    (void)state;
+    char animate[4 * TOOL_PATH], path[TOOL_PATH + 32];
+    snprintf(path, sizeof path, "%s/whole.dmo", object.folder);
+    snprintf(animate, sizeof animate, "prepare '%s' --models none --moving '%s' -o '%s'", object.glb, object.moving,
+             path);
+    assert_int_equal(run_with_output(animate, "> /dev/null", out.errors), 0);
+    size_t size, other_size;
+    char* whole = tool_read(path, &size);
+    assert_int_equal(run_with_output(animate, "<&- >&-", out.errors), 1);
+    char* other = tool_read(path, &other_size);
+    assert_int_equal(other_size, size);
+    assert_memory_equal(other, whole, size);
+    free(whole);
+    free(other);
+}
+
 /* ---- input that never ends ---- */
 
 static void test_pipes_and_devices_are_no_files(void** state) {
@@ -355,6 +402,33 @@ static void test_a_line_that_does_not_end(void** state) {
 
 /* ---- text that is none ---- */
 
+/* A zero byte ends a text of C: what stands behind it would go unread, without a word. */
+static void test_zero_bytes_in_a_job(void** state) {
+    (void)state;
+    char path[TOOL_PATH + 32];
+    static const char* const ends[] = {"}0garbage", ",\"mask\":\"x\\u0000y\"}", ",\"label\":\"\\\\\\u0000\"}"};
+    char text[3 * TOOL_PATH];
+    size_t length = 0;
+    for (int i = 0; i < 3; i++)
+        length += (size_t)sprintf(text + length, "{\"file\":\"%s\",\"moving\":[\"%s\"]%s\n", object.glb, object.moving,
+                                  ends[i]);
+    *strstr(text, "0garbage") = 0;
+    length += (size_t)sprintf(text + length, "{\"file\":\"%s\",\"moving\":[\"%s\"],\"label\":\"\\\\u0000\"}\n",
+                              object.glb, object.moving);
+    snprintf(path, sizeof path, "%s/zero.jsonl", object.folder);
+    tool_write(path, text, length);
+    tool_run(&out, "dragmesh", NULL, "infer|--models|none|--jobs|%s", path);
+    assert_int_equal(out.status, 1);
+    char* line = out.text;
+    for (int i = 1; i <= 3; i++, line = strchr(line, '\n') + 1) {
+        char error[64];
+        snprintf(error, sizeof error, "DM_ERROR_BAD_DATA: job line %d is no JSON", i);
+        if (strncmp(line + strlen("{\"id\":null,\"error\":\""), error, strlen(error)) != 0) fail_msg("%s", line);
+    }
+    assert_null(strstr(line, "error"));
+    assert_non_null(strstr(line, "\"type\""));
+}
+
 /* Ids, paths and names that are no UTF-8 come back as UTF-8; names that are cut are cut between characters. */
 static void test_every_line_is_utf8(void** state) {
     (void)state;
@@ -393,8 +467,11 @@ int main(void) {
         cmocka_unit_test(test_a_wrong_ranker),
         cmocka_unit_test(test_unusable_arguments),
         cmocka_unit_test(test_results_that_cannot_be_written),
+        cmocka_unit_test(test_standard_output_that_takes_nothing),
+        cmocka_unit_test(test_a_closed_standard_output_is_no_file),
         cmocka_unit_test(test_pipes_and_devices_are_no_files),
         cmocka_unit_test(test_a_line_that_does_not_end),
+        cmocka_unit_test(test_zero_bytes_in_a_job),
         cmocka_unit_test(test_every_line_is_utf8),
     };
     return cmocka_run_group_tests_name("cli_bad_input", tests, set_up, tear_down);
