@@ -99,7 +99,7 @@ static uint32_t processor_count(void) {
     return count > 1 ? (uint32_t)count : 1;
 }
 
-/* Fills the device; on failure it holds neither handle nor library. */
+/* Fills the device; on failure it holds neither handle nor library. UNSUPPORTED: this process can't have one. */
 static dm_result open_device(device* d, char* why, size_t why_size) {
     if (!dmi_embree_load(&d->library, library_names, why, why_size)) return DM_ERROR_UNSUPPORTED;
     d->handle = d->library.NewDevice(DEVICE_CONFIG);
@@ -107,7 +107,7 @@ static dm_result open_device(device* d, char* why, size_t why_size) {
         const int32_t error = d->library.GetDeviceError(NULL);
         snprintf(why, why_size, "Embree makes no device: %s", name_of(error));
         dmi_embree_unload(&d->library);
-        return error == EMBREE_ERROR_NONE ? DM_ERROR_INTERNAL : result_of(error);
+        return error == EMBREE_ERROR_OUT_OF_MEMORY ? DM_ERROR_OUT_OF_MEMORY : DM_ERROR_UNSUPPORTED;
     }
     d->library.SetDeviceErrorFunction(d->handle, on_error, d->env);
     d->library.SetDeviceMemoryMonitorFunction(d->handle, on_memory, d->env);

@@ -92,8 +92,8 @@ typedef struct embree_library {
 } embree_library;
 #undef EMBREE_POINTER
 
-/* Loads one of the libraries called `names` (up to NULL), the first that is there and whole. False where none is;
- * `why` is then filled with the reasons. */
+/* Loads one of the libraries called `names` (up to NULL), the first that is there and whole. False where none is, and
+ * where the process has no room for it; `why` is then filled with the reasons. */
 bool dmi_embree_load(embree_library* out_library, const char* const* names, char* why, size_t why_size);
 void dmi_embree_unload(embree_library* library);
 

@@ -2,8 +2,11 @@
 #include "pick/embree_abi.h"
 
 #include <dlfcn.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
+
+#define SPARE_KEYS 32 /* that are left to TBB, which takes 1 to 3, and to the host; by hand */
 
 /* Deep binding lets Embree find its own functions first, too, where the host exports some of the same name. The
  * sanitizers abort on it: what they replace would not be replaced in Embree. */
@@ -53,8 +56,27 @@ static void append(char* why, size_t size, const char* text) {
     snprintf(why + used, size - used, "%s%s", used > 0 ? "; " : "", text);
 }
 
+/* Whether the process has thread-specific keys left, of which glibc has 1,024: each device takes one, TBB some when it
+ * first builds. Where there is none, Embree crashes, or fails in all contexts alike. glibc before 2.34 has the
+ * functions in libpthread alone, so they are not linked. */
+static bool has_spare_keys(void) {
+    pthread_key_t keys[SPARE_KEYS];
+    int (*make)(pthread_key_t*, void (*)(void*));
+    int (*end)(pthread_key_t);
+    if (!find(RTLD_DEFAULT, "pthread_key_create", &make) || !find(RTLD_DEFAULT, "pthread_key_delete", &end))
+        return true;
+    int count = 0;
+    while (count < SPARE_KEYS && make(&keys[count], NULL) == 0) count++;
+    for (int i = 0; i < count; i++) end(keys[i]);
+    return count == SPARE_KEYS;
+}
+
 bool dmi_embree_load(embree_library* out_library, const char* const* names, char* why, size_t why_size) {
     why[0] = 0;
+    if (!has_spare_keys()) {
+        append(why, why_size, "Embree needs thread-specific keys, and this process has used up its own");
+        return false;
+    }
     for (; *names != NULL; names++) {
         embree_library library = {.handle = dlopen(*names, load_flags())};
         if (library.handle == NULL) {

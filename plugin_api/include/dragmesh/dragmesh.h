@@ -34,7 +34,7 @@
  *    locale change nothing. It is put aside during each call and task, and given back at its end; callbacks run in the
  *    library's. This holds on x86-64 and 64-bit Arm for builds by gcc or clang.
  *  - Stack: a call needs less than 128 KB, a task of dm_jobs less than 64 KB.
- *  - Contexts: as many as memory holds; 1,000 are tested.
+ *  - Contexts: as many as memory holds; 1,100 are tested. With DM_PICK_EMBREE some 990 a process, then UNSUPPORTED.
  *  - Threading tags:
  *      [any-thread]        callable at any time from any thread.
  *      [exclusive context] no other call on this context at the same time.
