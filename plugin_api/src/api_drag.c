@@ -321,6 +321,7 @@ static dm_drag_feel usable_feel(const dm_drag_feel* given) {
 
 bool dmi_is_usable_feel(const dm_drag_feel* feel) {
     const dm_drag_feel usable = usable_feel(feel);
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): what clamping has left as it was has the same bits */
     return check_feel(NULL, feel) == DM_OK && memcmp(feel, &usable, sizeof usable) == 0;
 }
 

@@ -109,6 +109,7 @@ static bool same_motion(const dm_joint* a, const dm_joint* b) {
                         a->origin.z, a->pitch,  a->lower,  a->upper};
     const float y[9] = {b->axis.x,   b->axis.y, b->axis.z, b->origin.x, b->origin.y,
                         b->origin.z, b->pitch,  b->lower,  b->upper};
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked */
     return a->type == b->type && memcmp(x, y, sizeof x) == 0;
 }
 

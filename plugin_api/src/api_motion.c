@@ -44,6 +44,7 @@ static dm_result resample(const request* work, float (*points)[3], float out_pat
         }
         dmi_frame_point_in(&work->slot->object->frame, host.v, points[i + 1]);
     }
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked */
     const bool starts_there = memcmp(points[0], points[1], sizeof points[0]) == 0;
     dmi_motion_resample_path((const float(*)[3])points + starts_there, desc->path_count + !starts_there, out_path);
     return DM_OK;

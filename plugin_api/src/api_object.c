@@ -40,13 +40,14 @@ static dm_result read_parts(dmi_env* env, const dm_object_desc* desc, dm_part_de
     for (uint32_t i = 0; i < desc->part_count; i++) {
         char what[64]; /* fits the text below with ten digits */
         snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u]", i);
+        /* NOLINTNEXTLINE(bugprone-sizeof-expression): the field is a pointer */
         dm_result result = dmi_read_desc(env, what, next, DMI_FIRST_SIZE(dm_part_desc, drag), sizeof *out, &out[i]);
         if (result != DM_OK) return result;
         if (out[i].struct_size != step) {
             return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "%s.struct_size is %u, but that of the first part is %u", what,
                             out[i].struct_size, step);
         }
-        strcat(what, ".joint_type");
+        snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u].joint_type", i);
         result = dmi_check_range(env, what, out[i].joint_type, DM_JOINT_UNKNOWN, DM_JOINT_FIXED);
         if (result != DM_OK) return result;
         next += step;

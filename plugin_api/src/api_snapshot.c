@@ -73,7 +73,7 @@ dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, 
     memset(&s, 0, sizeof s); /* gaps between fields too */
     s.magic = MAGIC, s.version = DM_VERSION, s.size = sizeof s;
     s.part = part_key(slot);
-    s.scale = slot->scale, s.value_unit = slot->value_unit, s.open_side = slot->open_side;
+    s.scale = slot->scale, s.value_unit = slot->value_unit, s.open_side = (int32_t)slot->open_side;
     memcpy(&s.drag, &slot->drag, sizeof s.drag);
     s.checksum = checksum_of(&s);
     memcpy(buffer, &s, sizeof s);

@@ -78,7 +78,7 @@ static dm_result measure_box(dmi_env* env, const dmi_mesh_reader* reader, const 
 }
 
 static dm_result set_frame(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, dmi_mesh* mesh) {
-    double low[3], high[3], size = 0;
+    double low[3] = {0}, high[3] = {0}, size = 0;
     dm_result result = measure_box(env, reader, mesh, axes, low, high);
     if (result != DM_OK) return result;
     for (int k = 0; k < 3; k++) {

@@ -95,7 +95,7 @@ void dmi_load_mlp(dmi_loader* loader, const char* name, uint32_t inputs, uint32_
 
 static const float* keep_vector(dmi_loader* loader, const float* vector, uint32_t count) {
     float* kept = dmi_load_alloc(loader, count);
-    if (kept != NULL) memcpy(kept, vector, count * sizeof(float));
+    if (kept != NULL && vector != NULL) memcpy(kept, vector, count * sizeof(float));
     return kept;
 }
 

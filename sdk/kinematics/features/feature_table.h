@@ -63,10 +63,12 @@ extern const dmi_feature dmi_features[DMI_FEATURE_COUNT];
 /* How many features are cheap, and how many come from KPP-Net. */
 enum {
     DMI_CHEAP_COLUMNS = 0
+/* NOLINTNEXTLINE(bugprone-macro-parentheses): a term of the sum */
 #define FEATURE(name, group, pass, source, unit, meaning) +(DMI_PASS_##pass == DMI_PASS_CHEAP)
 #include "kinematics/features/feature_table.def"
     ,
     DMI_NETWORK_COLUMNS = 0
+/* NOLINTNEXTLINE(bugprone-macro-parentheses): a term of the sum */
 #define FEATURE(name, group, pass, source, unit, meaning) +(DMI_SOURCE_##source == DMI_SOURCE_NETWORK)
 #include "kinematics/features/feature_table.def"
 };

@@ -93,6 +93,7 @@ static void direction_towards(const dmi_symmetry* s, const dmi_candidate* c, flo
     dmi_reject3(way, c->axis);
     const bool leads = c->type != DM_JOINT_PRISMATIC && dmi_normalize3(way) > OFF_CENTRE * a->diagonal;
     float most = -INFINITY, sign = 1;
+    dmi_copy3(a->box.axes[0], out);
     for (int k = 0; k < 3; k++) {
         const float along = dmi_dot3(a->box.axes[k], way);
         const float fit = leads ? fabsf(along) : -fabsf(dmi_dot3(a->box.axes[k], c->axis));

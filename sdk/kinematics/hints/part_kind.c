@@ -2,6 +2,7 @@
 #include "kinematics/hints/part_kind.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "kinematics/hints/label_words.h"
@@ -79,8 +80,7 @@ static finding find_word(const char* word) {
 /* Finds the kind of two words written as one, "trap door": exact matches alone. */
 static dmi_part_kind find_pair(const char* first, const char* second) {
     char both[2 * DMI_WORD_LENGTH_MAX];
-    strcpy(both, first);
-    strcat(both, second);
+    snprintf(both, sizeof both, "%s%s", first, second);
     const finding found = find_word(both);
     return found.match <= MATCH_PLURAL ? found.kind : DMI_KIND_NOTHING;
 }

@@ -26,7 +26,7 @@ typedef struct dmi_kpp_geometry {
 
 /* Rotates a vector into the frame, without scaling it. */
 static inline void dmi_kpp_frame_rotate(const dmi_kpp_frame* frame, const float v[3], float out[3]) {
-    for (int r = 0; r < 3; r++) out[r] = dmi_dot3(frame->rotation + 3 * r, v);
+    for (int r = 0; r < 3; r++) out[r] = dmi_dot3(frame->rotation + 3 * (size_t)r, v);
 }
 
 void dmi_kpp_geometry_make(const dmi_kpp_subset* subset, dmi_kpp_geometry* out);

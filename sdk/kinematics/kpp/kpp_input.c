@@ -83,8 +83,9 @@ void dmi_kpp_input_flip(const dmi_kpp_input* input, dmi_kpp_input* out_input) {
     flip_groups(DMI_KPP_LOCAL_GROUPS, out_input->local_points, out_input->local_centres);
     float* shape = out_input->shape;
     for (int d = 0; d < DMI_KPP_DIRECTIONS; d++) {
-        flip_vector(shape + DMI_KPP_SHAPE_DIRECTIONS + 3 * d);
-        dmi_kpp_sign_line(shape + DMI_KPP_SHAPE_DIRECTIONS + 3 * d);
+        float* direction = shape + DMI_KPP_SHAPE_DIRECTIONS + 3 * (size_t)d;
+        flip_vector(direction);
+        dmi_kpp_sign_line(direction);
     }
     flip_vector(shape + DMI_KPP_SHAPE_PART_BOX);
     flip_vector(shape + DMI_KPP_SHAPE_OBJECT_BOX);

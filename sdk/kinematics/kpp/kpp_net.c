@@ -160,10 +160,10 @@ static void combine_axis(const float* head, const float* shape, float out[3]) {
 static void snap_axis(const float* shape, float axis[3]) {
     static const float frame[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const float length = dmi_length3(axis);
-    const float* nearest = NULL;
+    const float* nearest = frame[0];
     float best = 0;
     for (int d = 0; d < SNAP_DIRECTIONS + 3; d++) {
-        const float* direction = d < SNAP_DIRECTIONS ? shape + 3 * d : frame[d - SNAP_DIRECTIONS];
+        const float* direction = d < SNAP_DIRECTIONS ? shape + 3 * (size_t)d : frame[d - SNAP_DIRECTIONS];
         const float along = dmi_dot3(axis, direction);
         if (fabsf(along) > fabsf(best)) best = along, nearest = direction;
     }

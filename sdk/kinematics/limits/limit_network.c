@@ -69,8 +69,8 @@ static void add_member(const float outputs[OUTPUTS - 1], float probability[DMI_L
     float kind[KINDS], down[KINDS][N], up[KINDS][N];
     softmax(outputs, KINDS, kind);
     for (int k = 0; k < KINDS; k++) {
-        softmax(outputs + KINDS + k * N, N, down[k]);
-        softmax(outputs + KINDS + (KINDS + k) * N, N, up[k]);
+        softmax(outputs + KINDS + (size_t)k * N, N, down[k]);
+        softmax(outputs + KINDS + (size_t)(KINDS + k) * N, N, up[k]);
     }
     for (int k = 0; k < KINDS; k++)
         for (int d = 0; d < N; d++) {

@@ -27,9 +27,9 @@ void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network);
 #define DMI_LIMIT_ROWS DM_MAX_HYPOTHESES /* joints at a time: they share the weights in the caches */
 
 typedef struct dmi_limit_query {
-    float features[DMI_LIMIT_FEATURES];
     const float* candidate; /* its candidate features, DMI_FEATURE_COUNT; NULL: unknown */
-    bool dragged;           /* a drag has told to which side it opens */
+    float features[DMI_LIMIT_FEATURES];
+    bool dragged; /* a drag has told to which side it opens */
 } dmi_limit_query;
 
 /* In the features' unit. */

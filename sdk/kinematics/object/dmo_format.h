@@ -27,15 +27,15 @@
 #include "kinematics/object/object.h"
 
 #define DMI_DMO_VERSION 1
-#define DMI_DMO_CHECKED_FROM 12                         /* bytes before the checksummed part */
-#define DMI_DMO_HEADER_SIZE 24                          /* bytes */
-#define DMI_DMO_ENTRY_SIZE 24                           /* bytes */
-#define DMI_DMO_MAX_SECTIONS 64                         /* that a file of any version may list; by hand */
-#define DMI_DMO_AXES 9                                  /* numbers of dmi_axes.to_canonical in HST */
-#define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4)          /* bytes of a part in PART */
-#define DMI_DMO_POINTS_SIZE (DMI_OBJECT_POINTS * 3 * 4) /* bytes of a part in PNT */
-#define DMI_DMO_VERTEX_SIZE (3 * 4)                     /* bytes of a vertex in TRI */
-#define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)               /* bytes of a triangle in TRI */
+#define DMI_DMO_CHECKED_FROM 12                                 /* bytes before the checksummed part */
+#define DMI_DMO_HEADER_SIZE 24                                  /* bytes */
+#define DMI_DMO_ENTRY_SIZE 24                                   /* bytes */
+#define DMI_DMO_MAX_SECTIONS 64                                 /* that a file of any version may list; by hand */
+#define DMI_DMO_AXES 9                                          /* numbers of dmi_axes.to_canonical in HST */
+#define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4)                  /* bytes of a part in PART */
+#define DMI_DMO_POINTS_SIZE (3 * (size_t)4 * DMI_OBJECT_POINTS) /* bytes of a part in PNT */
+#define DMI_DMO_VERTEX_SIZE (3 * (size_t)4)                     /* bytes of a vertex in TRI */
+#define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)                       /* bytes of a triangle in TRI */
 #define DMI_DMO_TAG(a, b, c, d) ((uint32_t)(a) | (uint32_t)(b) << 8 | (uint32_t)(c) << 16 | (uint32_t)(d) << 24)
 #define DMI_DMO_MAGIC DMI_DMO_TAG('D', 'M', 'O', '1')
 

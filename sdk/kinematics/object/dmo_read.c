@@ -117,8 +117,10 @@ static void read_host(loading* load) {
     if (r->at == NULL) return;
     dmi_get_floats(r, saved.to_canonical, DMI_DMO_AXES);
     saved.unit = dmi_get_f32(r);
+    /* NOLINTBEGIN(bugprone-suspicious-memory-comparison): the bits are what is asked */
     load->same_host = memcmp(saved.to_canonical, load->axes->to_canonical, sizeof saved.to_canonical) == 0 &&
                       memcmp(&saved.unit, &load->axes->unit, sizeof saved.unit) == 0;
+    /* NOLINTEND(bugprone-suspicious-memory-comparison) */
 }
 
 /* Reads a joint that is the host's own, of which `inner` is a copy in the inner frame. */

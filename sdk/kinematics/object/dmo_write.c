@@ -36,6 +36,7 @@ static void write_parts(dmi_dmo_writer* w, const dmi_object* object) {
 static int32_t hypothesis_in_force(const dmi_object* object, const dmi_object_part* part) {
     for (uint32_t i = 0; i < part->hypotheses.count; i++) {
         const dm_joint joint = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
+        /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked, and it has no padding */
         if (memcmp(&joint, &part->joint, sizeof joint) == 0) return (int32_t)i;
     }
     return -1;

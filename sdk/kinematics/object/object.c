@@ -142,7 +142,7 @@ dm_result dmi_object_hint(dmi_env* env, const char* what, const dmi_object* obje
 
 void dmi_cloud_thin(const dmi_cloud* cloud, float out_points[DMI_OBJECT_POINTS][3]) {
     for (uint32_t i = 0; i < DMI_OBJECT_POINTS; i++) {
-        for (int k = 0; k < 3; k++) out_points[i][k] = cloud->xyz[i * DMI_OBJECT_STRIDE][k];
+        for (int k = 0; k < 3; k++) out_points[i][k] = cloud->xyz[(size_t)i * DMI_OBJECT_STRIDE][k];
     }
 }
 

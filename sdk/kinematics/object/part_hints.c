@@ -39,7 +39,8 @@ static dm_result read_up(dmi_env* env, const dmi_object* object, dm_vec3 up, flo
 static bool read_axes(const dmi_object* object, const float* axes, float out[3][3]) {
     bool all = true;
     for (int i = 0; i < 3; i++) {
-        float axis[3] = {axes[3 * i], axes[3 * i + 1], axes[3 * i + 2]};
+        const float* given = axes + 3 * (size_t)i;
+        float axis[3] = {given[0], given[1], given[2]};
         dmi_normalize3(axis);
         dmi_frame_direction_in(&object->frame, axis, out[i]);
         all &= dmi_normalize3(out[i]) > 0.5f;

@@ -44,7 +44,7 @@ int32_t dmi_gltf_components(const char* type) {
 /* count elements of `element` bytes, `stride` apart from `offset` on, lie within `size` bytes. */
 static int fits(uint64_t offset, uint64_t count, uint64_t element, uint64_t stride, uint64_t size) {
     if (count == 0) return 1;
-    if (element > size || offset > size - element) return 0;
+    if (element > size || offset > size - element || stride == 0) return 0;
     return (count - 1) <= (size - element - offset) / stride;
 }
 

@@ -92,9 +92,9 @@ static void add_channels(dmi_edit* e, cJSON* animation, int32_t node, const keys
     const int32_t times_view = dmi_edit_add_view(e, k->times, k->count * sizeof(float), 0);
     const int32_t times =
         dmi_edit_add_accessor(e, times_view, DMI_GLTF_FLOAT, 1, k->count, &k->times[0], &k->times[k->count - 1]);
-    const int32_t moves_view = dmi_edit_add_view(e, k->translations, k->count * 3 * sizeof(float), 0);
+    const int32_t moves_view = dmi_edit_add_view(e, k->translations, 3 * sizeof(float) * k->count, 0);
     const int32_t moves = dmi_edit_add_accessor(e, moves_view, DMI_GLTF_FLOAT, 3, k->count, NULL, NULL);
-    const int32_t turns_view = dmi_edit_add_view(e, k->rotations, k->count * 4 * sizeof(float), 0);
+    const int32_t turns_view = dmi_edit_add_view(e, k->rotations, 4 * sizeof(float) * k->count, 0);
     const int32_t turns = dmi_edit_add_accessor(e, turns_view, DMI_GLTF_FLOAT, 4, k->count, NULL, NULL);
     add_channel(e, animation, node, "translation", times, moves);
     add_channel(e, animation, node, "rotation", times, turns);

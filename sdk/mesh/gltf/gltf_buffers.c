@@ -29,10 +29,10 @@ static dm_result open_file(dm_gltf* gltf, const char* uri, dmi_gltf_problem* pro
     if (!path) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for a path");
     dm_result result = dmi_uri_to_path(uri, problem, path);
     size_t size = 0;
-    if (result == DM_OK && !gltf->files.open)
+    if (result == DM_OK && !gltf->files.open) {
         result = dmi_gltf_refuse(problem, DM_ERROR_NOT_FOUND,
                                  "glTF: '%.200s' lies beside the file; dm_gltf_desc.files hands it over", path);
-    if (result == DM_OK) {
+    } else if (result == DM_OK) {
         const dm_result opened = gltf->files.open(gltf->files.user, path, &out->file, &size);
         const int no_memory = opened == DM_ERROR_OUT_OF_MEMORY;
         if (opened != DM_OK)

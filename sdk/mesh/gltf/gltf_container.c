@@ -52,8 +52,9 @@ static dm_result split_glb(const uint8_t* data, size_t size, dmi_gltf_problem* p
 
 /* 1 for a text that begins as an object, after an optional byte order mark. */
 static int is_object(const uint8_t* data, size_t size) {
+    static const char blanks[] = {' ', '\t', '\r', '\n'};
     size_t at = size >= 3 && memcmp(data, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
-    while (at < size && memchr(" \t\r\n", data[at], 4)) at++;
+    while (at < size && memchr(blanks, data[at], sizeof blanks)) at++;
     return at < size && data[at] == '{';
 }
 

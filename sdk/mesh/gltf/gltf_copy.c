@@ -23,7 +23,7 @@ static int starts_with(const char* name, const char* start) {
 }
 
 static dm_result find_attribute(dmi_edit* e, const dmi_copy* copy, const cJSON* item, attribute* out) {
-    dm_gltf* gltf = (dm_gltf*)(uintptr_t)e->from; /* keeps what it decompresses */
+    dm_gltf* gltf = (dm_gltf*)e->from; /* keeps what it decompresses */
     *out = (attribute){.name = item->string, .accessor = item->valuedouble};
     const dm_result result =
         dmi_gltf_draco_of(gltf, copy->from)
@@ -60,7 +60,7 @@ static void copy_values(const dmi_copy* copy, attribute* a) {
 static void turn(const double m[16], int is_normal, const double v[3], double out[3]) {
     double c[9];
     for (int column = 0; column < 3; column++) {
-        const double *p = m + 4 * ((column + 1) % 3), *q = m + 4 * ((column + 2) % 3);
+        const double *p = m + 4 * (size_t)((column + 1) % 3), *q = m + 4 * (size_t)((column + 2) % 3);
         const double cross[3] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
         for (int row = 0; row < 3; row++) c[3 * column + row] = is_normal ? cross[row] : m[4 * column + row];
     }

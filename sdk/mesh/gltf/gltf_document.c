@@ -16,7 +16,7 @@ const char* const dmi_gltf_list_names[DMI_GLTF_LISTS] = {
 static dm_result open_list(dmi_env* env, dmi_gltf_document* document, dmi_gltf_list list, dmi_gltf_problem* problem) {
     const cJSON* found = dmi_json_get(document->root, dmi_gltf_list_names[list]);
     const uint32_t count = cJSON_IsArray(found) ? (uint32_t)cJSON_GetArraySize(found) : 0;
-    cJSON** items = dmi_alloc(env, count * sizeof *items, sizeof(void*));
+    cJSON** items = dmi_alloc(env, (size_t)count * sizeof(void*), sizeof(void*));
     if (!items) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u items", count);
     document->items[list] = items;
     document->counts[list] = count;
@@ -36,7 +36,7 @@ dm_result dmi_gltf_document_open(dmi_env* env, cJSON* root, dmi_gltf_problem* pr
 
 void dmi_gltf_document_close(dmi_env* env, dmi_gltf_document* document) {
     for (int list = 0; list < DMI_GLTF_LISTS; list++)
-        dmi_free(env, document->items[list], document->counts[list] * sizeof *document->items[list]);
+        dmi_free(env, document->items[list], document->counts[list] * sizeof(void*));
     cJSON_Delete(document->root);
     *document = (dmi_gltf_document){0};
 }

@@ -151,8 +151,9 @@ static void join_buffers(dmi_edit* e) {
     uint64_t* offsets = dmi_alloc_zeroed(e->env, count * sizeof *offsets, 16);
     cJSON* list = dmi_edit_new(e, cJSON_CreateArray());
     cJSON* first = dmi_edit_new(e, cJSON_CreateObject());
-    if (!buffers || !offsets) run_out(e);
-    for (uint32_t i = 0; e->problem.code == DM_OK && i < count; i++) {
+    const int room = buffers && offsets;
+    if (!room) run_out(e);
+    for (uint32_t i = 0; room && e->problem.code == DM_OK && i < count; i++) {
         cJSON* old = e->document.items[DMI_GLTF_BUFFERS][i];
         if (gltf->buffers[i].data) {
             buffers[i] = 0;
@@ -167,9 +168,9 @@ static void join_buffers(dmi_edit* e) {
             dmi_edit_append(e, list, cJSON_Duplicate(old, 1));
         }
     }
-    for (uint32_t i = 0; e->problem.code == DM_OK && i < e->document.counts[DMI_GLTF_VIEWS]; i++) {
+    for (uint32_t i = 0; room && e->problem.code == DM_OK && i < e->document.counts[DMI_GLTF_VIEWS]; i++) {
         cJSON* view = e->document.items[DMI_GLTF_VIEWS][i];
-        cJSON* compressed = (cJSON*)(uintptr_t)dmi_meshopt_of(view);
+        cJSON* compressed = (cJSON*)dmi_meshopt_of(view);
         move_view(e, view, buffers, offsets);
         if (compressed) move_view(e, compressed, buffers, offsets);
     }

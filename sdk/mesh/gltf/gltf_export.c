@@ -305,7 +305,7 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
         const dm_result result = check_track(&env, &tracks[t], t);
         if (result != DM_OK) return result;
     }
-    dm_gltf* file = (dm_gltf*)(uintptr_t)gltf; /* keeps what it decompresses */
+    dm_gltf* file = (dm_gltf*)gltf; /* keeps what it decompresses */
     file->bytes_left = file->bytes_most;
     exporter x = {.edit = {.env = &env}, .gltf = file, .tracks = tracks, .track_count = track_count};
     dm_result result = open_exporter(&x, &env);

@@ -1,6 +1,7 @@
 /* dm_gltf_open_file: a document and the files beside it, read from its folder and from nowhere else. */
 #include <errno.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/fp_environment.h"
@@ -39,12 +40,9 @@ static dm_result read_file(dmi_env* env, const char* path, contents* out) {
 /* Writes the file's path, if links don't lead out of the folder. */
 static int find_inside(const char* folder, const char* path, char out[DMI_DISK_PATH]) {
     char base[DMI_DISK_PATH], joined[DMI_DISK_PATH];
-    if (!dmi_disk_real_path(folder, base) || strlen(base) + strlen(path) + 2 > sizeof joined) return 0;
-    const size_t length = strlen(base);
-    strcpy(joined, base);
-    strcpy(joined + length, "/");
-    strcpy(joined + length + 1, path);
-    if (!dmi_disk_real_path(joined, out)) return 0;
+    if (!dmi_disk_real_path(folder, base)) return 0;
+    const size_t length = strlen(base), whole = (size_t)snprintf(joined, sizeof joined, "%s/%s", base, path);
+    if (whole >= sizeof joined || !dmi_disk_real_path(joined, out)) return 0;
     return strcmp(base, "/") == 0 || (strncmp(out, base, length) == 0 && out[length] == '/');
 }
 
@@ -62,7 +60,7 @@ static int32_t DM_CALL open_beside(void* user, const char* path, const void** ou
 
 static void DM_CALL close_beside(void* user, const void* data, size_t size) {
     dm_gltf* gltf = user;
-    dmi_free(&gltf->env, (void*)(uintptr_t)data, size);
+    dmi_free(&gltf->env, (void*)data, size);
 }
 
 dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf) {

@@ -44,8 +44,8 @@ static dm_result open_draco(dm_gltf* gltf, const cJSON* primitive, const char* p
     const double index = dmi_json_number(dmi_gltf_draco_of(gltf, primitive), "bufferView", DMI_GLTF_NO_INDEX);
     const cJSON* view = dmi_gltf_item(&gltf->document, DMI_GLTF_VIEWS, index);
     const cJSON* attributes = dmi_json_get(primitive, "attributes");
-    dmi_gltf_view stream;
-    uint64_t points, corners;
+    dmi_gltf_view stream = {0};
+    uint64_t points = 0, corners = 0;
     if (!view) return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: buffer view %.17g does not exist", place, index);
     *out = &gltf->decoded[dmi_gltf_position(&gltf->document, DMI_GLTF_VIEWS, index)];
     if ((*out)->draco) return DM_OK;
@@ -97,7 +97,7 @@ dm_result dmi_gltf_find_in_draco(dm_gltf* gltf, const cJSON* primitive, const ch
     dmi_gltf_decoded* decoded = NULL;
     uint64_t id;
     dm_result result = open_draco(gltf, primitive, place, problem, &decoded);
-    if (result != DM_OK) return result;
+    if (result != DM_OK || !decoded) return result;
     if (!attribute) {
         *out = (dmi_gltf_elements){
             .count = 3 * (uint64_t)dmi_draco_faces(decoded->draco), .component_type = DMI_GLTF_UINT, .components = 1};

@@ -86,12 +86,14 @@ dm_result dmi_edit_write(dmi_edit* e, void** out_data, size_t* out_size) {
     const uint64_t size = GLB_HEADER + CHUNK_HEADER + json + (bytes > 0 ? CHUNK_HEADER + padded : 0);
     uint8_t* out = size > UINT32_MAX ? NULL : dmi_alloc(e->env, size, 16);
     if (out) {
+        /* NOLINTBEGIN(bugprone-not-null-terminated-result): bytes of a file, no strings */
         memcpy(out, "glTF", 4);
         put_u32(out + 4, 2);
         put_u32(out + 8, size);
         uint8_t* at = put_chunk(out + GLB_HEADER, "JSON", json);
         memset(at, ' ', json);
         memcpy(at, text, length);
+        /* NOLINTEND(bugprone-not-null-terminated-result) */
         if (bytes > 0) {
             at = put_chunk(at + json, "BIN", padded);
             memset(at, 0, padded);

@@ -16,7 +16,7 @@ static size_t put_before(char* out, size_t size, size_t used, const char* name) 
     const size_t length = strlen(name), more = length + (used > 1);
     if (length == 0 || more > size - used) return used;
     char* at = out + size - used - more;
-    memcpy(at, name, length);
+    memcpy(at, name, length); /* NOLINT(bugprone-not-null-terminated-result): what stands behind it ends the text */
     if (used > 1) at[length] = '/';
     return used + more;
 }

@@ -241,7 +241,7 @@ static dm_result fill_faces(skinner* s, dmi_gltf_problem* problem) {
         if (new_joint) run = 0;
         const uint32_t old_run = run;
         while (face >= s->shape->runs[run].first_face + s->shape->runs[run].face_count) run++;
-        if (new_joint) {
+        if (!entry || new_joint) {
             joint = s->face_joints[face];
             entry = add_node(gltf, s->skin.joints[joint].node, problem);
             if (!entry) return problem->code;
@@ -250,7 +250,7 @@ static dm_result fill_faces(skinner* s, dmi_gltf_problem* problem) {
             entry->first_face = gltf->face_count + at;
             memcpy(entry->colour, s->shape->runs[run].colour, sizeof entry->colour);
         }
-        if (new_joint || run != old_run) {
+        if (!piece || new_joint || run != old_run) {
             piece = add_piece(gltf, problem);
             if (!piece) return problem->code;
             *piece = (dmi_gltf_piece){.node = gltf->node_count - 1,

@@ -19,12 +19,12 @@ const cJSON* dmi_json_get(const cJSON* object, const char* name) {
 
 const char* dmi_json_text(const cJSON* object, const char* name) {
     const cJSON* found = dmi_json_get(object, name);
-    return cJSON_IsString(found) ? found->valuestring : NULL;
+    return found && cJSON_IsString(found) ? found->valuestring : NULL;
 }
 
 double dmi_json_number(const cJSON* object, const char* name, double otherwise) {
     const cJSON* found = dmi_json_get(object, name);
-    return cJSON_IsNumber(found) ? found->valuedouble : otherwise;
+    return found && cJSON_IsNumber(found) ? found->valuedouble : otherwise;
 }
 
 int dmi_json_numbers(const cJSON* object, const char* name, int count, double* out) {

@@ -26,7 +26,7 @@ typedef struct merger {
 static int spans_plane(const double m[16]) {
     double most = 0;
     for (int a = 0; a < 3; a++) {
-        const double *u = m + 4 * a, *v = m + 4 * ((a + 1) % 3);
+        const double *u = m + 4 * (size_t)a, *v = m + 4 * (size_t)((a + 1) % 3);
         const double cross[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
         most = fmax(most, fabs(cross[0]) + fabs(cross[1]) + fabs(cross[2]));
     }
