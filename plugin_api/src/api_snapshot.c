@@ -239,7 +239,7 @@ static bool is_sound_drag(const dmi_drag* d) {
     const float numbers[5] = {d->value, d->target, d->velocity, d->speed, d->pointer_value};
     const float limits[4] = {d->reachable_lower, d->estimated_lower, d->estimated_upper, d->reachable_upper};
     const dmi_float3 grab_offset = dmi_xyz(d->grab_offset);
-    return is_sound_joint(&d->joint) && dmi_is_usable_feel(&d->feel) && are_within(numbers, 5) &&
+    return is_sound_joint(&d->joint) && dmi_is_usable_feel(&d->feel) && are_within(numbers, 5) && d->speed >= 0 &&
            are_within(d->rest_point, 3) && are_within(d->point, 3) && are_within(grab_offset.v, 3) &&
            is_sound_ray(&d->last_ray) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
            are_rising(limits, 4) && d->pointer_span.lower <= d->pointer_span.upper && is_sound_blend(&d->blend) &&

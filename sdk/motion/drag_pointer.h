@@ -83,7 +83,8 @@ static inline void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float ha
     const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : GLIDE_GAIN * motion;
     const float rest = (fabsf(gap) - at_once) * (1 - dmi_expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
     const float step = at_once + (dmi_joint_turns(drag->joint.type) ? dmi_fminf(rest, MAX_GLIDE * dt) : rest);
-    if (isfinite(step)) drag->pointer_value += copysignf(step, gap);
+    const float value = drag->pointer_value + copysignf(step, gap);
+    if (isfinite(value)) drag->pointer_value = value;
 }
 
 /* Whether the joint is a slide seen end on: the pointer does not show its value, so it is no evidence against its

@@ -724,7 +724,7 @@ static void hostile_snapshots_do_no_harm(void** state) {
     open_world(&w, &object);
     const dm_joint hinge = test_hinge();
     static const uint8_t values[] = {0, 1, 2, 0x7f, 0x80, 0xff};
-    static const float numbers[] = {NAN, INFINITY, -INFINITY, FLT_MAX, -1e30f, 1e15f, -1e9f, FLT_MIN, 0, -1};
+    static const float numbers[] = {NAN, INFINITY, -INFINITY, FLT_MAX, -1e30f, 1e15f, -1e9f, FLT_MIN, -FLT_MIN, 0, -1};
     enum { NUMBERS = sizeof numbers / sizeof *numbers };
     uint8_t saved[DM_DRAG_SNAPSHOT_MAX], bad[DM_DRAG_SNAPSHOT_MAX];
     const size_t size = dm_drag_snapshot_size();
