@@ -187,6 +187,31 @@ static void pivot_features_tell_lines_through_it(void** state) {
     assert_float_equal(f[DMI_PIVOT_NEAR], 0, 0);
 }
 
+static void pivot_features_tell_lines_through_the_middle_too(void** state) {
+    (void)state;
+    const dmi_asset_hints above = pivot_at(0.4, 0.9, 0.25);
+    dmi_hint_frame frame;
+    float f[DMI_PIVOT_FEATURES];
+    dmi_hint_frame_make(&above, &lid.of_part, &frame);
+    const dmi_candidate up =
+        test_candidate(lid.mesh, DM_JOINT_PRISMATIC, (const float[]){0, 1, 0}, (const double[]){0, 0, 0});
+    dmi_pivot_features(&frame, &up, f);
+    assert_float_equal(f[DMI_PIVOT_SLIDE_THROUGH], 1, 1e-2f);
+    const dmi_candidate aside =
+        test_candidate(lid.mesh, DM_JOINT_PRISMATIC, (const float[]){1, 0, 0}, (const double[]){0, 0, 0});
+    dmi_pivot_features(&frame, &aside, f);
+    assert_float_equal(f[DMI_PIVOT_SLIDE_THROUGH], 0, 1e-2f);
+    const dmi_candidate spin =
+        test_candidate(lid.mesh, DM_JOINT_REVOLUTE, (const float[]){0, 1, 0}, (const double[]){0.4, 0, 0.25});
+    dmi_pivot_features(&frame, &spin, f);
+    assert_float_equal(f[DMI_PIVOT_ON_MIDDLE], 1, 1e-2f);
+    const dmi_candidate high =
+        test_candidate(lid.mesh, DM_JOINT_REVOLUTE, (const float[]){1, 0, 0}, (const double[]){0, 0.9, 0.25});
+    dmi_pivot_features(&frame, &high, f);
+    assert_float_equal(f[DMI_PIVOT_ON], 1, 1e-3f);
+    assert_float_equal(f[DMI_PIVOT_ON_MIDDLE], 0, 1e-2f);
+}
+
 static void kind_features_tell_where_an_axis_runs(void** state) {
     (void)state;
     const dmi_asset_hints hints = {.up = {0, 1, 0}};
@@ -220,7 +245,7 @@ static float gain_through(const dmi_asset_hints* hints, const float point[3]) {
     const uint32_t count = make_even(hints);
     float sum = 0, through = 0;
     uint32_t lines = 0;
-    dmi_hints_weigh(hints, &lid.of_part, candidates, count, probability);
+    dmi_hints_weigh(hints, &lid.of_part, NULL, candidates, count, probability);
     for (uint32_t i = 0; i < count; i++) {
         sum += probability[i];
         if (candidates[i].type != DM_JOINT_REVOLUTE || fabsf(candidates[i].axis[0]) < 0.999f) continue;
@@ -240,6 +265,24 @@ static void a_pivot_on_an_edge_counts_and_one_in_the_middle_hardly(void** state)
     assert_true(gain_through(&middle, middle.pivot) < gain_through(&edge, edge.pivot) / 3);
 }
 
+/* The probability of all slides after a name has weighed even candidates. */
+static float slides_of(const char* label, const dmi_drag_hint* drag) {
+    const dmi_asset_hints hints = {.up = {0, 1, 0}, .label = dmi_kind_of_label(label)};
+    const uint32_t count = make_even(&hints);
+    float sum = 0;
+    dmi_hints_weigh(&hints, &lid.of_part, drag, candidates, count, probability);
+    for (uint32_t i = 0; i < count; i++) sum += candidates[i].type == DM_JOINT_PRISMATIC ? probability[i] : 0;
+    return sum;
+}
+
+static void a_name_tells_slides_from_turns_where_no_drag_does(void** state) {
+    (void)state;
+    const dmi_drag_hint drag = {.vector = {0, 1, 0}};
+    assert_true(slides_of("scene/button", NULL) > 1.5f * slides_of("scene/button", &drag));
+    assert_true(slides_of("scene/wheel", NULL) < slides_of("scene/wheel", &drag));
+    assert_float_equal(slides_of("button/Cube", NULL), slides_of("button/Cube", &drag), 1e-6f); /* of what carries it */
+}
+
 static void candidates_through_a_pivot_are_added_once(void** state) {
     (void)state;
     const dmi_asset_hints hints = pivot_at(0.13, 0.431, 0.07); /* on no line of the shape */
@@ -257,7 +300,7 @@ static void impossible_candidates_stay_finite(void** state) {
     const dmi_asset_hints hints = pivot_at(0.1, 0.402, 0);
     const uint32_t count = make_even(&hints);
     for (uint32_t i = 0; i < count; i++) probability[i] = i == 0 ? 1.0f : 0.0f;
-    dmi_hints_weigh(&hints, &lid.of_part, candidates, count, probability);
+    dmi_hints_weigh(&hints, &lid.of_part, NULL, candidates, count, probability);
     for (uint32_t i = 0; i < count; i++) assert_true(probability[i] >= 0 && probability[i] <= 1);
     assert_true(probability[0] > 0.99f);
 }
@@ -273,8 +316,10 @@ int main(void) {
         cmocka_unit_test(words_of_many_languages_and_misspelt_ones),
         cmocka_unit_test(places_of_pivots_in_a_plate),
         cmocka_unit_test(pivot_features_tell_lines_through_it),
+        cmocka_unit_test(pivot_features_tell_lines_through_the_middle_too),
         cmocka_unit_test(kind_features_tell_where_an_axis_runs),
         cmocka_unit_test(a_pivot_on_an_edge_counts_and_one_in_the_middle_hardly),
+        cmocka_unit_test(a_name_tells_slides_from_turns_where_no_drag_does),
         cmocka_unit_test(candidates_through_a_pivot_are_added_once),
         cmocka_unit_test(impossible_candidates_stay_finite),
     };

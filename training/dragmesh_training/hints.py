@@ -3,11 +3,13 @@ parts have names and pivots as artists leave them. Writes sdk/kinematics/hints/h
 
   python3 -m dragmesh_training.hints make CASES.npz --seed 1 --count 6000     cases of the trained kinds
   python3 -m dragmesh_training.hints fit CASES.npz… -o hint_weights.def        the weights
+  python3 -m dragmesh_training.hints refit CASES.npz… -o hint_weights.def      those of pivots and of sliding, from where they are
   python3 -m dragmesh_training.hints answer                                    the whole library on kinds nobody trained on
 """
 import argparse
 import ctypes
 import os
+import re
 
 import numpy as np
 
@@ -17,7 +19,8 @@ ROOT = os.path.join(os.path.dirname(__file__), "..", "..")
 MODELS = os.path.join(ROOT, "sdk", "models")
 WEIGHTS = os.path.join(ROOT, "sdk", "kinematics", "hints", "hint_weights.def")
 ROWS = 272  # candidates the prefilter keeps and those through the pivot
-PIVOT_FEATURES = 6
+PIVOT_FEATURES = 8
+SLIDES = 0b111  # the bits of kind features of which a slide has one
 GOOD = 0.02  # pose error of a right candidate, object sizes
 TINY = np.finfo(np.float32).tiny
 # (name, dtype, shape of one case), in the order of dm_lab_hint_cases
@@ -37,6 +40,8 @@ class Cases(ctypes.Structure):
 
 
 TRUST_ABOVE = 0.5  # factor of the weights of a kind that a name above the part's own tells; by hand
+TYPE_SHARE = 0.5  # of the log odds of sliding that are counted, how much a name adds where there is no drag; chosen on later kinds
+SMOOTHING = 4  # cases of the usual share of slides that each kind is given beside its own; by hand
 SHARES = dict(labels=0.9, pivots=0.7, lies=0.04, wrong_up=0.08)  # by hand
 
 
@@ -88,16 +93,70 @@ def tensors_of(data, kinds):
     return {"log": torch.from_numpy(log), "bits": torch.from_numpy(bits.astype(np.float32)),
             "pivot": torch.from_numpy(data["pivot"]), "right": torch.from_numpy(data["right"].astype(np.float32)),
             "kind": torch.from_numpy(data["kind"].astype(np.int64)), "far": torch.from_numpy((data["depth"] > 0).astype(np.int64)),
-            "place": torch.from_numpy(data["place"].astype(np.int64))}
+            "place": torch.from_numpy(data["place"].astype(np.int64)),
+            "slides": torch.from_numpy(((data["bits"] & SLIDES) != 0).astype(np.float32)),
+            "tells_type": torch.from_numpy(((data["has_drag"] == 0) & (data["depth"] == 0)).astype(np.float32))}
 
 
 def scores(model, batch):
     """Log posteriors of the candidates, not normalised."""
     trust = model["trust"][batch["far"]][:, None]
     label = (batch["bits"] * model["kinds"][batch["kind"]][:, None]).sum(2) * (batch["kind"] > 0)[:, None]
+    label = trust * label + batch["tells_type"][:, None] * batch["slides"] * model["slides"][batch["kind"]][:, None]
     place = batch["place"].clamp(min=0)
     pivot = (batch["pivot"] * model["places"][place][:, None]).sum(2) * (batch["place"] >= 0)[:, None]
-    return batch["log"] + trust * label + pivot
+    return batch["log"] + label + pivot
+
+
+def slide_odds(data, kinds):
+    """By kind: what its name on the part itself adds to the log odds of sliding. What the ranker makes of generated parts tells
+    their types already, so that a fit on top of it would learn little; real parts of a kind are less like each other. So the
+    odds are counted, and a share of them counts."""
+    near = np.where(np.arange(ROWS)[None] < data["used"][:, None], data["pose"], np.inf).argmin(1)
+    slides = data["bits"][np.arange(len(near)), near] & SLIDES != 0
+    usual, odds = slides.mean(), np.zeros(kinds, np.float32)
+    for kind in range(1, kinds):
+        own = slides[(data["kind"] == kind) & (data["depth"] == 0)]
+        odds[kind] = np.log((own.sum() + SMOOTHING * usual) / ((~own).sum() + SMOOTHING * (1 - usual))) - np.log(usual / (1 - usual))
+    return TYPE_SHARE * odds
+
+
+def read_weights(lab, path):
+    """The weights of kinds and places that a file of weights has, as arrays; new features of places are 0."""
+    found = {"KIND": np.zeros((len(names_of(lab, 0)), len(names_of(lab, 1))), np.float32),
+             "PIVOT": np.zeros((len(names_of(lab, 2)), PIVOT_FEATURES), np.float32)}
+    rows = {"KIND": names_of(lab, 0), "PIVOT": names_of(lab, 2)}
+    with open(path) as file:
+        for which, name, numbers in re.findall(r"(KIND|PIVOT)_WEIGHTS\((\w+), ([^)]*)\)", file.read()):
+            values = [float(number.rstrip("f")) for number in numbers.split(", ")]
+            found[which][rows[which].index(name), :len(values)] = values
+    return found["KIND"], found["PIVOT"]
+
+
+def refit(data, lab, arguments):
+    """The weights of places, likeliest on cases without a drag with a normal prior around those that are there, which are of all
+    cases; the odds of sliding, counted. The weights of kinds stay."""
+    import torch
+    kinds, places = read_weights(lab, arguments.weights)
+    centre = torch.from_numpy(places)
+    model = {"kinds": torch.from_numpy(kinds), "places": centre.clone().requires_grad_(True),
+             "trust": torch.tensor([1, TRUST_ABOVE]), "slides": torch.zeros(len(kinds))}
+    chosen = {name: array[(data["has_drag"] == 0) & (data["place"] >= 0)] for name, array in data.items()}
+    count = len(chosen["used"])
+    optimiser = torch.optim.Adam([model["places"]], lr=0.03)
+    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimiser, arguments.steps)
+    generator = np.random.default_rng(1)
+    for step in range(arguments.steps):
+        some = generator.integers(count, size=arguments.batch)
+        batch = tensors_of({name: array[some] for name, array in chosen.items()}, kinds.shape[1])
+        log = torch.log_softmax(scores(model, batch), 1)
+        loss = -torch.logsumexp(torch.where(batch["right"] > 0, log, torch.full_like(log, -1e9)), 1).mean()
+        optimiser.zero_grad()
+        (loss + arguments.refit_prior * ((model["places"] - centre) ** 2).sum() / count).backward()
+        optimiser.step()
+        schedule.step()
+    model["slides"] = torch.from_numpy(slide_odds(data, len(kinds)))
+    return {name: tensor.detach() for name, tensor in model.items()}
 
 
 def evenness(categories):
@@ -112,7 +171,8 @@ def fit(data, lab, arguments):
     import torch
     counts = len(names_of(lab, 0)), len(names_of(lab, 1)), len(names_of(lab, 2))
     model = {"kinds": torch.zeros(counts[0], counts[1], requires_grad=True),
-             "places": torch.zeros(counts[2], PIVOT_FEATURES, requires_grad=True), "trust": torch.tensor([1, TRUST_ABOVE])}
+             "places": torch.zeros(counts[2], PIVOT_FEATURES, requires_grad=True), "trust": torch.tensor([1, TRUST_ABOVE]),
+             "slides": torch.from_numpy(slide_odds(data, counts[0]))}
     optimiser = torch.optim.Adam([model["kinds"], model["places"]], lr=0.05)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimiser, arguments.steps)
     generator = np.random.default_rng(1)
@@ -159,6 +219,7 @@ def write(model, lab, path):
     lines = ["/* Weights of asset hints, by kind of part and by place of the pivot. Written by dragmesh_training/hints.py: not to be",
              " * edited. */", "/* clang-format off */", "", f"LABEL_TRUST({numbers(model['trust'].numpy())})"]
     lines += [f"PIVOT_WEIGHTS({name}, {numbers(row)})" for name, row in zip(names_of(lab, 2), model["places"].numpy())]
+    lines += [f"KIND_SLIDES({name}, {value:.3f}f)" for name, value in zip(names_of(lab, 0), model["slides"].numpy())]
     lines += [f"KIND_WEIGHTS({name}, {numbers(row)})" for name, row in zip(names_of(lab, 0), model["kinds"].numpy())]
     with open(path, "w") as file:
         file.write("\n".join(lines) + "\n")
@@ -167,7 +228,7 @@ def write(model, lab, path):
 def run_fit(arguments):
     lab = open_lab(arguments.lab)
     data = load(arguments.data)
-    model = fit(data, lab, arguments)
+    model = arguments.fit(data, lab, arguments)
     some = {name: array[:4000] for name, array in data.items()}
     report(model, some, lab, "fitted on")
     if arguments.test:
@@ -218,7 +279,16 @@ def main(words=None):
     two.add_argument("--kind-prior", type=float, default=2.0)
     two.add_argument("--pivot-prior", type=float, default=0.5)
     two.add_argument("-o", "--out", default=WEIGHTS)
-    two.set_defaults(run=run_fit)
+    two.set_defaults(run=run_fit, fit=fit)
+    again = commands.add_parser("refit")
+    again.add_argument("data", nargs="+")
+    again.add_argument("--test", help="cases that are only looked at")
+    again.add_argument("--weights", default=WEIGHTS, help="the weights that are there")
+    again.add_argument("--steps", type=int, default=500)
+    again.add_argument("--batch", type=int, default=512)
+    again.add_argument("--refit-prior", type=float, default=1.0)
+    again.add_argument("-o", "--out", default=WEIGHTS)
+    again.set_defaults(run=run_fit, fit=refit)
     three = commands.add_parser("answer", help="what the whole library answers with and without hints")
     three.add_argument("--only", default="test_only")
     three.add_argument("--count", type=int, default=2000)

@@ -37,7 +37,8 @@ static const char* const kind_features[] = {
     "turn centre",   "turn inside", "turn edge",     "turn outside", "turn top",     "turn bottom",
     "turn outer",    "turn inner",  "turn front",    "turn back"};
 static const char* const places[] = {"MIDDLE", "BOTTOM", "TOP", "SIDE", "EDGE", "INSIDE", "OUTSIDE", "DEFAULT"};
-static const char* const pivot_features[] = {"slide", "slide aligned", "turn aligned", "near", "on", "on aligned"};
+static const char* const pivot_features[] = {"slide", "slide aligned", "turn aligned",  "near",
+                                             "on",    "on aligned",    "slide through", "on middle"};
 
 const char* dm_lab_hint_name(int32_t which, uint32_t index) {
     if (which == 1) return index < DMI_KIND_FEATURES ? kind_features[index] : NULL;

@@ -19,7 +19,7 @@ typedef struct dm_lab_hint_cases {
     float* probability; /* x rows: the ranker's, without hints */
     float* pose;        /* x rows: as dm_lab_ranker.pose */
     uint32_t* bits;     /* x rows: dmi_kind_features */
-    float* pivot;       /* x rows x 6: dmi_pivot_features */
+    float* pivot;       /* x rows x 8: dmi_pivot_features */
     int32_t* used;      /* rows filled */
     int32_t* kind;      /* dmi_part_kind; 0: none */
     int32_t* depth;

@@ -148,6 +148,7 @@ static float closeness(float distance, float sigma) {
 
 void dmi_pivot_features(const dmi_hint_frame* frame, const dmi_candidate* candidate, float out[DMI_PIVOT_FEATURES]) {
     const dmi_asset_hints* hints = frame->hints;
+    const float diagonal = frame->analysis->diagonal;
     float aligned = 0;
     for (int i = 0; i < 3 && hints->has_axes; i++)
         if (fabsf(dmi_dot3(candidate->axis, hints->pivot_axes[i])) > ALIGNED_COSINE) aligned = 1;
@@ -155,11 +156,15 @@ void dmi_pivot_features(const dmi_hint_frame* frame, const dmi_candidate* candid
     if (candidate->type == DM_JOINT_PRISMATIC) {
         out[DMI_PIVOT_SLIDE] = 1;
         out[DMI_PIVOT_SLIDE_ALIGNED] = aligned;
+        const float aside = dmi_line_distance3(hints->pivot, candidate->axis, frame->box_centre);
+        out[DMI_PIVOT_SLIDE_THROUGH] = closeness(aside / diagonal, NEAR_DISTANCE);
         return;
     }
-    const float off = dmi_line_distance3(hints->pivot, candidate->axis, candidate->origin) / frame->analysis->diagonal;
+    const float off = dmi_line_distance3(hints->pivot, candidate->axis, candidate->origin) / diagonal;
+    const float off_middle = dmi_line_distance3(frame->box_centre, candidate->axis, candidate->origin) / diagonal;
     out[DMI_PIVOT_TURN_ALIGNED] = aligned;
     out[DMI_PIVOT_NEAR] = closeness(off, NEAR_DISTANCE);
     out[DMI_PIVOT_ON] = closeness(off, ON_DISTANCE);
     out[DMI_PIVOT_ON_ALIGNED] = aligned * out[DMI_PIVOT_ON];
+    out[DMI_PIVOT_ON_MIDDLE] = out[DMI_PIVOT_ON] * closeness(off_middle, NEAR_DISTANCE);
 }

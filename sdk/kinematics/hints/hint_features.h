@@ -53,6 +53,8 @@ typedef enum dmi_pivot_feature {
     DMI_PIVOT_NEAR,          /* its line passes the pivot at a few hundredths of the part's diagonal */
     DMI_PIVOT_ON,            /* at a few thousandths */
     DMI_PIVOT_ON_ALIGNED,    /* both */
+    DMI_PIVOT_SLIDE_THROUGH, /* it slides, and the pivot lies that way from the middle of the part's box */
+    DMI_PIVOT_ON_MIDDLE,     /* it turns about a line through the pivot and the middle of the part's box */
     DMI_PIVOT_FEATURES
 } dmi_pivot_feature;
 

@@ -11,10 +11,25 @@
 static const float kind_weights[DMI_KIND_COUNT][DMI_KIND_FEATURES] = {
 #define KIND_WEIGHTS(kind, ...) [DMI_KIND_##kind] = {__VA_ARGS__},
 #define PIVOT_WEIGHTS(place, ...)
+#define KIND_SLIDES(...)
 #define LABEL_TRUST(...)
 #include "kinematics/hints/hint_weights.def"
 #undef KIND_WEIGHTS
 #undef PIVOT_WEIGHTS
+#undef KIND_SLIDES
+#undef LABEL_TRUST
+};
+
+/* By kind: what the part's own name adds to the log odds of sliding where no drag tells the type. */
+static const float kind_slides[DMI_KIND_COUNT] = {
+#define KIND_WEIGHTS(...)
+#define KIND_SLIDES(kind, value) [DMI_KIND_##kind] = value,
+#define PIVOT_WEIGHTS(...)
+#define LABEL_TRUST(...)
+#include "kinematics/hints/hint_weights.def"
+#undef KIND_WEIGHTS
+#undef PIVOT_WEIGHTS
+#undef KIND_SLIDES
 #undef LABEL_TRUST
 };
 
@@ -22,10 +37,12 @@ static const float kind_weights[DMI_KIND_COUNT][DMI_KIND_FEATURES] = {
 static const float pivot_weights[DMI_PIVOT_PLACES][DMI_PIVOT_FEATURES] = {
 #define KIND_WEIGHTS(kind, ...)
 #define PIVOT_WEIGHTS(place, ...) [DMI_PIVOT_##place] = {__VA_ARGS__},
+#define KIND_SLIDES(...)
 #define LABEL_TRUST(...)
 #include "kinematics/hints/hint_weights.def"
 #undef KIND_WEIGHTS
 #undef PIVOT_WEIGHTS
+#undef KIND_SLIDES
 #undef LABEL_TRUST
 };
 
@@ -33,10 +50,12 @@ static const float pivot_weights[DMI_PIVOT_PLACES][DMI_PIVOT_FEATURES] = {
 static const float label_trust[2] = {
 #define KIND_WEIGHTS(kind, ...)
 #define PIVOT_WEIGHTS(place, ...)
+#define KIND_SLIDES(...)
 #define LABEL_TRUST(...) __VA_ARGS__
 #include "kinematics/hints/hint_weights.def"
 #undef KIND_WEIGHTS
 #undef PIVOT_WEIGHTS
+#undef KIND_SLIDES
 #undef LABEL_TRUST
 };
 
@@ -48,14 +67,16 @@ uint32_t dmi_hints_add_candidates(const dmi_asset_hints* hints, const dmi_part_a
     return dmi_candidates_add_through(analysis, drag, hints->pivot, analysis->box.axes, 3, candidates, count);
 }
 
-static float label_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate) {
+static float label_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate, bool has_drag) {
     const dmi_label_kind label = frame->hints->label;
     if (label.kind == DMI_KIND_NOTHING) return 0;
     const uint32_t bits = dmi_kind_features(frame, candidate);
     float sum = 0;
     for (int i = 0; i < DMI_KIND_FEATURES; i++)
         if (bits >> i & 1) sum += kind_weights[label.kind][i];
-    return sum * label_trust[label.depth > 0];
+    sum *= label_trust[label.depth > 0];
+    const bool tells_type = !has_drag && label.depth == 0 && candidate->type == DM_JOINT_PRISMATIC;
+    return tells_type ? sum + kind_slides[label.kind] : sum;
 }
 
 static float pivot_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate) {
@@ -66,14 +87,15 @@ static float pivot_likelihood(const dmi_hint_frame* frame, const dmi_candidate* 
     return sum;
 }
 
-void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_candidate* candidates,
-                     uint32_t count, float* probability) {
+void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_drag_hint* drag,
+                     const dmi_candidate* candidates, uint32_t count, float* probability) {
     dmi_hint_frame frame;
     float most = -INFINITY, sum = 0;
     dmi_hint_frame_make(hints, analysis, &frame);
     for (uint32_t i = 0; i < count; i++) {
         probability[i] = dmi_logf(dmi_max(probability[i], FLT_MIN));
-        probability[i] += label_likelihood(&frame, &candidates[i]) + pivot_likelihood(&frame, &candidates[i]);
+        probability[i] += label_likelihood(&frame, &candidates[i], drag != NULL);
+        probability[i] += pivot_likelihood(&frame, &candidates[i]);
         most = dmi_max(most, probability[i]);
     }
     for (uint32_t i = 0; i < count; i++) sum += probability[i] = dmi_expf(probability[i] - most);

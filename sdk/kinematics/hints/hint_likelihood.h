@@ -10,8 +10,9 @@ uint32_t dmi_hints_add_candidates(const dmi_asset_hints* hints, const dmi_part_a
                                   const dmi_drag_hint* drag, dmi_candidate* candidates, uint32_t count);
 
 /* Multiplies the probabilities of a part's candidates by the likelihood of the hints for each, and scales them to the
- * sum 1. The hints must say something. */
-void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_candidate* candidates,
-                     uint32_t count, float* probability);
+ * sum 1. The hints must say something. drag NULL: none. Then a name also tells whether its kind turns or slides: with
+ * one it would overrule the drag, as of a disc that turns and is called a button (measured). */
+void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_drag_hint* drag,
+                     const dmi_candidate* candidates, uint32_t count, float* probability);
 
 #endif

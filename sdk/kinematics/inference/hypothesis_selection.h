@@ -22,11 +22,21 @@ typedef struct dmi_selected {
     uint32_t support_count;
 } dmi_selected;
 
-/* Selects hypotheses, best first. Returns their number. likelier_type_first: the first one is of the type (turn or
- * slide) with more probability in sum; false for scores of rules, which are no probabilities. The sum counts because
- * turns are many candidates that share their probability and slides are few: a single slide may have more than each
- * single turn although turns have more together. */
-uint32_t dmi_select_hypotheses(const dmi_ranked_candidates* ranked, int likelier_type_first,
+/* How the candidates are weighed and the first hypothesis is chosen. Without rules of its own, a weight is the
+ * probability that the candidate is near enough. */
+typedef enum dmi_selection_rule {
+    DMI_SELECT_HEAVIEST, /* for scores of rules, which are no probabilities */
+    /* With a drag: the first is of the type, turn or slide, with more probability in sum. Turns are many candidates
+     * that share their probability and slides are few: a single slide may have more than each single turn although
+     * turns have more together. */
+    DMI_SELECT_LIKELIER_TYPE_FIRST,
+    /* Without a drag, when no type is sure: candidates are near where the parts that they open end near each other, in
+     * object sizes, whatever their types. */
+    DMI_SELECT_BY_POSE
+} dmi_selection_rule;
+
+/* Selects hypotheses, best first. Returns their number. */
+uint32_t dmi_select_hypotheses(const dmi_ranked_candidates* ranked, dmi_selection_rule rule,
                                dmi_selected out[DM_MAX_HYPOTHESES]);
 
 #endif

@@ -103,7 +103,7 @@ static void rank_candidates(work* w) {
     dmi_ranker_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features, w->count,
                              w->probability);
     dmi_twin_weigh(&w->analysis, w->candidates, w->count, w->probability);
-    if (says_something) dmi_hints_weigh(asset, &w->analysis, w->candidates, w->count, w->probability);
+    if (says_something) dmi_hints_weigh(asset, &w->analysis, w->query->hint, w->candidates, w->count, w->probability);
 }
 
 /* Makes two candidates of KPP-Net's regression, a turn and a slide, with its probabilities. A type that the host has
@@ -175,10 +175,16 @@ static void follow_drag(const dmi_drag_hint* hint, dm_joint* joint) {
     joint->upper = -joint->lower, joint->lower = 0;
 }
 
+/* Without a drag the sum of a type's probabilities is a weak guess (measured: docs/research/trials_joints.md). */
+static dmi_selection_rule selection_rule(const work* w) {
+    if (ranker(w) == NULL) return DMI_SELECT_HEAVIEST;
+    return w->query->hint != NULL ? DMI_SELECT_LIKELIER_TYPE_FIRST : DMI_SELECT_BY_POSE;
+}
+
 static void make_hypotheses(const work* w, dmi_hypotheses* out) {
     const dmi_ranked_candidates ranked = {&w->analysis, w->candidates, w->probability, w->count};
     dmi_selected selected[DM_MAX_HYPOTHESES];
-    out->count = dmi_select_hypotheses(&ranked, ranker(w) != NULL, selected);
+    out->count = dmi_select_hypotheses(&ranked, selection_rule(w), selected);
     for (uint32_t i = 0; i < out->count; i++) out->joints[i] = make_joint(w, &selected[i]);
     set_limits(w, selected, out);
     for (uint32_t i = 0; w->query->hint != NULL && i < out->count; i++) follow_drag(w->query->hint, &out->joints[i]);
