@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 1ddb0011af1f42f7
+// Hash of the description: 39b6057639db9c2e
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;

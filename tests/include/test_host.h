@@ -12,12 +12,13 @@
 #include "platform.h"
 
 #define TEST_NEVER (-1)
+#define TEST_MAX_ALIGNMENT 64 /* bytes: dm_allocator */
 
 typedef struct test_memory {
     _Atomic int64_t calls;      /* of allocate so far, the failed ones too */
     _Atomic int64_t live_bytes; /* given out and not released */
     _Atomic int64_t live_blocks;
-    _Atomic int64_t size_errors; /* releases whose size was not the one asked for */
+    _Atomic int64_t size_errors; /* releases whose size was not the one asked for, alignments that are not promised */
     int64_t fail_at;             /* this call of allocate (from 0) and all later ones answer NULL; TEST_NEVER */
     bool fail_once;              /* the later ones don't */
 } test_memory;
@@ -31,6 +32,8 @@ static inline void* DM_CALL test_allocate(void* user, size_t size, size_t alignm
     test_memory* memory = user;
     int64_t call = atomic_fetch_add(&memory->calls, 1);
     if (memory->fail_at >= 0 && (memory->fail_once ? call == memory->fail_at : call >= memory->fail_at)) return NULL;
+    const bool promised = alignment > 0 && (alignment & (alignment - 1)) == 0 && alignment <= TEST_MAX_ALIGNMENT;
+    if (!promised) atomic_fetch_add(&memory->size_errors, 1);
     size_t room = alignment > sizeof(test_block) ? alignment : sizeof(test_block);
     size_t step = alignment > _Alignof(max_align_t) ? alignment : _Alignof(max_align_t);
     char* base = platform_allocate(room + size, step);

@@ -443,7 +443,7 @@ namespace DragMesh
         public Vec3 Direction;
     }
 
-    /// <summary>Hooks: see "Callbacks" above. Host memory. allocate returns memory aligned to `alignment` (a power of two) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on.</summary>
+    /// <summary>Hooks: see "Callbacks" above. Host memory. allocate returns memory aligned to `alignment` (a power of two, 64 at most) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Allocator
     {

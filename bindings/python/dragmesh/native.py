@@ -161,7 +161,7 @@ class Ray(Struct):
 
 
 class Allocator(Struct):
-    """Hooks: see \"Callbacks\" above. Host memory. allocate returns memory aligned to `alignment` (a power of two) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on."""
+    """Hooks: see \"Callbacks\" above. Host memory. allocate returns memory aligned to `alignment` (a power of two, 64 at most) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on."""
 
     user: Any
     allocate: Any

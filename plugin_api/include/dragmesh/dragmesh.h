@@ -155,8 +155,8 @@ typedef uint64_t dm_scene;  /* placed objects that rays can pick */
 
 /* Hooks: see "Callbacks" above.
  *
- * Host memory. allocate returns memory aligned to `alignment` (a power of two) or NULL; release gets the size
- * that was asked for. Both may be called from any thread the host calls the library on. */
+ * Host memory. allocate returns memory aligned to `alignment` (a power of two, 64 at most) or NULL; release gets the
+ * size that was asked for. Both may be called from any thread the host calls the library on. */
 typedef struct dm_allocator {
     void* user;
     void*(DM_CALL* allocate)(void* user, size_t size, size_t alignment);
@@ -354,8 +354,8 @@ typedef struct dm_part_state {
     dm_joint joint;  /* stays the last field */
 } dm_part_state;
 
-/* Asks the host for a joint type (a designer's tag, a rule, a vision-language model). Return DM_JOINT_UNKNOWN to
- * leave the question to the library. */
+/* Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM_INTENT_*). Return
+ * DM_JOINT_UNKNOWN to leave the question to the library. */
 typedef int32_t(DM_CALL* dm_intent_callback)(void* user, uint32_t part_id, dm_vec3 box_min, dm_vec3 box_max);
 
 typedef struct dm_part_info {

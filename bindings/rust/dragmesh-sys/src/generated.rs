@@ -239,7 +239,7 @@ pub type dm_drag = u64;
 /// placed objects that rays can pick
 pub type dm_scene = u64;
 pub type dm_task = Option<unsafe extern "C" fn(data: *mut c_void, index: u32)>;
-/// Asks the host for a joint type (a designer's tag, a rule, a vision-language model). Return DM\_JOINT\_UNKNOWN to leave the question to the library.
+/// Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM\_INTENT\_\*). Return DM\_JOINT\_UNKNOWN to leave the question to the library.
 pub type dm_intent_callback = Option<unsafe extern "C" fn(user: *mut c_void, part_id: u32, box_min: dm_vec3, box_max: dm_vec3) -> i32>;
 /// Asks the host which hypothesis is right (a designer's rule, a vision-language model that is shown pictures). Return its index to put it in force: its source is DM\_JOINT\_CHOSEN then, and both confidences are 1. DM\_CHOICE\_KEEP leaves the library's answer with its confidences. What else is no index ends the preparation with INDEX\_OUT\_OF\_RANGE. dm\_object\_get\_hypotheses and dm\_object\_reset\_joint go on giving the library's own ranking. Called on the thread that prepares, for one part after the other in order of id; not for parts that the host declares fixed.
 pub type dm_choice_callback = Option<unsafe extern "C" fn(user: *mut c_void, choice: *const dm_choice) -> i32>;
@@ -295,7 +295,7 @@ impl Default for dm_ray {
     }
 }
 
-/// Hooks: see "Callbacks" above. Host memory. allocate returns memory aligned to \`alignment\` (a power of two) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on.
+/// Hooks: see "Callbacks" above. Host memory. allocate returns memory aligned to \`alignment\` (a power of two, 64 at most) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_allocator {
