@@ -7,6 +7,7 @@
 #include "kinematics/features/kpp_ensemble.h"
 #include "kinematics/hints/hint_likelihood.h"
 #include "kinematics/inference/hypothesis_selection.h"
+#include "kinematics/inference/straight_pull.h"
 #include "kinematics/limits/free_range.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/ranking/twin_leaves.h"
@@ -51,13 +52,17 @@ static const dmi_prediction* prediction(const work* w) {
     return w->query->models.kpp != NULL ? &w->ensemble.prediction : NULL;
 }
 
-static dm_result run_kpp_net(dmi_env* env, dmi_arena* arena, work* w) {
+/* hint: the drag as KPP-Net is told it; NULL: none. */
+static dm_result run_kpp_net(dmi_env* env, dmi_arena* arena, const dmi_drag_hint* hint, work* w) {
     const dmi_inference_query* query = w->query;
     if (query->models.kpp == NULL) return DM_OK;
+    const dmi_arena_mark mark = dmi_arena_get_mark(arena);
     void* scratch = dmi_arena_push(arena, dmi_kpp_net_scratch_size(query->models.kpp));
     if (scratch == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for KPP-Net's scratch");
-    if (dmi_kpp_ensemble_run(query->models.kpp, query->models.isa, query->cloud, query->hint, scratch, &w->ensemble))
-        return DM_OK;
+    const bool is_run =
+        dmi_kpp_ensemble_run(query->models.kpp, query->models.isa, query->cloud, hint, scratch, &w->ensemble);
+    dmi_arena_rewind(arena, mark);
+    if (is_run) return DM_OK;
     return dmi_fail(env, DM_ERROR_BAD_DATA, "kinematics: KPP-Net's weights overflow");
 }
 
@@ -89,21 +94,52 @@ static void measure_features(work* w) {
                                 w->count, w->features);
 }
 
+/* Multiplies probabilities by what a twin beside the part, names and a pivot say. */
+static void weigh_by_evidence(const work* w, float* probability) {
+    const dmi_asset_hints* asset = w->query->asset_hints;
+    dmi_twin_weigh(&w->analysis, w->candidates, w->count, probability);
+    if (!dmi_asset_hints_are_empty(asset))
+        dmi_hints_weigh(asset, &w->analysis, w->query->hint, w->candidates, w->count, probability);
+}
+
 static void rank_candidates(work* w) {
     const dmi_asset_hints* asset = w->query->asset_hints;
-    const bool says_something = !dmi_asset_hints_are_empty(asset);
     w->count = dmi_candidates_make(&w->analysis, w->query->hint, prediction(w), w->candidates);
     keep_given_type(w);
     prefilter(w);
     w->count = dmi_twin_add_candidates(&w->analysis, w->query->hint, w->candidates, w->count);
-    if (says_something)
+    if (!dmi_asset_hints_are_empty(asset))
         w->count = dmi_hints_add_candidates(asset, &w->analysis, w->query->hint, w->candidates, w->count);
     keep_given_type(w);
     measure_features(w);
     dmi_ranker_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features, w->count,
                              w->probability);
-    dmi_twin_weigh(&w->analysis, w->candidates, w->count, w->probability);
-    if (says_something) dmi_hints_weigh(asset, &w->analysis, w->query->hint, w->candidates, w->count, w->probability);
+    weigh_by_evidence(w, w->probability);
+}
+
+/* Finds the first movement that the drag means, where it is a straight pull of the likeliest joint by geometry alone.
+ * Returns whether it is. */
+static bool read_straight_pull(const work* w, dmi_drag_hint* out_hint) {
+    if (w->query->hint == NULL || prediction(w) == NULL || ranker(w) == NULL) return false;
+    float probability[DMI_CANDIDATES_MAX];
+    dmi_selected selected[DM_MAX_HYPOTHESES];
+    const dmi_ranked_candidates ranked = {&w->analysis, w->candidates, probability, w->count};
+    dmi_ranker_geometry_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features,
+                                      w->count, probability);
+    weigh_by_evidence(w, probability);
+    if (dmi_select_hypotheses(&ranked, true, selected) == 0) return false;
+    return dmi_straight_pull_read(selected[0].candidate, w->features[selected[0].index], w->query->hint, out_hint);
+}
+
+/* KPP-Net knows drags along the first movement alone. Told of a straight pull it takes another joint, so it is asked
+ * again, with what geometry makes of the pull. */
+static dm_result infer_from_candidates(dmi_env* env, dmi_arena* arena, work* w) {
+    dmi_drag_hint first_movement;
+    rank_candidates(w);
+    if (!read_straight_pull(w, &first_movement)) return DM_OK;
+    const dm_result result = run_kpp_net(env, arena, &first_movement, w);
+    if (result == DM_OK) rank_candidates(w);
+    return result;
 }
 
 /* Makes two candidates of KPP-Net's regression, a turn and a slide, with its probabilities. A type that the host has
@@ -249,12 +285,13 @@ static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_inference_query
         dmi_part_analysis_make(arena, query->mesh, query->cloud, query->part, query->welded, &w->analysis);
     if (result == DM_ERROR_OUT_OF_MEMORY)
         return dmi_fail(env, result, "kinematics: no memory to analyse part %u", query->mesh->parts[query->part].id);
-    if (result == DM_OK) result = run_kpp_net(env, arena, w);
+    if (result == DM_OK) result = run_kpp_net(env, arena, query->hint, w);
     if (result != DM_OK) return result;
     if (query->network_alone && query->models.kpp != NULL)
         take_network_answers(w);
     else
-        rank_candidates(w);
+        result = infer_from_candidates(env, arena, w);
+    if (result != DM_OK) return result;
     make_hypotheses(w, out);
     if (out_alternatives != NULL) result = find_alternatives(arena, w, out, out_alternatives);
     if (result != DM_OK) return result;

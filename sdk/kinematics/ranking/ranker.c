@@ -99,13 +99,31 @@ static void score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)
     for (uint32_t i = 0; i < count; i++) out_score[i] = (out_score[i] + by_trees[i]) / 2;
 }
 
+/* Softmax, in place. */
+static void share_one(float* scores, uint32_t count) {
+    float most = -INFINITY, sum = 0;
+    for (uint32_t i = 0; i < count; i++) most = dmi_max(most, scores[i]);
+    for (uint32_t i = 0; i < count; i++) sum += scores[i] = dmi_expf(scores[i] - most);
+    for (uint32_t i = 0; i < count; i++) scores[i] /= sum;
+}
+
 void dmi_ranker_probabilities(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
                               uint32_t count, float* out_probability) {
-    float most = -INFINITY, sum = 0;
     score(ranker, isa, features, count, out_probability);
-    for (uint32_t i = 0; i < count; i++) most = dmi_max(most, out_probability[i]);
-    for (uint32_t i = 0; i < count; i++) sum += out_probability[i] = dmi_expf(out_probability[i] - most);
-    for (uint32_t i = 0; i < count; i++) out_probability[i] /= sum;
+    share_one(out_probability, count);
+}
+
+void dmi_ranker_geometry_probabilities(const dmi_ranker* ranker, dmi_isa isa,
+                                       const float (*features)[DMI_FEATURE_COUNT], uint32_t count,
+                                       float* out_probability) {
+    _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_FEATURE_COUNT];
+    for (uint32_t first = 0; first < count; first += BATCH) {
+        const uint32_t rows = count - first < BATCH ? count - first : BATCH;
+        memcpy(x, features[first], rows * sizeof *x);
+        hide_network(x, rows);
+        score(ranker, isa, (const float(*)[DMI_FEATURE_COUNT])x, rows, out_probability + first);
+    }
+    share_one(out_probability, count);
 }
 
 float dmi_ranker_confidence(const dmi_ranker* ranker, int dragged, float mass) {

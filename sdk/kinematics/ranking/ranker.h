@@ -20,6 +20,10 @@ void dmi_ranker_read(dmi_loader* loader, dmi_ranker* out_ranker);
 /* Probabilities of the candidates; they sum to 1. ranker NULL: by rules. count: at most DMI_CANDIDATES_MAX. */
 void dmi_ranker_probabilities(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
                               uint32_t count, float* out_probability);
+/* The same as if there were no KPP-Net. */
+void dmi_ranker_geometry_probabilities(const dmi_ranker* ranker, dmi_isa isa,
+                                       const float (*features)[DMI_FEATURE_COUNT], uint32_t count,
+                                       float* out_probability);
 /* Returns the probability that an answer is right whose candidates gather the probability `mass`. ranker NULL: `mass`.
  */
 float dmi_ranker_confidence(const dmi_ranker* ranker, int dragged, float mass);
