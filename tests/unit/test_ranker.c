@@ -1,5 +1,5 @@
 /* The ranker's score: the mean of network and trees, and the network's with KPP-Net's features and, to a fifth,
- * without. */
+ * without. And what the rules say in its place. */
 #include "test_env.h"
 
 #include <math.h>
@@ -70,11 +70,95 @@ static void confidence_rises_with_the_probability(void** state) {
     assert_float_equal(dmi_ranker_confidence(NULL, 1, 0.7f), 0.7f, 0);
 }
 
+/* ---- rules, where there is no ranker ---- */
+
+/* How much likelier the rules find a candidate than another that differs in `column` alone: 0.5 there, not 0. */
+static float rule_log_odds(int column, float prismatic, float has_drag, float has_network) {
+    float rows[COUNT][DMI_FEATURE_COUNT] = {{0}}, probability[COUNT];
+    for (int i = 0; i < COUNT; i++) {
+        rows[i][DMI_FEATURE_PRISMATIC] = prismatic;
+        rows[i][DMI_FEATURE_HAS_DRAG] = has_drag, rows[i][DMI_FEATURE_HAS_NETWORK] = has_network;
+    }
+    rows[0][column] = 0.5f;
+    dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, COUNT, probability);
+    assert_float_equal(probability[0] + probability[1], 1, 1e-6f);
+    return logf(probability[0] / probability[1]);
+}
+
+/* sign: of what a larger number says for a candidate, where the rule holds; elsewhere it says nothing. */
+static const struct rule {
+    int column;
+    float sign;
+    bool of_turns, of_drags, of_the_network;
+} rules[] = {
+    {DMI_FEATURE_SURFACE_SLIP, -1, false, false, false},
+    {DMI_FEATURE_NEAREST_PART_NORMAL_SPEED, -1, false, false, false},
+    {DMI_FEATURE_NEAREST_BODY_NORMAL_SPEED, -1, false, false, false},
+    {DMI_FEATURE_ALIGNED_LONG, 1, false, false, false},
+    {DMI_FEATURE_ALIGNED_LONG + 1, 1, false, false, false},
+    {DMI_FEATURE_ALIGNED_LONG + 2, 1, false, false, false},
+    {DMI_FEATURE_HIT_MIDDLE_ALONG, -1, false, true, false},
+    {DMI_FEATURE_DRAG_ANGLE, -1, false, true, false},
+    {DMI_FEATURE_NEAREST_ON_AXIS, 1, true, false, false},
+    {DMI_FEATURE_ON_SIDE, 1, true, false, false},
+    {DMI_FEATURE_ROUND, 1, true, false, false},
+    {DMI_FEATURE_AT_CENTROID, 1, true, false, false},
+    {DMI_FEATURE_AT_BOX_CENTRE, 1, true, false, false},
+    {DMI_FEATURE_ALONG_PART_MEAN, -1, true, false, false},
+    {DMI_FEATURE_NETWORK_TYPE, 1, false, false, true},
+    {DMI_FEATURE_NETWORK_ANGLE, -1, false, false, true},
+    {DMI_FEATURE_NETWORK_NEAR_50MRAD, 1, false, false, true},
+    {DMI_FEATURE_NETWORK_OFFSET, -1, true, false, true},
+    {DMI_FEATURE_NETWORK_ON_LINE_3, 1, true, false, true},
+};
+
+static void each_rule_speaks_where_it_holds(void** state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
+        for (int which = 0; which < 8; which++) {
+            const bool slides = which & 1, dragged = which & 2, network = which & 4;
+            const float odds = rule_log_odds(rules[i].column, slides, dragged, network) * rules[i].sign;
+            const bool holds = (!rules[i].of_turns || !slides) && (!rules[i].of_drags || dragged) &&
+                               (!rules[i].of_the_network || network);
+            if (holds ? !(odds > 0.3f) : fabsf(odds) > 1e-5f)
+                fail_msg("column %d says %g (way %d)", rules[i].column, (double)odds, which);
+        }
+    }
+}
+
+/* A motion runs into the body only where neither of its ways is free. */
+static void a_free_way_is_enough(void** state) {
+    (void)state;
+    const float away = rule_log_odds(DMI_FEATURE_HIT_SHORT_ALONG, 0, 0, 0);
+    const float back = rule_log_odds(DMI_FEATURE_HIT_SHORT_AGAINST, 0, 0, 0);
+    float rows[COUNT][DMI_FEATURE_COUNT] = {{0}}, probability[COUNT];
+    assert_float_equal(away, 0, 1e-6f);
+    assert_float_equal(back, 0, 1e-6f);
+    rows[0][DMI_FEATURE_HIT_SHORT_ALONG] = rows[0][DMI_FEATURE_HIT_SHORT_AGAINST] = 0.5f;
+    dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, COUNT, probability);
+    assert_true(probability[0] < 0.2f);
+}
+
+/* Of a slide and a turn that nothing speaks for, the slide is taken. */
+static void a_turn_needs_a_reason(void** state) {
+    (void)state;
+    float rows[COUNT][DMI_FEATURE_COUNT] = {{0}}, probability[COUNT];
+    rows[0][DMI_FEATURE_PRISMATIC] = 1;
+    dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, COUNT, probability);
+    assert_true(probability[0] > 0.6f && probability[0] < 0.9f);
+    rows[1][DMI_FEATURE_ON_SIDE] = rows[1][DMI_FEATURE_ROUND] = 1;
+    dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, COUNT, probability);
+    assert_true(probability[0] < 0.4f);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(geometry_counts_in_both_members),
         cmocka_unit_test(a_fifth_of_the_network_does_without_kpp_net),
         cmocka_unit_test(confidence_rises_with_the_probability),
+        cmocka_unit_test(each_rule_speaks_where_it_holds),
+        cmocka_unit_test(a_free_way_is_enough),
+        cmocka_unit_test(a_turn_needs_a_reason),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
