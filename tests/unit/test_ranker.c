@@ -2,10 +2,15 @@
  * without. And what the rules say in its place. */
 #include "test_env.h"
 
+#include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
+#include "kinematics/inference/joint_models.h"
 #include "kinematics/ranking/ranker.h"
 #include "test_perceptron.h"
+#include "test_world.h"
 
 enum { COUNT = 2, HIDDEN = 64 };
 
@@ -68,6 +73,51 @@ static void confidence_rises_with_the_probability(void** state) {
     /* log odds of 0.5 are 0: the offset alone */
     assert_float_equal(dmi_ranker_confidence(&ranker, 1, 0.5f), 1 / (1 + expf(-0.3f)), 1e-5f);
     assert_float_equal(dmi_ranker_confidence(NULL, 1, 0.7f), 0.7f, 0);
+}
+
+/* Where the numbers of a tensor begin in a weights file. */
+static unsigned char* tensor_in(unsigned char* file, const char* name) {
+    uint64_t header = 0, first = 0;
+    memcpy(&header, file, sizeof header);
+    char* text = calloc(1, header + 1);
+    memcpy(text, file + 8, header);
+    const char* at = strstr(strstr(text, name), "\"data_offsets\"");
+    assert_int_equal(sscanf(at, "\"data_offsets\":[%" SCNu64, &first), 1);
+    free(text);
+    return file + 8 + header + first;
+}
+
+/* More probability has to mean more confidence, with a drag and without: weights that say otherwise are refused. */
+static void a_calibration_that_does_not_rise_is_refused(void** state) {
+    (void)state;
+    static const struct {
+        float slope;
+        dm_result result;
+    } slopes[] = {{1, DM_OK},
+                  {0.01f, DM_OK},
+                  {0, DM_ERROR_WRONG_MODEL},
+                  {-1, DM_ERROR_WRONG_MODEL},
+                  {1e3f, DM_ERROR_WRONG_MODEL},
+                  {1e30f, DM_ERROR_WRONG_MODEL}};
+    size_t size;
+    unsigned char* file = test_read_file("sdk/models/ranker.safetensors", &size);
+    unsigned char* numbers = tensor_in(file, "ranker.calibration");
+    for (size_t i = 0; i < sizeof slopes / sizeof *slopes; i++) {
+        for (int dragged = 0; dragged < 2; dragged++) {
+            const float both[2] = {dragged ? 1 : slopes[i].slope, dragged ? slopes[i].slope : 1};
+            test_env t;
+            dmi_joint_models* joints = NULL;
+            test_env_open(&t, TEST_NEVER);
+            for (int k = 0; k < 2; k++) memcpy(numbers + 8 * k, &both[k], sizeof both[k]);
+            assert_int_equal(dmi_joint_models_load(&t.env, file, size, &joints), slopes[i].result);
+            if (slopes[i].result == DM_OK)
+                dmi_joint_models_destroy(joints);
+            else
+                assert_non_null(strstr(t.messages.text, "calibration"));
+            test_env_close(&t);
+        }
+    }
+    free(file);
 }
 
 /* ---- rules, where there is no ranker ---- */
@@ -156,6 +206,7 @@ int main(void) {
         cmocka_unit_test(geometry_counts_in_both_members),
         cmocka_unit_test(a_fifth_of_the_network_does_without_kpp_net),
         cmocka_unit_test(confidence_rises_with_the_probability),
+        cmocka_unit_test(a_calibration_that_does_not_rise_is_refused),
         cmocka_unit_test(each_rule_speaks_where_it_holds),
         cmocka_unit_test(a_free_way_is_enough),
         cmocka_unit_test(a_turn_needs_a_reason),

@@ -188,7 +188,6 @@ static cJSON* empty_document(dmi_edit* e) {
     dmi_edit_number(e, root, "scene", 0);
     cJSON* scenes = dmi_edit_list(e, root, "scenes");
     dmi_edit_append(e, scenes, cJSON_CreateObject());
-    dmi_edit_list(e, scenes ? scenes->child : NULL, "nodes");
     cJSON* buffers = dmi_edit_list(e, root, "buffers");
     dmi_edit_append(e, buffers, cJSON_CreateObject());
     return root;
