@@ -31,6 +31,24 @@ static void the_map_is_monotone_and_holds_at_snaps(void** state) {
     }
 }
 
+/* Beyond the reach that the host gives, the pointer has the part, and no snap catches it. */
+static void out_of_reach_snaps_do_nothing(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const float reach = 0.03f;
+    const dmi_rules rules = kept_rules(&feel, reach);
+    for (int k = 0; k <= 100; k++) {
+        const float value = 0.01f * (float)k + 0.001f;
+        float nearest = INFINITY, snap;
+        for (int i = 0; i < 3; i++) nearest = fminf(nearest, fabsf(value - places[i]));
+        assert_int_equal(dmi_snaps_catch(&rules.snaps, &test_slide, value, &snap), nearest < reach);
+        if (nearest >= reach)
+            assert_near(dmi_snaps_pull(&rules.snaps, value), value, 0);
+        else
+            assert_true(dmi_snaps_pull(&rules.snaps, value) != value);
+    }
+}
+
 static void a_grab_between_snaps_moves_nothing(void** state) {
     (void)state;
     const dm_drag_feel feel = {.detent_pull = 1};
@@ -93,6 +111,7 @@ static void a_released_part_goes_to_a_snap_in_reach(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_map_is_monotone_and_holds_at_snaps),
+        cmocka_unit_test(out_of_reach_snaps_do_nothing),
         cmocka_unit_test(a_grab_between_snaps_moves_nothing),
         cmocka_unit_test(places_lie_between_snaps_and_beyond_the_outermost),
         cmocka_unit_test(snaps_passed_are_counted),
