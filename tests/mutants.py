@@ -226,7 +226,8 @@ def main():
                 print(f"{r['number']} {r['what']}" + (f"\n  since noticed by {r['later']}" if "later" in r else "") + "\n")
         show(lines[1:])
         return
-    header = {"seed": arguments.seed, "sources": sources_of(), "date": str(datetime.date.today())}
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
+    header = {"seed": arguments.seed, "sources": sources_of(), "date": str(datetime.date.today()), "commit": commit}
     if lines and lines[0]["sources"] != header["sources"]:
         if arguments.again:
             sys.exit(f"{log} is of other sources")
