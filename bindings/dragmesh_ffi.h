@@ -217,9 +217,9 @@ typedef uint64_t dm_drag;
 typedef uint64_t dm_scene;
 typedef struct dm_gltf dm_gltf;
 typedef void (*dm_task)(void* data, uint32_t index);
+typedef int32_t (*dm_progress_callback)(void* user, float done);
 typedef int32_t (*dm_intent_callback)(void* user, uint32_t part_id, dm_vec3 box_min, dm_vec3 box_max);
 typedef int32_t (*dm_choice_callback)(void* user, const dm_choice* choice);
-typedef int32_t (*dm_progress_callback)(void* user, float done);
 struct dm_vec3 {
     float x;
     float y;
@@ -256,6 +256,8 @@ struct dm_context_desc {
     dm_jobs jobs;
     int32_t picking;
     uint32_t reserved;
+    dm_progress_callback progress;
+    void* progress_user;
 };
 struct dm_memory_info {
     uint32_t struct_size;
@@ -605,6 +607,8 @@ struct dm_gltf_desc {
     dm_allocator allocator;
     dm_log log;
     dm_gltf_files files;
+    dm_progress_callback progress;
+    void* progress_user;
 };
 struct dm_gltf_node {
     const char* name;

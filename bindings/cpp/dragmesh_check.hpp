@@ -147,7 +147,7 @@ static_assert(std::is_same<decltype(dm_log::message), void (*)(void *, int32_t, 
 static_assert(sizeof(void*) != 8 || sizeof(dm_jobs) == 16, "dm_jobs has another size");
 static_assert(std::is_same<decltype(dm_jobs::user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_jobs, user) == 0), "dm_jobs.user is another field");
 static_assert(std::is_same<decltype(dm_jobs::parallel_for), int32_t (*)(void *, uint32_t, dm_task, void *)>::value && (sizeof(void*) != 8 || offsetof(dm_jobs, parallel_for) == 8), "dm_jobs.parallel_for is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_context_desc) == 112, "dm_context_desc has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_context_desc) == 128, "dm_context_desc has another size");
 static_assert(std::is_same<decltype(dm_context_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, struct_size) == 0), "dm_context_desc.struct_size is another field");
 static_assert(std::is_same<decltype(dm_context_desc::axes), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, axes) == 4), "dm_context_desc.axes is another field");
 static_assert(std::is_same<decltype(dm_context_desc::unit_in_metres), float>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, unit_in_metres) == 8), "dm_context_desc.unit_in_metres is another field");
@@ -157,6 +157,8 @@ static_assert(std::is_same<decltype(dm_context_desc::log), dm_log>::value && (si
 static_assert(std::is_same<decltype(dm_context_desc::jobs), dm_jobs>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, jobs) == 88), "dm_context_desc.jobs is another field");
 static_assert(std::is_same<decltype(dm_context_desc::picking), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, picking) == 104), "dm_context_desc.picking is another field");
 static_assert(std::is_same<decltype(dm_context_desc::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, reserved) == 108), "dm_context_desc.reserved is another field");
+static_assert(std::is_same<decltype(dm_context_desc::progress), dm_progress_callback>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, progress) == 112), "dm_context_desc.progress is another field");
+static_assert(std::is_same<decltype(dm_context_desc::progress_user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, progress_user) == 120), "dm_context_desc.progress_user is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_memory_info) == 40, "dm_memory_info has another size");
 static_assert(std::is_same<decltype(dm_memory_info::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, struct_size) == 0), "dm_memory_info.struct_size is another field");
 static_assert(std::is_same<decltype(dm_memory_info::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, reserved) == 4), "dm_memory_info.reserved is another field");
@@ -467,7 +469,7 @@ static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_files) == 24, "dm_gltf_files 
 static_assert(std::is_same<decltype(dm_gltf_files::user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_files, user) == 0), "dm_gltf_files.user is another field");
 static_assert(std::is_same<decltype(dm_gltf_files::open), int32_t (*)(void *, const char *, const void **, size_t *)>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_files, open) == 8), "dm_gltf_files.open is another field");
 static_assert(std::is_same<decltype(dm_gltf_files::close), void (*)(void *, const void *, size_t)>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_files, close) == 16), "dm_gltf_files.close is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_desc) == 88, "dm_gltf_desc has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_desc) == 104, "dm_gltf_desc has another size");
 static_assert(std::is_same<decltype(dm_gltf_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, struct_size) == 0), "dm_gltf_desc.struct_size is another field");
 static_assert(std::is_same<decltype(dm_gltf_desc::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, reserved) == 4), "dm_gltf_desc.reserved is another field");
 static_assert(std::is_same<decltype(dm_gltf_desc::data), const void *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, data) == 8), "dm_gltf_desc.data is another field");
@@ -475,6 +477,8 @@ static_assert(std::is_same<decltype(dm_gltf_desc::size), size_t>::value && (size
 static_assert(std::is_same<decltype(dm_gltf_desc::allocator), dm_allocator>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, allocator) == 24), "dm_gltf_desc.allocator is another field");
 static_assert(std::is_same<decltype(dm_gltf_desc::log), dm_log>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, log) == 48), "dm_gltf_desc.log is another field");
 static_assert(std::is_same<decltype(dm_gltf_desc::files), dm_gltf_files>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, files) == 64), "dm_gltf_desc.files is another field");
+static_assert(std::is_same<decltype(dm_gltf_desc::progress), dm_progress_callback>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, progress) == 88), "dm_gltf_desc.progress is another field");
+static_assert(std::is_same<decltype(dm_gltf_desc::progress_user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_desc, progress_user) == 96), "dm_gltf_desc.progress_user is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_node) == 64, "dm_gltf_node has another size");
 static_assert(std::is_same<decltype(dm_gltf_node::name), const char *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_node, name) == 0), "dm_gltf_node.name is another field");
 static_assert(std::is_same<decltype(dm_gltf_node::node), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_node, node) == 8), "dm_gltf_node.node is another field");

@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 39b6057639db9c2e
+// Hash of the description: 4c40871d307953a2
 
 export const VERSION = '0.1.0';
 export const VERSION_NUMBER = 4096;
@@ -214,7 +214,7 @@ export const structs = {
         user: [0, 'u32'],
         parallelFor: [4, 'u32'],
     } },
-    dm_context_desc: { size: 84, fields: {
+    dm_context_desc: { size: 92, fields: {
         structSize: [0, 'u32'],
         axes: [4, 'i32'],
         unitInMetres: [8, 'f32'],
@@ -224,6 +224,8 @@ export const structs = {
         jobs: [68, 'dm_jobs'],
         picking: [76, 'i32'],
         reserved: [80, 'u32'],
+        progress: [84, 'u32'],
+        progressUser: [88, 'u32'],
     } },
     dm_memory_info: { size: 40, fields: {
         structSize: [0, 'u32'],

@@ -54,10 +54,12 @@ static dm_result init_context(dm_context* context, const dm_context_desc* desc) 
 }
 
 /* Allocates the context's own block through an environment that outlives it. */
-static dm_context* allocate_context(dmi_env* outer) {
+static dm_context* allocate_context(dmi_env* outer, const dm_context_desc* desc) {
     dm_context* context = dmi_alloc_zeroed(outer, sizeof *context, _Alignof(dm_context));
     if (context == NULL) return NULL;
     dmi_env_init(&context->env, &outer->allocator, &outer->log, &outer->jobs);
+    context->env.progress = desc->progress;
+    context->env.progress_user = desc->progress_user;
     context->env.bytes = context->env.peak_bytes = sizeof *context;
     context->env.allocations = 1;
     atomic_flag_clear(&context->lock);
@@ -81,7 +83,7 @@ dm_result DM_CALL dm_context_create(const dm_context_desc* desc, dm_context** ou
     if (result == DM_OK) result = check_picking(&outer, &known);
     if (result != DM_OK) return result;
     dmi_env_init(&outer, &known.allocator, &known.log, &known.jobs);
-    dm_context* context = allocate_context(&outer);
+    dm_context* context = allocate_context(&outer, &known);
     if (context == NULL)
         return dmi_fail(&outer, DM_ERROR_OUT_OF_MEMORY, "dm_context_create: no memory for the context");
     result = init_context(context, &known);

@@ -7,6 +7,8 @@
 #include "math/vec3.h"
 #include "segmentation/part_finder.h"
 
+#define MESH_DONE 0.15f /* share of the work, when the mesh is checked; measured */
+
 static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_count) {
     if (face_count >= mesh->face_count) return DM_OK;
     return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_mesh_find_part: face_count is %llu, the mesh has %u triangles",
@@ -31,8 +33,9 @@ static dm_result read_drag(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hin
     return DM_OK;
 }
 
-static dm_result find(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids) {
-    dmi_part_query query = {.mesh = mesh};
+static dm_result find(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* drag, const dmi_progress* progress,
+                      uint8_t* out_face_ids) {
+    dmi_part_query query = {.mesh = mesh, .progress = progress};
     dm_result result = read_drag(env, mesh, drag, &query);
     if (result == DM_OK) result = dmi_part_find(env, &query, out_face_ids);
     return result;
@@ -48,11 +51,15 @@ dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mes
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_find_part: %s is NULL",
                         drag != NULL ? "out_face_ids" : "drag");
     dm_result result = dmi_mesh_desc_read(env, "dm_mesh_find_part: mesh", mesh, &known);
+    const dmi_progress progress = dmi_progress_of(env, "dm_mesh_find_part"),
+                       reading = dmi_progress_piece(&progress, 0, MESH_DONE),
+                       finding = dmi_progress_piece(&progress, MESH_DONE, 1);
     dmi_mesh* inner = NULL;
-    if (result == DM_OK) result = dmi_mesh_create_pieces(env, &context->axes, &known, &inner);
+    if (result == DM_OK) result = dmi_mesh_create_pieces(env, &context->axes, &known, &reading, &inner);
     if (result != DM_OK) return result;
-    result = check_buffer(env, inner, face_count);
-    if (result == DM_OK) result = find(env, inner, drag, out_face_ids);
+    result = dmi_progress_tell(&finding, 0);
+    if (result == DM_OK) result = check_buffer(env, inner, face_count);
+    if (result == DM_OK) result = find(env, inner, drag, &finding, out_face_ids);
     dmi_mesh_destroy(env, inner);
     return result;
 }

@@ -13,6 +13,8 @@ typedef struct dmi_env {
     dm_allocator allocator;
     dm_log log;
     dm_jobs jobs;
+    dm_progress_callback progress; /* of long calls; NULL: nobody asks */
+    void* progress_user;
     _Atomic uint64_t bytes, peak_bytes, allocations, pick_bytes;
 } dmi_env;
 

@@ -3,6 +3,10 @@
 
 #define PERCENT 100.0f
 
+dmi_progress dmi_progress_of(dmi_env* env, const char* function) {
+    return (dmi_progress){env, function, env->progress, env->progress_user, 0, 1};
+}
+
 dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float to) {
     if (progress == NULL) return (dmi_progress){0};
     dmi_progress piece = *progress;
@@ -15,6 +19,6 @@ dm_result dmi_progress_tell(const dmi_progress* progress, float share) {
     if (progress == NULL || progress->progress == NULL) return DM_OK;
     const float done = progress->from + (share < 1 ? share : 1) * (progress->to - progress->from);
     if (!progress->progress(progress->user, done)) return DM_OK;
-    return dmi_fail(progress->env, DM_ERROR_CANCELLED,
-                    "dm_object_prepare: the progress callback asked to stop at %.0f %%", (double)(done * PERCENT));
+    return dmi_fail(progress->env, DM_ERROR_CANCELLED, "%s: the progress callback asked to stop at %.0f %%",
+                    progress->function, (double)(done * PERCENT));
 }

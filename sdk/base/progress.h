@@ -10,10 +10,14 @@
 
 typedef struct dmi_progress {
     dmi_env* env;
+    const char* function;          /* that the host has called; for the message */
     dm_progress_callback progress; /* NULL: nobody asks */
     void* user;
     float from, to; /* what part of the call is watched, 0 to 1 */
 } dmi_progress;
+
+/* Watches a whole call for the callback of the context. */
+dmi_progress dmi_progress_of(dmi_env* env, const char* function);
 
 /* The same for a piece of what is watched, by shares of it. `progress` may be NULL. */
 dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float to);
@@ -21,5 +25,11 @@ dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float 
 /* Reports that a share, 0 to 1, of what is watched is done. Returns DM_ERROR_CANCELLED, with a message, when the host
  * asks to stop. NULL: DM_OK. */
 dm_result dmi_progress_tell(const dmi_progress* progress, float share);
+
+/* The same after element `i` of a loop over `count`, for one in DMI_PROGRESS_STEP of them. */
+static inline dm_result dmi_progress_step(const dmi_progress* progress, uint32_t i, uint32_t count) {
+    if (i % DMI_PROGRESS_STEP != DMI_PROGRESS_STEP - 1) return DM_OK;
+    return dmi_progress_tell(progress, (float)i / (float)count);
+}
 
 #endif

@@ -14,6 +14,7 @@
 #define POSITION_PADDING 16
 /* Normalised coordinates are rounded to 3e-8: a triangle of less height has no area and no direction. */
 #define SLIVER_HEIGHT 1e-7
+#define FACES_DONE 0.7f /* share of measuring, when the faces are measured; measured */
 
 /* ---- memory ---- */
 
@@ -153,16 +154,18 @@ static double measure_face(dmi_mesh* mesh, uint32_t face) {
 
 /* Left-handed hosts wind triangles the other way round to keep their fronts outside. A clearly negative volume tells;
  * flat or open objects without one keep their winding. */
-static void measure_faces(dmi_mesh* mesh) {
+static dm_result measure_faces(const dmi_progress* progress, dmi_mesh* mesh) {
     double volume = 0, magnitude = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         double six_volumes = measure_face(mesh, f);
         volume += six_volumes;
         magnitude += fabs(six_volumes);
+        if (dmi_progress_step(progress, f, mesh->face_count) != DM_OK) return DM_ERROR_CANCELLED;
     }
     mesh->winding = volume < -1e-6 - 1e-4 * magnitude ? -1.0f : 1.0f;
-    if (mesh->winding > 0) return;
+    if (mesh->winding > 0) return DM_OK;
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) mesh->face_normal[i] = -mesh->face_normal[i];
+    return DM_OK;
 }
 
 /* ---- parts ---- */
@@ -236,9 +239,10 @@ dm_result dmi_mesh_measure_parts(dmi_env* env, dmi_mesh* mesh) {
     return DM_OK;
 }
 
-dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh) {
-    measure_faces(mesh);
-    dm_result result = dmi_mesh_measure_parts(env, mesh);
+dm_result dmi_mesh_measure(dmi_env* env, const dmi_progress* progress, dmi_mesh* mesh) {
+    const dmi_progress faces = dmi_progress_piece(progress, 0, FACES_DONE);
+    dm_result result = measure_faces(&faces, mesh);
+    if (result == DM_OK) result = dmi_mesh_measure_parts(env, mesh);
     return result == DM_OK ? check_areas(env, mesh) : result;
 }
 
@@ -251,6 +255,11 @@ static dm_result tell(const dmi_progress* progress, int steps) {
     return dmi_progress_tell(progress, (float)steps / STEPS);
 }
 
+/* What a step is of the whole. */
+static dmi_progress step_of(const dmi_progress* progress, int step) {
+    return dmi_progress_piece(progress, (float)(step - 1) / STEPS, (float)step / STEPS);
+}
+
 static dm_result fill_shape(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes,
                             const dmi_progress* progress, dmi_mesh* mesh) {
     dm_result result = set_frame(env, reader, axes, mesh);
@@ -259,8 +268,9 @@ static dm_result fill_shape(dmi_env* env, const dmi_mesh_reader* reader, const d
     set_positions(reader, mesh);
     result = tell(progress, POSITIONS_SET);
     if (result != DM_OK) return result;
-    measure_faces(mesh);
-    result = tell(progress, FACES_MEASURED);
+    const dmi_progress faces = step_of(progress, FACES_MEASURED);
+    result = measure_faces(&faces, mesh);
+    if (result == DM_OK) result = tell(progress, FACES_MEASURED);
     return result == DM_OK ? dmi_mesh_measure_parts(env, mesh) : result;
 }
 
@@ -276,11 +286,15 @@ static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axe
     return result == DM_OK ? check_areas(env, mesh) : result;
 }
 
-static dm_result fill_pieces(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes, dmi_mesh* mesh) {
+static dm_result fill_pieces(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes,
+                             const dmi_progress* progress, dmi_mesh* mesh) {
     dm_result result = dmi_mesh_read_indices(env, reader, mesh->indices);
+    if (result == DM_OK) result = tell(progress, INDICES_READ);
     if (result == DM_OK) result = dmi_mesh_check_positions(env, reader);
+    if (result == DM_OK) result = tell(progress, POSITIONS_CHECKED);
     if (result == DM_OK) result = dmi_mesh_assign_pieces(env, reader, mesh);
-    if (result == DM_OK) result = fill_shape(env, reader, axes, NULL, mesh);
+    if (result == DM_OK) result = tell(progress, PARTS_ASSIGNED);
+    if (result == DM_OK) result = fill_shape(env, reader, axes, progress, mesh);
     return result == DM_OK ? check_any_area(env, mesh) : result;
 }
 
@@ -299,12 +313,13 @@ dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc
     return DM_OK;
 }
 
-dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, dmi_mesh** out_mesh) {
+dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
+                                 const dmi_progress* progress, dmi_mesh** out_mesh) {
     dmi_mesh_reader reader;
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_reader_open(env, desc, &reader);
     if (result == DM_OK) result = allocate(env, reader.vertex_count, reader.face_count, &mesh);
-    if (result == DM_OK) result = fill_pieces(env, &reader, axes, mesh);
+    if (result == DM_OK) result = fill_pieces(env, &reader, axes, progress, mesh);
     if (result != DM_OK) {
         dmi_mesh_destroy(env, mesh);
         return result;

@@ -11,16 +11,18 @@
 dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, const dm_part_desc* parts,
                           uint32_t part_count, const dmi_progress* progress, dmi_mesh** out_mesh);
 /* A mesh to look for parts in: desc->part_ids may be NULL (then all is one piece), and parts may be empty, cover
- * everything, or have no area. parts[0] has the faces of id 0. */
-dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, dmi_mesh** out_mesh);
+ * everything, or have no area. parts[0] has the faces of id 0. progress: may be NULL. */
+dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
+                                 const dmi_progress* progress, dmi_mesh** out_mesh);
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh);
 
 /* A mesh from a file: room, whose positions, indices, face_part and parts (id, parent, face_count) the caller fills, …
  */
 dm_result dmi_mesh_restore(dmi_env* env, const dmi_frame* frame, uint32_t vertex_count, uint32_t face_count,
                            uint32_t part_count, dmi_mesh** out_mesh);
-/* … and then areas, normals, boxes and centres, to the bits that dmi_mesh_create made of the same numbers. */
-dm_result dmi_mesh_measure(dmi_env* env, dmi_mesh* mesh);
+/* … and then areas, normals, boxes and centres, to the bits that dmi_mesh_create made of the same numbers. progress:
+ * may be NULL. */
+dm_result dmi_mesh_measure(dmi_env* env, const dmi_progress* progress, dmi_mesh* mesh);
 /* Boxes, areas and centres of the parts alone, from face_part and the faces' areas. */
 dm_result dmi_mesh_measure_parts(dmi_env* env, dmi_mesh* mesh);
 

@@ -11,6 +11,7 @@
 #define OWNER_SHARE 0.6f    /* of a piece's area: makes the piece its owner's */
 #define MAX_AREA_LOSS 0.4f  /* share of a part's area */
 #define MAX_FACE_LOSS 0.12f /* share of a part's triangles */
+#define FIRST_VOTE 0.5f     /* share of the work, when the first vote is over */
 #define SMOOTH_COSINE 0.95f /* between the normals of two faces of a smooth region, 18 degrees */
 
 /* The pieces of the surface and their owners. */
@@ -105,19 +106,25 @@ static dm_result find_seam(dmi_arena* arena, const dmi_mesh* mesh, const uint32_
 }
 
 /* Votes by sheets, which a modeller makes in one operation, then by smooth regions within them. */
-static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, dmi_mesh* mesh) {
+static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, const dmi_progress* progress, dmi_mesh* mesh) {
+    const dmi_progress first = dmi_progress_piece(progress, 0, FIRST_VOTE),
+                       second = dmi_progress_piece(progress, FIRST_VOTE, 1);
     uint32_t count;
     uint32_t* labels = dmi_arena_push(arena, mesh->face_count * sizeof *labels);
     uint8_t* all = dmi_arena_push(arena, mesh->face_count);
     if (labels == NULL || all == NULL) return out_of_memory(arena, mesh);
-    dm_result result = dmi_face_sheets(arena, mesh, welded, labels, &count);
+    dm_result result = dmi_face_sheets(arena, mesh, welded, &first, labels, &count);
+    if (result == DM_OK) result = dmi_progress_tell(&first, 1);
     if (result == DM_OK) result = vote(arena, mesh, labels, count);
     memset(all, 1, mesh->face_count);
-    if (result == DM_OK) result = dmi_face_regions(arena, mesh, welded, all, SMOOTH_COSINE, labels, &count);
+    if (result == DM_OK) result = dmi_progress_tell(&second, 0);
+    if (result == DM_OK) result = dmi_face_regions(arena, mesh, welded, all, SMOOTH_COSINE, &second, labels, &count);
+    if (result == DM_OK) result = dmi_progress_tell(&second, 1);
     return result == DM_OK ? vote(arena, mesh, labels, count) : result;
 }
 
-dm_result dmi_mesh_repair(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, dmi_mesh* out_repaired) {
+dm_result dmi_mesh_repair(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const dmi_progress* progress,
+                          dmi_mesh* out_repaired) {
     *out_repaired = *mesh;
     bool seam = false;
     dm_result result = find_seam(arena, mesh, welded, &seam);
@@ -127,6 +134,6 @@ dm_result dmi_mesh_repair(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
     if (out_repaired->face_part == NULL || out_repaired->parts == NULL) return out_of_memory(arena, mesh);
     memcpy(out_repaired->face_part, mesh->face_part, mesh->face_count * sizeof *mesh->face_part);
     memcpy(out_repaired->parts, mesh->parts, mesh->part_count * sizeof *mesh->parts);
-    result = vote_twice(arena, welded, out_repaired);
+    result = vote_twice(arena, welded, progress, out_repaired);
     return result == DM_OK ? dmi_mesh_measure_parts(arena->env, out_repaired) : result;
 }

@@ -67,28 +67,33 @@ static bool make_items(builder* b) {
     return true;
 }
 
-/* Makes room for one more element; false without memory. */
-static bool reserve(dmi_env* env, void** array, uint32_t used, uint32_t* capacity, size_t size) {
-    if (used < *capacity) return true;
-    const uint32_t larger = *capacity + *capacity / 2 + 1;
-    void* grown = dmi_alloc(env, larger * size, DMI_ALIGNMENT);
-    if (grown == NULL) return false;
-    memcpy(grown, *array, used * size);
-    dmi_free(env, *array, *capacity * size);
-    *array = grown;
-    *capacity = larger;
+/* Moves `used` elements to an array of another capacity. False without memory, and when it is cancelled. */
+static bool move_array(builder* b, void** array, uint32_t used, uint32_t* capacity, uint32_t wanted, size_t size) {
+    uint8_t* moved = dmi_alloc(b->env, wanted * size, DMI_ALIGNMENT);
+    if (moved == NULL) return false;
+    for (uint32_t first = 0; first < used && !b->cancelled; first += DMI_PROGRESS_STEP) {
+        const uint32_t count = used - first < DMI_PROGRESS_STEP ? used - first : DMI_PROGRESS_STEP;
+        memcpy(moved + first * size, (uint8_t*)*array + first * size, count * size);
+        if (count == DMI_PROGRESS_STEP) tell(b);
+    }
+    if (b->cancelled) {
+        dmi_free(b->env, moved, wanted * size);
+        return false;
+    }
+    dmi_free(b->env, *array, *capacity * size);
+    *array = moved;
+    *capacity = wanted;
     return true;
 }
 
-/* Gives back what was reserved beyond `used`; without memory for the copy it stays. */
-static void trim(dmi_env* env, void** array, uint32_t used, uint32_t* capacity, size_t size) {
-    if (used == *capacity) return;
-    void* fitting = dmi_alloc(env, used * size, DMI_ALIGNMENT);
-    if (fitting == NULL) return;
-    memcpy(fitting, *array, used * size);
-    dmi_free(env, *array, *capacity * size);
-    *array = fitting;
-    *capacity = used;
+/* Makes room for one more element; false without memory. */
+static bool reserve(builder* b, void** array, uint32_t used, uint32_t* capacity, size_t size) {
+    return used < *capacity || move_array(b, array, used, capacity, *capacity + *capacity / 2 + 1, size);
+}
+
+/* Gives back what was reserved beyond `used`; without memory for the copy it stays. False when it is cancelled. */
+static bool trim(builder* b, void** array, uint32_t used, uint32_t* capacity, size_t size) {
+    return used == *capacity || move_array(b, array, used, capacity, used, size) || !b->cancelled;
 }
 
 static void fill_block(const builder* b, const dmi_box_range* range, dmi_triangle_block* block) {
@@ -109,7 +114,7 @@ static void set_child(dmi_wide_node* node, uint32_t slot, const dmi_box* box, ui
 
 static bool make_leaf(builder* b, uint32_t node, uint32_t slot, const dmi_box_range* range) {
     dmi_wide_tree* tree = b->tree;
-    if (!reserve(b->env, (void**)&tree->blocks, tree->block_count, &tree->block_capacity, sizeof *tree->blocks))
+    if (!reserve(b, (void**)&tree->blocks, tree->block_count, &tree->block_capacity, sizeof *tree->blocks))
         return false;
     fill_block(b, range, &tree->blocks[tree->block_count]);
     set_child(&tree->nodes[node], slot, &range->box, DMI_LEAF | tree->block_count++);
@@ -120,8 +125,7 @@ static bool make_leaf(builder* b, uint32_t node, uint32_t slot, const dmi_box_ra
 /* Makes the node of a range, its leaves, and work of its larger children. */
 static bool make_node(builder* b, const pending* work) {
     dmi_wide_tree* tree = b->tree;
-    if (!reserve(b->env, (void**)&tree->nodes, tree->node_count, &tree->node_capacity, sizeof *tree->nodes))
-        return false;
+    if (!reserve(b, (void**)&tree->nodes, tree->node_count, &tree->node_capacity, sizeof *tree->nodes)) return false;
     const uint32_t index = tree->node_count++;
     if (index > 0) tree->nodes[work->parent].child[work->slot] = index;
     dmi_box_range ranges[DMI_WIDE];
@@ -172,8 +176,8 @@ dm_result dmi_wide_tree_build(dmi_env* env, const dmi_triangles* triangles, dmi_
     dmi_free(env, b.items, faces * sizeof *b.items);
     dmi_free(env, b.stack, MOST_PENDING * sizeof *b.stack);
     if (made) {
-        trim(env, (void**)&tree.nodes, tree.node_count, &tree.node_capacity, sizeof *tree.nodes);
-        trim(env, (void**)&tree.blocks, tree.block_count, &tree.block_capacity, sizeof *tree.blocks);
+        made = trim(&b, (void**)&tree.nodes, tree.node_count, &tree.node_capacity, sizeof *tree.nodes) &&
+               trim(&b, (void**)&tree.blocks, tree.block_count, &tree.block_capacity, sizeof *tree.blocks);
     }
     *out_tree = tree;
     if (made) return DM_OK;

@@ -36,17 +36,18 @@ static float triangle_distance(const float p[3], const float a[3], const float b
     return best;
 }
 
-uint32_t dmi_mesh_nearest_face(const dmi_mesh* mesh, const float point[3]) {
-    uint32_t best = 0;
+dm_result dmi_mesh_nearest_face(const dmi_mesh* mesh, const float point[3], const dmi_progress* progress,
+                                uint32_t* out_face) {
     float least = INFINITY;
+    *out_face = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         const uint32_t* corner = mesh->indices + (size_t)f * 3;
         const float distance =
             triangle_distance(point, mesh->positions + (size_t)corner[0] * 3, mesh->positions + (size_t)corner[1] * 3,
                               mesh->positions + (size_t)corner[2] * 3);
-        if (distance >= least) continue;
-        least = distance;
-        best = f;
+        if (distance < least) *out_face = f;
+        least = dmi_fminf(distance, least);
+        if (dmi_progress_step(progress, f, mesh->face_count) != DM_OK) return DM_ERROR_CANCELLED;
     }
-    return best;
+    return DM_OK;
 }

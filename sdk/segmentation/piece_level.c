@@ -14,6 +14,13 @@
 #define SHELLS_ONLY (-2)            /* cosine that makes dmi_face_regions connect over vertices */
 #define NO_BYTE 0xff                /* memset value that makes every uint32_t DMI_PIECE_NONE */
 
+/* Shares of the work, when vertices are welded and sheets are found, when the sheet is cut, and when pieces have their
+ * samples; measured. */
+#define WELDED 0.3f
+#define SHEETS_FOUND 0.8f
+#define SHEET_CUT 0.5f
+#define SAMPLED 0.8f
+
 typedef struct piece_area {
     float area;
     uint32_t piece;
@@ -24,7 +31,11 @@ static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
                     mesh->face_count);
 }
 
-dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, dmi_mesh_sheets* out) {
+dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_progress* progress,
+                               dmi_mesh_sheets* out) {
+    const dmi_progress welding = dmi_progress_piece(progress, 0, WELDED),
+                       uniting = dmi_progress_piece(progress, WELDED, SHEETS_FOUND),
+                       joining = dmi_progress_piece(progress, SHEETS_FOUND, 1);
     uint32_t shell_count;
     *out = (dmi_mesh_sheets){.mesh = mesh};
     out->welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *out->welded);
@@ -34,23 +45,25 @@ dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, dmi_mesh_
     if (out->welded == NULL || out->labels == NULL || out->shells == NULL || all == NULL)
         return out_of_memory(arena, mesh);
     memset(all, 1, mesh->face_count);
-    dm_result result = dmi_weld_vertices(arena, mesh, WELD_DISTANCE, NULL, out->welded);
-    if (result == DM_OK) result = dmi_face_sheets(arena, mesh, out->welded, out->labels, &out->count);
+    dm_result result = dmi_weld_vertices(arena, mesh, WELD_DISTANCE, &welding, out->welded);
+    if (result == DM_OK) result = dmi_face_sheets(arena, mesh, out->welded, &uniting, out->labels, &out->count);
+    if (result == DM_OK) result = dmi_progress_tell(&joining, 0);
     if (result != DM_OK) return result;
-    return dmi_face_regions(arena, mesh, out->welded, all, SHELLS_ONLY, out->shells, &shell_count);
+    return dmi_face_regions(arena, mesh, out->welded, all, SHELLS_ONLY, &joining, out->shells, &shell_count);
 }
 
 /* Replaces the label `cut` by labels of the sheet's smooth regions: the first region keeps the label, the others get
  * new ones from *count on. */
-static dm_result cut_sheet(dmi_arena* arena, const dmi_mesh_sheets* sheets, uint32_t cut, uint32_t* labels,
-                           uint32_t* count) {
+static dm_result cut_sheet(dmi_arena* arena, const dmi_mesh_sheets* sheets, uint32_t cut, const dmi_progress* progress,
+                           uint32_t* labels, uint32_t* count) {
     const dmi_mesh* mesh = sheets->mesh;
     uint32_t* regions = dmi_arena_push(arena, mesh->face_count * sizeof *regions);
     uint8_t* select = dmi_arena_push(arena, mesh->face_count);
     uint32_t region_count;
     if (regions == NULL || select == NULL) return out_of_memory(arena, mesh);
     for (uint32_t f = 0; f < mesh->face_count; f++) select[f] = labels[f] == cut;
-    dm_result result = dmi_face_regions(arena, mesh, sheets->welded, select, CREASE_COSINE, regions, &region_count);
+    dm_result result =
+        dmi_face_regions(arena, mesh, sheets->welded, select, CREASE_COSINE, progress, regions, &region_count);
     if (result != DM_OK) return result;
     for (uint32_t f = 0; f < mesh->face_count; f++)
         if (select[f] && regions[f] > 0) labels[f] = *count + regions[f] - 1;
@@ -87,16 +100,22 @@ static dm_result find_repeats(dmi_arena* arena, dmi_piece_level* level) {
     return DM_OK;
 }
 
-dm_result dmi_piece_level_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, uint32_t cut, dmi_piece_level* out) {
+dm_result dmi_piece_level_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, uint32_t cut,
+                               const dmi_progress* progress, dmi_piece_level* out) {
+    const dmi_progress cutting = dmi_progress_piece(progress, 0, SHEET_CUT),
+                       sampling = dmi_progress_piece(progress, SHEET_CUT, 1);
     const uint32_t face_count = sheets->mesh->face_count;
     uint32_t count = sheets->count;
     *out = (dmi_piece_level){.sheet_is_cut = cut != DMI_PIECE_NONE};
     uint32_t* labels = dmi_arena_push(arena, face_count * sizeof *labels);
     if (labels == NULL) return out_of_memory(arena, sheets->mesh);
     memcpy(labels, sheets->labels, face_count * sizeof *labels);
-    dm_result result = out->sheet_is_cut ? cut_sheet(arena, sheets, cut, labels, &count) : DM_OK;
+    dm_result result = out->sheet_is_cut ? cut_sheet(arena, sheets, cut, &cutting, labels, &count) : DM_OK;
     if (result == DM_OK && out->sheet_is_cut && count == sheets->count) return DM_OK;
+    if (result == DM_OK) result = dmi_progress_tell(&sampling, 0);
     if (result == DM_OK) result = dmi_pieces_make(arena, sheets->mesh, labels, count, &out->pieces);
+    if (result != DM_OK) return result;
+    result = dmi_progress_tell(&sampling, SAMPLED);
     if (result != DM_OK) return result;
     out->sheets = dmi_arena_push(arena, count * sizeof *out->sheets);
     out->shells = dmi_arena_push(arena, count * sizeof *out->shells);

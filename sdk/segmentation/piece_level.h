@@ -23,10 +23,12 @@ typedef struct dmi_piece_level {
     bool sheet_is_cut;                          /* one sheet is divided into its smooth regions */
 } dmi_piece_level;
 
-/* Both functions take all memory from the arena. */
-dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, dmi_mesh_sheets* out);
+/* Both functions take all memory from the arena. progress: may be NULL. */
+dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_progress* progress,
+                               dmi_mesh_sheets* out);
 /* Makes every sheet a piece; the sheet `cut`, unless DMI_PIECE_NONE, is divided into its smooth regions. When that
  * sheet has a single region, out->pieces.count is 0. */
-dm_result dmi_piece_level_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, uint32_t cut, dmi_piece_level* out);
+dm_result dmi_piece_level_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, uint32_t cut,
+                               const dmi_progress* progress, dmi_piece_level* out);
 
 #endif

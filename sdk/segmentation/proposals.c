@@ -19,6 +19,12 @@
 #define RATING_WORK 16        /* of one neighbour, in the time of samples visited; measured */
 #define MAX_REGIONS 2000      /* smooth regions of the cut sheet beyond which it is not grown, for time; by hand */
 
+/* Shares of the work, when each level is made and its region grown; by hand. */
+#define WHOLE_MADE 0.3f
+#define WHOLE_GROWN 0.4f
+#define CUT_MADE 0.8f
+#define CUT_GROWN 0.9f
+
 /* A growth network and how to run it. */
 typedef struct rater {
     const dmi_perceptron* network;
@@ -111,7 +117,7 @@ static void set_later(const growth* g, uint32_t first, dmi_proposals* out) {
 }
 
 static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_grab* grab, const rater* rater,
-                      dmi_proposals* out) {
+                      const dmi_progress* progress, dmi_proposals* out) {
     const uint32_t seed = level->pieces.labels[grab->face], first = out->count;
     growth g = {.seed = seed,
                 .lowest_log_odds = -MIN_LOG_ODDS,
@@ -136,21 +142,29 @@ static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_
         }
         if (is_last) break;
         add_next_piece(&g);
+        if (result == DM_OK) result = dmi_progress_tell(progress, (float)work / MAX_WORK);
     }
     set_later(&g, first, out);
     return result;
 }
 
 dm_result dmi_proposals_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, const dmi_grab* grab,
-                             const dmi_perceptron* growth_network, dmi_isa isa, dmi_proposals* out) {
+                             const dmi_perceptron* growth_network, dmi_isa isa, const dmi_progress* progress,
+                             dmi_proposals* out) {
+    const dmi_progress whole = dmi_progress_piece(progress, 0, WHOLE_MADE),
+                       growing = dmi_progress_piece(progress, WHOLE_MADE, WHOLE_GROWN),
+                       cutting = dmi_progress_piece(progress, WHOLE_GROWN, CUT_MADE),
+                       growing_cut = dmi_progress_piece(progress, CUT_MADE, CUT_GROWN);
     const rater rater = {growth_network, isa};
     out->count = 0;
     const uint32_t grabbed = sheets->labels[grab->face];
-    dm_result result = dmi_piece_level_make(arena, sheets, DMI_PIECE_NONE, &out->levels[0]);
-    if (result == DM_OK) result = grow(arena, &out->levels[0], grab, &rater, out);
-    if (result == DM_OK) result = dmi_piece_level_make(arena, sheets, grabbed, &out->levels[1]);
+    dm_result result = dmi_piece_level_make(arena, sheets, DMI_PIECE_NONE, &whole, &out->levels[0]);
+    if (result == DM_OK) result = grow(arena, &out->levels[0], grab, &rater, &growing, out);
+    if (result == DM_OK) result = dmi_piece_level_make(arena, sheets, grabbed, &cutting, &out->levels[1]);
     if (result != DM_OK) return result;
     const uint32_t pieces = out->levels[1].pieces.count;
-    if (pieces > 0 && pieces - sheets->count <= MAX_REGIONS) result = grow(arena, &out->levels[1], grab, &rater, out);
+    if (pieces > 0 && pieces - sheets->count <= MAX_REGIONS)
+        result = grow(arena, &out->levels[1], grab, &rater, &growing_cut, out);
+    if (result == DM_OK) result = dmi_progress_tell(progress, CUT_GROWN);
     return result == DM_OK ? dmi_proposals_measure(arena, grab, out) : result;
 }

@@ -36,8 +36,9 @@ typedef struct dmi_proposals {
 } dmi_proposals;
 
 /* Makes the proposals and computes their features. All memory comes from the arena. growth_network: of
- * dmi_part_networks. */
+ * dmi_part_networks. progress: may be NULL. */
 dm_result dmi_proposals_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, const dmi_grab* grab,
-                             const dmi_perceptron* growth_network, dmi_isa isa, dmi_proposals* out);
+                             const dmi_perceptron* growth_network, dmi_isa isa, const dmi_progress* progress,
+                             dmi_proposals* out);
 
 #endif

@@ -56,6 +56,8 @@ static const layout_line layout[] = {
     F(dm_context_desc, jobs),
     F(dm_context_desc, picking),
     F(dm_context_desc, reserved),
+    F(dm_context_desc, progress),
+    F(dm_context_desc, progress_user),
     S(dm_memory_info),
     F(dm_memory_info, struct_size),
     F(dm_memory_info, reserved),

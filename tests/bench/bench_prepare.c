@@ -75,7 +75,7 @@ static void stage_analysis(void* user) {
     stages* s = user;
     dmi_arena_release(&s->analysis_arena);
     dmi_arena_init(&s->analysis_arena, &s->env, ARENA_BLOCK);
-    check(dmi_part_analysis_make(&s->analysis_arena, s->mesh, s->cloud, 1, s->welded, &s->analysis), "analysis");
+    check(dmi_part_analysis_make(&s->analysis_arena, s->mesh, s->cloud, 1, s->welded, NULL, &s->analysis), "analysis");
 }
 
 static void stage_ensemble(void* user) {

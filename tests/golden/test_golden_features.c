@@ -90,7 +90,7 @@ static uint32_t measure(test_env* t, const dmi_mesh* mesh, const dmi_drag_hint* 
     dmi_arena arena;
     dmi_arena_init(&arena, &t->env, (size_t)1 << 20);
     assert_int_equal(dmi_cloud_sample(&t->env, mesh, 1, 3, &cloud), DM_OK);
-    assert_int_equal(dmi_part_analysis_make(&arena, mesh, &cloud, 1, NULL, &analysis), DM_OK);
+    assert_int_equal(dmi_part_analysis_make(&arena, mesh, &cloud, 1, NULL, NULL, &analysis), DM_OK);
     const uint32_t count = dmi_candidates_make(&analysis, hint, &prediction, candidates);
     for (uint32_t i = 0; i < count; i++) scores[i] = -0.37f * (float)(i * 7 % 23);
     dmi_candidate_features_make(&analysis, hint, &prediction, scores, candidates, count, features);

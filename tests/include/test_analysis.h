@@ -24,7 +24,7 @@ static inline void test_analysis_open(test_analysis* a, const test_shape* shape,
     assert_int_equal(dmi_mesh_create(&a->t.env, &axes, &desc, NULL, 0, NULL, &a->mesh), DM_OK);
     assert_int_equal(dmi_cloud_sample(&a->t.env, a->mesh, 1, seed, &a->cloud), DM_OK);
     dmi_arena_init(&a->arena, &a->t.env, (size_t)1 << 20);
-    assert_int_equal(dmi_part_analysis_make(&a->arena, a->mesh, &a->cloud, 1, NULL, &a->of_part), DM_OK);
+    assert_int_equal(dmi_part_analysis_make(&a->arena, a->mesh, &a->cloud, 1, NULL, NULL, &a->of_part), DM_OK);
 }
 
 static inline void test_analysis_close(test_analysis* a) {

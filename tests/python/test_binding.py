@@ -129,6 +129,20 @@ class Owners(unittest.TestCase):
                 context.load_object(b"none")
             self.assertEqual((0, caught.exception.message), said[-1])
 
+    def test_progress_of_a_context(self):
+        shares = []
+        with dragmesh.Context(progress=shares.append) as context:
+            saved = context.prepare(POINTS, CORNERS, IDS).save()
+            context.load_object(saved)
+            self.assertGreater(shares.count(1.0), 1)
+        with dragmesh.Context(progress=lambda done: False) as context:
+            with self.assertRaises(dragmesh.Error) as caught:
+                context.load_object(saved)
+            self.assertEqual(caught.exception.name, "DM_ERROR_CANCELLED")
+        with dragmesh.Context(progress=lambda done: 1 // 0) as context:
+            with self.assertRaises(ZeroDivisionError):
+                context.find_part(POINTS, CORNERS, ((0, 0, 0), (0, 0, 1)))
+
     def test_messages_belong_to_their_thread(self):
         context, wrong, heard = dragmesh.Context(), [], []
         thing = context.load_object(DMO)

@@ -38,7 +38,7 @@ static void close_stage(stage* s) {
 static uint32_t regions(stage* s, const uint8_t* select, float min_cosine) {
     uint32_t count = UINT32_MAX;
     memset(labels, 0xcd, sizeof labels);
-    assert_int_equal(dmi_face_regions(&s->arena, s->mesh, welded, select, min_cosine, labels, &count), DM_OK);
+    assert_int_equal(dmi_face_regions(&s->arena, s->mesh, welded, select, min_cosine, NULL, labels, &count), DM_OK);
     return count;
 }
 
@@ -262,8 +262,8 @@ static void every_refused_allocation_is_reported(void** state) {
         s.t.memory.calls = 0;
         s.t.memory.fail_at = n;
         dm_result result = dmi_weld_vertices(&s.arena, s.mesh, 1e-5f, NULL, welded);
-        if (result == DM_OK) result = dmi_face_regions(&s.arena, s.mesh, welded, all, 0.9f, labels, &count);
-        if (result == DM_OK) result = dmi_face_regions(&s.arena, s.mesh, welded, all, -2, labels, &count);
+        if (result == DM_OK) result = dmi_face_regions(&s.arena, s.mesh, welded, all, 0.9f, NULL, labels, &count);
+        if (result == DM_OK) result = dmi_face_regions(&s.arena, s.mesh, welded, all, -2, NULL, labels, &count);
         dmi_arena_release(&s.arena);
         if (result == DM_OK) break;
         assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);

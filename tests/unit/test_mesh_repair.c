@@ -28,7 +28,7 @@ static dm_result run(stage* s, int64_t fail_at) {
     assert_non_null(welded);
     assert_int_equal(dmi_weld_vertices(&s->arena, s->mesh, 1e-5f, NULL, welded), DM_OK);
     if (fail_at != TEST_NEVER) s->t.memory.fail_at = (int64_t)s->t.memory.calls + fail_at;
-    return dmi_mesh_repair(&s->arena, s->mesh, welded, &s->repaired);
+    return dmi_mesh_repair(&s->arena, s->mesh, welded, NULL, &s->repaired);
 }
 
 static void end(stage* s) {

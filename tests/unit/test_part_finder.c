@@ -18,7 +18,7 @@ static dm_result find(dmi_env* env, int with_ids, const float point[3], const fl
     if (!with_ids) desc.part_ids = NULL;
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
     memset(found, 0xcd, sizeof found);
-    dm_result result = dmi_mesh_create_pieces(env, &axes, &desc, &mesh);
+    dm_result result = dmi_mesh_create_pieces(env, &axes, &desc, NULL, &mesh);
     if (result != DM_OK) return result;
     dmi_part_query query = {.mesh = mesh, .drag = {drag[0], drag[1], drag[2]}};
     const double host[3] = {(double)point[0], (double)point[1], (double)point[2]};

@@ -33,8 +33,8 @@ static void open_fixture(fixture* f) {
     f->uniform.layer_count = 1;
     f->uniform.layers[0] = test_layer(&f->layers, NULL, NULL, DMI_NEIGHBOUR_FEATURES, 1);
     assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
-    assert_int_equal(dmi_mesh_create_pieces(&f->t.env, &axes, &desc, &f->mesh), DM_OK);
-    assert_int_equal(dmi_mesh_sheets_make(&f->arena, f->mesh, &f->sheets), DM_OK);
+    assert_int_equal(dmi_mesh_create_pieces(&f->t.env, &axes, &desc, NULL, &f->mesh), DM_OK);
+    assert_int_equal(dmi_mesh_sheets_make(&f->arena, f->mesh, NULL, &f->sheets), DM_OK);
 }
 
 static void close_fixture(fixture* f) {
@@ -53,7 +53,8 @@ static uint32_t face_of_part(uint32_t part) {
 static void propose(fixture* f, uint32_t part, const float drag[3]) {
     dmi_grab grab = {.face = face_of_part(part), .drag = {drag[0], drag[1], drag[2]}};
     for (int k = 0; k < 3; k++) grab.point[k] = f->mesh->positions[f->mesh->indices[grab.face * 3] * 3 + (uint32_t)k];
-    assert_int_equal(dmi_proposals_make(&f->arena, &f->sheets, &grab, &f->uniform, DMI_ISA_SCALAR, &proposals), DM_OK);
+    assert_int_equal(dmi_proposals_make(&f->arena, &f->sheets, &grab, &f->uniform, DMI_ISA_SCALAR, NULL, &proposals),
+                     DM_OK);
 }
 
 static const float outward[3] = {0, 0, 1}, no_drag[3] = {0, 0, 0};
@@ -65,11 +66,11 @@ static void test_a_sheet_is_cut_into_its_smooth_regions(void** state) {
     test_shape_cabinet(&shape);
     open_fixture(&f);
     assert_int_equal(f.sheets.count, 3);
-    assert_int_equal(dmi_piece_level_make(&f.arena, &f.sheets, DMI_PIECE_NONE, &whole), DM_OK);
+    assert_int_equal(dmi_piece_level_make(&f.arena, &f.sheets, DMI_PIECE_NONE, NULL, &whole), DM_OK);
     assert_int_equal(whole.pieces.count, 3);
     assert_int_equal(whole.sheet_is_cut, 0);
     const uint32_t door = f.sheets.labels[face_of_part(1)];
-    assert_int_equal(dmi_piece_level_make(&f.arena, &f.sheets, door, &cut), DM_OK);
+    assert_int_equal(dmi_piece_level_make(&f.arena, &f.sheets, door, NULL, &cut), DM_OK);
     assert_int_equal(cut.pieces.count, 3 + 5);
     assert_int_equal(cut.sheet_is_cut, 1);
     uint32_t of_door = 0;
@@ -87,7 +88,7 @@ static void test_pieces_of_the_same_area_are_repeats(void** state) {
     test_shape_box(&shape, (const float[]){0, 0, 1.1f}, (const float[]){1, 1, 1.2f}, 1);
     test_shape_box(&shape, (const float[]){2, 0, 1.1f}, (const float[]){3, 1, 1.2f}, 2);
     open_fixture(&f);
-    assert_int_equal(dmi_piece_level_make(&f.arena, &f.sheets, DMI_PIECE_NONE, &level), DM_OK);
+    assert_int_equal(dmi_piece_level_make(&f.arena, &f.sheets, DMI_PIECE_NONE, NULL, &level), DM_OK);
     const uint32_t body = f.sheets.labels[face_of_part(0)], one = f.sheets.labels[face_of_part(1)];
     const uint32_t other = f.sheets.labels[face_of_part(2)];
     assert_int_equal(level.repeats[one][0], other);

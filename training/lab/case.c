@@ -74,7 +74,7 @@ static dm_result weld_and_repair(dmi_env* env, lab_case* out) {
     dmi_arena arena;
     dmi_arena_init(&arena, env, (size_t)1 << 16);
     dm_result result = dmi_weld_vertices(&arena, mesh, DMI_WELD_TOLERANCE, NULL, out->welded);
-    if (result == DM_OK) result = dmi_mesh_repair(&arena, mesh, out->welded, &repaired);
+    if (result == DM_OK) result = dmi_mesh_repair(&arena, mesh, out->welded, NULL, &repaired);
     if (result == DM_OK && repaired.face_part != mesh->face_part) {
         memcpy(mesh->face_part, repaired.face_part, mesh->face_count * sizeof *mesh->face_part);
         memcpy(mesh->parts, repaired.parts, mesh->part_count * sizeof *mesh->parts);

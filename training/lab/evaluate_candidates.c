@@ -55,7 +55,7 @@ static dm_result evaluate_case(lab_evaluator* evaluator, dmi_arena* arena, int w
     const dmi_prediction* prediction = net != NULL ? &w->ensemble.prediction : NULL;
     const uint32_t part = (uint32_t)dmi_mesh_find_part(w->made.mesh, w->made.part);
     const dm_result result =
-        dmi_part_analysis_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, &w->analysis);
+        dmi_part_analysis_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, NULL, &w->analysis);
     if (result != DM_OK) return dmi_fail(&evaluator->env, result, "lab: a part can't be analysed");
     if (net != NULL) dmi_kpp_ensemble_run(net, isa, &w->made.cloud, hint, evaluator->scratch, &w->ensemble);
     w->count = dmi_candidates_make(&w->analysis, hint, prediction, w->candidates);

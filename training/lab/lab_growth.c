@@ -68,7 +68,7 @@ static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
         out->point[k] = hint.point[k];
         out->drag[k] = has_drag ? hint.vector[k] / sqrtf(length) : 0;
     }
-    out->face = dmi_mesh_nearest_face(made->mesh, out->point);
+    dmi_mesh_nearest_face(made->mesh, out->point, NULL, &out->face);
 }
 
 /* Renumbers sheets: the united ones become sheet 0 and one shell, the others follow. */
@@ -127,7 +127,8 @@ static dm_result split_sheets(dmi_arena* arena, dmi_random* random, dmi_mesh_she
     const float share = lab_random_uniform(random, 0.1f, 1);
     for (uint32_t p = 0; p < sheets->count; p++) split[p] = (uint8_t)lab_random_bool(random, share);
     for (uint32_t f = 0; f < faces; f++) select[f] = split[sheets->labels[f]];
-    dm_result result = dmi_face_regions(arena, sheets->mesh, sheets->welded, select, CREASE_COSINE, regions, &count);
+    dm_result result =
+        dmi_face_regions(arena, sheets->mesh, sheets->welded, select, CREASE_COSINE, NULL, regions, &count);
     uint32_t* owners = result == DM_OK ? dmi_arena_push(arena, (count + 1) * sizeof *owners) : NULL;
     uint32_t* names = owners != NULL ? dmi_arena_push(arena, (count + 1) * sizeof *names) : NULL;
     if (names == NULL) return result == DM_OK ? DM_ERROR_OUT_OF_MEMORY : result;
@@ -150,7 +151,7 @@ static dm_result split_sheets(dmi_arena* arena, dmi_random* random, dmi_mesh_she
 /* Makes the sheets of a case, some united or split. out_united: whether the grabbed one was united with others. */
 static dm_result make_sheets(dmi_arena* arena, lab_case* made, const dmi_grab* grab, dmi_mesh_sheets* out,
                              int* out_united) {
-    dm_result result = dmi_mesh_sheets_make(arena, made->mesh, out);
+    dm_result result = dmi_mesh_sheets_make(arena, made->mesh, NULL, out);
     if (result == DM_OK && lab_random_bool(&made->random, SPLIT)) result = split_sheets(arena, &made->random, out);
     *out_united = lab_random_bool(&made->random, UNITED);
     if (result != DM_OK || !*out_united || out->count > MOST_SHEETS) return result;
@@ -223,9 +224,10 @@ static dm_result grow_once(dmi_env* env, growing* g) {
     dm_result result = make_sheets(&arena, &g->made, &grab, &sheets, &united);
     const int cut = united || lab_random_bool(&g->made.random, CUT);
     if (result == DM_OK)
-        result = dmi_piece_level_make(&arena, &sheets, cut ? sheets.labels[grab.face] : DMI_PIECE_NONE, &g->level);
+        result =
+            dmi_piece_level_make(&arena, &sheets, cut ? sheets.labels[grab.face] : DMI_PIECE_NONE, NULL, &g->level);
     if (result == DM_OK && g->level.pieces.count == 0)
-        result = dmi_piece_level_make(&arena, &sheets, DMI_PIECE_NONE, &g->level);
+        result = dmi_piece_level_make(&arena, &sheets, DMI_PIECE_NONE, NULL, &g->level);
     if (result == DM_OK && g->level.pieces.count > 1 && g->level.pieces.count <= MOST_PIECES) {
         find_truth(g);
         if (g->belongs[g->level.pieces.labels[grab.face]]) result = grow(&arena, g, &grab);
@@ -274,7 +276,7 @@ static dm_result propose(dmi_arena* arena, lab_case* made, const dmi_perceptron*
     int united;
     const dm_result result = make_sheets(arena, made, &grab, &sheets, &united);
     if (result != DM_OK || sheets.count > MOST_SHEETS) return result;
-    return dmi_proposals_make(arena, &sheets, &grab, growth, dmi_cpu_best_isa(), out);
+    return dmi_proposals_make(arena, &sheets, &grab, growth, dmi_cpu_best_isa(), NULL, out);
 }
 
 static void record_proposals(const lab_case* made, const dmi_proposals* proposals, uint32_t row,

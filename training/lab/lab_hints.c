@@ -78,7 +78,7 @@ static dm_result rank(hint_work* w, dmi_arena* arena, uint32_t part, const dmi_d
     const dmi_isa isa = dmi_cpu_best_isa();
     const dmi_prediction* prediction = &w->ensemble.prediction;
     const dm_result result =
-        dmi_part_analysis_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, &w->analysis);
+        dmi_part_analysis_make(arena, w->made.mesh, &w->made.cloud, part, w->made.welded, NULL, &w->analysis);
     if (result != DM_OK) return result;
     dmi_kpp_ensemble_run(w->net, isa, &w->made.cloud, drag, w->scratch, &w->ensemble);
     w->count = dmi_candidates_make(&w->analysis, drag, prediction, w->candidates);

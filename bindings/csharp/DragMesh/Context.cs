@@ -44,6 +44,9 @@ namespace DragMesh
         public Picking Picking;
         /// <summary>Gets the messages. It must not call this context.</summary>
         public Action<LogLevel, string> Log;
+        /// <summary>Of calls that take long for a large mesh, preparations with a callback of their own aside: gets 0 .. 1,
+        /// rising; returns false to cancel. An exception cancels too.</summary>
+        public Func<float, bool> Progress;
         /// <summary>Prepares parts side by side on the thread pool. Answers keep their bits.</summary>
         public bool Parallel;
     }
@@ -54,12 +57,14 @@ namespace DragMesh
     {
         // Kept for ever: the library holds pointers to them.
         private static readonly LogMessage onMessage = OnMessage;
+        private static readonly ProgressCallback onProgress = OnProgress;
         private static readonly JobsParallelFor onJobs = OnJobs;
 
         [ThreadStatic] private static string lastError;
 
         internal readonly ContextHandle Handle = new ContextHandle();
         private readonly Action<LogLevel, string> log;
+        private readonly Func<float, bool> progress;
         private GCHandle self; // weak, so that it keeps nothing alive
 
         public Context() : this(new ContextOptions()) { }
@@ -67,6 +72,7 @@ namespace DragMesh
         public Context(ContextOptions options)
         {
             log = options.Log;
+            progress = options.Progress;
             self = GCHandle.Alloc(this, GCHandleType.Weak);
             ContextDesc desc = ContextDesc.New();
             desc.Axes = (int)options.Axes;
@@ -74,6 +80,11 @@ namespace DragMesh
             desc.Picking = (int)options.Picking;
             desc.Log.User = (void*)GCHandle.ToIntPtr(self);
             desc.Log.Message = Marshal.GetFunctionPointerForDelegate(onMessage);
+            if (progress != null)
+            {
+                desc.Progress = Marshal.GetFunctionPointerForDelegate(onProgress);
+                desc.ProgressUser = (void*)GCHandle.ToIntPtr(self);
+            }
             if (options.Parallel) desc.Jobs.ParallelFor = Marshal.GetFunctionPointerForDelegate(onJobs);
             IntPtr pointer;
             Check(Native.dm_context_create(&desc, &pointer));
@@ -216,6 +227,20 @@ namespace DragMesh
             catch (Exception)
             {
                 // Nothing may pass through the library; a log that fails is no reason to fail the call.
+            }
+        }
+
+        [MonoPInvokeCallback(typeof(ProgressCallback))]
+        private static int OnProgress(void* user, float done)
+        {
+            try
+            {
+                Context context = (Context)GCHandle.FromIntPtr((IntPtr)user).Target;
+                return context == null || context.progress(done) ? 0 : 1;
+            }
+            catch (Exception)
+            {
+                return 1; // nothing may pass through the library
             }
         }
 

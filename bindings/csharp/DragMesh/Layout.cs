@@ -52,7 +52,7 @@ namespace DragMesh
               Expect("dm_jobs.parallel_for", (byte*)&s.ParallelFor - at, 8, 4);
             }
             { ContextDesc s; byte* at = (byte*)&s;
-              Expect("dm_context_desc", sizeof(ContextDesc), 112, 84);
+              Expect("dm_context_desc", sizeof(ContextDesc), 128, 92);
               Expect("dm_context_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_context_desc.axes", (byte*)&s.Axes - at, 4, 4);
               Expect("dm_context_desc.unit_in_metres", (byte*)&s.UnitInMetres - at, 8, 8);
@@ -62,6 +62,8 @@ namespace DragMesh
               Expect("dm_context_desc.jobs", (byte*)&s.Jobs - at, 88, 68);
               Expect("dm_context_desc.picking", (byte*)&s.Picking - at, 104, 76);
               Expect("dm_context_desc.reserved", (byte*)&s.Reserved - at, 108, 80);
+              Expect("dm_context_desc.progress", (byte*)&s.Progress - at, 112, 84);
+              Expect("dm_context_desc.progress_user", (byte*)&s.ProgressUser - at, 120, 88);
             }
             { MemoryInfo s; byte* at = (byte*)&s;
               Expect("dm_memory_info", sizeof(MemoryInfo), 40, 40);
@@ -434,7 +436,7 @@ namespace DragMesh
               Expect("dm_gltf_files.close", (byte*)&s.Close - at, 16, 8);
             }
             { GltfDesc s; byte* at = (byte*)&s;
-              Expect("dm_gltf_desc", sizeof(GltfDesc), 88, 48);
+              Expect("dm_gltf_desc", sizeof(GltfDesc), 104, 56);
               Expect("dm_gltf_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_gltf_desc.reserved", (byte*)&s.Reserved - at, 4, 4);
               Expect("dm_gltf_desc.data", (byte*)&s.Data - at, 8, 8);
@@ -442,6 +444,8 @@ namespace DragMesh
               Expect("dm_gltf_desc.allocator", (byte*)&s.Allocator - at, 24, 16);
               Expect("dm_gltf_desc.log", (byte*)&s.Log - at, 48, 28);
               Expect("dm_gltf_desc.files", (byte*)&s.Files - at, 64, 36);
+              Expect("dm_gltf_desc.progress", (byte*)&s.Progress - at, 88, 48);
+              Expect("dm_gltf_desc.progress_user", (byte*)&s.ProgressUser - at, 96, 52);
             }
             { GltfNode s; byte* at = (byte*)&s;
               Expect("dm_gltf_node", sizeof(GltfNode), 64, 64);

@@ -234,13 +234,13 @@ namespace DragMesh
     public unsafe delegate void Task(void* data, uint index);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int ProgressCallback(void* user, float done);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int IntentCallback(void* user, uint part_id, Vec3 box_min, Vec3 box_max);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int ChoiceCallback(void* user, Choice* choice);
-
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-    public unsafe delegate int ProgressCallback(void* user, float done);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void* AllocatorAllocate(void* user, UIntPtr size, UIntPtr alignment);
@@ -488,6 +488,9 @@ namespace DragMesh
         public int Picking;
         /// <summary>0</summary>
         public uint Reserved;
+        /// <summary>of the calls that take long where the mesh is large: dm_mesh_find_part, dm_object_prepare without a callback of its own, dm_object_load, dm_object_refine. NULL = none. May be called from several threads at once</summary>
+        public IntPtr Progress;
+        public void* ProgressUser;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static ContextDesc New() => new ContextDesc { StructSize = (uint)sizeof(ContextDesc) };
@@ -772,6 +775,7 @@ namespace DragMesh
         public ulong Seed;
         public IntPtr Intent;
         public void* IntentUser;
+        /// <summary>NULL = that of the context</summary>
         public IntPtr Progress;
         public void* ProgressUser;
         /// <summary>optional evidence: names of the whole object, as dm_part_desc.label; they count for the parts whose own label tells nothing</summary>
@@ -1198,6 +1202,10 @@ namespace DragMesh
         public Log Log;
         /// <summary>zeros = none: everything is embedded. `user` lives as long as the dm_gltf</summary>
         public GltfFiles Files;
+        /// <summary>of dm_gltf_open, dm_gltf_open_file and dm_gltf_export; NULL = none. A call that it stops answers CANCELLED</summary>
+        public IntPtr Progress;
+        /// <summary>lives as long as the dm_gltf</summary>
+        public void* ProgressUser;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static GltfDesc New() => new GltfDesc { StructSize = (uint)sizeof(GltfDesc) };
@@ -1314,7 +1322,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_model_unload(IntPtr context, ulong model);
 
-        /// <summary>Finds the part that a point of the surface belongs to, when no mask names it: 1 in out_face_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm_mesh_desc. mesh-&gt;part_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces; never more than linear in their number. Errors: as dm_object_prepare's of the mesh; BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays. [any-thread]</summary>
+        /// <summary>Finds the part that a point of the surface belongs to, when no mask names it: 1 in out_face_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm_mesh_desc. mesh-&gt;part_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces; never more than linear in their number. Errors: as dm_object_prepare's of the mesh; BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays; CANCELLED. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_mesh_find_part(IntPtr context, MeshDesc* mesh, DragHint* drag, byte* out_face_ids, ulong face_count);
 
@@ -1326,7 +1334,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_save(IntPtr context, ulong @object, void* buffer, UIntPtr capacity, UIntPtr* out_size);
 
-        /// <summary>Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions. Errors: BAD_DATA, VERSION. [any-thread]</summary>
+        /// <summary>Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions. Errors: BAD_DATA, VERSION, CANCELLED. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_load(IntPtr context, void* data, UIntPtr size, ulong model, ulong* out_object);
 
@@ -1350,7 +1358,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_get_hypotheses(IntPtr context, ulong @object, uint part_id, DragHint* drag, Joint* out_joints, uint capacity, uint* out_count);
 
-        /// <summary>Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force. Milliseconds, not for every frame. Errors: NO_MODEL; UNSUPPORTED when the object kept no triangles. [exclusive object]</summary>
+        /// <summary>Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force. Milliseconds, not for every frame. Errors: NO_MODEL; UNSUPPORTED when the object kept no triangles; CANCELLED, which leaves the joint in force. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_refine(IntPtr context, ulong @object, uint part_id, DragHint* drag);
 

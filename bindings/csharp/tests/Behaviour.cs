@@ -73,6 +73,15 @@ static class Behaviour
             Fails<DragMeshException>(() => mute.Load(new byte[5]), "a log that throws");
     }
 
+    private static void ContextProgress()
+    {
+        foreach (Func<float, bool> progress in new Func<float, bool>[] {
+                     share => false, share => { throw new DivideByZeroException(); } })
+            using (Context context = new Context(new ContextOptions { Progress = progress }))
+                Must(Fails<DragMeshException>(() => context.Prepare(Chest(), new PrepareOptions()), "a call that is stopped")
+                         .Code == Result.Cancelled, "cancelled by the context");
+    }
+
     private static void Callbacks()
     {
         foreach (bool parallel in new[] { false, true })
@@ -181,6 +190,7 @@ static class Behaviour
         Layouts();
         Exceptions(dmo);
         Callbacks();
+        ContextProgress();
         Owners(dmo);
         Weights(arguments[1]);
         Poses();

@@ -38,21 +38,30 @@ class Context:
     """A context and everything made with it. Use as a context manager, or call close()."""
 
     def __init__(self, axes: Axes = Axes.GLTF, unit_in_metres: float = 1.0, picking: Picking = Picking.AUTO,
-                 custom_axes: Any = None, log: Optional[Callable[[int, str], None]] = None) -> None:
+                 custom_axes: Any = None, log: Optional[Callable[[int, str], None]] = None,
+                 progress: Optional[Callable[[float], Any]] = None) -> None:
         """custom_axes: with Axes.CUSTOM, a 3 x 3 matrix that takes the host's vectors to glTF's. log(level, text): gets
-        the messages; level 0 is an error. It must not call this context."""
+        the messages; level 0 is an error. It must not call this context. progress(done): of calls that take long for a
+        large mesh, preparations with one of their own aside; gets 0 to 1, returns False to cancel."""
         self.library = load()
         self._said = threading.local()
         self._on_message = _listener(self._said, log)  # kept: the library calls it
         desc = n.ContextDesc(axes=axes, unit_in_metres=unit_in_metres, picking=picking, log=n.Log(None, self._on_message))
+        self._on_progress = _watcher(self._said, progress) if progress is not None else None
+        if self._on_progress is not None:
+            desc.progress = self._on_progress
         if custom_axes is not None:
             desc.custom_axes = (c.c_float * 9)(*np.asarray(custom_axes, float).reshape(9))
         self.pointer: Any = c.c_void_p()
         self._check(self.library.dm_context_create(c.byref(desc), c.byref(self.pointer)))
-        self._finalizer = weakref.finalize(self, _destroy, self.library, self.pointer, self._on_message)
+        self._finalizer = weakref.finalize(self, _destroy, self.library, self.pointer, self._on_message,
+                                           self._on_progress)
 
     def _check(self, result: int) -> None:
         message, self._said.text = getattr(self._said, "text", ""), ""
+        failure, self._said.failure = getattr(self._said, "failure", None), None
+        if failure is not None:
+            raise failure
         check(result, message)
 
     def call(self, name: str, *arguments: Any) -> None:
@@ -163,6 +172,19 @@ class Context:
         return ray
 
 
+def _watcher(said: Any, progress: Callable[[float], Any]) -> Any:
+    """The progress callback. An exception of it cancels the call, which raises it."""
+
+    def watch(_: Any, done: float) -> int:
+        try:
+            return int(progress(done) is False)
+        except BaseException as failure:  # pylint: disable=broad-except
+            said.failure = failure
+            return 1
+
+    return _FIELDS["progress"](watch)
+
+
 def _listener(said: Any, log: Optional[Callable[[int, str], None]]) -> Any:
     """The log callback. It holds nothing of the context, which could never end else."""
 
@@ -176,7 +198,7 @@ def _listener(said: Any, log: Optional[Callable[[int, str], None]]) -> Any:
     return _LOG(remember)
 
 
-def _destroy(library: Any, pointer: Any, _callback: Any) -> None:
+def _destroy(library: Any, pointer: Any, *_callbacks: Any) -> None:
     library.dm_context_destroy(pointer)
     pointer.value = None
 

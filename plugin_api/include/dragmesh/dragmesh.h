@@ -181,6 +181,10 @@ typedef struct dm_jobs {
     int32_t(DM_CALL* parallel_for)(void* user, uint32_t count, dm_task task, void* data);
 } dm_jobs;
 
+/* How far a call is: 0..1, rising; return non-zero to cancel it: it answers DM_ERROR_CANCELLED. Called on the thread
+ * that calls the library, whatever jobs run beside it. */
+typedef int32_t(DM_CALL* dm_progress_callback)(void* user, float done);
+
 /* The host's axes. Canonical inside is glTF's: right-handed, +Y up, metres. */
 enum {
     DM_AXES_GLTF = 0,    /* right-handed, +Y up (glTF, Godot, OpenGL) */
@@ -209,6 +213,10 @@ typedef struct dm_context_desc {
     dm_jobs jobs;           /* zeros = inline */
     int32_t picking;        /* DM_PICK_*; 0 = auto */
     uint32_t reserved;      /* 0 */
+    dm_progress_callback progress; /* of the calls that take long where the mesh is large: dm_mesh_find_part,
+                                      dm_object_prepare without a callback of its own, dm_object_load,
+                                      dm_object_refine. NULL = none. May be called from several threads at once */
+    void* progress_user;
 } dm_context_desc;
 
 typedef struct dm_memory_info {
@@ -401,9 +409,6 @@ enum { DM_CHOICE_KEEP = -1 };
  * prepares, for one part after the other in order of id; not for parts that the host declares fixed. */
 typedef int32_t(DM_CALL* dm_choice_callback)(void* user, const dm_choice* choice);
 
-/* 0..1, rising; return non-zero to cancel. Called on the thread that prepares, whatever jobs run beside it. */
-typedef int32_t(DM_CALL* dm_progress_callback)(void* user, float done);
-
 enum {
     DM_PREPARE_WITHOUT_PICKING = 1, /* keep no triangles: the object can't be added to a scene, and is small */
     DM_PREPARE_NETWORK_ALONE = 2    /* the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL
@@ -421,7 +426,7 @@ typedef struct dm_object_desc {
     uint64_t seed;     /* of the surface sampling; the same seed gives the same bits */
     dm_intent_callback intent;
     void* intent_user;
-    dm_progress_callback progress;
+    dm_progress_callback progress; /* NULL = that of the context */
     void* progress_user;
     const char* label; /* optional evidence: names of the whole object, as dm_part_desc.label; they count for the parts
                           whose own label tells nothing */
@@ -791,8 +796,8 @@ DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
  * one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was
  * pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces;
  * never more than linear in their number. Errors: as dm_object_prepare's of the mesh;
- * BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays.
- * [any-thread] */
+ * BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays;
+ * CANCELLED. [any-thread] */
 DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
                                            uint8_t* out_face_ids, uint64_t face_count);
 
@@ -807,7 +812,7 @@ DM_API dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, v
                                         size_t* out_size);
 
 /* Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions.
- * Errors: BAD_DATA, VERSION. [any-thread] */
+ * Errors: BAD_DATA, VERSION, CANCELLED. [any-thread] */
 DM_API dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
                                         dm_object* out_object);
 
@@ -834,8 +839,8 @@ DM_API dm_result DM_CALL dm_object_get_hypotheses(dm_context* context, dm_object
                                                   uint32_t* out_count);
 
 /* Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force.
- * Milliseconds, not for every frame. Errors: NO_MODEL; UNSUPPORTED when the object kept no triangles. [exclusive
- * object] */
+ * Milliseconds, not for every frame. Errors: NO_MODEL; UNSUPPORTED when the object kept no triangles; CANCELLED, which
+ * leaves the joint in force. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32_t part_id,
                                           const dm_drag_hint* drag);
 

@@ -107,6 +107,10 @@ static float area_ratio(const dmi_mesh* mesh, const uint8_t* moving) {
 }
 
 /* Sets the diagonal, and low .. high to the part's box grown by the near margin. */
+/* Shares of the work, when the part's vertices are collected, and when all but its patches is measured; measured. */
+#define PART_MEASURED 0.3f
+#define MEASURED 0.6f
+
 static void find_near_box(dmi_part_analysis* analysis, float low[3], float high[3]) {
     float side = 0;
     for (int k = 0; k < 3; k++) side = dmi_max(side, analysis->high[k] - analysis->low[k]);
@@ -116,7 +120,7 @@ static void find_near_box(dmi_part_analysis* analysis, float low[3], float high[
 }
 
 dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
-                                 const uint32_t* welded, dmi_part_analysis* out) {
+                                 const uint32_t* welded, const dmi_progress* progress, dmi_part_analysis* out) {
     *out = (dmi_part_analysis){.mesh = mesh,
                                .part = part,
                                .points = (const float(*)[3])cloud->xyz,
@@ -129,13 +133,15 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
     find_near_box(out, low, high);
     out->area_ratio = area_ratio(mesh, moving);
 
-    dm_result result = dmi_analysis_find_near(arena, moving, cloud, low, high, out);
+    dm_result result = dmi_progress_tell(progress, PART_MEASURED);
+    if (result == DM_OK) result = dmi_analysis_find_near(arena, moving, cloud, low, high, out);
     if (result == DM_OK) result = make_grids(arena, low, high, out);
     if (result == DM_OK) result = dmi_analysis_find_contacts(arena, out);
     if (result != DM_OK) return result;
     find_directions((const float(*)[3])vertices, vertex_count, out);
     result = dmi_analysis_find_slippage(arena, out);
     if (result == DM_OK) result = dmi_analysis_find_protrusions(arena, out);
+    if (result == DM_OK) result = dmi_progress_tell(progress, MEASURED);
     if (result != DM_OK) return result;
     dmi_analysis_find_twin(out);
     out->object_extreme_point_count =

@@ -79,6 +79,6 @@ typedef struct dmi_part_analysis {
 /* Analyses a part (index in mesh->parts). All memory comes from the arena; mesh and cloud must outlive `out`. welded:
  * from dmi_weld_vertices with DMI_WELD_TOLERANCE; NULL: computed here. */
 dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
-                                 const uint32_t* welded, dmi_part_analysis* out);
+                                 const uint32_t* welded, const dmi_progress* progress, dmi_part_analysis* out);
 
 #endif

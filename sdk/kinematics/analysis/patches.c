@@ -174,7 +174,8 @@ static void add_patches(side* s, uint32_t max_regions, bool is_shell) {
 /* Divides the faces at creases below min_cosine (below -1: into shells) and adds patches of the regions. */
 static dm_result add_level(dmi_arena* arena, bool is_shell, float min_cosine, side* s) {
     uint32_t count;
-    dm_result result = dmi_face_regions(arena, &s->faces.mesh, s->welded, s->select, min_cosine, s->labels, &count);
+    dm_result result =
+        dmi_face_regions(arena, &s->faces.mesh, s->welded, s->select, min_cosine, NULL, s->labels, &count);
     if (result == DM_OK) result = measure_regions(arena, count, s);
     if (result != DM_OK) return result;
     qsort(s->regions, count, sizeof *s->regions, compare_area);

@@ -23,6 +23,7 @@ typedef struct dmi_inference_query {
     const dmi_drag_hint* hint;          /* NULL: none */
     const dmi_asset_hints* asset_hints; /* NULL: none */
     const uint32_t* welded;             /* dmi_weld_vertices of the mesh, for many parts to share; NULL: welded anew */
+    const dmi_progress* progress;       /* of this inference; NULL: none */
     dmi_arena* scratch;                 /* left as it was found; NULL: memory of its own */
     uint32_t part;                      /* index in mesh->parts */
     int32_t given_type;                 /* DM_JOINT_*; UNKNOWN: to be inferred */

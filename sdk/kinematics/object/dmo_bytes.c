@@ -5,6 +5,14 @@
 
 enum { BYTE_BITS = 8 };
 
+/* Whether numbers lie in memory as in the file, and arrays can be copied. */
+static bool is_little_endian(void) {
+    const uint16_t one = 1;
+    uint8_t low;
+    memcpy(&low, &one, sizeof low);
+    return low == 1;
+}
+
 /* ---- reader ---- */
 
 static uint64_t get(dmi_dmo_reader* r, uint32_t bytes) {
@@ -46,8 +54,21 @@ double dmi_get_f64(dmi_dmo_reader* r) {
     return value;
 }
 
+void dmi_get_words(dmi_dmo_reader* r, void* out, size_t count) {
+    const size_t size = count * sizeof(uint32_t);
+    const bool whole = is_little_endian() && r->left >= size;
+    for (size_t i = 0; !whole && i < count; i++) {
+        const uint32_t word = dmi_get_u32(r);
+        memcpy((uint8_t*)out + i * sizeof word, &word, sizeof word);
+    }
+    if (!whole) return;
+    memcpy(out, r->at, size);
+    r->at += size;
+    r->left -= size;
+}
+
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count) {
-    for (size_t i = 0; i < count; i++) out[i] = dmi_get_f32(r);
+    dmi_get_words(r, out, count);
 }
 
 static dm_vec3 get_vec3(dmi_dmo_reader* r) {
@@ -99,8 +120,20 @@ void dmi_put_f64(dmi_dmo_writer* w, double value) {
     dmi_put_u64(w, bits);
 }
 
+void dmi_put_words(dmi_dmo_writer* w, const void* values, size_t count) {
+    const size_t size = count * sizeof(uint32_t);
+    for (size_t i = 0; !is_little_endian() && i < count; i++) {
+        uint32_t word;
+        memcpy(&word, (const uint8_t*)values + i * sizeof word, sizeof word);
+        dmi_put_u32(w, word);
+    }
+    if (!is_little_endian()) return;
+    if (w->out != NULL) memcpy(w->out + w->size, values, size);
+    w->size += size;
+}
+
 void dmi_put_floats(dmi_dmo_writer* w, const float* values, size_t count) {
-    for (size_t i = 0; i < count; i++) dmi_put_f32(w, values[i]);
+    dmi_put_words(w, values, count);
 }
 
 static void put_vec3(dmi_dmo_writer* w, dm_vec3 v) {

@@ -19,6 +19,8 @@ uint32_t dmi_get_u32(dmi_dmo_reader* r);
 uint64_t dmi_get_u64(dmi_dmo_reader* r);
 float dmi_get_f32(dmi_dmo_reader* r);
 double dmi_get_f64(dmi_dmo_reader* r);
+/* `count` numbers of 32 bits, of any type. */
+void dmi_get_words(dmi_dmo_reader* r, void* out, size_t count);
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count);
 void dmi_get_joint(dmi_dmo_reader* r, dm_joint* out);
 
@@ -33,6 +35,7 @@ void dmi_put_u32(dmi_dmo_writer* w, uint32_t value);
 void dmi_put_u64(dmi_dmo_writer* w, uint64_t value);
 void dmi_put_f32(dmi_dmo_writer* w, float value);
 void dmi_put_f64(dmi_dmo_writer* w, double value);
+void dmi_put_words(dmi_dmo_writer* w, const void* values, size_t count);
 void dmi_put_floats(dmi_dmo_writer* w, const float* values, size_t count);
 void dmi_put_joint(dmi_dmo_writer* w, const dm_joint* joint);
 

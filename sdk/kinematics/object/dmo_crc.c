@@ -1,10 +1,10 @@
-/* CRC-32 by slices of eight bytes (Kounavis and Berry 2005). */
+/* CRC-32 by slices of sixteen bytes (Kounavis and Berry 2005). */
 #include "kinematics/object/dmo_format.h"
 
 #define POLYNOMIAL 0xedb88320 /* of IEEE 802.3, bits reversed */
 #define ALL_BITS 0xffffffff
 
-enum { BYTE_BITS = 8, BYTE_VALUES = 256, BYTE_MASK = 255, SLICES = 8 }; /* SLICES: bytes at a time */
+enum { BYTE_BITS = 8, BYTE_VALUES = 256, BYTE_MASK = 255, SLICES = 16 }; /* SLICES: bytes at a time */
 
 /* Sets table[k][b] to the contribution of byte b when k more bytes follow it. Takes a microsecond or two, so that it is
  * computed in every call. */

@@ -8,9 +8,16 @@
 #include "kinematics/object/dmo_check.h"
 #include "kinematics/object/dmo_format.h"
 
+/* Shares of the work, when the checksum is right, when the arrays of triangles are copied, and when these are measured;
+ * measured. */
+#define CHECKED 0.05f
+#define ARRAYS_READ 0.1f
+#define TRIANGLES_READ 0.25f
+
 typedef struct loading {
     dmi_env* env;
     const dmi_axes* axes;
+    const dmi_progress* progress;
     bool same_host;                            /* the host that saved has the same axes and unit */
     dmi_dmo_reader sections[DMI_DMO_SECTIONS]; /* at NULL: absent */
     dmi_object* object;
@@ -227,8 +234,8 @@ static dm_result read_arrays(loading* load, dmi_mesh* mesh) {
     dmi_get_floats(r, mesh->positions, (size_t)mesh->vertex_count * 3);
     if (!dmi_dmo_within(mesh->positions, (size_t)mesh->vertex_count * 3, DMI_DMO_MAX_COORDINATE))
         return bad(load, "section TRI: a vertex lies far outside the object");
+    dmi_get_words(r, mesh->indices, corners);
     for (size_t i = 0; i < corners; i++) {
-        mesh->indices[i] = dmi_get_u32(r);
         if (mesh->indices[i] >= mesh->vertex_count) return bad(load, "section TRI: an index names no vertex");
     }
     for (uint32_t i = 0; i < mesh->face_count; i++) {
@@ -240,7 +247,9 @@ static dm_result read_arrays(loading* load, dmi_mesh* mesh) {
         mesh->parts[i].id = load->object->parts[i].shape.id;
         mesh->parts[i].parent = load->object->parts[i].shape.parent;
     }
-    dm_result result = dmi_mesh_measure(load->env, mesh);
+    const dmi_progress measuring = dmi_progress_piece(load->progress, ARRAYS_READ, TRIANGLES_READ);
+    dm_result result = dmi_progress_tell(&measuring, 0);
+    if (result == DM_OK) result = dmi_mesh_measure(load->env, &measuring, mesh);
     return result == DM_ERROR_DEGENERATE_MESH ? bad(load, "section TRI: a part without area") : result;
 }
 
@@ -266,9 +275,11 @@ static dm_result read_triangles(loading* load) {
 }
 
 dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, const void* data, size_t size,
-                       dmi_object** out_object) {
-    loading load = {.env = env, .axes = axes};
+                       const dmi_progress* progress, dmi_object** out_object) {
+    const dmi_progress building = dmi_progress_piece(progress, TRIANGLES_READ, 1);
+    loading load = {.env = env, .axes = axes, .progress = progress};
     dm_result result = read_table(&load, data, size);
+    if (result == DM_OK) result = dmi_progress_tell(progress, CHECKED);
     if (result == DM_OK) result = read_object(&load);
     if (result == DM_OK) result = read_parts(&load);
     if (result == DM_OK) result = read_joints(&load);
@@ -277,8 +288,10 @@ dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, c
     if (result == DM_OK) result = read_free_ranges(&load);
     if (result == DM_OK && load.sections[DMI_DMO_TRIANGLES].at != NULL) {
         result = read_triangles(&load);
-        if (result == DM_OK) result = dmi_bvh_create(picker, load.object->mesh, NULL, &load.object->bvh);
+        if (result == DM_OK) result = dmi_progress_tell(&building, 0);
+        if (result == DM_OK) result = dmi_bvh_create(picker, load.object->mesh, &building, &load.object->bvh);
     }
+    if (result == DM_OK) result = dmi_progress_tell(progress, 1);
     if (result != DM_OK) {
         dmi_object_destroy(env, load.object);
         return result;

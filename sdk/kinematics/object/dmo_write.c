@@ -110,7 +110,7 @@ static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
     dmi_put_u64(w, mesh->vertex_count);
     dmi_put_u64(w, mesh->face_count);
     dmi_put_floats(w, mesh->positions, (size_t)mesh->vertex_count * 3);
-    for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) dmi_put_u32(w, mesh->indices[i]);
+    dmi_put_words(w, mesh->indices, (size_t)mesh->face_count * 3);
     for (size_t i = 0; i < mesh->face_count; i++) dmi_put_u16(w, mesh->face_part[i]);
 }
 

@@ -14,8 +14,10 @@
 #define SCRATCH_BLOCK ((size_t)1 << 20) /* bytes, of the parts' arenas; by hand */
 #define MESH_DONE 0.05f                 /* progress reported when the mesh is checked; by hand */
 #define BVH_DONE 0.1f                   /* progress reported when the BVH is built; by hand */
-#define WELDED 0.11f                    /* progress reported when the vertices are welded; by hand */
-#define SHARED 0.12f                    /* and when the part masks are repaired */
+#define SHARED 0.12f                    /* and when the vertices are welded and the part masks are repaired */
+#define WELDED 0.5f                     /* share of these two, when the vertices are welded; measured */
+#define SAMPLED 0.1f                    /* share of one inference, when the part is sampled; measured */
+#define REFINING 0.5f                   /* progress of a refinement when the mesh is shared; by hand */
 #define MAX_FIELD_NAME 64               /* of a field in an error message, with the terminating zero */
 
 /* Input and result of one part's inference. */
@@ -59,20 +61,24 @@ static dm_result make_shared_mesh(dmi_arena* arena, const dmi_mesh* mesh, const 
     uint32_t* welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *welded);
     if (welded == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to weld %u vertices", mesh->vertex_count);
-    const dmi_progress welding = dmi_progress_piece(progress, BVH_DONE, WELDED);
+    const dmi_progress welding = dmi_progress_piece(progress, 0, WELDED),
+                       repairing = dmi_progress_piece(progress, WELDED, 1);
     dm_result result = dmi_weld_vertices(arena, mesh, DMI_WELD_TOLERANCE, &welding, welded);
     out->welded = welded;
     if (result == DM_OK) result = dmi_progress_tell(progress, WELDED);
-    if (result == DM_OK) result = dmi_mesh_repair(arena, mesh, welded, &out->mesh);
-    return result == DM_OK ? dmi_progress_tell(progress, SHARED) : result;
+    if (result == DM_OK) result = dmi_mesh_repair(arena, mesh, welded, &repairing, &out->mesh);
+    return result == DM_OK ? dmi_progress_tell(progress, 1) : result;
 }
 
 /* Infers the joint of one part; the best hypothesis becomes the joint in use. `cloud` and the arena are scratch. */
 static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index, const dmi_inference_models* models,
-                            const dmi_drag_hint* hint, const shared_mesh* shared, dmi_cloud* cloud) {
+                            const dmi_drag_hint* hint, const shared_mesh* shared, const dmi_progress* progress,
+                            dmi_cloud* cloud) {
     dmi_env* env = arena->env;
     dmi_object_part* part = &object->parts[index];
+    const dmi_progress inferring = dmi_progress_piece(progress, SAMPLED, 1);
     dm_result result = dmi_cloud_sample(env, &shared->mesh, index, object->seed, cloud);
+    if (result == DM_OK) result = dmi_progress_tell(progress, SAMPLED);
     if (result != DM_OK) return result;
     const dmi_inference_query query = {.mesh = &shared->mesh,
                                        .cloud = cloud,
@@ -81,6 +87,7 @@ static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index
                                        .asset_hints = &part->asset_hints,
                                        .welded = shared->welded,
                                        .scratch = arena,
+                                       .progress = &inferring,
                                        .part = index,
                                        .given_type = part->given_type,
                                        .network_alone = object->network_alone};
@@ -96,13 +103,22 @@ static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index
     return DM_OK;
 }
 
+/* What the part is of the whole. Workers report nothing: not from their threads. */
+static dmi_progress part_progress(const preparation* work, uint32_t index) {
+    const float all = (float)(work->object->part_count - 1);
+    const dmi_progress parts = dmi_progress_piece(work->progress, SHARED, 1);
+    if (work->env->jobs.parallel_for != NULL) return (dmi_progress){0};
+    return dmi_progress_piece(&parts, (float)(index - 1) / all, (float)index / all);
+}
+
 static dm_result prepare_in(dmi_arena* arena, preparation* work, uint32_t index) {
     dmi_object* object = work->object;
     const part_request* own = &work->requests[index];
     dmi_cloud* cloud = dmi_arena_push(arena, sizeof *cloud);
     if (cloud == NULL) return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for a cloud");
     const dmi_drag_hint* hint = own->has_hint ? &own->hint : NULL;
-    dm_result result = infer_part(arena, object, index, &work->desc->models, hint, &work->shared, cloud);
+    const dmi_progress progress = part_progress(work, index);
+    dm_result result = infer_part(arena, object, index, &work->desc->models, hint, &work->shared, &progress, cloud);
     if (result == DM_OK) dmi_cloud_thin(cloud, object->parts[index].points);
     return result;
 }
@@ -137,7 +153,7 @@ static dm_result prepare_parts(preparation* work) {
         }
         dm_result result = choose_joints(work, tasks);
         if (result != DM_OK) return result;
-        const float done = (float)(work->first + tasks) / (float)count;
+        const float done = (float)(work->first + tasks - 1) / (float)(count - 1);
         result = dmi_progress_tell(work->progress, SHARED + (1 - SHARED) * done);
         if (result != DM_OK) return result;
     }
@@ -184,7 +200,8 @@ static dm_result run_requests(preparation* work) {
     dmi_arena arena;
     dmi_arena_init(&arena, work->env, MESH_BLOCK);
     dmi_arena_pool_init(&work->scratch, work->env, SCRATCH_BLOCK);
-    dm_result result = make_shared_mesh(&arena, work->object->mesh, work->progress, &work->shared);
+    const dmi_progress sharing = dmi_progress_piece(work->progress, BVH_DONE, SHARED);
+    dm_result result = make_shared_mesh(&arena, work->object->mesh, &sharing, &work->shared);
     if (result == DM_OK) result = prepare_parts(work);
     dmi_arena_pool_release(&work->scratch);
     dmi_arena_release(&arena);
@@ -235,7 +252,11 @@ static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* 
 }
 
 dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object** out_object) {
-    const dmi_progress progress = {env, desc->progress, desc->progress_user, 0, 1};
+    dmi_progress progress = dmi_progress_of(env, "dm_object_prepare");
+    if (desc->progress != NULL) {
+        progress.progress = desc->progress;
+        progress.user = desc->progress_user;
+    }
     const dmi_progress reading = dmi_progress_piece(&progress, 0, MESH_DONE);
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_create(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &reading, &mesh);
@@ -255,13 +276,16 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
 
 dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, const dmi_inference_models* models,
                             const dmi_drag_hint* hint) {
+    const dmi_progress progress = dmi_progress_of(env, "dm_object_refine"),
+                       sharing = dmi_progress_piece(&progress, 0, REFINING),
+                       inferring = dmi_progress_piece(&progress, REFINING, 1);
     dmi_arena arena;
     dmi_arena_init(&arena, env, SCRATCH_BLOCK);
     dmi_cloud* cloud = dmi_arena_push(&arena, sizeof *cloud);
     shared_mesh shared;
-    dm_result result = cloud != NULL ? make_shared_mesh(&arena, object->mesh, NULL, &shared)
+    dm_result result = cloud != NULL ? make_shared_mesh(&arena, object->mesh, &sharing, &shared)
                                      : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
-    if (result == DM_OK) result = infer_part(&arena, object, part, models, hint, &shared, cloud);
+    if (result == DM_OK) result = infer_part(&arena, object, part, models, hint, &shared, &inferring, cloud);
     dmi_arena_release(&arena);
     return result;
 }

@@ -18,7 +18,7 @@ typedef struct dmi_prepare_desc {
     void* intent_user;
     dm_choice_callback choose; /* NULL: none; called on this thread alone */
     void* choose_user;
-    dm_progress_callback progress; /* NULL: none; called on this thread alone */
+    dm_progress_callback progress; /* NULL: the context's; called on this thread alone */
     void* progress_user;
 } dmi_prepare_desc;
 

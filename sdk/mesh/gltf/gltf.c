@@ -1,16 +1,27 @@
 /* dm_gltf: opening and closing a file, its nodes and its mesh. */
+#include <stddef.h>
+#include <string.h>
+
 #include "base/fp_environment.h"
 #include "base/utf8.h"
 #include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_merge.h"
 #include "mesh/gltf/gltf_tree.h"
 
-/* A newer caller may only send zeros where this library knows no field. */
-dm_result dmi_gltf_check_desc(dmi_env* env, const dm_gltf_desc* desc, int has_data) {
-    if (desc->struct_size < sizeof *desc)
-        return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "dm_gltf_desc.struct_size is %u, at least %zu is needed",
-                        desc->struct_size, sizeof *desc);
-    const uint8_t* bytes = (const uint8_t*)desc;
+/* Bytes of a description without what was added to it later. */
+#define FIRST_SIZE offsetof(dm_gltf_desc, progress)
+#define PERCENT 100.0f
+
+/* Shares of opening, when the JSON is parsed, and when the buffers are there; by hand. */
+#define PARSED 0.2f
+#define BUFFERS_READ 0.3f
+
+const dm_log* dmi_gltf_log_of(const dm_gltf_desc* desc) {
+    return desc->struct_size >= FIRST_SIZE ? &desc->log : NULL;
+}
+
+static dm_result check_desc(dmi_env* env, const dm_gltf_desc* given, const dm_gltf_desc* desc, int has_data) {
+    const uint8_t* bytes = (const uint8_t*)given;
     for (uint32_t i = sizeof *desc; i < desc->struct_size; i++) {
         if (bytes[i])
             return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "dm_gltf_desc: byte %u is set, this library knows %zu", i,
@@ -26,6 +37,27 @@ dm_result dmi_gltf_check_desc(dmi_env* env, const dm_gltf_desc* desc, int has_da
     return DM_OK;
 }
 
+/* A newer caller may only send zeros where this library knows no field. */
+dm_result dmi_gltf_read_desc(dmi_env* env, const dm_gltf_desc* given, int has_data, dm_gltf_desc* out) {
+    if (given->struct_size < FIRST_SIZE)
+        return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "dm_gltf_desc.struct_size is %u, at least %zu is needed",
+                        given->struct_size, FIRST_SIZE);
+    *out = (dm_gltf_desc){0};
+    memcpy(out, given, given->struct_size < sizeof *out ? given->struct_size : sizeof *out);
+    return check_desc(env, given, out, has_data);
+}
+
+dm_result dmi_gltf_tell(dm_gltf* gltf, float share, uint64_t work, dmi_gltf_problem* problem) {
+    if (share > gltf->told) gltf->told = share;
+    gltf->untold += work;
+    if (gltf->untold < DMI_PROGRESS_STEP) return DM_OK;
+    gltf->untold = 0;
+    const dm_result result = dmi_progress_tell(&gltf->progress, gltf->told);
+    if (result == DM_OK) return DM_OK;
+    return dmi_gltf_refuse(problem, result, "glTF: the progress callback asked to stop at %.0f %%",
+                           (double)(gltf->told * PERCENT));
+}
+
 void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem) {
     dmi_gltf_warn(&gltf->env, "%s; left out", problem->text);
     if (gltf->left_out.code == DM_OK) gltf->left_out = *problem;
@@ -35,13 +67,18 @@ static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem*
     dmi_gltf_container container;
     cJSON* root;
     dm_result result = dmi_gltf_split(desc->data, desc->size, problem, &container);
+    if (result == DM_OK) result = dmi_gltf_tell(gltf, 0, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_json_parse(container.json, container.json_size, problem, &root);
     if (result != DM_OK) return result;
     result = dmi_gltf_document_open(&gltf->env, root, problem, &gltf->document);
+    if (result == DM_OK) result = dmi_gltf_tell(gltf, PARSED, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_check_asset(&gltf->document, problem);
     if (result == DM_OK) result = dmi_gltf_read_buffers(gltf, &container, problem);
+    if (result == DM_OK) result = dmi_gltf_tell(gltf, BUFFERS_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_read_tree(gltf, problem);
-    return result == DM_OK ? dmi_gltf_merge(gltf, problem) : result;
+    if (result == DM_OK) result = dmi_gltf_tell(gltf, DMI_GLTF_TREE_READ, DMI_PROGRESS_STEP, problem);
+    if (result == DM_OK) result = dmi_gltf_merge(gltf, problem);
+    return result == DM_OK ? dmi_gltf_tell(gltf, 1, DMI_PROGRESS_STEP, problem) : result;
 }
 
 void dmi_gltf_release_on_disk(dmi_env* env, const dmi_gltf_on_disk* on_disk) {
@@ -58,6 +95,8 @@ dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_
         return dmi_fail(&setup, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %zu bytes", sizeof *gltf);
     }
     dmi_env_init(&gltf->env, &desc->allocator, &desc->log, NULL);
+    gltf->progress =
+        (dmi_progress){.function = "glTF", .progress = desc->progress, .user = desc->progress_user, .to = 1};
     gltf->on_disk = *on_disk;
     gltf->files = on_disk->folder ? dmi_gltf_folder_files(gltf) : desc->files;
     dmi_gltf_problem problem = {.code = DM_OK};
@@ -74,10 +113,11 @@ dm_result dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf) {
     DMI_OWN_FP;
     dmi_env setup;
     if (!desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env_init(&setup, NULL, desc->struct_size >= sizeof *desc ? &desc->log : NULL, NULL);
-    const dm_result result = dmi_gltf_check_desc(&setup, desc, 1);
+    dmi_env_init(&setup, NULL, dmi_gltf_log_of(desc), NULL);
+    dm_gltf_desc known;
+    const dm_result result = dmi_gltf_read_desc(&setup, desc, 1, &known);
     const dmi_gltf_on_disk none = {NULL, 0, NULL, 0};
-    return result == DM_OK ? dmi_gltf_open_in(desc, &none, out_gltf) : result;
+    return result == DM_OK ? dmi_gltf_open_in(&known, &none, out_gltf) : result;
 }
 
 void dm_gltf_close(dm_gltf* gltf) {

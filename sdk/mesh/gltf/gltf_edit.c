@@ -7,6 +7,8 @@
 #include "base/utf8.h"
 #include "mesh/gltf/gltf_meshopt.h"
 
+#define ELEMENT_BYTES 12 /* of a triangle, or of a vertex' position */
+
 static void run_out(dmi_edit* e) {
     if (e->problem.code == DM_OK)
         dmi_gltf_refuse(&e->problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory to write the document");
@@ -105,6 +107,7 @@ static uint64_t append_bytes(dmi_edit* e, const void* data, uint64_t size) {
 int32_t dmi_edit_add_view(dmi_edit* e, const void* data, uint64_t size, int target) {
     if (e->problem.code != DM_OK) return -1;
     const uint64_t offset = append_bytes(e, data, size);
+    dmi_edit_tell(e, 0, size / ELEMENT_BYTES);
     const dmi_edit_item view = dmi_edit_add(e, DMI_GLTF_VIEWS, NULL);
     dmi_edit_number(e, view.json, "buffer", 0);
     dmi_edit_number(e, view.json, "byteOffset", (double)offset);
@@ -193,7 +196,11 @@ static cJSON* empty_document(dmi_edit* e) {
     return root;
 }
 
-void dmi_edit_open(dmi_edit* e, dmi_env* env, const dm_gltf* from) {
+void dmi_edit_tell(dmi_edit* e, float share, uint64_t work) {
+    if (e->from && e->problem.code == DM_OK) dmi_gltf_tell(e->from, share, work, &e->problem);
+}
+
+void dmi_edit_open(dmi_edit* e, dmi_env* env, dm_gltf* from) {
     *e = (dmi_edit){.env = env, .from = from};
     cJSON* root = from ? dmi_edit_new(e, cJSON_Duplicate(from->document.root, 1)) : empty_document(e);
     if (dmi_gltf_document_open(env, root, &e->problem, &e->document) != DM_OK) return;

@@ -7,7 +7,7 @@
 
 typedef struct dmi_edit {
     dmi_env* env;
-    const dm_gltf* from; /* what is copied; NULL: a new document */
+    dm_gltf* from; /* what is copied; NULL: a new document */
     dmi_gltf_document document;
     uint32_t counts[DMI_GLTF_LISTS]; /* with what was added */
     uint64_t base;                   /* bytes of the old buffers, which come first */
@@ -23,8 +23,10 @@ typedef struct dmi_edit_item {
 } dmi_edit_item;
 
 /* A copy of `from` whose buffers are one, or an empty document with one scene. */
-void dmi_edit_open(dmi_edit* e, dmi_env* env, const dm_gltf* from);
+void dmi_edit_open(dmi_edit* e, dmi_env* env, dm_gltf* from);
 void dmi_edit_close(dmi_edit* e);
+/* As dmi_gltf_tell, where it has a file that is copied; a cancelled edit has failed. */
+void dmi_edit_tell(dmi_edit* e, float share, uint64_t work);
 /* Writes a .glb into memory of the host. */
 dm_result dmi_edit_write(dmi_edit* e, void** out_data, size_t* out_size);
 

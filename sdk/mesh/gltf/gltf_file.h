@@ -2,6 +2,7 @@
 #ifndef DMI_MESH_GLTF_FILE_H
 #define DMI_MESH_GLTF_FILE_H
 
+#include "base/progress.h"
 #include "dragmesh/ext/gltf.h"
 #include "mesh/gltf/gltf_document.h"
 #include "mesh/gltf/gltf_draco.h"
@@ -67,6 +68,9 @@ struct dm_gltf {
     dmi_env env;
     dm_gltf_files files;
     dmi_gltf_on_disk on_disk;
+    dmi_progress progress; /* of the call at hand */
+    float told;
+    uint64_t untold;           /* vertices and triangles since the last report */
     dmi_gltf_problem left_out; /* the first thing that was left out */
     dmi_gltf_document document;
     uint8_t* bin_copy; /* of the binary chunk; NULL where the bytes stay */
@@ -98,8 +102,13 @@ dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_
 void dmi_gltf_release_on_disk(dmi_env* env, const dmi_gltf_on_disk* on_disk);
 /* The files of gltf->on_disk.folder. */
 dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf);
-/* Checks a description, with or without data. */
-dm_result dmi_gltf_check_desc(dmi_env* env, const dm_gltf_desc* desc, int has_data);
+/* Copies and checks a description of any version, with or without data. */
+dm_result dmi_gltf_read_desc(dmi_env* env, const dm_gltf_desc* given, int has_data, dm_gltf_desc* out);
+/* Where a description says its problems go; NULL when it is too short to say so. */
+const dm_log* dmi_gltf_log_of(const dm_gltf_desc* desc);
+/* Counts vertices and triangles that were worked on, and reports after DMI_PROGRESS_STEP of them that `share` of the
+ * call is done; a lower share than before: as much as before. CANCELLED, as a problem, when the host asks to stop. */
+dm_result dmi_gltf_tell(dm_gltf* gltf, float share, uint64_t work, dmi_gltf_problem* problem);
 /* Takes memory out of what the file may cost; TOO_LARGE when it is used up. */
 dm_result dmi_gltf_spend(dm_gltf* gltf, uint64_t count, uint64_t element, const char* place, dmi_gltf_problem* problem);
 

@@ -99,12 +99,13 @@ dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf*
     DMI_OWN_FP;
     dmi_env env;
     if (!path || !desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env_init(&env, NULL, desc->struct_size >= sizeof *desc ? &desc->log : NULL, NULL);
-    dm_result result = dmi_gltf_check_desc(&env, desc, 0);
-    if (result == DM_OK && desc->files.open)
+    dmi_env_init(&env, NULL, dmi_gltf_log_of(desc), NULL);
+    dm_gltf_desc known;
+    dm_result result = dmi_gltf_read_desc(&env, desc, 0, &known);
+    if (result == DM_OK && known.files.open)
         result = dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_desc.files: the folder stands for them");
     if (result != DM_OK) return result;
-    dmi_env_init(&env, &desc->allocator, &desc->log, NULL);
+    dmi_env_init(&env, &known.allocator, &known.log, NULL);
     contents found;
     result = read_file(&env, path, &found);
     if (result == DM_ERROR_OUT_OF_MEMORY || result == DM_ERROR_TOO_LARGE)
@@ -112,5 +113,5 @@ dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf*
     if (result != DM_OK)
         return dmi_fail(&env, result, "can't read '%.200s': %s", path,
                         errno == EINVAL ? "it is a pipe or a device, not a file" : strerror(errno));
-    return open_contents(&env, path, desc, &found, out_gltf);
+    return open_contents(&env, path, &known, &found, out_gltf);
 }

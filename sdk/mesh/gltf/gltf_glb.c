@@ -7,10 +7,13 @@
 
 #include "mesh/gltf/gltf_edit.h"
 
-enum { GLB_HEADER = 12, CHUNK_HEADER = 8 };
+enum { GLB_HEADER = 12, CHUNK_HEADER = 8, ALIGNMENT = 4 };
 
 /* A double as text needs at most 17 digits, a sign, a point and an exponent. */
 #define NUMBER_SIZE 32
+
+/* Bytes between two reports: some milliseconds, where the memory is fresh; by hand. */
+#define COPIED_AT_ONCE ((uint64_t)1 << 22)
 
 /* cJSON writes 15 digits when they are near the number. Numbers that need all 17 are written here. */
 static int keep_digits(cJSON* item) {
@@ -58,16 +61,25 @@ static void put_u32(uint8_t* at, uint64_t value) {
     for (int i = 0; i < 4; i++) at[i] = (uint8_t)(value >> (8 * i));
 }
 
+/* Pads to a boundary of 4 bytes. */
+static void put_block(dmi_edit* e, uint8_t* out, const uint8_t* data, uint64_t size) {
+    for (uint64_t at = 0; at < size && e->problem.code == DM_OK; at += COPIED_AT_ONCE) {
+        memcpy(out + at, data + at, size - at < COPIED_AT_ONCE ? size - at : COPIED_AT_ONCE);
+        dmi_edit_tell(e, 0, DMI_PROGRESS_STEP);
+    }
+    memset(out + size, 0, -size % ALIGNMENT);
+}
+
 /* The old buffers, each on a boundary of 4 bytes, and what was added. */
-static void put_bytes(const dmi_edit* e, uint8_t* out) {
+static void put_bytes(dmi_edit* e, uint8_t* out) {
     uint64_t at = 0;
     for (uint32_t i = 0; e->from && i < e->from->document.counts[DMI_GLTF_BUFFERS]; i++) {
         const dmi_gltf_buffer* buffer = &e->from->buffers[i];
         if (!buffer->data) continue;
-        if (buffer->size) memcpy(out + at, buffer->data, buffer->size);
+        put_block(e, out + at, buffer->data, buffer->size);
         at = (at + buffer->size + 3) & ~(uint64_t)3;
     }
-    if (e->added_size) memcpy(out + e->base, e->added, e->added_size);
+    put_block(e, out + e->base, e->added, e->added_size);
 }
 
 static uint8_t* put_chunk(uint8_t* at, const char* kind, uint64_t size) {
@@ -96,14 +108,20 @@ dm_result dmi_edit_write(dmi_edit* e, void** out_data, size_t* out_size) {
         /* NOLINTEND(bugprone-not-null-terminated-result) */
         if (bytes > 0) {
             at = put_chunk(at + json, "BIN", padded);
-            memset(at, 0, padded);
             put_bytes(e, at);
         }
-        *out_data = out;
-        *out_size = size;
+        dmi_edit_tell(e, 1, DMI_PROGRESS_STEP);
     }
     cJSON_free(text);
-    if (out) return DM_OK;
+    if (e->problem.code != DM_OK) {
+        dmi_free(e->env, out, size);
+        return dmi_fail(e->env, e->problem.code, "%s", e->problem.text);
+    }
+    if (out) {
+        *out_data = out;
+        *out_size = size;
+        return DM_OK;
+    }
     return dmi_fail(e->env, size > UINT32_MAX ? DM_ERROR_TOO_LARGE : DM_ERROR_OUT_OF_MEMORY,
                     "glTF: a file of %" PRIu64 " bytes, 4 GB is the most, or no memory for it", size);
 }

@@ -102,6 +102,8 @@ dm_result dmi_gltf_add_rigid(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_
         transform(world, shape->local + 3 * v, position);
         store_position(gltf, gltf->vertex_count + v, position);
     }
+    const dm_result result = dmi_gltf_tell(gltf, 0, shape->vertex_count, problem);
+    if (result != DM_OK) return result;
     memcpy(gltf->sources + gltf->vertex_count, shape->elements, shape->vertex_count * sizeof *gltf->sources);
     uint32_t* out = gltf->indices + 3 * gltf->face_count;
     for (uint64_t i = 0; i < 3 * shape->face_count; i += 3) {
@@ -111,7 +113,7 @@ dm_result dmi_gltf_add_rigid(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_
     keep_order(gltf, shape);
     gltf->vertex_count += shape->vertex_count;
     gltf->face_count += shape->face_count;
-    return DM_OK;
+    return dmi_gltf_tell(gltf, 0, shape->face_count, problem);
 }
 
 /* ---- placed by bones ---- */

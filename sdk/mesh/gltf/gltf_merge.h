@@ -4,6 +4,8 @@
 
 #include "mesh/gltf/gltf_file.h"
 
+#define DMI_GLTF_TREE_READ 0.35f /* share of opening a file, before it is merged; by hand */
+
 /* Fills nodes, pieces, positions, indices and what belongs to them. */
 dm_result dmi_gltf_merge(dm_gltf* gltf, dmi_gltf_problem* problem);
 

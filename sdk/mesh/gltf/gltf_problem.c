@@ -11,7 +11,7 @@ dm_result dmi_gltf_refuse(dmi_gltf_problem* problem, dm_result code, const char*
     va_start(arguments, format);
     vsnprintf(problem->text, sizeof problem->text, format, arguments);
     va_end(arguments);
-    problem->fatal = code == DM_ERROR_OUT_OF_MEMORY;
+    problem->fatal = code == DM_ERROR_OUT_OF_MEMORY || code == DM_ERROR_CANCELLED;
     return problem->code = code;
 }
 

@@ -11,7 +11,7 @@ typedef struct dmi_gltf_problem {
     char text[448]; /* fits a log message, with words before it */
 } dmi_gltf_problem;
 
-/* Stores the problem, fatal where memory is short, and returns `code`. */
+/* Stores the problem, fatal where memory is short or the host asked to stop, and returns `code`. */
 dm_result dmi_gltf_refuse(dmi_gltf_problem* problem, dm_result code, const char* format, ...) DMI_PRINTF(3, 4);
 /* Logs a warning, for what is left out of a file. */
 void dmi_gltf_warn(dmi_env* env, const char* format, ...) DMI_PRINTF(2, 3);

@@ -255,7 +255,7 @@ static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const c
     if (faces > DM_MAX_ELEMENTS - shape->face_count)
         return dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE, "%s: more than %d triangles", place, DM_MAX_ELEMENTS);
     add_run(builder, mesh, &geometry, primitive, index, faces);
-    return DM_OK;
+    return dmi_gltf_tell(gltf, 0, faces, problem);
 }
 
 /* ---- vertices ---- */
@@ -385,14 +385,18 @@ static dm_result build_group(dmi_gltf_builder* builder, dmi_gltf_shape* shape, d
     dm_result result = grow_elements(builder, group->geometry.positions.count, problem);
     if (result != DM_OK) return result;
     const uint64_t marked = mark_group(builder, shape, group);
+    result = dmi_gltf_tell(builder->gltf, 0, marked, problem);
+    if (result != DM_OK) return result;
     group->unused = whole && marked < group->geometry.positions.count;
     result = grow_vertices(builder->gltf, shape, whole ? group->geometry.positions.count : marked, problem);
     if (result != DM_OK) return result;
     fill_vertices(builder, shape, group, whole);
+    result = dmi_gltf_tell(builder->gltf, 0, group->vertex_count, problem);
+    if (result != DM_OK) return result;
     number_corners(builder, shape, group);
     widen_box(builder, shape, group);
     clear_marks(builder, group);
-    return DM_OK;
+    return dmi_gltf_tell(builder->gltf, 0, group->vertex_count, problem);
 }
 
 dm_result dmi_gltf_build_shape(dmi_gltf_builder* builder, uint32_t node, dmi_gltf_problem* problem) {

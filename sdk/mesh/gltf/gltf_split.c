@@ -158,6 +158,7 @@ static void place_pieces(splitter* s, const cJSON* primitive, uint32_t index, cJ
 static void split_primitive(splitter* s, const cJSON* primitive, uint32_t index, cJSON* list) {
     const dm_gltf* gltf = s->moves->gltf;
     const uint64_t owned = s->counts[index], total = s->totals[index];
+    dmi_edit_tell(s->e, 0, total);
     if (owned == 0 && (total > 0 || s->owner != 0)) return;
     if (s->skinned && s->owner != 0)
         place_pieces(s, primitive, index, list);

@@ -239,12 +239,12 @@ pub type dm_drag = u64;
 /// placed objects that rays can pick
 pub type dm_scene = u64;
 pub type dm_task = Option<unsafe extern "C" fn(data: *mut c_void, index: u32)>;
+/// How far a call is: 0..1, rising; return non-zero to cancel it: it answers DM\_ERROR\_CANCELLED. Called on the thread that calls the library, whatever jobs run beside it.
+pub type dm_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, done: f32) -> i32>;
 /// Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM\_INTENT\_\*). Return DM\_JOINT\_UNKNOWN to leave the question to the library.
 pub type dm_intent_callback = Option<unsafe extern "C" fn(user: *mut c_void, part_id: u32, box_min: dm_vec3, box_max: dm_vec3) -> i32>;
 /// Asks the host which hypothesis is right (a designer's rule, a vision-language model that is shown pictures). Return its index to put it in force: its source is DM\_JOINT\_CHOSEN then, and both confidences are 1. DM\_CHOICE\_KEEP leaves the library's answer with its confidences. What else is no index ends the preparation with INDEX\_OUT\_OF\_RANGE. dm\_object\_get\_hypotheses and dm\_object\_reset\_joint go on giving the library's own ranking. Called on the thread that prepares, for one part after the other in order of id; not for parts that the host declares fixed.
 pub type dm_choice_callback = Option<unsafe extern "C" fn(user: *mut c_void, choice: *const dm_choice) -> i32>;
-/// 0..1, rising; return non-zero to cancel. Called on the thread that prepares, whatever jobs run beside it.
-pub type dm_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, done: f32) -> i32>;
 #[repr(C)]
 pub struct dm_gltf {
     opaque: [u8; 0],
@@ -361,6 +361,9 @@ pub struct dm_context_desc {
     pub picking: i32,
     /// 0
     pub reserved: u32,
+    /// of the calls that take long where the mesh is large: dm\_mesh\_find\_part, dm\_object\_prepare without a callback of its own, dm\_object\_load, dm\_object\_refine. NULL = none. May be called from several threads at once
+    pub progress: dm_progress_callback,
+    pub progress_user: *mut c_void,
 }
 
 impl Default for dm_context_desc {
@@ -730,6 +733,7 @@ pub struct dm_object_desc {
     pub seed: u64,
     pub intent: dm_intent_callback,
     pub intent_user: *mut c_void,
+    /// NULL = that of the context
     pub progress: dm_progress_callback,
     pub progress_user: *mut c_void,
     /// optional evidence: names of the whole object, as dm\_part\_desc.label; they count for the parts whose own label tells nothing
@@ -1262,6 +1266,10 @@ pub struct dm_gltf_desc {
     pub log: dm_log,
     /// zeros = none: everything is embedded. \`user\` lives as long as the dm\_gltf
     pub files: dm_gltf_files,
+    /// of dm\_gltf\_open, dm\_gltf\_open\_file and dm\_gltf\_export; NULL = none. A call that it stops answers CANCELLED
+    pub progress: dm_progress_callback,
+    /// lives as long as the dm\_gltf
+    pub progress_user: *mut c_void,
 }
 
 impl Default for dm_gltf_desc {
@@ -1389,13 +1397,13 @@ extern "C" {
     pub fn dm_model_load(context: *mut dm_context, desc: *const dm_model_desc, out_model: *mut dm_model) -> dm_result;
     /// Objects prepared with it keep their joints, and motions made with it stay; new motions and refinements of such objects answer NO\_MODEL. \[exclusive object\]
     pub fn dm_model_unload(context: *mut dm_context, model: dm_model) -> dm_result;
-    /// Finds the part that a point of the surface belongs to, when no mask names it: 1 in out\_face\_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm\_mesh\_desc. mesh-\>part\_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces; never more than linear in their number. Errors: as dm\_object\_prepare's of the mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays. \[any-thread\]
+    /// Finds the part that a point of the surface belongs to, when no mask names it: 1 in out\_face\_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm\_mesh\_desc. mesh-\>part\_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces; never more than linear in their number. Errors: as dm\_object\_prepare's of the mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays; CANCELLED. \[any-thread\]
     pub fn dm_mesh_find_part(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result;
     /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
     pub fn dm_object_prepare(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result;
     /// Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out\_size gets the bytes needed or written, with BUFFER\_TOO\_SMALL too. \[exclusive object\]
     pub fn dm_object_save(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result;
-    /// Reads what dm\_object\_save wrote, by this or any earlier version. \`model\` (may be 0) serves its motions. Errors: BAD\_DATA, VERSION. \[any-thread\]
+    /// Reads what dm\_object\_save wrote, by this or any earlier version. \`model\` (may be 0) serves its motions. Errors: BAD\_DATA, VERSION, CANCELLED. \[any-thread\]
     pub fn dm_object_load(context: *mut dm_context, data: *const c_void, size: usize, model: dm_model, out_object: *mut dm_object) -> dm_result;
     /// Its drags and motions end with it, and its instances leave their scenes. \[exclusive object, and none of those in use\]
     pub fn dm_object_destroy(context: *mut dm_context, object: dm_object) -> dm_result;
@@ -1407,7 +1415,7 @@ extern "C" {
     pub fn dm_object_get_joint(context: *mut dm_context, object: dm_object, part_id: u32, out_joint: *mut dm_joint) -> dm_result;
     /// Ranked hypotheses, best first, re-ranked by \`drag\` when it is given (microseconds; no network pass). capacity up to DM\_MAX\_HYPOTHESES; out\_joints\[0\].struct\_size must be set, the others get it; out\_count gets how many were written. \[any-thread\]
     pub fn dm_object_get_hypotheses(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint, out_joints: *mut dm_joint, capacity: u32, out_count: *mut u32) -> dm_result;
-    /// Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force. Milliseconds, not for every frame. Errors: NO\_MODEL; UNSUPPORTED when the object kept no triangles. \[exclusive object\]
+    /// Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force. Milliseconds, not for every frame. Errors: NO\_MODEL; UNSUPPORTED when the object kept no triangles; CANCELLED, which leaves the joint in force. \[exclusive object\]
     pub fn dm_object_refine(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint) -> dm_result;
     /// The host knows better: puts its joint in force. The axis may have any length, limits may be infinite (dm\_joint.lower). Source becomes DM\_JOINT\_FROM\_HOST and both confidences 1, unless the joint is, bit for bit, the one in force or the library's own answer: then source and confidences are those of that one. Drags and motions that already run keep the joint they began with. \[exclusive object\]
     pub fn dm_object_set_joint(context: *mut dm_context, object: dm_object, part_id: u32, joint: *const dm_joint) -> dm_result;
@@ -1544,7 +1552,7 @@ mod tests {
         check!(dm_allocator, 24, user 0, allocate 8, release 16);
         check!(dm_log, 16, user 0, message 8);
         check!(dm_jobs, 16, user 0, parallel_for 8);
-        check!(dm_context_desc, 112, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 72, jobs 88, picking 104, reserved 108);
+        check!(dm_context_desc, 128, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 72, jobs 88, picking 104, reserved 108, progress 112, progress_user 120);
         check!(dm_memory_info, 40, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32);
         check!(dm_model_desc, 56, struct_size 0, kinematics 8, kinematics_size 16, motion 24, motion_size 32, ranker 40, ranker_size 48);
         check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
@@ -1575,7 +1583,7 @@ mod tests {
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
         check!(dm_core_1, 432, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408, pose_inverse 416, pose_from_rotation 424);
         check!(dm_gltf_files, 24, user 0, open 8, close 16);
-        check!(dm_gltf_desc, 88, struct_size 0, reserved 4, data 8, size 16, allocator 24, log 48, files 64);
+        check!(dm_gltf_desc, 104, struct_size 0, reserved 4, data 8, size 16, allocator 24, log 48, files 64, progress 88, progress_user 96);
         check!(dm_gltf_node, 64, name 0, node 8, carrier 12, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
         check!(dm_gltf_surface, 56, first_face 0, face_count 8, colour 16, image 32, image_size 40, wrap_u 48, wrap_v 52);
         check!(dm_gltf_track, 48, name 0, face_ids 8, value 16, reserved 17, poses 24, times 32, key_count 40, reserved2 44);
@@ -1591,7 +1599,7 @@ mod tests {
         check!(dm_allocator, 12, user 0, allocate 4, release 8);
         check!(dm_log, 8, user 0, message 4);
         check!(dm_jobs, 8, user 0, parallel_for 4);
-        check!(dm_context_desc, 84, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 60, jobs 68, picking 76, reserved 80);
+        check!(dm_context_desc, 92, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 60, jobs 68, picking 76, reserved 80, progress 84, progress_user 88);
         check!(dm_memory_info, 40, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32);
         check!(dm_model_desc, 28, struct_size 0, kinematics 4, kinematics_size 8, motion 12, motion_size 16, ranker 20, ranker_size 24);
         check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
@@ -1622,7 +1630,7 @@ mod tests {
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
         check!(dm_core_1, 220, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208, pose_inverse 212, pose_from_rotation 216);
         check!(dm_gltf_files, 12, user 0, open 4, close 8);
-        check!(dm_gltf_desc, 48, struct_size 0, reserved 4, data 8, size 12, allocator 16, log 28, files 36);
+        check!(dm_gltf_desc, 56, struct_size 0, reserved 4, data 8, size 12, allocator 16, log 28, files 36, progress 48, progress_user 52);
         check!(dm_gltf_node, 64, name 0, node 4, carrier 8, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
         check!(dm_gltf_surface, 48, first_face 0, face_count 8, colour 16, image 32, image_size 36, wrap_u 40, wrap_v 44);
         check!(dm_gltf_track, 32, name 0, face_ids 4, value 8, reserved 9, poses 16, times 20, key_count 24, reserved2 28);

@@ -38,6 +38,7 @@ pub enum Level {
 }
 
 type Log = Box<dyn Fn(Level, &str) + Send + Sync>;
+type Progress = Box<dyn Fn(f32) -> bool + Send + Sync>;
 
 /// How to make a context.
 #[derive(Default)]
@@ -48,6 +49,9 @@ pub struct ContextOptions {
     pub picking: Picking,
     /// Gets the messages. It must not call this context.
     pub log: Option<Log>,
+    /// Of calls that take long for a large mesh, preparations with a callback of their own aside: gets 0 .. 1, rising;
+    /// returns false to cancel. A panic cancels too.
+    pub progress: Option<Progress>,
     /// How many threads prepare parts side by side; 0 and 1: the caller's alone. Answers keep their bits.
     pub threads: u32,
 }
@@ -55,6 +59,7 @@ pub struct ContextOptions {
 /// What the callbacks of a context read.
 struct Hooks {
     log: Option<Log>,
+    progress: Option<Progress>,
     threads: u32,
 }
 
@@ -93,6 +98,11 @@ unsafe extern "C" fn on_message(user: *mut c_void, level: i32, _code: sys::dm_re
             log(level, &text);
         }
     }));
+}
+
+unsafe extern "C" fn on_progress(user: *mut c_void, done: f32) -> i32 {
+    let goes_on = |hooks: &Hooks| hooks.progress.as_ref().map_or(true, |progress| progress(done));
+    i32::from(!catch_unwind(AssertUnwindSafe(|| goes_on(&*user.cast::<Hooks>()))).unwrap_or(false))
 }
 
 struct Task {
@@ -139,7 +149,7 @@ impl Context {
     /// # Ok::<(), dragmesh::Error>(())
     /// ```
     pub fn new(options: ContextOptions) -> Result<Self> {
-        let hooks = Box::new(Hooks { log: options.log, threads: options.threads });
+        let hooks = Box::new(Hooks { log: options.log, progress: options.progress, threads: options.threads });
         let user = &*hooks as *const Hooks as *mut c_void;
         let mut desc = sys::dm_context_desc {
             axes: match options.axes {
@@ -159,6 +169,10 @@ impl Context {
         };
         desc.log.user = user;
         desc.log.message = Some(on_message);
+        if hooks.progress.is_some() {
+            desc.progress = Some(on_progress);
+            desc.progress_user = user;
+        }
         if options.threads > 1 {
             desc.jobs.user = user;
             desc.jobs.parallel_for = Some(on_jobs);

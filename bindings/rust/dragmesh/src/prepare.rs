@@ -132,7 +132,7 @@ impl<'a> Prepare<'a> {
             seed: self.seed,
             label: label.as_ref().map_or(std::ptr::null(), |label| label.as_ptr()),
             up: self.up,
-            progress: Some(on_progress),
+            progress: if call.progress.is_some() { Some(on_progress) } else { None }, // else the context's
             progress_user: user,
             intent: Some(on_intent),
             intent_user: user,

@@ -107,6 +107,17 @@ fn callbacks_are_asked_and_may_cancel() {
 }
 
 #[test]
+fn the_progress_of_a_context_may_cancel() {
+    let progress = |goes_on: bool| ContextOptions { progress: Some(Box::new(move |_| goes_on)), ..Default::default() };
+    let saved = Context::new(progress(true)).unwrap().prepare(&Chest::new().mesh(), Prepare::default()).unwrap().save();
+    let stopping = Context::new(progress(false)).unwrap();
+    assert_eq!(stopping.load(&saved.unwrap(), None).err().unwrap().kind(), ErrorKind::Cancelled);
+    let panics = ContextOptions { progress: Some(Box::new(|_| panic!("no"))), ..Default::default() };
+    let how = Context::new(panics).unwrap().prepare(&Chest::new().mesh(), Prepare::default());
+    assert_eq!(how.err().unwrap().kind(), ErrorKind::Cancelled);
+}
+
+#[test]
 fn a_panic_of_a_callback_comes_back_and_leaves_nothing() {
     let (context, chest) = (context(), Chest::new());
     let choose = |_: &Choice| -> Option<usize> { panic!("on purpose") };

@@ -31,9 +31,12 @@ typedef struct dm_gltf_desc {
     uint32_t reserved; /* 0 */
     const void* data;  /* the bytes of a .glb or .gltf; borrowed for the call */
     size_t size;
-    dm_allocator allocator; /* zeros = malloc/free */
-    dm_log log;             /* zeros = silent */
-    dm_gltf_files files;    /* zeros = none: everything is embedded. `user` lives as long as the dm_gltf */
+    dm_allocator allocator;        /* zeros = malloc/free */
+    dm_log log;                    /* zeros = silent */
+    dm_gltf_files files;           /* zeros = none: everything is embedded. `user` lives as long as the dm_gltf */
+    dm_progress_callback progress; /* of dm_gltf_open, dm_gltf_open_file and dm_gltf_export; NULL = none. A call that it
+                                      stops answers CANCELLED */
+    void* progress_user;           /* lives as long as the dm_gltf */
 } dm_gltf_desc;
 
 #define DM_GLTF_NO_CARRIER UINT32_MAX
