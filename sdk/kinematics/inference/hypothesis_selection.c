@@ -150,7 +150,7 @@ uint32_t dmi_select_hypotheses(const dmi_ranked_candidates* ranked, dmi_selectio
             count == 0 && rule == DMI_SELECT_LIKELIER_TYPE_FIRST ? s.type_mass[1] > s.type_mass[0] : ANY_TYPE;
         uint32_t best = heaviest(&s, only);
         if (best == s.count) break;
-        if (rule != DMI_SELECT_BY_POSE) best = most_probable_near(&s, best);
+        best = most_probable_near(&s, best);
         dmi_selected* one = &out[count++];
         one->index = s.top[best].index;
         one->candidate = &ranked->candidates[one->index];
