@@ -341,6 +341,81 @@ static void test_tracks_of_a_door_and_its_lever(void** state) {
     }
 }
 
+/* A triangle on a bone that turns, stretches and shifts it, its normal across it and its tangent along its first side.
+ */
+static const struct {
+    float positions[3][3], normals[3][3], tangents[3][4], weights[3][4];
+    uint8_t joints[3][4];
+} skinned = {
+    .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}},
+    .normals = {{0, -0.70710678f, 0.70710678f}, {0, -0.70710678f, 0.70710678f}, {0, -0.70710678f, 0.70710678f}},
+    .tangents = {{1, 0, 0, -1}, {1, 0, 0, -1}, {1, 0, 0, -1}},
+    .weights = {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}}};
+static const char skinned_json[] =
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":180}],\"bufferViews\":["
+    "{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":36},"
+    "{\"buffer\":0,\"byteOffset\":72,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":120,\"byteLength\":48},"
+    "{\"buffer\":0,\"byteOffset\":168,\"byteLength\":12}],\"accessors\":["
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+    "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+    "{\"bufferView\":2,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"
+    "{\"bufferView\":3,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"
+    "{\"bufferView\":4,\"componentType\":5121,\"count\":3,\"type\":\"VEC4\"}],\"meshes\":[{\"primitives\":[{"
+    "\"attributes\":"
+    "{\"POSITION\":0,\"NORMAL\":1,\"TANGENT\":2,\"WEIGHTS_0\":3,\"JOINTS_0\":4}}]}],\"skins\":[{\"joints\":[1]}],"
+    "\"nodes\":[{\"mesh\":0,\"skin\":0},{\"name\":\"door\",\"translation\":[0,1,0],\"rotation\":[0.36,0.48,0,0.8],"
+    "\"scale\":[2,1,0.5]}]}";
+
+static float dot(const float a[3], const float b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* A moved part of a skin is written where its bone has it; its shading goes with it. */
+static void test_a_skinned_part_keeps_its_shading(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    const test_glb glb = test_glb_pack(skinned_json, &skinned, sizeof skinned);
+    dm_gltf* gltf = open_bytes(&t, glb.data, glb.size);
+    const uint8_t ids[1] = {1};
+    const float x[3] = {1, 0, 0}, zero[3] = {0}, time = 0;
+    const dm_pose still = dmi_pose_from_screw(x, zero, 0, 0);
+    const dm_gltf_track track = {.face_ids = ids, .value = 1, .poses = &still, .times = &time, .key_count = 1};
+    void* data;
+    size_t size;
+    assert_int_equal(dm_gltf_export(gltf, &track, 1, &data, &size), DM_OK);
+    animated a = open_up(data);
+    const cJSON *node, *found = NULL;
+    cJSON_ArrayForEach(node, cJSON_GetObjectItem(a.json, "nodes")) if (cJSON_GetObjectItem(node, "mesh") &&
+                                                                       !cJSON_GetObjectItem(node, "skin")) found = node;
+    assert_non_null(found);
+    const cJSON* attributes =
+        cJSON_GetObjectItem(item(item(a.json, "meshes", number(found, "mesh")), "primitives", 0), "attributes");
+    int counts[3];
+    const float* at = floats_of(&a, number(attributes, "POSITION"), &counts[0]);
+    const float* normals = floats_of(&a, number(attributes, "NORMAL"), &counts[1]);
+    const float* tangents = floats_of(&a, number(attributes, "TANGENT"), &counts[2]);
+    for (int i = 0; i < 3; i++) assert_int_equal(counts[i], 3);
+    float sides[2][3];
+    for (int k = 0; k < 3; k++) sides[0][k] = at[3 + k] - at[k], sides[1][k] = at[6 + k] - at[k];
+    const float across[3] = {sides[0][1] * sides[1][2] - sides[0][2] * sides[1][1],
+                             sides[0][2] * sides[1][0] - sides[0][0] * sides[1][2],
+                             sides[0][0] * sides[1][1] - sides[0][1] * sides[1][0]};
+    assert_float_equal(dot(sides[0], sides[0]), 4, 1e-5f); /* the bone stretches it */
+    for (int v = 0; v < 3; v++) {
+        assert_float_equal(dot(normals + 3 * v, across), sqrtf(dot(across, across)), 1e-5f);
+        assert_float_equal(dot(normals + 3 * v, normals + 3 * v), 1, 1e-5f);
+        assert_float_equal(dot(tangents + 4 * v, sides[0]), 2, 1e-5f);
+        assert_float_equal(dot(tangents + 4 * v, tangents + 4 * v), 1, 1e-5f);
+        assert_float_equal(tangents[4 * v + 3], -1, 0);
+    }
+    cJSON_Delete(a.json);
+    dm_gltf_release_bytes(gltf, data, size);
+    dm_gltf_close(gltf);
+    free(glb.data);
+    test_env_close(&t);
+}
+
 static void test_bad_tracks(void** state) {
     (void)state;
     setup s;
@@ -391,6 +466,7 @@ int main(void) {
         cmocka_unit_test(test_turns_leave_the_pivot_still),
         cmocka_unit_test(test_two_tracks),
         cmocka_unit_test(test_tracks_of_a_door_and_its_lever),
+        cmocka_unit_test(test_a_skinned_part_keeps_its_shading),
         cmocka_unit_test(test_bad_tracks),
         cmocka_unit_test(test_failing_allocator),
     };
