@@ -2,6 +2,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -138,7 +139,7 @@ static void add_function(reader* r, CXCursor cursor) {
     char thread[64];
     if (!find_thread(doc != NULL ? doc->valuestring : NULL, thread)) {
         if (r->default_thread[0] == 0) text_fail("%s does not state its threading tag", name);
-        strcpy(thread, r->default_thread);
+        snprintf(thread, sizeof thread, "%s", r->default_thread);
     }
     cJSON_AddStringToObject(entry, "threads", thread);
     cJSON* signature = signature_to_json(cursor, clang_getCursorType(cursor));

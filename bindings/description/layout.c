@@ -38,7 +38,8 @@ static cJSON* measure(CXCursor cursor, const cJSON* entry) {
     cJSON *offsets = cJSON_AddArrayToObject(layout, "offsets"), *field;
     cJSON_ArrayForEach(field, cJSON_GetObjectItem(entry, "fields")) {
         const long long bits = clang_Type_getOffsetOf(type, cJSON_GetObjectItem(field, "name")->valuestring);
-        cJSON_AddItemToArray(offsets, cJSON_CreateNumber((double)(bits / 8)));
+        const long long bytes = bits / 8;
+        cJSON_AddItemToArray(offsets, cJSON_CreateNumber((double)bytes));
     }
     return layout;
 }

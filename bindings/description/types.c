@@ -8,8 +8,8 @@
 
 static char* copy(CXString string) {
     const char* text = clang_getCString(string);
-    char* out = text_alloc(strlen(text) + 1);
-    strcpy(out, text);
+    const size_t size = strlen(text) + 1;
+    char* out = memcpy(text_alloc(size), text, size);
     clang_disposeString(string);
     return out;
 }

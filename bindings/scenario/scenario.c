@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
     drag_behind_latch(context, object, &hit);
     follow_links(context, object);
     save_and_load(context, object);
-    mesh.index_count = 3 * 12; /* one box, without any part */
+    mesh.index_count = 36; /* one box, without any part */
     dm_object none;
     dm_object_desc broken = dm_object_desc_default();
     broken.mesh = &mesh;

@@ -5,9 +5,9 @@
 
 static const dm_core_1* dm;
 
-enum { BOXES = 7, FIRST_BOX_OF_DOOR = 5, DOOR = 1 };
-static float positions[BOXES * 8][3];
-static uint16_t indices[BOXES * 36];
+enum { BOXES = 7, FIRST_BOX_OF_DOOR = 5, DOOR = 1, VERTICES = BOXES * 8, CORNERS = BOXES * 36 };
+static float positions[VERTICES][3];
+static uint16_t indices[CORNERS];
 static uint8_t parts[BOXES * 8]; /* of each vertex; 0 is the body */
 static const float boxes[BOXES][6] = {
     {0.00f, 0.00f, 0.000f, 0.60f, 0.02f, 0.40f}, /* bottom, from x, y, z to x, y, z, in metres */
@@ -26,7 +26,7 @@ static void make_cabinet(void) {
         for (int k = 0; k < 3; k++) positions[v][k] = boxes[v / 8][v >> k & 1 ? k + 3 : k];
         parts[v] = v / 8 >= FIRST_BOX_OF_DOOR ? DOOR : 0;
     }
-    for (int i = 0; i < BOXES * 36; i++) indices[i] = (uint16_t)(i / 36 * 8 + corners[i % 36]);
+    for (int i = 0; i < CORNERS; i++) indices[i] = (uint16_t)(i / 36 * 8 + corners[i % 36]);
 }
 
 static size_t read_file(const char* folder, const char* name, void* out, size_t capacity) {
@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
     if (dm->context_create(&host, &context) != DM_OK || dm->model_load(context, &weights, &model) != DM_OK) return 1;
 
     make_cabinet();
-    dm_mesh_desc mesh = {.struct_size = sizeof mesh, .positions = positions, .vertex_count = BOXES * 8};
-    mesh.indices = indices, mesh.index_count = BOXES * 36, mesh.index_format = DM_UINT16;
+    dm_mesh_desc mesh = {.struct_size = sizeof mesh, .positions = positions, .vertex_count = VERTICES};
+    mesh.indices = indices, mesh.index_count = CORNERS, mesh.index_format = DM_UINT16;
     mesh.part_ids = parts, mesh.part_id_bytes = sizeof parts, mesh.part_id_format = DM_UINT8;
     dm_object cabinet;
     dm_joint j = {.struct_size = sizeof j};
@@ -77,7 +77,9 @@ int main(int argc, char** argv) {
     dm_motion motion;
     dm_motion_desc pull = {.struct_size = sizeof pull, .part_id = DOOR, .drag = {handle, {0, 0, 0.1f}}};
     if (dm->motion_generate(context, cabinet, &pull, &motion) != DM_OK) return 1;
-    for (float t = 0, value; t <= 1; t += 0.25f) {
+    for (int quarter = 0; quarter <= 4; quarter++) {
+        const float t = 0.25f * (float)quarter;
+        float value;
         dm_pose pose;
         float at[3] = {handle.x, handle.y, handle.z};
         dm->motion_sample(context, motion, t, &pose, &value);

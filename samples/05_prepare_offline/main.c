@@ -84,9 +84,10 @@ static int load(dm_context* context, const char* path) {
     void* bytes = read_whole(path, &size);
     dm_object object;
     const double start = now_ms();
-    if (dm_object_load(context, bytes, size, 0, &object) != DM_OK) return 1;
+    const dm_result result = dm_object_load(context, bytes, size, 0, &object);
     printf("loaded in %.2f ms\n", now_ms() - start);
     free(bytes);
+    if (result != DM_OK) return 1;
     print_parts(context, object);
     return 0;
 }

@@ -66,7 +66,7 @@ static inline void draw_panel(const studio* s, uint32_t part, const dm_pose* pos
             dm_hit hit = {.struct_size = sizeof hit};
             dm_camera_ray(s->context, &camera, (float)x + 0.5f, (float)y + 0.5f, &ray);
             dm_scene_pick(s->context, s->scene, &ray, &hit);
-            shade(&ray, &hit, part, rgb + 3 * (y * PICTURE_WIDTH + panel * PANEL + x));
+            shade(&ray, &hit, part, rgb + 3 * (size_t)(y * PICTURE_WIDTH + panel * PANEL + x));
         }
     }
 }

@@ -72,7 +72,7 @@ static inline dm_vec3 hand_at(float angle) {
 static inline dm_drag_state recipe_pull(dm_context* context, dm_drag drag, float from, float to) {
     dm_drag_state now = dm_drag_state_default();
     for (int frame = 0; frame <= FPS / 2; frame++) {
-        const dm_ray ray = ray_through(eye, hand_at(from + (to - from) * (float)frame / (FPS / 2)));
+        const dm_ray ray = ray_through(eye, hand_at(from + (to - from) * (float)frame / (FPS / 2.0f)));
         EXPECT(dm_drag_update(context, drag, &ray, 1.0f / FPS, &now) == DM_OK);
     }
     return now;

@@ -58,6 +58,7 @@ int main(void) {
     printf("%zu bytes a frame; the pose after %d rollbacks:", dm_drag_snapshot_size(), FRAMES - LATE + 2);
     for (int i = 0; i < 4; i++) printf(" %a", (double)found->real[i]);
     printf("\n");
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked */
     EXPECT(memcmp(&truth, found, sizeof truth) == 0);
     dm_context_destroy(context);
     return 0;

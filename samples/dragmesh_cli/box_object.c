@@ -44,7 +44,7 @@ static void add_side(box_object* object, const box* from, int axis, int far, int
 }
 
 box_object box_object_new(int grid) {
-    const size_t sides = BOXES * 6, row = (size_t)grid + 1, squares = (size_t)grid * (size_t)grid;
+    const size_t sides = (size_t)BOXES * 6, row = (size_t)grid + 1, squares = (size_t)grid * (size_t)grid;
     box_object object = {.positions = cli_alloc(sides * row * row * 3 * sizeof(float)),
                          .indices = cli_alloc(sides * squares * 6 * sizeof(uint32_t)),
                          .part_ids = cli_alloc(sides * squares * 2)};

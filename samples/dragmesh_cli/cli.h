@@ -20,6 +20,7 @@ extern const cli_command cli_infer, cli_animate, cli_film, cli_pick, cli_prepare
 /* Memory of a tool: ends the program with a message when there is none. free() releases it. */
 void* cli_alloc(size_t size);
 void* cli_alloc_zeroed(size_t size);
+char* cli_copy_text(const char* text);
 void* cli_grow(void* memory, size_t size);
 
 double cli_now_ms(void);

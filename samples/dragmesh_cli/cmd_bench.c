@@ -263,7 +263,7 @@ static double clock_cost(clockid_t clock) {
         const double start = timing_now_ns(clock);
         ns[i] = timing_now_ns(clock) - start;
     }
-    timing_sort(ns, COLD_ROUNDS * COLD_ROUNDS);
+    timing_sort(ns, (size_t)COLD_ROUNDS * COLD_ROUNDS);
     return ns[COLD_ROUNDS * COLD_ROUNDS / 2];
 }
 
@@ -362,7 +362,7 @@ static dm_result set_up(bench* b) {
     b->shape = box_object_new(GRID);
     b->mesh = box_object_mesh(&b->shape);
     b->pose = (dm_pose){{0, 0.08715574f, 0, 0.9961947f}, {0, 0, 0, 0}}; /* 10 degrees about y */
-    b->points = cli_alloc_zeroed(POINTS * 3 * sizeof(float));
+    b->points = cli_alloc_zeroed(3 * sizeof(float) * POINTS);
     b->camera = (dm_camera){.struct_size = sizeof b->camera,
                             .fov_y = 0.8f,
                             .eye = {0, 1, 3},

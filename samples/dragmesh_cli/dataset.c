@@ -43,7 +43,7 @@ name_list dataset_list(const char* folder) {
 static char* copy_text(const cJSON* json, const char* name, const char* otherwise) {
     const cJSON* found = cJSON_GetObjectItemCaseSensitive(json, name);
     const char* text = cJSON_IsString(found) ? found->valuestring : otherwise;
-    return strcpy(cli_alloc(strlen(text) + 1), text);
+    return cli_copy_text(text);
 }
 
 static double number_or(const cJSON* json, const char* name, double otherwise) {
@@ -120,7 +120,7 @@ int dataset_read(const char* folder, const char* name, known_object* out_object,
     const cJSON* joints = cJSON_GetObjectItemCaseSensitive(json, "joints");
     const int count = cJSON_GetArraySize(joints);
     if (count > 0) {
-        *out_object = (known_object){.name = strcpy(cli_alloc(strlen(name) + 1), name),
+        *out_object = (known_object){.name = cli_copy_text(name),
                                      .glb = path_join(object, "object.glb"),
                                      .category = copy_text(json, "category", "?"),
                                      .joints = cli_alloc((size_t)count * sizeof(known_joint)),

@@ -141,7 +141,7 @@ void bot_object_moving(const bot_object* s, int joint, bool out_moves[BOT_MAX_PA
 
 /* Moves the two extremes along a direction to `point` where it lies farther. */
 static void widen(bot_part* part, int direction, vec along, vec point, bool first) {
-    vec *low = &part->extremes[2 * direction], *high = low + 1;
+    vec *low = &part->extremes[2 * (size_t)direction], *high = low + 1;
     if (first || dot(point, along) < dot(*low, along)) *low = point;
     if (first || dot(point, along) > dot(*high, along)) *high = point;
 }

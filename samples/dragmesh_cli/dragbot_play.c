@@ -105,8 +105,10 @@ static void track_screen(player* p, const bot_step* step, const double pointer[2
 }
 
 static bool same_joint(const dm_joint* a, const dm_joint* b) {
+    /* NOLINTBEGIN(bugprone-suspicious-memory-comparison): the bits are what is asked */
     return a->type == b->type && memcmp(&a->axis, &b->axis, sizeof a->axis) == 0 &&
            memcmp(&a->origin, &b->origin, sizeof a->origin) == 0;
+    /* NOLINTEND(bugprone-suspicious-memory-comparison) */
 }
 
 static void track_rest(player* p) {

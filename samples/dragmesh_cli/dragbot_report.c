@@ -190,13 +190,13 @@ static int by_depth(const void* a, const void* b) {
 
 static void print_deepest(const bot_run* run, FILE* out) {
     const bot_score* score = &run->score;
-    const bot_row** rows = cli_alloc((score->count + 1) * sizeof *rows);
+    const bot_row** rows = cli_alloc((score->count + 1) * sizeof(void*));
     size_t count = 0;
     for (size_t i = 0; i < score->count; i++) {
         const bot_row* row = &score->rows[i];
         if (fmax(row->found.through, row->given.through) > through_share) rows[count++] = row;
     }
-    qsort(rows, count, sizeof *rows, by_depth);
+    qsort(rows, count, sizeof(void*), by_depth);
     for (size_t i = 0; i < count && i < (size_t)run->options.worst; i++)
         fprintf(out, "%s %s through the body by %.3f sizes, with the true joint %.3f\n", rows[i]->id,
                 rows[i]->slides ? "slides" : "turns", rows[i]->found.through, rows[i]->given.through);

@@ -15,7 +15,7 @@ static void enter_pivot(vec origin, const vec axes[3], job* out) {
     out->pivot.origin = vec_out(origin);
     for (int i = 0; i < 3; i++) {
         const float row[3] = {(float)axes[i].x, (float)axes[i].y, (float)axes[i].z};
-        memcpy(out->pivot.axes + 3 * i, row, sizeof row);
+        memcpy(out->pivot.axes + 3 * (size_t)i, row, sizeof row);
     }
 }
 

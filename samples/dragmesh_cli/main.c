@@ -10,7 +10,7 @@
 
 static const cli_command* const commands[] = {&cli_infer, &cli_animate, &cli_film, &cli_pick,   &cli_prepare,
                                               &cli_eval,  &cli_bench,   &cli_demo, &cli_dragbot};
-enum { COMMANDS = sizeof commands / sizeof *commands };
+enum { COMMANDS = sizeof commands / sizeof(void*) };
 
 void* cli_grow(void* memory, size_t size) {
     void* grown = realloc(memory, size > 0 ? size : 1);
@@ -24,7 +24,16 @@ void* cli_alloc(size_t size) {
 }
 
 void* cli_alloc_zeroed(size_t size) {
-    return memset(cli_alloc(size), 0, size);
+    void* memory = cli_alloc(size);
+    memset(memory, 0, size);
+    return memory;
+}
+
+char* cli_copy_text(const char* text) {
+    const size_t size = strlen(text) + 1;
+    char* copy = cli_alloc(size);
+    memcpy(copy, text, size);
+    return copy;
 }
 
 double cli_now_ms(void) {

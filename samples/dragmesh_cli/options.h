@@ -28,8 +28,8 @@ enum option_kind {
 typedef struct option_spec {
     const char* name; /* with its dashes */
     enum option_kind kind;
+    int count; /* of OPTION_NUMBERS */
     void* value;
-    int count;                  /* of OPTION_NUMBERS */
     int* given;                 /* may be NULL: set to 1 when the option was there */
     const char* const* choices; /* of OPTION_CHOICE; NULL ends them */
 } option_spec;

@@ -25,8 +25,10 @@ void part_hints_of_node(const dm_gltf* gltf, const char* path, const char* node,
 }
 
 bool part_hints_equal(const part_hints* a, const part_hints* b) {
+    /* NOLINTBEGIN(bugprone-suspicious-memory-comparison): the bits are what is asked */
     return strcmp(a->label, b->label) == 0 && a->has_pivot == b->has_pivot &&
            (!a->has_pivot || memcmp(&a->pivot, &b->pivot, sizeof a->pivot) == 0);
+    /* NOLINTEND(bugprone-suspicious-memory-comparison) */
 }
 
 void part_hints_enter(const part_hints* hints, dm_part_desc* part) {

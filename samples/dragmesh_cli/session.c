@@ -100,8 +100,7 @@ dm_result session_use_file(session* session, const char* path) {
     }
     dm_gltf_get_origin(session->gltf, session->origin);
     dm_gltf_get_mesh(session->gltf, &session->mesh);
-    session->path = cli_alloc(strlen(path) + 1);
-    strcpy(session->path, path);
+    session->path = cli_copy_text(path);
     return DM_OK;
 }
 

@@ -30,6 +30,7 @@ static void weld(smooth_normals* smooth, uint64_t count) {
     qsort(corners, count, sizeof *corners, by_position);
     uint32_t first = 0;
     for (uint64_t i = 0; i < count; i++) {
+        /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked */
         if (i == 0 || memcmp(corners[i].position, corners[i - 1].position, sizeof corners[i].position) != 0)
             first = corners[i].vertex;
         smooth->welded[corners[i].vertex] = first;

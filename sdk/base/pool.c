@@ -43,14 +43,30 @@ static size_t chunk_slots(uint32_t chunk) {
     return (size_t)1 << (chunk + FIRST_CHUNK_BITS);
 }
 
+/* Where the slot of an index is. */
+typedef struct place {
+    uint32_t chunk;
+    size_t slot;
+} place;
+
+static place place_of(uint32_t index) {
+    const uint64_t shifted = (uint64_t)index + ((uint64_t)1 << FIRST_CHUNK_BITS);
+    const uint32_t bits = dmi_floor_log2(shifted);
+    return (place){bits - FIRST_CHUNK_BITS, (size_t)(shifted - ((uint64_t)1 << bits))};
+}
+
 /* Returns the slot of an index; NULL when no chunk holds it. */
 static slot* slot_at(const dmi_pool* pool, uint32_t index) {
-    uint64_t shifted = (uint64_t)index + ((uint64_t)1 << FIRST_CHUNK_BITS);
-    uint32_t bits = dmi_floor_log2(shifted);
-    uint32_t chunk = bits - FIRST_CHUNK_BITS;
-    if (chunk >= CHUNK_COUNT) return NULL;
-    slot* slots = atomic_load_explicit(&pool->chunks[chunk], memory_order_acquire);
-    return slots == NULL ? NULL : &slots[shifted - ((uint64_t)1 << bits)];
+    const place at = place_of(index);
+    if (at.chunk >= CHUNK_COUNT) return NULL;
+    slot* slots = atomic_load_explicit(&pool->chunks[at.chunk], memory_order_acquire);
+    return slots == NULL ? NULL : &slots[at.slot];
+}
+
+/* The same for an index that a list holds, and so a chunk. */
+static slot* listed_slot(const dmi_pool* pool, uint32_t index) {
+    const place at = place_of(index);
+    return atomic_load_explicit(&pool->chunks[at.chunk], memory_order_acquire) + at.slot;
 }
 
 static uint64_t make_handle(const dmi_pool* pool, uint32_t generation, uint32_t index) {
@@ -91,7 +107,7 @@ void dmi_pool_destroy(dmi_pool* pool) {
 static uint32_t take_free(dmi_pool* pool) {
     uint32_t index = pool->first_free;
     if (index != NO_SLOT) {
-        pool->first_free = slot_at(pool, index)->next;
+        pool->first_free = listed_slot(pool, index)->next;
         return index;
     }
     if (slot_at(pool, pool->slot_count) == NULL) return NO_SLOT;
@@ -117,17 +133,17 @@ static dm_result add_chunk(dmi_pool* pool, uint32_t chunk) {
 }
 
 static void link_live(dmi_pool* pool, uint32_t index) {
-    slot* s = slot_at(pool, index);
+    slot* s = listed_slot(pool, index);
     s->previous = NO_SLOT;
     s->next = pool->first_live;
-    if (s->next != NO_SLOT) slot_at(pool, s->next)->previous = index;
+    if (s->next != NO_SLOT) listed_slot(pool, s->next)->previous = index;
     pool->first_live = index;
 }
 
 static void unlink_live(dmi_pool* pool, const slot* s) {
-    if (s->next != NO_SLOT) slot_at(pool, s->next)->previous = s->previous;
+    if (s->next != NO_SLOT) listed_slot(pool, s->next)->previous = s->previous;
     if (s->previous != NO_SLOT) {
-        slot_at(pool, s->previous)->next = s->next;
+        listed_slot(pool, s->previous)->next = s->next;
     } else {
         pool->first_live = s->next;
     }
@@ -138,7 +154,7 @@ dm_result dmi_pool_insert(dmi_pool* pool, void* item, uint64_t* out_handle) {
         lock(pool);
         uint32_t index = take_free(pool), chunk = pool->chunk_count;
         if (index != NO_SLOT) {
-            slot* s = slot_at(pool, index);
+            slot* s = listed_slot(pool, index);
             link_live(pool, index);
             atomic_store_explicit(&s->item, item, memory_order_release);
             *out_handle = make_handle(pool, atomic_load_explicit(&s->generation, memory_order_relaxed), index);
@@ -184,7 +200,7 @@ void* dmi_pool_remove(dmi_pool* pool, uint64_t handle) {
 
 void* dmi_pool_any(const dmi_pool* pool, uint64_t* out_handle) {
     if (pool->first_live == NO_SLOT) return NULL;
-    const slot* s = slot_at(pool, pool->first_live);
+    const slot* s = listed_slot(pool, pool->first_live);
     *out_handle = make_handle(pool, atomic_load_explicit(&s->generation, memory_order_relaxed), pool->first_live);
     return atomic_load_explicit(&s->item, memory_order_relaxed);
 }

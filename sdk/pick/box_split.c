@@ -103,7 +103,8 @@ static void fill_bins(const dmi_box_item* items, uint32_t count, const binning* 
 }
 
 static float group_cost(const dmi_box* box, uint32_t count, uint32_t block) {
-    return dmi_box_area(box) * (float)((count + block - 1) / block);
+    const uint32_t blocks = (count + block - 1) / block;
+    return dmi_box_area(box) * (float)blocks;
 }
 
 /* Takes the best split of an axis where it beats `best`. */

@@ -83,6 +83,7 @@ typedef bool (*embree_progress_function)(void* user, double share);
 typedef void embree3_intersect(embree_scene scene, embree_context3* context, embree_ray_hit* ray);
 typedef void embree4_intersect(embree_scene scene, embree_ray_hit* ray, void* arguments);
 
+/* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define EMBREE_POINTER(result, name, parameters) result(*name) parameters;
 typedef struct embree_library {
     void* handle;

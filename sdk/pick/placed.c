@@ -38,8 +38,8 @@ static void apply_linear(const double m[DMI_MATRIX], const double direction[4], 
 static void multiply(const double a[DMI_MATRIX], const double b[DMI_MATRIX], double out[DMI_MATRIX]) {
     double column[4];
     for (int i = 0; i < 3; i++) {
-        apply_linear(a, b + 3 * i, column);
-        memcpy(out + 3 * i, column, 3 * sizeof *column);
+        apply_linear(a, b + 3 * (size_t)i, column);
+        memcpy(out + 3 * (size_t)i, column, 3 * sizeof *column);
     }
     apply(a, b + 9, column);
     memcpy(out + 9, column, sizeof column);

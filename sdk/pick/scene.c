@@ -62,16 +62,17 @@ static void release_placed(dmi_scene* scene, dmi_placed_object* placed) {
 static dm_result grow(dmi_scene* scene) {
     dmi_env* env = scene->picker->env;
     const uint32_t old = scene->capacity, capacity = old > 0 ? 2 * old : FIRST_CAPACITY;
-    dmi_placed_object** objects = dmi_alloc_zeroed(env, capacity * sizeof *objects, DMI_ALIGNMENT);
+    const size_t size = capacity * sizeof(void*), old_size = old * sizeof(void*);
+    dmi_placed_object** objects = dmi_alloc_zeroed(env, size, DMI_ALIGNMENT);
     uint32_t* free_ids = dmi_alloc(env, capacity * sizeof *free_ids, DMI_ALIGNMENT);
     if (objects == NULL || free_ids == NULL) {
-        dmi_free(env, objects, capacity * sizeof *objects);
+        dmi_free(env, objects, size);
         dmi_free(env, free_ids, capacity * sizeof *free_ids);
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u instances", capacity);
     }
-    if (old > 0) memcpy(objects, scene->objects, old * sizeof *objects);
+    if (old > 0) memcpy(objects, scene->objects, old_size);
     for (uint32_t id = capacity; id > old; id--) free_ids[scene->free_count++] = id - 1;
-    dmi_free(env, scene->objects, old * sizeof *objects);
+    dmi_free(env, scene->objects, old_size);
     dmi_free(env, scene->free_ids, old * sizeof *free_ids);
     scene->objects = objects;
     scene->free_ids = free_ids;
@@ -143,7 +144,7 @@ dm_result dmi_scene_add(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* f
     if (result == DM_OK) result = check_pose(env, host_placement, &placement);
     if (result == DM_OK && scene->free_count == 0) result = grow(scene);
     if (result == DM_OK) result = make_placed(scene, bvh, frame, object, &placement, &placed);
-    if (result != DM_OK) return result;
+    if (result != DM_OK || placed == NULL) return result;
     placed->id = scene->free_ids[--scene->free_count];
     scene->objects[placed->id] = placed;
     mark_dirty(scene, placed);
@@ -277,7 +278,7 @@ void dmi_scene_destroy(dmi_scene* scene) {
     for (uint32_t i = 0; i < scene->capacity; i++) {
         if (scene->objects[i] != NULL) dmi_free(env, scene->objects[i], placed_size(scene->objects[i]->bvh));
     }
-    dmi_free(env, scene->objects, scene->capacity * sizeof *scene->objects);
+    dmi_free(env, scene->objects, scene->capacity * sizeof(void*));
     dmi_free(env, scene->free_ids, scene->capacity * sizeof *scene->free_ids);
     dmi_free(env, scene, sizeof *scene);
 }

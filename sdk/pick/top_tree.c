@@ -34,6 +34,7 @@ static float joined_area(const dmi_box* a, const dmi_box* b) {
 }
 
 static bool same(const dmi_box* a, const dmi_box* b) {
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked */
     return memcmp(a->low, b->low, 3 * sizeof(float)) == 0 && memcmp(a->high, b->high, 3 * sizeof(float)) == 0;
 }
 

@@ -5,8 +5,10 @@ affine affine_identity(void) {
 }
 
 static void apply(const affine* a, const double v[3], const double origin[3], double out[3]) {
-    for (int row = 0; row < 3; row++)
-        out[row] = a->m[3 * row] * v[0] + a->m[3 * row + 1] * v[1] + a->m[3 * row + 2] * v[2] + origin[row];
+    for (int row = 0; row < 3; row++) {
+        const double* m = a->m + 3 * (size_t)row;
+        out[row] = m[0] * v[0] + m[1] * v[1] + m[2] * v[2] + origin[row];
+    }
 }
 
 affine affine_after(const affine* a, const affine* b) {

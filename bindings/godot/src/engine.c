@@ -1,5 +1,6 @@
 #include "engine.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -417,9 +418,7 @@ void gd_register_signal(GDExtensionClassLibraryPtr library, const char* class_na
 /* A name that begins with `prefix`. */
 static gd_name joined(const char* prefix, const char* name) {
     char text[64];
-    const size_t length = strlen(prefix);
-    memcpy(text, prefix, length);
-    memcpy(text + length, name, strlen(name) + 1);
+    snprintf(text, sizeof text, "%s%s", prefix, name);
     return gd_name_of(text);
 }
 

@@ -195,7 +195,7 @@ void body_find_parts(body* b) {
         gd_free(&node);
     }
     gd_free(&nodes);
-    for (uint32_t i = 0; i < b->part_count; i++) {
+    for (uint32_t i = 0; b->parts && i < b->part_count; i++) {
         gd_value node = part_node(&b->parts[i]), above = parent_of(&node);
         const part* carrier = owner_of(b, &above);
         b->parts[i].parent = carrier ? carrier->id : 0;
@@ -214,7 +214,7 @@ static char* joined(char* above, char* name) {
     const size_t first = above ? strlen(above) : 0, second = name ? strlen(name) : 0;
     char* text = above && name ? malloc(first + second + 2) : NULL;
     if (text) {
-        memcpy(text, above, first);
+        memcpy(text, above, first); /* NOLINT(bugprone-not-null-terminated-result): more follows */
         text[first] = '/';
         memcpy(text + first + 1, name, second + 1);
     }

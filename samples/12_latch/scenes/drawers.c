@@ -5,7 +5,7 @@ enum { BODY, TOP, MIDDLE, BOTTOM };
 
 #define DRAWER(title)                                                                                                  \
     {                                                                                                                  \
-        .name = title, .joint = {.type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .upper = 0.32f }                       \
+        .name = (title), .joint = {.type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .upper = 0.32f }                     \
     }
 #define DRAWER_SHAPES(part, y)                                                                                         \
     BOX(part, 0.01f, y, 0.402f, 0.49f, (y) + 0.22f, 0.42f),                                                            \
@@ -15,7 +15,7 @@ enum { BODY, TOP, MIDDLE, BOTTOM };
         BOX(part, 0.46f, (y) + 0.02f, 0.03f, 0.47f, (y) + 0.18f, 0.402f),                                              \
         BOX(part, 0.04f, (y) + 0.02f, 0.03f, 0.46f, (y) + 0.18f, 0.04f)
 #define HOLDS(open, other)                                                                                             \
-    { .driver = open, .driven = other, .kind = DM_LINK_HOLDS, .from = 0.02f }
+    { .driver = (open), .driven = (other), .kind = DM_LINK_HOLDS, .from = 0.02f }
 
 static const scene_part parts[] = {DRAWER("top"), DRAWER("middle"), DRAWER("bottom")};
 

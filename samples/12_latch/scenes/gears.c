@@ -2,8 +2,8 @@
  * gears stop too, whichever is turned. */
 #include "../scene.h"
 
-#define RACK_RATIO 12.5f /* rad of the small gear a metre of the rack: one over its radius */
-#define GEAR_RATIO -0.5f /* 8 teeth drive 16 */
+#define RACK_RATIO 12.5f   /* rad of the small gear a metre of the rack: one over its radius */
+#define GEAR_RATIO (-0.5f) /* 8 teeth drive 16 */
 
 enum { BODY, RACK, SMALL, LARGE };
 

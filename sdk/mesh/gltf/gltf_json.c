@@ -91,8 +91,7 @@ static dm_result keep_last_of_each_name(cJSON* object, dmi_gltf_problem* problem
     if (!members)
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "no memory for the names of %zu members", count);
     uint32_t place = 0;
-    cJSON* item;
-    cJSON_ArrayForEach(item, object) {
+    for (cJSON* item = object->child; item; item = item->next) {
         members[place] = (member){item, place};
         place++;
     }
