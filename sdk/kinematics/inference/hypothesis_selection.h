@@ -22,16 +22,15 @@ typedef struct dmi_selected {
     uint32_t support_count;
 } dmi_selected;
 
-/* How the candidates are weighed and the first hypothesis is chosen. Without rules of its own, a weight is the
- * probability that the candidate is near enough. */
+/* How candidates are weighed, by the probability of those near them, and how the first hypothesis is chosen. */
 typedef enum dmi_selection_rule {
     DMI_SELECT_HEAVIEST, /* for scores of rules, which are no probabilities */
-    /* With a drag: the first is of the type, turn or slide, with more probability in sum. Turns are many candidates
+    /* The first is of the type, turn or slide, with more probability in sum. Turns are many candidates
      * that share their probability and slides are few: a single slide may have more than each single turn although
      * turns have more together. */
     DMI_SELECT_LIKELIER_TYPE_FIRST,
-    /* Without a drag, when no type is sure: candidates are near where the parts that they open end near each other, in
-     * object sizes, whatever their types. */
+    /* Candidates are near where the parts that they open end near each other, in object sizes. The first is the
+     * heaviest, whatever its type. */
     DMI_SELECT_BY_POSE
 } dmi_selection_rule;
 
