@@ -131,7 +131,7 @@ static bool read_straight_pull(const work* w, dmi_drag_hint* out_hint) {
     const dmi_ranked_candidates ranked = {&w->analysis, w->candidates, probability, w->count};
     dmi_ranker_geometry_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features,
                                       w->count, probability);
-    weigh_by_evidence(w, probability);
+    dmi_twin_weigh(&w->analysis, w->candidates, w->count, probability);
     if (dmi_select_hypotheses(&ranked, DMI_SELECT_LIKELIER_TYPE_FIRST, selected) == 0) return false;
     return dmi_straight_pull_read(selected[0].candidate, w->features[selected[0].index], w->query->hint, out_hint);
 }
