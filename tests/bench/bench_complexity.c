@@ -224,6 +224,38 @@ static void run_gltf(input* in) {
     dm_gltf_close(gltf);
 }
 
+/* Buffers without bytes, which hold the place of decompressed data, behind the one of a triangle. */
+static void make_buffers(input* in, uint32_t items) {
+    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const char head[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"name\":\"door\",\"mesh\":0}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"buffers\":[{\"byteLength\":36}";
+    static const char empty[] = ",{\"byteLength\":1,\"extensions\":{\"EXT_meshopt_compression\":{\"fallback\":true}}}";
+    char* text = bench_alloc(sizeof head + items * sizeof empty + NODE_TEXT);
+    char* end = stpcpy(text, head);
+    for (uint32_t i = 0; i < items; i++) end = stpcpy(end, empty);
+    strcpy(end, "]}");
+    in->glb = test_glb_pack(text, corners, sizeof corners);
+    free(text);
+}
+
+static void run_export(input* in) {
+    static const uint8_t faces[1] = {1};
+    static const dm_pose poses[2] = {{.real = {0, 0, 0, 1}}, {.real = {0, 0, 0, 1}}};
+    static const float times[2] = {0, 1};
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = in->glb.data, .size = in->glb.size};
+    const dm_gltf_track track = {.face_ids = faces, .value = 1, .poses = poses, .times = times, .key_count = 2};
+    dm_gltf* gltf;
+    void* data;
+    size_t size;
+    CHECK(dm_gltf_open(&desc, &gltf));
+    CHECK(dm_gltf_export(gltf, &track, 1, &data, &size));
+    dm_gltf_release_bytes(gltf, data, size);
+    dm_gltf_close(gltf);
+}
+
 /* ---- scenes ---- */
 
 static void make_object(input* in, uint32_t items) {
@@ -271,6 +303,7 @@ static const family families[] = {
     {"prepare_coincident", 8000, make_coincident, run_prepare},
     {"gltf_namesakes", 4000, make_namesakes, run_gltf},
     {"gltf_chain", 100, make_chain, run_gltf},
+    {"gltf_buffers", 8000, make_buffers, run_export},
     {"scene", 1000, make_object, run_scene},
 };
 enum { FAMILIES = sizeof families / sizeof families[0] };

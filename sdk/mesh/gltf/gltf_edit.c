@@ -155,6 +155,7 @@ static void join_buffers(dmi_edit* e) {
     cJSON* list = dmi_edit_new(e, cJSON_CreateArray());
     cJSON* first = dmi_edit_new(e, cJSON_CreateObject());
     const int room = buffers && offsets;
+    uint32_t empty = 0; /* buffers without bytes so far */
     if (!room) run_out(e);
     for (uint32_t i = 0; room && e->problem.code == DM_OK && i < count; i++) {
         cJSON* old = e->document.items[DMI_GLTF_BUFFERS][i];
@@ -167,7 +168,7 @@ static void join_buffers(dmi_edit* e) {
             cJSON_Delete(first);
             first = dmi_edit_new(e, cJSON_Duplicate(old, 1));
         } else {
-            buffers[i] = 1 + (uint32_t)cJSON_GetArraySize(list);
+            buffers[i] = ++empty;
             dmi_edit_append(e, list, cJSON_Duplicate(old, 1));
         }
     }
