@@ -7,6 +7,7 @@
  * What is counted happens within counted_once and counted_twice. */
 #include <dragmesh/ext/gltf.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,6 +24,10 @@
 #define ABOVE 1.1f /* height of what lies above it */
 #define TURN 6.2831853f
 #define NODE_TEXT 64 /* bytes of a node in a JSON text, at most */
+/* The same of a mesh with its node, and of what comes before them. */
+#define SHARING_TEXT 96
+#define SHARING_HEAD 1024
+#define VERTICES_A_MESH 64 /* a word of the marks of used vertices */
 
 typedef struct input input;
 
@@ -136,6 +141,16 @@ static void make_shells(input* in, uint32_t items) {
     }
 }
 
+/* A row of boxes, each on the one before; each is a piece of its own where the pieces are given. */
+static void make_row(input* in, uint32_t items) {
+    const float side = 2 * BODY / (float)items;
+    body(in, items);
+    for (uint32_t i = 0; i < items; i++) {
+        const float low[3] = {-BODY + side * (float)i, 0, ABOVE};
+        box(in, low, side, i + 1);
+    }
+}
+
 /* Triangles anywhere, of both parts. */
 static void make_soup(input* in, uint32_t items) {
     const float spread = 0.1f;
@@ -175,10 +190,32 @@ static void run_find(input* in) {
     free(faces);
 }
 
+static void run_find_given(input* in) {
+    const dm_mesh_desc mesh = bench_mesh_desc(&in->mesh);
+    const dm_drag_hint drag = {{0, 0, ABOVE}, {0, 0, 1}};
+    uint8_t* faces = bench_alloc(in->mesh.face_count);
+    CHECK(dm_mesh_find_part(in->world.context, &mesh, &drag, faces, in->mesh.face_count));
+    free(faces);
+}
+
 static void run_prepare(input* in) {
     const dm_mesh_desc mesh = bench_mesh_desc(&in->mesh);
     const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = in->world.model};
     CHECK(dm_object_prepare(in->world.context, &desc, &in->world.object));
+}
+
+/* Soup that is prepared, saved and loaded; loading is what is counted. */
+static void make_saved(input* in, uint32_t items) {
+    make_soup(in, items);
+    run_prepare(in);
+    CHECK(dm_object_save(in->world.context, in->world.object, NULL, 0, &in->glb.size));
+    in->glb.data = bench_alloc(in->glb.size);
+    CHECK(dm_object_save(in->world.context, in->world.object, in->glb.data, in->glb.size, &in->glb.size));
+}
+
+static void run_load(input* in) {
+    dm_object object;
+    CHECK(dm_object_load(in->world.context, in->glb.data, in->glb.size, 0, &object));
 }
 
 /* ---- glTF ---- */
@@ -201,6 +238,92 @@ static void make_nodes(input* in, uint32_t items, bool nested) {
     strcpy(end, "]}");
     in->glb = test_glb_pack(text, corners, sizeof corners);
     free(text);
+}
+
+/* ---- glTF: text that grows, and a binary chunk ---- */
+
+typedef struct document {
+    char *text, *end;
+    uint8_t* bytes;
+    uint32_t size; /* of bytes */
+} document;
+
+static document document_new(size_t text, size_t bytes) {
+    document d = {.text = bench_alloc(text), .bytes = bench_alloc(bytes)};
+    d.end = d.text;
+    return d;
+}
+
+static void put(document* d, const char* format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    d->end += vsprintf(d->end, format, arguments);
+    va_end(arguments);
+}
+
+/* Appends bytes; returns where they begin. */
+static uint32_t put_bytes(document* d, const void* data, size_t size) {
+    const uint32_t at = d->size;
+    memcpy(d->bytes + at, data, size);
+    d->size += (uint32_t)size;
+    return at;
+}
+
+static void pack(input* in, document* d) {
+    in->glb = test_glb_pack(d->text, d->bytes, d->size);
+    free(d->text);
+    free(d->bytes);
+}
+
+/* Meshes of one triangle each, from the first to the last vertex of one accessor of `vertices`, of which `changed` are
+ * changed by a sparse accessor. */
+static void make_sharing(input* in, uint32_t meshes, uint32_t vertices, uint32_t changed) {
+    document d =
+        document_new((size_t)meshes * SHARING_TEXT + SHARING_HEAD, (size_t)vertices * 12 + (size_t)changed * 16 + 12);
+    const uint32_t corners[3] = {0, vertices / 2, vertices - 1};
+    for (uint32_t v = 0; v < vertices; v++) {
+        const float xyz[3] = {(float)(v & 1), (float)(v >> 1 & 1), (float)v};
+        put_bytes(&d, xyz, sizeof xyz);
+    }
+    const uint32_t indices = put_bytes(&d, corners, sizeof corners), changes = d.size;
+    for (uint32_t i = 0; i < changed; i++) put_bytes(&d, &i, sizeof i);
+    const uint32_t values = d.size;
+    for (uint32_t i = 0; i < changed; i++) put_bytes(&d, d.bytes + (size_t)i * 12, 12);
+    put(&d, "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":%u}],\"bufferViews\":[", d.size);
+    put(&d, "{\"buffer\":0,\"byteLength\":%u},{\"buffer\":0,\"byteOffset\":%u,\"byteLength\":12}", vertices * 12,
+        indices);
+    if (changed > 0)
+        put(&d,
+            ",{\"buffer\":0,\"byteOffset\":%u,\"byteLength\":%u},{\"buffer\":0,\"byteOffset\":%u,\"byteLength\":%u}",
+            changes, changed * 4, values, changed * 12);
+    put(&d, "],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%u,\"type\":\"VEC3\"", vertices);
+    if (changed > 0)
+        put(&d,
+            ",\"sparse\":{\"count\":%u,\"indices\":{\"bufferView\":2,\"componentType\":5125},"
+            "\"values\":{\"bufferView\":3}}",
+            changed);
+    put(&d, "},{\"bufferView\":1,\"componentType\":5125,\"count\":3,\"type\":\"SCALAR\"}],\"meshes\":[");
+    for (uint32_t i = 0; i < meshes; i++)
+        put(&d, "%s{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}", i ? "," : "");
+    put(&d, "],\"nodes\":[");
+    for (uint32_t i = 0; i < meshes; i++) put(&d, "%s{\"mesh\":%u}", i ? "," : "", i);
+    put(&d, "]}");
+    pack(in, &d);
+}
+
+static void make_shared_vertices(input* in, uint32_t items) {
+    make_sharing(in, items, VERTICES_A_MESH * items, 0);
+}
+
+static void make_shared_changes(input* in, uint32_t items) {
+    make_sharing(in, items, items, items);
+}
+
+static void run_open(input* in) {
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = in->glb.data, .size = in->glb.size};
+    dm_gltf* gltf;
+    CHECK(dm_gltf_open(&desc, &gltf));
+    dm_gltf_close(gltf);
 }
 
 static void make_namesakes(input* in, uint32_t items) {
@@ -286,6 +409,27 @@ static void run_scene(input* in) {
     free(instances);
 }
 
+/* Instances that all stand in one place, where no box tells them apart: they move there one by one, and are seen. */
+static void run_overlap(input* in) {
+    const dm_scene_desc desc = {.struct_size = sizeof desc};
+    const dm_pose rest = {{0, 0, 0, 1}, {0, 0, 0, 0}};
+    const dm_ray ray = {{0, 0, 2 * ABOVE}, {0, 0, -1}};
+    dm_hit hit = {.struct_size = sizeof hit};
+    dm_scene scene;
+    CHECK(dm_scene_create(in->world.context, &desc, &scene));
+    for (uint32_t i = 0; i < in->items; i++) {
+        uint32_t instance;
+        CHECK(dm_scene_add(in->world.context, scene, in->world.object, NULL, &instance));
+        CHECK(dm_scene_commit(in->world.context, scene));
+    }
+    for (uint32_t i = 0; i < in->items; i++) {
+        CHECK(dm_scene_move(in->world.context, scene, i, 1, &rest));
+        CHECK(dm_scene_commit(in->world.context, scene));
+    }
+    CHECK(dm_scene_pick(in->world.context, scene, &ray, &hit));
+    CHECK(dm_scene_destroy(in->world.context, scene));
+}
+
 /* ---- counting ---- */
 
 static const family families[] = {
@@ -295,16 +439,21 @@ static const family families[] = {
     {"find_shells", 2000, make_shells, run_find},
     {"find_soup", 4000, make_soup, run_find},
     {"find_coincident", 4000, make_coincident, run_find},
+    {"find_row_given", 1500, make_row, run_find_given},
     {"prepare_slivers", 8000, make_slivers, run_prepare},
     {"prepare_one_edge", 8000, make_one_edge, run_prepare},
     {"prepare_fan", 8000, make_fan, run_prepare},
     {"prepare_shells", 2000, make_shells, run_prepare},
     {"prepare_soup", 8000, make_soup, run_prepare},
     {"prepare_coincident", 8000, make_coincident, run_prepare},
+    {"load_soup", 8000, make_saved, run_load},
+    {"gltf_shared_vertices", 1000, make_shared_vertices, run_open},
+    {"gltf_shared_changes", 1000, make_shared_changes, run_open},
     {"gltf_namesakes", 4000, make_namesakes, run_gltf},
     {"gltf_chain", 100, make_chain, run_gltf},
     {"gltf_buffers", 8000, make_buffers, run_export},
     {"scene", 1000, make_object, run_scene},
+    {"scene_overlap", 1000, make_object, run_overlap},
 };
 enum { FAMILIES = sizeof families / sizeof families[0] };
 

@@ -342,6 +342,37 @@ static void test_hostile_files_are_named(void** state) {
     }
 }
 
+/* Meshes that have few vertices of one accessor each take theirs alone, in its order, sparse changes included. */
+static void test_few_vertices_of_a_shared_accessor(void** state) {
+    (void)state;
+    enum { VERTICES = 400, FIRST = 200 }; /* FIRST: half of them, which is in the first mesh */
+    struct {
+        float xyz[VERTICES][3], changed[3];
+        uint16_t corners[2][3], index, pad;
+    } file = {.changed = {9, 8, 7}, .corners = {{VERTICES - 1, 0, FIRST}, {5, 300, 7}}, .index = 300};
+    for (int v = 0; v < VERTICES; v++) file.xyz[v][0] = (float)v, file.xyz[v][1] = (float)(v % 3), file.xyz[v][2] = 1;
+    opened o;
+    open_json(&o,
+              ASSET
+              "\"buffers\":[{\"byteLength\":4828}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":4812},"
+              "{\"buffer\":0,\"byteOffset\":4812,\"byteLength\":16}],\"accessors\":[{\"bufferView\":0,"
+              "\"componentType\":5126,\"count\":400,\"type\":\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{"
+              "\"bufferView\":1,\"byteOffset\":12,\"componentType\":5123},\"values\":{\"bufferView\":0,"
+              "\"byteOffset\":4800}}},{\"bufferView\":1,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},"
+              "{\"bufferView\":1,\"byteOffset\":6,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"}],"
+              "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]},"
+              "{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":2}]}]," NODES("{\"mesh\":0},{\"mesh\":1}"),
+              &file, sizeof file);
+    assert_int_equal(o.result, DM_OK);
+    assert_int_equal(o.mesh.vertex_count, 6);
+    static const float x[6] = {0, FIRST, VERTICES - 1, 5, 7, 9};
+    for (size_t v = 0; v < 6; v++) assert_true(position(&o, v)[0] == x[v]);
+    assert_true(position(&o, 5)[1] == 8 && position(&o, 5)[2] == 7);
+    static const uint32_t corners[6] = {2, 0, 1, 3, 5, 4};
+    assert_memory_equal(o.mesh.indices, corners, sizeof corners);
+    close_it(&o);
+}
+
 /* ---- numbers that an int or 64 bits can't hold ---- */
 
 /* A document of one sparse accessor, with these values in the places of these. */
@@ -601,6 +632,7 @@ int main(void) {
         cmocka_unit_test(test_nodes_are_placed_in_the_scene),
         cmocka_unit_test(test_strips_fans_and_what_is_left_out),
         cmocka_unit_test(test_sparse_quantised_and_strided),
+        cmocka_unit_test(test_few_vertices_of_a_shared_accessor),
         cmocka_unit_test(test_gltf_text_with_embedded_buffer),
         cmocka_unit_test(test_padded_base64),
         cmocka_unit_test(test_faces_by_node_name),

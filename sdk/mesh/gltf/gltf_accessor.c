@@ -68,7 +68,20 @@ static dm_result find_range(dm_gltf* gltf, const cJSON* json, uint64_t count, ui
     return DM_OK;
 }
 
-static dm_result find_changes(dm_gltf* gltf, const cJSON* sparse, uint64_t element, const char* place,
+/* Whether sparse changes are about elements that there are: asked once for an accessor, however many primitives have
+ * it. */
+static int changes_fit(dm_gltf* gltf, double accessor, const dmi_gltf_elements* elements) {
+    enum { UNKNOWN, FIT, DO_NOT_FIT };
+    uint8_t* known = &gltf->sparse_fit[dmi_gltf_position(&gltf->document, DMI_GLTF_ACCESSORS, accessor)];
+    if (*known != UNKNOWN) return *known == FIT;
+    *known = FIT;
+    for (uint64_t i = 0; i < elements->change_count; i++) {
+        if (dmi_gltf_changed(elements, i) >= elements->count) *known = DO_NOT_FIT;
+    }
+    return *known == FIT;
+}
+
+static dm_result find_changes(dm_gltf* gltf, double accessor, const cJSON* sparse, uint64_t element, const char* place,
                               dmi_gltf_problem* problem, dmi_gltf_elements* out) {
     const cJSON *indices = dmi_json_get(sparse, "indices"), *values = dmi_json_get(sparse, "values");
     int32_t type;
@@ -84,12 +97,10 @@ static dm_result find_changes(dm_gltf* gltf, const cJSON* sparse, uint64_t eleme
     if (result == DM_OK)
         result =
             find_range(gltf, values, out->change_count, element, place, problem, &out->changes, &out->change_stride);
-    for (uint64_t i = 0; result == DM_OK && i < out->change_count; i++) {
-        if (dmi_gltf_changed(out, i) >= out->count)
-            return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
-                                   "%s: sparse index %" PRIu64 " of %" PRIu64 " elements", place,
-                                   dmi_gltf_changed(out, i), out->count);
-    }
+    if (result == DM_OK && !changes_fit(gltf, accessor, out))
+        return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
+                               "%s: a sparse index of accessor %.17g is none of its %" PRIu64 " elements", place,
+                               accessor, out->count);
     return result;
 }
 
@@ -117,7 +128,7 @@ dm_result dmi_gltf_find_elements(dm_gltf* gltf, double index, const char* place,
         result = find_range(gltf, json, out->count, element, place, problem, &out->data, &out->stride);
     else if (!sparse)
         result = dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: accessor %.17g has no data", place, index);
-    return result == DM_OK && sparse ? find_changes(gltf, sparse, element, place, problem, out) : result;
+    return result == DM_OK && sparse ? find_changes(gltf, index, sparse, element, place, problem, out) : result;
 }
 
 /* Integers in the file are little-endian. */
@@ -165,6 +176,12 @@ uint64_t dmi_gltf_changed(const dmi_gltf_elements* elements, uint64_t i) {
 
 double dmi_gltf_change(const dmi_gltf_elements* elements, uint64_t i, int component) {
     return read_at(elements, elements->changes + i * elements->change_stride, component);
+}
+
+double dmi_gltf_value(const dmi_gltf_elements* elements, uint64_t i, int component) {
+    const uint64_t change = dmi_gltf_find_change(elements, i);
+    return change < elements->change_count ? dmi_gltf_change(elements, change, component)
+                                           : dmi_gltf_element(elements, i, component);
 }
 
 uint64_t dmi_gltf_find_change(const dmi_gltf_elements* elements, uint64_t element) {

@@ -27,6 +27,8 @@ double dmi_gltf_element(const dmi_gltf_elements* elements, uint64_t i, int compo
 /* The element that sparse change `i` is about, and its component. */
 uint64_t dmi_gltf_changed(const dmi_gltf_elements* elements, uint64_t i);
 double dmi_gltf_change(const dmi_gltf_elements* elements, uint64_t i, int component);
+/* The same with sparse changes. */
+double dmi_gltf_value(const dmi_gltf_elements* elements, uint64_t i, int component);
 /* Position of the sparse change of an element; change_count: it has none. Changes are sorted, as glTF demands; where
  * they are not, or one comes twice, any or the first counts. */
 uint64_t dmi_gltf_find_change(const dmi_gltf_elements* elements, uint64_t element);

@@ -90,10 +90,11 @@ dm_result dmi_gltf_read_buffers(dm_gltf* gltf, const dmi_gltf_container* from, d
     uint64_t bytes = from->json_size + from->bin_size;
     gltf->buffers = dmi_alloc_zeroed(&gltf->env, count * sizeof *gltf->buffers, 16);
     gltf->decoded = dmi_alloc_zeroed(&gltf->env, views * sizeof *gltf->decoded, 16);
+    gltf->sparse_fit = dmi_alloc_zeroed(&gltf->env, gltf->document.counts[DMI_GLTF_ACCESSORS], 1);
     const int borrowed = from->bin && !gltf->on_disk.data; /* for the call alone */
     gltf->bin_copy = borrowed ? dmi_alloc(&gltf->env, from->bin_size, 16) : NULL;
     gltf->bin_size = from->bin_size; /* that of the copy, also when the rest fails */
-    if (!gltf->buffers || !gltf->decoded || (borrowed && !gltf->bin_copy))
+    if (!gltf->buffers || !gltf->decoded || !gltf->sparse_fit || (borrowed && !gltf->bin_copy))
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %zu bytes", from->bin_size);
     gltf->bin = borrowed ? memcpy(gltf->bin_copy, from->bin, from->bin_size) : from->bin;
     for (uint32_t i = 0; i < count; i++) {
@@ -121,6 +122,7 @@ void dmi_gltf_release_buffers(dm_gltf* gltf) {
     release_list(gltf, gltf->images, gltf->document.counts[DMI_GLTF_IMAGES]);
     for (uint32_t i = 0; gltf->decoded && i < views; i++) dmi_gltf_release_decoded(env, &gltf->decoded[i]);
     dmi_free(env, gltf->decoded, views * sizeof *gltf->decoded);
+    dmi_free(env, gltf->sparse_fit, gltf->document.counts[DMI_GLTF_ACCESSORS]);
     dmi_free(env, gltf->bin_copy, gltf->bin_size);
 }
 

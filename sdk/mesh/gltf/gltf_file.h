@@ -78,6 +78,7 @@ struct dm_gltf {
     uint64_t bin_size;
     dmi_gltf_buffer* buffers;        /* as many as the document has */
     dmi_gltf_decoded* decoded;       /* as many as the document has views */
+    uint8_t* sparse_fit;             /* as many as the document has accessors: what is known of their changes */
     dmi_gltf_buffer* images;         /* as many as the document has; NULL until one is asked for */
     uint64_t bytes_most, bytes_left; /* of the memory that a call may take, and may still take */
     dmi_gltf_tree_node* tree;        /* as many as the document has nodes */

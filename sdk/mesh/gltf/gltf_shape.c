@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "mesh/gltf/gltf_surface.h"
@@ -13,6 +14,8 @@
 #define PLACE_SIZE 192
 #define SEVERAL UINT32_MAX
 enum { WORD_BITS = 64 };
+/* Elements of an accessor for one that a mesh has, where it sorts those that it has; by hand. */
+enum { FEW = 64 };
 
 /* ---- who has which vertices ---- */
 
@@ -138,17 +141,10 @@ static dm_result check_positions(const dmi_gltf_elements* positions, const uint3
                                  const char* place, dmi_gltf_problem* problem) {
     for (uint64_t i = 0; i < count; i++) {
         double xyz[3];
-        for (int k = 0; k < 3; k++) xyz[k] = dmi_gltf_element(positions, corners[i], k);
+        for (int k = 0; k < 3; k++) xyz[k] = dmi_gltf_value(positions, corners[i], k);
         if (!isfinite(xyz[0]) || !isfinite(xyz[1]) || !isfinite(xyz[2]))
             return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %u is (%g, %g, %g)", place, corners[i],
                                    xyz[0], xyz[1], xyz[2]);
-    }
-    for (uint64_t i = 0; i < positions->change_count; i++) {
-        for (int k = 0; k < 3; k++) {
-            if (!isfinite(dmi_gltf_change(positions, i, k)))
-                return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %" PRIu64 " is not finite", place,
-                                       dmi_gltf_changed(positions, i));
-        }
     }
     return DM_OK;
 }
@@ -300,6 +296,12 @@ static dm_result grow_vertices(dm_gltf* gltf, dmi_gltf_shape* shape, uint64_t ad
     return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %" PRIu64 " vertices", needed);
 }
 
+static void set_mark(dmi_gltf_builder* builder, uint64_t element, int on) {
+    const uint64_t bit = (uint64_t)1 << element % WORD_BITS;
+    uint64_t* word = &builder->used[element / WORD_BITS];
+    *word = on ? *word | bit : *word & ~bit;
+}
+
 /* Marks the elements that triangles have. Returns how many they are. */
 static uint64_t mark_group(dmi_gltf_builder* builder, const dmi_gltf_shape* shape, const dmi_gltf_group* group) {
     uint64_t marked = 0;
@@ -315,9 +317,18 @@ static uint64_t mark_group(dmi_gltf_builder* builder, const dmi_gltf_shape* shap
     return marked;
 }
 
-static void clear_marks(dmi_gltf_builder* builder, const dmi_gltf_group* group) {
-    const uint64_t words = (group->geometry.positions.count + WORD_BITS - 1) / WORD_BITS;
-    memset(builder->used, 0, words * sizeof *builder->used);
+/* Whether so few elements are marked that sorting them is less work than a look at the marks of all. */
+static int is_few(uint64_t marked, uint64_t elements) {
+    return marked < elements / FEW;
+}
+
+static void clear_marks(dmi_gltf_builder* builder, const dmi_gltf_shape* shape, const dmi_gltf_group* group) {
+    const uint64_t elements = group->geometry.positions.count, words = (elements + WORD_BITS - 1) / WORD_BITS;
+    if (is_few(group->vertex_count, elements))
+        for (uint64_t v = group->first_vertex; v < group->first_vertex + group->vertex_count; v++)
+            set_mark(builder, shape->elements[v], 0);
+    else
+        memset(builder->used, 0, words * sizeof *builder->used);
 }
 
 static void read_position(const dmi_gltf_elements* from, uint64_t element, float out[3]) {
@@ -327,23 +338,66 @@ static void read_position(const dmi_gltf_elements* from, uint64_t element, float
         for (int k = 0; k < 3; k++) out[k] = (float)dmi_gltf_element(from, element, k);
 }
 
+static void add_vertex(dmi_gltf_builder* builder, dmi_gltf_shape* shape, uint64_t element) {
+    shape->elements[shape->vertex_count] = (uint32_t)element;
+    builder->places[element] = (uint32_t)shape->vertex_count++;
+}
+
+/* Lists all elements. */
+static void list_all(dmi_gltf_builder* builder, dmi_gltf_shape* shape, uint64_t count) {
+    for (uint64_t e = 0; e < count; e++) add_vertex(builder, shape, e);
+}
+
+/* Lists the marked elements of many. */
+static void list_marked(dmi_gltf_builder* builder, dmi_gltf_shape* shape, uint64_t count) {
+    for (uint64_t e = 0; e < count; e++) {
+        if (builder->used[e / WORD_BITS] == 0) e |= WORD_BITS - 1; /* to the next word */
+        if (e < count && is_marked(builder, e)) add_vertex(builder, shape, e);
+    }
+}
+
+static int compare_elements(const void* a, const void* b) {
+    const uint32_t x = *(const uint32_t*)a, y = *(const uint32_t*)b;
+    return (x > y) - (x < y);
+}
+
+/* Lists the marked elements of few triangles, without a look at all others. */
+static void list_few(dmi_gltf_builder* builder, dmi_gltf_shape* shape, const dmi_gltf_group* group) {
+    uint32_t* listed = shape->elements + shape->vertex_count;
+    uint64_t count = 0;
+    for (int32_t r = group->first_run; r >= 0; r = shape->runs[r].next) {
+        const uint32_t* corners = shape->corners + 3 * shape->runs[r].first_face;
+        for (uint64_t i = 0; i < 3 * shape->runs[r].face_count; i++) {
+            if (!is_marked(builder, corners[i])) continue;
+            set_mark(builder, corners[i], 0);
+            listed[count++] = corners[i];
+        }
+    }
+    qsort(listed, count, sizeof *listed, compare_elements);
+    for (uint64_t i = 0; i < count; i++) {
+        set_mark(builder, listed[i], 1);
+        add_vertex(builder, shape, listed[i]);
+    }
+}
+
 /* Fills the vertices of a group: of all elements, or of those that are marked. */
-static void fill_vertices(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_gltf_group* group, int whole) {
+static void fill_vertices(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_gltf_group* group, int whole,
+                          uint64_t marked) {
     const dmi_gltf_elements* from = &group->geometry.positions;
     group->first_vertex = shape->vertex_count;
-    for (uint64_t e = 0; e < from->count; e++) {
-        if (!whole && builder->used[e / WORD_BITS] == 0) e |= WORD_BITS - 1; /* to the next word */
-        if (e >= from->count || (!whole && !is_marked(builder, e))) continue;
-        read_position(from, e, shape->local + 3 * shape->vertex_count);
-        shape->elements[shape->vertex_count] = (uint32_t)e;
-        builder->places[e] = (uint32_t)shape->vertex_count++;
-    }
+    if (whole)
+        list_all(builder, shape, from->count);
+    else if (is_few(marked, from->count))
+        list_few(builder, shape, group);
+    else
+        list_marked(builder, shape, from->count);
     group->vertex_count = shape->vertex_count - group->first_vertex;
-    for (uint64_t i = 0; i < from->change_count; i++) {
-        const uint64_t element = dmi_gltf_changed(from, i);
-        if (!whole && !is_marked(builder, element)) continue;
-        float* out = shape->local + 3 * (size_t)builder->places[element];
-        for (int k = 0; k < 3; k++) out[k] = (float)dmi_gltf_change(from, i, k);
+    for (uint64_t v = group->first_vertex; v < shape->vertex_count; v++) {
+        float* out = shape->local + 3 * v;
+        read_position(from, shape->elements[v], out);
+        const uint64_t change =
+            from->change_count > 0 ? dmi_gltf_find_change(from, shape->elements[v]) : from->change_count;
+        for (int k = 0; change < from->change_count && k < 3; k++) out[k] = (float)dmi_gltf_change(from, change, k);
     }
 }
 
@@ -390,12 +444,12 @@ static dm_result build_group(dmi_gltf_builder* builder, dmi_gltf_shape* shape, d
     group->unused = whole && marked < group->geometry.positions.count;
     result = grow_vertices(builder->gltf, shape, whole ? group->geometry.positions.count : marked, problem);
     if (result != DM_OK) return result;
-    fill_vertices(builder, shape, group, whole);
+    fill_vertices(builder, shape, group, whole, marked);
     result = dmi_gltf_tell(builder->gltf, 0, group->vertex_count, problem);
     if (result != DM_OK) return result;
     number_corners(builder, shape, group);
     widen_box(builder, shape, group);
-    clear_marks(builder, group);
+    clear_marks(builder, shape, group);
     return dmi_gltf_tell(builder->gltf, 0, group->vertex_count, problem);
 }
 

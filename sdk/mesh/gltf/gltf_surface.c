@@ -115,20 +115,13 @@ static void read_transform(const cJSON* transform, double m[6]) {
     m[3] = sin(turn) * scale[0], m[4] = cos(turn) * scale[1], m[5] = offset[1];
 }
 
-/* The component of an element, with sparse changes. */
-static double value_of(const dmi_gltf_elements* from, uint64_t element, int component) {
-    const uint64_t change = dmi_gltf_find_change(from, element);
-    return change < from->change_count ? dmi_gltf_change(from, change, component)
-                                       : dmi_gltf_element(from, element, component);
-}
-
 /* Corners without coordinates, and coordinates that are not finite, are 0. */
 static void write_coordinates(const dm_gltf* gltf, const dmi_gltf_piece* piece, const dmi_gltf_elements* from,
                               const double m[6], float* out) {
     for (uint64_t i = 0; i < 3 * piece->face_count; i++) {
         const uint64_t element = gltf->sources[gltf->indices[3 * piece->first_face + i]];
         const bool has = element < from->count;
-        const double u = has ? value_of(from, element, 0) : 0, v = has ? value_of(from, element, 1) : 0;
+        const double u = has ? dmi_gltf_value(from, element, 0) : 0, v = has ? dmi_gltf_value(from, element, 1) : 0;
         const float turned[2] = {(float)(m[0] * u + m[1] * v + m[2]), (float)(m[3] * u + m[4] * v + m[5])};
         for (int k = 0; k < 2; k++) out[2 * i + k] = isfinite(turned[k]) ? turned[k] : 0;
     }

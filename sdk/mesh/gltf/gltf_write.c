@@ -41,9 +41,11 @@ static int32_t add_material(dmi_edit* e, const float colour[4]) {
 static void add_part(dmi_edit* e, const dm_gltf_part* part) {
     float low[3], high[3];
     for (int k = 0; k < 3; k++) low[k] = high[k] = part->positions[k];
-    for (uint64_t i = 0; i < 3 * part->vertex_count; i++) {
-        low[i % 3] = dmi_fminf(low[i % 3], part->positions[i]);
-        high[i % 3] = dmi_fmaxf(high[i % 3], part->positions[i]);
+    for (uint64_t v = 0; v < part->vertex_count; v++) {
+        for (int k = 0; k < 3; k++) {
+            low[k] = dmi_fminf(low[k], part->positions[3 * v + (uint64_t)k]);
+            high[k] = dmi_fmaxf(high[k], part->positions[3 * v + (uint64_t)k]);
+        }
     }
     const uint64_t vertex_bytes = part->vertex_count * 3 * sizeof(float);
     const int32_t vertices = dmi_edit_add_view(e, part->positions, vertex_bytes, DMI_GLTF_VERTEX_TARGET);
