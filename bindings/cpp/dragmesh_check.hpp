@@ -9,7 +9,7 @@
 #include "dragmesh/ext/gltf.h"
 
 static_assert(DM_VERSION_MAJOR == 0, "DM_VERSION_MAJOR has another value");
-static_assert(DM_VERSION_MINOR == 1, "DM_VERSION_MINOR has another value");
+static_assert(DM_VERSION_MINOR == 2, "DM_VERSION_MINOR has another value");
 static_assert(DM_VERSION_PATCH == 0, "DM_VERSION_PATCH has another value");
 static_assert(DM_MOTION_FRAMES == 16, "DM_MOTION_FRAMES has another value");
 static_assert(DM_MAX_HYPOTHESES == 8, "DM_MAX_HYPOTHESES has another value");

@@ -2,8 +2,8 @@
 
 // Hash of the description: 4c40871d307953a2
 
-export const VERSION = '0.1.0';
-export const VERSION_NUMBER = 4096;
+export const VERSION = '0.2.0';
+export const VERSION_NUMBER = 8192;
 export const MOTION_FRAMES = 16;
 export const MAX_HYPOTHESES = 8;
 export const MAX_PARTS = 4096;

@@ -8,7 +8,7 @@ namespace DragMesh
     public static class Constants
     {
         public const int DM_VERSION_MAJOR = 0;
-        public const int DM_VERSION_MINOR = 1;
+        public const int DM_VERSION_MINOR = 2;
         public const int DM_VERSION_PATCH = 0;
         /// <summary>Number of key poses of a generated motion (paper: T).</summary>
         public const int DM_MOTION_FRAMES = 16;

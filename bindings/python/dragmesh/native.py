@@ -7,7 +7,7 @@ from typing import Any
 from .base import Sized, Struct
 
 DM_VERSION_MAJOR = 0
-DM_VERSION_MINOR = 1
+DM_VERSION_MINOR = 2
 DM_VERSION_PATCH = 0
 DM_MOTION_FRAMES = 16
 DM_MAX_HYPOTHESES = 8

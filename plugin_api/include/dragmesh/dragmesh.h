@@ -74,7 +74,7 @@ extern "C" {
 #endif
 
 #define DM_VERSION_MAJOR 0
-#define DM_VERSION_MINOR 1
+#define DM_VERSION_MINOR 2
 #define DM_VERSION_PATCH 0
 /* One number that rises with the version. dm_version tells that of the library in use. */
 #define DM_VERSION ((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH)

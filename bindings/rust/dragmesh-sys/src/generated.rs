@@ -2,7 +2,7 @@
 use std::os::raw::{c_char, c_void};
 
 pub const DM_VERSION_MAJOR: i32 = 0;
-pub const DM_VERSION_MINOR: i32 = 1;
+pub const DM_VERSION_MINOR: i32 = 2;
 pub const DM_VERSION_PATCH: i32 = 0;
 /// Number of key poses of a generated motion (paper: T).
 pub const DM_MOTION_FRAMES: i32 = 16;
