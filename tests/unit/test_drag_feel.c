@@ -33,6 +33,29 @@ static void catches_hold_and_let_go(void** state) {
     assert_near(flattest, 0.0003, 1e-4);
 }
 
+/* Soft ends: the part comes to rest at either limit of any range alike, and goes with the pointer in between. */
+static void both_ends_of_any_range_are_soft(void** state) {
+    (void)state;
+    static const float ranges[][2] = {{0, 1}, {-1, 1}, {2, 5}, {-3, -1}, {0, 0.2f}, {-0.5f, 4}};
+    const dm_drag_feel feel = {.soft_limit = 0.25f};
+    for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++) {
+        const float lower = ranges[i][0], upper = ranges[i][1], range = upper - lower;
+        const dm_joint joint = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = lower, .upper = upper};
+        for (int k = -25; k <= 50; k++) { /* as far beyond as the soft end is wide, no pointer goes farther */
+            const float off = 0.01f * (float)k * range; /* of the pointer, from a limit inwards */
+            const float low = dmi_feel_target(&feel, &joint, lower + off) - lower;
+            const float high = upper - dmi_feel_target(&feel, &joint, upper - off);
+            assert_near(low / range, high / range, 1e-5);
+            if (k >= 25)
+                assert_near(low / range, off / range, 1e-5);
+            else if (k == -25)
+                assert_near(low, 0, 1e-6);
+            else
+                assert_true(low > 0 && low > off);
+        }
+    }
+}
+
 static void a_grab_between_catches_moves_nothing(void** state) {
     (void)state;
     const dm_drag_feel feel = {.detent = 0.25f, .detent_pull = 1};
@@ -141,6 +164,7 @@ static void heavy_parts_come_to_the_pointer(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(catches_hold_and_let_go),
+        cmocka_unit_test(both_ends_of_any_range_are_soft),
         cmocka_unit_test(a_grab_between_catches_moves_nothing),
         cmocka_unit_test(estimated_ends_yield),
         cmocka_unit_test(ends_yield_as_far_as_asked),
