@@ -32,7 +32,7 @@ project() {
 }
 cp -R "$hello" sample
 host sample hello_drag
-project static "find_package(dragmesh 0.1 REQUIRED)" dragmesh::static
+project static "find_package(dragmesh 0.2 REQUIRED)" dragmesh::static
 project subdirectory "add_subdirectory($root dragmesh)" dragmesh::dragmesh
 project fetch "include(FetchContent)
 FetchContent_Declare(dragmesh URL file://$archive)
