@@ -100,6 +100,17 @@ static inline void use_drag(dm_context* context, dm_object object, const dm_part
     fuzz_expect(isfinite(end.value));
 }
 
+/* Whether it is the body or a part: ids may be any of 32 bits. */
+static inline bool use_has_part(dm_context* context, dm_object object, const dm_object_info* info, uint32_t id) {
+    bool has = id == 0;
+    for (uint32_t i = 0; i < info->part_count && !has; i++) {
+        dm_part_info part = {.struct_size = sizeof part};
+        fuzz_expect(dm_object_get_part(context, object, i, &part) == DM_OK);
+        has = part.id == id;
+    }
+    return has;
+}
+
 static inline void use_pick(dm_context* context, dm_object object, const dm_object_info* info) {
     const dm_scene_desc desc = {.struct_size = sizeof desc};
     const dm_vec3 low = info->box_min, high = info->box_max;
@@ -118,7 +129,7 @@ static inline void use_pick(dm_context* context, dm_object object, const dm_obje
         fuzz_expect_vector(&hit.point);
         fuzz_expect_vector(&hit.normal);
         fuzz_expect_vector(&hit.object_point);
-        fuzz_expect(isfinite(hit.distance) && hit.part_id <= UINT16_MAX);
+        fuzz_expect(isfinite(hit.distance) && use_has_part(context, object, info, hit.part_id));
     }
     fuzz_expect(dm_scene_destroy(context, scene) == DM_OK);
 }
