@@ -5,12 +5,13 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/random.h"
 #include "math/elementary.h"
 
 #define NONE UINT32_MAX
 #define NO_CONCAVE_CUT 2.0f  /* a sine that no edge exceeds */
 #define CELL_TOLERANCES 4    /* side of a grid cell in tolerances; by hand: few searches then leave the cell */
-#define MIN_BUCKETS 16       /* of the grid's hash table, a power of two; more for more vertices */
+#define MIN_BUCKET_BITS 4    /* binary logarithm of the buckets of the grid's hash table; more for more vertices */
 #define MIN_CELL 1e-6f       /* side of a grid cell, object sizes: indices fit 32 bits */
 #define MAX_FACES_AT_EDGE 32 /* compared at one edge; by hand, real edges have two */
 
@@ -22,7 +23,7 @@ static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
     return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to connect %u triangles", mesh->face_count);
 }
 
-static void fill_none(uint32_t* values, uint32_t count) {
+static void fill_none(uint32_t* values, size_t count) {
     memset(values, 0xff, count * sizeof *values); /* all bits set: NONE */
 }
 
@@ -31,15 +32,25 @@ static void fill_none(uint32_t* values, uint32_t count) {
 typedef struct grid {
     const dmi_mesh* mesh;
     float tolerance, cells_a_unit;
-    uint32_t* heads; /* newest vertex of each bucket */
-    uint32_t* next;  /* a vertex, in its bucket */
-    uint32_t mask;   /* buckets - 1 */
+    uint32_t* heads;     /* newest vertex of each bucket */
+    uint32_t* next;      /* a vertex, in its bucket */
+    uint64_t factors[3]; /* of the hash: random and odd */
+    uint32_t shift;      /* 64 minus the binary logarithm of the number of buckets */
 } grid;
 
+/* Universal hashing (Dietzfelbinger 1996): two cells share a bucket by chance, whatever mesh it is. */
 static uint32_t bucket_of(const grid* grid, const int32_t cell[3]) {
-    /* Multipliers of Fibonacci hashing and MurmurHash3; any odd constants do. */
-    uint32_t hash = (uint32_t)cell[0] * 0x9e3779b1u ^ (uint32_t)cell[1] * 0x85ebca6bu ^ (uint32_t)cell[2] * 0xc2b2ae35u;
-    return (hash ^ hash >> 15 /* mixes the high bits in */) & grid->mask;
+    uint64_t hash = 0;
+    for (int k = 0; k < 3; k++) hash += (uint64_t)cell[k] * grid->factors[k];
+    return (uint32_t)(hash >> grid->shift);
+}
+
+/* Draws factors that whoever made the mesh can't know: by where the table lies in memory. They decide how fast vertices
+ * are found, not which. */
+static void draw_factors(grid* grid) {
+    dmi_random random = dmi_random_make((uint64_t)(uintptr_t)grid->heads, 0);
+    for (int k = 0; k < 3; k++)
+        grid->factors[k] = (uint64_t)dmi_random_u32(&random) << 32 | dmi_random_u32(&random) | 1;
 }
 
 /* The smallest kept vertex within the tolerance of p in the bucket of a cell, or `found` where that is smaller. */
@@ -76,14 +87,16 @@ static uint32_t search(const grid* grid, const float p[3], int32_t own[3]) {
 
 dm_result dmi_weld_vertices(dmi_arena* arena, const dmi_mesh* mesh, float tolerance, const dmi_progress* progress,
                             uint32_t* out_welded) {
-    uint32_t buckets = MIN_BUCKETS;
-    while (buckets < mesh->vertex_count) buckets *= 2;
-    grid grid = {.mesh = mesh, .tolerance = tolerance, .mask = buckets - 1};
+    uint32_t bits = MIN_BUCKET_BITS;
+    while (((uint64_t)1 << bits) < mesh->vertex_count) bits++;
+    const size_t buckets = (size_t)1 << bits;
+    grid grid = {.mesh = mesh, .tolerance = tolerance, .shift = 64 - bits};
     grid.cells_a_unit = 1 / dmi_fmaxf(CELL_TOLERANCES * tolerance, MIN_CELL);
     grid.heads = dmi_arena_push(arena, buckets * sizeof(uint32_t));
     grid.next = dmi_arena_push(arena, mesh->vertex_count * sizeof(uint32_t));
     if (grid.heads == NULL || grid.next == NULL) return out_of_memory(arena, mesh);
     fill_none(grid.heads, buckets);
+    draw_factors(&grid);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         if (dmi_progress_step(progress, v, mesh->vertex_count) != DM_OK) return DM_ERROR_CANCELLED;
         int32_t cell[3];

@@ -16,6 +16,7 @@
 #include "../include/test_glb.h"
 #include "../include/test_shapes.h"
 #include "base/random.h"
+#include "mesh/connectivity.h"
 #include "world.h"
 
 #define COUNTED __attribute__((noinline))
@@ -27,6 +28,8 @@
 /* The same of a mesh with its node, and of what comes before them. */
 #define SHARING_TEXT 96
 #define SHARING_HEAD 1024
+#define WELD_TOLERANCE 1e-5f /* that of prepare */
+#define ARENA_BLOCK 65536
 #define VERTICES_A_MESH 64 /* a word of the marks of used vertices */
 
 typedef struct input input;
@@ -171,6 +174,39 @@ static void make_coincident(input* in, uint32_t items) {
         const uint32_t a = vertex(in, -0.9f, -0.9f, ABOVE), b = vertex(in, 0.9f, -0.9f, ABOVE);
         face(in, a, b, vertex(in, 0, 0.9f, ABOVE), 1);
     }
+}
+
+/* The middle of a cell of the grid that vertices are welded by, among those that a hash with known factors (that of
+ * version 0.1) puts into its first bucket. */
+static uint32_t vertex_in_first_bucket(input* in, uint32_t buckets) {
+    const float cells_a_unit = 0.25f / WELD_TOLERANCE;
+    uint32_t cell[3], hash;
+    do {
+        for (int k = 0; k < 3; k++) cell[k] = dmi_random_u32(&in->random) % (uint32_t)(2 * cells_a_unit);
+        hash = cell[0] * 0x9e3779b1u ^ cell[1] * 0x85ebca6bu ^ cell[2] * 0xc2b2ae35u;
+    } while (((hash ^ hash >> 15) & (buckets - 1)) != 0);
+    float at[3];
+    for (int k = 0; k < 3; k++) at[k] = ((float)cell[k] + 0.5f) / cells_a_unit - 1 - WELD_TOLERANCE;
+    return vertex(in, at[0], at[1], at[2]);
+}
+
+static void make_bucket(input* in, uint32_t items) {
+    uint32_t buckets = 16;
+    while (buckets < items) buckets *= 2;
+    mesh_begin(in, items);
+    for (uint32_t i = 0; i < items; i++) vertex_in_first_bucket(in, buckets);
+}
+
+static void run_weld(input* in) {
+    const dmi_mesh mesh = {.positions = in->mesh.positions, .vertex_count = in->mesh.vertex_count};
+    uint32_t* welded = bench_alloc(mesh.vertex_count * sizeof *welded);
+    dmi_env env;
+    dmi_arena arena;
+    dmi_env_init(&env, NULL, NULL, NULL);
+    dmi_arena_init(&arena, &env, ARENA_BLOCK);
+    bench_check(dmi_weld_vertices(&arena, &mesh, WELD_TOLERANCE, NULL, welded), "dmi_weld_vertices");
+    dmi_arena_release(&arena);
+    free(welded);
 }
 
 static dm_mesh_desc whole_mesh(const input* in) {
@@ -439,6 +475,7 @@ static const family families[] = {
     {"find_shells", 2000, make_shells, run_find},
     {"find_soup", 4000, make_soup, run_find},
     {"find_coincident", 4000, make_coincident, run_find},
+    {"weld_bucket", 1500, make_bucket, run_weld},
     {"find_row_given", 1500, make_row, run_find_given},
     {"prepare_slivers", 8000, make_slivers, run_prepare},
     {"prepare_one_edge", 8000, make_one_edge, run_prepare},
