@@ -65,14 +65,15 @@ size_t dmi_utf8_mend(char* text) {
     return to;
 }
 
-bool dmi_utf8_mends_to(const char* text, const char* mended) {
+int dmi_utf8_compare_mended(const char* text, const char* mended) {
     const size_t size = strlen(text);
     for (size_t at = 0; at < size;) {
         bool whole;
-        const size_t length = piece(text + at, size - at, &whole);
-        if (whole ? strncmp(mended, text + at, length) != 0 : *mended != '?') return false;
-        mended += whole ? length : 1;
+        const size_t length = piece(text + at, size - at, &whole), taken = whole ? length : 1;
+        const int order = strncmp(whole ? text + at : "?", mended, taken);
+        if (order != 0) return order;
+        mended += taken;
         at += length;
     }
-    return *mended == 0;
+    return *mended == 0 ? 0 : -1;
 }

@@ -10,7 +10,7 @@ bool dmi_utf8_is_valid(const char* text, size_t size);
 /* Makes any text valid UTF-8, in place: a '?' takes the place of each piece that is no character, also of one that was
  * cut off. Valid text stays as it is. Returns the new length, never a longer one. */
 size_t dmi_utf8_mend(char* text);
-/* Whether dmi_utf8_mend would make `mended` of `text`. */
-bool dmi_utf8_mends_to(const char* text, const char* mended);
+/* Compares what dmi_utf8_mend would make of `text` with `mended`, as strcmp does. */
+int dmi_utf8_compare_mended(const char* text, const char* mended);
 
 #endif

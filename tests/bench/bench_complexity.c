@@ -30,6 +30,7 @@
 #define SHARING_HEAD 1024
 #define WELD_TOLERANCE 1e-5f /* that of prepare */
 #define ARENA_BLOCK 65536
+#define NODE_NAME 16       /* bytes of "#4294967295" and its end */
 #define VERTICES_A_MESH 64 /* a word of the marks of used vertices */
 
 typedef struct input input;
@@ -383,6 +384,26 @@ static void run_gltf(input* in) {
     dm_gltf_close(gltf);
 }
 
+/* Names every node. */
+static void run_all_names(input* in) {
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = in->glb.data, .size = in->glb.size};
+    dm_gltf* gltf;
+    CHECK(dm_gltf_open(&desc, &gltf));
+    const uint32_t count = dm_gltf_node_count(gltf);
+    char(*text)[NODE_NAME] = bench_alloc(count * sizeof *text);
+    const char** names = bench_alloc(count * sizeof *names);
+    uint8_t* faces = bench_alloc(count);
+    for (uint32_t i = 0; i < count; i++) {
+        snprintf(text[i], NODE_NAME, "#%u", i);
+        names[i] = text[i];
+    }
+    CHECK(dm_gltf_mark_faces(gltf, names, count, 1, faces, count)); /* a triangle a node */
+    free(faces);
+    free(names);
+    free(text);
+    dm_gltf_close(gltf);
+}
+
 /* Buffers without bytes, which hold the place of decompressed data, behind the one of a triangle. */
 static void make_buffers(input* in, uint32_t items) {
     static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -487,6 +508,7 @@ static const family families[] = {
     {"gltf_shared_vertices", 1000, make_shared_vertices, run_open},
     {"gltf_shared_changes", 1000, make_shared_changes, run_open},
     {"gltf_namesakes", 4000, make_namesakes, run_gltf},
+    {"gltf_all_names", 2000, make_namesakes, run_all_names},
     {"gltf_chain", 100, make_chain, run_gltf},
     {"gltf_buffers", 8000, make_buffers, run_export},
     {"scene", 1000, make_object, run_scene},

@@ -6,6 +6,7 @@
 #include "base/utf8.h"
 #include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_merge.h"
+#include "mesh/gltf/gltf_names.h"
 #include "mesh/gltf/gltf_tree.h"
 
 /* Bytes of a description without what was added to it later. */
@@ -76,6 +77,7 @@ static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem*
     if (result == DM_OK) result = dmi_gltf_read_buffers(gltf, &container, problem);
     if (result == DM_OK) result = dmi_gltf_tell(gltf, BUFFERS_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_read_tree(gltf, problem);
+    if (result == DM_OK) result = dmi_gltf_sort_names(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_tell(gltf, DMI_GLTF_TREE_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_merge(gltf, problem);
     return result == DM_OK ? dmi_gltf_tell(gltf, 1, DMI_PROGRESS_STEP, problem) : result;
@@ -126,6 +128,7 @@ void dm_gltf_close(dm_gltf* gltf) {
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
     dmi_gltf_release_buffers(gltf);
     dmi_free(env, gltf->tree, count * sizeof *gltf->tree);
+    dmi_free(env, gltf->names, count * sizeof *gltf->names);
     dmi_free(env, gltf->order, count * sizeof *gltf->order);
     dmi_free(env, gltf->nodes, gltf->node_capacity * sizeof *gltf->nodes);
     dmi_free(env, gltf->pieces, gltf->piece_capacity * sizeof *gltf->pieces);

@@ -45,6 +45,11 @@ typedef struct dmi_gltf_tree_node {
     double world[16]; /* node to scene, column-major */
 } dmi_gltf_tree_node;
 
+typedef struct dmi_gltf_name {
+    const char* name;
+    uint32_t node; /* of the file */
+} dmi_gltf_name;
+
 /* Triangles of one primitive that move with one node, as they lie in the merged mesh. */
 typedef struct dmi_gltf_piece {
     uint32_t node;      /* position in dm_gltf.nodes */
@@ -82,6 +87,7 @@ struct dm_gltf {
     dmi_gltf_buffer* images;         /* as many as the document has; NULL until one is asked for */
     uint64_t bytes_most, bytes_left; /* of the memory that a call may take, and may still take */
     dmi_gltf_tree_node* tree;        /* as many as the document has nodes */
+    dmi_gltf_name* names;            /* of all nodes, sorted; of one name in the file's order */
     uint32_t* order;                 /* placed nodes, parents before children */
     uint32_t order_count;
     dm_gltf_node* nodes; /* what has triangles: nodes with a mesh, and bones */

@@ -74,9 +74,10 @@ dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_lab
                             dm_pivot* out_pivot) {
     DMI_OWN_FP;
     if (!gltf || !name || (out_label && label_size == 0)) return DM_ERROR_INVALID_ARGUMENT;
-    const int64_t index = dmi_gltf_find_node(gltf, name);
-    if (index < 0 || !gltf->tree[index].placed) return DM_ERROR_NOT_FOUND;
-    if (out_label) write_path(gltf, &gltf->tree[index], out_label, label_size);
-    if (out_pivot) write_pivot(gltf, gltf->tree[index].world, out_pivot);
+    const dmi_gltf_namesakes found = dmi_gltf_find_nodes(gltf, name);
+    const dmi_gltf_tree_node* node = found.count > 0 ? &gltf->tree[found.first->node] : NULL;
+    if (!node || !node->placed) return DM_ERROR_NOT_FOUND;
+    if (out_label) write_path(gltf, node, out_label, label_size);
+    if (out_pivot) write_pivot(gltf, node->world, out_pivot);
     return DM_OK;
 }

@@ -10,60 +10,54 @@
 #include "mesh/gltf/gltf_names.h"
 #include "mesh/mask.h"
 
-/* "#12" names node 12 of the file, unless a node is really called so. -1: not of this form, or no such node. */
-static int64_t numbered_node(const dm_gltf* gltf, const char* name) {
-    if (name[0] != '#' || name[1] < '0' || name[1] > '9') return -1;
-    char* end;
-    const unsigned long index = strtoul(name + 1, &end, 10);
-    return *end == 0 && index < gltf->document.counts[DMI_GLTF_NODES] ? (int64_t)index : -1;
-}
+/* What is known of a node of the file while names are looked up. */
+enum {
+    NAMED = 1,
+    CARRIED = 2, /* by a named one */
+    SOLID = 4,   /* it, or what it stands for and carries, has triangles */
+    CHECKED = 8  /* first of its name, all of which are NAMED */
+};
 
-int64_t dmi_gltf_find_node(const dm_gltf* gltf, const char* name) {
-    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++)
-        if (dmi_utf8_mends_to(name, gltf->tree[i].name)) return i;
-    return numbered_node(gltf, name);
-}
-
-/* Marks the named nodes and all that they carry, in `marks`: a byte a node of the file. Returns whether one is named
- * so. */
-static int mark_nodes(const dm_gltf* gltf, const char* name, uint8_t* marks) {
-    enum { CARRIED = 1, NAMED = 2 };
-    int found = 0;
-    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
-        marks[i] = dmi_utf8_mends_to(name, gltf->tree[i].name) ? NAMED : 0;
-        found |= marks[i];
+/* Finds which nodes have triangles. The name of a node with a skin stands for all bones of that mesh. */
+static void mark_solid(const dm_gltf* gltf, uint8_t* marks) {
+    for (uint32_t i = 0; i < gltf->node_count; i++)
+        if (gltf->nodes[i].face_count > 0) marks[gltf->nodes[i].node] |= SOLID;
+    for (uint32_t at = gltf->order_count; at-- > 0;) {
+        const uint32_t node = gltf->order[at];
+        const int32_t parent = gltf->tree[node].parent;
+        if (parent >= 0) marks[parent] |= marks[node] & SOLID;
     }
-    const int64_t number = found ? -1 : numbered_node(gltf, name);
-    if (number >= 0) marks[number] = NAMED;
+    for (uint32_t p = 0; p < gltf->piece_count; p++)
+        if (gltf->pieces[p].joint >= 0) marks[gltf->pieces[p].mesh_node] |= SOLID;
+}
+
+/* Marks the nodes of this name. Returns whether they stand for any triangle. */
+static bool mark_named(const dm_gltf* gltf, const char* name, uint8_t* marks) {
+    const dmi_gltf_namesakes found = dmi_gltf_find_nodes(gltf, name);
+    uint8_t all = 0;
+    if (found.count == 0) return false;
+    if (marks[found.first->node] & CHECKED) return true; /* the name came before, and was in order */
+    for (uint32_t i = 0; i < found.count; i++) all |= marks[found.first[i].node] |= NAMED;
+    if (found.count > 1) marks[found.first->node] |= CHECKED;
+    return (all & SOLID) != 0;
+}
+
+/* Marks what the named nodes carry and stand for. */
+static void mark_carried(const dm_gltf* gltf, uint8_t* marks) {
     for (uint32_t at = 0; at < gltf->order_count; at++) {
         const dmi_gltf_tree_node* node = &gltf->tree[gltf->order[at]];
-        if (node->parent >= 0 && marks[node->parent]) marks[gltf->order[at]] |= CARRIED;
+        if (node->parent >= 0 && marks[node->parent] & (NAMED | CARRIED)) marks[gltf->order[at]] |= CARRIED;
     }
-    /* The name of a node with a skin stands for all bones of that mesh. */
     for (uint32_t p = 0; p < gltf->piece_count; p++) {
         const dmi_gltf_piece* piece = &gltf->pieces[p];
         if (piece->joint >= 0 && (marks[piece->mesh_node] & NAMED)) marks[gltf->nodes[piece->node].node] |= CARRIED;
     }
-    return found || number >= 0;
 }
 
-/* Adds the nodes that a name stands for to `chosen`; returns how many faces they have. marks: scratch, one a node. */
-static uint64_t choose_name(const dm_gltf* gltf, const char* name, uint8_t* marks, uint8_t* chosen) {
-    uint64_t faces = 0;
-    if (!mark_nodes(gltf, name, marks)) return 0;
+static void set_faces(const dm_gltf* gltf, const uint8_t* marks, uint8_t value, uint8_t* face_ids) {
     for (uint32_t i = 0; i < gltf->node_count; i++) {
         const dm_gltf_node* node = &gltf->nodes[i];
-        if (!marks[node->node]) continue;
-        chosen[i] = 1;
-        faces += node->face_count;
-    }
-    return faces;
-}
-
-static void set_faces(const dm_gltf* gltf, const uint8_t* chosen, uint8_t value, uint8_t* face_ids) {
-    for (uint32_t i = 0; i < gltf->node_count; i++) {
-        const dm_gltf_node* node = &gltf->nodes[i];
-        if (chosen[i]) memset(face_ids + node->first_face, value, node->face_count);
+        if (marks[node->node] & (NAMED | CARRIED)) memset(face_ids + node->first_face, value, node->face_count);
     }
 }
 
@@ -81,6 +75,14 @@ static void list_names(const dm_gltf* gltf, char* out, size_t size) {
     if (gltf->node_count > 8) snprintf(out + length, size - length, " and %u more", gltf->node_count - 8);
 }
 
+static dm_result fail_to_find(dmi_env* env, const dm_gltf* gltf, const char* name) {
+    char known[512];
+    const int reason = gltf->left_out.code != DM_OK;
+    list_names(gltf, known, sizeof known);
+    return dmi_fail(env, DM_ERROR_NOT_FOUND, "no node with triangles is called '%.80s'%s%.160s%s; the file has %s",
+                    name, reason ? " (" : "", reason ? gltf->left_out.text : "", reason ? " is left out)" : "", known);
+}
+
 dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint32_t name_count, uint8_t value,
                              uint8_t* inout_face_ids, uint64_t face_count) {
     DMI_OWN_FP;
@@ -91,25 +93,21 @@ dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint
         return dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "face_count is %" PRIu64 ", the mesh has %" PRIu64, face_count,
                         gltf->face_count);
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
-    const size_t size = (size_t)count + gltf->node_count;
-    uint8_t* marks = dmi_alloc_zeroed(&env, size, 1); /* of nodes of the file, then of those that have triangles */
+    uint8_t* marks = dmi_alloc_zeroed(&env, count, 1);
     if (!marks) return dmi_fail(&env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u nodes", count);
-    uint8_t* chosen = marks + count;
     dm_result result = DM_OK;
+    mark_solid(gltf, marks);
     for (uint32_t i = 0; i < name_count && result == DM_OK; i++) {
-        char known[512];
-        if (!names[i]) {
+        if (!names[i])
             result = dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "name %u is NULL", i);
-        } else if (choose_name(gltf, names[i], marks, chosen) == 0) {
-            const int reason = gltf->left_out.code != DM_OK;
-            list_names(gltf, known, sizeof known);
-            result = dmi_fail(
-                &env, DM_ERROR_NOT_FOUND, "no node with triangles is called '%.80s'%s%.160s%s; the file has %s",
-                names[i], reason ? " (" : "", reason ? gltf->left_out.text : "", reason ? " is left out)" : "", known);
-        }
+        else if (!mark_named(gltf, names[i], marks))
+            result = fail_to_find(&env, gltf, names[i]);
     }
-    if (result == DM_OK) set_faces(gltf, chosen, value, inout_face_ids);
-    dmi_free(&env, marks, size);
+    if (result == DM_OK) {
+        mark_carried(gltf, marks);
+        set_faces(gltf, marks, value, inout_face_ids);
+    }
+    dmi_free(&env, marks, count);
     return result;
 }
 

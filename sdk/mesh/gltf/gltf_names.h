@@ -4,7 +4,16 @@
 
 #include "mesh/gltf/gltf_file.h"
 
-/* Returns the first node of this name; "#12", unless a node is really called so, is node 12 of the file. -1: none. */
-int64_t dmi_gltf_find_node(const dm_gltf* gltf, const char* name);
+/* Nodes of one name, in the file's order. */
+typedef struct dmi_gltf_namesakes {
+    const dmi_gltf_name* first;
+    uint32_t count;
+} dmi_gltf_namesakes;
+
+/* Sorts the names of the tree's nodes. */
+dm_result dmi_gltf_sort_names(dm_gltf* gltf, dmi_gltf_problem* problem);
+/* Finds the nodes of this name, which may be no valid UTF-8; "#12", unless a node is really called so, is node 12 of
+ * the file. */
+dmi_gltf_namesakes dmi_gltf_find_nodes(const dm_gltf* gltf, const char* name);
 
 #endif
