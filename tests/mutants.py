@@ -48,7 +48,7 @@ AREAS = {
                  "test_object"]),
     "drag": (["sdk/motion/drag*.c", "sdk/motion/follow*.c", "sdk/motion/hypothesis_tracker.c", "sdk/motion/joint_hypothesis.c",
               "sdk/motion/pull_fit.c", "sdk/motion/axis_refine.c", "sdk/motion/pose_blend.c", "sdk/motion/part_links.c"],
-             ["test_axis_refine", "test_part_links", "test_drag_corners", "test_drag_flight", "test_drag_snaps", "test_drag_feel",
+             ["test_axis_refine", "test_part_links", "test_follow", "test_drag_corners", "test_drag_flight", "test_drag_snaps", "test_drag_feel",
               "test_drag_latch", "test_drag_hands", "test_drag_events", "test_drag_bounds", "test_pose_blend", "test_hypothesis_tracker",
               "test_drag_release", "test_drag_words", "test_hands", "test_drag", "test_drag_rules", "test_every_word",
               "test_drag_boundary", "test_boundary", "test_replay_hands", "test_pull", "test_part_state",
