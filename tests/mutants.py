@@ -43,7 +43,7 @@ LIBRARIES = shlex.split("-lcmocka build/release/lib/libdragmesh_generator.a buil
 # area: (sources, tests in the order in which they are asked)
 AREAS = {
     "ranking": (["sdk/kinematics/ranking/*.c"],
-                ["test_ranker", "test_boosted_trees", "test_consensus_refine", "test_candidate_prefilter", "test_twin_leaves",
+                ["test_ranker", "test_boosted_trees", "test_consensus_refine", "test_candidate_prefilter", "test_twin_leaves", "test_alternatives",
                  "test_golden_features", "test_joint_inference", "test_no_body", "test_huge_weights", "test_pull", "test_choice",
                  "test_object"]),
     "drag": (["sdk/motion/drag*.c", "sdk/motion/follow*.c", "sdk/motion/hypothesis_tracker.c", "sdk/motion/joint_hypothesis.c",

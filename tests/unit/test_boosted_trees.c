@@ -185,6 +185,70 @@ static void the_shipped_trees_say_what_a_plain_walk_says(void** state) {
     test_env_close(&t);
 }
 
+/* However many rows: a whole number of batches, one more, one less. */
+static void any_number_of_rows_scores_alike(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    two_forks();
+    assert_int_equal(read_made(&t), DM_OK);
+    memset(rows, 0, sizeof rows);
+    for (int r = 0; r < ROWS; r++) rows[r][5] = r % 3 == 0 ? 0.5f : 0.6f, rows[r][201] = r % 3 == 1 ? -1 : 0;
+    for (uint32_t count = 0; count <= ROWS; count++) {
+        for (int r = 0; r < ROWS; r++) scores[r] = -7;
+        dmi_boosted_trees_score(&boosted, (const float(*)[DMI_FEATURE_COUNT])rows, count, scores);
+        for (uint32_t r = 0; r < ROWS; r++)
+            assert_true(scores[r] == (r >= count ? -7 : r % 3 == 0 ? 10 : r % 3 == 1 ? 20 : 30));
+    }
+    test_env_close(&t);
+}
+
+/* The last columns and nodes that a tree may have, and the first that it may not; what is left of the next tree. */
+static void trees_end_where_they_say(void** state) {
+    (void)state;
+    enum { LAST = DMI_TREES - 1 };
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    memset(rows, 0, sizeof rows);
+    rows[0][DMI_FEATURE_HAS_DRAG] = 1;
+    for (int tree = 0; tree < DMI_TREES; tree += LAST) {
+        float* const column = made.column + tree * DMI_TREE_NODES;
+        float* const value = made.value + tree * DMI_TREE_NODES;
+        two_forks();
+        made.value[1] = made.value[3] = made.value[4] = 0;
+        for (int n = 0; n < 5; n++) column[n] = -1;
+        column[0] = DMI_FEATURE_COUNT - 1, column[2] = 0; /* 1 and 2 below it; 3 and 4 below 2 */
+        value[0] = 0.5f, value[2] = 0.5f, value[1] = 1, value[3] = 2, value[4] = 4;
+        assert_int_equal(read_made(&t), DM_OK);
+        for (int way = 0; way < 4; way++) {
+            rows[0][DMI_FEATURE_COUNT - 1] = (float)(way & 1), rows[0][0] = (float)(way >> 1);
+            dmi_boosted_trees_score(&boosted, (const float(*)[DMI_FEATURE_COUNT])rows, 1, scores);
+            assert_true(scores[0] == (way & 1 ? (way & 2 ? 4 : 2) : 1));
+        }
+        column[1] = DMI_FEATURE_COUNT - 1;
+        assert_int_equal(read_made(&t), DM_OK);
+        column[1] = DMI_FEATURE_COUNT;
+        assert_int_equal(read_made(&t), DM_ERROR_WRONG_MODEL);
+        char says[32];
+        snprintf(says, sizeof says, "tree %d is none", tree);
+        assert_non_null(strstr(t.messages.text, says));
+    }
+    /* A chain: each split's right child splits again, 127 deep. The walk goes all the way. */
+    two_forks();
+    made.column[2] = -1, made.value[1] = made.value[3] = made.value[4] = 0;
+    for (int n = 0; n < DMI_TREE_NODES - 1; n += 2) made.column[n] = 1, made.value[n] = (float)n;
+    for (int n = 1; n < DMI_TREE_NODES; n += 2) made.value[n] = (float)-n;
+    made.value[DMI_TREE_NODES - 1] = 9;
+    assert_int_equal(read_made(&t), DM_OK);
+    for (int n = 0; n < DMI_TREE_NODES; n++) {
+        rows[0][1] = (float)n - 0.5f;
+        dmi_boosted_trees_score(&boosted, (const float(*)[DMI_FEATURE_COUNT])rows, 1, scores);
+        const int split = n / 2 * 2 + (n % 2 ? 2 : 0); /* the first whose value is not exceeded */
+        assert_true(scores[0] == (split >= DMI_TREE_NODES - 1 ? 9 : (float)-(split + 1)));
+    }
+    test_env_close(&t);
+}
+
 static void no_memory_is_no_wrong_model(void** state) {
     (void)state;
     test_env starved;
@@ -201,6 +265,8 @@ int main(void) {
         cmocka_unit_test(what_is_no_number_still_ends_in_a_leaf),
         cmocka_unit_test(what_is_no_tree_is_refused),
         cmocka_unit_test(the_shipped_trees_say_what_a_plain_walk_says),
+        cmocka_unit_test(any_number_of_rows_scores_alike),
+        cmocka_unit_test(trees_end_where_they_say),
         cmocka_unit_test(no_memory_is_no_wrong_model),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -54,6 +54,8 @@ static void prefilter_by(bench* b, int column, float sign, float last) {
 
 static uint32_t keep(const dmi_drag_hint* hint, uint32_t count) {
     memcpy(kept, candidates, sizeof kept);
+    for (int i = 0; i < DMI_CANDIDATES_MAX; i++)
+        for (int k = 0; k < DMI_FEATURE_COUNT; k++) rows[i][k] = NAN; /* scratch holds anything */
     return dmi_prefilter_keep(&prefilter, &a.of_part, hint, NULL, DMI_ISA_SCALAR, NULL, kept, count, rows);
 }
 
@@ -120,6 +122,40 @@ static void the_best_are_kept_in_order(void** state) {
     close_bench(&b);
 }
 
+/* By each column, either way: kept are those that a plain sort puts first, equals in their order, and in the order in
+ * which they were. */
+static void what_a_sort_puts_first_is_kept(void** state) {
+    (void)state;
+    bench b;
+    open_bench(&b);
+    for (int with = 0; with < 2; with++) {
+        const dmi_drag_hint* hint = with ? &b.hint : NULL;
+        const uint32_t all = dmi_candidates_make(&a.of_part, hint, NULL, candidates);
+        assert_true(all > DMI_PREFILTER_KEPT + 1);
+        dmi_candidate_features_make(&a.of_part, hint, NULL, NULL, candidates, all, features);
+        for (int way = 0; way < 2 * DMI_CHEAP_COLUMNS; way++) {
+            const int column = dmi_cheap_columns[way / 2];
+            const float sign = way & 1 ? -1.0f : 1.0f;
+            const uint32_t count = way % 3 == 0 ? DMI_PREFILTER_KEPT + 1 : way % 3 == 1 ? all : all - 1;
+            float scores[DMI_CANDIDATES_MAX];
+            bench own;
+            test_layers_open(&own.layers, &a.t.env);
+            prefilter_by(&own, column, sign, 1);
+            for (uint32_t i = 0; i < count; i++) scores[i] = fmaxf(sign * features[i][column] + 100, 0);
+            assert_int_equal(keep(hint, count), DMI_PREFILTER_KEPT);
+            for (uint32_t i = 0, next = 0; i < count; i++) {
+                uint32_t before = 0;
+                for (uint32_t k = 0; k < count; k++)
+                    before += scores[k] > scores[i] || (scores[k] == scores[i] && k < i);
+                if (before >= DMI_PREFILTER_KEPT) continue;
+                if (!same(&kept[next++], &candidates[i])) fail_msg("column %d: candidate %u is not kept", column, i);
+            }
+            test_layers_close(&own.layers);
+        }
+    }
+    close_bench(&b);
+}
+
 /* Among equals the first are kept; a few candidates pass as they are. */
 static void equals_and_few_pass(void** state) {
     (void)state;
@@ -143,6 +179,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cheap_features_fill_their_columns),
         cmocka_unit_test(the_best_are_kept_in_order),
+        cmocka_unit_test(what_a_sort_puts_first_is_kept),
         cmocka_unit_test(equals_and_few_pass),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

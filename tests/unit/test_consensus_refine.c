@@ -101,6 +101,116 @@ static void no_line_is_nearer_to_all(void** state) {
     }
 }
 
+/* The least cost of all places, by descent on ever finer grids. */
+static float least_cost(const dmi_candidate* hinges, const float* weights, uint32_t count) {
+    float at[2] = {0, 0}, least = cost(hinges, weights, count, 0, 0);
+    for (float step = 0.1f; step > 1e-6f; step *= 0.7f) {
+        const float middle[2] = {at[0], at[1]};
+        for (int i = -2; i <= 2; i++)
+            for (int k = -2; k <= 2; k++) {
+                const float x = middle[0] + step * (float)i, y = middle[1] + step * (float)k;
+                const float there = cost(hinges, weights, count, x, y);
+                if (there < least) least = there, at[0] = x, at[1] = y;
+            }
+    }
+    return least;
+}
+
+/* The place found costs hardly more than the best of all places, for few lines and many: 3 of 200 cost a thousandth
+ * more, none a hundredth. */
+static void no_place_is_nearer_to_all(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(5, 9);
+    int rough = 0;
+    for (int round = 0; round < 200; round++) {
+        dmi_candidate hinges[DMI_CONSENSUS_MAX];
+        float weights[DMI_CONSENSUS_MAX];
+        const uint32_t count = round < 100 ? 3 + (uint32_t)round % 3 : DMI_CONSENSUS_MAX;
+        for (uint32_t i = 0; i < count; i++) {
+            hinges[i] = hinge_at(test_range(&random, -0.1f, 0.1f), test_range(&random, -0.1f, 0.1f), 0);
+            weights[i] = test_range(&random, 0.1f, 1);
+        }
+        const dm_joint joint = apply(hinges, weights, count);
+        const float there = cost(hinges, weights, count, joint.origin.x, joint.origin.y);
+        const float least = least_cost(hinges, weights, count);
+        assert_true(there <= least * 1.01f);
+        rough += there > least * 1.001f;
+    }
+    assert_true(rough < 5); /* where a line is all but the median, the rounds end before */
+}
+
+/* The middle line of three is nearest to the others, but not the median: that is where all are 120 degrees apart, 0.538
+ * of the way to them. The pull away from it is along one direction; every direction is tried. */
+static void the_median_leaves_the_middle_line(void** state) {
+    (void)state;
+    for (int i = 0; i < 16; i++) {
+        const float angle = 0.3926991f * (float)i, x = 0.1f * cosf(angle), y = 0.1f * sinf(angle);
+        const dmi_candidate hinges[] = {hinge_at(0, 0, 0), hinge_at(x - 0.8f * y, y + 0.8f * x, 0),
+                                        hinge_at(x + 0.8f * y, y - 0.8f * x, 0)};
+        const float weights[] = {0.3f, 0.3f, 0.3f};
+        const dm_joint joint = apply(hinges, weights, 3);
+        assert_float_equal(joint.origin.x, 0.53812f * x, 2e-4f);
+        assert_float_equal(joint.origin.y, 0.53812f * y, 2e-4f);
+    }
+}
+
+/* A line on which half of the weight lies is the median, to the bit, whichever it is and though several candidates have
+ * it; with less than that it is not, where all others lie on one side. */
+static void half_of_the_weight_is_the_median(void** state) {
+    (void)state;
+    for (int heavy = 0; heavy < 2; heavy++) {
+        const dmi_candidate hinges[] = {hinge_at(0, 0, 0), hinge_at(0.1f, 0.02f, 0), hinge_at(0.1f, 0.02f, 0),
+                                        hinge_at(0.12f, -0.1f, 0)};
+        const float weights[] = {0.2f, heavy ? 0.3f : 0.01f, heavy ? 0.25f : 0.01f, 0.25f};
+        const dm_joint joint = apply(hinges, weights, 4);
+        const float away = hypotf(joint.origin.x - 0.1f, joint.origin.y - 0.02f);
+        assert_true(heavy ? away < 1e-6f : away > 0.01f);
+    }
+}
+
+/* The mean of all axes, each by its weight and turned to the chosen one's side, unless half of the weight agrees with
+ * the chosen one: is within 0.02 of its direction. */
+static void the_axis_is_the_weighted_mean(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(8, 2);
+    int kept = 0;
+    for (int round = 0; round < 400; round++) {
+        dmi_candidate hinges[DMI_CONSENSUS_MAX];
+        float weights[DMI_CONSENSUS_MAX];
+        double mean[3] = {0, 0, 0}, agreeing = 0, all = 0, length = 0;
+        const uint32_t count = 1 + (uint32_t)round % 7;
+        const float spread = round % 2 ? 0.04f : 0.5f;
+        for (uint32_t i = 0; i < count; i++) {
+            hinges[i] = hinge_at(0, 0, i ? test_range(&random, -spread, spread) : 0);
+            weights[i] = test_range(&random, 0, 1);
+            const double x = (double)hinges[i].axis[0], z = (double)hinges[i].axis[2];
+            mean[0] += (double)weights[i] * x, mean[2] += (double)weights[i] * z, all += (double)weights[i];
+            if (fabs(x) < 0.02) agreeing += (double)weights[i];
+            for (int k = 0; i > 0 && round % 3 == 0 && k < 3; k++) hinges[i].axis[k] *= -1;
+        }
+        length = sqrt(mean[0] * mean[0] + mean[2] * mean[2]);
+        if (fabs(agreeing - 0.5 * all) < 1e-6) continue;
+        const int stays = agreeing > 0.5 * all;
+        const dm_joint joint = apply(hinges, weights, count);
+        kept += stays;
+        assert_float_equal(joint.axis.x, stays ? 0 : (float)(mean[0] / length), 2e-6f);
+        assert_float_equal(joint.axis.z, stays ? 1 : (float)(mean[2] / length), 2e-6f);
+        assert_float_equal(joint.axis.y, 0, 0);
+    }
+    assert_true(kept > 50 && kept < 300);
+}
+
+/* Axes agree within a sine of 0.02; half of the weight is enough. */
+static void agreement_ends_at_a_fiftieth(void** state) {
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        const dmi_candidate hinges[] = {hinge_at(0, 0, 0), hinge_at(0, 0, i ? 0.0202f : 0.0198f), hinge_at(0, 0, 0.3f)};
+        const float weights[] = {0.25f, 0.25f, 0.5f};
+        const dm_joint joint = apply(hinges, weights, 3);
+        assert_true((joint.axis.x > 0.01f) == i);
+    }
+}
+
 static void other_directions_and_types_do_not_count(void** state) {
     (void)state;
     const dmi_candidate hinge = hinge_at(0, 0, 0), near = hinge_at(0, 0, 0.3f), across = hinge_at(0, 0, 1.2f);
@@ -112,6 +222,9 @@ static void other_directions_and_types_do_not_count(void** state) {
     assert_true(dmi_consensus_counts(&hinge, &back));
     assert_false(dmi_consensus_counts(&hinge, &across));
     assert_false(dmi_consensus_counts(&hinge, &slide));
+    const dmi_candidate within = hinge_at(0, 0, acosf(0.827f)), beyond = hinge_at(0, 0, acosf(0.823f));
+    assert_true(dmi_consensus_counts(&hinge, &within));
+    assert_false(dmi_consensus_counts(&hinge, &beyond));
 }
 
 int main(void) {
@@ -122,6 +235,11 @@ int main(void) {
         cmocka_unit_test(support_without_weight_moves_nothing),
         cmocka_unit_test(a_slide_keeps_its_place),
         cmocka_unit_test(no_line_is_nearer_to_all),
+        cmocka_unit_test(no_place_is_nearer_to_all),
+        cmocka_unit_test(the_median_leaves_the_middle_line),
+        cmocka_unit_test(half_of_the_weight_is_the_median),
+        cmocka_unit_test(the_axis_is_the_weighted_mean),
+        cmocka_unit_test(agreement_ends_at_a_fiftieth),
         cmocka_unit_test(other_directions_and_types_do_not_count),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

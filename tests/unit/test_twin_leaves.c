@@ -79,6 +79,53 @@ static void far_edges_are_candidates(void** state) {
     test_analysis_close(&a);
 }
 
+/* Whichever side of the box leads to the twin: turns about the edges and the middle line of the side away from it, of
+ * its longer direction, and one slide along them; with a drag, what it allows of these. */
+static void each_side_has_three_lines(void** state) {
+    (void)state;
+    for (int i = 0; i < 6; i++) {
+        const int across = i / 2, along = across == 0 ? 1 : 0, thin = 3 - across - along;
+        const float sign = i % 2 ? -1.0f : 1.0f;
+        dmi_part_analysis* part = &a.of_part;
+        dmi_candidate candidates[8];
+        memset(part, 0, sizeof *part);
+        part->has_twin = true;
+        part->twin_way[across] = sign, part->twin_way[along] = 0.3f, part->twin_way[thin] = -0.2f;
+        for (int k = 0; k < 3; k++) {
+            part->box.axes[k][k] = 1;
+            part->box.low[k] = -0.1f * (float)(k + 1), part->box.high[k] = 0.5f + 0.1f * (float)k;
+        }
+        const uint32_t count = dmi_twin_add_candidates(part, NULL, candidates, 0);
+        uint32_t depths = 0, slides = 0;
+        for (uint32_t c = 0; c < count; c++) {
+            assert_float_equal(fabsf(candidates[c].axis[along]), 1, 0);
+            slides += candidates[c].type == DM_JOINT_PRISMATIC;
+            if (candidates[c].type == DM_JOINT_PRISMATIC) continue;
+            assert_float_equal(candidates[c].origin[across], sign > 0 ? part->box.low[across] : part->box.high[across],
+                               1e-6f);
+            const float deep =
+                (candidates[c].origin[thin] - part->box.low[thin]) / (part->box.high[thin] - part->box.low[thin]);
+            assert_float_equal(2 * deep, roundf(2 * deep), 1e-5f);
+            depths |= 1u << (int)roundf(2 * deep);
+        }
+        assert_int_equal(count, 4);
+        assert_int_equal(slides, 1);
+        assert_int_equal(depths, 7);
+        /* A pull along the lines moves none of the turns; one across them does not slide. */
+        dmi_drag_hint hint = {.point = {0.2f, 0.2f, 0.2f}};
+        hint.vector[along] = 1;
+        const uint32_t slid = dmi_twin_add_candidates(part, &hint, candidates, 0);
+        for (uint32_t c = 0; c < slid; c++) assert_int_equal(candidates[c].type, DM_JOINT_PRISMATIC);
+        assert_int_equal(slid, 1);
+        hint.vector[along] = 0, hint.vector[thin] = 1;
+        const uint32_t turned = dmi_twin_add_candidates(part, &hint, candidates, 0);
+        for (uint32_t c = 0; c < turned; c++) assert_int_equal(candidates[c].type, DM_JOINT_REVOLUTE);
+        assert_true(turned > 0);
+        part->has_twin = false;
+        assert_int_equal(dmi_twin_add_candidates(part, NULL, candidates, 3), 3);
+    }
+}
+
 /* Equal turns at the seam and at the far side: the far one gains, and all still share a probability of 1. */
 static void the_far_side_is_likelier_than_the_seam(void** state) {
     (void)state;
@@ -124,7 +171,7 @@ static float gain(dmi_part_analysis* part, int along, int across, float place) {
 static void where_an_axis_passes_decides(void** state) {
     (void)state;
     static const float lows[] = {-0.5f, 0.3f, -7};
-    static const float places[] = {-1, -0.7f, -0.5f, 0, 0.5f, 0.7f, 1};
+    static const float places[] = {-1, -0.62f, -0.58f, 0, 0.58f, 0.62f, 1};
     for (int across = 0; across < 3; across++) {
         const int along = across == 0 ? 1 : 0, thin = across == 2 ? 1 : 2;
         for (int i = 0; i < 6; i++) {
@@ -140,17 +187,48 @@ static void where_an_axis_passes_decides(void** state) {
             for (size_t p = 0; p < sizeof places / sizeof *places; p++) {
                 const float outside = gain(part, along, across, -sign * places[p]);
                 if (places[p] > 0.6f)
-                    assert_true(outside > 20);
+                    assert_float_equal(logf(outside), 5, 1e-4f);
                 else if (places[p] < -0.6f)
-                    assert_true(outside < 0.1f);
+                    assert_float_equal(logf(outside), -4, 1e-4f);
                 else
                     assert_float_equal(outside, 1, 1e-5f);
                 const float end = gain(part, across, along, places[p]);
-                assert_true(fabsf(places[p]) > 0.6f ? end > 5 : fabsf(end - 1) < 1e-5f);
+                assert_float_equal(logf(end), fabsf(places[p]) > 0.6f ? 3 : 0, 1e-4f);
                 assert_float_equal(gain(part, thin, across, places[p]), 1, 1e-5f);
             }
         }
     }
+}
+
+/* Axes count as along a side up to a cosine of 0.9; many candidates share 1, by their likelihoods. */
+static void slanted_axes_and_many_candidates(void** state) {
+    (void)state;
+    enum { CANDIDATES = 40 };
+    dmi_part_analysis* part = &a.of_part;
+    dmi_candidate candidates[CANDIDATES] = {{0}};
+    float probability[CANDIDATES], likelihood[CANDIDATES], sum = 0, all = 0;
+    memset(part, 0, sizeof *part);
+    part->has_twin = true;
+    part->twin_way[2] = 1;
+    for (int k = 0; k < 3; k++) part->box.axes[k][k] = 1, part->box.low[k] = -1, part->box.high[k] = 1;
+    for (int i = 0; i < CANDIDATES; i++) {
+        const float cosine = i % 2 ? 0.905f : 0.895f, sine = sqrtf(1 - cosine * cosine);
+        const int side = i / 2 % 2 ? 2 : 0; /* 0: along the seam; 2: across it */
+        dmi_candidate* c = &candidates[i];
+        c->type = i % 5 == 0 ? DM_JOINT_PRISMATIC : DM_JOINT_REVOLUTE;
+        c->axis[side] = i % 3 ? cosine : -cosine, c->axis[1] = sine;
+        c->origin[2 - side] = i / 4 % 2 ? 0.9f : -0.9f;
+        probability[i] = 0.001f * (float)(1 + i);
+        const float says = side == 2 ? 3 : c->origin[2] < 0 ? 5 : -4;
+        likelihood[i] = probability[i] * (c->type == DM_JOINT_PRISMATIC || i % 2 == 0 ? 1 : expf(says));
+        sum += likelihood[i];
+    }
+    dmi_twin_weigh(part, candidates, CANDIDATES, probability);
+    for (int i = 0; i < CANDIDATES; i++) {
+        assert_float_equal(probability[i], likelihood[i] / sum, 1e-5f);
+        all += probability[i];
+    }
+    assert_float_equal(all, 1, 1e-5f);
 }
 
 /* With the ranker that ships: pulled at the seam, the leaf turns about its far side. */
@@ -182,9 +260,14 @@ static void a_leaf_without_a_frame_hangs_outside(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_mirror_image_beside_a_part_is_its_twin),      cmocka_unit_test(a_frame_is_no_twin),
-        cmocka_unit_test(a_wall_behind_or_a_wider_neighbour_is_no_twin), cmocka_unit_test(far_edges_are_candidates),
-        cmocka_unit_test(the_far_side_is_likelier_than_the_seam),        cmocka_unit_test(where_an_axis_passes_decides),
+        cmocka_unit_test(a_mirror_image_beside_a_part_is_its_twin),
+        cmocka_unit_test(a_frame_is_no_twin),
+        cmocka_unit_test(a_wall_behind_or_a_wider_neighbour_is_no_twin),
+        cmocka_unit_test(far_edges_are_candidates),
+        cmocka_unit_test(each_side_has_three_lines),
+        cmocka_unit_test(slanted_axes_and_many_candidates),
+        cmocka_unit_test(the_far_side_is_likelier_than_the_seam),
+        cmocka_unit_test(where_an_axis_passes_decides),
         cmocka_unit_test(a_leaf_without_a_frame_hangs_outside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
