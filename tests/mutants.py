@@ -43,9 +43,9 @@ LIBRARIES = shlex.split("-lcmocka build/release/lib/libdragmesh_generator.a buil
 # area: (sources, tests in the order in which they are asked)
 AREAS = {
     "ranking": (["sdk/kinematics/ranking/*.c"],
-                ["test_ranker", "test_boosted_trees", "test_consensus_refine", "test_candidate_prefilter", "test_twin_leaves", "test_alternatives",
-                 "test_golden_features", "test_joint_inference", "test_no_body", "test_huge_weights", "test_pull", "test_choice",
-                 "test_object"]),
+                ["test_ranker", "test_boosted_trees", "test_consensus_refine", "test_candidate_prefilter", "test_twin_leaves",
+                 "test_alternatives", "test_golden_features", "test_joint_inference", "test_no_body", "test_huge_weights", "test_pull",
+                 "test_choice", "test_object"]),
     "drag": (["sdk/motion/drag*.c", "sdk/motion/follow*.c", "sdk/motion/hypothesis_tracker.c", "sdk/motion/joint_hypothesis.c",
               "sdk/motion/pull_fit.c", "sdk/motion/axis_refine.c", "sdk/motion/pose_blend.c", "sdk/motion/part_links.c"],
              ["test_axis_refine", "test_part_links", "test_follow", "test_drag_corners", "test_drag_flight", "test_drag_snaps", "test_drag_feel",
@@ -56,8 +56,8 @@ AREAS = {
     "readers": (["sdk/kinematics/object/dmo_*.c", "sdk/nn/weights.c", "sdk/mesh/mask.c", "sdk/mesh/mesh_read.c",
                  "sdk/mesh/gltf/*.c"],
                 ["test_mask", "test_mesh", "test_weights", "test_gltf_surface", "test_gltf_hints", "test_gltf_tree",
-                 "test_gltf_export", "test_gltf", "test_gltf_props", "test_reader_bounds", "test_boundary", "test_dmo",
-                 "test_object_hints", "test_huge_weights", "test_object"]),
+                 "test_gltf_export", "test_gltf", "test_gltf_edges", "test_gltf_folder", "test_gltf_props", "test_reader_bounds",
+                 "test_boundary", "test_dmo", "test_object_hints", "test_huge_weights", "test_object"]),
 }
 
 # Tests that take long, and what of the area's sources they are for. The others are asked about all of them.

@@ -193,8 +193,8 @@ static void the_axis_is_the_weighted_mean(void** state) {
         const int stays = agreeing > 0.5 * all;
         const dm_joint joint = apply(hinges, weights, count);
         kept += stays;
-        assert_float_equal(joint.axis.x, stays ? 0 : (float)(mean[0] / length), 2e-6f);
-        assert_float_equal(joint.axis.z, stays ? 1 : (float)(mean[2] / length), 2e-6f);
+        assert_float_equal(joint.axis.x, (stays ? 0 : (float)(mean[0] / length)), 2e-6f);
+        assert_float_equal(joint.axis.z, (stays ? 1 : (float)(mean[2] / length)), 2e-6f);
         assert_float_equal(joint.axis.y, 0, 0);
     }
     assert_true(kept > 50 && kept < 300);

@@ -222,7 +222,7 @@ static void far_scores_are_certain(void** state) {
             for (int i = 0; i < 3; i++) rows[i][DMI_FEATURE_SURFACE_SLIP] = sign < 0 ? 1e3f : 0;
             rows[best][DMI_FEATURE_SURFACE_SLIP] = sign < 0 ? 0 : -1e3f;
             dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, 3, probability);
-            for (int i = 0; i < 3; i++) assert_float_equal(probability[i], i == best ? 1 : 0, 1e-6f);
+            for (int i = 0; i < 3; i++) assert_float_equal(probability[i], (i == best ? 1 : 0), 1e-6f);
         }
 }
 
