@@ -26,7 +26,7 @@ static void size_zero_is_a_real_block(void** state) {
     test_env t;
     test_env_open(&t, TEST_NEVER);
     void* a = dmi_alloc(&t.env, 0, 1);
-    void* b = dmi_alloc_zeroed(&t.env, 0, 4096);
+    void* b = dmi_alloc_zeroed(&t.env, 0, TEST_MAX_ALIGNMENT);
     assert_non_null(a);
     assert_non_null(b);
     assert_ptr_not_equal(a, b);
