@@ -1,6 +1,7 @@
 /* The pull identifies the joint early, without a jump, in any axes; tremor of the hand does not change it. */
 #include "test_math.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "math/frames.h"
@@ -340,6 +341,427 @@ static void what_is_no_number_is_not_waited_for(void** state) {
     for (int i = LEFT; i <= LOWER; i++) assert_near(tracker.list[i].max_residual, 0, 0);
 }
 
+/* ---- one hypothesis against its formulas ---- */
+
+enum { DOOR, DRAWER, BOTH, WHEEL, SCREW, DOWN, KINDS };
+static const dm_joint kinds[KINDS] = {
+    {.type = DM_JOINT_REVOLUTE, .axis = {0, -1, 0}, .origin = {-0.5f, 0, 0}, .lower = 0, .upper = 2},
+    {.type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .lower = 0, .upper = 0.6f},
+    {.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}, .origin = {0.5f, 0, 0}, .lower = -1, .upper = 1.4f},
+    {.type = DM_JOINT_CONTINUOUS, .axis = {0, 1, 0}, .origin = {0.5f, 0, 0}},
+    {.type = DM_JOINT_SCREW, .axis = {0, 1, 0}, .origin = {0.5f, 0, 0}, .lower = -3, .upper = 0, .pitch = 0.1f},
+    {.type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .lower = -0.5f, .upper = 0},
+};
+
+static dmi_grasp grasp_of(float size, dmi_limit_give give) {
+    dmi_grasp grasp = {.size = size, .limit_give = give};
+    dmi_pull_begin(&grasp.pull, handle, 0.006f * size);
+    return grasp;
+}
+
+static dmi_joint_hypothesis made(const dmi_grasp* grasp, const dm_joint* joint, dmi_free_range range) {
+    return dmi_joint_hypothesis_make(grasp, joint, 0, false, range);
+}
+
+static void odds_are_those_of_the_confidence(void** state) {
+    (void)state;
+    for (int k = 0; k <= 20; k++) {
+        const dm_joint joint = {.type = DM_JOINT_REVOLUTE, .joint_confidence = 0.05f * (float)k};
+        const double p = fmin(fmax((double)joint.joint_confidence, 1e-3), 1 - 1e-3);
+        assert_near(dmi_joint_log_odds(&joint), log(p / (1 - p)), 2e-5);
+    }
+}
+
+/* Half the logarithm of the lever over 0.15 of the part, from a twentieth of that to it. */
+static void a_short_lever_lowers_the_prior(void** state) {
+    (void)state;
+    for (int k = 0; k <= 40; k++) {
+        for (float size = 0.5f; size < 3; size *= 2) {
+            const dmi_grasp grasp = grasp_of(size, (dmi_limit_give){0});
+            const float arm = 0.005f * (float)k * size;
+            const dm_joint turn = {.type = k % 2 ? DM_JOINT_REVOLUTE : DM_JOINT_SCREW,
+                                   .axis = {0, 0, 1},
+                                   .origin = {handle[0] + 0.6f * arm, handle[1] - 0.8f * arm, 5}},
+                           slide = {.type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .origin = turn.origin};
+            const double share = fmin(fmax((double)arm / (0.15 * (double)size), 0.05), 1);
+            assert_near(dmi_lever_arm_log_prior(&grasp, &turn), 0.5 * log(share), 2e-4);
+            assert_near(dmi_lever_arm_log_prior(&grasp, &slide), 0, 0);
+            const dmi_joint_hypothesis hypothesis =
+                dmi_joint_hypothesis_make(&grasp, &turn, -1.5f, true, dmi_unbounded_range());
+            assert_near(hypothesis.log_prior, -1.5 + 0.5 * log(share), 2e-4);
+            assert_near(hypothesis.log_posterior, hypothesis.log_prior, 0);
+            assert_true(hypothesis.range_unknown && !hypothesis.grabbed);
+        }
+    }
+}
+
+/* Of one type, within 20 mrad, the lines of turns within 1/50 of the part; either sign of the axis. */
+static void joints_alike_are_within_their_tolerances(void** state) {
+    (void)state;
+    const dm_joint door = kinds[DOOR];
+    const struct {
+        float angle, x, y;
+        int32_t type;
+        bool alike, slides_alike;
+    } cases[] = {{0, 0, 0, DM_JOINT_REVOLUTE, true, true},
+                 {0, 0.039f, 0, DM_JOINT_REVOLUTE, true, true},
+                 {0, -0.041f, 0, DM_JOINT_REVOLUTE, false, true},
+                 {0, 0, 3, DM_JOINT_REVOLUTE, true, true},
+                 {0.0199f, 0, 0, DM_JOINT_REVOLUTE, true, true},
+                 {0.0201f, 0, 0, DM_JOINT_REVOLUTE, false, false},
+                 {3.14159265f, 0.03f, 0, DM_JOINT_REVOLUTE, true, true},
+                 {0, 0, 0, DM_JOINT_SCREW, false, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        dm_joint other = door;
+        other.axis = (dm_vec3){sinf(cases[i].angle), -cosf(cases[i].angle), 0};
+        other.origin.x += cases[i].x, other.origin.y += cases[i].y;
+        other.type = cases[i].type;
+        assert_int_equal(dmi_joints_alike(&door, &other, 2), cases[i].alike);
+        dm_joint slide = door, along = other;
+        slide.type = DM_JOINT_PRISMATIC;
+        if (other.type == DM_JOINT_REVOLUTE) along.type = DM_JOINT_PRISMATIC;
+        assert_int_equal(dmi_joints_alike(&slide, &along, 2), cases[i].slides_alike);
+    }
+}
+
+/* A range that begins within 1/20 of itself from rest lies on one side; where too little of the other side is free, it
+ * is blocked: less than a quarter. */
+static void a_range_has_a_side_and_maybe_a_blocked_one(void** state) {
+    (void)state;
+    const dmi_grasp grasp = grasp_of(1, (dmi_limit_give){0});
+    const struct {
+        float lower, upper, side;
+    } cases[] = {{0, 1, 1},
+                 {-1, 0, -1},
+                 {-0.5f, 0.5f, 0},
+                 {0.049f, 1.049f, 1},
+                 {0.051f, 1.051f, 0},
+                 {-0.049f, 0.951f, 1},
+                 {-0.051f, 0.949f, 0},
+                 {-0.951f, 0.049f, -1},
+                 {-0.949f, 0.051f, 0},
+                 {1, 1, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const dm_joint slide = {
+            .type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = cases[i].lower, .upper = cases[i].upper};
+        for (int blocked = 0; blocked < 2; blocked++) {
+            const float room = blocked ? 0.249f : 0.251f;
+            const dmi_free_range range = cases[i].side > 0 ? (dmi_free_range){-room, 9} : (dmi_free_range){-9, room};
+            const dmi_joint_hypothesis hypothesis = made(&grasp, &slide, range);
+            assert_near(hypothesis.side, cases[i].side, 0);
+            assert_int_equal(hypothesis.other_side_blocked, blocked && cases[i].side != 0);
+            for (int sign = -1; sign <= 1; sign++)
+                assert_int_equal(dmi_joint_hypothesis_is_pushed_shut(&hypothesis, 0.1f * (float)sign),
+                                 blocked && cases[i].side * (float)sign < 0);
+        }
+    }
+}
+
+static void a_pull_reaches_beyond_estimates_alone(void** state) {
+    (void)state;
+    const struct {
+        int kind;
+        dmi_limit_give give;
+        float lower, upper;
+    } cases[] = {{DOOR, {0, 3}, 0, 2 + 6.2831853f}, {DRAWER, {0, 3}, 0, 3.6f},           {DRAWER, {0.5f, 3}, 0, 0.9f},
+                 {DRAWER, {-1, 3}, 0, 0.6f},        {BOTH, {0.25f, 3}, -1.6f, 2},        {SCREW, {0.1f, 3}, -3.3f, 0},
+                 {DOWN, {0, 2}, -2.5f, 0},          {WHEEL, {0, 3}, -INFINITY, INFINITY}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const dmi_grasp grasp = grasp_of(1, cases[i].give);
+        const dmi_joint_hypothesis hypothesis = made(&grasp, &kinds[cases[i].kind], dmi_unbounded_range());
+        float lower, upper;
+        dmi_joint_reachable_range(&kinds[cases[i].kind], cases[i].give, &lower, &upper);
+        if (lower > -INFINITY) assert_near(lower, cases[i].lower, 1e-6);
+        if (upper < INFINITY) assert_near(upper, cases[i].upper, 1e-6);
+        assert_true((lower == -INFINITY) == (cases[i].lower == -INFINITY) &&
+                    (upper == INFINITY) == (cases[i].upper == INFINITY));
+        dmi_joint_hypothesis_range(&grasp, &hypothesis, &lower, &upper);
+        const float most = fmaxf(-cases[i].lower, cases[i].upper);
+        const bool one_side = hypothesis.side != 0;
+        if (upper < INFINITY) assert_near(upper, one_side ? most : cases[i].upper, 1e-6);
+        if (lower > -INFINITY) assert_near(lower, one_side ? -most : cases[i].lower, 1e-6);
+    }
+    dmi_grasp grasp = grasp_of(1, (dmi_limit_give){0, 3});
+    dmi_joint_hypothesis unknown =
+        dmi_joint_hypothesis_make(&grasp, &kinds[DRAWER], 0, true, (dmi_free_range){-0.2f, 5});
+    float lower, upper;
+    dmi_joint_hypothesis_range(&grasp, &unknown, &lower, &upper);
+    assert_true(lower == -0.2f && upper == 5);
+    for (int grabbed = 0; grabbed < 2; grabbed++) { /* a slide seen end on tells nothing of its limits */
+        for (int kind = DOOR; kind <= DRAWER; kind++) {
+            const float toward = kind == DOOR ? 0.025f : 0, way[3] = {toward, 0, 1};
+            dmi_joint_hypothesis seen = made(&grasp, &kinds[kind], dmi_unbounded_range());
+            seen.grabbed = grabbed;
+            memcpy(grasp.pull.pointer.sight, way, sizeof way);
+            dmi_joint_hypothesis_range(&grasp, &seen, &lower, &upper);
+            const bool stated = grabbed && kind == DRAWER;
+            assert_near(upper, stated ? 0.6f : kind == DRAWER ? 3.6f : 2 + 6.2831853f, 1e-5);
+            assert_near(lower, stated ? 0 : -upper, 0);
+            assert_near(dmi_joint_hypothesis_log_likelihood(&grasp, &seen, 0), 0, 0);
+            if (grabbed) assert_near(dmi_joint_hypothesis_log_likelihood(&grasp, &seen, 1), 0, 0);
+        }
+    }
+}
+
+/* A power law of the miss over what a right joint has: 1/100 of the pull and 3/2000 of the part. */
+static void a_miss_counts_by_a_power_law(void** state) {
+    (void)state;
+    for (float size = 0.5f; size < 3; size *= 2) {
+        dmi_grasp grasp = grasp_of(size, (dmi_limit_give){0});
+        const dm_ray ray = {{handle[0] + 0.3f, handle[1], 5}, {0, 0, -1}};
+        dmi_grasp_add(&grasp, &ray);
+        const double expected = 0.01 * 0.3 + 0.0015 * (double)size;
+        assert_near(dmi_expected_residual(&grasp), expected, 1e-7);
+        assert_near(grasp.straight_log_likelihood, -4.5, 1e-6); /* nothing bends it */
+        const dmi_joint_hypothesis slide = made(&grasp, &kinds[DRAWER], dmi_unbounded_range()),
+                                   turn = made(&grasp, &kinds[DOOR], dmi_unbounded_range());
+        for (int k = 0; k <= 20; k++) {
+            const double miss = 0.02 * k * k / 20, followed = -3.5 * log(1 + miss / expected);
+            assert_near(dmi_joint_hypothesis_log_likelihood(&grasp, &slide, (float)miss), followed, 1e-4);
+            /* The pointer lies on no chord of the door that turns towards the eye. */
+            const bool on_chord = dmi_pull_is_on_chord(&grasp.pull, &turn.joint);
+            const double both = followed > -1.5 ? followed : log(exp(followed) + exp(-4.5));
+            assert_near(dmi_joint_hypothesis_log_likelihood(&grasp, &turn, (float)miss), on_chord ? both : followed,
+                        1e-4);
+        }
+    }
+    dmi_grasp grasp = grasp_of(1, (dmi_limit_give){0}); /* along a chord of the door, seen from above */
+    grasp.pull.projection = DMI_PARALLEL;
+    const dmi_joint_hypothesis turn = made(&grasp, &kinds[DOOR], dmi_unbounded_range());
+    for (int k = 1; k <= 5; k++) {
+        float end[3], at[3];
+        point_on(&kinds[DOOR], 1.2f, end);
+        for (int i = 0; i < 3; i++) at[i] = handle[i] + 0.2f * (float)k * (end[i] - handle[i]);
+        const dm_ray ray = {{at[0], at[1] + 5, at[2]}, {0, -1, 0}};
+        dmi_grasp_add(&grasp, &ray);
+    }
+    assert_true(dmi_pull_is_on_chord(&grasp.pull, &turn.joint));
+    const double expected = (double)dmi_expected_residual(&grasp), straight = (double)grasp.straight_log_likelihood;
+    assert_near(straight, -4.5 - 3.5 * log(1 + (double)grasp.pull.bend / expected), 1e-5);
+    for (int k = 0; k <= 30; k++) {
+        const double miss = 0.002 * k, followed = -3.5 * log(1 + miss / expected);
+        const double wanted =
+            followed > -1.5 || followed > straight + 3 ? followed : log(exp(followed) + exp(straight));
+        assert_near(dmi_joint_hypothesis_log_likelihood(&grasp, &turn, (float)miss), wanted, 1e-4);
+    }
+}
+
+/* The side that the pull went to most is its side: to leave the stated one it must go 3.5 times what exceeds a jostle
+ * of 0.15 of the part, to come back half. */
+static void a_side_costs_by_how_far_the_pull_went(void** state) {
+    (void)state;
+    const float size = 1.5f;
+    const dmi_grasp grasp = grasp_of(size, (dmi_limit_give){0});
+    const double arms[] = {hypot((double)handle[0] + 0.5, (double)handle[2]), 1,
+                           hypot((double)handle[0] - 0.5, (double)handle[2])};
+    const int which[] = {DOOR, DRAWER, SCREW};
+    for (int i = 0; i < 3; i++) {
+        for (int far = 0; far < 2; far++) {
+            for (int blocked = 0; blocked < 2; blocked++) {
+                dmi_joint_hypothesis hypothesis = made(&grasp, &kinds[which[i]], dmi_unbounded_range());
+                const float side = hypothesis.side;
+                hypothesis.other_side_blocked = blocked;
+                hypothesis.excursion[side > 0] = far ? 0.5f : 0.1f; /* on the stated side */
+                hypothesis.excursion[side < 0] = 0.3f;
+                const double jostle = 0.15 * (double)size / arms[i], was = far ? 0.5 : 0.1;
+                const double out = was > jostle ? jostle + 3.5 * (was - jostle) : was, back = 0.5 * 0.3;
+                for (int k = -40; k <= 40; k++) {
+                    const float value = 0.05f * (float)k;
+                    const bool leaves = side * value < 0;
+                    const double limit = leaves ? out : back, less = limit - fabs((double)value);
+                    double wanted = (less > 0 ? -4 * less / limit : 0) + (leaves ? -0.2 : 0);
+                    if (blocked) wanted = leaves ? -1.5 : 0;
+                    assert_near(dmi_joint_hypothesis_side_log_prior(&grasp, &hypothesis, value), wanted, 1e-4);
+                }
+            }
+        }
+    }
+    const dmi_joint_hypothesis both = made(&grasp, &kinds[BOTH], dmi_unbounded_range());
+    assert_near(dmi_joint_hypothesis_side_log_prior(&grasp, &both, -0.5f), 0, 0);
+}
+
+/* A joint gets the side of the pull unless that is blocked; one without a range gets it inside what is free. */
+static void a_joint_adopts_the_side_of_the_pull(void** state) {
+    (void)state;
+    const dmi_grasp grasp = grasp_of(2, (dmi_limit_give){0});
+    for (int sign = -1; sign <= 1; sign += 2) {
+        dmi_joint_hypothesis door = made(&grasp, &kinds[DOOR], dmi_unbounded_range()), blocked = door,
+                             both = made(&grasp, &kinds[BOTH], dmi_unbounded_range());
+        door.pointer_value = blocked.pointer_value = both.pointer_value = 0.3f * (float)sign;
+        blocked.other_side_blocked = true;
+        assert_int_equal(dmi_joint_hypothesis_adopt_side(&door, 2), sign < 0);
+        assert_true(door.joint.lower == (sign < 0 ? -2.0f : 0) && door.joint.upper == (sign < 0 ? 0 : 2.0f));
+        assert_false(dmi_joint_hypothesis_adopt_side(&blocked, 2));
+        assert_true(blocked.joint.lower == 0 && blocked.joint.upper == 2);
+        assert_false(dmi_joint_hypothesis_adopt_side(&both, 2));
+        for (int tight = 0; tight < 2; tight++) {
+            const dmi_free_range room = tight ? (dmi_free_range){-0.7f, 0.4f} : dmi_unbounded_range();
+            dmi_joint_hypothesis slide = dmi_joint_hypothesis_make(&grasp, &kinds[DRAWER], 0, true, room),
+                                 turn = dmi_joint_hypothesis_make(&grasp, &kinds[DOOR], 0, true, room);
+            slide.pointer_value = turn.pointer_value = 0.3f * (float)sign;
+            assert_false(dmi_joint_hypothesis_adopt_side(&slide, 2) || dmi_joint_hypothesis_adopt_side(&turn, 2));
+            assert_near(slide.joint.lower, sign > 0 ? 0 : tight ? -0.7f : -2, 0);
+            assert_near(slide.joint.upper, sign < 0 ? 0 : tight ? 0.4f : 2, 0);
+            assert_near(slide.side, sign, 0);
+            assert_false(slide.range_unknown || turn.range_unknown);
+            assert_int_equal(turn.joint.type, tight ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS);
+            assert_near(turn.joint.lower, tight ? -0.7 : -3.14159265, 1e-6);
+            assert_near(turn.joint.upper, tight ? 0.4 : 3.14159265, 1e-6);
+        }
+    }
+}
+
+/* What a ray adds up to, from the parts above; the value is followed on both sides of rest. */
+static void a_posterior_is_the_sum_of_its_parts(void** state) {
+    (void)state;
+    for (int kind = DRAWER; kind <= BOTH; kind++) {
+        dmi_grasp grasp = grasp_of(1, (dmi_limit_give){0, 4});
+        grasp.pull.projection = DMI_PERSPECTIVE;
+        dmi_joint_hypothesis hypothesis = made(&grasp, &kinds[kind], dmi_unbounded_range());
+        hypothesis.log_prior = -0.7f, hypothesis.shift_cost = 0.3f;
+        double worst = 0, reached[2] = {0};
+        for (int k = 1; k <= 30; k++) {
+            const float value = 0.02f * (float)(k < 20 ? k : 40 - 2 * k);
+            float point[3], there[3];
+            point_on(&kinds[kind], value, point);
+            point[1] += 0.02f * sinf(0.4f * (float)k);
+            dm_ray ray = ray_to(eye, point);
+            dmi_float3 direction = dmi_xyz(ray.direction);
+            dmi_normalize3(direction.v);
+            ray.direction = dmi_vec3(direction.v);
+            dmi_grasp_add(&grasp, &ray);
+            const float got = dmi_joint_hypothesis_update(&grasp, &hypothesis, &ray);
+            point_on(&kinds[kind], value, there);
+            const float as_drawn = dmi_pull_residual(&grasp.pull, &ray, there);
+            point_on(&kinds[kind], hypothesis.pointer_value, there);
+            assert_true(dmi_pull_residual(&grasp.pull, &ray, there) < as_drawn + 1e-3f);
+            worst = fmax(worst, (double)dmi_pull_residual(&grasp.pull, &ray, there));
+            const int above = hypothesis.pointer_value > 0;
+            reached[above] = fmax(reached[above], fabs((double)hypothesis.pointer_value));
+            assert_near(hypothesis.max_residual, worst, 1e-5);
+            assert_near(hypothesis.excursion[0], reached[0], 0);
+            assert_near(hypothesis.excursion[1], reached[1], 0);
+            const double likelihood = (double)dmi_joint_hypothesis_log_likelihood(&grasp, &hypothesis, (float)worst);
+            const double side =
+                (double)dmi_joint_hypothesis_side_log_prior(&grasp, &hypothesis, hypothesis.pointer_value);
+            assert_near(got, likelihood, 1e-3);
+            assert_near(hypothesis.log_posterior, -0.7 - 0.3 + side + likelihood, 1e-3);
+        }
+        assert_true(reached[0] > 0.2 && reached[1] > 0.2);
+    }
+}
+
+/* With each ray the active one and the three of the highest priority among the others; those that wait gain 0.05. */
+static void the_likeliest_are_updated(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(4, 4);
+    for (int i = 0; i < 100; i++) {
+        dmi_hypothesis_tracker tracker;
+        dmi_hypothesis_tracker_init(&tracker, joints, NULL, JOINTS, handle, 1, (dmi_limit_give){.length = 4});
+        add_slides(&tracker);
+        const uint32_t round = dmi_random_u32(&random) % 20 * 2, count = tracker.count;
+        float before[DMI_TRACKED_HYPOTHESES];
+        tracker.round = round; /* it is odd in the update: no axis is refined */
+        tracker.best = dmi_random_u32(&random) % count;
+        for (uint32_t k = 0; k < count; k++) before[k] = tracker.priority[k] = test_range(&random, -5, 0);
+        for (uint32_t k = 0; k < count; k++) tracker.list[k].log_posterior = k == tracker.best ? 50 : -1;
+        tracker.list[tracker.best].log_prior = 50;
+        const uint32_t best = tracker.best;
+        dm_ray ray = ray_to(eye, (const float[3]){handle[0] + 0.05f, handle[1] + 0.02f, handle[2] + 0.1f});
+        dmi_float3 direction = dmi_xyz(ray.direction);
+        dmi_normalize3(direction.v);
+        ray.direction = dmi_vec3(direction.v);
+        assert_false(dmi_hypothesis_tracker_update(&tracker, 0, &ray, DMI_PERSPECTIVE));
+        assert_int_equal(tracker.round, round + 1);
+        for (uint32_t k = 0; k < count; k++) {
+            uint32_t higher = 0;
+            for (uint32_t n = 0; n < count; n++) higher += n != best && before[n] > before[k];
+            const bool updated = k == best || higher < 3;
+            assert_near(tracker.priority[k],
+                        updated ? tracker.list[k].log_posterior - 0.05f * (float)(round + 1) : before[k], 1e-5);
+            if (!updated) assert_near(tracker.list[k].log_posterior, -1, 0);
+        }
+    }
+}
+
+/* If the stop at rest holds a part that is pulled the other way: a hand that has missed it by that much, or one that
+ * pushes on. */
+static void a_stop_explains_a_pull_the_other_way(void** state) {
+    (void)state;
+    for (int blocked = 0; blocked < 2; blocked++) {
+        for (int k = -6; k <= 6; k++) {
+            dmi_grasp grasp = grasp_of(1, (dmi_limit_give){0, 4});
+            grasp.pull.projection = DMI_PARALLEL;
+            const float value = 0.004f * (float)(k * abs(k));
+            float point[3];
+            point_on(&kinds[DRAWER], value, point);
+            const dm_ray ray = {{point[0], point[1] + 5, point[2]}, {0, -1, 0}};
+            dmi_joint_hypothesis hypothesis = made(&grasp, &kinds[DRAWER], dmi_unbounded_range());
+            hypothesis.log_prior = -0.7f, hypothesis.shift_cost = 0.3f, hypothesis.other_side_blocked = blocked;
+            dmi_grasp_add(&grasp, &ray);
+            const double at_stop = (double)dmi_joint_hypothesis_update_active(&grasp, &hypothesis, 9, &ray);
+            const double missed = -3.5 * log(1 + fabs((double)value) / (double)dmi_expected_residual(&grasp));
+            assert_near(hypothesis.pointer_value, value, 1e-5); /* followed on both sides, not at the 9 */
+            const double followed =
+                (double)dmi_joint_hypothesis_log_likelihood(&grasp, &hypothesis, hypothesis.max_residual);
+            if (k < 0 && !blocked)
+                assert_near(at_stop, -0.7 - 0.3 + fmax(missed, -1.5 + followed), 1e-3);
+            else
+                assert_near(at_stop, hypothesis.log_posterior, 0);
+        }
+    }
+    dmi_grasp grasp = grasp_of(1, (dmi_limit_give){0, 4});
+    const dm_ray ray = {{handle[0], handle[1], 5}, {0, 0, -1}};
+    dmi_joint_hypothesis both = made(&grasp, &kinds[BOTH], dmi_unbounded_range());
+    dmi_grasp_add(&grasp, &ray);
+    dmi_joint_hypothesis_update_active(&grasp, &both, 0.25f, &ray);
+    assert_near(both.pointer_value, 0.25f, 0);
+}
+
+/* The share of the active one among all; 1 where there is none other. */
+static void a_confidence_is_a_share_of_all(void** state) {
+    (void)state;
+    dmi_hypothesis_tracker tracker;
+    dmi_hypothesis_tracker_init(&tracker, joints, NULL, 0, handle, 1, (dmi_limit_give){.length = 4});
+    assert_near(dmi_hypothesis_tracker_confidence(&tracker), 1, 0);
+    dmi_hypothesis_tracker_init(&tracker, joints, NULL, 3, handle, 1, (dmi_limit_give){.length = 4});
+    assert_true(tracker.list[0].grabbed && !tracker.list[1].grabbed && !tracker.list[2].grabbed);
+    const float logs[] = {-1, 0.5f, -3};
+    for (int i = 0; i < 3; i++) tracker.list[i].log_posterior = logs[i];
+    for (uint32_t best = 0; best < 3; best++) {
+        tracker.best = best;
+        assert_near(dmi_hypothesis_tracker_confidence(&tracker),
+                    exp((double)logs[best]) / (exp(-1) + exp(0.5) + exp(-3)), 1e-6);
+    }
+}
+
+/* An alternative has no range and lower odds; a last resort goes as far as the part is large, in what is free. */
+static void further_joints_have_their_odds_and_ranges(void** state) {
+    (void)state;
+    dmi_hypothesis_tracker tracker;
+    dmi_hypothesis_tracker_init(&tracker, joints, NULL, 1, handle, 2, (dmi_limit_give){.length = 4});
+    dm_joint other = kinds[BOTH];
+    other.joint_confidence = 0.3f;
+    const uint32_t first = tracker.count;
+    dmi_hypothesis_tracker_add_alternative(&tracker, &other, (dmi_free_range){-0.5f, 0.6f});
+    assert_int_equal(tracker.count, first + 1);
+    const dmi_joint_hypothesis* added = &tracker.list[first];
+    assert_near(added->log_prior, log(0.3 / 0.7) - 0.35 + (double)dmi_lever_arm_log_prior(&tracker.grasp, &other),
+                1e-5);
+    assert_true(added->range_unknown && added->joint.lower == 0 && added->joint.upper == 0 && added->side == 0);
+    dmi_hypothesis_tracker_add_alternative(&tracker, &other, dmi_unbounded_range()); /* one alike is known */
+    assert_int_equal(tracker.count, first + 1);
+    const dm_vec3 axes[2] = {{1, 0, 0}, {0, 1, 0}};
+    dmi_hypothesis_tracker_add_slide(&tracker, axes[0], (dmi_free_range){-0.5f, 9});
+    assert_int_equal(tracker.count, first + 2);
+    const dmi_joint_hypothesis* slide = &tracker.list[first + 1];
+    assert_true(slide->joint.lower == -0.5f && slide->joint.upper == 2 && !slide->range_unknown);
+    assert_near(slide->log_prior, -6.5, 0);
+    assert_near3(dmi_xyz(slide->joint.origin).v, handle, 0);
+    dmi_hypothesis_tracker_add_slide(&tracker, axes[1], (dmi_free_range){0, 0}); /* no room at all */
+    assert_int_equal(tracker.count, first + 2);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_pull_tells_the_joint),
@@ -354,6 +776,19 @@ int main(void) {
         cmocka_unit_test(an_alternative_takes_over),
         cmocka_unit_test(no_turn_about_the_grabbed_point),
         cmocka_unit_test(what_is_no_number_is_not_waited_for),
+        cmocka_unit_test(odds_are_those_of_the_confidence),
+        cmocka_unit_test(a_short_lever_lowers_the_prior),
+        cmocka_unit_test(joints_alike_are_within_their_tolerances),
+        cmocka_unit_test(a_range_has_a_side_and_maybe_a_blocked_one),
+        cmocka_unit_test(a_pull_reaches_beyond_estimates_alone),
+        cmocka_unit_test(a_miss_counts_by_a_power_law),
+        cmocka_unit_test(a_side_costs_by_how_far_the_pull_went),
+        cmocka_unit_test(a_joint_adopts_the_side_of_the_pull),
+        cmocka_unit_test(a_posterior_is_the_sum_of_its_parts),
+        cmocka_unit_test(the_likeliest_are_updated),
+        cmocka_unit_test(a_stop_explains_a_pull_the_other_way),
+        cmocka_unit_test(a_confidence_is_a_share_of_all),
+        cmocka_unit_test(further_joints_have_their_odds_and_ranges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
