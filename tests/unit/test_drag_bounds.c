@@ -174,6 +174,141 @@ static void bounds_hold_whatever_comes(void** state) {
     }
 }
 
+/* ---- one step against its formulas ---- */
+
+/* The farthest way of a part in small steps: faster by the acceleration up to the highest speed. */
+static double farthest(double speed, double gain, double most, double dt, double* end) {
+    enum { STEPS = 20000 };
+    double way = 0;
+    speed = fmin(speed, most);
+    for (int i = 0; i < STEPS; i++) {
+        const double next = gain > 0 ? fmin(speed + gain * dt / STEPS, most) : most;
+        way += 0.5 * (gain > 0 ? speed + next : 2 * most) * dt / STEPS;
+        speed = next;
+    }
+    *end = speed;
+    return way;
+}
+
+static void a_step_goes_as_far_as_speed_and_force_allow(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(1, 3);
+    for (int i = 0; i < 200; i++) {
+        const dmi_rules rules = {.on = true,
+                                 .max_speed = i % 3 ? test_range(&random, 0.3f, 2) : 0,
+                                 .max_acceleration = i % 3 != 1 ? test_range(&random, 1, 9) : 0};
+        const dmi_bounds none = {-INFINITY, INFINITY};
+        const float dt = test_range(&random, 0.01f, 0.5f), before = test_range(&random, -1, 1);
+        const float speed = test_range(&random, -2, 2), side = i % 2 ? -1.0f : 1.0f;
+        double end;
+        const double most = rules.max_speed > 0 ? (double)rules.max_speed : INFINITY;
+        const double way =
+            farthest(fmax((double)(side * speed), 0), (double)rules.max_acceleration, most, (double)dt, &end);
+        for (int far = 0; far < 2; far++) {
+            const float asked = before + side * (float)way * (far ? 1.01f : 0.99f);
+            float value = asked, velocity = 77;
+            assert_int_equal(dmi_limit_step(&rules, none, before, speed, dt, &value, &velocity), far);
+            assert_near(value, far ? (double)before + (double)side * way : (double)asked, 1e-5);
+            assert_near(velocity, far ? (double)side * end : 77, 1e-4);
+        }
+    }
+}
+
+/* Within bounds, all but what halves each 20 ms of the way to them; from outside, at least so much of the way back. */
+static void bounds_are_come_to_by_halves(void** state) {
+    (void)state;
+    const dmi_rules rules = {.on = true};
+    const dmi_bounds bounds = {-0.5f, 1};
+    for (int k = 1; k <= 8; k++) {
+        const float dt = 0.01f * (float)k;
+        const double share = 1 - exp2(-(double)dt / 0.02);
+        const struct {
+            float before, asked;
+            double value;
+        } cases[] = {{0.2f, 3, 0.2 + 0.8 * share},
+                     {0.2f, -3, 0.2 - 0.7 * share},
+                     {0.2f, 0.2001f, 0.2001},
+                     {0.2f, 0.2f, 0.2},
+                     {2, 2, 2 - share},
+                     {2, 3, 2 - share},
+                     {2, -0.4f, -0.4},
+                     {-1, -1, -1 + 0.5 * share},
+                     {1, 2, 1},
+                     {-0.5f, -2, -0.5},
+                     {1, 0.9f, 0.9}};
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            if (i == 6 && -0.4 < 2 - 2.5 * share) continue; /* no farther than the share of the way to the other one */
+            float value = cases[i].asked, velocity = 5;
+            const bool changed = dmi_limit_step(&rules, bounds, cases[i].before, 0, dt, &value, &velocity);
+            assert_near(value, cases[i].value, 1e-6);
+            assert_int_equal(changed, fabs((double)cases[i].asked - cases[i].value) > 1e-6);
+            assert_near(velocity, changed ? (cases[i].value - (double)cases[i].before) / (double)dt : 5, 1e-3);
+        }
+        float value = 0.7f, velocity = 5;
+        assert_false(dmi_limit_step(&rules, (dmi_bounds){-INFINITY, INFINITY}, 0, 0, dt, &value, &velocity));
+        assert_true(dmi_limit_step(&rules, (dmi_bounds){-INFINITY, 0.1f}, 0, 0, dt, &value, &velocity));
+        value = -0.7f;
+        assert_true(dmi_limit_step(&rules, (dmi_bounds){-0.1f, INFINITY}, 0, 0, dt, &value, &velocity));
+    }
+    float value = 0.7f, velocity = 5; /* no time: nowhere, and no speed of it */
+    assert_true(dmi_limit_step(&rules, bounds, 0.2f, 0, 0, &value, &velocity));
+    assert_true(value == 0.2f && velocity == 5);
+    assert_near(dmi_bounds_clamp(bounds, 2), 1, 0);
+    assert_near(dmi_bounds_clamp(bounds, -2), -0.5, 0);
+    assert_near(dmi_bounds_clamp(bounds, 0.3f), 0.3f, 0);
+}
+
+/* Held from 1/200 of the range before the bound on, and to 1/50; only by what asks for more. */
+static void a_bound_holds_what_asks_for_more(void** state) {
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        const float s = (float)side;
+        const dmi_bounds bounds = {side > 0 ? -INFINITY : -1, side > 0 ? 1 : INFINITY};
+        assert_true(dmi_bounds_hold(bounds, 0.981f * s, 1.1f * s, 4, false));
+        assert_false(dmi_bounds_hold(bounds, 0.979f * s, 1.1f * s, 4, false));
+        assert_true(dmi_bounds_hold(bounds, 0.921f * s, 1.1f * s, 4, true));
+        assert_false(dmi_bounds_hold(bounds, 0.919f * s, 1.1f * s, 4, true));
+        assert_false(dmi_bounds_hold(bounds, s, s, 4, true));
+        assert_false(dmi_bounds_hold(bounds, s, 0.9f * s, 4, true));
+        assert_true(dmi_bounds_hold(bounds, 1.2f * s, 1.3f * s, 4, false));
+    }
+}
+
+/* What a part is behind the hand halves each tenth of a second, unless the hand comes to it. */
+static void a_lag_halves(void** state) {
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        const float s = (float)side;
+        assert_near(dmi_catch_up(0.8f * s, 0.2f * s, -0.6f * s, 0.1f), 0.5 * (double)s, 1e-6);
+        assert_near(dmi_catch_up(0.8f * s, 0.2f * s, -0.6f * s, 0.2f), 0.65 * (double)s, 1e-6);
+        assert_near(dmi_catch_up(0.9f * s, 0.2f * s, -0.6f * s, 0.1f), 0.6 * (double)s, 1e-6); /* the hand's own way */
+        assert_near(dmi_catch_up(0.6f * s, 0.2f * s, -0.6f * s, 0.1f), 0.4 * (double)s, 1e-6); /* it came nearer */
+        assert_near(dmi_catch_up(0.1f * s, 0.2f * s, -0.6f * s, 0.1f), 0.1f * s, 0);           /* past the part */
+        assert_near(dmi_catch_up(0.8f * s, 0.2f * s, 0, 0.1f), 0.8f * s, 0);
+        assert_near(dmi_catch_up(0.2f * s, 0.2f * s, -0.6f * s, 0.1f), 0.2f * s, 0);
+    }
+}
+
+/* A hand as far off as is allowed holds on; a hair more, and it lets go. */
+static void a_hand_lets_go_beyond_its_distance(void** state) {
+    (void)state;
+    for (int far = 0; far < 2; far++) {
+        const dm_drag_feel feel = {.smoothing_time = -1};
+        const dm_drag_rules rules = {.struct_size = sizeof rules, .break_distance = 0.25f};
+        const float at = far ? 1.25001f : 1.25f;
+        dm_drag_input input = {.struct_size = sizeof input, .hand = {.kind = DM_HAND_POINT, .point = {1, 0, 0}}};
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        test_begin(&drag, &test_slide, 1, &feel, &rules);
+        dmi_drag_step(&drag, &input, 0.01f, &now);
+        input.hand.point.x = at;
+        dmi_drag_step(&drag, &input, 0.01f, &now);
+        assert_int_equal(now.phase != DM_DRAG_HELD, far);
+        assert_int_equal((now.events & DM_EVENT_LET_GO) != 0, far);
+        assert_near(now.value, 1, 0);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_part_is_faster_than_allowed),
@@ -185,6 +320,11 @@ int main(void) {
         cmocka_unit_test(a_blocked_release_waits),
         cmocka_unit_test(a_block_leaves_estimated_limits),
         cmocka_unit_test(bounds_hold_whatever_comes),
+        cmocka_unit_test(a_step_goes_as_far_as_speed_and_force_allow),
+        cmocka_unit_test(bounds_are_come_to_by_halves),
+        cmocka_unit_test(a_bound_holds_what_asks_for_more),
+        cmocka_unit_test(a_lag_halves),
+        cmocka_unit_test(a_hand_lets_go_beyond_its_distance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -203,6 +203,114 @@ static void a_lock_is_no_evidence(void** state) {
     assert_true(drag.joint.upper == 1 && now.value < 0.011f);
 }
 
+/* ---- thresholds, at both sides ---- */
+
+static dmi_rules latch_rules(uint32_t flags, float give) {
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules given = {.struct_size = sizeof given, .flags = flags, .lock_give = give, .latch_turn = 0.5f};
+    return dmi_rules_from(&given, &feel, &test_slide, false, 1);
+}
+
+/* Within 1/100 of the range from rest, wherever that is. */
+static void a_latch_catches_near_rest(void** state) {
+    (void)state;
+    const dmi_rules rules = latch_rules(DM_RULE_LATCH, 0), none = latch_rules(0, 0);
+    const dm_joint joints[3] = {{.type = DM_JOINT_PRISMATIC, .lower = 0, .upper = 4},
+                                {.type = DM_JOINT_PRISMATIC, .lower = -3, .upper = 1},
+                                {.type = DM_JOINT_PRISMATIC, .lower = 2, .upper = 6}};
+    const float rests[3] = {0, 0, 2}, no_handles[2] = {0, 0};
+    for (int i = 0; i < 3; i++) {
+        for (int side = i == 1 ? -1 : 1; side <= 1; side += 2) {
+            for (int far = 0; far < 2; far++) {
+                const float value = rests[i] + (float)side * (far ? 0.0401f : 0.0399f);
+                dmi_latch latch = dmi_latch_begin(&rules, &joints[i], value),
+                          without = dmi_latch_begin(&none, &joints[i], value);
+                assert_int_equal(latch.closed, !far);
+                assert_false(without.closed);
+                latch = (dmi_latch){0};
+                const uint32_t events = dmi_latch_update(&latch, &rules, &joints[i], value, false, no_handles);
+                assert_int_equal(events, far ? 0 : DM_EVENT_LATCHED);
+                if (!far) assert_near(latch.at, rests[i], 0);
+                assert_int_equal(dmi_latch_holds(&latch), !far);
+                assert_int_equal(dmi_latch_update(&without, &none, &joints[i], value, false, no_handles), 0);
+            }
+        }
+    }
+}
+
+static void either_handle_turns_either_way(void** state) {
+    (void)state;
+    const dmi_rules rules = latch_rules(DM_RULE_LATCH, 0);
+    for (int which = 0; which < 2; which++) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const struct {
+                float turn;
+                uint32_t events;
+            } steps[] = {{0.499f, 0}, {0.5f, DM_EVENT_UNLATCHED}, {0.401f, 0}, {0.399f, DM_EVENT_LATCHED}, {0.499f, 0}};
+            dmi_latch latch = dmi_latch_begin(&rules, &test_slide, 0);
+            for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+                float handles[2] = {0.1f, 0.1f};
+                handles[which] = (float)sign * steps[i].turn;
+                assert_int_equal(dmi_latch_update(&latch, &rules, &test_slide, 0, false, handles), steps[i].events);
+            }
+        }
+    }
+}
+
+/* A lock holds the part where it is as it is locked, until it is not. */
+static void a_lock_holds_where_the_part_was(void** state) {
+    (void)state;
+    const dmi_rules rules = latch_rules(0, 0), locked = latch_rules(DM_RULE_LOCKED, 0);
+    const float no_handles[2] = {0, 0};
+    dmi_latch latch = dmi_latch_begin(&rules, &test_slide, 0.3f);
+    dmi_latch_update(&latch, &rules, &test_slide, 0.3f, true, no_handles);
+    dmi_latch_update(&latch, &rules, &test_slide, 0.305f, true, no_handles);
+    assert_true(dmi_latch_holds(&latch) && latch.at == 0.3f);
+    dmi_latch_update(&latch, &rules, &test_slide, 0.305f, false, no_handles);
+    assert_false(dmi_latch_holds(&latch));
+    dmi_latch_update(&latch, &rules, &test_slide, 0.6f, true, no_handles);
+    assert_true(latch.at == 0.6f);
+    latch = dmi_latch_begin(&locked, &test_slide, 0.4f);
+    dmi_latch_update(&latch, &locked, &test_slide, 0.4f, false, no_handles);
+    assert_true(dmi_latch_holds(&latch) && latch.at == 0.4f);
+}
+
+/* Less and less is given, most never: at as much asked as that, half. A try is twice of it, or of 1/100 of the range;
+ * less than once ends it. */
+static void what_is_held_gives_and_is_tried(void** state) {
+    (void)state;
+    const float gives[] = {-1, 0, 0.05f};
+    for (int i = 0; i < 3; i++) {
+        const dmi_rules rules = latch_rules(DM_RULE_LOCKED, gives[i]);
+        const double most = i == 0 ? 0 : i == 1 ? 0.01 : 0.05, threshold = fmax(most, 0.01);
+        for (int side = -1; side <= 1; side += 2) {
+            dmi_latch latch = {.locked = true, .at = 0.5f};
+            const float s = (float)side;
+            for (int k = 0; k <= 20; k++) {
+                const double off = 0.01 * k;
+                const double given = most > 0 ? most * off / (most + off) : 0;
+                assert_near(dmi_latch_give(&latch, &rules, &test_slide, 0.5f + s * (float)off), 0.5 + (double)s * given,
+                            1e-6);
+            }
+            const struct {
+                double off;
+                uint32_t events;
+                bool tried;
+            } steps[] = {
+                {1.99, 0, false}, {2.01, DM_EVENT_LOCKED, true}, {3, 0, true}, {1.01, 0, true}, {0.99, 0, false},
+                {1.99, 0, false}, {2.01, DM_EVENT_LOCKED, true}};
+            for (size_t k = 0; k < sizeof steps / sizeof *steps; k++) {
+                const float asked = 0.5f + s * (float)(steps[k].off * threshold);
+                assert_int_equal(dmi_latch_try(&latch, &rules, &test_slide, asked), steps[k].events);
+                assert_int_equal(latch.tried, steps[k].tried);
+            }
+            latch.locked = false;
+            assert_int_equal(dmi_latch_try(&latch, &rules, &test_slide, 5), 0);
+            assert_false(latch.tried);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_locked_part_gives_a_little_and_says_so),
@@ -214,6 +322,10 @@ int main(void) {
         cmocka_unit_test(a_closer_waits),
         cmocka_unit_test(a_locked_release_waits),
         cmocka_unit_test(a_lock_is_no_evidence),
+        cmocka_unit_test(a_latch_catches_near_rest),
+        cmocka_unit_test(either_handle_turns_either_way),
+        cmocka_unit_test(a_lock_holds_where_the_part_was),
+        cmocka_unit_test(what_is_held_gives_and_is_tried),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -108,6 +108,51 @@ static void a_released_part_goes_to_a_snap_in_reach(void** state) {
     }
 }
 
+/* ---- against the formula ---- */
+
+/* Half-way to the next, no farther than the host says; a side without a next one reaches that far, or 1/20 of the
+ * range. */
+static double reach_of(int snap, bool upwards, double stated) {
+    const int next = upwards ? snap + 1 : snap - 1;
+    if (next < 0 || next > 2) return stated > 0 ? stated : 0.05;
+    const double half = 0.5 * fabs((double)places[next] - (double)places[snap]);
+    return stated > 0 ? fmin(stated, half) : half;
+}
+
+static void a_snap_pulls_by_a_sine_on_either_side(void** state) {
+    (void)state;
+    const float reaches[3] = {0, 0.04f, 0.5f}, pulls[3] = {0.4f, 0, 1};
+    for (int i = 0; i < 3; i++) {
+        const dm_drag_feel feel = {.detent_pull = pulls[i]};
+        const double pull = pulls[i] > 0 ? (double)pulls[i] : 0.7;
+        const dmi_rules rules = kept_rules(&feel, reaches[i]);
+        for (int k = -300; k <= 1300; k++) {
+            const double value = 0.001 * k + 0.0003;
+            int snap = 0;
+            for (int n = 1; n < 3; n++)
+                if (fabs(value - (double)places[n]) < fabs(value - (double)places[snap])) snap = n;
+            const double off = value - (double)places[snap], reach = reach_of(snap, off > 0, (double)reaches[i]);
+            const bool caught = fabs(off) < reach;
+            const double pi = 3.14159265358979,
+                         wanted = value - (caught ? pull * reach / pi * sin(pi * off / reach) : 0);
+            assert_near(dmi_snaps_pull(&rules.snaps, (float)value), wanted, 1e-6);
+            const double least = snap == 0 && off < 0 ? -1 : -0.5, most = snap == 2 && off > 0 ? 1 : 0.5;
+            assert_near(dmi_snaps_place(&rules.snaps, (float)value), snap + fmin(fmax(0.5 * off / reach, least), most),
+                        2e-4);
+            float found = -7;
+            assert_int_equal(dmi_snaps_catch(&rules.snaps, &test_slide, (float)value, &found), caught);
+            assert_near(found, caught ? places[snap] : -7, 0);
+            const dm_joint shorter = {.type = DM_JOINT_PRISMATIC, .lower = 0.25f, .upper = 0.75f};
+            assert_int_equal(dmi_snaps_catch(&rules.snaps, &shorter, (float)value, &found), caught && snap == 1);
+        }
+    }
+    const dmi_snaps none = {0};
+    float found = -7;
+    assert_near(dmi_snaps_pull(&none, 0.3f), 0.3f, 0);
+    assert_near(dmi_snaps_invert(&none, 0.3f), 0.3f, 0);
+    assert_false(dmi_snaps_catch(&none, &test_slide, 0.3f, &found));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_map_is_monotone_and_holds_at_snaps),
@@ -116,6 +161,7 @@ int main(void) {
         cmocka_unit_test(places_lie_between_snaps_and_beyond_the_outermost),
         cmocka_unit_test(snaps_passed_are_counted),
         cmocka_unit_test(a_released_part_goes_to_a_snap_in_reach),
+        cmocka_unit_test(a_snap_pulls_by_a_sine_on_either_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,6 +138,84 @@ static void any_tree_holds(void** state) {
     }
 }
 
+/* What a driven part is moved to, its driver comes along so that it stands there, offsets and beginnings included; one
+ * that has not moved off its offset leaves a driver that has not begun. */
+static void a_driver_comes_along_from_where_the_link_begins(void** state) {
+    (void)state;
+    const struct {
+        float ratio, offset, from, driver, driven, wanted;
+    } cases[] = {{2, 0.1f, 0, 0, 0.5f, 0.2f},       {2, 0.1f, 0.3f, 0, 0.5f, 0.5f}, {2, 0.1f, 0.3f, 0.2f, 0.1f, 0.2f},
+                 {2, 0.1f, 0.3f, 0.4f, 0.1f, 0.3f}, {-2, 0, -0.3f, 0, 0.4f, -0.5f}, {-2, 0, -0.3f, -0.1f, 0, -0.1f},
+                 {-2, 0, -0.3f, -0.4f, 0, -0.3f},   {0, 0.1f, 0, 0.7f, 0.5f, 0.7f}, {1, 0, 0, 0.7f, 5, 1},
+                 {1, 0.1f, 0, 0.2f, 0.1f, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        for (int both = 0; both < 2; both++) {
+            dmi_link link = link_of(0, 3, cases[i].ratio);
+            link.offset = cases[i].offset, link.from = cases[i].from, link.both_ways = both;
+            float values[PARTS] = {cases[i].driver, 0, 0, cases[i].driven, 0};
+            uint8_t changed[PARTS] = {0};
+            dmi_links_follow(&link, 1, all, 3, values, changed);
+            assert_near(values[0], both ? cases[i].wanted : cases[i].driver, 1e-6);
+            const bool moved = both && cases[i].wanted != cases[i].driver;
+            assert_int_equal(changed[0], moved);
+            assert_int_equal(changed[3], 1);
+            if (!moved) assert_near(values[3], cases[i].driven, 0);
+            if (moved) {
+                const double over = (double)cases[i].wanted - (double)cases[i].from;
+                assert_near(values[3], (double)cases[i].offset + (double)cases[i].ratio * over, 1e-6);
+            }
+        }
+    }
+}
+
+/* At its beginning a link that frees lets go, and one that holds takes hold, on either side of rest. */
+static void a_link_holds_from_its_beginning_on(void** state) {
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        for (int kind = 0; kind < 2; kind++) {
+            for (int k = -1; k <= 1; k++) {
+                dmi_link link = link_of(0, 1, 1);
+                link.kind = kind ? DM_LINK_HOLDS : DM_LINK_FREES, link.from = 0.5f * (float)side;
+                const float values[PARTS] = {(float)side * (0.5f + 0.001f * (float)k)};
+                uint8_t held[PARTS] = {7, 7, 7, 7, 7};
+                dmi_links_hold(&link, 1, values, held, PARTS);
+                assert_int_equal(held[1], kind ? k >= 0 : k < 0);
+                assert_true(held[0] == 0 && held[PARTS - 1] == 0);
+            }
+        }
+    }
+    const dmi_link moves = {.kind = DM_LINK_MOVES, .driver = 0, .driven = 1, .ratio = 1};
+    const float values[PARTS] = {1};
+    uint8_t held[PARTS];
+    dmi_links_hold(&moves, 1, values, held, PARTS);
+    assert_int_equal(held[1], 0);
+}
+
+/* However they are given, each link stands behind those that drive its driver. */
+static void an_order_puts_drivers_first(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(6, 0);
+    for (int round = 0; round < 200; round++) {
+        enum { MANY = 8 };
+        dmi_link links[MANY], scratch[MANY];
+        for (uint32_t i = 0; i < MANY; i++) links[i] = link_of(dmi_random_u32(&random) % (i + 1), i + 1, (float)i);
+        for (uint32_t i = MANY - 1; i > 0; i--) {
+            const uint32_t other = dmi_random_u32(&random) % (i + 1);
+            const dmi_link kept = links[i];
+            links[i] = links[other], links[other] = kept;
+        }
+        if (round % 2) links[3].kind = DM_LINK_HOLDS;
+        assert_true(dmi_links_order(links, MANY, scratch));
+        uint32_t seen = 0;
+        for (int i = 0; i < MANY; i++) {
+            seen |= 1u << links[i].driven;
+            for (int n = i + 1; n < MANY && links[i].kind == DM_LINK_MOVES; n++)
+                assert_false(links[n].kind == DM_LINK_MOVES && links[n].driven == links[i].driver);
+        }
+        assert_int_equal(seen, 0x1fe); /* none is lost */
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gears_go_on_from_one_to_the_next),
@@ -147,6 +225,9 @@ int main(void) {
         cmocka_unit_test(cycles_and_two_drivers_are_refused),
         cmocka_unit_test(one_drawer_at_a_time_and_handle_then_door),
         cmocka_unit_test(any_tree_holds),
+        cmocka_unit_test(a_driver_comes_along_from_where_the_link_begins),
+        cmocka_unit_test(a_link_holds_from_its_beginning_on),
+        cmocka_unit_test(an_order_puts_drivers_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
