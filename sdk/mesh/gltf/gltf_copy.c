@@ -120,10 +120,16 @@ static void set_limits(dmi_edit* e, const attribute* a, uint64_t count, cJSON* a
     dmi_edit_numbers(e, accessor, "max", high, made.components);
 }
 
+/* Whether bones have a say in the attribute, so that a placed copy has its own values. */
+static int is_placed(const char* name) {
+    return strcmp(name, "POSITION") == 0 || strcmp(name, "NORMAL") == 0 || strcmp(name, "TANGENT") == 0;
+}
+
 /* Adds the accessor of an attribute of the copy; like the file's, but for what is different. */
 static int32_t add_accessor(dmi_edit* e, const dmi_copy* copy, const attribute* a) {
-    static const char* const types[] = {[2] = "VEC2", [3] = "VEC3", [4] = "VEC4"};
     const cJSON* old = dmi_gltf_item(&e->from->document, DMI_GLTF_ACCESSORS, a->accessor);
+    const char* placed_type = a->from.components == 4 ? "VEC4" : "VEC3";
+    const char* type = copy->placed && is_placed(a->name) ? placed_type : dmi_json_text(old, "type");
     const int32_t view = dmi_edit_add_view(e, a->bytes, a->size, DMI_GLTF_VERTEX_TARGET);
     if (a->stride != a->element && e->problem.code == DM_OK)
         dmi_edit_number(e, dmi_json_get(e->document.root, "bufferViews")->child->prev, "byteStride", (double)a->stride);
@@ -134,16 +140,10 @@ static int32_t add_accessor(dmi_edit* e, const dmi_copy* copy, const attribute* 
     dmi_edit_number(e, made.json, "bufferView", view);
     dmi_edit_number(e, made.json, "componentType", a->from.component_type);
     dmi_edit_number(e, made.json, "count", (double)copy->vertex_count);
-    if (a->from.components <= 4 && types[a->from.components])
-        dmi_edit_text(e, made.json, "type", types[a->from.components]);
+    dmi_edit_text(e, made.json, "type", type);
     if (a->from.normalized) dmi_edit_set(e, made.json, "normalized", cJSON_CreateTrue());
     if (strcmp(a->name, "POSITION") == 0) set_limits(e, a, copy->vertex_count, made.json);
     return made.index;
-}
-
-/* Whether bones have a say in the attribute, so that a placed copy has its own values. */
-static int is_placed(const char* name) {
-    return strcmp(name, "POSITION") == 0 || strcmp(name, "NORMAL") == 0 || strcmp(name, "TANGENT") == 0;
 }
 
 static void copy_attributes(dmi_edit* e, const dmi_copy* copy, const cJSON* from, cJSON* to) {
