@@ -357,6 +357,200 @@ static void test_joints_beyond_the_hosts_numbers(void** state) {
     test_world_close(&w);
 }
 
+/* ---- each number at its edges ---- */
+
+enum { TINY = 1, MINUS_TINY = (int)0x80000001, ONE = 0x3f800000, MINUS_ONE = (int)0xbf800000, NONE = 0x7fc00000 };
+enum { MOST_AREA = 0x5368d4a5, LARGEST = 0x7f7fffff, INFINITE = 0x7f800000, MINUS = (int)0x80000000 }; /* as floats */
+
+/* A 32-bit word of a section, the last values of it that are right, and the first that are wrong. */
+static const struct edge {
+    int section;
+    uint32_t at; /* bytes */
+    int good[4], bad[6];
+    int good_count, bad_count;
+    const char* says;
+} edges[] = {
+    {DMI_DMO_OBJECT, 32, {MINUS_ONE}, {MINUS_ONE + 1, NONE, INFINITE}, 1, 3, "section OBJ"},
+    {DMI_DMO_OBJECT, 52, {ONE}, {ONE + 1, NONE, INFINITE}, 1, 3, "section OBJ"},
+    {DMI_DMO_OBJECT, 56, {DM_MAX_ELEMENTS, 0}, {DM_MAX_ELEMENTS + 1, -1}, 2, 2, "section OBJ"},
+    {DMI_DMO_OBJECT, 60, {0}, {1}, 1, 1, "section OBJ"},
+    {DMI_DMO_OBJECT, 64, {DM_MAX_ELEMENTS, 0}, {DM_MAX_ELEMENTS + 1, -1}, 2, 2, "section OBJ"},
+    {DMI_DMO_OBJECT, 68, {0}, {1}, 1, 1, "section OBJ"},
+    {DMI_DMO_OBJECT, 72, {0, -1}, {0}, 2, 0, ""}, /* any seed */
+    {DMI_DMO_OBJECT, 80, {3}, {2, 4, 1, 0, -1, DM_MAX_PARTS + 2}, 1, 6, "the number of parts"},
+    {DMI_DMO_PARTS, 0, {0}, {1, -1}, 1, 2, "do not form a tree"},
+    {DMI_DMO_PARTS, 4, {0}, {1, 2, 3}, 1, 3, "do not form a tree"},
+    {DMI_DMO_PARTS, 56, {1}, {0, 9}, 1, 2, "do not form a tree"},
+    {DMI_DMO_PARTS, 60, {0}, {1, 3, -1}, 1, 3, "do not form a tree"},
+    {DMI_DMO_PARTS, 112, {2, 9, -1}, {1, 0}, 3, 2, "do not form a tree"},
+    {DMI_DMO_PARTS, 116, {0, 1}, {2, 3, -1}, 2, 3, "do not form a tree"},
+    {DMI_DMO_PARTS, 12, {MINUS_ONE}, {MINUS_ONE + 1, ONE, NONE}, 1, 3, "section PART"},
+    {DMI_DMO_PARTS, 32, {ONE}, {ONE + 1, MINUS_ONE, NONE}, 1, 3, "section PART"},
+    {DMI_DMO_PARTS, 36, {MINUS_ONE, ONE}, {MINUS_ONE + 1, ONE + 1, NONE}, 2, 3, "section PART"},
+    {DMI_DMO_PARTS, 44, {MINUS_ONE, ONE}, {MINUS_ONE + 1, ONE + 1, INFINITE}, 2, 3, "section PART"},
+    {DMI_DMO_PARTS, 48, {0, MINUS, MOST_AREA}, {MINUS_TINY, MOST_AREA + 1, NONE, INFINITE}, 3, 4, "section PART"},
+    {DMI_DMO_PARTS, 52, {DM_JOINT_UNKNOWN, DM_JOINT_FIXED}, {-1, DM_JOINT_FIXED + 1}, 2, 2, "section PART"},
+    {DMI_DMO_PARTS, 164, {DM_JOINT_UNKNOWN, DM_JOINT_FIXED}, {-1, DM_JOINT_FIXED + 1}, 2, 2, "section PART"},
+    {DMI_DMO_JOINTS, 0, {0}, {DM_MAX_HYPOTHESES + 1, -1}, 0, 2, "section JNT"},
+    {DMI_DMO_JOINTS, 4, {0}, {-2, DM_MAX_HYPOTHESES + 1}, 1, 2, "section JNT"},
+    {DMI_DMO_JOINTS, 8, {DM_JOINT_REVOLUTE, DM_JOINT_FIXED}, {0, DM_JOINT_FIXED + 1, -1}, 2, 3, "section JNT"},
+    {DMI_DMO_JOINTS, 12, {0, MINUS, ONE}, {MINUS_TINY, ONE + 1, NONE}, 3, 3, "section JNT"},
+    {DMI_DMO_JOINTS, 16, {0, MINUS, ONE}, {MINUS_TINY, ONE + 1, NONE}, 3, 3, "section JNT"},
+    {DMI_DMO_JOINTS, 48, {MINUS | LARGEST}, {LARGEST, INFINITE, NONE}, 0, 3, "section JNT"},
+    {DMI_DMO_JOINTS, 56, {DM_JOINT_FROM_NETWORK, DM_JOINT_CHOSEN}, {-1, DM_JOINT_CHOSEN + 1}, 2, 2, "section JNT"},
+    {DMI_DMO_POINTS, 0, {MINUS_ONE, ONE}, {MINUS_ONE + 1, ONE + 1, NONE}, 2, 3, "section PNT"},
+    {DMI_DMO_POINTS, 2 * DMI_DMO_POINTS_SIZE - 4, {MINUS_ONE, ONE}, {MINUS_ONE + 1, ONE + 1}, 2, 2, "section PNT"},
+    {DMI_DMO_ALTERNATIVES, 0, {0}, {DMI_ALTERNATIVES + 1, -1}, 0, 2, "section ALT"},
+    {DMI_DMO_ALTERNATIVES,
+     4,
+     {DM_JOINT_REVOLUTE, DM_JOINT_PRISMATIC, DM_JOINT_CONTINUOUS},
+     {DM_JOINT_UNKNOWN, DM_JOINT_SCREW, DM_JOINT_FIXED, DM_JOINT_FIXED + 1},
+     3,
+     4,
+     "section ALT"},
+    {DMI_DMO_ALTERNATIVES, 8, {0, ONE}, {MINUS_TINY, ONE + 1, NONE}, 2, 3, "section ALT"},
+    {DMI_DMO_FREE_RANGES, 0, {0, MINUS, MINUS | LARGEST}, {TINY, ONE, MINUS | INFINITE, NONE}, 3, 4, "section FRE"},
+    {DMI_DMO_FREE_RANGES, 4, {0, MINUS, LARGEST}, {MINUS_TINY, MINUS_ONE, INFINITE, NONE}, 3, 4, "section FRE"},
+    {DMI_DMO_HOST_JOINTS, 0, {0, NONE}, {0}, 2, 0, ""}, /* of other axes: then the file's joint is turned into ours */
+    {DMI_DMO_HOST_JOINTS, 40, {DM_JOINT_REVOLUTE, DM_JOINT_FIXED}, {0, DM_JOINT_FIXED + 1}, 2, 2, "JNT or HST"},
+    {DMI_DMO_HOST_JOINTS, 44, {0, ONE}, {MINUS_TINY, ONE + 1, NONE}, 2, 3, "JNT or HST"},
+};
+
+static void every_number_has_its_edges(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes file = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
+    for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
+        const struct edge* e = &edges[i];
+        const size_t at = section_at(&file, e->section) + e->at;
+        uint8_t kept[4];
+        memcpy(kept, file.data + at, 4);
+        for (int k = 0; k < e->good_count; k++) {
+            dm_object object = 0;
+            put_u32(file.data + at, (uint32_t)e->good[k]);
+            sign_again(&file);
+            if (dm_object_load(w.context, file.data, file.size, 0, &object) != DM_OK)
+                fail_msg("edge %zu, %08x: %s", i, (unsigned)e->good[k], w.messages.text);
+            assert_int_equal(dm_object_destroy(w.context, object), DM_OK);
+            memcpy(file.data + at, kept, 4);
+        }
+        for (int k = 0; k < e->bad_count; k++) {
+            assert_bad_word(&w, &file, at, (uint32_t)e->bad[k]);
+            if (!strstr(w.messages.text, e->says))
+                fail_msg("edge %zu, %08x: %s", i, (unsigned)e->bad[k], w.messages.text);
+        }
+    }
+    free(file.data);
+    test_world_close(&w);
+}
+
+/* Parts that carry each other in a ring hang on no body. */
+static void a_ring_of_parts_is_no_tree(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes file = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
+    const size_t at = section_at(&file, DMI_DMO_PARTS);
+    put_u32(file.data + at + 60, 2);
+    dm_object object = 0;
+    sign_again(&file);
+    const uint32_t parent = file.data[at + 116];
+    assert_int_equal(dm_object_load(w.context, file.data, file.size, 0, &object),
+                     parent == 1 ? DM_ERROR_BAD_DATA : DM_OK);
+    assert_bad_word(&w, &file, at + 116, 1);
+    assert_non_null(strstr(w.messages.text, "do not form a tree"));
+    free(file.data);
+    test_world_close(&w);
+}
+
+/* The head and the table: sizes to the byte, sections that lie in the file to its last byte and no further. */
+static void the_table_ends_with_the_file(void** state) {
+    (void)state;
+    enum { SECTIONS = 12, SIZE = 16, VERSION = 4 };
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes file = save(w.context, make_object(&w, 0));
+    const uint32_t size = (uint32_t)file.size, count = file.data[SECTIONS];
+    const size_t entry = DMI_DMO_HEADER_SIZE + DMI_DMO_TRIANGLES * DMI_DMO_ENTRY_SIZE;
+    dm_object object;
+    assert_int_equal(count, DMI_DMO_SECTIONS);
+    assert_bad_word(&w, &file, VERSION, 0);
+    assert_bad_word(&w, &file, SIZE, size + 1);
+    assert_bad_word(&w, &file, SIZE, size - 1);
+    assert_bad_word(&w, &file, SIZE + 4, 1);
+    assert_bad_word(&w, &file, SECTIONS, DMI_DMO_MAX_SECTIONS + 1);
+    assert_bad_word(&w, &file, SECTIONS, 0);
+    assert_non_null(strstr(w.messages.text, "a section is missing"));
+    assert_bad_word(&w, &file, entry + 8, size + 1);
+    assert_non_null(strstr(w.messages.text, "lies outside the file"));
+    assert_bad_word(&w, &file, entry + 12, 1);
+    assert_bad_word(&w, &file, entry + 20, 1);
+    assert_non_null(strstr(w.messages.text, "lies outside the file"));
+    for (int s = 0; s < DMI_DMO_SECTIONS; s++) { /* each section a word longer, and shorter */
+        uint8_t* length = file.data + DMI_DMO_HEADER_SIZE + (size_t)s * DMI_DMO_ENTRY_SIZE + 16;
+        uint32_t had;
+        memcpy(&had, length, 4);
+        const int fits = section_at(&file, s) + had + 4 <= file.size;
+        if (s != DMI_DMO_OBJECT && fits) assert_bad_word(&w, &file, (size_t)(length - file.data), had + 4);
+        if (s != DMI_DMO_OBJECT) assert_bad_word(&w, &file, (size_t)(length - file.data), had - 4);
+    }
+    /* A section of none that is known: at the end, without a byte. */
+    put_u32(file.data + entry, DMI_DMO_TAG('N', 'E', 'W', ' '));
+    put_u32(file.data + entry + 8, size);
+    put_u32(file.data + entry + 16, 0);
+    sign_again(&file);
+    assert_int_equal(dm_object_load(w.context, file.data, file.size, 0, &object), DM_OK);
+    assert_bad_word(&w, &file, entry + 16, 1);
+    for (int s = 0; s < DMI_DMO_ALTERNATIVES; s++) { /* what older files had already is there */
+        assert_bad_word(&w, &file, DMI_DMO_HEADER_SIZE + (size_t)s * DMI_DMO_ENTRY_SIZE,
+                        DMI_DMO_TAG('N', 'E', 'W', '2'));
+        assert_non_null(strstr(w.messages.text, "a section is missing"));
+    }
+    free(file.data);
+    test_world_close(&w);
+}
+
+/* Triangles: positions within the object, corners that are vertices, parts that there are, counts as the parts say. */
+static void triangles_have_edges(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes file = save(w.context, make_object(&w, 0));
+    const size_t at = section_at(&file, DMI_DMO_TRIANGLES);
+    uint32_t vertices, faces;
+    memcpy(&vertices, file.data + at, 4);
+    memcpy(&faces, file.data + at + 8, 4);
+    const size_t positions = at + 16, corners = positions + 12 * (size_t)vertices, parts = corners + 12 * (size_t)faces;
+    static const uint32_t wrong[] = {ONE + 1, (uint32_t)MINUS_ONE + 1, NONE, INFINITE};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_bad_word(&w, &file, positions, wrong[i]);
+        assert_non_null(strstr(w.messages.text, "a vertex lies far outside"));
+        assert_bad_word(&w, &file, corners - 4, wrong[i]);
+    }
+    for (size_t c = 0; c < 3 * (size_t)faces; c += 3 * (size_t)faces - 1) {
+        assert_bad_word(&w, &file, corners + 4 * c, vertices);
+        assert_non_null(strstr(w.messages.text, "an index names no vertex"));
+    }
+    assert_bad_word(&w, &file, parts, 3); /* the first triangle is of a part that is not, the second of the body */
+    assert_non_null(strstr(w.messages.text, "a triangle of no part"));
+    assert_bad_word(&w, &file, parts, 0x00010001);
+    assert_non_null(strstr(w.messages.text, "another number of triangles"));
+    for (int k = -1; k <= 1; k += 2) {
+        assert_bad_word(&w, &file, at, vertices + (uint32_t)k);
+        assert_bad_word(&w, &file, at + 8, faces + (uint32_t)k);
+        assert_non_null(strstr(w.messages.text, "section TRI has the wrong size"));
+    }
+    assert_bad_word(&w, &file, at + 4, 1);
+    assert_bad_word(&w, &file, at + 12, 1);
+    free(file.data);
+    test_world_close(&w);
+}
+
 static void test_load_arguments(void** state) {
     (void)state;
     test_world w;
@@ -435,6 +629,10 @@ int main(int argc, char** argv) {
         cmocka_unit_test(test_newer_files),
         cmocka_unit_test(test_alternatives),
         cmocka_unit_test(test_joints_beyond_the_hosts_numbers),
+        cmocka_unit_test(every_number_has_its_edges),
+        cmocka_unit_test(a_ring_of_parts_is_no_tree),
+        cmocka_unit_test(the_table_ends_with_the_file),
+        cmocka_unit_test(triangles_have_edges),
         cmocka_unit_test(test_load_arguments),
         cmocka_unit_test(test_the_first_version_still_loads),
     };
