@@ -167,6 +167,197 @@ static void a_copy_goes_on_as_the_first_did(void** state) {
     assert_true(events & DM_EVENT_LIMIT_UPPER && events & DM_EVENT_CLOSED);
 }
 
+/* ---- one update, at both sides of each threshold ---- */
+
+static const dm_joint shifted = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = -1, .upper = 3};
+
+static dmi_rules rules_with(float event_time) {
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules given = {.struct_size = sizeof given, .event_time = event_time};
+    return dmi_rules_from(&given, &feel, &shifted, false, 1);
+}
+
+/* Events of an update that takes a part from one value to another. */
+static uint32_t events_of(float from, float to) {
+    const dm_drag_feel feel = {0};
+    const dmi_rules rules = rules_with(0);
+    dmi_event_input now = {.joint = &shifted, .feel = &feel, .rules = &rules, .value = from};
+    dmi_event_state told = dmi_event_state_begin(&now);
+    now.value = to;
+    dmi_event_state_update(&told, &now, 0.01f);
+    return told.events;
+}
+
+/* At a limit within 1/200 of the range, off it beyond 1/50; the same at rest; open beyond 1/10, shut within 1/50. */
+static void events_have_sharp_edges(void** state) {
+    (void)state;
+    const uint32_t low = DM_EVENT_LIMIT_LOWER, high = DM_EVENT_LIMIT_UPPER, left = DM_EVENT_LEFT_REST,
+                   back = DM_EVENT_REACHED_REST, opened = DM_EVENT_OPENED, closed = DM_EVENT_CLOSED;
+    const struct {
+        float from, to;
+        uint32_t events;
+    } cases[] = {{2, 2.979f, 0},
+                 {2, 2.981f, high},
+                 {2.981f, 3, 0},
+                 {-0.5f, -0.979f, 0},
+                 {-0.5f, -0.981f, low},
+                 {0, 0.079f, 0},
+                 {0, 0.081f, left},
+                 {0, -0.081f, left},
+                 {0.3f, 0.021f, closed},
+                 {0.3f, 0.019f, closed | back},
+                 {0.3f, -0.019f, closed | back},
+                 {0, 0.399f, left},
+                 {0, 0.401f, left | opened},
+                 {0, -0.401f, left | opened},
+                 {0.401f, 0.081f, 0},
+                 {0.401f, 0.079f, closed},
+                 {-0.401f, -0.079f, closed},
+                 {0.021f, 0.019f, back},
+                 {0.019f, 0.05f, 0},
+                 {0.021f, 0.079f, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_int_equal(events_of(cases[i].from, cases[i].to), cases[i].events);
+}
+
+/* Once at a limit it is left beyond 1/50, then told again. */
+static void a_limit_is_left_farther_off(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dmi_rules rules = rules_with(0);
+    for (int side = -1; side <= 1; side += 2) {
+        const float end = side > 0 ? 3 : -1, inwards = -(float)side;
+        const uint32_t event = side > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
+        const struct {
+            float off;
+            bool at, told;
+        } steps[] = {{0, true, false},       {0.079f, true, false}, {0.01f, true, false}, {0.081f, false, false},
+                     {0.021f, false, false}, {0.019f, true, true},  {0.079f, true, false}};
+        dmi_event_input now = {.joint = &shifted, .feel = &feel, .rules = &rules, .value = end};
+        dmi_event_state told = dmi_event_state_begin(&now);
+        assert_int_equal(told.limit, side);
+        for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+            now.value = end + inwards * steps[i].off;
+            dmi_event_state_update(&told, &now, 0.01f);
+            assert_int_equal(told.limit, steps[i].at ? side : 0);
+            assert_int_equal((told.events & event) != 0, steps[i].told);
+        }
+        now.beyond_lower = now.beyond_upper = true, now.value = end; /* an estimate that has given is none */
+        dmi_event_state_update(&told, &now, 0.01f);
+        assert_int_equal(told.limit, 0);
+    }
+    const dm_joint wheel = {.type = DM_JOINT_CONTINUOUS};
+    const dmi_event_input free = {.joint = &wheel, .feel = &feel, .rules = &rules};
+    assert_int_equal(dmi_event_state_begin(&free).limit, 0);
+}
+
+/* Opened and closed are told event_time apart at least; the first at once. */
+static void opened_and_closed_keep_their_time(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dmi_rules rules = rules_with(0.5f);
+    dmi_event_input now = {.joint = &shifted, .feel = &feel, .rules = &rules};
+    dmi_event_state told = dmi_event_state_begin(&now);
+    now.value = 1;
+    dmi_event_state_update(&told, &now, 0.125f);
+    assert_true(told.events & DM_EVENT_OPENED && told.open);
+    now.value = 0;
+    for (int i = 1; i <= 4; i++) {
+        dmi_event_state_update(&told, &now, 0.125f);
+        assert_int_equal((told.events & DM_EVENT_CLOSED) != 0, i == 4);
+        assert_int_equal(told.open, i < 4);
+    }
+}
+
+/* The speed lately: the highest, halved each tenth of a second. A strike is as hard as it was. */
+static void an_impact_is_the_speed_of_late(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const dmi_rules rules = rules_with(0);
+    for (int side = -1; side <= 1; side += 2) {
+        const float end = side > 0 ? 3 : -1, s = (float)side;
+        dmi_event_input now = {.joint = &shifted, .feel = &feel, .rules = &rules, .value = 1, .velocity = 4 * s};
+        dmi_event_state told = dmi_event_state_begin(&now);
+        dmi_event_state_update(&told, &now, 0.1f);
+        assert_true(told.impact == 0);
+        now.velocity = 0.5f * s;
+        dmi_event_state_update(&told, &now, 0.1f);
+        now.value = end, now.velocity = s;
+        dmi_event_state_update(&told, &now, 0.05f);
+        assert_near(told.impact, 4 * exp2(-1.5), 1e-5);
+        dmi_event_state_update(&told, &now, 0.1f);
+        assert_true(told.impact == 0 && told.events == 0);
+        now.value = end - 0.5f * s, now.struck = side,
+        now.impact = 5; /* thrown back within the update, told once more */
+        dmi_event_state_update(&told, &now, 0.1f);
+        assert_near(told.limit, 0, 0);
+        told = dmi_event_state_begin(&now);
+        dmi_event_state_update(&told, &now, 0.1f);
+        assert_int_equal(told.events & (DM_EVENT_LIMIT_LOWER | DM_EVENT_LIMIT_UPPER),
+                         side > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER);
+        assert_near(told.impact, 5, 0);
+        now = (dmi_event_input){.joint = &shifted, .feel = &feel, .rules = &rules, .value = 1, .velocity = 2 * s};
+        told = dmi_event_state_begin(&now);
+        now.blocked = true;
+        dmi_event_state_update(&told, &now, 0.1f);
+        assert_true(told.events & DM_EVENT_BLOCKED);
+        assert_near(told.impact, 2, 0);
+        dmi_event_state_update(&told, &now, 0.1f);
+        assert_true(told.events == 0 && told.impact == 0);
+        now.blocked = false;
+        dmi_event_state_update(&told, &now, 0.1f);
+        assert_true(told.events == DM_EVENT_FREED && told.impact == 0);
+    }
+}
+
+/* Past 0.55 of the way to the next detent it is that one's; as many are told as are gone over to. */
+static void a_detent_is_told_past_its_ridge(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.detent = 0.2f};
+    const dmi_rules rules = rules_with(0);
+    for (int side = -1; side <= 1; side += 2) {
+        const struct {
+            float place;
+            uint32_t detents;
+        } steps[] = {{0.54f, 0}, {0.56f, 1}, {0.46f, 0}, {0.44f, 1}, {3.4f, 3}, {3.54f, 0}, {-1.2f, 4}, {-1.2f, 0}};
+        const float s = 0.2f * (float)side;
+        const dm_joint wheel = {.type = DM_JOINT_CONTINUOUS};
+        dmi_event_input now = {.joint = &wheel, .feel = &feel, .rules = &rules};
+        dmi_event_state told = dmi_event_state_begin(&now);
+        for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+            now.value = s * steps[i].place;
+            dmi_event_state_update(&told, &now, 0.01f);
+            assert_int_equal(told.detents, steps[i].detents);
+            assert_int_equal((told.events & DM_EVENT_DETENT) != 0, steps[i].detents > 0);
+        }
+        now.value = s * 7, now.changes = 1; /* of another joint: none was crossed */
+        dmi_event_state_update(&told, &now, 0.01f);
+        assert_true(told.detents == 0 && told.events & DM_EVENT_JOINT);
+        dmi_event_state_update(&told, &now, 0.01f);
+        assert_false(told.events & DM_EVENT_JOINT);
+    }
+}
+
+/* Snap values alone are told: what is beyond the outermost is none. */
+static void snaps_are_told_one_by_one(void** state) {
+    (void)state;
+    const float snaps[3] = {0.5f, 1, 2};
+    const dm_drag_feel feel = {0};
+    const dm_drag_rules given = {.struct_size = sizeof given, .snaps = snaps, .snap_count = 3};
+    const dmi_rules rules = dmi_rules_from(&given, &feel, &shifted, false, 1);
+    const struct {
+        float value;
+        uint32_t detents;
+    } steps[] = {{0.5f, 1}, {1, 1}, {2, 1}, {2.9f, 0}, {2, 1}, {0.5f, 2}, {-0.9f, 0}, {2.9f, 3}, {-0.9f, 3}, {1, 2}};
+    dmi_event_input now = {.joint = &shifted, .feel = &feel, .rules = &rules, .value = -0.9f};
+    dmi_event_state told = dmi_event_state_begin(&now);
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        now.value = steps[i].value;
+        dmi_event_state_update(&told, &now, 0.01f);
+        assert_int_equal(told.detents, steps[i].detents);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_way_out_and_back_is_told_in_order),
@@ -176,6 +367,12 @@ int main(void) {
         cmocka_unit_test(an_impact_says_how_fast),
         cmocka_unit_test(a_released_part_tells_where_it_goes),
         cmocka_unit_test(a_copy_goes_on_as_the_first_did),
+        cmocka_unit_test(events_have_sharp_edges),
+        cmocka_unit_test(a_limit_is_left_farther_off),
+        cmocka_unit_test(opened_and_closed_keep_their_time),
+        cmocka_unit_test(an_impact_is_the_speed_of_late),
+        cmocka_unit_test(a_detent_is_told_past_its_ridge),
+        cmocka_unit_test(snaps_are_told_one_by_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
