@@ -1,6 +1,8 @@
 /* Hands other than one pointer: in space, scalars, two of them, and a value that the host takes instead. */
 #include "test_rules.h"
 
+#include "motion/drag_internal.h"
+
 #define TURN 1.2f
 
 static const dm_joint hinge = {.type = DM_JOINT_REVOLUTE, .axis = {0, 0, 1}, .lower = 0, .upper = 1.5f};
@@ -278,6 +280,189 @@ static void a_filter_decides(void** state) {
     assert_near(now.value, 0.7, 1e-6);
 }
 
+/* ---- what hands ask for, to the number ---- */
+
+static const dm_joint ways[] = {{.type = DM_JOINT_REVOLUTE, .axis = {0, 0, 1}, .lower = 0, .upper = 1.5f},
+                                {.type = DM_JOINT_REVOLUTE, .axis = {0, 0, 1}, .lower = -1.5f, .upper = 0},
+                                {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = -0.2f, .upper = 1},
+                                {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = -1, .upper = 0.2f},
+                                {.type = DM_JOINT_CONTINUOUS, .axis = {0, 0, 1}},
+                                {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}}};
+/* The joint value of a whole way towards the open end; without limits 1 rad, or the object's size. */
+static const float whole[] = {1.5f, -1.5f, 1.2f, -1.2f, 1, 3};
+
+static void scalars_ask_for_shares_of_the_way(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.smoothing_time = -1};
+    const float rest[3] = {1, 0, 0};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        for (int driven = 0; driven < 2; driven++) {
+            const dm_drag_rules given = {.struct_size = sizeof given, .drive_speed = driven ? 0.4f : 0};
+            const dmi_rules rules = dmi_rules_from(&given, &feel, &ways[i], false, 3);
+            dm_drag_input input = {.struct_size = sizeof input, .hand = {.kind = DM_HAND_RATE, .amount = 0.5f}};
+            dmi_drag drag;
+            dm_drag_state now = {0};
+            dmi_drag_begin(&drag, &ways[i], rest, 0, &feel);
+            dmi_drag_set_rules(&drag, &rules);
+            double wanted = 0.5 * (driven ? 0.4 : 1) * 0.25 * (double)whole[i];
+            dmi_drag_step(&drag, &input, 0.25f, &now);
+            assert_near(now.value, wanted, 1e-6);
+            input.hand = (dm_hand){.kind = DM_HAND_STEP, .amount = 0.1f};
+            wanted += 0.1 * (double)whole[i];
+            dmi_drag_step(&drag, &input, 0.25f, &now);
+            assert_near(now.value, wanted, 1e-6);
+            input.hand = (dm_hand){.kind = DM_HAND_VALUE, .amount = 0.3f * whole[i]};
+            dmi_drag_step(&drag, &input, 0.25f, &now);
+            assert_near(now.value, 0.3f * whole[i], 1e-6);
+            if (!dmi_joint_has_limits(&ways[i])) continue;
+            for (int side = -1; side <= 1; side += 2) {
+                const float end = (float)side * whole[i] > 0 ? ways[i].upper : ways[i].lower;
+                for (int kind = DM_HAND_RATE; kind <= DM_HAND_VALUE; kind++) {
+                    const float amount = kind == DM_HAND_VALUE ? (float)side * 9 * whole[i] : (float)side;
+                    input.hand = (dm_hand){.kind = kind, .amount = amount};
+                    for (int k = 0; k < 20; k++) dmi_drag_step(&drag, &input, 0.25f, &now);
+                    assert_near(now.value, end, 0);
+                }
+            }
+        }
+    }
+}
+
+/* A rate reaches an estimated limit, is stopped for a quarter of a second, and goes on: at any rate of frames as far.
+ */
+static void an_estimate_gives_to_a_rate_after_its_time(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(12, 0);
+    const dm_drag_feel feel = {.smoothing_time = -1};
+    const float rest[3] = {1, 0, 0};
+    for (int i = 0; i < 200; i++) {
+        const dm_joint* joint = &ways[i % 2 ? 0 : 3];
+        const double way = (double)whole[i % 2 ? 0 : 3], end = i % 2 ? 1.5 : -1;
+        const float seconds = test_range(&random, 0.2f, 2), amount = test_range(&random, 0.7f, 2);
+        dm_drag_input input = {.struct_size = sizeof input, .hand = {.kind = DM_HAND_RATE, .amount = amount}};
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        dmi_drag_begin(&drag, joint, rest, 0, &feel);
+        dmi_drag_track_hypotheses(&drag, joint, NULL, 1, 1, (dmi_limit_give){.share = 2, .length = 9});
+        double time = 0;
+        while (time < (double)seconds) {
+            const double dt = fmin((double)test_range(&random, 0.005f, 0.2f), (double)seconds - time);
+            time += dt;
+            dmi_drag_step(&drag, &input, (float)dt, &now);
+        }
+        const double speed = (double)amount * way, met = end / speed, range = fabs(way);
+        const double beyond = fmin(fabs(speed) * fmax(time - met - 0.25, 0), 2 * range), width = 0.01 * range;
+        const double kept = beyond > 3 * width ? beyond : 1.5 * fmax(beyond - width, 0);
+        const double wanted = time < met ? speed * time : end + copysign(kept, way);
+        assert_near(now.value, wanted, 1e-4);
+    }
+}
+
+/* Both hands average by the squares of their levers: exactly, once both hold. */
+static void two_hands_weigh_by_the_squares_of_their_levers(void** state) {
+    (void)state;
+    dmi_random random = dmi_random_make(13, 0);
+    const dm_drag_feel feel = {.smoothing_time = -1};
+    for (int i = 0; i < 100; i++) {
+        const float rest[3] = {test_range(&random, 0.3f, 2), 0, 0}, other[3] = {0, test_range(&random, 0.3f, 2), 1};
+        const float first = test_range(&random, 0.1f, 0.5f), second = test_range(&random, 0.1f, 0.5f);
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        dm_drag_input input = hand_at(&hinge, 0, rest);
+        const bool lets_go = i % 2;
+        dmi_drag_begin(&drag, &hinge, rest, 0, &feel);
+        dmi_drag_step(&drag, &input, 0.1f, &now);
+        input.second = hand_at(&hinge, 0, other).hand;
+        input.second.grab_point = dmi_vec3(other);
+        for (int k = 0; k <= 20; k++) {
+            const float share = 0.05f * (float)k;
+            input.hand = hand_at(&hinge, first * share, rest).hand;
+            const dm_vec3 point = hand_at(&hinge, second * share, other).hand.point;
+            input.second.point = point;
+            dmi_drag_step(&drag, &input, 0.1f, &now);
+        }
+        for (int k = 0; k < 40; k++) dmi_drag_step(&drag, &input, 0.1f, &now);
+        const double w1 = (double)(rest[0] * rest[0]), w2 = (double)(other[1] * other[1]);
+        const double both = (w1 * (double)first + w2 * (double)second) / (w1 + w2);
+        assert_near(now.value, both, 1e-4);
+        if (!lets_go) continue;
+        input.second = (dm_hand){.kind = DM_HAND_NONE};
+        for (int k = 0; k < 5; k++) dmi_drag_step(&drag, &input, 0.1f, &now);
+        assert_near(now.value, both, 1e-4);
+        for (int k = 1; k <= 20; k++) { /* the first goes on from there */
+            input.hand = hand_at(&hinge, first + 0.01f * (float)k, rest).hand;
+            dmi_drag_step(&drag, &input, 0.1f, &now);
+        }
+        assert_near(now.value, both + 0.2, 1e-3);
+    }
+}
+
+/* How far a hand is off: of a point its distance, of a ray the line's, of a scalar none. */
+static void a_hand_misses_by_its_distance(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.smoothing_time = -1};
+    const float rest[3] = {0, 0, 0};
+    dmi_drag drag;
+    dm_drag_state now = {0};
+    dm_drag_input input = {.struct_size = sizeof input, .hand = {.kind = DM_HAND_POINT}};
+    dmi_drag_begin(&drag, &test_slide, rest, 0, &feel);
+    assert_near(dmi_drag_hand_miss(&drag), 0, 0);
+    dmi_drag_step(&drag, &input, 0.1f, &now);
+    input.hand.point = (dm_vec3){0.5f, 0.3f, 0.4f};
+    dmi_drag_step(&drag, &input, 0.1f, &now);
+    assert_near(now.value, 0.5, 1e-6);
+    assert_near(dmi_drag_hand_miss(&drag), 0.5, 1e-6);
+    input.hand.point = (dm_vec3){1.5f, 0, 0};
+    dmi_drag_step(&drag, &input, 0.1f, &now);
+    assert_near(dmi_drag_hand_miss(&drag), 0.5, 1e-6);
+    dmi_drag_begin(&drag, &test_slide, rest, 0, &feel);
+    dm_ray ray = test_ray_at(0);
+    dmi_drag_update(&drag, &ray, 0.1f, &now);
+    ray = test_ray_at(1.25f), ray.origin.y = 0.5f;
+    for (int k = 0; k < 9; k++) dmi_drag_update(&drag, &ray, 0.1f, &now);
+    assert_near(dmi_drag_hand_miss(&drag), hypot(0.25, 0.5), 1e-5);
+    input.hand = (dm_hand){.kind = DM_HAND_RATE};
+    dmi_drag_step(&drag, &input, 0.1f, &now);
+    assert_near(dmi_drag_hand_miss(&drag), 0, 0);
+}
+
+/* The host's value within bounds and limits; its speed is the way over the time, none without time. */
+static void what_is_taken_is_what_was_allowed(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.smoothing_time = -1};
+    for (int ruled = 0; ruled < 2; ruled++) {
+        const struct {
+            float lower, upper, taken, value;
+        } cases[] = {
+            {0, 0, 0.3f, 0.3f},        {0, 0, 2, 1},           {0, 0, -2, 0},           {0.1f, 0.7f, 0.9f, 0.7f},
+            {0.1f, 0.7f, 0.05f, 0.1f}, {-5, 0.7f, 0.2f, 0.2f}, {0.1f, 0.7f, 0.5f, 0.5f}};
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            const float grab[3] = {0.5f, 0, 0};
+            dm_drag_input input = {.struct_size = sizeof input,
+                                   .flags = DM_INPUT_ASK,
+                                   .hand = test_pointer(test_ray_at(0.5f)),
+                                   .lower = cases[i].lower,
+                                   .upper = cases[i].upper};
+            dmi_drag drag;
+            dm_drag_state now = {0};
+            if (ruled)
+                test_begin(&drag, &test_slide, 0.5f, &feel, &plain);
+            else
+                dmi_drag_begin(&drag, &test_slide, grab, 0.5f, &feel);
+            dmi_drag_step(&drag, &input, 0.25f, &now);
+            dmi_drag_take(&drag, cases[i].taken, &now);
+            assert_near(now.value, cases[i].value, 0);
+            assert_near(now.grab_point.x, cases[i].value, 1e-6);
+            assert_near(now.velocity, (cases[i].value - 0.5f) / 0.25f, 1e-5);
+            const float velocity = now.velocity;
+            dmi_drag_step(&drag, &input, 0, &now);
+            dmi_drag_take(&drag, 0.6f, &now);
+            if (ruled || now.value != 0.6f) continue;
+            assert_near(now.velocity, velocity, 1e-5);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hand_in_space_is_followed),
@@ -290,6 +475,11 @@ int main(void) {
         cmocka_unit_test(two_hands_agree),
         cmocka_unit_test(the_longer_lever_counts_more),
         cmocka_unit_test(a_filter_decides),
+        cmocka_unit_test(scalars_ask_for_shares_of_the_way),
+        cmocka_unit_test(an_estimate_gives_to_a_rate_after_its_time),
+        cmocka_unit_test(two_hands_weigh_by_the_squares_of_their_levers),
+        cmocka_unit_test(a_hand_misses_by_its_distance),
+        cmocka_unit_test(what_is_taken_is_what_was_allowed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
