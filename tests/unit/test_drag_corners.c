@@ -370,6 +370,136 @@ static void another_joint_begins_inside_the_bounds(void** state) {
     }
 }
 
+/* What a host leaves out has its default, what it states stays. */
+static void rules_have_their_defaults(void** state) {
+    (void)state;
+    const dm_joint hinge = {.type = DM_JOINT_REVOLUTE, .lower = -1, .upper = 3};
+    const float snap = 0.5f;
+    dm_drag_rules given = no_rules();
+    given.snaps = &snap, given.snap_count = 1;
+    dmi_rules rules = dmi_rules_from(&given, &plain, &hinge, false, 5);
+    assert_true(rules.on && rules.snaps.count == 1 && rules.snaps.values[0] == 0.5f);
+    assert_near(rules.open_share, 0.1f, 0);
+    assert_near(rules.closed_share, 0.02f, 0);
+    assert_near(rules.lock_give, 0.01f, 0);
+    assert_near(rules.latch_turn, 0.785f, 0);
+    assert_near(rules.auto_close_time, 0.25f, 0);
+    assert_near(rules.fall_time, 0.7f, 0);
+    assert_near(rules.drive_speed, 1, 0);
+    assert_near(rules.snaps.outer_reach, 0.2f, 1e-6);
+    assert_near(rules.snaps.pull, 0.7f, 0);
+    given.open_share = 0.3f, given.closed_share = 0.03f, given.lock_give = -1, given.latch_turn = 0.2f;
+    given.auto_close_time = 0.6f, given.fall_time = 2, given.drive_speed = 0.5f, given.snap_reach = 0.4f;
+    rules = dmi_rules_from(&given, &plain, &hinge, false, 5);
+    assert_true(rules.open_share == 0.3f && rules.closed_share == 0.03f && rules.lock_give == 0);
+    assert_true(rules.latch_turn == 0.2f && rules.auto_close_time == 0.6f && rules.fall_time == 2);
+    assert_true(rules.drive_speed == 0.5f && rules.snaps.outer_reach == 0.4f);
+}
+
+/* The range of a part; where a limit is missing, a radian or the object's size. Shares are from rest, or the limit next
+ * to it. */
+static void shares_are_of_the_range(void** state) {
+    (void)state;
+    const dm_joint hinge = {.type = DM_JOINT_REVOLUTE, .lower = -1, .upper = 3}, wheel = {.type = DM_JOINT_CONTINUOUS},
+                   slide = {.type = DM_JOINT_PRISMATIC, .lower = 0.5f, .upper = 1}, free = {.type = DM_JOINT_PRISMATIC};
+    const dm_joint* joints[4] = {&hinge, &wheel, &slide, &free};
+    const float ranges[2][4] = {{4, 1, 0.5f, 5}, {1, 1, 5, 5}};
+    for (int one_sided = 0; one_sided < 2; one_sided++) {
+        for (int i = 0; i < 4; i++) {
+            const dm_drag_rules given = no_rules();
+            const dmi_rules rules = dmi_rules_from(&given, &plain, joints[i], one_sided, 5);
+            const float rest = i == 2 ? 0.5f : 0, range = ranges[one_sided][i];
+            assert_near(dmi_rules_range(&rules, joints[i]), range, 0);
+            assert_near(dmi_rules_share(&rules, joints[i], rest + 0.25f), 0.25f / range, 1e-6);
+            assert_near(dmi_rules_share(&rules, joints[i], rest - 0.25f), 0.25f / range, 1e-6);
+        }
+    }
+}
+
+/* A limit counts as met within 1/10000 of the range. */
+static void a_limit_is_met_within_its_tolerance(void** state) {
+    (void)state;
+    const dm_joint wheel = {.type = DM_JOINT_CONTINUOUS};
+    const float grab[3] = {0, 0, 0};
+    const struct {
+        float value;
+        int32_t limit;
+    } cases[] = {{-1, -1}, {-0.99976f, -1}, {-0.99974f, 0}, {0, 0}, {1.49974f, 0}, {1.49976f, 1}, {1.5f, 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        dmi_drag drag;
+        dm_drag_state now;
+        dmi_drag_begin(&drag, &both_sides, grab, cases[i].value, &plain);
+        dmi_drag_get_state(&drag, &now);
+        assert_int_equal(now.at_limit, cases[i].limit);
+        dmi_drag_begin(&drag, &wheel, grab, cases[i].value, &plain);
+        dmi_drag_get_state(&drag, &now);
+        assert_int_equal(now.at_limit, 0);
+    }
+}
+
+static int32_t intent_of(const dm_drag_rules* given, const dm_drag_feel* feel, bool one_sided, float value,
+                         float velocity) {
+    const dmi_rules rules = dmi_rules_from(given, feel, &test_slide, one_sided, 1);
+    const dmi_released_part part = {
+        .joint = &test_slide, .feel = feel, .rules = &rules, .value = value, .velocity = velocity};
+    return dmi_released_intent(&part, feel->return_time);
+}
+
+/* In this order: a closer, a zone that closes by itself, a snap value in reach, a fall, a limit that throws back. */
+static void rules_say_what_a_release_means(void** state) {
+    (void)state;
+    const dm_drag_feel spring = {.return_time = 1}, catches = {.detent = 0.25f};
+    dm_drag_rules rules = no_rules();
+    assert_int_equal(intent_of(&rules, &spring, false, 0.5f, 0), DM_INTENT_CLOSE);
+    assert_int_equal(intent_of(&rules, &catches, false, 0.9f, 0), DM_INTENT_STAY);
+    assert_int_equal(intent_of(&rules, &plain, false, 0.9f, 0), DM_INTENT_OPEN);
+    assert_int_equal(intent_of(&rules, &plain, true, 0.9f, 0), DM_INTENT_STAY);
+    rules.close_delay = 1;
+    assert_int_equal(intent_of(&rules, &spring, false, 0.5f, 0), DM_INTENT_STAY);
+    assert_int_equal(intent_of(&rules, &plain, false, 0.9f, 0), DM_INTENT_OPEN);
+    rules = no_rules();
+    rules.auto_close_share = 0.3f;
+    assert_int_equal(intent_of(&rules, &plain, false, 0.29f, 0), DM_INTENT_CLOSE);
+    assert_int_equal(intent_of(&rules, &plain, false, 0.31f, 0), DM_INTENT_STAY);
+    const float snaps[2] = {0.2f, 0.6f};
+    rules.snaps = snaps, rules.snap_count = 2, rules.snap_reach = 0.1f;
+    assert_int_equal(intent_of(&rules, &plain, false, 0.2f, 0), DM_INTENT_CLOSE); /* the zone comes first */
+    rules.auto_close_share = 0, rules.tip_share = 0.5f;
+    assert_int_equal(intent_of(&rules, &plain, false, 0.69f, 0), DM_INTENT_STAY);
+    assert_int_equal(intent_of(&rules, &plain, false, 0.71f, 0), DM_INTENT_OPEN);
+    assert_int_equal(intent_of(&rules, &plain, false, 0.72f, -1), DM_INTENT_STAY); /* glides by 0.14 into its reach */
+    assert_int_equal(intent_of(&rules, &plain, false, 0.45f, 0), DM_INTENT_CLOSE);
+    rules.snap_count = 0;
+    assert_int_equal(intent_of(&rules, &plain, false, 0.499f, 0), DM_INTENT_CLOSE);
+    assert_int_equal(intent_of(&rules, &plain, false, 0.5f, 0), DM_INTENT_OPEN);
+    assert_int_equal(intent_of(&rules, &plain, true, 0.6f, 0), DM_INTENT_STAY); /* nothing to fall to */
+    rules.tip_share = 0, rules.restitution = 0.5f;
+    assert_int_equal(intent_of(&rules, &plain, false, 0.8f, 1.38f), DM_INTENT_OPEN); /* 0.199 to go */
+    assert_int_equal(intent_of(&rules, &plain, false, 0.8f, 1.4f), DM_INTENT_STAY);  /* 0.202: thrown back */
+    assert_int_equal(intent_of(&rules, &plain, false, 0.2f, -1.4f), DM_INTENT_STAY);
+    rules.restitution = 0;
+    assert_int_equal(intent_of(&rules, &plain, false, 0.2f, -1.4f), DM_INTENT_CLOSE);
+}
+
+/* A part that begins outside its limits is shown there, and comes in. */
+static void what_begins_outside_its_limits_comes_in(void** state) {
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        const float start = side > 0 ? 1.2f : -0.2f, end = side > 0 ? 1 : 0, grab[3] = {start, 0, 0};
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        dmi_drag_begin(&drag, &test_slide, grab, start, &plain);
+        dmi_drag_get_state(&drag, &now);
+        assert_near(now.value, end, 0);
+        assert_near(now.target, end, 0);
+        assert_near(now.grab_point.x, start, 1e-6);
+        dmi_drag_update(&drag, NULL, 0.05f, &now);
+        assert_near(now.grab_point.x, 0.5 * (double)(start + end), 1e-5); /* half-way after half the least time */
+        dmi_drag_update(&drag, NULL, 0.05f, &now);
+        assert_near(now.grab_point.x, end, 1e-6);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_fall_ends_where_its_plan_does),
@@ -393,6 +523,11 @@ int main(void) {
         cmocka_unit_test(a_pointer_after_a_hand_in_space_holds_where_it_points),
         cmocka_unit_test(a_joint_that_is_fixed_stays_under_a_scalar),
         cmocka_unit_test(another_joint_begins_inside_the_bounds),
+        cmocka_unit_test(rules_have_their_defaults),
+        cmocka_unit_test(shares_are_of_the_range),
+        cmocka_unit_test(a_limit_is_met_within_its_tolerance),
+        cmocka_unit_test(rules_say_what_a_release_means),
+        cmocka_unit_test(what_begins_outside_its_limits_comes_in),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
