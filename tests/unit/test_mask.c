@@ -234,12 +234,91 @@ static void length_tells_the_scope(void** state) {
     test_env_close(&t);
 }
 
+/* The smallest and largest values of each type of NumPy's. */
+static void types_hold_their_extremes(void** state) {
+    (void)state;
+    static const struct {
+        const char* descr;
+        size_t size;
+        int64_t low, high; /* of all bits but the top one, and of that alone, as the type reads them */
+    } types[] = {{"|u1", 1, 127, 128},
+                 {"|i1", 1, 127, -128},
+                 {"<u2", 2, 32767, 32768},
+                 {"<i2", 2, 32767, -32768},
+                 {"<u4", 4, INT32_MAX, (int64_t)INT32_MAX + 1},
+                 {"<i4", 4, INT32_MAX, INT32_MIN},
+                 {"<i8", 8, INT64_MAX, INT64_MIN},
+                 {"<u8", 8, INT64_MAX, INT64_MIN}};
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+        uint8_t raw[16];
+        char header[96];
+        const size_t size = types[i].size;
+        memset(raw, 0xff, size), memset(raw + size, 0, size);
+        raw[size - 1] = 0x7f, raw[2 * size - 1] = 0x80;
+        snprintf(header, sizeof header, "{'descr': '%s', 'fortran_order': False, 'shape': (2,)}", types[i].descr);
+        bytes b = npy(1, header, raw, 2 * size);
+        expect_values(b.data, b.size, (const int64_t[]){types[i].low, types[i].high}, 2);
+    }
+}
+
+/* A header of 65,536 bytes is read, a longer one is not. */
+static void a_header_has_an_end(void** state) {
+    (void)state;
+    enum { MOST = 65536 };
+    const char* text = "{'descr': '|u1', 'fortran_order': False, 'shape': (1,)}";
+    for (size_t length = MOST - 1; length <= MOST + 1; length++) {
+        uint8_t* file = malloc(12 + length + 1);
+        memset(file, ' ', 12 + length);
+        memcpy(file, "\x93NUMPY\x02\x00", 8);
+        for (int i = 0; i < 4; i++) file[8 + i] = (uint8_t)(length >> (8 * i));
+        memcpy(file + 12, text, strlen(text));
+        file[12 + length] = 5;
+        if (length <= MOST)
+            expect_values(file, 12 + length + 1, (const int64_t[]){5}, 1);
+        else
+            expect_error(file, 12 + length + 1, DM_ERROR_BAD_DATA, "a header of 65537 bytes in a file of 65550");
+        free(file);
+    }
+}
+
+/* What a message quotes of a file ends after 32 bytes. */
+static void messages_quote_little(void** state) {
+    (void)state;
+    char header[256], says[64];
+    for (int length = 31; length <= 33; length++) {
+        char word[40] = {0};
+        memset(word, 'k', (size_t)length);
+        snprintf(header, sizeof header, "{'%s': 1}", word);
+        snprintf(says, sizeof says, "header entry '%.32s' can't be read", word);
+        bytes b = npy(1, header, "", 0);
+        expect_error(b.data, b.size, DM_ERROR_BAD_DATA, says);
+        snprintf(header, sizeof header, "{'descr': '%s'}", word);
+        snprintf(says, sizeof says, "values of type '%.32s', must be", word);
+        b = npy(1, header, "", 0);
+        expect_error(b.data, b.size, DM_ERROR_BAD_DATA, says);
+    }
+}
+
+/* JSON errors say at which byte and after how many values. */
+static void json_errors_have_a_place(void** state) {
+    (void)state;
+    static const struct {
+        const char *text, *says;
+    } rows[] = {{"[1,2,x]", "(at byte 5, after 2 values)"}, {"[1 2]", "(at byte 3, after 1 values)"},
+                {"[x]", "(at byte 1, after 0 values)"},     {"[1,2]]", "(at byte 5, after 2 values)"},
+                {"{}", "neither .npy nor a JSON array"},    {" x", "neither .npy nor a JSON array"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        expect_error(rows[i].text, strlen(rows[i].text), DM_ERROR_BAD_DATA, rows[i].says);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_integer_type_of_numpy),  cmocka_unit_test(headers_in_other_spellings),
         cmocka_unit_test(broken_npy_files_are_refused), cmocka_unit_test(json_arrays),
         cmocka_unit_test(other_json_is_refused),        cmocka_unit_test(a_refused_allocation_is_reported),
-        cmocka_unit_test(length_tells_the_scope),
+        cmocka_unit_test(length_tells_the_scope),       cmocka_unit_test(types_hold_their_extremes),
+        cmocka_unit_test(a_header_has_an_end),          cmocka_unit_test(messages_quote_little),
+        cmocka_unit_test(json_errors_have_a_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,10 @@
 /* Safetensors: right files are read, wrong ones named, whatever is wrong with them. */
 #include "test_env.h"
 
+#include <errno.h>
 #include <math.h>
+
+#include <cjson/cJSON.h>
 
 #include "nn/weights.h"
 #include "test_safetensors.h"
@@ -240,6 +243,142 @@ static void any_allocation_may_fail(void** state) {
     free(file.data);
 }
 
+static int calls, fail_at;
+
+static void* failing_malloc(size_t size) {
+    if (calls++ != fail_at) return malloc(size);
+    errno = ENOMEM;
+    return NULL;
+}
+
+/* The parser has its memory from malloc. Wherever that fails, the error says so, and nothing is lost. */
+static void no_memory_for_the_header_is_no_bad_file(void** state) {
+    (void)state;
+    test_file file = test_file_of("{" META "," MATRIX "," VECTOR "}", NUMBERS);
+    dm_result result = DM_ERROR_OUT_OF_MEMORY;
+    for (fail_at = 0; result != DM_OK; fail_at++) {
+        cJSON_InitHooks(&(cJSON_Hooks){failing_malloc, free});
+        calls = 0;
+        result = open_file(file);
+        cJSON_InitHooks(NULL);
+        assert_int_equal(result, calls > fail_at ? DM_ERROR_OUT_OF_MEMORY : DM_OK);
+    }
+    assert_true(fail_at > 20);
+    errno = ENOMEM; /* of a call before: a bad text is one all the same */
+    assert_int_equal(open_header("{", 0), DM_ERROR_BAD_DATA);
+    free(file.data);
+}
+
+/* The largest header and number of tensors and sides, and one more of each. */
+static void limits_are_the_last_that_fit(void** state) {
+    (void)state;
+    enum { MOST_HEADER = 1 << 20, MOST_TENSORS = 4096 };
+    for (int more = 0; more < 2; more++) {
+        char* header = malloc(MOST_HEADER + 2);
+        memset(header, ' ', MOST_HEADER + 1);
+        memcpy(header, "{" META "}", strlen("{" META "}"));
+        header[MOST_HEADER + more] = 0;
+        assert_int_equal(open_header(header, 0), more ? DM_ERROR_BAD_DATA : DM_OK);
+        size_t length = (size_t)sprintf(header, "{" META);
+        for (int i = 0; i < MOST_TENSORS - 1 + more; i++) /* metadata counts as one */
+            length +=
+                (size_t)sprintf(header + length, ",\"t%d\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[%d,%d]}",
+                                i, 4 * i, 4 * i + 4);
+        sprintf(header + length, "}");
+        assert_int_equal(open_header(header, MOST_TENSORS - 1 + (size_t)more), more ? DM_ERROR_BAD_DATA : DM_OK);
+        free(header);
+    }
+    assert_int_equal(
+        open_header("{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1,1,1,1,1,1,1,1],\"data_offsets\":[0,4]}}", 1),
+        DM_OK);
+    assert_int_equal(open_header("{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[],\"data_offsets\":[0,4]}}", 1), DM_OK);
+    /* Tensors without numbers lie between others, or at the end. */
+    assert_int_equal(open_header("{" META ",\"a\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[0,4]},"
+                                 "\"b\":{\"dtype\":\"F32\",\"shape\":[0,9],\"data_offsets\":[4,4]},"
+                                 "\"c\":{\"dtype\":\"F16\",\"shape\":[0],\"data_offsets\":[0,0]}}",
+                                 1),
+                     DM_OK);
+}
+
+/* Messages say which rule a file breaks, and of which tensor. */
+static void errors_are_named(void** state) {
+    (void)state;
+    static const struct {
+        const char *header, *says;
+        dm_result result;
+    } cases[] = {
+        {"[]", "not one JSON object", DM_ERROR_BAD_DATA},
+        {"{" META "} x", "not one JSON object", DM_ERROR_BAD_DATA},
+        {"{" META "," META "}", "__metadata__ is not one object", DM_ERROR_BAD_DATA},
+        {"{\"__metadata__\":7}", "__metadata__ is not one object", DM_ERROR_BAD_DATA},
+        {"{\"__metadata__\":{\"architecture\":\"nets\"}}", "architecture 'nets', expected 'net'", DM_ERROR_WRONG_MODEL},
+        {"{\"__metadata__\":{\"architecture\":\"net\",\"version\":\"3\"}}", "version 3, this library reads up to 2",
+         DM_ERROR_VERSION},
+        {"{\"__metadata__\":{\"architecture\":\"net\",\"version\":\"-1\"}}", "version '-1' is no number",
+         DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F64\",\"shape\":[1],\"data_offsets\":[0,4]}}", "tensor 'm' is of neither dtype",
+         DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":1,\"data_offsets\":[0,4]}}", "'m' has no usable shape",
+         DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[2],\"data_offsets\":[0,4]}}", "'m' has no usable shape",
+         DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F16\",\"shape\":[1],\"data_offsets\":[0,4]}}", "'m' has wrong data_offsets",
+         DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F32\",\"shape\":[1],\"data_offsets\":[1,5]}}", "'m' has wrong data_offsets",
+         DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F16\",\"shape\":[1],\"data_offsets\":[1,3]}}",
+         "'m' overlaps another or leaves a hole", DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F16\",\"shape\":[1],\"data_offsets\":[0,2]}}", "tensors take 2 of 4 bytes",
+         DM_ERROR_BAD_DATA},
+        {"{" META ",\"m\":{\"dtype\":\"F16\",\"shape\":[1],\"data_offsets\":[0,2]},"
+         "\"m\":{\"dtype\":\"F16\",\"shape\":[1],\"data_offsets\":[2,4]}}",
+         "two tensors named 'm'", DM_ERROR_BAD_DATA},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        test_env t;
+        dmi_weights* weights = NULL;
+        test_file file = test_file_of(cases[i].header, strstr(cases[i].header, "shape") ? 1 : 0);
+        test_env_open(&t, TEST_NEVER);
+        const dm_result result = dmi_weights_open(&t.env, file.data, file.size, "net", 2, &weights);
+        if (result != cases[i].result || !strstr(t.messages.text, cases[i].says))
+            fail_msg("%s: %d '%s'", cases[i].header, result, t.messages.text);
+        free(file.data);
+        test_env_close(&t);
+    }
+}
+
+/* Every half of 16 bits is the float of the same value (IEEE 754). */
+static void all_halves_are_widened(void** state) {
+    (void)state;
+    enum { HALVES = 1 << 16 };
+    test_env t;
+    dmi_weights* weights = NULL;
+    char header[256];
+    snprintf(header, sizeof header, "{%s,\"h\":{\"dtype\":\"F16\",\"shape\":[%d],\"data_offsets\":[0,%d]}}", META,
+             HALVES, 2 * HALVES);
+    test_file file = test_file_of(header, HALVES / 2);
+    float* values = malloc(HALVES * sizeof *values);
+    for (uint32_t i = 0; i < HALVES; i++) {
+        file.data[file.size - 2 * (HALVES - i)] = (unsigned char)i;
+        file.data[file.size - 2 * (HALVES - i) + 1] = (unsigned char)(i >> 8);
+    }
+    test_env_open(&t, TEST_NEVER);
+    assert_int_equal(dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights), DM_OK);
+    assert_true(dmi_weights_read(weights, "h", HALVES, 0, values));
+    for (uint32_t i = 0; i < HALVES; i++) {
+        const int exponent = (int)(i >> 10 & 31), fraction = (int)(i & 1023);
+        const double size = exponent == 0    ? ldexp(fraction, -24)
+                            : exponent == 31 ? (fraction ? (double)NAN : (double)INFINITY)
+                                             : ldexp(1024 + fraction, exponent - 25);
+        assert_int_equal(signbit(values[i]) != 0, i >> 15);
+        assert_true(isnan(size) ? isnan(values[i]) : fabsf(values[i]) == (float)size);
+    }
+    dmi_weights_close(weights);
+    test_env_close(&t);
+    free(values);
+    free(file.data);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tensors_are_found_by_name_and_shape),
@@ -252,6 +391,10 @@ int main(void) {
         cmocka_unit_test(tensors_must_tile_the_file),
         cmocka_unit_test(architecture_and_version_decide),
         cmocka_unit_test(any_allocation_may_fail),
+        cmocka_unit_test(no_memory_for_the_header_is_no_bad_file),
+        cmocka_unit_test(limits_are_the_last_that_fit),
+        cmocka_unit_test(errors_are_named),
+        cmocka_unit_test(all_halves_are_widened),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
