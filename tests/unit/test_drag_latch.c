@@ -311,6 +311,52 @@ static void what_is_held_gives_and_is_tried(void** state) {
     }
 }
 
+/* A part that closes by itself takes the stated time, or what its speed allows; one told to close takes its own. */
+static void closing_by_itself_takes_its_time(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {0};
+    const struct {
+        float time, most;
+        int32_t intent;
+        float duration;
+    } cases[] = {{0, 0, DM_INTENT_AUTO, 0.25f},
+                 {0.6f, 0, DM_INTENT_AUTO, 0.6f},
+                 {0.6f, 0.5f, DM_INTENT_AUTO, 0.75f},
+                 {0.6f, 1, DM_INTENT_AUTO, 0.6f},
+                 {0.6f, 0, DM_INTENT_CLOSE, 0.313050f}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const dm_drag_rules given = {.struct_size = sizeof given,
+                                     .auto_close_share = 0.3f,
+                                     .auto_close_time = cases[i].time,
+                                     .max_speed = cases[i].most};
+        const dmi_rules rules = dmi_rules_from(&given, &feel, &test_slide, false, 1);
+        const dmi_released_part part = {.joint = &test_slide, .feel = &feel, .rules = &rules, .value = 0.2f};
+        dmi_release plan = {0};
+        dmi_release_begin(&plan, &part, cases[i].intent, 0);
+        assert_int_equal(plan.intent, DM_INTENT_CLOSE);
+        assert_near(plan.duration, cases[i].duration, 1e-5); /* 1.875 0.2 / 0.5; 0.7 sqrt(0.2) */
+    }
+}
+
+/* The closer begins when its delay is over, not an update before; the host's STAY stops it. */
+static void a_closer_begins_on_time(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.return_time = 0.5f};
+    const dm_drag_rules rules = {.struct_size = sizeof rules, .close_delay = 0.5f};
+    for (int stays = 0; stays < 2; stays++) {
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        test_begin(&drag, &test_slide, 0.8f, &feel, &rules);
+        dmi_drag_release(&drag, stays ? DM_INTENT_STAY : DM_INTENT_AUTO, 0);
+        for (int k = 1; k <= 9; k++) { /* of 1/8 s: all exact */
+            dmi_drag_update(&drag, NULL, 0.125f, &now);
+            const double share = stays || k <= 4 ? 0 : fmin(0.25 * (k - 4), 1);
+            const double way = share * share * share * (10 - 15 * share + 6 * share * share);
+            assert_near(now.value, 0.8 * (1 - way), 1e-5);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_locked_part_gives_a_little_and_says_so),
@@ -326,6 +372,8 @@ int main(void) {
         cmocka_unit_test(either_handle_turns_either_way),
         cmocka_unit_test(a_lock_holds_where_the_part_was),
         cmocka_unit_test(what_is_held_gives_and_is_tried),
+        cmocka_unit_test(closing_by_itself_takes_its_time),
+        cmocka_unit_test(a_closer_begins_on_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
