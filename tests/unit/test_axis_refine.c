@@ -424,6 +424,49 @@ static void a_shift_is_the_least_of_misses_and_prior(void** state) {
     shift_from(0.9f, (float[2]){0.02f, 0.01f});
 }
 
+/* Each third time the active one, if it turns; else the likeliest turn that waits, by its last posterior and 0.05 for
+ * each that came before. With too few rays no line is shifted. */
+static void lines_are_refined_in_turn(void** state) {
+    (void)state;
+    enum { MANY = 6, SLIDE = 3 };
+    dmi_random random = dmi_random_make(7, 8);
+    for (uint32_t best = 2; best <= SLIDE; best++) {
+        dmi_grasp grasp = {.size = 1, .limit_give = {.length = 4}};
+        dmi_joint_hypothesis list[MANY];
+        dmi_axis_refiner refiner;
+        float wanted[MANY];
+        dmi_pull_begin(&grasp.pull, handle, 0.006f);
+        dmi_axis_refiner_init(&refiner);
+        for (int k = 1; k <= 3; k++) {
+            const dm_ray ray = {{handle[0] + 0.1f * (float)k, handle[1], 5}, {0, 0, -1}};
+            dmi_grasp_add(&grasp, &ray);
+        }
+        assert_int_equal(grasp.pull.count, 3);
+        for (uint32_t i = 0; i < MANY; i++) {
+            const dm_joint slide = {.type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}};
+            const dm_joint joint = i == SLIDE ? slide : moved(&door, 0.1f * (float)i, 0);
+            list[i] =
+                dmi_joint_hypothesis_make(&grasp, &joint, test_range(&random, -2, 0), false, dmi_unbounded_range());
+            list[i].log_posterior = list[i].log_prior - test_range(&random, 0, 0.5f);
+            dmi_axis_refiner_add(&refiner, i, &list[i]);
+            wanted[i] = i == SLIDE ? -INFINITY : list[i].log_prior;
+            if (i != SLIDE) assert_near(refiner.priority[i], wanted[i], 0);
+        }
+        for (uint32_t round = 0; round < 40; round++) {
+            uint32_t next = DMI_NO_HYPOTHESIS;
+            for (uint32_t i = 0; i < MANY; i++)
+                if (i != best && i != SLIDE && (next == DMI_NO_HYPOTHESIS || wanted[i] > wanted[next])) next = i;
+            if (round % 3 == 0 && best != SLIDE) next = best;
+            for (uint32_t step = 0; step < grasp.pull.count; step++)
+                assert_int_equal(dmi_axis_refiner_step(&refiner, &grasp, list, MANY, best), DMI_NO_HYPOTHESIS);
+            wanted[next] = list[next].log_posterior - 0.05f * (float)(round + 1);
+            for (uint32_t i = 0; i < MANY; i++)
+                if (i != SLIDE) assert_near(refiner.priority[i], wanted[i], 1e-5);
+        }
+        for (uint32_t i = 0; i < MANY; i++) assert_true(list[i].shift[0] == 0 && list[i].shift_cost == 0);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_line_comes_to_where_the_pull_has_it),
@@ -438,6 +481,7 @@ int main(void) {
         cmocka_unit_test(a_full_pull_is_thinned),
         cmocka_unit_test(a_joint_that_fits_misses_nothing),
         cmocka_unit_test(a_shift_is_the_least_of_misses_and_prior),
+        cmocka_unit_test(lines_are_refined_in_turn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
