@@ -500,6 +500,45 @@ static void what_begins_outside_its_limits_comes_in(void** state) {
     }
 }
 
+/* Time that is none, or goes backwards, moves no released part. */
+static void time_that_is_none_moves_nothing(void** state) {
+    (void)state;
+    const float times[] = {0, -0.1f, -1e30f, NAN, INFINITY, -INFINITY};
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    const dm_drag_rules rules = no_rules();
+    test_begin(&drag, &test_slide, 0.9f, &plain, &rules);
+    dmi_drag_release(&drag, DM_INTENT_CLOSE, 0);
+    dmi_drag_update(&drag, NULL, 0.2f, &now);
+    const float value = now.value, velocity = now.velocity, elapsed = drag.release.elapsed;
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        dmi_drag_update(&drag, NULL, times[i], &now);
+        assert_near(now.value, value, 0);
+        assert_near(now.velocity, velocity, 0);
+        assert_near(drag.release.elapsed, elapsed, 0);
+    }
+}
+
+/* A closer's delay begins anew with each release. */
+static void a_second_release_waits_anew(void** state) {
+    (void)state;
+    const dm_drag_feel springs = {.return_time = 0.25f};
+    dm_drag_rules rules = no_rules();
+    rules.close_delay = 0.5f;
+    dm_drag_state now = {0};
+    dmi_drag drag;
+    test_begin(&drag, &test_slide, 0.8f, &springs, &rules);
+    for (int round = 0; round < 2; round++) {
+        dmi_drag_release(&drag, DM_INTENT_AUTO, 0);
+        for (int k = 0; k < 3; k++) dmi_drag_update(&drag, NULL, 0.125f, &now);
+        assert_near(now.value, 0.8f, 0);
+    }
+    dmi_drag_update(&drag, NULL, 0.125f, &now); /* over: the closer begins, and goes half-way in half its time */
+    assert_near(now.value, 0.8f, 0);
+    dmi_drag_update(&drag, NULL, 0.125f, &now);
+    assert_near(now.value, 0.4, 1e-5);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_fall_ends_where_its_plan_does),
@@ -528,6 +567,8 @@ int main(void) {
         cmocka_unit_test(a_limit_is_met_within_its_tolerance),
         cmocka_unit_test(rules_say_what_a_release_means),
         cmocka_unit_test(what_begins_outside_its_limits_comes_in),
+        cmocka_unit_test(time_that_is_none_moves_nothing),
+        cmocka_unit_test(a_second_release_waits_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
