@@ -258,6 +258,25 @@ static void test_faces_by_node_name(void** state) {
     close_it(&o);
 }
 
+/* A group without triangles of its own, the first node of its file, stands for what it carries. */
+static void test_groups_stand_for_what_they_carry(void** state) {
+    (void)state;
+    opened o;
+    open_json(&o,
+              ASSET VIEWS ACCESSORS MESHES NODES(
+                  "{\"name\":\"group\",\"children\":[1]},{\"name\":\"inner\",\"children\":[2]},"
+                  "{\"mesh\":0},{\"mesh\":0}"),
+              &square, sizeof square);
+    assert_int_equal(o.result, DM_OK);
+    const char* const groups[] = {"group", "inner"};
+    for (int i = 0; i < 2; i++) {
+        uint8_t ids[4] = {0};
+        assert_int_equal(dm_gltf_mark_faces(o.gltf, &groups[i], 1, 1, ids, 4), DM_OK);
+        assert_memory_equal(ids, ((uint8_t[]){1, 1, 0, 0}), 4);
+    }
+    close_it(&o);
+}
+
 static void test_masks(void** state) {
     (void)state;
     opened o;
@@ -636,6 +655,7 @@ int main(void) {
         cmocka_unit_test(test_gltf_text_with_embedded_buffer),
         cmocka_unit_test(test_padded_base64),
         cmocka_unit_test(test_faces_by_node_name),
+        cmocka_unit_test(test_groups_stand_for_what_they_carry),
         cmocka_unit_test(test_masks),
         cmocka_unit_test(test_hostile_files_are_named),
         cmocka_unit_test(test_large_numbers_never_wrap),
