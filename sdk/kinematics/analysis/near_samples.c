@@ -16,9 +16,9 @@ static uint32_t list_faces(const dmi_mesh* mesh, const uint8_t* moving, const fl
         if (moving[f] || mesh->face_area[f] <= 0) continue;
         bool overlaps = true;
         for (int k = 0; k < 3; k++) {
-            float a = mesh->positions[3 * (size_t)mesh->indices[3 * f] + (size_t)k];
-            float b = mesh->positions[3 * (size_t)mesh->indices[3 * f + 1] + (size_t)k];
-            float c = mesh->positions[3 * (size_t)mesh->indices[3 * f + 2] + (size_t)k];
+            float a = mesh->positions[3 * (size_t)mesh->indices[3 * (size_t)f] + (size_t)k];
+            float b = mesh->positions[3 * (size_t)mesh->indices[3 * (size_t)f + 1] + (size_t)k];
+            float c = mesh->positions[3 * (size_t)mesh->indices[3 * (size_t)f + 2] + (size_t)k];
             overlaps &= dmi_min(a, dmi_min(b, c)) <= high[k] && dmi_max(a, dmi_max(b, c)) >= low[k];
         }
         if (!overlaps) continue;
@@ -50,9 +50,9 @@ static uint32_t find_face(const float* area, uint32_t count, const uint32_t guid
 static bool sample_face(const dmi_mesh* mesh, uint32_t f, dmi_random* random, const float low[3], const float high[3],
                         float out[3]) {
     float r = sqrtf(dmi_random_unit(random)), s = dmi_random_unit(random);
-    const float* a = mesh->positions + 3 * (size_t)mesh->indices[3 * f];
-    const float* b = mesh->positions + 3 * (size_t)mesh->indices[3 * f + 1];
-    const float* c = mesh->positions + 3 * (size_t)mesh->indices[3 * f + 2];
+    const float* a = mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)f];
+    const float* b = mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)f + 1];
+    const float* c = mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)f + 2];
     bool inside = true;
     for (int k = 0; k < 3; k++) {
         out[k] = (1 - r) * a[k] + r * (1 - s) * b[k] + r * s * c[k];

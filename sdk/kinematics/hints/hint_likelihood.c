@@ -23,7 +23,7 @@ static const float kind_weights[DMI_KIND_COUNT][DMI_KIND_FEATURES] = {
 /* By kind: what the part's own name adds to the log odds of sliding where no drag tells the type. */
 static const float kind_slides[DMI_KIND_COUNT] = {
 #define KIND_WEIGHTS(...)
-#define KIND_SLIDES(kind, value) [DMI_KIND_##kind] = value,
+#define KIND_SLIDES(kind, value) [DMI_KIND_##kind] = (value),
 #define PIVOT_WEIGHTS(...)
 #define LABEL_TRUST(...)
 #include "kinematics/hints/hint_weights.def"

@@ -20,7 +20,7 @@
 #define NEARLY_AS_HEAVY 0.9f /* share of the heaviest candidate's weight; by hand */
 #define HEAVIER 1.0001f      /* ratio: rounding does not decide between equal weights; by hand */
 
-#define ANY_TYPE -1
+#define ANY_TYPE (-1)
 
 typedef struct leading {
     uint32_t index; /* of the candidate */

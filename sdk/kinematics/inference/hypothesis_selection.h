@@ -18,8 +18,8 @@ typedef struct dmi_selected {
     uint32_t index;  /* of the candidate */
     float mass;      /* probability of the candidates that move the part alike, at most that of the one before */
     float type_mass; /* probability of all candidates of its type, turn or slide */
-    dmi_weighted_candidate support[DMI_CONSENSUS_MAX]; /* candidates near it, itself among them */
     uint32_t support_count;
+    dmi_weighted_candidate support[DMI_CONSENSUS_MAX]; /* candidates near it, itself among them */
 } dmi_selected;
 
 /* How candidates are weighed, by the probability of those near them, and how the first hypothesis is chosen. */

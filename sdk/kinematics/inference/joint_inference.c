@@ -27,7 +27,7 @@
 /* Of the log odds of a dragged part's confidence when the object has no body, which no training case lacks. Fitted on
  * the parts of 99 generated objects, each alone, and rounded. */
 #define ALONE_SLOPE 2.0f
-#define ALONE_OFFSET -2.0f
+#define ALONE_OFFSET (-2.0f)
 
 typedef struct work {
     const dmi_inference_query* query;
