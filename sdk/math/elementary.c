@@ -188,3 +188,10 @@ float dmi_acosf(float x) {
 float dmi_asinf(float x) {
     return (float)dmi_atan2((double)x, other_side((double)x));
 }
+
+void dmi_softmax(float* values, uint32_t count) {
+    float most = -INFINITY, sum = 0;
+    for (uint32_t i = 0; i < count; i++) most = dmi_fmaxf(most, values[i]);
+    for (uint32_t i = 0; i < count; i++) sum += values[i] = dmi_expf(values[i] - most);
+    for (uint32_t i = 0; i < count; i++) values[i] /= sum;
+}

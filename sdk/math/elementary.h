@@ -4,6 +4,8 @@
 #ifndef DMI_MATH_ELEMENTARY_H
 #define DMI_MATH_ELEMENTARY_H
 
+#include <stdint.h>
+
 /* The point of the unit circle at an angle. */
 typedef struct dmi_circle {
     double cosine, sine;
@@ -31,6 +33,9 @@ float dmi_atan2f(float y, float x);
 /* NaN outside of [-1, 1]. */
 float dmi_acosf(float x);
 float dmi_asinf(float x);
+
+/* Turns scores into shares of 1, in place, by their exponentials. */
+void dmi_softmax(float* values, uint32_t count);
 
 /* As fmaxf and the like: the other one where one is NaN; b of two zeros. */
 static inline float dmi_fmaxf(float a, float b) {

@@ -217,10 +217,15 @@ def write(model, lab, path):
     def numbers(values):
         return ", ".join(f"{value:.3f}f" for value in values)
     lines = ["/* Weights of asset hints, by kind of part and by place of the pivot. Written by dragmesh_training/hints.py: not to be",
-             " * edited. */", "/* clang-format off */", "", f"LABEL_TRUST({numbers(model['trust'].numpy())})"]
+             " * edited. Defines what its reader has not defined as nothing, and undefines it all. */", "/* clang-format off */"]
+    tables = ("KIND_WEIGHTS", "KIND_SLIDES", "PIVOT_WEIGHTS", "LABEL_TRUST")
+    for table in tables:
+        lines += [f"#ifndef {table}", f"#define {table}(...)", "#endif"]
+    lines += ["", f"LABEL_TRUST({numbers(model['trust'].numpy())})"]
     lines += [f"PIVOT_WEIGHTS({name}, {numbers(row)})" for name, row in zip(names_of(lab, 2), model["places"].numpy())]
     lines += [f"KIND_SLIDES({name}, {value:.3f}f)" for name, value in zip(names_of(lab, 0), model["slides"].numpy())]
     lines += [f"KIND_WEIGHTS({name}, {numbers(row)})" for name, row in zip(names_of(lab, 0), model["kinds"].numpy())]
+    lines += [""] + [f"#undef {table}" for table in tables]
     with open(path, "w") as file:
         file.write("\n".join(lines) + "\n")
 

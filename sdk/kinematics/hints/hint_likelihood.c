@@ -10,53 +10,25 @@
 /* Weights by kind: a row for each kind of kinds.def. */
 static const float kind_weights[DMI_KIND_COUNT][DMI_KIND_FEATURES] = {
 #define KIND_WEIGHTS(kind, ...) [DMI_KIND_##kind] = {__VA_ARGS__},
-#define PIVOT_WEIGHTS(place, ...)
-#define KIND_SLIDES(...)
-#define LABEL_TRUST(...)
 #include "kinematics/hints/hint_weights.def"
-#undef KIND_WEIGHTS
-#undef PIVOT_WEIGHTS
-#undef KIND_SLIDES
-#undef LABEL_TRUST
 };
 
 /* By kind: what the part's own name adds to the log odds of sliding where no drag tells the type. */
 static const float kind_slides[DMI_KIND_COUNT] = {
-#define KIND_WEIGHTS(...)
 #define KIND_SLIDES(kind, value) [DMI_KIND_##kind] = (value),
-#define PIVOT_WEIGHTS(...)
-#define LABEL_TRUST(...)
 #include "kinematics/hints/hint_weights.def"
-#undef KIND_WEIGHTS
-#undef PIVOT_WEIGHTS
-#undef KIND_SLIDES
-#undef LABEL_TRUST
 };
 
 /* Weights by place of the pivot. */
 static const float pivot_weights[DMI_PIVOT_PLACES][DMI_PIVOT_FEATURES] = {
-#define KIND_WEIGHTS(kind, ...)
 #define PIVOT_WEIGHTS(place, ...) [DMI_PIVOT_##place] = {__VA_ARGS__},
-#define KIND_SLIDES(...)
-#define LABEL_TRUST(...)
 #include "kinematics/hints/hint_weights.def"
-#undef KIND_WEIGHTS
-#undef PIVOT_WEIGHTS
-#undef KIND_SLIDES
-#undef LABEL_TRUST
 };
 
 /* Factors of the kind's weights: the part's own name says it, a name above it does. */
 static const float label_trust[2] = {
-#define KIND_WEIGHTS(kind, ...)
-#define PIVOT_WEIGHTS(place, ...)
-#define KIND_SLIDES(...)
 #define LABEL_TRUST(...) __VA_ARGS__
 #include "kinematics/hints/hint_weights.def"
-#undef KIND_WEIGHTS
-#undef PIVOT_WEIGHTS
-#undef KIND_SLIDES
-#undef LABEL_TRUST
 };
 
 uint32_t dmi_hints_add_candidates(const dmi_asset_hints* hints, const dmi_part_analysis* analysis,
@@ -90,14 +62,11 @@ static float pivot_likelihood(const dmi_hint_frame* frame, const dmi_candidate* 
 void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_drag_hint* drag,
                      const dmi_candidate* candidates, uint32_t count, float* probability) {
     dmi_hint_frame frame;
-    float most = -INFINITY, sum = 0;
     dmi_hint_frame_make(hints, analysis, &frame);
     for (uint32_t i = 0; i < count; i++) {
         probability[i] = dmi_logf(dmi_max(probability[i], FLT_MIN));
         probability[i] += label_likelihood(&frame, &candidates[i], drag != NULL);
         probability[i] += pivot_likelihood(&frame, &candidates[i]);
-        most = dmi_max(most, probability[i]);
     }
-    for (uint32_t i = 0; i < count; i++) sum += probability[i] = dmi_expf(probability[i] - most);
-    for (uint32_t i = 0; i < count; i++) probability[i] /= sum;
+    dmi_softmax(probability, count);
 }

@@ -1,6 +1,8 @@
 /* Converts the network's raw outputs. */
 #include "kinematics/kpp/kpp_prediction.h"
 
+#include <string.h>
+
 #include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
@@ -13,16 +15,10 @@ static void rotate_out(const dmi_kpp_frame* frame, const float in[3], float out[
         out[k] = in[0] * frame->rotation[k] + in[1] * frame->rotation[3 + k] + in[2] * frame->rotation[2 * 3 + k];
 }
 
-static void softmax(const float* logits, uint32_t count, float* out) {
-    float most = -INFINITY, sum = 0;
-    for (uint32_t i = 0; i < count; i++) most = dmi_fmaxf(most, logits[i]);
-    for (uint32_t i = 0; i < count; i++) sum += out[i] = dmi_expf(logits[i] - most);
-    for (uint32_t i = 0; i < count; i++) out[i] /= sum;
-}
-
 void dmi_prediction_read(const dmi_kpp_frame* frame, const dmi_kpp_output* raw, dmi_prediction* out) {
     static const float x_axis[3] = {1, 0, 0};
-    softmax(raw->type_logits, DMI_KPP_TYPES, out->type);
+    memcpy(out->type, raw->type_logits, sizeof out->type);
+    dmi_softmax(out->type, DMI_KPP_TYPES);
     rotate_out(frame, raw->turn_axis, out->turn_axis);
     rotate_out(frame, raw->slide_axis, out->slide_axis);
     if (!(dmi_normalize3(out->turn_axis) > MIN_AXIS)) rotate_out(frame, x_axis, out->turn_axis);

@@ -56,15 +56,16 @@ double dmi_get_f64(dmi_dmo_reader* r) {
 
 void dmi_get_words(dmi_dmo_reader* r, void* out, size_t count) {
     const size_t size = count * sizeof(uint32_t);
-    const bool whole = is_little_endian() && r->left >= size;
-    for (size_t i = 0; !whole && i < count; i++) {
+    if (is_little_endian() && r->left >= size) {
+        memcpy(out, r->at, size);
+        r->at += size;
+        r->left -= size;
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
         const uint32_t word = dmi_get_u32(r);
         memcpy((uint8_t*)out + i * sizeof word, &word, sizeof word);
     }
-    if (!whole) return;
-    memcpy(out, r->at, size);
-    r->at += size;
-    r->left -= size;
 }
 
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count) {
@@ -122,14 +123,16 @@ void dmi_put_f64(dmi_dmo_writer* w, double value) {
 
 void dmi_put_words(dmi_dmo_writer* w, const void* values, size_t count) {
     const size_t size = count * sizeof(uint32_t);
-    for (size_t i = 0; !is_little_endian() && i < count; i++) {
+    if (is_little_endian()) {
+        if (w->out != NULL) memcpy(w->out + w->size, values, size);
+        w->size += size;
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
         uint32_t word;
         memcpy(&word, (const uint8_t*)values + i * sizeof word, sizeof word);
         dmi_put_u32(w, word);
     }
-    if (!is_little_endian()) return;
-    if (w->out != NULL) memcpy(w->out + w->size, values, size);
-    w->size += size;
 }
 
 void dmi_put_floats(dmi_dmo_writer* w, const float* values, size_t count) {

@@ -99,18 +99,10 @@ static void score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)
     for (uint32_t i = 0; i < count; i++) out_score[i] = (out_score[i] + by_trees[i]) / 2;
 }
 
-/* Softmax, in place. */
-static void share_one(float* scores, uint32_t count) {
-    float most = -INFINITY, sum = 0;
-    for (uint32_t i = 0; i < count; i++) most = dmi_max(most, scores[i]);
-    for (uint32_t i = 0; i < count; i++) sum += scores[i] = dmi_expf(scores[i] - most);
-    for (uint32_t i = 0; i < count; i++) scores[i] /= sum;
-}
-
 void dmi_ranker_probabilities(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
                               uint32_t count, float* out_probability) {
     score(ranker, isa, features, count, out_probability);
-    share_one(out_probability, count);
+    dmi_softmax(out_probability, count);
 }
 
 void dmi_ranker_geometry_probabilities(const dmi_ranker* ranker, dmi_isa isa,
@@ -123,7 +115,7 @@ void dmi_ranker_geometry_probabilities(const dmi_ranker* ranker, dmi_isa isa,
         hide_network(x, rows);
         score(ranker, isa, (const float(*)[DMI_FEATURE_COUNT])x, rows, out_probability + first);
     }
-    share_one(out_probability, count);
+    dmi_softmax(out_probability, count);
 }
 
 float dmi_ranker_confidence(const dmi_ranker* ranker, int dragged, float mass) {
