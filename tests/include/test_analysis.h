@@ -4,8 +4,19 @@
 
 #include "test_env.h"
 
+#include "base/random.h"
 #include "kinematics/candidates/candidates.h"
 #include "test_shapes.h"
+
+/* A crooked pile of boxes: many directions, so many candidates. */
+static inline void test_shape_pile(test_shape* shape, dmi_random* random) {
+    shape->vertex_count = shape->face_count = 0;
+    for (int i = 0; i < 6; i++) {
+        const float x = 0.13f * (float)i, y = 0.1f * dmi_random_unit(random);
+        test_shape_box(shape, (const float[]){x, y, 0}, (const float[]){x + 0.12f, y + 0.4f, 0.5f}, 0);
+        test_shape_box(shape, (const float[]){x, 0.52f, y}, (const float[]){x + 0.1f, 0.56f + 0.3f * y, 0.5f}, 1);
+    }
+}
 
 typedef struct test_analysis {
     test_env t;

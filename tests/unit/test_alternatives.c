@@ -14,15 +14,10 @@ static test_analysis a;
 static dmi_candidate candidates[DMI_CANDIDATES_MAX];
 static float probability[DMI_CANDIDATES_MAX];
 
-/* A crooked pile of boxes: many directions, so many candidates. Returns how many there are. */
+/* Returns how many candidates there are. */
 static uint32_t open_pile(void) {
     dmi_random random = dmi_random_make(5, 2);
-    shape.vertex_count = shape.face_count = 0;
-    for (int i = 0; i < 6; i++) {
-        const float x = 0.13f * (float)i, y = 0.1f * dmi_random_unit(&random);
-        test_shape_box(&shape, (const float[]){x, y, 0}, (const float[]){x + 0.12f, y + 0.4f, 0.5f}, 0);
-        test_shape_box(&shape, (const float[]){x, 0.52f, y}, (const float[]){x + 0.1f, 0.56f + 0.3f * y, 0.5f}, 1);
-    }
+    test_shape_pile(&shape, &random);
     test_analysis_open(&a, &shape, 3);
     const uint32_t count = dmi_candidates_make(&a.of_part, NULL, NULL, candidates);
     for (uint32_t i = 0; i < count; i++) probability[i] = dmi_random_unit(&random) / (float)count;

@@ -21,15 +21,9 @@ typedef struct bench {
     test_layers layers;
 } bench;
 
-/* A crooked pile of boxes with a slab leaning on it: many directions, so many candidates. */
 static void open_bench(bench* b) {
     dmi_random random = dmi_random_make(5, 2);
-    shape.vertex_count = shape.face_count = 0;
-    for (int i = 0; i < 6; i++) {
-        const float x = 0.13f * (float)i, y = 0.1f * dmi_random_unit(&random);
-        test_shape_box(&shape, (const float[]){x, y, 0}, (const float[]){x + 0.12f, y + 0.4f, 0.5f}, 0);
-        test_shape_box(&shape, (const float[]){x, 0.52f, y}, (const float[]){x + 0.1f, 0.56f + 0.3f * y, 0.5f}, 1);
-    }
+    test_shape_pile(&shape, &random);
     test_analysis_open(&a, &shape, 3);
     test_layers_open(&b->layers, &a.t.env);
     dmi_copy3(a.of_part.points[0], b->hint.point);

@@ -5,10 +5,9 @@
 
 #include <cjson/cJSON.h>
 
-#include "dragmesh/ext/gltf.h"
 #include "math/dual_quat.h"
-#include "test_env.h"
 #include "test_glb.h"
+#include "test_gltf.h"
 
 enum { KEYS = 9 };
 
@@ -40,17 +39,6 @@ typedef struct setup {
     uint8_t ids[64];
 } setup;
 
-static dm_gltf* open_bytes(test_env* t, const void* data, size_t size) {
-    const dm_gltf_desc desc = {.struct_size = sizeof desc,
-                               .data = data,
-                               .size = size,
-                               .allocator = test_allocator(&t->memory),
-                               .log = test_log(&t->messages)};
-    dm_gltf* gltf = NULL;
-    if (dm_gltf_open(&desc, &gltf) != DM_OK) fail_msg("%s", t->messages.text);
-    return gltf;
-}
-
 /* A file with the given nodes; the poses turn by 1.2 rad about a line through (3, 1, 0) and advance along it. */
 static void set_up(setup* s, const char* nodes, float turn, float advance) {
     memset(s, 0, sizeof *s);
@@ -58,7 +46,7 @@ static void set_up(setup* s, const char* nodes, float turn, float advance) {
     char* json = malloc(strlen(nodes) + sizeof DATA);
     sprintf(json, "%s%s", DATA, nodes);
     const test_glb glb = test_glb_pack(json, &both, sizeof both);
-    s->gltf = open_bytes(&s->t, glb.data, glb.size);
+    s->gltf = test_gltf_open(&s->t, glb.data, glb.size);
     dm_gltf_get_mesh(s->gltf, &s->mesh);
     const float axis[3] = {0.36f, 0.48f, 0.8f}, point[3] = {3, 1, 0};
     for (int k = 0; k < KEYS; k++) {
@@ -134,7 +122,7 @@ static dm_gltf* open_at_key(test_env* t, const animated* a, int k) {
     }
     char* text = cJSON_PrintUnformatted(still);
     const test_glb glb = test_glb_pack(text, a->bin, a->bin_size);
-    dm_gltf* gltf = open_bytes(t, glb.data, glb.size);
+    dm_gltf* gltf = test_gltf_open(t, glb.data, glb.size);
     free(glb.data);
     free(text);
     cJSON_Delete(still);
@@ -376,7 +364,7 @@ static void test_a_skinned_part_keeps_its_shading(void** state) {
     test_env t;
     test_env_open(&t, TEST_NEVER);
     const test_glb glb = test_glb_pack(skinned_json, &skinned, sizeof skinned);
-    dm_gltf* gltf = open_bytes(&t, glb.data, glb.size);
+    dm_gltf* gltf = test_gltf_open(&t, glb.data, glb.size);
     const uint8_t ids[1] = {1};
     const float x[3] = {1, 0, 0}, zero[3] = {0}, time = 0;
     const dm_pose still = dmi_pose_from_screw(x, zero, 0, 0);

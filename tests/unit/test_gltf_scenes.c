@@ -3,9 +3,8 @@
 #include <stdio.h>
 
 #include "base/random.h"
-#include "dragmesh/ext/gltf.h"
-#include "test_env.h"
 #include "test_glb.h"
+#include "test_gltf.h"
 
 enum { TEXT = 1 << 15, ACCESSORS = 4, MESHES = 4, NODES = 9, PRIMITIVES = 3, FACES = 7, MOST = 400, SCENES = 300 };
 
@@ -259,16 +258,10 @@ static void every_triangle_is_where_its_node_puts_it(void** state) {
     static scene s;
     for (uint64_t seed = 0; seed < SCENES; seed++) {
         test_env t;
-        dm_gltf* gltf = NULL;
         make_scene(&s, seed);
         const test_glb glb = write_scene(&s);
         test_env_open(&t, TEST_NEVER);
-        const dm_gltf_desc desc = {.struct_size = sizeof desc,
-                                   .data = glb.data,
-                                   .size = glb.size,
-                                   .allocator = test_allocator(&t.memory),
-                                   .log = test_log(&t.messages)};
-        if (dm_gltf_open(&desc, &gltf) != DM_OK) fail_msg("%s", t.messages.text);
+        dm_gltf* gltf = test_gltf_open(&t, glb.data, glb.size);
         check_scene(&s, gltf);
         dm_gltf_close(gltf);
         test_env_close(&t);

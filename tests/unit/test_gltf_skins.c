@@ -4,9 +4,8 @@
 #include <stdio.h>
 
 #include "base/random.h"
-#include "dragmesh/ext/gltf.h"
-#include "test_env.h"
 #include "test_glb.h"
+#include "test_gltf.h"
 
 enum { VERTICES = 40, FACES = 30, JOINTS = 5, SETS = 2, SKINS = 200, TEXT = 8192 };
 
@@ -151,16 +150,10 @@ static void everything_goes_with_its_bones(void** state) {
         skin s;
         float moves[JOINTS][3];
         test_env t;
-        dm_gltf* gltf = NULL;
         make_skin(&s, moves, seed);
         const test_glb glb = write_skin(&s, moves);
         test_env_open(&t, TEST_NEVER);
-        const dm_gltf_desc desc = {.struct_size = sizeof desc,
-                                   .data = glb.data,
-                                   .size = glb.size,
-                                   .allocator = test_allocator(&t.memory),
-                                   .log = test_log(&t.messages)};
-        if (dm_gltf_open(&desc, &gltf) != DM_OK) fail_msg("%s", t.messages.text);
+        dm_gltf* gltf = test_gltf_open(&t, glb.data, glb.size);
         check_skin(&s, moves, gltf, seed);
         dm_gltf_close(gltf);
         test_env_close(&t);
