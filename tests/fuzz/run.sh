@@ -9,6 +9,7 @@ export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=pri
 # Mutations: as many as a target does in some seconds. A target without a line here is a mistake.
 mutations="
 fuzz_api 80
+fuzz_compressed 20000
 fuzz_dmo 6000
 fuzz_gltf 20000
 fuzz_jobs 150

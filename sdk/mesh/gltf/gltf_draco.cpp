@@ -103,8 +103,15 @@ const char* check_claims(const char* data, size_t size, uint32_t most_points, ui
     return read_count(buffer, most_points) && read_count(buffer, most_faces) ? nullptr : "more than glTF says";
 }
 
+// Draco has 64 bits and bool besides. A stream's bool may have any byte, and reading it as one is undefined.
+bool is_gltf_type(draco::DataType type) {
+    return (type >= draco::DT_INT8 && type <= draco::DT_UINT32) || type == draco::DT_FLOAT32;
+}
+
+// Returns NULL for an attribute that is not there, and for one of a type that glTF has not.
 const draco::PointAttribute* find(const dmi_draco* mesh, uint32_t id) {
-    return mesh->mesh->GetAttributeByUniqueId(id);
+    const draco::PointAttribute* found = mesh->mesh->GetAttributeByUniqueId(id);
+    return found && is_gltf_type(found->data_type()) ? found : nullptr;
 }
 
 template <typename T> bool read_values(const draco::Mesh& mesh, const draco::PointAttribute& from, void* out) {
