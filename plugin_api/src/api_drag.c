@@ -68,6 +68,8 @@ static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
 
 /* ---- the start of a drag ---- */
 
+#define SCALED_JOINT "dm_drag_begin: desc.scale: the scaled joint"
+
 /* What a drag begins with, in the frame of the scaled instance. */
 typedef struct start {
     const dm_drag_desc* desc;
@@ -159,7 +161,8 @@ static dm_result read_start(dmi_env* env, start* s) {
                         "dm_drag_begin: desc.start_value is %g, but desc.state has a value",
                         (double)s->desc->start_value);
     }
-    if (s->desc->state != NULL) result = read_state(env, s);
+    result =
+        s->desc->state != NULL ? read_state(env, s) : dmi_joint_check(env, SCALED_JOINT, &s->joint, DM_JOINT_UNKNOWN);
     if (result != DM_OK) return result;
     const dmi_rules_start rules = {.joint = &s->joint,
                                    .one_sided = dmi_joint_open_side(&s->joint, s->object_size) != 0,
@@ -221,13 +224,21 @@ static dmi_free_range free_range_out(const start* s, int32_t type, dmi_free_rang
     return (dmi_free_range){dmi_fmaxf(inner.lower * length, -FLT_MAX), dmi_fminf(inner.upper * length, FLT_MAX)};
 }
 
+/* Takes a joint of the object-normalised frame to the scaled instance. Returns whether its numbers are such as a host
+ * may hand in: what a drag takes up, a saved one must hold. */
+static bool joint_out(const start* s, const dm_joint* inner, dm_joint* out) {
+    *out = dmi_frame_joint_out(&s->object->frame, inner);
+    dmi_joint_scale(out, s->scale);
+    return dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN) == DM_OK;
+}
+
 /* Adds slides along the axes of the canonical frame. */
 static void add_slides(dmi_hypothesis_tracker* tracker, const start* s) {
     const dmi_free_range* ranges = s->object->parts[s->part].alternatives.slides;
     for (int i = 0; i < 3; i++) {
         const dm_joint inner = {.type = DM_JOINT_PRISMATIC, .axis = {i == 0, i == 1, i == 2}};
-        dm_joint joint = dmi_frame_joint_out(&s->object->frame, &inner);
-        dmi_joint_scale(&joint, s->scale);
+        dm_joint joint;
+        if (!joint_out(s, &inner, &joint)) continue;
         dmi_hypothesis_tracker_add_slide(tracker, joint.axis, free_range_out(s, joint.type, ranges[i]));
     }
 }
@@ -237,8 +248,8 @@ static void add_alternatives(dmi_hypothesis_tracker* tracker, const start* s) {
     for (uint32_t i = 0; i < alternatives->count; i++) {
         const dmi_alternative* one = &alternatives->list[i];
         const dm_joint inner = dmi_alternative_joint(one);
-        dm_joint joint = dmi_frame_joint_out(&s->object->frame, &inner);
-        dmi_joint_scale(&joint, s->scale);
+        dm_joint joint;
+        if (!joint_out(s, &inner, &joint)) continue;
         const dmi_free_range range = free_range_out(s, joint.type, one->free_range);
         dmi_hypothesis_tracker_add_alternative(tracker, &joint, range);
     }
@@ -265,8 +276,8 @@ static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESE
         out[count++] = s->joint;
     }
     for (uint32_t i = 0; i < all->count && count < DM_MAX_HYPOTHESES; i++) {
-        dm_joint joint = dmi_frame_joint_out(&s->object->frame, &all->joints[i]);
-        dmi_joint_scale(&joint, s->scale);
+        dm_joint joint;
+        if (!joint_out(s, &all->joints[i], &joint)) continue;
         const bool again = has_own && dmi_joints_alike(&s->joint, &joint, s->part_size);
         const dmi_free_range range = free_range_out(s, joint.type, all->free_range[i]);
         if (!again && !is_chosen(s)) {

@@ -161,6 +161,8 @@ dm_result DM_CALL dm_joint_scale(const dm_joint* joint, dm_vec3 scale, dm_joint*
     if (result == DM_OK) result = dmi_scale_read(NULL, "", scale, &factors);
     if (result != DM_OK) return result;
     dmi_joint_scale(&known, factors);
+    result = dmi_joint_check(NULL, "", &known, DM_JOINT_UNKNOWN);
+    if (result != DM_OK) return result;
     dmi_write_out(out_joint, &known, sizeof known);
     return DM_OK;
 }

@@ -185,11 +185,12 @@ static void take(const uint8_t** data, size_t* size, void* out, size_t wanted) {
 }
 
 /* Numbers of a host that means them, whatever its units. */
-static bool is_meant(const dm_part_state* state) {
+static bool is_meant(const dm_part_state* state, dm_vec3 scale) {
     const dm_joint* j = &state->joint;
-    const float numbers[7] = {state->value, j->origin.x, j->origin.y, j->origin.z, j->pitch, j->lower, j->upper};
+    const float numbers[] = {state->value, j->origin.x, j->origin.y, j->origin.z, j->pitch,
+                             j->lower,     j->upper,    scale.x,     scale.y,     scale.z};
     bool meant = true;
-    for (int i = 0; i < 7; i++) meant = meant && fabsf(numbers[i]) < 1e4f;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) meant = meant && fabsf(numbers[i]) < 1e4f;
     for (int i = 0; i < 4; i++) meant = meant && fabsf(state->pose.dual[i]) < 1e4f;
     return meant;
 }
@@ -201,7 +202,7 @@ static void use_state(const uint8_t* data, size_t size) {
     take(&data, &size, &scale, sizeof scale);
     if (state.joint.struct_size == 0) state.joint.struct_size = sizeof state.joint;
     const dm_drag drag = begin(&state, scale); /* the size of the joint in a state is data */
-    if (drag != 0) use(drag, is_meant(&state));
+    if (drag != 0) use(drag, is_meant(&state, scale));
     state.joint.struct_size = sizeof state.joint;
     ask_joint(&state, scale);
     dm_object_set_joint(context, object, DOOR, &state.joint);
@@ -209,7 +210,7 @@ static void use_state(const uint8_t* data, size_t size) {
     fuzz_expect(dm_object_get_joint(context, object, DOOR, &now) == DM_OK);
     fuzz_expect_joint(&now);
     const dm_drag other = begin(NULL, scale);
-    if (other != 0) use(other, is_meant(&state));
+    if (other != 0) use(other, is_meant(&state, scale));
     fuzz_expect(dm_object_reset_joint(context, object, DOOR) == DM_OK);
 }
 

@@ -566,6 +566,32 @@ static void scaled_instances_open_without_shear(void** state) {
     test_world_close(&w);
 }
 
+/* A saved drag can be restored: so what a scale would take beyond the largest number of a host is refused. */
+static void a_scale_takes_no_joint_beyond_what_hosts_may_have(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    dm_joint far = dm_joint_default(), scaled = dm_joint_default();
+    far.type = DM_JOINT_REVOLUTE, far.axis = (dm_vec3){0, 1, 0}, far.origin = (dm_vec3){0, 0, 2000}, far.upper = 1;
+    assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &far), DM_OK);
+    for (int beyond = 0; beyond < 2; beyond++) {
+        const dm_vec3 scale = {1, 1, beyond ? 6e5f : 4e5f};
+        const dm_drag_desc desc = {.struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .scale = scale};
+        const dm_result expected = beyond ? DM_ERROR_INVALID_ARGUMENT : DM_OK;
+        uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+        dm_drag drag = 0;
+        assert_int_equal(dm_joint_scale(&far, scale, &scaled), expected);
+        assert_int_equal(dm_drag_begin(w.context, &desc, &drag), expected);
+        if (beyond) break;
+        assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
+        assert_int_equal(dm_drag_restore(w.context, drag, saved, sizeof saved), DM_OK);
+        assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
+    }
+    assert_non_null(strstr(w.messages.text, "desc.scale: the scaled joint.origin.z is 1.2e+09"));
+    test_world_close(&w);
+}
+
 /* The network paces a scaled slide as it paces the plain one. */
 static void a_scaled_release_is_paced_by_the_network(void** state) {
     (void)state;
@@ -780,6 +806,7 @@ int main(void) {
         cmocka_unit_test(other_engines_words_for_no_limit_are_understood),
         cmocka_unit_test(what_cannot_be_meant_is_named_once),
         cmocka_unit_test(scaled_instances_open_without_shear),
+        cmocka_unit_test(a_scale_takes_no_joint_beyond_what_hosts_may_have),
         cmocka_unit_test(a_scaled_release_is_paced_by_the_network),
         cmocka_unit_test(a_restored_drag_gives_the_same_bits),
         cmocka_unit_test(drags_have_the_same_bits_on_every_instruction_set),
