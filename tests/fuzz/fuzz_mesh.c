@@ -1,13 +1,17 @@
-/* Fuzz target: hostile meshes, into dm_object_prepare and dm_mesh_find_part. An input says the host's axes and unit,
- * formats, strides and sizes of the buffers, and then numbers of vertices, corners and part ids; few bytes make a mesh.
+/* Fuzz target: hostile meshes, into dm_object_prepare, dm_mesh_find_part and dm_gltf_write. An input says the host's
+ * axes and unit, formats, strides and sizes of the buffers, and then numbers of vertices, corners and part ids; few
+ * bytes make a mesh.
  *
  * Whatever the mesh: an error of the header's that leaves outputs untouched, or an object whose numbers are finite, and
- * faces that are 0 or 1. Nothing is read beyond a buffer, nothing is lost; memory may run out at any time. */
+ * faces that are 0 or 1, and a file that can be opened. Nothing is read beyond a buffer, nothing is lost; memory may
+ * run out at any time. */
+#include "dragmesh/ext/gltf.h"
 #include "use_object.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 enum { MOST_VERTICES = 64, MOST_FACES = 96, MOST_STRIDE = 40 };
+enum { WRITES = 224, MOST_NAME = 8 };       /* even bytes from here on write a file; bytes of a name in it */
 enum { UNTOUCHED = 0xa5, FULL_SIZES = 12 }; /* one in FULL_SIZES buffers has another size than the description says */
 
 static fuzz_input in;
@@ -151,6 +155,37 @@ static void find_part(dm_context* context, fuzz_host* host, const dm_mesh_desc* 
     free(faces);
 }
 
+static void open_again(const void* data, size_t size) {
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = data, .size = size};
+    dm_gltf* gltf;
+    fuzz_expect(dm_gltf_open(&desc, &gltf) == DM_OK);
+    dm_gltf_close(gltf);
+}
+
+/* A mesh that has no stride: as an exporter hands it over. */
+static void write_file(fuzz_host* host, const dm_mesh_desc* mesh) {
+    char name[MOST_NAME + 1] = {0};
+    for (int i = 0; i < MOST_NAME; i++) name[i] = (char)fuzz_byte(&in);
+    const dm_gltf_part part = {.name = name,
+                               .positions = mesh->positions,
+                               .indices = mesh->indices,
+                               .vertex_count = mesh->position_bytes / sizeof(dm_vec3),
+                               .index_count = mesh->index_bytes / sizeof(uint32_t),
+                               .colour = {fuzz_number(&in), fuzz_number(&in), fuzz_number(&in), fuzz_number(&in)}};
+    const dm_allocator allocator = {host, fuzz_allocate, fuzz_release};
+    const dm_log log = {host, fuzz_message};
+    void* data = NULL;
+    size_t size = 0;
+    const dm_result result = dm_gltf_write(&part, 1, &allocator, &log, &data, &size);
+    host->refuse_in = 0;
+    if (result == DM_OK)
+        open_again(data, size);
+    else
+        check_error(result);
+    fuzz_expect((data != NULL) == (result == DM_OK));
+    if (data != NULL) fuzz_release(host, data, size);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (contexts[0] == NULL) open_contexts();
     in = (fuzz_input){data, size};
@@ -162,8 +197,11 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (!fuzz_one_in(&in, 6)) indices = make_indices(&mesh);
     if (!fuzz_one_in(&in, 6)) part_ids = make_part_ids(&mesh);
     if (fuzz_one_in(&in, 10)) host->refuse_in = 1u + fuzz_byte(&in);
-    if (fuzz_one_in(&in, 2))
+    const uint8_t call = fuzz_byte(&in);
+    if (call % 2 == 1)
         prepare(contexts[which], host, &mesh);
+    else if (call >= WRITES)
+        write_file(host, &mesh);
     else
         find_part(contexts[which], host, &mesh);
     free(positions.bytes);

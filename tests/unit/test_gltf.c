@@ -91,7 +91,7 @@ static void test_written_file_reads_back(void** state) {
     test_env_open(&t, TEST_NEVER);
     const uint32_t indices[6] = {0, 1, 2, 2, 1, 3};
     const dm_gltf_part parts[2] = {{"body", square.positions[0], indices, 4, 6, {1, 0.5f, 0.25f, 1}},
-                                   {"door", square.positions[2], indices, 4, 3, {0, 1, 0, 1}}};
+                                   {"door", square.positions[2], indices, 4, 3, {-3, 7, 0, 1}}}; /* clamped */
     const dm_allocator allocator = test_allocator(&t.memory);
     const dm_log log = test_log(&t.messages);
     void* data;
@@ -114,10 +114,31 @@ static void test_written_file_reads_back(void** state) {
     assert_int_equal(dm_gltf_get_node(o.gltf, 1, &node), DM_OK);
     assert_int_equal(node.first_face, 2);
     assert_int_equal(node.first_vertex, 4);
+    assert_true(node.colour[0] == 0 && node.colour[1] == 1);
     assert_int_equal(dm_gltf_get_node(o.gltf, 2, &node), DM_ERROR_NOT_FOUND);
     close_it(&o);
     allocator.release(allocator.user, data, size);
     test_env_close(&t);
+}
+
+static void test_a_colour_is_finite(void** state) {
+    (void)state;
+    const uint32_t indices[3] = {0, 1, 2};
+    for (int i = 0; i < 4; i++) {
+        test_env t;
+        void* data = NULL;
+        size_t size = 0;
+        char says[32];
+        test_env_open(&t, TEST_NEVER);
+        const dm_log log = test_log(&t.messages);
+        dm_gltf_part part = {"door", square.positions[0], indices, 4, 3, {0, 1, 0, 1}};
+        part.colour[i] = i % 2 ? NAN : INFINITY;
+        snprintf(says, sizeof says, "part 0: colour[%d]", i);
+        assert_int_equal(dm_gltf_write(&part, 1, NULL, &log, &data, &size), DM_ERROR_NOT_FINITE);
+        assert_non_null(strstr(t.messages.text, says));
+        assert_null(data);
+        test_env_close(&t);
+    }
 }
 
 static void test_nodes_are_placed_in_the_scene(void** state) {
@@ -648,6 +669,7 @@ static void test_descriptors_are_checked(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_written_file_reads_back),
+        cmocka_unit_test(test_a_colour_is_finite),
         cmocka_unit_test(test_nodes_are_placed_in_the_scene),
         cmocka_unit_test(test_strips_fans_and_what_is_left_out),
         cmocka_unit_test(test_sparse_quantised_and_strided),

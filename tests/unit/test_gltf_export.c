@@ -426,6 +426,39 @@ static void test_bad_tracks(void** state) {
     tear_down(&s, NULL, 0);
 }
 
+/* What no file can hold, or what is no pose. */
+static void test_numbers_of_tracks(void** state) {
+    (void)state;
+    const struct {
+        dm_pose pose;
+        float time; /* of the last key */
+        dm_result result;
+        const char* says;
+    } cases[] = {{{{0, 0, 0, 1}, {0}}, 4, DM_OK, ""},
+                 {{{0, 0, 0, 1.9f}, {1e8f}}, 9e8f, DM_OK, ""},
+                 {{{0}, {0}}, 4, DM_ERROR_INVALID_ARGUMENT, "pose 8 has a rotation of length 0"},
+                 {{{0, 0, 0, 0.4f}, {0}}, 4, DM_ERROR_INVALID_ARGUMENT, "length 0.4"},
+                 {{{0, 2.1f, 0, 0}, {0}}, 4, DM_ERROR_INVALID_ARGUMENT, "length 2.1"},
+                 {{{0, 0, 0, 1}, {0, 3e38f}}, 4, DM_ERROR_INVALID_ARGUMENT, "pose 8 moves by 6e+38"},
+                 {{{0, 0, 0, 1}, {0, 0, -INFINITY}}, 4, DM_ERROR_NOT_FINITE, "pose 8"},
+                 {{{0, 0, 0, 1}, {0}}, 2e38f, DM_ERROR_INVALID_ARGUMENT, "time 8 is 2e+38"},
+                 {{{0, 0, 0, 1}, {0}}, INFINITY, DM_ERROR_INVALID_ARGUMENT, "time 8 is inf"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        setup s;
+        void* data = NULL;
+        size_t size = 0;
+        set_up(&s, "\"nodes\":[{\"mesh\":0}]}", 1, 0);
+        s.ids[0] = 1;
+        s.poses[KEYS - 1] = cases[i].pose;
+        s.times[KEYS - 1] = cases[i].time;
+        const dm_gltf_track track = track_of(&s);
+        assert_int_equal(dm_gltf_export(s.gltf, &track, 1, &data, &size), cases[i].result);
+        assert_non_null(strstr(s.t.messages.text, cases[i].says));
+        assert_int_equal(data != NULL, cases[i].result == DM_OK);
+        tear_down(&s, data, size);
+    }
+}
+
 static void test_failing_allocator(void** state) {
     (void)state;
     setup s;
@@ -461,6 +494,7 @@ int main(void) {
         cmocka_unit_test(test_tracks_of_a_door_and_its_lever),
         cmocka_unit_test(test_a_skinned_part_keeps_its_shading),
         cmocka_unit_test(test_bad_tracks),
+        cmocka_unit_test(test_numbers_of_tracks),
         cmocka_unit_test(test_failing_allocator),
     };
     return cmocka_run_group_tests_name("gltf_export", tests, NULL, NULL);

@@ -1277,7 +1277,7 @@ namespace DragMesh
         public uint* Indices;
         public ulong VertexCount;
         public ulong IndexCount;
-        /// <summary>base colour, linear</summary>
+        /// <summary>base colour, linear; clamped to 0 to 1</summary>
         public fixed float Colour[4];
     }
 

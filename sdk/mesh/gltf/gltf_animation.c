@@ -3,6 +3,7 @@
 #include "mesh/gltf/gltf_animation.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "math/dual_quat.h"
 #include "math/elementary.h"
@@ -73,6 +74,13 @@ static void write_key(keys* out, uint32_t at, const dm_gltf_track* track, uint32
     for (int i = 0; i < 4; i++) rotation[i] = same < 0 ? -pose.real[i] : pose.real[i]; /* the shorter way */
 }
 
+static bool are_finite(const keys* k) {
+    bool finite = true;
+    for (size_t i = 0; i < 3 * (size_t)k->count; i++) finite = finite && isfinite(k->translations[i]);
+    for (size_t i = 0; i < 4 * (size_t)k->count; i++) finite = finite && isfinite(k->rotations[i]);
+    return finite;
+}
+
 static void add_channel(dmi_edit* e, cJSON* animation, int32_t node, const char* path, int32_t times, int32_t values) {
     cJSON* samplers = dmi_edit_list(e, animation, "samplers");
     cJSON* sampler = dmi_edit_new(e, cJSON_CreateObject());
@@ -125,6 +133,8 @@ dmi_edit_item dmi_animation_add_track(dmi_edit* e, const dmi_moves* moves, cJSON
     keys k = {.times = room, .translations = room + count, .rotations = room + 4 * (size_t)count, .count = count};
     for (uint32_t i = 0; i < count; i++)
         write_key(&k, i, track, i < track->key_count ? i : count - 1 - i, pivot, origin);
+    if (!are_finite(&k))
+        dmi_gltf_refuse(&e->problem, DM_ERROR_NOT_FINITE, "track %u: the part moves beyond what a file holds", index);
     dmi_edit_text(e, node.json, "name", track->name ? track->name : "moving_part");
     dmi_edit_numbers(e, node.json, "translation", out_pivot, 3);
     add_channels(e, animation, node.index, &k);

@@ -11,10 +11,16 @@
 #include <math.h>
 
 #include "base/fp_environment.h"
+#include "math/elementary.h"
 #include "mesh/gltf/gltf_animation.h"
 #include "mesh/gltf/gltf_images.h"
 #include "mesh/gltf/gltf_split.h"
 #include "mesh/gltf/gltf_tree.h"
+
+/* Of a track's poses and times, as dragmesh.h bounds the numbers of a host. */
+#define MIN_ROTATION 0.5f /* length of a rotation's quaternion */
+#define MAX_ROTATION 2.0f
+#define LARGEST 1e9f /* s, and scene units by two */
 
 /* What becomes of a node in the lists of children and roots, besides the index of its stand-in. */
 enum { KEPT = -1, GONE = -2, MOVED_ALONE = -3 /* what is below it stays */ };
@@ -39,18 +45,39 @@ typedef struct exporter {
     uint32_t* path;          /* room for the nodes above one */
 } exporter;
 
+/* A host's poses, as the drags take them. */
+static dm_result check_pose(dmi_env* env, const dm_pose* pose, uint32_t track, uint32_t key) {
+    const float* r = pose->real;
+    const float length = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    float sum = 0, most = 0;
+    for (int i = 0; i < 4; i++) {
+        sum += fabsf(r[i]) + fabsf(pose->dual[i]);
+        most = dmi_fmaxf(most, fabsf(pose->dual[i]));
+    }
+    if (!isfinite(sum)) return dmi_fail(env, DM_ERROR_NOT_FINITE, "track %u: pose %u is not finite", track, key);
+    if (!(length > MIN_ROTATION && length < MAX_ROTATION))
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                        "track %u: pose %u has a rotation of length %g: it must be a unit quaternion", track, key,
+                        (double)length);
+    if (most > LARGEST)
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "track %u: pose %u moves by %g, more than %g", track, key,
+                        2 * (double)most, 2 * (double)LARGEST);
+    return DM_OK;
+}
+
 static dm_result check_track(dmi_env* env, const dm_gltf_track* track, uint32_t which) {
     if (!track->face_ids || !track->poses || !track->times || track->key_count == 0)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "track %u: no faces, poses or times", which);
+    if (track->key_count > DM_MAX_ELEMENTS)
+        return dmi_fail(env, DM_ERROR_TOO_LARGE, "track %u: more than %d keys", which, DM_MAX_ELEMENTS);
     for (uint32_t k = 0; k < track->key_count; k++) {
-        const dm_pose* pose = &track->poses[k];
-        float sum = 0;
-        for (int i = 0; i < 4; i++) sum += pose->real[i] * pose->real[i] + fabsf(pose->dual[i]);
-        if (!isfinite(sum)) return dmi_fail(env, DM_ERROR_NOT_FINITE, "track %u: pose %u is not finite", which, k);
+        const dm_result result = check_pose(env, &track->poses[k], which, k);
+        if (result != DM_OK) return result;
         const float before = k ? track->times[k - 1] : -1;
-        if (!isfinite(track->times[k]) || track->times[k] < 0 || track->times[k] <= before)
-            return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "track %u: time %u is %g after %g, times must rise from 0",
-                            which, k, (double)track->times[k], (double)before);
+        if (!(track->times[k] >= 0 && track->times[k] <= LARGEST && track->times[k] > before))
+            return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                            "track %u: time %u is %g after %g, times must rise from 0, to %g at most", which, k,
+                            (double)track->times[k], (double)before, (double)LARGEST);
     }
     return DM_OK;
 }

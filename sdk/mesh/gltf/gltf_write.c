@@ -14,6 +14,10 @@ static dm_result check_part(dmi_env* env, const dm_gltf_part* part, uint32_t whi
                         part->vertex_count, part->index_count);
     if (part->vertex_count > DM_MAX_ELEMENTS || part->index_count / 3 > DM_MAX_ELEMENTS)
         return dmi_fail(env, DM_ERROR_TOO_LARGE, "part %u: more than %d vertices or triangles", which, DM_MAX_ELEMENTS);
+    for (int i = 0; i < 4; i++) {
+        if (!isfinite(part->colour[i]))
+            return dmi_fail(env, DM_ERROR_NOT_FINITE, "part %u: colour[%d] is not finite", which, i);
+    }
     for (uint64_t i = 0; i < 3 * part->vertex_count; i++) {
         if (!isfinite(part->positions[i]))
             return dmi_fail(env, DM_ERROR_NOT_FINITE, "part %u: vertex %" PRIu64 " is not finite", which, i / 3);
@@ -30,7 +34,7 @@ static int32_t add_material(dmi_edit* e, const float colour[4]) {
     const dmi_edit_item material = dmi_edit_add(e, DMI_GLTF_MATERIALS, NULL);
     cJSON* surface = dmi_edit_object(e, material.json, "pbrMetallicRoughness");
     double values[4];
-    for (int i = 0; i < 4; i++) values[i] = (double)colour[i];
+    for (int i = 0; i < 4; i++) values[i] = (double)dmi_fmaxf(0, dmi_fminf(1, colour[i])); /* glTF's range */
     dmi_edit_numbers(e, surface, "baseColorFactor", values, 4);
     dmi_edit_number(e, surface, "metallicFactor", 0);
     dmi_edit_number(e, surface, "roughnessFactor", 0.8);

@@ -1368,7 +1368,7 @@ pub struct dm_gltf_part {
     pub indices: *const u32,
     pub vertex_count: u64,
     pub index_count: u64,
-    /// base colour, linear
+    /// base colour, linear; clamped to 0 to 1
     pub colour: [f32; 4],
 }
 

@@ -151,7 +151,7 @@ typedef struct dm_gltf_part {
     const float* positions;  /* vertex_count x 3, glTF frame */
     const uint32_t* indices; /* index_count */
     uint64_t vertex_count, index_count;
-    float colour[4]; /* base colour, linear */
+    float colour[4]; /* base colour, linear; clamped to 0 to 1 */
 } dm_gltf_part;
 
 /* Writes a static .glb with one identity node a part. allocator zeros = malloc/free; release out_data with the same. */
