@@ -6,7 +6,7 @@
 # tests/e2e/determinism.sh against NAME APART COMMAND… — the same scene by another build of caller.c: where its object is
 # read from a file, prepare, pick, drag and release have the same bits. What runs a network differs by APART at most,
 # relative; APART 0: all bits are the same. tests/cross, tests/web, tests/isa and tests/release call it.
-# tests/e2e/determinism.sh compilers — gcc and clang, -O1 to -O3 (scripts/test long).
+# tests/e2e/determinism.sh compilers — gcc and clang, -O0 to -O3 (scripts/test long).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 golden=tests/golden/data/scene.txt models=sdk/models here=build/release/tests/caller
@@ -64,7 +64,7 @@ compilers() {
     local flags="-std=gnu17 -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -w -D_GNU_SOURCE -DDM_BUILDING
         -Iplugin_api/include -Isdk -Isamples/common -Ithird_party"
     for compiler in gcc clang; do
-        for level in 1 2 3; do
+        for level in 0 1 2 3; do
             out=$work/$compiler$level
             mkdir "$out"
             find sdk plugin_api/src third_party/cjson/cJSON.c build/embed tests/abi/caller.c -name '*.c' -not -path '*/gltf/*' -print0 |
