@@ -17,6 +17,33 @@ def integer(kind: Any, value: Any, name: str) -> int:
     return number
 
 
+def text_of(text: str, name: str) -> bytes:
+    """UTF-8 for C, where a zero would end it."""
+    if not isinstance(text, str):
+        raise TypeError(f"{name} is a {type(text).__name__}, it must be a str")
+    data = text.encode()
+    if 0 in data:
+        raise ValueError(f"{name} has a zero character")
+    return data
+
+
+def bytes_of(data: Any, name: str) -> bytes:
+    """The bytes of anything that has a buffer."""
+    if type(data) is bytes:  # pylint: disable=unidiomatic-typecheck
+        return data
+    try:
+        return bytes(memoryview(data))
+    except TypeError:
+        raise TypeError(f"{name} is a {type(data).__name__}, it must be bytes") from None
+
+
+class Unique:
+    """The owner of something native, of which there is one."""
+
+    def __reduce_ex__(self, _: Any) -> Any:
+        raise TypeError(f"a {type(self).__name__} can't be copied or pickled")
+
+
 class Struct(c.Structure):
     """A struct of C. Integers that its fields can't hold are errors."""
 
@@ -31,6 +58,8 @@ class Struct(c.Structure):
         kind = self._integers.get(name)
         if kind is not None:
             value = integer(kind, value, f"{type(self).__name__}.{name}")
+            if name == "struct_size" and value != c.sizeof(type(self)):
+                raise ValueError(f"{type(self).__name__}.struct_size is {value}, it must be {c.sizeof(type(self))}")
         elif not hasattr(type(self), name):
             raise TypeError(f"{type(self).__name__} has no {name}")
         super().__setattr__(name, value)

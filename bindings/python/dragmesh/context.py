@@ -9,8 +9,9 @@ import numpy as np
 
 from . import native as n
 from .arrays import describe_mesh
-from .base import integer
+from .base import Unique, bytes_of, integer, text_of
 from .library import models_folder
+from .turns import Turns
 from .values import Axes, JointType, Picking, check, load, vec3
 
 Vector = Sequence[float]
@@ -34,7 +35,7 @@ def _pivot_of(pivot: Tuple[Vector, Any]) -> n.Pivot:
     return n.Pivot(vec3(origin), (c.c_float * 9)(*numbers))
 
 
-class Context:
+class Context(Unique):
     """A context and everything made with it. Use as a context manager, or call close()."""
 
     def __init__(self, axes: Axes = Axes.GLTF, unit_in_metres: float = 1.0, picking: Picking = Picking.AUTO,
@@ -44,6 +45,7 @@ class Context:
         the messages; level 0 is an error. It must not call this context. progress(done): of calls that take long for a
         large mesh, preparations with one of their own aside; gets 0 to 1, returns False to cancel."""
         self.library = load()
+        self._turns = Turns()
         self._said = threading.local()
         self._on_message = _listener(self._said, log)  # kept: the library calls it
         desc = n.ContextDesc(axes=axes, unit_in_metres=unit_in_metres, picking=picking, log=n.Log(None, self._on_message))
@@ -54,8 +56,8 @@ class Context:
             desc.custom_axes = (c.c_float * 9)(*np.asarray(custom_axes, float).reshape(9))
         self.pointer: Any = c.c_void_p()
         self._check(self.library.dm_context_create(c.byref(desc), c.byref(self.pointer)))
-        self._finalizer = weakref.finalize(self, _destroy, self.library, self.pointer, self._on_message,
-                                           self._on_progress)
+        self._finalizer = weakref.finalize(self, _destroy, self._turns, self.library, self.pointer, False,
+                                           self._on_message, self._on_progress)
 
     def _check(self, result: int) -> None:
         message, self._said.text = getattr(self._said, "text", ""), ""
@@ -65,14 +67,30 @@ class Context:
         check(result, message)
 
     def call(self, name: str, *arguments: Any) -> None:
-        """dm_<name>(context, ...), an Error when it fails."""
-        if not self.pointer:
-            raise ValueError("the context is closed")
-        self._check(getattr(self.library, "dm_" + name)(self.pointer, *arguments))
+        """dm_<name>(context, ...), an Error when it fails. Such calls take turns."""
+        function = getattr(self.library, "dm_" + name)
+        self._check(self._turns.run(lambda: function(self.pointer, *arguments)))
+
+    def _make(self, name: str, used: Any, *arguments: Any) -> None:
+        """The same for calls that take long; used: a Model or None."""
+        function = getattr(self.library, "dm_" + name)
+        self._check(self._turns.run(lambda: function(self.pointer, *arguments), used, beside=True))
+
+    def end(self, owned: "Owned", name: str, *arguments: Any) -> None:
+        """dm_<name>(context, ...), which ends something."""
+        function = getattr(self.library, "dm_" + name)
+        self._turns.end(owned, lambda: function(self.pointer, *arguments))
+
+    def forget(self, name: str, *arguments: Any) -> None:
+        """The same for what nothing refers to, now or soon."""
+        function = getattr(self.library, "dm_" + name)
+        self._turns.forget(lambda: function(self.pointer, *arguments))
 
     def close(self) -> None:
-        """Ends it and everything made with it. A second time does nothing."""
-        self._finalizer()
+        """Ends it and everything made with it. A second time does nothing. An error while a call of it runs, which its
+        callbacks are part of."""
+        if self.pointer and not _destroy(self._turns, self.library, self.pointer, True):
+            raise RuntimeError("the context is in use")
 
     def __enter__(self) -> "Context":
         return self
@@ -94,11 +112,12 @@ class Context:
                 with open(data, "rb") as file:
                     data = file.read()
             if data is not None:
+                data = bytes_of(data, name)
                 kept.append(c.c_char_p(data))
                 setattr(desc, name, c.cast(kept[-1], c.c_void_p))
                 setattr(desc, name + "_size", len(data))
         handle = c.c_uint64()
-        self.call("model_load", c.byref(desc), c.byref(handle))
+        self._make("model_load", None, c.byref(desc), c.byref(handle))
         return Model(self, handle.value)
 
     def load_shipped_model(self) -> "Model":
@@ -116,16 +135,17 @@ class Context:
         parts: dicts with id and, as wanted, parent, joint_type, drag=(point, vector), label (names of the asset for the
         part, joined by "/"), pivot=(origin, axes) (axes: three rows or None); None: every id. label, up: of the object;
         see dm_object_desc. choose(part, hypotheses): picks one for each part, by its index, or None to keep the library's
-        answer; a PartInfo and a list of Hypothesis, valid during the call. progress(done): gets 0 to 1; returns False to
+        answer; a PartInfo and a list of Hypothesis. progress(done): gets 0 to 1; returns False to
         cancel. intent(part_id, box_min, box_max): a joint type, or None."""
         mesh, arrays = describe_mesh(positions, indices, part_ids)
         rows, kept = _part_rows(parts or [])
         desc = n.ObjectDesc(flags=0 if picking else n.DM_PREPARE_WITHOUT_PICKING, mesh=c.pointer(mesh),
                             parts=rows if parts else None, part_count=len(rows), model=model.handle if model else 0,
-                            seed=seed, label=label.encode() if label else None, up=vec3(up) if up is not None else n.Vec3())
+                            seed=seed, label=text_of(label, "label") if label else None,
+                            up=vec3(up) if up is not None else n.Vec3())
         failures: List[BaseException] = []
         callbacks = {
-            "choose": (lambda _, choice: choose(choice.contents.part.contents, _shown(choice.contents)), n.DM_CHOICE_KEEP)
+            "choose": (lambda _, choice: choose(*_shown(choice.contents)), n.DM_CHOICE_KEEP)
             if choose else None,
             "progress": (lambda _, done: int(progress(done) is False), 1) if progress else None,
             "intent": (lambda _, part, low, high: intent(part, tuple(low), tuple(high)), n.DM_JOINT_UNKNOWN)
@@ -135,7 +155,7 @@ class Context:
                 setattr(desc, name, _FIELDS[name](_guarded(*callback, failures)))
         handle = c.c_uint64()
         try:
-            self.call("object_prepare", c.byref(desc), c.byref(handle))
+            self._make("object_prepare", model, c.byref(desc), c.byref(handle))
         finally:
             del arrays, kept
             if failures:
@@ -146,8 +166,8 @@ class Context:
 
     def load_object(self, data: bytes, model: Optional["Model"] = None) -> "Object":
         """An object from the bytes that Object.save gave."""
-        handle = c.c_uint64()
-        self.call("object_load", data, len(data), model.handle if model else 0, c.byref(handle))
+        handle, data = c.c_uint64(), bytes_of(data, "data")
+        self._make("object_load", model, data, len(data), model.handle if model else 0, c.byref(handle))
         return Object(self, handle.value, model)
 
     def find_part(self, positions: Any, indices: Any, drag: Hint, pieces: Any = None) -> np.ndarray:
@@ -155,7 +175,7 @@ class Context:
         and how it was pulled (zeros: no direction). pieces: ids of what is known to be rigid, a vertex or a triangle."""
         mesh, arrays = describe_mesh(positions, indices, pieces)
         faces = np.zeros(len(arrays[1]) // 3, np.uint8)
-        self.call("mesh_find_part", c.byref(mesh), c.byref(hint_of(drag)), faces.ctypes.data_as(c.POINTER(c.c_uint8)),
+        self._make("mesh_find_part", None, c.byref(mesh), c.byref(hint_of(drag)), faces.ctypes.data_as(c.POINTER(c.c_uint8)),
                   len(faces))
         return faces
 
@@ -198,9 +218,14 @@ def _listener(said: Any, log: Optional[Callable[[int, str], None]]) -> Any:
     return _LOG(remember)
 
 
-def _destroy(library: Any, pointer: Any, *_callbacks: Any) -> None:
-    library.dm_context_destroy(pointer)
-    pointer.value = None
+def _destroy(turns: Turns, library: Any, pointer: Any, waits: bool, *_callbacks: Any) -> bool:
+    """False: a call runs. At the interpreter's exit, that is one of a thread which nobody waits for."""
+
+    def destroy() -> None:
+        library.dm_context_destroy(pointer)
+        pointer.value = None
+
+    return turns.close(destroy, waits)
 
 
 def _guarded(function: Callable[..., Any], otherwise: int, failures: List[BaseException]) -> Callable[..., int]:
@@ -219,8 +244,13 @@ def _guarded(function: Callable[..., Any], otherwise: int, failures: List[BaseEx
     return answer
 
 
-def _shown(choice: n.Choice) -> List[n.Hypothesis]:
-    return [choice.hypotheses[i].contents for i in range(choice.count)]
+def _shown(choice: n.Choice) -> Tuple[n.PartInfo, List[n.Hypothesis]]:
+    """Copies, for the host may keep them."""
+    hypotheses = []
+    for i in range(choice.count):
+        hypotheses.append(n.Hypothesis.from_buffer_copy(choice.hypotheses[i].contents))
+        hypotheses[-1].joint = c.pointer(n.Joint.from_buffer_copy(hypotheses[-1].joint.contents))
+    return n.PartInfo.from_buffer_copy(choice.part.contents), hypotheses
 
 
 def _part_rows(parts: Sequence[Dict[str, Any]]) -> Tuple[Any, List[Any]]:
@@ -236,11 +266,11 @@ def _part_rows(parts: Sequence[Dict[str, Any]]) -> Tuple[Any, List[Any]]:
             kept.append(hint_of(part["drag"]))
             row.drag = c.pointer(kept[-1])
         if part.get("label") is not None:
-            row.label = part["label"].encode()
+            row.label = text_of(part["label"], "label")
         if part.get("pivot") is not None:
             kept.append(_pivot_of(part["pivot"]))
             row.pivot = c.pointer(kept[-1])
     return rows, kept
 
 
-from .objects import Model, Object, Scene  # noqa: E402  pylint: disable=wrong-import-position, cyclic-import
+from .objects import Model, Object, Owned, Scene  # noqa: E402  pylint: disable=wrong-import-position, cyclic-import

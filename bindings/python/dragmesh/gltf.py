@@ -1,13 +1,14 @@
 """glTF in and out, through libdragmesh_gltf."""
 import ctypes as c
 import os
+import threading
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import native as n
 from .arrays import integers_of, positions_of
-from .base import integer
+from .base import Unique, bytes_of, integer, text_of
 from .library import open_library
 from .values import check
 
@@ -37,21 +38,25 @@ class Surface(NamedTuple):
     wrap: Tuple[int, int]
 
 
-class Gltf:
-    """A glTF file as one merged mesh in the scene's frame. For one thread at a time."""
+class Gltf(Unique):
+    """A glTF file as one merged mesh in the scene's frame. Threads take turns."""
 
     def __init__(self, source: Union[bytes, str, "os.PathLike[str]"]) -> None:
         """source: the path of a .glb or .gltf, read with the files beside it; or the bytes of one that needs none."""
-        self.library, self._said = _load(), ""
+        self.library, self._said, self._turn = _load(), "", threading.RLock()
         self._on_message = _LOG(self._remember)
         self.pointer: Any = c.c_void_p()
         desc = n.GltfDesc(log=n.Log(None, self._on_message))
-        if isinstance(source, bytes):
-            kept = c.c_char_p(source)
-            desc.data, desc.size = c.cast(kept, c.c_void_p), len(source)
+        if not isinstance(source, (str, os.PathLike)):
+            data = bytes_of(source, "source")
+            kept = c.c_char_p(data)
+            desc.data, desc.size = c.cast(kept, c.c_void_p), len(data)
             self._check(self.library.dm_gltf_open(c.byref(desc), c.byref(self.pointer)))
         else:
-            self._check(self.library.dm_gltf_open_file(os.fsencode(source), c.byref(desc), c.byref(self.pointer)))
+            path = os.fsencode(source)
+            if 0 in path:
+                raise ValueError("source has a zero character")
+            self._check(self.library.dm_gltf_open_file(path, c.byref(desc), c.byref(self.pointer)))
 
     def _remember(self, _: Any, level: int, _code: int, text: bytes) -> None:
         if level == n.DM_LOG_ERROR:
@@ -61,11 +66,24 @@ class Gltf:
         message, self._said = self._said, ""
         check(result, message)
 
+    def _call(self, name: str, *arguments: Any) -> Any:
+        """What dm_gltf_<name>(file, ...) answers."""
+        with self._turn:
+            if not self.pointer:
+                raise ValueError("the file is closed")
+            return getattr(self.library, "dm_gltf_" + name)(self.pointer, *arguments)
+
+    def _do(self, name: str, *arguments: Any) -> None:
+        """dm_gltf_<name>(file, ...), an Error when it fails."""
+        with self._turn:
+            self._check(self._call(name, *arguments))
+
     def close(self) -> None:
         """Ends it. A second time does nothing."""
-        if self.pointer:
-            self.library.dm_gltf_close(self.pointer)
-            self.pointer = c.c_void_p()
+        with self._turn:
+            if self.pointer:
+                self.library.dm_gltf_close(self.pointer)
+                self.pointer = c.c_void_p()
 
     def __enter__(self) -> "Gltf":
         return self
@@ -79,84 +97,88 @@ class Gltf:
 
     def nodes(self) -> List[Node]:
         """All nodes with a mesh, and bones."""
-        nodes = []
-        for index in range(self.library.dm_gltf_node_count(self.pointer)):
-            row = n.GltfNode()
-            self._check(self.library.dm_gltf_get_node(self.pointer, index, c.byref(row)))
-            nodes.append(Node(row.name.decode(), row.node, None if row.carrier == n.DM_GLTF_NO_CARRIER else row.carrier,
-                              slice(row.first_vertex, row.first_vertex + row.vertex_count),
-                              slice(row.first_face, row.first_face + row.face_count), tuple(row.colour)))
-        return nodes
+        with self._turn:
+            nodes = []
+            for index in range(self._call("node_count")):
+                row = n.GltfNode()
+                self._do("get_node", index, c.byref(row))
+                nodes.append(Node(row.name.decode(), row.node, None if row.carrier == n.DM_GLTF_NO_CARRIER else row.carrier,
+                                  slice(row.first_vertex, row.first_vertex + row.vertex_count),
+                                  slice(row.first_face, row.first_face + row.face_count), tuple(row.colour)))
+            return nodes
 
     def mesh(self) -> Tuple[np.ndarray, np.ndarray]:
         """Positions (n x 3, float32) and triangles (m x 3, uint32) of the merged mesh."""
-        mesh = n.MeshDesc()
-        self._check(self.library.dm_gltf_get_mesh(self.pointer, c.byref(mesh)))
-        points = np.ctypeslib.as_array(c.cast(mesh.positions, _FLOATS), (mesh.vertex_count, 3))
-        corners = np.ctypeslib.as_array(c.cast(mesh.indices, c.POINTER(c.c_uint32)), (mesh.index_count // 3, 3))
-        return points.copy(), corners.copy()
+        with self._turn:
+            mesh = n.MeshDesc()
+            self._do("get_mesh", c.byref(mesh))
+            points = np.ctypeslib.as_array(c.cast(mesh.positions, _FLOATS), (mesh.vertex_count, 3))
+            corners = np.ctypeslib.as_array(c.cast(mesh.indices, c.POINTER(c.c_uint32)), (mesh.index_count // 3, 3))
+            return points.copy(), corners.copy()
 
     def face_count(self) -> int:
         """Triangles of the merged mesh."""
         mesh = n.MeshDesc()
-        self._check(self.library.dm_gltf_get_mesh(self.pointer, c.byref(mesh)))
+        self._do("get_mesh", c.byref(mesh))
         return mesh.index_count // 3
 
     def origin(self) -> np.ndarray:
         """Where the merged mesh's origin is in the scene."""
         out = (c.c_double * 3)()
-        self.library.dm_gltf_get_origin(self.pointer, out)
+        self._call("get_origin", out)
         return np.array(out)
 
     def mark_faces(self, names: Sequence[str], value: int, face_ids: np.ndarray) -> None:
         """Sets value for every face of the named nodes and of what they carry, in an array of uint8. "#12" means node
         12."""
-        if face_ids.dtype != np.uint8 or not face_ids.flags.c_contiguous:
-            raise TypeError("face_ids must be a contiguous array of uint8")
-        texts = (c.c_char_p * len(names))(*(name.encode() for name in names))
-        self._check(self.library.dm_gltf_mark_faces(self.pointer, texts, len(names), integer(c.c_uint8, value, "value"),
-                                                    face_ids.ctypes.data_as(_BYTES), face_ids.size))
+        if not isinstance(face_ids, np.ndarray) or face_ids.dtype != np.uint8:
+            raise TypeError("face_ids must be an array of uint8")
+        if not face_ids.flags.c_contiguous or not face_ids.flags.writeable:
+            raise ValueError("face_ids must be contiguous and writeable")
+        texts = (c.c_char_p * len(names))(*(text_of(name, "a name") for name in names))
+        self._do("mark_faces", texts, len(names), integer(c.c_uint8, value, "value"), face_ids.ctypes.data_as(_BYTES),
+                 face_ids.size)
 
     def hints(self, name: str) -> Tuple[str, Tuple[np.ndarray, np.ndarray]]:
         """(label, pivot) of a node, as Context.prepare takes them. "#12" means node 12."""
         label, pivot = c.create_string_buffer(n.DM_MAX_LABEL + 1), n.Pivot()
-        self._check(self.library.dm_gltf_get_hints(self.pointer, name.encode(), label, len(label), c.byref(pivot)))
+        self._do("get_hints", text_of(name, "name"), label, len(label), c.byref(pivot))
         return label.value.decode(), (np.array(tuple(pivot.origin)), np.array(pivot.axes).reshape(3, 3))
 
     @property
     def pivots_are_lost(self) -> bool:
         """Whether pivots tell nothing: the origins of all nodes, of which there are several, are one point."""
-        return bool(self.library.dm_gltf_pivots_are_lost(self.pointer))
+        return bool(self._call("pivots_are_lost"))
 
     def read_mask(self, data: bytes, value: Optional[int] = None) -> np.ndarray:
         """Part ids from the bytes of a .npy or JSON mask, one a vertex or one a face. value: what moves; None:
         non-zero."""
         mesh, scope = n.MeshDesc(), c.c_int32()
-        self._check(self.library.dm_gltf_get_mesh(self.pointer, c.byref(mesh)))
+        self._do("get_mesh", c.byref(mesh))
         counts = {n.DM_PER_VERTEX: mesh.vertex_count, n.DM_PER_FACE: mesh.index_count // 3}
         ids = np.zeros(max(counts.values()), np.uint8)
         chosen = c.byref(c.c_int64(integer(c.c_int64, value, "value"))) if value is not None else None
-        self._check(self.library.dm_gltf_read_mask(self.pointer, data, len(data), chosen, ids.ctypes.data_as(_BYTES),
-                                                   c.byref(scope), None))
+        data = bytes_of(data, "data")
+        self._do("read_mask", data, len(data), chosen, ids.ctypes.data_as(_BYTES), c.byref(scope), None)
         return ids[:counts[scope.value]]
 
     def surfaces(self) -> List[Surface]:
         """Faces by material."""
-        found = []
-        for index in range(self.library.dm_gltf_surface_count(self.pointer)):
-            row = n.GltfSurface()
-            self._check(self.library.dm_gltf_get_surface(self.pointer, index, c.byref(row)))
-            image = c.string_at(row.image, row.image_size) if row.image else None
-            found.append(Surface(slice(row.first_face, row.first_face + row.face_count), tuple(row.colour), image,
-                                 (row.wrap_u, row.wrap_v)))
-        return found
+        with self._turn:
+            found = []
+            for index in range(self._call("surface_count")):
+                row = n.GltfSurface()
+                self._do("get_surface", index, c.byref(row))
+                image = c.string_at(row.image, row.image_size) if row.image else None
+                found.append(Surface(slice(row.first_face, row.first_face + row.face_count), tuple(row.colour), image,
+                                     (row.wrap_u, row.wrap_v)))
+            return found
 
     def texture_coordinates(self, surface: int) -> np.ndarray:
         """u and v of each corner (faces x 3 x 2) of a surface."""
         faces = self.surfaces()[surface].faces
         out = np.zeros((faces.stop - faces.start, 3, 2), np.float32)
-        self._check(self.library.dm_gltf_get_texture_coordinates(self.pointer, surface, out.ctypes.data_as(_FLOATS),
-                                                                 out.size // 2))
+        self._do("get_texture_coordinates", surface, out.ctypes.data_as(_FLOATS), out.size // 2)
         return out
 
     def export(self, tracks: Sequence[Dict[str, Any]]) -> bytes:
@@ -172,14 +194,15 @@ class Gltf:
             if len(ids) != faces or ids.dtype != np.uint8:
                 raise ValueError(f"face_ids are {len(ids)} of {ids.dtype}, they must be {faces} of uint8")
             kept.append(ids)
-            rows.append(n.GltfTrack(name=track.get("name", "moving_part").encode(), face_ids=ids.ctypes.data_as(_BYTES),
-                                    value=track["value"], poses=(n.Pose * len(poses))(*poses),
-                                    times=(c.c_float * len(times))(*times), key_count=len(times)))
+            name = text_of(track.get("name", "moving_part"), "name")
+            rows.append(n.GltfTrack(name=name, face_ids=ids.ctypes.data_as(_BYTES), value=track["value"],
+                                    poses=(n.Pose * len(poses))(*poses), times=(c.c_float * len(times))(*times),
+                                    key_count=len(times)))
         data, size = c.c_void_p(), c.c_size_t()
-        self._check(self.library.dm_gltf_export(self.pointer, (n.GltfTrack * len(rows))(*rows), len(rows), c.byref(data),
-                                                c.byref(size)))
-        bytes_ = c.string_at(data, size.value)
-        self.library.dm_gltf_release_bytes(self.pointer, data, size)
+        with self._turn:
+            self._do("export", (n.GltfTrack * len(rows))(*rows), len(rows), c.byref(data), c.byref(size))
+            bytes_ = c.string_at(data, size.value)
+            self._call("release_bytes", data, size)
         return bytes_
 
 
@@ -190,7 +213,7 @@ def write_glb(parts: Sequence[Dict[str, Any]]) -> bytes:
         points = positions_of(part["positions"]).astype(np.float32)
         corners = integers_of(part["indices"], "indices", {np.dtype(np.uint32): 0})
         kept += [points, corners]
-        rows.append(n.GltfPart(name=part.get("name", "part").encode(), positions=points.ctypes.data_as(_FLOATS),
+        rows.append(n.GltfPart(name=text_of(part.get("name", "part"), "name"), positions=points.ctypes.data_as(_FLOATS),
                                indices=corners.ctypes.data_as(c.POINTER(c.c_uint32)), vertex_count=len(points),
                                index_count=len(corners), colour=(c.c_float * 4)(*part.get("colour", (1, 1, 1, 1)))))
     allocate, release, blocks = _allocator()

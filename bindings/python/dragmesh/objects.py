@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
 import numpy as np
 
 from . import native as n
-from .base import integer
+from .base import Unique, bytes_of, integer
 from .values import Intent, vec3
 
 if TYPE_CHECKING:
@@ -16,26 +16,25 @@ def _u32(value: Any, name: str) -> int:
     return integer(c.c_uint32, value, name)
 
 
-class Owned:
+class Owned(Unique):
     """Something that a context has made. close() ends it now, else it ends when nothing refers to it any more."""
 
     _end = ""
+    _with: Tuple[Any, ...] = ()  # what follows the handle
 
     def __init__(self, context: "Context", handle: int, kept: Any = None) -> None:
         self.context, self.handle, self._kept = context, handle, kept
+        self.uses = 0  # long calls that run with it
 
     def call(self, name: str, *arguments: Any) -> None:
         """dm_<name>(context, handle, ...), an Error when it fails."""
         self.context.call(name, self.handle, *arguments)
 
     def close(self) -> None:
-        """Ends it. A second time does nothing."""
-        handle, self.handle = getattr(self, "handle", 0), 0
-        if handle and self.context.pointer:
-            self._finish(handle)
-
-    def _finish(self, handle: int) -> None:
-        self.context.call(self._end, handle)
+        """Ends it. A second time does nothing. An error in a callback of its context, and while a call uses it."""
+        if self.handle and self.context.pointer:
+            self.context.end(self, self._end, self.handle, *self._with)
+        self.handle = 0
 
     def __enter__(self) -> Any:
         return self
@@ -44,10 +43,9 @@ class Owned:
         self.close()
 
     def __del__(self) -> None:
-        try:
-            self.close()
-        except Exception:  # pylint: disable=broad-except
-            pass  # it has ended before, with what it belongs to
+        handle, self.handle = getattr(self, "handle", 0), 0
+        if handle and self.context.pointer:
+            self.context.forget(self._end, handle, *self._with)
 
 
 class Model(Owned):
@@ -189,9 +187,8 @@ def _hand(ray: Any = None, point: Any = None, rate: Optional[float] = None, move
 
 class Drag(Owned):
     """One player dragging one part."""
-
-    def _finish(self, handle: int) -> None:
-        self.context.call("drag_end", handle, None)
+    _end = "drag_end"
+    _with = (None,)
 
     def update(self, origin: "Vector", direction: "Vector", dt: float) -> n.DragState:
         """The state after the pointer's ray of this frame; dt in seconds."""
@@ -235,6 +232,7 @@ class Drag(Owned):
 
     def restore(self, data: bytes) -> None:
         """Goes back to what save() gave."""
+        data = bytes_of(data, "data")
         self.call("drag_restore", data, len(data))
 
     def release(self, intent: int = Intent.AUTO, duration: float = 0.0, seed: int = 0,
