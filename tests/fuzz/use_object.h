@@ -11,6 +11,8 @@
 #include "host.h"
 
 enum { HOSTS = 4, USE_PARTS = 4, USE_FRAMES = 4 }; /* parts that are dragged, updates of a drag */
+#define SMALLEST_PICKED 1.001e-6f /* host units: the bounds of dm_scene_add, and a little for rounding */
+#define LARGEST_PICKED 0.999e12f
 /* Blocks that a context without objects keeps at most: more than it does, less than leaks add up to. */
 enum { CONTEXT_BLOCKS = 64 };
 
@@ -120,7 +122,8 @@ static inline void use_pick(dm_context* context, dm_object object, const dm_obje
     uint32_t instance;
     fuzz_expect(dm_scene_create(context, &desc, &scene) == DM_OK);
     const dm_result added = dm_scene_add(context, scene, object, NULL, &instance);
-    fuzz_expect(added == DM_OK || (!info->pickable && added == DM_ERROR_UNSUPPORTED) ||
+    const bool can_be_picked = info->pickable && info->size >= SMALLEST_PICKED && info->size <= LARGEST_PICKED;
+    fuzz_expect(added == DM_OK || (!can_be_picked && added == DM_ERROR_UNSUPPORTED) ||
                 added == DM_ERROR_INVALID_ARGUMENT);
     fuzz_expect(dm_scene_commit(context, scene) == DM_OK);
     const dm_result picked = dm_scene_pick(context, scene, &ray, &hit);

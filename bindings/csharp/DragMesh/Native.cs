@@ -1486,7 +1486,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_destroy(IntPtr context, ulong scene);
 
-        /// <summary>Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on, used again after a removal. Errors: UNSUPPORTED when the object can't be picked. Takes effect with dm_scene_commit. [exclusive object]</summary>
+        /// <summary>Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on, used again after a removal. Errors: UNSUPPORTED when the object can't be picked: it kept no triangles, or is smaller than 1e-6 or larger than 1e12 host units. Takes effect with dm_scene_commit. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_add(IntPtr context, ulong scene, ulong @object, Pose* placement, uint* out_instance);
 

@@ -998,7 +998,8 @@ DM_API dm_result DM_CALL dm_scene_create(dm_context* context, const dm_scene_des
 DM_API dm_result DM_CALL dm_scene_destroy(dm_context* context, dm_scene scene);
 
 /* Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on,
- * used again after a removal. Errors: UNSUPPORTED when the object can't be picked. Takes effect with dm_scene_commit.
+ * used again after a removal. Errors: UNSUPPORTED when the object can't be picked: it kept no triangles, or is smaller
+ * than 1e-6 or larger than 1e12 host units. Takes effect with dm_scene_commit.
  * [exclusive object] */
 DM_API dm_result DM_CALL dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement,
                                       uint32_t* out_instance);

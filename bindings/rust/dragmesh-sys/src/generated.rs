@@ -1479,7 +1479,7 @@ extern "C" {
     pub fn dm_scene_create(context: *mut dm_context, desc: *const dm_scene_desc, out_scene: *mut dm_scene) -> dm_result;
     /// Destroys it with its instances; their objects stay. \[exclusive object\]
     pub fn dm_scene_destroy(context: *mut dm_context, scene: dm_scene) -> dm_result;
-    /// Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on, used again after a removal. Errors: UNSUPPORTED when the object can't be picked. Takes effect with dm\_scene\_commit. \[exclusive object\]
+    /// Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on, used again after a removal. Errors: UNSUPPORTED when the object can't be picked: it kept no triangles, or is smaller than 1e-6 or larger than 1e12 host units. Takes effect with dm\_scene\_commit. \[exclusive object\]
     pub fn dm_scene_add(context: *mut dm_context, scene: dm_scene, object: dm_object, placement: *const dm_pose, out_instance: *mut u32) -> dm_result;
     /// Moves a part of an instance to \`pose\` (from rest, object frame; the pose of the parts that carry it included), or with part\_id 0 the whole instance to a new placement. Takes effect with dm\_scene\_commit. \[frame\]
     pub fn dm_scene_move(context: *mut dm_context, scene: dm_scene, instance: u32, part_id: u32, pose: *const dm_pose) -> dm_result;
