@@ -107,11 +107,12 @@ guides Rust "rust_runs first_door" "rust_runs handover"
 sharp() { LD_LIBRARY_PATH="$build" mono "$work/$1.exe" "${@:2}"; }
 mcs="mcs -nologo -unsafe -warnaserror -langversion:7.2"
 $mcs -target:library -out:"$work/DragMesh.dll" bindings/csharp/DragMesh/*.cs
-for source in tests/Scenario tests/Behaviour tests/Reload examples/FirstDoor examples/Handover; do
+for source in tests/Scenario tests/Behaviour tests/Misuse tests/Reload examples/FirstDoor examples/Handover; do
     $mcs -r:"$work/DragMesh.dll" -out:"$work/$(basename $source).exe" "bindings/csharp/$source.cs"
 done
 same "C#" sharp Scenario sdk/models
 passes "the layer of C#" sharp Behaviour tests/replay/hands/object.dmo sdk/models
+passes "the misuse of C#" sharp Misuse tests/replay/hands/object.dmo sdk/models
 passes "reloads from C#" sharp Reload sdk/models tests/replay/hands/object.dmo
 guides "C#" "sharp FirstDoor $cabinet" "sharp Handover $cabinet"
 

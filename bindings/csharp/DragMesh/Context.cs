@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Runtime.InteropServices;
+using System.Threading;
 using System.Threading.Tasks;
 
 namespace DragMesh
@@ -11,28 +12,6 @@ namespace DragMesh
     internal sealed class MonoPInvokeCallbackAttribute : Attribute
     {
         public MonoPInvokeCallbackAttribute(Type type) { }
-    }
-
-    /// <summary>The memory of a context, which everything made with it checks before it ends itself.</summary>
-    internal sealed class ContextHandle : SafeHandle
-    {
-        /// <summary>Taken to end anything: finalizers run on a thread of their own.</summary>
-        internal readonly object Gate = new object();
-
-        internal ContextHandle() : base(IntPtr.Zero, true) { }
-        public override bool IsInvalid => handle == IntPtr.Zero;
-        internal IntPtr Pointer => handle;
-        internal void Set(IntPtr pointer) => SetHandle(pointer);
-
-        protected override bool ReleaseHandle()
-        {
-            lock (Gate)
-            {
-                Native.dm_context_destroy(handle);
-                handle = IntPtr.Zero;
-            }
-            return true;
-        }
     }
 
     /// <summary>How to make a context. Zeros are the defaults.</summary>
@@ -62,10 +41,9 @@ namespace DragMesh
 
         [ThreadStatic] private static string lastError;
 
-        internal readonly ContextHandle Handle = new ContextHandle();
+        internal readonly ContextHandle Handle;
         private readonly Action<LogLevel, string> log;
         private readonly Func<float, bool> progress;
-        private GCHandle self; // weak, so that it keeps nothing alive
 
         public Context() : this(new ContextOptions()) { }
 
@@ -73,21 +51,23 @@ namespace DragMesh
         {
             log = options.Log;
             progress = options.Progress;
-            self = GCHandle.Alloc(this, GCHandleType.Weak);
+            Handle = new ContextHandle(this);
             ContextDesc desc = ContextDesc.New();
             desc.Axes = (int)options.Axes;
             desc.UnitInMetres = options.UnitInMetres;
             desc.Picking = (int)options.Picking;
-            desc.Log.User = (void*)GCHandle.ToIntPtr(self);
+            desc.Log.User = (void*)GCHandle.ToIntPtr(Handle.Self);
             desc.Log.Message = Marshal.GetFunctionPointerForDelegate(onMessage);
             if (progress != null)
             {
                 desc.Progress = Marshal.GetFunctionPointerForDelegate(onProgress);
-                desc.ProgressUser = (void*)GCHandle.ToIntPtr(self);
+                desc.ProgressUser = (void*)GCHandle.ToIntPtr(Handle.Self);
             }
             if (options.Parallel) desc.Jobs.ParallelFor = Marshal.GetFunctionPointerForDelegate(onJobs);
             IntPtr pointer;
-            Check(Native.dm_context_create(&desc, &pointer));
+            int result = Native.dm_context_create(&desc, &pointer);
+            if (result < 0) Handle.Self.Free();
+            Check(result);
             Handle.Set(pointer);
         }
 
@@ -96,10 +76,10 @@ namespace DragMesh
             Dispose();
         }
 
+        /// <summary>Ends it, and everything made with it, after the calls that run now.</summary>
         public void Dispose()
         {
-            Handle.Dispose();
-            if (self.IsAllocated) self.Free();
+            if (Handle != null) Handle.Dispose();
             GC.SuppressFinalize(this);
         }
 
@@ -113,19 +93,14 @@ namespace DragMesh
             }
         }
 
-        internal IntPtr Pointer
-        {
-            get
-            {
-                if (Handle.IsClosed || Handle.IsInvalid) throw new ObjectDisposedException("DragMesh.Context");
-                return Handle.Pointer;
-            }
-        }
+        internal IntPtr Pointer => Handle.Pointer;
+
+        internal Calling Begin(Owned used = null) => new Calling(Handle, used);
 
         public MemoryInfo Memory()
         {
             MemoryInfo info = MemoryInfo.New();
-            Check(Native.dm_context_get_memory(Pointer, &info));
+            using (Begin()) Check(Native.dm_context_get_memory(Pointer, &info));
             return info;
         }
 
@@ -137,6 +112,7 @@ namespace DragMesh
             fixed (byte* k = &MemoryMarshal.GetReference(kinematics))
             fixed (byte* m = &MemoryMarshal.GetReference(motion))
             fixed (byte* r = &MemoryMarshal.GetReference(ranker))
+            using (Begin())
             {
                 desc.Kinematics = k;
                 desc.KinematicsSize = (UIntPtr)kinematics.Length;
@@ -169,6 +145,7 @@ namespace DragMesh
         {
             ulong id;
             fixed (byte* data = &MemoryMarshal.GetReference(dmo))
+            using (Begin(model))
                 Check(Native.dm_object_load(Pointer, data, (UIntPtr)dmo.Length, model == null ? 0 : model.Id, &id));
             return new PreparedObject(this, id, model);
         }
@@ -181,6 +158,7 @@ namespace DragMesh
             {
                 DragHint hint = drag;
                 fixed (byte* f = faces)
+                using (Begin())
                     Check(Native.dm_mesh_find_part(Pointer, desc, &hint, f, (ulong)faces.Length));
             });
             return faces;
@@ -190,7 +168,7 @@ namespace DragMesh
         {
             SceneDesc desc = SceneDesc.New();
             ulong id;
-            Check(Native.dm_scene_create(Pointer, &desc, &id));
+            using (Begin()) Check(Native.dm_scene_create(Pointer, &desc, &id));
             return new Scene(this, id);
         }
 
@@ -198,7 +176,8 @@ namespace DragMesh
         public Ray CameraRay(Camera camera, float x, float y)
         {
             Ray ray;
-            Check(Native.dm_camera_ray(Pointer, &camera, x, y, &ray));
+            camera.StructSize = Camera.New().StructSize;
+            using (Begin()) Check(Native.dm_camera_ray(Pointer, &camera, x, y, &ray));
             return ray;
         }
 
@@ -222,7 +201,16 @@ namespace DragMesh
                 string message = Text.From(text);
                 if (level == (int)LogLevel.Error) lastError = message;
                 Context context = (Context)GCHandle.FromIntPtr((IntPtr)user).Target;
-                if (context != null && context.log != null) context.log((LogLevel)level, message);
+                if (context == null || context.log == null) return;
+                Callbacks.Begin(context.Handle);
+                try
+                {
+                    context.log((LogLevel)level, message);
+                }
+                finally
+                {
+                    Callbacks.End();
+                }
             }
             catch (Exception)
             {
@@ -236,7 +224,16 @@ namespace DragMesh
             try
             {
                 Context context = (Context)GCHandle.FromIntPtr((IntPtr)user).Target;
-                return context == null || context.progress(done) ? 0 : 1;
+                if (context == null) return 0;
+                Callbacks.Begin(context.Handle);
+                try
+                {
+                    return context.progress(done) ? 0 : 1;
+                }
+                finally
+                {
+                    Callbacks.End();
+                }
             }
             catch (Exception)
             {
@@ -247,16 +244,27 @@ namespace DragMesh
         [MonoPInvokeCallback(typeof(JobsParallelFor))]
         private static int OnJobs(void* user, uint count, IntPtr task, void* data)
         {
+            int next = -1;
+            Action<int> work;
             try
             {
                 DragMesh.Task run = Marshal.GetDelegateForFunctionPointer<DragMesh.Task>(task);
-                Parallel.For(0, count, i => run(data, (uint)i));
-                return 1;
+                work = worker => { for (int i; (i = Interlocked.Increment(ref next)) < count;) run(data, (uint)i); };
             }
-            catch (NotSupportedException)
+            catch (Exception)
             {
                 return 0; // the library runs them itself
             }
+            try
+            {
+                Parallel.For(0, (int)Math.Min(count, (uint)Environment.ProcessorCount), work);
+            }
+            catch (Exception)
+            {
+                // Nothing may pass through the library: this thread does what the pool has left.
+            }
+            work(0);
+            return 1;
         }
     }
 }

@@ -36,7 +36,9 @@ namespace DragMesh
             }
         }
 
-        internal IntPtr Pointer => Context.Pointer;
+        internal IntPtr Pointer => owner.Pointer;
+
+        internal Calling Begin() => new Calling(owner, this);
 
         internal void Check(int result)
         {
@@ -45,13 +47,11 @@ namespace DragMesh
         }
 
         internal abstract int End(IntPtr context, ulong ended);
+        internal void End(IntPtr context) => End(context, id);
 
         protected override bool ReleaseHandle()
         {
-            lock (owner.Gate)
-            {
-                if (owner.Pointer != IntPtr.Zero) End(owner.Pointer, id);
-            }
+            owner.End(this);
             return true;
         }
     }
@@ -75,7 +75,7 @@ namespace DragMesh
         public ObjectInfo Info()
         {
             ObjectInfo info = ObjectInfo.New();
-            Check(Native.dm_object_get_info(Pointer, Id, &info));
+            using (Begin()) Check(Native.dm_object_get_info(Pointer, Id, &info));
             return info;
         }
 
@@ -86,7 +86,7 @@ namespace DragMesh
             for (int i = 0; i < parts.Length; i++)
             {
                 PartInfo part = PartInfo.New();
-                Check(Native.dm_object_get_part(Pointer, Id, (uint)i, &part));
+                using (Begin()) Check(Native.dm_object_get_part(Pointer, Id, (uint)i, &part));
                 parts[i] = part;
             }
             return parts;
@@ -96,7 +96,7 @@ namespace DragMesh
         public Joint JointOf(uint part)
         {
             Joint joint = Joint.New();
-            Check(Native.dm_object_get_joint(Pointer, Id, part, &joint));
+            using (Begin()) Check(Native.dm_object_get_joint(Pointer, Id, part, &joint));
             return joint;
         }
 
@@ -108,23 +108,35 @@ namespace DragMesh
             DragHint hint = drag.GetValueOrDefault();
             uint count;
             fixed (Joint* out_joints = joints)
+            using (Begin())
                 Check(Native.dm_object_get_hypotheses(Pointer, Id, part, drag.HasValue ? &hint : null, out_joints,
                                                       (uint)joints.Length, &count));
             Array.Resize(ref joints, (int)count);
             return joints;
         }
 
-        public void SetJoint(uint part, Joint joint) => Check(Native.dm_object_set_joint(Pointer, Id, part, &joint));
+        public void SetJoint(uint part, Joint joint)
+        {
+            joint.StructSize = Joint.New().StructSize;
+            using (Begin()) Check(Native.dm_object_set_joint(Pointer, Id, part, &joint));
+        }
 
         /// <summary>Puts the library's own answer back in force.</summary>
-        public void ResetJoint(uint part) => Check(Native.dm_object_reset_joint(Pointer, Id, part));
+        public void ResetJoint(uint part)
+        {
+            using (Begin()) Check(Native.dm_object_reset_joint(Pointer, Id, part));
+        }
 
         /// <summary>Infers the joint again, with a player's drag as evidence.</summary>
-        public void Refine(uint part, DragHint drag) => Check(Native.dm_object_refine(Pointer, Id, part, &drag));
+        public void Refine(uint part, DragHint drag)
+        {
+            using (Begin()) Check(Native.dm_object_refine(Pointer, Id, part, &drag));
+        }
 
         public void SetLinks(ReadOnlySpan<Link> links)
         {
             fixed (Link* l = &MemoryMarshal.GetReference(links))
+            using (Begin())
                 Check(Native.dm_object_set_links(Pointer, Id, l, (uint)links.Length));
         }
 
@@ -135,6 +147,7 @@ namespace DragMesh
             if (held.Length != 0 && held.Length != values.Length) throw new ArgumentException("one of held a value");
             fixed (float* v = &MemoryMarshal.GetReference(values))
             fixed (byte* h = &MemoryMarshal.GetReference(held))
+            using (Begin())
                 Check(Native.dm_object_follow_links(Pointer, Id, part, v, h, (uint)values.Length));
         }
 
@@ -142,9 +155,11 @@ namespace DragMesh
         public byte[] Save()
         {
             UIntPtr size;
-            Check(Native.dm_object_save(Pointer, Id, null, UIntPtr.Zero, &size));
+            using (Begin()) Check(Native.dm_object_save(Pointer, Id, null, UIntPtr.Zero, &size));
             byte[] data = new byte[(long)size];
-            fixed (byte* d = data) Check(Native.dm_object_save(Pointer, Id, d, size, &size));
+            fixed (byte* d = data)
+            using (Begin())
+                Check(Native.dm_object_save(Pointer, Id, d, size, &size));
             return data;
         }
 
@@ -152,7 +167,8 @@ namespace DragMesh
         public Motion Generate(MotionDesc desc)
         {
             ulong id;
-            Check(Native.dm_motion_generate(Pointer, Id, &desc, &id));
+            desc.StructSize = MotionDesc.New().StructSize;
+            using (Begin()) Check(Native.dm_motion_generate(Pointer, Id, &desc, &id));
             return new Motion(this, id);
         }
 
@@ -164,6 +180,10 @@ namespace DragMesh
             DragRules r = rules.GetValueOrDefault(DragRules.New());
             PartState s = state.GetValueOrDefault();
             ulong id;
+            r.StructSize = DragRules.New().StructSize;
+            s.StructSize = DragMesh.PartState.New().StructSize;
+            s.Joint.StructSize = Joint.New().StructSize;
+            desc.StructSize = DragDesc.New().StructSize;
             fixed (float* values = &MemoryMarshal.GetReference(snaps))
             {
                 r.Snaps = values;
@@ -171,7 +191,7 @@ namespace DragMesh
                 desc.Object = Id;
                 desc.Rules = rules.HasValue || snaps.Length > 0 ? &r : null;
                 desc.State = state.HasValue ? &s : null;
-                Check(Native.dm_drag_begin(Pointer, &desc, &id));
+                using (Begin()) Check(Native.dm_drag_begin(Pointer, &desc, &id));
             }
             return new Drag(this, id);
         }
@@ -188,7 +208,7 @@ namespace DragMesh
         {
             Pose pose;
             float v;
-            Check(Native.dm_motion_sample(Pointer, Id, t, &pose, &v));
+            using (Begin()) Check(Native.dm_motion_sample(Pointer, Id, t, &pose, &v));
             value = v;
             return pose;
         }
@@ -204,7 +224,7 @@ namespace DragMesh
         public DragState Update(Ray ray, float seconds)
         {
             DragState state = DragState.New();
-            Check(Native.dm_drag_update(Pointer, Id, &ray, seconds, &state));
+            using (Begin()) Check(Native.dm_drag_update(Pointer, Id, &ray, seconds, &state));
             return state;
         }
 
@@ -212,7 +232,7 @@ namespace DragMesh
         public DragState Update(float seconds)
         {
             DragState state = DragState.New();
-            Check(Native.dm_drag_update(Pointer, Id, null, seconds, &state));
+            using (Begin()) Check(Native.dm_drag_update(Pointer, Id, null, seconds, &state));
             return state;
         }
 
@@ -220,7 +240,8 @@ namespace DragMesh
         public DragState Step(DragInput input, float seconds)
         {
             DragState state = DragState.New();
-            Check(Native.dm_drag_step(Pointer, Id, &input, seconds, &state));
+            input.StructSize = DragInput.New().StructSize;
+            using (Begin()) Check(Native.dm_drag_step(Pointer, Id, &input, seconds, &state));
             return state;
         }
 
@@ -228,7 +249,7 @@ namespace DragMesh
         public DragState Take(float value)
         {
             DragState state = DragState.New();
-            Check(Native.dm_drag_take(Pointer, Id, value, &state));
+            using (Begin()) Check(Native.dm_drag_take(Pointer, Id, value, &state));
             return state;
         }
 
@@ -236,7 +257,8 @@ namespace DragMesh
         public ReleasePlan Release(ReleaseDesc desc)
         {
             ReleasePlan plan = ReleasePlan.New();
-            Check(Native.dm_drag_release(Pointer, Id, &desc, &plan));
+            desc.StructSize = ReleaseDesc.New().StructSize;
+            using (Begin()) Check(Native.dm_drag_release(Pointer, Id, &desc, &plan));
             return plan;
         }
 
@@ -251,7 +273,7 @@ namespace DragMesh
         public PartState PartState()
         {
             PartState state = DragMesh.PartState.New();
-            Check(Native.dm_drag_get_part_state(Pointer, Id, &state));
+            using (Begin()) Check(Native.dm_drag_get_part_state(Pointer, Id, &state));
             return state;
         }
 
@@ -267,12 +289,14 @@ namespace DragMesh
         public void Save(Span<byte> buffer)
         {
             fixed (byte* b = &MemoryMarshal.GetReference(buffer))
+            using (Begin())
                 Check(Native.dm_drag_save(Pointer, Id, b, (UIntPtr)buffer.Length));
         }
 
         public void Restore(ReadOnlySpan<byte> saved)
         {
             fixed (byte* s = &MemoryMarshal.GetReference(saved))
+            using (Begin())
                 Check(Native.dm_drag_restore(Pointer, Id, s, (UIntPtr)saved.Length));
         }
 
@@ -292,25 +316,35 @@ namespace DragMesh
         {
             Pose pose = placement.GetValueOrDefault();
             uint instance;
-            Check(Native.dm_scene_add(Pointer, Id, prepared.Id, placement.HasValue ? &pose : null, &instance));
+            using (Begin())
+            using (prepared.Begin())
+                Check(Native.dm_scene_add(Pointer, Id, prepared.Id, placement.HasValue ? &pose : null, &instance));
             if (!objects.Contains(prepared)) objects.Add(prepared);
             return instance;
         }
 
         /// <summary>Moves a part, or with part 0 the instance.</summary>
-        public void Move(uint instance, uint part, Pose pose) =>
-            Check(Native.dm_scene_move(Pointer, Id, instance, part, &pose));
+        public void Move(uint instance, uint part, Pose pose)
+        {
+            using (Begin()) Check(Native.dm_scene_move(Pointer, Id, instance, part, &pose));
+        }
 
-        public void Remove(uint instance) => Check(Native.dm_scene_remove(Pointer, Id, instance));
+        public void Remove(uint instance)
+        {
+            using (Begin()) Check(Native.dm_scene_remove(Pointer, Id, instance));
+        }
 
         /// <summary>Makes moves visible to picks: once a frame.</summary>
-        public void Commit() => Check(Native.dm_scene_commit(Pointer, Id));
+        public void Commit()
+        {
+            using (Begin()) Check(Native.dm_scene_commit(Pointer, Id));
+        }
 
         /// <summary>The nearest hit of a ray; false when there is none.</summary>
         public bool Pick(Ray ray, out Hit hit)
         {
             Hit found = Hit.New();
-            Check(Native.dm_scene_pick(Pointer, Id, &ray, &found));
+            using (Begin()) Check(Native.dm_scene_pick(Pointer, Id, &ray, &found));
             hit = found;
             return found.Object != 0;
         }

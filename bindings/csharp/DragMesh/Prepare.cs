@@ -55,29 +55,33 @@ namespace DragMesh
         private sealed class Call
         {
             internal PrepareOptions Options;
+            internal Context Context;
             internal Exception Failure;
         }
 
         internal ulong Run(Context context, Mesh mesh)
         {
-            Call call = new Call { Options = this };
+            Call call = new Call { Options = this, Context = context };
             GCHandle user = GCHandle.Alloc(call);
             ulong id = 0;
-            try
+            using (context.Begin(Model))
             {
-                using (Memory memory = new Memory())
-                    mesh.Use((MeshDesc* desc) => { id = Run(context, desc, memory, (void*)GCHandle.ToIntPtr(user)); });
+                try
+                {
+                    using (Memory memory = new Memory())
+                        mesh.Use((MeshDesc* desc) => { id = Run(context, desc, memory, (void*)GCHandle.ToIntPtr(user)); });
+                }
+                catch (DragMeshException)
+                {
+                    if (call.Failure == null) throw;
+                }
+                finally
+                {
+                    user.Free();
+                }
+                if (call.Failure == null) return id;
+                if (id != 0) Native.dm_object_destroy(context.Pointer, id);
             }
-            catch (DragMeshException)
-            {
-                if (call.Failure == null) throw;
-            }
-            finally
-            {
-                user.Free();
-            }
-            if (call.Failure == null) return id;
-            if (id != 0) Native.dm_object_destroy(context.Pointer, id);
             throw new InvalidOperationException("a callback of Prepare has failed", call.Failure);
         }
 
@@ -103,7 +107,6 @@ namespace DragMesh
             desc.ProgressUser = desc.IntentUser = desc.ChooseUser = user;
             ulong id;
             context.Check(Native.dm_object_prepare(context.Pointer, &desc, &id));
-            GC.KeepAlive(Model);
             return id;
         }
 
@@ -145,64 +148,59 @@ namespace DragMesh
             }
         }
 
-        // Nothing may pass through the library: the first exception is kept, and the preparation cancelled or ended.
-        private static Call CallOf(void* user) => (Call)GCHandle.FromIntPtr((IntPtr)user).Target;
-
-        [MonoPInvokeCallback(typeof(ProgressCallback))]
-        private static int OnProgress(void* user, float done)
+        /// <summary>Asks the host. Nothing may pass through the library: the first exception is kept, and the preparation
+        /// cancelled or ended.</summary>
+        private static int Ask(void* user, int otherwise, Func<PrepareOptions, int> ask)
         {
-            Call call = CallOf(user);
+            Call call = (Call)GCHandle.FromIntPtr((IntPtr)user).Target;
+            if (call.Failure != null) return otherwise;
+            Callbacks.Begin(call.Context.Handle);
             try
             {
-                return call.Failure == null && call.Options.Progress(done) ? 0 : 1;
+                return ask(call.Options);
             }
             catch (Exception failure)
             {
                 call.Failure = failure;
-                return 1;
+                return otherwise;
             }
+            finally
+            {
+                Callbacks.End();
+            }
+        }
+
+        [MonoPInvokeCallback(typeof(ProgressCallback))]
+        private static int OnProgress(void* user, float done)
+        {
+            return Ask(user, 1, options => options.Progress(done) ? 0 : 1);
         }
 
         [MonoPInvokeCallback(typeof(IntentCallback))]
         private static int OnIntent(void* user, uint part, Vec3 low, Vec3 high)
         {
-            Call call = CallOf(user);
-            if (call.Failure != null) return Constants.DM_JOINT_UNKNOWN;
-            try
-            {
-                return (int)call.Options.Intent(part, low, high);
-            }
-            catch (Exception failure)
-            {
-                call.Failure = failure;
-                return Constants.DM_JOINT_UNKNOWN;
-            }
+            return Ask(user, Constants.DM_JOINT_UNKNOWN, options => (int)options.Intent(part, low, high));
         }
 
         [MonoPInvokeCallback(typeof(ChoiceCallback))]
         private static int OnChoose(void* user, Choice* choice)
         {
-            Call call = CallOf(user);
-            if (call.Failure != null) return Constants.DM_CHOICE_KEEP;
-            try
+            return Ask(user, Constants.DM_CHOICE_KEEP, options => options.Choose(Shown(choice)));
+        }
+
+        private static PartChoice Shown(Choice* choice)
+        {
+            int count = (int)choice->Count;
+            PartChoice shown = new PartChoice {
+                Part = *choice->Part, Joints = new Joint[count], Lower = new JointEnd[count], Upper = new JointEnd[count]
+            };
+            for (int i = 0; i < count; i++)
             {
-                int count = (int)choice->Count;
-                PartChoice shown = new PartChoice {
-                    Part = *choice->Part, Joints = new Joint[count], Lower = new JointEnd[count], Upper = new JointEnd[count]
-                };
-                for (int i = 0; i < count; i++)
-                {
-                    shown.Joints[i] = *choice->Hypotheses[i]->Joint;
-                    shown.Lower[i] = choice->Hypotheses[i]->Ends0;
-                    shown.Upper[i] = choice->Hypotheses[i]->Ends1;
-                }
-                return call.Options.Choose(shown);
+                shown.Joints[i] = *choice->Hypotheses[i]->Joint;
+                shown.Lower[i] = choice->Hypotheses[i]->Ends0;
+                shown.Upper[i] = choice->Hypotheses[i]->Ends1;
             }
-            catch (Exception failure)
-            {
-                call.Failure = failure;
-                return Constants.DM_CHOICE_KEEP;
-            }
+            return shown;
         }
     }
 }

@@ -102,10 +102,21 @@ namespace DragMesh
         public JointType Kind => (JointType)Type;
         public JointSource From => (JointSource)Source;
 
+        /// <summary>With its true size, whatever a caller has written into it.</summary>
+        private Joint Sized
+        {
+            get
+            {
+                Joint joint = this;
+                joint.StructSize = New().StructSize;
+                return joint;
+            }
+        }
+
         /// <summary>The pose at a joint value.</summary>
         public Pose PoseAt(float value)
         {
-            Joint joint = this;
+            Joint joint = Sized;
             Pose pose;
             Failure.Check(Native.dm_joint_pose(&joint, value, &pose));
             return pose;
@@ -114,7 +125,7 @@ namespace DragMesh
         /// <summary>The joint value at a share of the way from rest (0) to the open end (1).</summary>
         public float ValueAt(float share)
         {
-            Joint joint = this;
+            Joint joint = Sized;
             float value;
             Failure.Check(Native.dm_joint_value_at(&joint, share, &value));
             return value;
@@ -123,7 +134,7 @@ namespace DragMesh
         /// <summary>The value at which the joint comes nearest to a pose, and how far off the joint that is.</summary>
         public float ValueOf(Pose pose, out float angleError, out float distanceError)
         {
-            Joint joint = this;
+            Joint joint = Sized;
             float value, angle, distance;
             Failure.Check(Native.dm_joint_value(&joint, &pose, &value, &angle, &distance));
             angleError = angle;
@@ -134,7 +145,7 @@ namespace DragMesh
         /// <summary>The joint as a constraint of a physics engine.</summary>
         public JointFrame Frame()
         {
-            Joint joint = this;
+            Joint joint = Sized;
             JointFrame frame = JointFrame.New();
             Failure.Check(Native.dm_joint_get_frame(&joint, &frame));
             return frame;
@@ -143,7 +154,7 @@ namespace DragMesh
         /// <summary>The joint of an instance scaled along the axes of the object frame.</summary>
         public Joint Scaled(Vec3 scale)
         {
-            Joint joint = this, scaled = New();
+            Joint joint = Sized, scaled = New();
             Failure.Check(Native.dm_joint_scale(&joint, scale, &scaled));
             return scaled;
         }
@@ -176,6 +187,11 @@ namespace DragMesh
             return System.Text.Encoding.UTF8.GetString(text, length);
         }
 
-        internal static byte[] Bytes(string text) => text == null ? null : System.Text.Encoding.UTF8.GetBytes(text + "\0");
+        internal static byte[] Bytes(string text)
+        {
+            if (text == null) return null;
+            if (text.IndexOf('\0') >= 0) throw new ArgumentException("a text has a zero character, which would end it");
+            return System.Text.Encoding.UTF8.GetBytes(text + "\0");
+        }
     }
 }

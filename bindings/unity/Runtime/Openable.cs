@@ -62,6 +62,13 @@ namespace DragMesh.Unity
 
         public OpenablePart Find(uint id) => parts.Find(part => part.id == id);
 
+        private OpenablePart Known(uint id)
+        {
+            OpenablePart part = Find(id);
+            if (part == null || loaded == null) throw new ArgumentException("no part " + id + " that is prepared and enabled");
+            return part;
+        }
+
         /// <summary>The nearest part or the body along a ray of the world. distance: in the world.</summary>
         public bool Raycast(UnityEngine.Ray ray, out Hit hit, out float distance)
         {
@@ -76,7 +83,7 @@ namespace DragMesh.Unity
         public bool Grab(Hit hit)
         {
             OpenablePart part = Find(hit.PartId);
-            if (part == null || part.held) return false;
+            if (part == null || part.held || loaded == null) return false;
             Let(part);
             DragDesc desc = DragDesc.New();
             desc.PartId = part.id;
@@ -129,7 +136,7 @@ namespace DragMesh.Unity
         /// <summary>What to save of a part, and what Restore takes back.</summary>
         public PartState State(uint id)
         {
-            OpenablePart part = Find(id);
+            OpenablePart part = Known(id);
             if (part.drag != null) return part.drag.PartState();
             if (part.moved) return part.state;
             PartState rest = PartState.New();
@@ -140,7 +147,7 @@ namespace DragMesh.Unity
 
         public void Restore(uint id, PartState state)
         {
-            OpenablePart part = Find(id);
+            OpenablePart part = Known(id);
             Let(part);
             part.state = state;
             part.state.Pose = state.Joint.PoseAt(state.Value);
@@ -180,11 +187,15 @@ namespace DragMesh.Unity
             if (Happened != null) Happened(part, events);
         }
 
-        /// <summary>The pose of what carries a part.</summary>
+        /// <summary>The pose of what carries a part. Carriers that carry each other, which the inspector allows, are gone
+        /// through once.</summary>
         private Pose Carrier(OpenablePart part)
         {
-            OpenablePart carrier = part.parent == 0 ? null : Find(part.parent);
-            return carrier == null ? Pose.Identity : Carrier(carrier) * carrier.Own;
+            Pose pose = Pose.Identity;
+            OpenablePart carrier = Find(part.parent);
+            for (int above = 0; carrier != null && above < parts.Count; above++, carrier = Find(carrier.parent))
+                pose = carrier.Own * pose;
+            return pose;
         }
 
         private void Show()

@@ -52,6 +52,33 @@ static class Test
         }
     }
 
+    // What an inspector or a script may do wrong is an exception, or does nothing.
+    private static void Misuse(Openable openable)
+    {
+        PartState state = openable.State(1);
+        foreach (Action call in new Action[] { () => openable.State(99), () => openable.Restore(99, state) })
+        {
+            bool thrown = false;
+            try { call(); } catch (ArgumentException) { thrown = true; }
+            Must(thrown, "a part that is not there");
+        }
+        openable.Pull(99, new UnityEngine.Ray(Vector3.up, Vector3.up), 0.01f);
+        openable.Release(99);
+        openable.Move(99, Intent.Open);
+        Hit nothing = Hit.New();
+        nothing.PartId = 99;
+        Must(!openable.Grab(nothing), "a hit of nothing");
+        foreach (OpenablePart part in openable.parts) part.parent = 3 - part.id; // they carry each other
+        openable.Restore(1, state);
+        openable.parts[0].parent = 1; // itself
+        openable.Restore(1, state);
+        foreach (OpenablePart part in openable.parts) part.parent = 0;
+        openable.opened.AddListener(part => openable.gameObject.SetActive(false)); // in the middle of its own update
+        openable.Move(2, Intent.Open);
+        for (int frame = 0; frame < 200; frame++) GameObject.Call(openable, "Update");
+        Must(openable.Object == null && !openable.Grab(nothing), "disabled by its own event");
+    }
+
     static void Main(string[] arguments)
     {
         GameObject root = new GameObject("cabinet");
@@ -106,6 +133,8 @@ static class Test
         Application.Quit();
         Must(openable.Object.IsEnded, "the context outlives the game");
         root.SetActive(false);
+        GameObject other = new GameObject("misused");
+        Misuse(Cabinet.Build(other, File.ReadAllBytes(arguments[1])));
         Console.WriteLine("Unity: the package runs on the stub");
     }
 }
