@@ -1,7 +1,7 @@
 // dragmesh for JavaScript: makes any 3D object openable. README.md explains it, dragmesh.d.ts declares it.
 import { FloatFormat, IntegerFormat, MAX_HYPOTHESES, MOTION_FRAMES, PartIdScope, PrepareFlag, Result,
     VERSION_NUMBER, structs } from './abi.js';
-import { Memory, formatOf } from './memory.js';
+import { Memory, bytesOf, formatOf, integer } from './memory.js';
 
 export * from './abi.js';
 
@@ -54,28 +54,32 @@ export async function load({ wasm } = {}) {
 /** The module, and what its hooks call. */
 class Library {
     contexts = new Map();
-    #thrown = null; // what a hook of the host has thrown: C code is never unwound, the call rethrows it
 
     imports() {
-        const guard = (fallback, body) => (...args) => {
+        // C code is never unwound: the call rethrows what a hook has thrown. No hook is called after that.
+        const hook = (fallback, body) => (user, ...args) => {
+            const live = this.contexts.get(user);
+            if (!live || live.thrown) return fallback;
+            live.inside = true;
             try {
-                return body(...args);
+                return body(live, ...args);
             } catch (error) {
-                this.#thrown ??= { error };
+                live.thrown = { error };
                 return fallback;
+            } finally {
+                live.inside = false;
             }
         };
-        const hooks = user => this.contexts.get(user).hooks;
+        const answer = (value, otherwise, what) => integer(value ?? otherwise, what, 'i32');
         return {
             host: {
-                log: guard(undefined, (user, level, code, text) => {
-                    const live = this.contexts.get(user);
+                log: hook(undefined, (live, level, code, text) => {
                     live.message = this.memory.text(text);
                     if (!live.quiet) live.onLog?.(level, resultNames.get(code) ?? String(code), live.message);
                 }),
-                intent: guard(0, (user, partId, low, high) => hooks(user).intent(partId, this.memory.read('dm_vec3', low), this.memory.read('dm_vec3', high)) ?? 0),
-                progress: guard(1, (user, done) => (hooks(user).progress(done) ? 1 : 0)),
-                choose: guard(-1, (user, choice) => hooks(user).choose(this.#choice(choice)) ?? -1),
+                intent: hook(0, ({ hooks }, partId, low, high) => answer(hooks.intent(partId, this.memory.read('dm_vec3', low), this.memory.read('dm_vec3', high)), 0, 'what intent answers')),
+                progress: hook(1, ({ hooks }, done) => (hooks.progress(done) ? 1 : 0)),
+                choose: hook(-1, ({ hooks }, choice) => answer(hooks.choose(this.#choice(choice)), -1, 'what choose answers')),
             },
             env: { emscripten_notify_memory_growth() {} },
         };
@@ -103,16 +107,6 @@ class Library {
             return { joint: this.memory.read('dm_joint', hypothesis.joint), ends: hypothesis.ends };
         });
         return { part: this.memory.read('dm_part_info', choice.part), hypotheses };
-    }
-
-    /** Throws what a hook has thrown, or the error of a result. */
-    check(result, message) {
-        if (this.#thrown) {
-            const { error } = this.#thrown;
-            this.#thrown = null;
-            throw error;
-        }
-        if (result !== Result.OK) throw new DragmeshError(result, message);
     }
 
     scope(body) {
@@ -203,16 +197,37 @@ export class Dragmesh {
     }
 
     #call(name, ...args) {
-        this.#library.check(this.#library.exports[name](...args), name);
+        const result = this.#library.exports[name](...args);
+        if (result !== Result.OK) throw new DragmeshError(result, name);
     }
 }
 
+/** Throws what a hook has thrown, or the error of a result. */
+function check(live, result) {
+    const { thrown } = live;
+    live.thrown = null;
+    if (thrown) throw thrown.error;
+    if (result !== Result.OK) throw new DragmeshError(result, live.message);
+}
+
+function refuseInside(live) {
+    if (live.inside) throw new DragmeshError(Result.ERROR_INVALID_ARGUMENT, 'a hook must not call the context that calls it');
+}
+
 function destroyContext(library, live) {
+    live.quiet = true;
     if (live.address !== 0) library.exports.dm_context_destroy(live.address);
     live.address = 0;
     library.contexts.delete(live.slot);
     library.exports.free(live.slot); // free(0) does nothing
     live.slot = 0;
+}
+
+// It may have ended with what it belongs to, which is no error here.
+function endQuietly(library, live, destroyer, ...args) {
+    live.quiet = true;
+    library.exports[destroyer](live.address, ...args);
+    live.quiet = false;
 }
 
 /** Base of what lives in a context. */
@@ -225,16 +240,14 @@ class Owned {
         this.handle = handle;
         const { live, library } = context;
         this.#release = () => {
-            if (live.address === 0) return;
-            live.quiet = true; // it may have ended with what it belongs to, which is no error here
-            library.exports[destroyer](live.address, handle, ...rest);
-            live.quiet = false;
+            if (live.address !== 0) endQuietly(library, live, destroyer, handle, ...rest);
         };
         forgotten.register(this, this.#release, this);
     }
 
     /** Frees it. Twice does nothing more; calls on it throw DM_ERROR_STALE_HANDLE from then on. */
     destroy() {
+        refuseInside(this.context.live);
         forgotten.unregister(this);
         this.#release();
     }
@@ -248,19 +261,21 @@ class Owned {
 export class Context {
     #library;
 
-    constructor(library, { onLog, ...desc }) {
+    constructor(library, { onLog, axes, unitInMetres, customAxes, picking, ...unknown }) {
         this.#library = library;
+        for (const key of Object.keys(unknown)) throw new TypeError(`a context has no option "${key}"`);
         const slot = library.exports.malloc(1); // its address names this context to the hooks
-        const live = { address: 0, slot, onLog, hooks: null, message: '', quiet: false };
+        if (slot === 0) throw new RangeError('no memory for a context');
+        const live = { address: 0, slot, onLog, hooks: null, message: '', quiet: false, inside: false, thrown: null };
         this.live = live;
         library.contexts.set(slot, live);
         try {
             library.scope(scope => {
-                const options = scope.struct('dm_context_desc', desc), out = scope.allocate(4);
+                const options = scope.struct('dm_context_desc', { axes, unitInMetres, customAxes, picking }), out = scope.allocate(4);
                 const log = options + structs.dm_context_desc.fields.log[0];
                 library.exports.dmjs_log(log);
                 library.memory.view.setUint32(log + structs.dm_log.fields.user[0], slot, true);
-                library.check(library.exports.dm_context_create(options, out), live.message);
+                check(live, library.exports.dm_context_create(options, out));
                 live.address = library.memory.view.getUint32(out, true);
             });
         } catch (error) {
@@ -272,6 +287,7 @@ export class Context {
 
     /** Destroys it and everything made with it. */
     destroy() {
+        refuseInside(this.live);
         forgotten.unregister(this);
         destroyContext(this.#library, this.live);
     }
@@ -283,8 +299,9 @@ export class Context {
     /** Calls a function of C with this context before its arguments; throws what it answers. */
     call(name, ...args) {
         if (this.live.address === 0) throw new DragmeshError(Result.ERROR_STALE_HANDLE, 'the context is destroyed');
+        refuseInside(this.live);
         this.live.message = '';
-        this.#library.check(this.#library.exports[name](this.live.address, ...args), this.live.message);
+        check(this.live, this.#library.exports[name](this.live.address, ...args));
     }
 
     get library() {
@@ -301,10 +318,17 @@ export class Context {
         }
     }
 
-    #handle(scope, name, ...args) {
-        const out = scope.allocate(8);
-        this.call(name, ...args, out);
-        return this.#library.memory.view.getBigUint64(out, true);
+    /** Calls a function that makes something, and returns its handle. What a hook throws leaves nothing made. */
+    make(scope, destroyer, name, ...args) {
+        const out = scope.allocate(8), handle = () => this.#library.memory.view.getBigUint64(out, true);
+        this.#library.memory.view.setBigUint64(out, 0n, true);
+        try {
+            this.call(name, ...args, out);
+        } catch (error) {
+            if (handle() !== 0n) endQuietly(this.#library, this.live, destroyer, handle(), 0);
+            throw error;
+        }
+        return handle();
     }
 
     /** Bytes held now, most ever held, and how many allocations there were. */
@@ -322,10 +346,11 @@ export class Context {
             const desc = {};
             for (const [name, data] of Object.entries({ kinematics, motion, ranker })) {
                 if (data === undefined || data === null) continue;
-                desc[name] = scope.copy(data);
-                desc[`${name}Size`] = data.byteLength;
+                const bytes = bytesOf(data, name);
+                desc[name] = scope.copy(bytes);
+                desc[`${name}Size`] = bytes.length;
             }
-            return new Model(this, this.#handle(scope, 'dm_model_load', scope.struct('dm_model_desc', desc)));
+            return new Model(this, this.make(scope, 'dm_model_unload', 'dm_model_load', scope.struct('dm_model_desc', desc)));
         });
     }
 
@@ -355,26 +380,27 @@ export class Context {
             const { exports } = this.#library, user = this.live.slot;
             const desc = { mesh: writeMesh(scope, mesh), model: model?.handle, seed, up };
             desc.flags = flags | (picking ? 0 : PrepareFlag.WITHOUT_PICKING);
-            if (parts) desc.parts = scope.structs('dm_part_desc', parts.map(part => writePart(scope, part))), desc.partCount = parts.length;
-            if (label) desc.label = scope.text(label);
+            if (parts) desc.parts = scope.structs('dm_part_desc', Array.from(parts, part => writePart(scope, part))), desc.partCount = parts.length;
+            if (label) desc.label = scope.text(label, 'label');
             if (intent) desc.intent = exports.dmjs_intent(), desc.intentUser = user;
             if (progress) desc.progress = exports.dmjs_progress(), desc.progressUser = user;
             if (choose) desc.choose = exports.dmjs_choose(), desc.chooseUser = user;
             const address = scope.struct('dm_object_desc', desc);
-            return new PreparedObject(this, this.#hooked({ intent, progress, choose }, () => this.#handle(scope, 'dm_object_prepare', address)));
+            return new PreparedObject(this, this.#hooked({ intent, progress, choose }, () => this.make(scope, 'dm_object_destroy', 'dm_object_prepare', address)));
         });
     }
 
     /** Reads the bytes that PreparedObject.save has made. */
     loadObject(data, model) {
         return this.#library.scope(scope => {
-            const handle = this.#handle(scope, 'dm_object_load', scope.copy(data), data.byteLength, model?.handle ?? 0n);
+            const bytes = bytesOf(data, 'data');
+            const handle = this.make(scope, 'dm_object_destroy', 'dm_object_load', scope.copy(bytes), bytes.length, model?.handle ?? 0n);
             return new PreparedObject(this, handle);
         });
     }
 
     createScene() {
-        return this.#library.scope(scope => new Scene(this, this.#handle(scope, 'dm_scene_create', scope.struct('dm_scene_desc'))));
+        return this.#library.scope(scope => new Scene(this, this.make(scope, 'dm_scene_destroy', 'dm_scene_create', scope.struct('dm_scene_desc'))));
     }
 
     /** Ray through a pixel of a camera; (0, 0) is the top left corner. */
@@ -419,7 +445,7 @@ function writeMesh(scope, { positions, positionStride = 0, indices, partIds, par
 }
 
 function writePart(scope, { label, pivot, drag, ...rest }) {
-    return { ...rest, label: label && scope.text(label), pivot: pivot && scope.struct('dm_pivot', pivot), drag: drag && scope.struct('dm_drag_hint', drag) };
+    return { ...rest, label: label && scope.text(label, 'label'), pivot: pivot && scope.struct('dm_pivot', pivot), drag: drag && scope.struct('dm_drag_hint', drag) };
 }
 
 /** Loaded weights. */
@@ -459,7 +485,7 @@ export class PreparedObject extends Owned {
 
     /** The joint in force. */
     joint(partId) {
-        return this.#read('dm_joint', 'dm_object_get_joint', partId);
+        return this.#read('dm_joint', 'dm_object_get_joint', integer(partId, 'partId'));
     }
 
     /** Ranked hypotheses, best first; `drag` ranks them anew. */
@@ -467,39 +493,40 @@ export class PreparedObject extends Owned {
         const { library } = this.context;
         return library.scope(scope => {
             const list = scope.structs('dm_joint', Array.from({ length: MAX_HYPOTHESES }, () => ({}))), count = scope.allocate(4);
-            this.#call('dm_object_get_hypotheses', partId, drag ? scope.struct('dm_drag_hint', drag) : 0, list, MAX_HYPOTHESES, count);
+            this.#call('dm_object_get_hypotheses', integer(partId, 'partId'), drag ? scope.struct('dm_drag_hint', drag) : 0, list, MAX_HYPOTHESES, count);
             return Array.from({ length: library.memory.view.getUint32(count, true) }, (_, i) => library.memory.read('dm_joint', list + i * structs.dm_joint.size));
         });
     }
 
     /** Infers the joint of a part again, with a drag as evidence. */
     refine(partId, drag) {
-        this.context.library.scope(scope => this.#call('dm_object_refine', partId, scope.struct('dm_drag_hint', drag)));
+        this.context.library.scope(scope => this.#call('dm_object_refine', integer(partId, 'partId'), scope.struct('dm_drag_hint', drag)));
     }
 
     /** Puts a joint of the host's in force. */
     setJoint(partId, joint) {
-        this.context.library.scope(scope => this.#call('dm_object_set_joint', partId, scope.struct('dm_joint', joint)));
+        this.context.library.scope(scope => this.#call('dm_object_set_joint', integer(partId, 'partId'), scope.struct('dm_joint', joint)));
     }
 
     /** Puts the library's own answer back in force. */
     resetJoint(partId) {
-        this.#call('dm_object_reset_joint', partId);
+        this.#call('dm_object_reset_joint', integer(partId, 'partId'));
     }
 
     /** Links parts, in place of the links of before. */
     setLinks(links) {
-        this.context.library.scope(scope => this.#call('dm_object_set_links', scope.structs('dm_link', links), links.length));
+        const rows = Array.from(links);
+        this.context.library.scope(scope => this.#call('dm_object_set_links', scope.structs('dm_link', rows), rows.length));
     }
 
     /** Moves what is linked with a part: changes `values`, one a part in order of id; returns which parts are held. */
     followLinks(partId, values) {
         const { library } = this.context;
         return library.scope(scope => {
-            const numbers = scope.copy(Float32Array.from(values)), held = scope.allocate(values.length);
-            this.#call('dm_object_follow_links', partId, numbers, held, values.length);
-            for (let i = 0; i < values.length; i++) values[i] = library.memory.view.getFloat32(numbers + 4 * i, true);
-            return Array.from(library.memory.bytes(held, values.length), Boolean);
+            const given = Float32Array.from(values), { length } = given, numbers = scope.copy(given), held = scope.allocate(length);
+            this.#call('dm_object_follow_links', integer(partId, 'partId'), numbers, held, length);
+            for (let i = 0; i < length; i++) values[i] = library.memory.view.getFloat32(numbers + 4 * i, true);
+            return Array.from(library.memory.bytes(held, length), Boolean);
         });
     }
 
@@ -519,10 +546,9 @@ export class PreparedObject extends Owned {
     beginDrag({ rules, state, ...desc }) {
         const { library } = this.context;
         return library.scope(scope => {
-            const out = scope.allocate(8), address = scope.struct('dm_drag_desc', {
+            const address = scope.struct('dm_drag_desc', {
                 ...desc, object: this.handle, state: state && scope.struct('dm_part_state', state), rules: rules && writeRules(scope, rules) });
-            this.context.call('dm_drag_begin', address, out);
-            return new Drag(this, library.memory.view.getBigUint64(out, true));
+            return new Drag(this, this.context.make(scope, 'dm_drag_end', 'dm_drag_begin', address));
         });
     }
 
@@ -530,15 +556,16 @@ export class PreparedObject extends Owned {
     generateMotion({ path, ...desc }) {
         const { library } = this.context;
         return library.scope(scope => {
-            const out = scope.allocate(8), points = path && scope.structs('dm_vec3', path);
-            this.#call('dm_motion_generate', scope.struct('dm_motion_desc', { ...desc, path: points, pathCount: path?.length }), out);
-            return new Motion(this, library.memory.view.getBigUint64(out, true));
+            const rows = path && Array.from(path), points = rows && scope.structs('dm_vec3', rows);
+            const address = scope.struct('dm_motion_desc', { ...desc, path: points, pathCount: rows?.length });
+            return new Motion(this, this.context.make(scope, 'dm_motion_destroy', 'dm_motion_generate', this.handle, address));
         });
     }
 }
 
 function writeRules(scope, { snaps, ...rules }) {
-    return scope.struct('dm_drag_rules', { ...rules, snaps: snaps && scope.copy(Float32Array.from(snaps)), snapCount: snaps?.length });
+    const values = snaps && Float32Array.from(snaps);
+    return scope.struct('dm_drag_rules', { ...rules, snaps: values && scope.copy(values), snapCount: values?.length });
 }
 
 /** One player dragging one part. */
@@ -619,7 +646,8 @@ export class Drag extends Owned {
     }
 
     restore(data) {
-        this.#library.scope(scope => this.context.call('dm_drag_restore', this.handle, scope.copy(data), data.byteLength));
+        const bytes = bytesOf(data, 'data');
+        this.#library.scope(scope => this.context.call('dm_drag_restore', this.handle, scope.copy(bytes), bytes.length));
     }
 }
 
@@ -678,11 +706,11 @@ export class Scene extends Owned {
     move(instance, partId, pose) {
         const { library } = this.context;
         library.memory.write('dm_pose', library.pose, pose);
-        this.context.call('dm_scene_move', this.handle, instance, partId, library.pose);
+        this.context.call('dm_scene_move', this.handle, integer(instance, 'instance'), integer(partId, 'partId'), library.pose);
     }
 
     remove(instance) {
-        this.context.call('dm_scene_remove', this.handle, instance);
+        this.context.call('dm_scene_remove', this.handle, integer(instance, 'instance'));
         this.#objects.delete(instance);
     }
 

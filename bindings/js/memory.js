@@ -12,6 +12,30 @@ export function formatOf(array, allowed, what) {
     return kind;
 }
 
+const ranges = { i32: [-(2 ** 31), 2 ** 31 - 1], u32: [0, 2 ** 32 - 1] };
+
+/** The value, where it is an integer of 32 bits: C would cut others in silence. */
+export function integer(value, what, kind = 'u32') {
+    if (typeof value !== 'number') throw new TypeError(`${what} must be a number`);
+    const [low, high] = ranges[kind];
+    if (!Number.isInteger(value) || value < low || value > high) throw new RangeError(`${what} must be an integer of ${low} to ${high}, not ${value}`);
+    return value;
+}
+
+function integer64(value, what) {
+    const number = BigInt(value);
+    if (BigInt.asUintN(64, number) !== number) throw new RangeError(`${what} must be an integer of 64 bits, not ${value}`);
+    return number;
+}
+
+/** The bytes of a buffer or a view of one. */
+export function bytesOf(data, what) {
+    if (ArrayBuffer.isView(data)) return new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+    const shared = typeof SharedArrayBuffer !== 'undefined' && data instanceof SharedArrayBuffer;
+    if (!shared && !(data instanceof ArrayBuffer)) throw new TypeError(`${what} must be an ArrayBuffer or a typed array`);
+    return new Uint8Array(data);
+}
+
 /** Reads and writes the memory of one module. Growth replaces the buffer: every access looks at the current one. */
 export class Memory {
     #exports;
@@ -63,7 +87,7 @@ export class Memory {
         }
         for (const key of Object.keys(values)) {
             if (values[key] === undefined || values[key] === null) continue;
-            if (!fields[key]) throw new TypeError(`${name} has no field "${key}"`);
+            if (!fields[key] || key === 'structSize') throw new TypeError(`${name} has no field "${key}"`);
             this.#writeField(fields[key], address, values[key], `${name}.${key}`);
         }
     }
@@ -81,17 +105,10 @@ export class Memory {
     }
 
     #writeNumber(kind, address, value, what) {
-        if (kind === 'u64') {
-            this.view.setBigUint64(address, BigInt(value), true);
-            return;
-        }
-        if (typeof value !== 'number') throw new TypeError(`${what} must be a number`);
-        if (kind === 'f32') {
-            this.view.setFloat32(address, value, true);
-            return;
-        }
-        if (!Number.isInteger(value) || value < -(2 ** 31) || value >= 2 ** 32) throw new RangeError(`${what} must be an integer of 32 bits, not ${value}`);
-        this.view.setInt32(address, value, true);
+        if (kind === 'u64') this.view.setBigUint64(address, integer64(value, what), true);
+        else if (kind !== 'f32') this.view.setInt32(address, integer(value, what, kind), true);
+        else if (typeof value === 'number') this.view.setFloat32(address, value, true);
+        else throw new TypeError(`${what} must be a number`);
     }
 
     /** Reads a struct into `out`; vectors and arrays of numbers become arrays. Size and reserved fields are left out. */
@@ -159,20 +176,21 @@ class Scope {
     }
 
     structs(name, list) {
-        const { size } = structs[name], address = this.allocate(size * list.length);
-        list.forEach((values, i) => this.#memory.write(name, address + i * size, values));
+        const { size } = structs[name], rows = Array.from(list), address = this.allocate(size * rows.length);
+        rows.forEach((values, i) => this.#memory.write(name, address + i * size, values)); // a hole of the list is zeros
         return address;
     }
 
-    /** A copy of a buffer or typed array. */
+    /** A copy of a typed array. */
     copy(data) {
-        const bytes = ArrayBuffer.isView(data) ? new Uint8Array(data.buffer, data.byteOffset, data.byteLength) : new Uint8Array(data);
-        const address = this.allocate(bytes.length);
+        const bytes = bytesOf(data), address = this.allocate(bytes.length);
         this.#memory.bytes(address, bytes.length).set(bytes);
         return address;
     }
 
-    text(text) {
+    text(text, what) {
+        if (typeof text !== 'string') throw new TypeError(`${what} must be a string`);
+        if (text.includes('\0')) throw new TypeError(`${what} has a zero character, which would end it`);
         const bytes = this.#memory.encode(text), address = this.allocate(bytes.length + 1);
         const target = this.#memory.bytes(address, bytes.length + 1);
         target.set(bytes);

@@ -34,7 +34,7 @@ tests/e2e/determinism.sh against web $scene_apart node "$work/caller.js" || fail
 node bindings/js/example.mjs > "$work/example.txt"
 grep -q '^left open at 0.9' "$work/example.txt" || fail "the example of the README did not open the door"
 
-node --test tests/web/test_binding.mjs > "$work/tests" 2>&1 || failed=1
+node --test tests/web/test_binding.mjs tests/web/test_misuse.mjs > "$work/tests" 2>&1 || failed=1
 grep -E '^(not ok|# (tests|pass|fail) )' "$work/tests"
 
 # The page, with nothing from elsewhere.
