@@ -359,14 +359,13 @@ static const hostile cases[] = {
     {ASSET VIEWS ACCESSORS MESHES NODES("{\"children\":[2]},{\"children\":[2]},{\"mesh\":0}"), DM_ERROR_BAD_DATA,
      "node 2 is a child of node 1 and of node 0"},
     {ASSET VIEWS ACCESSORS MESHES NODES("{\"children\":[0]}"), DM_ERROR_BAD_DATA, "child"},
-    {ASSET VIEWS ACCESSORS MESHES NODES("{\"children\":[-3]}"), DM_ERROR_BAD_DATA, "child -3"},
     {ASSET VIEWS ACCESSORS MESHES "\"scenes\":[{\"nodes\":[5]}]," NODES("{\"mesh\":0}"), DM_ERROR_BAD_DATA, "node 5"},
     {ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"n\",\"mesh\":9}"), DM_ERROR_BAD_DATA, "mesh 9 does not exist"},
     {ASSET VIEWS ACCESSORS MESHES NODES("{\"mesh\":0,\"scale\":[1e39,1,1]}"), DM_ERROR_NOT_FINITE, "not finite"},
     {ASSET
      "\"extensionsRequired\":[\"KHR_texture_transform\",\"ACME_offset\"]," VIEWS ACCESSORS MESHES NODES("{\"mesh\":0}"),
      DM_ERROR_UNSUPPORTED, "ACME_offset"},
-    {ASSET NODES("{\"mesh\":-1}"), DM_ERROR_DEGENERATE_MESH, "no triangle"},
+    {ASSET NODES("{\"name\":\"n\"}"), DM_ERROR_DEGENERATE_MESH, "no triangle"},
     {"{\"asset\":{}}", DM_ERROR_BAD_DATA, "asset"},
     {"{\"asset\":{\"version\":\"2.0\"},", DM_ERROR_BAD_DATA, "parse"},
 };
@@ -460,7 +459,7 @@ static void test_large_numbers_never_wrap(void** state) {
             fields[field] = numbers[i];
             open_fields(&o, fields);
             const char* text = o.t.messages.text;
-            const int named = strstr(text, "must be whole") || strstr(text, "does not exist") || strstr(text, "leave");
+            const int named = strstr(text, "must be") || strstr(text, "does not exist") || strstr(text, "leave");
             if (o.result != DM_ERROR_BAD_DATA || !named)
                 fail_msg("field %d, %s: %d '%s'", field, numbers[i], o.result, o.t.messages.text);
             close_it(&o);

@@ -5,6 +5,7 @@
 #include "base/fp_environment.h"
 #include "base/utf8.h"
 #include "mesh/gltf/gltf_buffers.h"
+#include "mesh/gltf/gltf_fields.h"
 #include "mesh/gltf/gltf_merge.h"
 #include "mesh/gltf/gltf_names.h"
 #include "mesh/gltf/gltf_tree.h"
@@ -74,6 +75,7 @@ static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem*
     result = dmi_gltf_document_open(&gltf->env, root, problem, &gltf->document);
     if (result == DM_OK) result = dmi_gltf_tell(gltf, PARSED, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_check_asset(&gltf->document, problem);
+    if (result == DM_OK) result = dmi_gltf_check_fields(&gltf->document, problem);
     if (result == DM_OK) result = dmi_gltf_read_buffers(gltf, &container, problem);
     if (result == DM_OK) result = dmi_gltf_tell(gltf, BUFFERS_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_read_tree(gltf, problem);

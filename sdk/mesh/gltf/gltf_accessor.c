@@ -58,6 +58,11 @@ static dm_result find_range(dm_gltf* gltf, const cJSON* json, uint64_t count, ui
     if (result == DM_OK) result = dmi_gltf_find_view(gltf, index, place, problem, &view);
     if (result != DM_OK) return result;
     const uint64_t stride = view.stride ? view.stride : element;
+    if (stride < element)
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
+                               "%s: byteStride of buffer view %.17g is %" PRIu64 ", its elements have %" PRIu64
+                               " bytes",
+                               place, index, stride, element);
     if (!fits(offset, count, element, stride, view.size))
         return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
                                "%s: %" PRIu64 " elements of %" PRIu64 " bytes from byte %" PRIu64

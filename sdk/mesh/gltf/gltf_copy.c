@@ -151,7 +151,6 @@ static void copy_attributes(dmi_edit* e, const dmi_copy* copy, const cJSON* from
     cJSON_ArrayForEach(item, from) {
         attribute a;
         if (e->problem.code != DM_OK) return;
-        if (!cJSON_IsNumber(item)) continue;
         if (copy->placed && (starts_with(item->string, "JOINTS_") || starts_with(item->string, "WEIGHTS_"))) continue;
         if (find_attribute(e, copy, item, &a) == DM_OK) {
             copy_values(copy, &a);

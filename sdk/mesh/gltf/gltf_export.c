@@ -217,8 +217,7 @@ static void mend_list(exporter* x, cJSON* owner, const char* name) {
     cJSON* list = owner ? cJSON_GetObjectItemCaseSensitive(owner, name) : NULL;
     for (cJSON *item = list ? list->child : NULL, *next; item; item = next) {
         next = item->next;
-        const double index = cJSON_IsNumber(item) ? item->valuedouble : DMI_GLTF_NO_INDEX;
-        const int64_t node = dmi_gltf_position(&x->gltf->document, DMI_GLTF_NODES, index);
+        const int64_t node = dmi_gltf_position(&x->gltf->document, DMI_GLTF_NODES, item->valuedouble);
         if (node < 0 || x->places[node] == KEPT) continue;
         if (x->places[node] == GONE)
             cJSON_Delete(cJSON_DetachItemViaPointer(list, item));

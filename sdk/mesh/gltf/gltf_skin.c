@@ -14,8 +14,7 @@ void dmi_gltf_mark_joints(dm_gltf* gltf) {
     for (uint32_t s = 0; s < gltf->document.counts[DMI_GLTF_SKINS]; s++) {
         const cJSON* joint;
         cJSON_ArrayForEach(joint, dmi_json_get(gltf->document.items[DMI_GLTF_SKINS][s], "joints")) {
-            const double index = cJSON_IsNumber(joint) ? joint->valuedouble : DMI_GLTF_NO_INDEX;
-            const int64_t node = dmi_gltf_position(&gltf->document, DMI_GLTF_NODES, index);
+            const int64_t node = dmi_gltf_position(&gltf->document, DMI_GLTF_NODES, joint->valuedouble);
             if (node >= 0) gltf->tree[node].joint = 1;
         }
     }
@@ -26,11 +25,10 @@ static dm_result read_joints(dm_gltf* gltf, const cJSON* list, const char* place
     const cJSON* joint;
     uint32_t count = 0;
     cJSON_ArrayForEach(joint, list) {
-        const double index = cJSON_IsNumber(joint) ? joint->valuedouble : DMI_GLTF_NO_INDEX;
-        const int64_t node = dmi_gltf_position(&gltf->document, DMI_GLTF_NODES, index);
+        const int64_t node = dmi_gltf_position(&gltf->document, DMI_GLTF_NODES, joint->valuedouble);
         if (node < 0 || !gltf->tree[node].placed)
             return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: joint %.17g of its skin does not exist", place,
-                                   index);
+                                   joint->valuedouble);
         out->joints[count].node = (uint32_t)node;
         memcpy(out->joints[count++].matrix, gltf->tree[node].world, sizeof out->joints->matrix);
     }

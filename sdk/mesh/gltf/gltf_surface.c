@@ -147,8 +147,7 @@ dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* 
     const dm_result result =
         dmi_gltf_draco_of(gltf, primitive)
             ? dmi_gltf_find_in_draco(gltf, primitive, name, "glTF: texture coordinates", &problem, &from)
-            : dmi_gltf_find_elements(gltf, cJSON_IsNumber(accessor) ? accessor->valuedouble : DMI_GLTF_NO_INDEX,
-                                     "glTF: texture coordinates", &problem, &from);
+            : dmi_gltf_find_elements(gltf, accessor->valuedouble, "glTF: texture coordinates", &problem, &from);
     if (result != DM_OK) return dmi_fail(&gltf->env, result, "%s", problem.text);
     if (from.components != 2)
         return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "glTF: %s has %d components", name, from.components);

@@ -88,11 +88,11 @@ static dm_result read_parents(dm_gltf* gltf, dmi_gltf_problem* problem) {
     for (uint32_t i = 0; i < count; i++) {
         const cJSON* child;
         cJSON_ArrayForEach(child, dmi_json_get(gltf->tree[i].json, "children")) {
-            const double number = cJSON_IsNumber(child) ? child->valuedouble : DMI_GLTF_NO_INDEX;
-            const int64_t index = dmi_gltf_position(&gltf->document, DMI_GLTF_NODES, number);
+            const int64_t index = dmi_gltf_position(&gltf->document, DMI_GLTF_NODES, child->valuedouble);
             if (index < 0)
                 return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
-                                       "glTF: node %u has child %.17g, the file has %u nodes", i, number, count);
+                                       "glTF: node %u has child %.17g, the file has %u nodes", i, child->valuedouble,
+                                       count);
             if (gltf->tree[index].parent >= 0 || index == i)
                 return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "glTF: node %d is a child of node %u and of node %d",
                                        (int)index, i, gltf->tree[index].parent);
@@ -107,14 +107,12 @@ static dm_result read_parents(dm_gltf* gltf, dmi_gltf_problem* problem) {
 static dm_result show_roots(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const dmi_gltf_document* document = &gltf->document;
     const cJSON* scene = dmi_gltf_item(document, DMI_GLTF_SCENES, dmi_json_number(document->root, "scene", 0));
-    if (!scene) scene = dmi_gltf_item(document, DMI_GLTF_SCENES, 0);
     const cJSON *list = dmi_json_get(scene, "nodes"), *root;
     cJSON_ArrayForEach(root, list) {
-        const double number = cJSON_IsNumber(root) ? root->valuedouble : DMI_GLTF_NO_INDEX;
-        const int64_t index = dmi_gltf_position(document, DMI_GLTF_NODES, number);
+        const int64_t index = dmi_gltf_position(document, DMI_GLTF_NODES, root->valuedouble);
         if (index < 0)
             return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
-                                   "glTF: the scene lists node %.17g, the file has %u nodes", number,
+                                   "glTF: the scene lists node %.17g, the file has %u nodes", root->valuedouble,
                                    document->counts[DMI_GLTF_NODES]);
         gltf->tree[index].shown = 1;
     }
