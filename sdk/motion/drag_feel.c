@@ -14,7 +14,7 @@
 #define DEAD_ZONE 0.01f              /* share of the range by which an estimated limit holds; by hand */
 #define BISECTIONS 40                /* of an interval of two detents: below a float's rounding */
 #define SERIES_BELOW 0.01f           /* (1 - exp(-k)) / k as a series below this k: error under 5e-8 */
-#define LIMIT_BELOW 1e-4             /* rad: sin(x) / x and sinh(x) / x count as 1 below */
+#define LIMIT_BELOW 1e-4             /* rad: sin(x) / x counts as 1 below, sinh(x) / x as cosh(x): off by 3e-9 */
 
 float dmi_feel_soft_width(const dm_drag_feel* feel, const dm_joint* joint) {
     const float share = dmi_fminf(dmi_fmaxf(feel->soft_limit, 0), MAX_SOFT_SHARE);
@@ -117,7 +117,7 @@ static void follow_second_order(double tau, double rate, double before, double t
     if (square >= 0) {
         const double slow = dmi_exp((w - damping) * dt), fast = dmi_exp((-w - damping) * dt);
         cosine = 0.5 * (slow + fast);
-        sine = w * dt > LIMIT_BELOW ? 0.5 * (slow - fast) / w : dt * fast;
+        sine = w * dt > LIMIT_BELOW ? 0.5 * (slow - fast) / w : dt * cosine;
     } else {
         const double decay = dmi_exp(-damping * dt);
         const dmi_circle at = dmi_circle_at(w * dt);
