@@ -70,9 +70,10 @@ void dmi_links_follow(const dmi_link* links, uint32_t count, dmi_linked_joints j
     }
 }
 
-/* Whether a driver has reached `from`. */
+/* Whether a driver has reached `from`, on the side of rest where that lies; 0: always. */
 static bool has_reached(const dmi_link* link, float value) {
-    return link->from < 0 ? value <= link->from : value >= link->from;
+    if (link->from > 0) return value >= link->from;
+    return link->from == 0 || value <= link->from;
 }
 
 void dmi_links_hold(const dmi_link* links, uint32_t count, const float* values, uint8_t* out_held,

@@ -84,6 +84,21 @@ static void a_link_begins_somewhere(void** state) {
     }
 }
 
+/* No driver is nearer to rest than 0: what frees or holds from 0 on does so always, whichever way the driver opens. */
+static void a_link_that_begins_at_rest_is_reached(void** state) {
+    (void)state;
+    const float drivers[] = {-0.3f, -1e-6f, 0, 1e-6f, 0.3f};
+    for (size_t i = 0; i < sizeof drivers / sizeof *drivers; i++) {
+        dmi_link links[2] = {link_of(0, 1, 1), link_of(0, 4, 1)};
+        links[0].kind = DM_LINK_HOLDS, links[1].kind = DM_LINK_FREES;
+        const float values[PARTS] = {drivers[i]};
+        uint8_t held[PARTS];
+        dmi_links_hold(links, 2, values, held, PARTS);
+        assert_int_equal(held[1], 1);
+        assert_int_equal(held[4], 0);
+    }
+}
+
 static void cycles_and_two_drivers_are_refused(void** state) {
     (void)state;
     dmi_link scratch[3];
@@ -222,6 +237,7 @@ int main(void) {
         cmocka_unit_test(a_double_door_goes_both_ways),
         cmocka_unit_test(a_limit_stops_both),
         cmocka_unit_test(a_link_begins_somewhere),
+        cmocka_unit_test(a_link_that_begins_at_rest_is_reached),
         cmocka_unit_test(cycles_and_two_drivers_are_refused),
         cmocka_unit_test(one_drawer_at_a_time_and_handle_then_door),
         cmocka_unit_test(any_tree_holds),
