@@ -117,6 +117,37 @@ static void an_impact_says_how_fast(void** state) {
     }
 }
 
+/* To the end in a second, where it stays for half a second, and as far again beyond it; back, and out once more. */
+static float beyond_the_end(float time) {
+    if (time < 1.5f) return fminf(time, 1);
+    if (time < 3) return fminf(1 + (time - 1.5f), 2);
+    return time < 4.5f ? fmaxf(2 - (time - 3), 0.5f) : fminf(0.5f + (time - 4.5f), 2);
+}
+static float beyond_the_lower_end(float time) {
+    return -beyond_the_end(time);
+}
+
+/* An estimated limit is met where the estimate is. Once the pull has moved it, it is none, as far out as it may be. */
+static void a_limit_that_the_pull_moves_is_met_once(void** state) {
+    (void)state;
+    const dm_joint both_ways = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = -1, .upper = 1};
+    for (int side = -1; side <= 1; side += 2) {
+        const uint32_t wanted[] = {DM_EVENT_LEFT_REST, DM_EVENT_OPENED,
+                                   side > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER};
+        const dm_drag_feel feel = {.smoothing_time = -1};
+        const dm_drag_rules rules = {.struct_size = sizeof rules};
+        const dmi_rules kept = dmi_rules_from(&rules, &feel, &both_ways, false, 1);
+        const float grab[3] = {0, 0, 0};
+        dmi_drag drag;
+        dmi_drag_begin(&drag, &both_ways, grab, 0, &feel);
+        dmi_drag_track_hypotheses(&drag, &both_ways, NULL, 0, 1, (dmi_limit_give){.share = 1, .length = 1});
+        dmi_drag_set_rules(&drag, &kept);
+        const test_story story = test_play(&drag, side > 0 ? beyond_the_end : beyond_the_lower_end, NULL, 6.5f, 1);
+        assert_near(story.value, 2 * side, 1e-4);
+        test_assert_events(&story, wanted, 3);
+    }
+}
+
 /* A part that the release moves tells the same. */
 static void a_released_part_tells_where_it_goes(void** state) {
     (void)state;
@@ -365,6 +396,7 @@ int main(void) {
         cmocka_unit_test(detents_of_a_long_update_are_counted),
         cmocka_unit_test(a_rest_between_opened_and_closed_is_kept),
         cmocka_unit_test(an_impact_says_how_fast),
+        cmocka_unit_test(a_limit_that_the_pull_moves_is_met_once),
         cmocka_unit_test(a_released_part_tells_where_it_goes),
         cmocka_unit_test(a_copy_goes_on_as_the_first_did),
         cmocka_unit_test(events_have_sharp_edges),

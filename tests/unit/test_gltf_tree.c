@@ -1,4 +1,5 @@
 /* Which nodes of a document are read: those of the scene that a viewer shows, but for what is no body. */
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "dragmesh/ext/gltf.h"
@@ -128,6 +129,23 @@ static void a_ring_of_nodes_is_not_shown(void** state) {
                 "a b ");
 }
 
+/* A node that makes its mesh flat shows it, whichever way the plane lies; one that makes a line of it does not. */
+static void a_flat_node_is_shown(void** state) {
+    (void)state;
+    static const struct {
+        const char* columns;
+        bool flat;
+    } cases[] = {{"1,0,0,0,0,1,0,0,0,0,0,0", true},   {"1,0,0,0,0,0,0,0,0,0,1,0", true},
+                 {"0,0,0,0,0,1,0,0,0,0,1,0", true},   {"1,-1,0,0,0,2,-1,0,0,0,0,0", true}, /* normal 1 1 2 */
+                 {"0,1,-1,0,-1,0,2,0,0,0,0,0", true}, {"-1,0,1,0,2,-1,0,0,0,0,0,0", true},
+                 {"1,0,0,0,0,0,0,0,0,0,0,0", false},  {"1,2,3,0,2,4,6,0,-1,-2,-3,0", false}};
+    char node[256];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        snprintf(node, sizeof node, TWO ",{\"name\":\"c\",\"mesh\":0,\"matrix\":[%s,0,0,0,1]}", cases[i].columns);
+        assert_seen("", node, cases[i].flat ? "a b c " : "a b ");
+    }
+}
+
 /* ---- what is no body ---- */
 
 static void shapes_for_collisions_are_left_out(void** state) {
@@ -185,6 +203,7 @@ int main(void) {
         cmocka_unit_test(what_is_named_exists),
         cmocka_unit_test(a_node_without_its_mesh_is_left_out_and_named),
         cmocka_unit_test(a_ring_of_nodes_is_not_shown),
+        cmocka_unit_test(a_flat_node_is_shown),
         cmocka_unit_test(shapes_for_collisions_are_left_out),
         cmocka_unit_test(the_meshs_name_counts_too),
         cmocka_unit_test(a_named_group_of_colliders_hides_all_of_them),
