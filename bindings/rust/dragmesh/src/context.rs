@@ -1,12 +1,12 @@
-use crate::error::{check, remember, Result};
+use crate::callback::{guarded, is_running};
+use crate::error::{check, remember, Error, Result};
 use crate::values::{Camera, Hint, MemoryInfo, Ray, Sized};
 use crate::{sys, Mesh, Object, Prepare, Scene};
 use std::ffi::CStr;
 use std::os::raw::{c_char, c_void};
-use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::path::Path;
-use std::sync::atomic::{AtomicU32, Ordering};
-use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Arc, Mutex};
 
 /// The host's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -63,9 +63,40 @@ struct Hooks {
     threads: u32,
 }
 
+/// Ends what a handle names.
+pub(crate) type End = unsafe fn(*mut sys::dm_context, u64);
+
 pub(crate) struct ContextInner {
-    pub(crate) pointer: *mut sys::dm_context,
-    _hooks: Box<Hooks>, // the library holds a pointer to it
+    pointer: *mut sys::dm_context,
+    hooks: Box<Hooks>, // the library holds a pointer to it, which names the context to callbacks
+    late: Mutex<Vec<(End, u64)>>, // dropped in callbacks, where the library is not called
+    has_late: AtomicBool,
+}
+
+impl ContextInner {
+    fn name(&self) -> usize {
+        &*self.hooks as *const Hooks as usize
+    }
+
+    /// Ends what is dropped: now, or in a callback after the call that has called it.
+    pub(crate) fn end(&self, end: End, handle: u64) {
+        if !is_running(self.name()) {
+            unsafe { end(self.pointer, handle) }
+        } else if let Ok(mut late) = self.late.lock() {
+            late.push((end, handle));
+            self.has_late.store(true, Ordering::Release);
+        }
+    }
+
+    fn end_late(&self) {
+        if !self.has_late.swap(false, Ordering::AcqRel) {
+            return;
+        }
+        let late = self.late.lock().map(|mut late| std::mem::take(&mut *late)).unwrap_or_default();
+        for (end, handle) in late {
+            unsafe { end(self.pointer, handle) }
+        }
+    }
 }
 
 // The library is callable from any thread; what is not, takes &mut self in the layer above.
@@ -83,8 +114,8 @@ impl Drop for ContextInner {
 pub struct Context(pub(crate) Arc<ContextInner>);
 
 unsafe extern "C" fn on_message(user: *mut c_void, level: i32, _code: sys::dm_result, text: *const c_char) {
-    // Nothing may pass through the library; a log that panics is no reason to fail the call.
-    let _ = catch_unwind(AssertUnwindSafe(|| {
+    // A log that panics is no reason to fail the call.
+    let _ = guarded(user as usize, || {
         let text = CStr::from_ptr(text).to_string_lossy();
         let level = match level {
             sys::DM_LOG_ERROR => Level::Error,
@@ -97,12 +128,19 @@ unsafe extern "C" fn on_message(user: *mut c_void, level: i32, _code: sys::dm_re
         if let Some(log) = &(*user.cast::<Hooks>()).log {
             log(level, &text);
         }
-    }));
+    })
+    .map_err(std::mem::forget); // what a panic carries may panic when it is dropped
 }
 
 unsafe extern "C" fn on_progress(user: *mut c_void, done: f32) -> i32 {
     let goes_on = |hooks: &Hooks| hooks.progress.as_ref().map_or(true, |progress| progress(done));
-    i32::from(!catch_unwind(AssertUnwindSafe(|| goes_on(&*user.cast::<Hooks>()))).unwrap_or(false))
+    match guarded(user as usize, || goes_on(&*user.cast::<Hooks>())) {
+        Ok(goes_on) => i32::from(!goes_on),
+        Err(panic) => {
+            std::mem::forget(panic);
+            1
+        }
+    }
 }
 
 struct Task {
@@ -179,16 +217,27 @@ impl Context {
         }
         let mut pointer = std::ptr::null_mut();
         check(unsafe { sys::dm_context_create(&desc, &mut pointer) })?;
-        Ok(Self(Arc::new(ContextInner { pointer, _hooks: hooks })))
+        let (late, has_late) = (Mutex::default(), AtomicBool::default());
+        Ok(Self(Arc::new(ContextInner { pointer, hooks, late, has_late })))
     }
 
-    pub(crate) fn pointer(&self) -> *mut sys::dm_context {
-        self.0.pointer
+    /// For a call; an error in a callback of this context.
+    pub(crate) fn pointer(&self) -> Result<*mut sys::dm_context> {
+        if is_running(self.name()) {
+            return Err(Error::invalid("a callback must not call the context that calls it"));
+        }
+        self.0.end_late();
+        Ok(self.0.pointer)
+    }
+
+    /// As callbacks know it.
+    pub(crate) fn name(&self) -> usize {
+        self.0.name()
     }
 
     pub fn memory(&self) -> Result<MemoryInfo> {
         let mut info = MemoryInfo::default();
-        check(unsafe { sys::dm_context_get_memory(self.pointer(), &mut info) })?;
+        check(unsafe { sys::dm_context_get_memory(self.pointer()?, &mut info) })?;
         Ok(info)
     }
 
@@ -208,7 +257,7 @@ impl Context {
             ..Default::default()
         };
         let mut id = 0;
-        check(unsafe { sys::dm_model_load(self.pointer(), &desc, &mut id) })?;
+        check(unsafe { sys::dm_model_load(self.pointer()?, &desc, &mut id) })?;
         Ok(Model(Arc::new(ModelInner { id, context: self.clone() })))
     }
 
@@ -230,7 +279,7 @@ impl Context {
     pub fn load(&self, dmo: &[u8], model: Option<&Model>) -> Result<Object> {
         let mut id = 0;
         let weights = model.map_or(0, |model| model.0.id);
-        check(unsafe { sys::dm_object_load(self.pointer(), dmo.as_ptr().cast(), dmo.len(), weights, &mut id) })?;
+        check(unsafe { sys::dm_object_load(self.pointer()?, dmo.as_ptr().cast(), dmo.len(), weights, &mut id) })?;
         Ok(Object::new(self.clone(), id, model.cloned()))
     }
 
@@ -238,21 +287,21 @@ impl Context {
     pub fn find_part(&self, mesh: &Mesh, drag: &Hint) -> Result<Vec<u8>> {
         let mut faces = vec![0; mesh.face_count()];
         let count = faces.len() as u64;
-        check(unsafe { sys::dm_mesh_find_part(self.pointer(), &mesh.describe(), drag, faces.as_mut_ptr(), count) })?;
+        check(unsafe { sys::dm_mesh_find_part(self.pointer()?, &mesh.describe(), drag, faces.as_mut_ptr(), count) })?;
         Ok(faces)
     }
 
     /// An empty scene.
     pub fn scene(&self) -> Result<Scene> {
         let (desc, mut id) = (sys::dm_scene_desc::default(), 0);
-        check(unsafe { sys::dm_scene_create(self.pointer(), &desc, &mut id) })?;
+        check(unsafe { sys::dm_scene_create(self.pointer()?, &desc, &mut id) })?;
         Ok(Scene::new(self.clone(), id))
     }
 
     /// The ray through a pixel, (0, 0) the top left corner.
     pub fn camera_ray(&self, camera: &Camera, x: f32, y: f32) -> Result<Ray> {
         let mut ray = Ray::default();
-        check(unsafe { sys::dm_camera_ray(self.pointer(), &camera.sized(), x, y, &mut ray) })?;
+        check(unsafe { sys::dm_camera_ray(self.pointer()?, &camera.sized(), x, y, &mut ray) })?;
         Ok(ray)
     }
 }
@@ -264,7 +313,10 @@ pub(crate) struct ModelInner {
 
 impl Drop for ModelInner {
     fn drop(&mut self) {
-        unsafe { sys::dm_model_unload(self.context.pointer(), self.id) };
+        unsafe fn end(context: *mut sys::dm_context, id: u64) {
+            sys::dm_model_unload(context, id);
+        }
+        self.context.0.end(end, self.id);
     }
 }
 

@@ -109,17 +109,17 @@ impl Drag {
             desc.flags |= sys::DM_DRAG_KEEP_JOINT as u32;
         }
         let mut id = 0;
-        check(unsafe { sys::dm_drag_begin(of.context.pointer(), &desc, &mut id) })?;
+        check(unsafe { sys::dm_drag_begin(of.context.pointer()?, &desc, &mut id) })?;
         Ok(Self { id, of: of.clone() })
     }
 
-    fn pointer(&self) -> *mut sys::dm_context {
+    fn pointer(&self) -> Result<*mut sys::dm_context> {
         self.of.context.pointer()
     }
 
     fn state(&mut self, ray: *const Ray, seconds: f32) -> Result<DragState> {
         let mut state = DragState::default();
-        check(unsafe { sys::dm_drag_update(self.pointer(), self.id, ray, seconds, &mut state) })?;
+        check(unsafe { sys::dm_drag_update(self.pointer()?, self.id, ray, seconds, &mut state) })?;
         Ok(state)
     }
 
@@ -136,14 +136,14 @@ impl Drag {
     /// `update` for all that an `Input` holds.
     pub fn step(&mut self, input: &Input, seconds: f32) -> Result<DragState> {
         let mut state = DragState::default();
-        check(unsafe { sys::dm_drag_step(self.pointer(), self.id, &input.sized(), seconds, &mut state) })?;
+        check(unsafe { sys::dm_drag_step(self.pointer()?, self.id, &input.sized(), seconds, &mut state) })?;
         Ok(state)
     }
 
     /// Takes another value than the one that a step with `DM_INPUT_ASK` is about to take.
     pub fn take(&mut self, value: f32) -> Result<DragState> {
         let mut state = DragState::default();
-        check(unsafe { sys::dm_drag_take(self.pointer(), self.id, value, &mut state) })?;
+        check(unsafe { sys::dm_drag_take(self.pointer()?, self.id, value, &mut state) })?;
         Ok(state)
     }
 
@@ -169,14 +169,14 @@ impl Drag {
             ..Default::default()
         };
         let mut plan = ReleasePlan::default();
-        check(unsafe { sys::dm_drag_release(self.pointer(), self.id, &desc, &mut plan) })?;
+        check(unsafe { sys::dm_drag_release(self.pointer()?, self.id, &desc, &mut plan) })?;
         Ok(plan)
     }
 
     /// What the instance keeps: joint, value and pose.
     pub fn part_state(&mut self) -> Result<PartState> {
         let mut state = PartState::default();
-        check(unsafe { sys::dm_drag_get_part_state(self.pointer(), self.id, &mut state) })?;
+        check(unsafe { sys::dm_drag_get_part_state(self.pointer()?, self.id, &mut state) })?;
         Ok(state)
     }
 
@@ -188,7 +188,7 @@ impl Drag {
     /// The whole state, for rollback.
     pub fn save(&mut self) -> Result<Vec<u8>> {
         let mut data = vec![0; unsafe { sys::dm_drag_snapshot_size() }];
-        check(unsafe { sys::dm_drag_save(self.pointer(), self.id, data.as_mut_ptr().cast(), data.len()) })?;
+        check(unsafe { sys::dm_drag_save(self.pointer()?, self.id, data.as_mut_ptr().cast(), data.len()) })?;
         Ok(data)
     }
 
@@ -197,12 +197,15 @@ impl Drag {
         if saved.is_empty() {
             return Err(Error::invalid("nothing was saved"));
         }
-        check(unsafe { sys::dm_drag_restore(self.pointer(), self.id, saved.as_ptr().cast(), saved.len()) })
+        check(unsafe { sys::dm_drag_restore(self.pointer()?, self.id, saved.as_ptr().cast(), saved.len()) })
     }
 }
 
 impl Drop for Drag {
     fn drop(&mut self) {
-        unsafe { sys::dm_drag_end(self.pointer(), self.id, std::ptr::null_mut()) };
+        unsafe fn end(context: *mut sys::dm_context, id: u64) {
+            sys::dm_drag_end(context, id, std::ptr::null_mut());
+        }
+        self.of.context.0.end(end, self.id);
     }
 }

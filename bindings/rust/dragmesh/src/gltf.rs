@@ -53,6 +53,9 @@ impl Gltf {
         let mut mesh = sys::dm_mesh_desc::default();
         check(unsafe { sys::dm_gltf_get_mesh(self.0, &mut mesh) })?;
         let (vertices, corners) = (mesh.vertex_count as usize, mesh.index_count as usize);
+        if vertices == 0 || corners == 0 {
+            return Ok(Mesh::per_face(Positions::F32(&[]), Indices::U32(&[]), part_ids));
+        }
         // float32 and uint32, as the header promises; they live as long as the file.
         let positions = unsafe { std::slice::from_raw_parts(mesh.positions.cast(), vertices) };
         let indices = unsafe { std::slice::from_raw_parts(mesh.indices.cast(), corners) };

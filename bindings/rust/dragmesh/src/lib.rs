@@ -4,7 +4,8 @@
 //! [`Error`] with the library's own words. Owners end by themselves, in any order: a drag keeps its object, an object
 //! its context.
 //!
-//! Functions that the C header tags as exclusive take `&mut self`. All owners may go to other threads.
+//! Functions that the C header tags as exclusive take `&mut self`. All owners may go to other threads. A callback that
+//! calls the context that calls it gets an [`Error`]; what it drops ends after the call.
 //!
 //! ```no_run
 //! use dragmesh::{prelude::*, Context, ContextOptions, DragOptions, Intent, Ray, Vec3};
@@ -21,6 +22,7 @@
 //! # let _ = moved; Ok(())
 //! # }
 //! ```
+mod callback;
 mod context;
 mod drag;
 mod error;

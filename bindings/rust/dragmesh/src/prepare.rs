@@ -1,10 +1,11 @@
+use crate::callback::guarded;
 use crate::error::{check, Error, Result};
 use crate::values::{Hint, Joint, JointEnd, JointKind, PartInfo, Pivot, Vec3};
 use crate::{sys, Context, Mesh, Model};
 use std::any::Any;
 use std::ffi::CString;
 use std::os::raw::c_void;
-use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
+use std::panic::resume_unwind;
 
 /// What is known of a part. Everything but the id is optional.
 #[derive(Clone, Debug, Default)]
@@ -59,6 +60,7 @@ struct Call<'a> {
     progress: Option<Progress<'a>>,
     intent: Option<Intent<'a>>,
     choose: Option<Choose<'a>>,
+    context: usize,
     panic: Option<Box<dyn Any + Send>>,
 }
 
@@ -68,7 +70,7 @@ impl Call<'_> {
         if self.panic.is_some() {
             return otherwise;
         }
-        match catch_unwind(AssertUnwindSafe(|| run(self))) {
+        match guarded(self.context, || run(self)) {
             Ok(answer) => answer,
             Err(panic) => {
                 self.panic = Some(panic);
@@ -121,7 +123,13 @@ impl<'a> Prepare<'a> {
         let rows: Vec<_> = self.parts.iter().zip(&labels).map(|(part, label)| describe(part, label)).collect();
         let label = text(self.label)?;
         let mesh = mesh.describe();
-        let mut call = Call { progress: self.progress, intent: self.intent, choose: self.choose, panic: None };
+        let mut call = Call {
+            progress: self.progress,
+            intent: self.intent,
+            choose: self.choose,
+            context: context.name(),
+            panic: None,
+        };
         let user: *mut c_void = (&mut call as *mut Call).cast();
         let desc = sys::dm_object_desc {
             flags: if self.without_picking { sys::DM_PREPARE_WITHOUT_PICKING as u32 } else { 0 },
@@ -141,10 +149,11 @@ impl<'a> Prepare<'a> {
             ..Default::default()
         };
         let mut id = 0;
-        let result = check(unsafe { sys::dm_object_prepare(context.pointer(), &desc, &mut id) });
+        let pointer = context.pointer()?;
+        let result = check(unsafe { sys::dm_object_prepare(pointer, &desc, &mut id) });
         if let Some(panic) = call.panic {
             if id != 0 {
-                unsafe { sys::dm_object_destroy(context.pointer(), id) };
+                unsafe { sys::dm_object_destroy(pointer, id) };
             }
             resume_unwind(panic);
         }

@@ -23,37 +23,40 @@ impl Scene {
             return Err(Error::invalid("the object is of another context"));
         }
         let (pose, mut instance) = (placement.map_or(std::ptr::null(), |pose| pose), 0);
-        check(unsafe { sys::dm_scene_add(self.context.pointer(), self.id, object.0.id, pose, &mut instance) })?;
+        check(unsafe { sys::dm_scene_add(self.context.pointer()?, self.id, object.0.id, pose, &mut instance) })?;
         self.placed.insert(instance, object.0.clone());
         Ok(instance)
     }
 
     /// Moves a part, or with part 0 the instance.
     pub fn place(&mut self, instance: u32, part: u32, pose: &Pose) -> Result<()> {
-        check(unsafe { sys::dm_scene_move(self.context.pointer(), self.id, instance, part, pose) })
+        check(unsafe { sys::dm_scene_move(self.context.pointer()?, self.id, instance, part, pose) })
     }
 
     pub fn remove(&mut self, instance: u32) -> Result<()> {
-        check(unsafe { sys::dm_scene_remove(self.context.pointer(), self.id, instance) })?;
+        check(unsafe { sys::dm_scene_remove(self.context.pointer()?, self.id, instance) })?;
         self.placed.remove(&instance);
         Ok(())
     }
 
     /// Makes moves visible to picks: once a frame.
     pub fn commit(&mut self) -> Result<()> {
-        check(unsafe { sys::dm_scene_commit(self.context.pointer(), self.id) })
+        check(unsafe { sys::dm_scene_commit(self.context.pointer()?, self.id) })
     }
 
     /// The nearest hit of a ray.
     pub fn pick(&self, ray: &Ray) -> Result<Option<Hit>> {
         let mut hit = Hit::default();
-        check(unsafe { sys::dm_scene_pick(self.context.pointer(), self.id, ray, &mut hit) })?;
+        check(unsafe { sys::dm_scene_pick(self.context.pointer()?, self.id, ray, &mut hit) })?;
         Ok(Some(hit).filter(|hit| hit.object != 0))
     }
 }
 
 impl Drop for Scene {
     fn drop(&mut self) {
-        unsafe { sys::dm_scene_destroy(self.context.pointer(), self.id) };
+        unsafe fn end(context: *mut sys::dm_context, id: u64) {
+            sys::dm_scene_destroy(context, id);
+        }
+        self.context.0.end(end, self.id);
     }
 }
