@@ -49,6 +49,38 @@ function M.new(name, fields)
     return struct
 end
 
+-- What can be checked of arguments. Pointers inside structs, arrays behind them and callbacks can't: they are C's.
+
+-- An integer that a uint32_t holds. The FFI would cut others in silence.
+local function whole(number, what)
+    if type(number) ~= "number" or number % 1 ~= 0 or number < 0 or number >= 2 ^ 32 then
+        error(("%s is %s, it must be an integer from 0 on"):format(what, tostring(number)), 3)
+    end
+    return number
+end
+
+-- A string: the FFI would take other things for its address.
+local function bytes(data, what)
+    if type(data) ~= "string" then error(what .. " must be a string", 3) end
+    return data
+end
+
+-- A struct of this very kind, as M.new makes it.
+local function sized(struct, name)
+    if not ffi.istype(name, struct) or struct.struct_size ~= ffi.sizeof(name) then
+        error(("a %s of dragmesh.new is needed"):format(name), 3)
+    end
+    return struct
+end
+
+-- An array with room for what counts.
+local function room(array, size, what)
+    if type(array) ~= "cdata" or ffi.sizeof(array) < size then
+        error(("%s must be an array of %d bytes"):format(what, size), 3)
+    end
+    return array
+end
+
 -- Owners ------------------------------------------------------------------------------------------------------------
 
 -- Makes a class of handles that `finish(context, handle)` ends. A closed handle is 0, which the library refuses.
@@ -82,7 +114,7 @@ Context.__index = Context
 --- Makes a context. desc: a dm_context_desc; nil = all defaults.
 function M.context(desc)
     local out = ffi.new "dm_context*[1]"
-    check(C.dm_context_create(desc or M.new "dm_context_desc", out))
+    check(C.dm_context_create(sized(desc or M.new "dm_context_desc", "dm_context_desc"), out))
     local self = setmetatable({ pointer = out[0] }, Context)
     self.guard = newproxy(true)
     getmetatable(self.guard).__gc = function() self:close() end
@@ -98,9 +130,9 @@ end
 --- Reads weights, each the bytes of a file as a string; nil = absent.
 function Context:load_model(kinematics, motion, ranker)
     local desc, out = M.new "dm_model_desc", ffi.new "dm_model[1]"
-    desc.kinematics, desc.kinematics_size = kinematics, kinematics and #kinematics or 0
-    desc.motion, desc.motion_size = motion, motion and #motion or 0
-    desc.ranker, desc.ranker_size = ranker, ranker and #ranker or 0
+    desc.kinematics, desc.kinematics_size = kinematics, kinematics and #bytes(kinematics, "kinematics") or 0
+    desc.motion, desc.motion_size = motion, motion and #bytes(motion, "motion") or 0
+    desc.ranker, desc.ranker_size = ranker, ranker and #bytes(ranker, "ranker") or 0
     check(C.dm_model_load(self.pointer, desc, out))
     return Model.make(self, out[0])
 end
@@ -115,6 +147,7 @@ end
 -- instead of desc.model; nil = none.
 function Context:prepare(desc, model)
     local out = ffi.new "dm_object[1]"
+    sized(desc, "dm_object_desc")
     if model then desc.model = model.handle end
     check(C.dm_object_prepare(self.pointer, desc, out))
     return Object.make(self, out[0], model)
@@ -123,7 +156,7 @@ end
 --- Reads the bytes of a .dmo, a string. model: for its motions; nil = none.
 function Context:load_object(data, model)
     local out = ffi.new "dm_object[1]"
-    check(C.dm_object_load(self.pointer, data, #data, model and model.handle or 0, out))
+    check(C.dm_object_load(self.pointer, bytes(data, "data"), #data, model and model.handle or 0, out))
     return Object.make(self, out[0], model)
 end
 
@@ -136,7 +169,7 @@ end
 --- The ray through a pixel, (0, 0) the top left corner.
 function Context:camera_ray(camera, x, y)
     local out = ffi.new "dm_ray"
-    check(C.dm_camera_ray(self.pointer, camera, x, y, out))
+    check(C.dm_camera_ray(self.pointer, sized(camera, "dm_camera"), x, y, out))
     return out
 end
 
@@ -145,7 +178,7 @@ end
 --- The part at a position 0 .. part_count - 1: a dm_part_info.
 function Object:part(index)
     local out = M.new "dm_part_info"
-    check(C.dm_object_get_part(self.context.pointer, self.handle, index, out))
+    check(C.dm_object_get_part(self.context.pointer, self.handle, whole(index, "index"), out))
     return out
 end
 
@@ -158,7 +191,7 @@ end
 --- The joint in force: a dm_joint.
 function Object:joint(part)
     local out = M.new "dm_joint"
-    check(C.dm_object_get_joint(self.context.pointer, self.handle, part, out))
+    check(C.dm_object_get_joint(self.context.pointer, self.handle, whole(part, "part"), out))
     return out
 end
 
@@ -166,13 +199,18 @@ end
 function Object:hypotheses(part, hint)
     local out, count = ffi.new("dm_joint[?]", C.DM_MAX_HYPOTHESES), ffi.new "uint32_t[1]"
     for i = 0, C.DM_MAX_HYPOTHESES - 1 do out[i].struct_size = ffi.sizeof "dm_joint" end
-    check(C.dm_object_get_hypotheses(self.context.pointer, self.handle, part, hint, out, C.DM_MAX_HYPOTHESES, count))
+    check(C.dm_object_get_hypotheses(self.context.pointer, self.handle, whole(part, "part"), hint, out, C.DM_MAX_HYPOTHESES,
+        count))
     return out, count[0]
 end
 
-function Object:set_joint(part, joint) check(C.dm_object_set_joint(self.context.pointer, self.handle, part, joint)) end
+function Object:set_joint(part, joint)
+    check(C.dm_object_set_joint(self.context.pointer, self.handle, whole(part, "part"), sized(joint, "dm_joint")))
+end
 
-function Object:reset_joint(part) check(C.dm_object_reset_joint(self.context.pointer, self.handle, part)) end
+function Object:reset_joint(part)
+    check(C.dm_object_reset_joint(self.context.pointer, self.handle, whole(part, "part")))
+end
 
 --- Links parts, in place of the links of before. links: tables with the fields of dm_link; none: unlinks them.
 function Object:set_links(links)
@@ -182,7 +220,9 @@ end
 --- Moves what is linked with a part. values: the joint values of one instance, a float[?] from 0 on; held: a uint8_t[?]
 -- that gets 1 where a link holds the part, or nil; count: of parts.
 function Object:follow_links(part, values, held, count)
-    check(C.dm_object_follow_links(self.context.pointer, self.handle, part, values, held, count))
+    room(values, ffi.sizeof "float" * whole(count, "count"), "values")
+    if held ~= nil then room(held, count, "held") end
+    check(C.dm_object_follow_links(self.context.pointer, self.handle, whole(part, "part"), values, held, count))
 end
 
 --- The bytes of a .dmo, a string.
@@ -197,7 +237,7 @@ end
 --- Grabs a part. desc: a dm_drag_desc; its object is filled in.
 function Object:grab(desc)
     local out = ffi.new "dm_drag[1]"
-    desc.object = self.handle
+    sized(desc, "dm_drag_desc").object = self.handle
     check(C.dm_drag_begin(self.context.pointer, desc, out))
     local drag = Drag.make(self.context, out[0], self)
     drag.state = M.new "dm_drag_state" -- one for all frames
@@ -206,7 +246,7 @@ end
 
 function Object:motion(desc)
     local out = ffi.new "dm_motion[1]"
-    check(C.dm_motion_generate(self.context.pointer, self.handle, desc, out))
+    check(C.dm_motion_generate(self.context.pointer, self.handle, sized(desc, "dm_motion_desc"), out))
     return Motion.make(self.context, out[0], self)
 end
 
@@ -229,7 +269,7 @@ end
 --- The same for all that a dm_drag_input holds.
 function Drag:step(input, seconds)
     self.state.struct_size = ffi.sizeof "dm_drag_state"
-    check(C.dm_drag_step(self.context.pointer, self.handle, input, seconds, self.state))
+    check(C.dm_drag_step(self.context.pointer, self.handle, sized(input, "dm_drag_input"), seconds, self.state))
     return self.state
 end
 
@@ -240,9 +280,10 @@ function Drag:take(value)
     return self.state
 end
 
---- Lets go. desc: a dm_release_desc. Returns the dm_release_plan.
+--- Lets go. desc: a dm_release_desc; nil = all defaults. Returns the dm_release_plan.
 function Drag:release(desc)
     local plan = M.new "dm_release_plan"
+    if desc ~= nil then sized(desc, "dm_release_desc") end
     check(C.dm_drag_release(self.context.pointer, self.handle, desc, plan))
     return plan
 end
@@ -270,7 +311,9 @@ function Drag:save()
     return ffi.string(data, size)
 end
 
-function Drag:restore(data) check(C.dm_drag_restore(self.context.pointer, self.handle, data, #data)) end
+function Drag:restore(data)
+    check(C.dm_drag_restore(self.context.pointer, self.handle, bytes(data, "data"), #data))
+end
 
 -- Scenes ------------------------------------------------------------------------------------------------------------
 
@@ -284,11 +327,11 @@ end
 
 --- Moves a part, or with part 0 the instance.
 function Scene:move(instance, part, pose)
-    check(C.dm_scene_move(self.context.pointer, self.handle, instance, part, pose))
+    check(C.dm_scene_move(self.context.pointer, self.handle, whole(instance, "instance"), whole(part, "part"), pose))
 end
 
 function Scene:remove(instance)
-    check(C.dm_scene_remove(self.context.pointer, self.handle, instance))
+    check(C.dm_scene_remove(self.context.pointer, self.handle, whole(instance, "instance")))
     self.kept[instance] = nil
 end
 
@@ -307,9 +350,11 @@ end
 local Gltf = {}
 Gltf.__index = Gltf
 local G
+local files = setmetatable({}, { __mode = "k" }) -- of arrays that a file owns: it lives as long as they do
 
 --- Opens a .glb or .gltf with the files beside it.
 function M.gltf(path)
+    if bytes(path, "path"):find("\0", 1, true) then error("the path has a zero in it", 2) end
     G = G or ffi.load(M.gltf_path)
     local out = ffi.new "dm_gltf*[1]"
     check(G.dm_gltf_open_file(path, M.new "dm_gltf_desc", out))
@@ -327,11 +372,14 @@ function Gltf:nodes()
     return nodes
 end
 
---- The merged mesh: a float* of positions, a uint32_t* of indices, and how many indices. They live as long as the Gltf.
+--- The merged mesh: a float* of positions, a uint32_t* of indices, and how many indices. The file lives as long as one of
+-- the two, not of what is computed from them.
 function Gltf:mesh()
     local mesh = M.new "dm_mesh_desc"
     check(G.dm_gltf_get_mesh(self.pointer, mesh))
-    return ffi.cast("const float*", mesh.positions), ffi.cast("const uint32_t*", mesh.indices), tonumber(mesh.index_count)
+    local positions, indices = ffi.cast("const float*", mesh.positions), ffi.cast("const uint32_t*", mesh.indices)
+    files[positions], files[indices] = self, self
+    return positions, indices, tonumber(mesh.index_count)
 end
 
 -- Poses -------------------------------------------------------------------------------------------------------------
@@ -375,13 +423,13 @@ end
 --- The pose of a joint at a value, and the value at a share of its way.
 function M.joint_pose(joint, value)
     local out = ffi.new "dm_pose"
-    check(C.dm_joint_pose(joint, value, out))
+    check(C.dm_joint_pose(sized(joint, "dm_joint"), value, out))
     return out
 end
 
 function M.joint_value_at(joint, share)
     local out = ffi.new "float[1]"
-    check(C.dm_joint_value_at(joint, share, out))
+    check(C.dm_joint_value_at(sized(joint, "dm_joint"), share, out))
     return out[0]
 end
 

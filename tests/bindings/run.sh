@@ -62,6 +62,8 @@ done
 LUA_PATH="$PWD/bindings/lua/?.lua;;" same lua luajit bindings/lua/scenario.lua "$build/libdragmesh.so" sdk/models
 LUA_PATH="$PWD/bindings/lua/?.lua;;" passes "reloads from LuaJIT" luajit bindings/lua/reload.lua "$build/libdragmesh.so" sdk/models \
     tests/replay/hands/object.dmo
+LUA_PATH="$PWD/bindings/lua/?.lua;;" passes "the misuse of LuaJIT" luajit bindings/lua/misuse.lua "$build/libdragmesh.so" \
+    tests/replay/hands/object.dmo tests/replay/drawer/object.glb "$build/libdragmesh_gltf.so"
 luajit_runs() { LUA_PATH="$PWD/bindings/lua/?.lua;;" luajit "bindings/lua/examples/$1.lua" "$build/libdragmesh.so" "$cabinet"; }
 guides LuaJIT "luajit_runs first_door" "luajit_runs handover"
 love_room() {
