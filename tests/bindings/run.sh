@@ -51,6 +51,9 @@ for compiler in g++ clang++; do
     "$compiler" -std=c++17 $warnings -Iplugin_api/include -fsyntax-only -x c++ bindings/cpp/dragmesh_check.hpp
     "$compiler" -std=c++17 -fno-exceptions -fno-rtti $warnings -Iplugin_api/include -Ibindings/cpp bindings/cpp/scenario.cpp -o "$work/$compiler" $link
     same "$compiler" "$work/$compiler"
+    "$compiler" -std=c++17 -fno-rtti $warnings -fsanitize=address,undefined -Iplugin_api/include -Ibindings/cpp bindings/cpp/misuse.cpp \
+        -o "$work/misuse" $link
+    passes "the misuse of C++, by $compiler" "$work/misuse" tests/replay/hands/object.dmo
     for example in first_door handover; do
         "$compiler" -std=c++17 -fno-rtti $warnings -Iplugin_api/include -Ibindings/cpp "bindings/cpp/examples/$example.cpp" -o "$work/$example" $link
     done

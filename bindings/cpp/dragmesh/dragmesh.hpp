@@ -1,11 +1,14 @@
 /* dragmesh for C++17: owners of handles, and results instead of output pointers. Header only; throws nothing itself.
  *
  * The plain structs are those of dragmesh.h. Every call that can fail returns a dragmesh::result: test it, or read its
- * error(). Owners are move-only and must not outlive their context. Threading tags are those of dragmesh.h. */
+ * error(). Owners are move-only and may end in any order: a context lives until the last of what it made has ended. A
+ * call of an owner that is empty, moved from or ended answers DM_ERROR_INVALID_ARGUMENT or DM_ERROR_STALE_HANDLE.
+ * Threading tags are those of dragmesh.h. */
 #ifndef DRAGMESH_HPP
 #define DRAGMESH_HPP
 
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -112,14 +115,18 @@ template <class T> class span {
 template <class Handle, dm_result(DM_CALL* End)(dm_context*, Handle)> class owner {
   public:
     owner() noexcept = default;
-    owner(dm_context* context, Handle handle) noexcept : context_(context), handle_(handle) {
+    owner(std::shared_ptr<dm_context> context, Handle handle) noexcept : context_(std::move(context)), handle_(handle) {
     }
-    owner(owner&& other) noexcept : context_(other.context_), handle_(other.release()) {
+    /* Of a context that the caller ends, after this. */
+    owner(dm_context* context, Handle handle) noexcept
+        : context_(std::shared_ptr<dm_context>(), context), handle_(handle) {
+    }
+    owner(owner&& other) noexcept : context_(std::move(other.context_)), handle_(other.release()) {
     }
     owner& operator=(owner&& other) noexcept {
         if (this != &other) {
             reset();
-            context_ = other.context_;
+            context_ = std::move(other.context_);
             handle_ = other.release();
         }
         return *this;
@@ -141,11 +148,14 @@ template <class Handle, dm_result(DM_CALL* End)(dm_context*, Handle)> class owne
         return std::exchange(handle_, Handle(0));
     }
     void reset() noexcept {
-        if (handle_ != 0) End(context_, release());
+        if (handle_ != 0) End(raw(), release());
     }
 
   protected:
-    dm_context* context_ = nullptr;
+    dm_context* raw() const noexcept {
+        return context_.get();
+    }
+    std::shared_ptr<dm_context> context_;
     Handle handle_ = 0;
 };
 
@@ -161,10 +171,16 @@ template <class T, class Call> result<T> fill(T value, Call call) {
     return code == DM_OK ? result<T>(std::move(value)) : result<T>::failed(code);
 }
 
-/* Runs a call that makes a handle. */
-template <class Owner, class Handle, class Call> result<Owner> make(dm_context* context, Handle handle, Call call) {
-    const dm_result code = call(&handle);
-    return code == DM_OK ? result<Owner>(Owner(context, handle)) : result<Owner>::failed(code);
+/* Runs a call that makes a handle, and keeps its context meanwhile, whatever its callbacks do. */
+template <class Owner, class Handle, class Call>
+result<Owner> make(std::shared_ptr<dm_context> context, Handle handle, Call call) {
+    const dm_result code = call(context.get(), &handle);
+    return code == DM_OK ? result<Owner>(Owner(std::move(context), handle)) : result<Owner>::failed(code);
+}
+
+/* A number of elements; one that does not fit is beyond any that the library takes. */
+inline std::uint32_t count_of(std::size_t size) noexcept {
+    return size > UINT32_MAX ? UINT32_MAX : static_cast<std::uint32_t>(size);
 }
 
 } // namespace detail
@@ -179,7 +195,7 @@ class motion : public owner<dm_motion, dm_motion_destroy> {
     /* The pose at t, 0 to 1. [frame] */
     result<dm_pose> sample(float t, float* out_value = nullptr) const {
         return detail::fill(dm_pose(),
-                            [&](dm_pose* out) { return dm_motion_sample(context_, handle_, t, out, out_value); });
+                            [&](dm_pose* out) { return dm_motion_sample(raw(), handle_, t, out, out_value); });
     }
 };
 
@@ -189,47 +205,46 @@ class drag : public owner<dm_drag, detail::end_drag> {
     /* Follows the pointer. [frame] */
     result<dm_drag_state> update(const dm_ray& ray, float seconds) {
         return detail::fill(dm_drag_state_default(),
-                            [&](dm_drag_state* out) { return dm_drag_update(context_, handle_, &ray, seconds, out); });
+                            [&](dm_drag_state* out) { return dm_drag_update(raw(), handle_, &ray, seconds, out); });
     }
     /* Goes on after release(). [frame] */
     result<dm_drag_state> update(float seconds) {
-        return detail::fill(dm_drag_state_default(), [&](dm_drag_state* out) {
-            return dm_drag_update(context_, handle_, nullptr, seconds, out);
-        });
+        return detail::fill(dm_drag_state_default(),
+                            [&](dm_drag_state* out) { return dm_drag_update(raw(), handle_, nullptr, seconds, out); });
     }
     /* Everything that can be told a drag at once. [frame] */
     result<dm_drag_state> step(const dm_drag_input& input, float seconds) {
         return detail::fill(dm_drag_state_default(),
-                            [&](dm_drag_state* out) { return dm_drag_step(context_, handle_, &input, seconds, out); });
+                            [&](dm_drag_state* out) { return dm_drag_step(raw(), handle_, &input, seconds, out); });
     }
     /* After a step with DM_INPUT_ASK: takes another value. [frame] */
     result<dm_drag_state> take(float value) {
         return detail::fill(dm_drag_state_default(),
-                            [&](dm_drag_state* out) { return dm_drag_take(context_, handle_, value, out); });
+                            [&](dm_drag_state* out) { return dm_drag_take(raw(), handle_, value, out); });
     }
     result<dm_release_plan> let_go(const dm_release_desc& desc) {
         return detail::fill(dm_release_plan_default(),
-                            [&](dm_release_plan* out) { return dm_drag_release(context_, handle_, &desc, out); });
+                            [&](dm_release_plan* out) { return dm_drag_release(raw(), handle_, &desc, out); });
     }
     /* What the instance keeps: its joint, value and pose. */
     result<dm_part_state> part_state() const {
         return detail::fill(dm_part_state_default(),
-                            [&](dm_part_state* out) { return dm_drag_get_part_state(context_, handle_, out); });
+                            [&](dm_part_state* out) { return dm_drag_get_part_state(raw(), handle_, out); });
     }
     /* Ends it, and hands over what the instance keeps. */
     result<dm_part_state> end() {
         return detail::fill(dm_part_state_default(),
-                            [&](dm_part_state* out) { return dm_drag_end(context_, release(), out); });
+                            [&](dm_part_state* out) { return dm_drag_end(raw(), release(), out); });
     }
     /* Bytes that save and restore take. */
     static std::size_t snapshot_size() noexcept {
         return dm_drag_snapshot_size();
     }
     result<void> save(span<std::uint8_t> buffer) const {
-        return dm_drag_save(context_, handle_, buffer.data(), buffer.size());
+        return dm_drag_save(raw(), handle_, buffer.data(), buffer.size());
     }
     result<void> restore(span<const std::uint8_t> data) {
-        return dm_drag_restore(context_, handle_, data.data(), data.size());
+        return dm_drag_restore(raw(), handle_, data.data(), data.size());
     }
 };
 
@@ -238,16 +253,16 @@ class object : public owner<dm_object, dm_object_destroy> {
     using owner::owner;
     result<dm_object_info> info() const {
         return detail::fill(dm_object_info_default(),
-                            [&](dm_object_info* out) { return dm_object_get_info(context_, handle_, out); });
+                            [&](dm_object_info* out) { return dm_object_get_info(raw(), handle_, out); });
     }
     result<dm_part_info> part(std::uint32_t index) const {
         return detail::fill(dm_part_info_default(),
-                            [&](dm_part_info* out) { return dm_object_get_part(context_, handle_, index, out); });
+                            [&](dm_part_info* out) { return dm_object_get_part(raw(), handle_, index, out); });
     }
     /* The joint in force. */
     result<dm_joint> joint(std::uint32_t part_id) const {
         return detail::fill(dm_joint_default(),
-                            [&](dm_joint* out) { return dm_object_get_joint(context_, handle_, part_id, out); });
+                            [&](dm_joint* out) { return dm_object_get_joint(raw(), handle_, part_id, out); });
     }
     /* All that were found, most probable first. hint: a drag that tells more, or nullptr. */
     result<std::vector<dm_joint>> hypotheses(std::uint32_t part_id, const dm_drag_hint* hint = nullptr) const {
@@ -255,50 +270,52 @@ class object : public owner<dm_object, dm_object_destroy> {
             std::vector<dm_joint>(DM_MAX_HYPOTHESES, dm_joint_default()), [&](std::vector<dm_joint>* out) {
                 std::uint32_t count = 0;
                 const dm_result code =
-                    dm_object_get_hypotheses(context_, handle_, part_id, hint, out->data(), DM_MAX_HYPOTHESES, &count);
+                    dm_object_get_hypotheses(raw(), handle_, part_id, hint, out->data(), DM_MAX_HYPOTHESES, &count);
                 out->resize(code == DM_OK ? count : 0);
                 return code;
             });
     }
     result<void> set_joint(std::uint32_t part_id, const dm_joint& joint) {
-        return dm_object_set_joint(context_, handle_, part_id, &joint);
+        return dm_object_set_joint(raw(), handle_, part_id, &joint);
     }
     result<void> reset_joint(std::uint32_t part_id) {
-        return dm_object_reset_joint(context_, handle_, part_id);
+        return dm_object_reset_joint(raw(), handle_, part_id);
     }
     result<void> refine(std::uint32_t part_id, const dm_drag_hint& hint) {
-        return dm_object_refine(context_, handle_, part_id, &hint);
+        return dm_object_refine(raw(), handle_, part_id, &hint);
     }
     /* Links parts, in place of the links of before; none: unlinks them. */
     result<void> set_links(span<const dm_link> links) {
-        return dm_object_set_links(context_, handle_, links.data(), static_cast<std::uint32_t>(links.size()));
+        return dm_object_set_links(raw(), handle_, links.data(), detail::count_of(links.size()));
     }
     /* Moves what is linked with a part. values: of one instance, one a part; held: as many, or none: 1 where a link
      * holds the part. [frame] */
     result<void> follow_links(std::uint32_t part_id, span<float> values, span<std::uint8_t> held = {}) const {
         if (held.size() != 0 && held.size() != values.size()) return DM_ERROR_INVALID_ARGUMENT;
-        return dm_object_follow_links(context_, handle_, part_id, values.data(), held.data(),
-                                      static_cast<std::uint32_t>(values.size()));
+        return dm_object_follow_links(raw(), handle_, part_id, values.data(), held.data(),
+                                      detail::count_of(values.size()));
     }
     /* The bytes of a .dmo. */
     result<std::vector<std::uint8_t>> save() const {
         return detail::fill(std::vector<std::uint8_t>(), [&](std::vector<std::uint8_t>* out) {
             std::size_t size = 0;
-            dm_result code = dm_object_save(context_, handle_, nullptr, 0, &size);
+            dm_result code = dm_object_save(raw(), handle_, nullptr, 0, &size);
             if (code != DM_OK) return code;
             out->resize(size);
-            return dm_object_save(context_, handle_, out->data(), out->size(), &size);
+            return dm_object_save(raw(), handle_, out->data(), out->size(), &size);
         });
     }
     /* Grabs a part: desc.object is filled in. */
     result<drag> grab(dm_drag_desc desc) const {
         desc.object = handle_;
-        return detail::make<drag>(context_, dm_drag(0),
-                                  [&](dm_drag* out) { return dm_drag_begin(context_, &desc, out); });
+        return detail::make<drag>(context_, dm_drag(0), [&](dm_context* context, dm_drag* out) {
+            return dm_drag_begin(context, &desc, out);
+        });
     }
     result<motion> generate_motion(const dm_motion_desc& desc) const {
-        return detail::make<motion>(context_, dm_motion(0),
-                                    [&](dm_motion* out) { return dm_motion_generate(context_, handle_, &desc, out); });
+        return detail::make<motion>(context_, dm_motion(0), [&](dm_context* context, dm_motion* out) {
+            return dm_motion_generate(context, handle_, &desc, out);
+        });
     }
 };
 
@@ -308,22 +325,22 @@ class scene : public owner<dm_scene, dm_scene_destroy> {
     /* Places an object and returns its instance. */
     result<std::uint32_t> add(const object& placed, const dm_pose* placement = nullptr) {
         return detail::fill(std::uint32_t(0), [&](std::uint32_t* out) {
-            return dm_scene_add(context_, handle_, placed.get(), placement, out);
+            return dm_scene_add(raw(), handle_, placed.get(), placement, out);
         });
     }
     /* Moves a part, or with part 0 the instance. [frame] */
     result<void> move(std::uint32_t instance, std::uint32_t part_id, const dm_pose& pose) {
-        return dm_scene_move(context_, handle_, instance, part_id, &pose);
+        return dm_scene_move(raw(), handle_, instance, part_id, &pose);
     }
     result<void> remove(std::uint32_t instance) {
-        return dm_scene_remove(context_, handle_, instance);
+        return dm_scene_remove(raw(), handle_, instance);
     }
     result<void> commit() {
-        return dm_scene_commit(context_, handle_);
+        return dm_scene_commit(raw(), handle_);
     }
     /* The nearest hit; its object is 0 when nothing is hit. [frame] */
     result<dm_hit> pick(const dm_ray& ray) const {
-        return detail::fill(dm_hit_default(), [&](dm_hit* out) { return dm_scene_pick(context_, handle_, &ray, out); });
+        return detail::fill(dm_hit_default(), [&](dm_hit* out) { return dm_scene_pick(raw(), handle_, &ray, out); });
     }
 };
 
@@ -342,20 +359,13 @@ class context {
         return code == DM_OK ? result<context>(context(made)) : result<context>::failed(code);
     }
     context() noexcept = default;
-    context(context&& other) noexcept : context_(std::exchange(other.context_, nullptr)) {
-    }
-    context& operator=(context&& other) noexcept {
-        std::swap(context_, other.context_);
-        return *this;
-    }
+    context(context&&) noexcept = default;
+    context& operator=(context&&) noexcept = default;
     context(const context&) = delete;
     context& operator=(const context&) = delete;
-    ~context() {
-        dm_context_destroy(context_);
-    }
 
     dm_context* get() const noexcept {
-        return context_;
+        return context_.get();
     }
     explicit operator bool() const noexcept {
         return context_ != nullptr;
@@ -366,38 +376,41 @@ class context {
         desc.kinematics = from.kinematics.data(), desc.kinematics_size = from.kinematics.size();
         desc.motion = from.motion.data(), desc.motion_size = from.motion.size();
         desc.ranker = from.ranker.data(), desc.ranker_size = from.ranker.size();
-        return detail::make<model>(context_, dm_model(0),
-                                   [&](dm_model* out) { return dm_model_load(context_, &desc, out); });
+        return detail::make<model>(context_, dm_model(0), [&](dm_context* context, dm_model* out) {
+            return dm_model_load(context, &desc, out);
+        });
     }
     /* Finds out how each part moves. */
     result<object> prepare(const dm_object_desc& desc) {
-        return detail::make<object>(context_, dm_object(0),
-                                    [&](dm_object* out) { return dm_object_prepare(context_, &desc, out); });
+        return detail::make<object>(context_, dm_object(0), [&](dm_context* context, dm_object* out) {
+            return dm_object_prepare(context, &desc, out);
+        });
     }
     /* Reads a .dmo. */
     result<object> load_object(span<const std::uint8_t> data, const model& from = model()) {
-        return detail::make<object>(context_, dm_object(0), [&](dm_object* out) {
-            return dm_object_load(context_, data.data(), data.size(), from.get(), out);
+        return detail::make<object>(context_, dm_object(0), [&](dm_context* context, dm_object* out) {
+            return dm_object_load(context, data.data(), data.size(), from.get(), out);
         });
     }
     result<scene> create_scene() {
         const dm_scene_desc desc = dm_scene_desc_default();
-        return detail::make<scene>(context_, dm_scene(0),
-                                   [&](dm_scene* out) { return dm_scene_create(context_, &desc, out); });
+        return detail::make<scene>(context_, dm_scene(0), [&](dm_context* context, dm_scene* out) {
+            return dm_scene_create(context, &desc, out);
+        });
     }
     /* The ray through a pixel, (0, 0) the top left corner. [frame] */
     result<dm_ray> camera_ray(const dm_camera& camera, float x, float y) const {
-        return detail::fill(dm_ray(), [&](dm_ray* out) { return dm_camera_ray(context_, &camera, x, y, out); });
+        return detail::fill(dm_ray(), [&](dm_ray* out) { return dm_camera_ray(get(), &camera, x, y, out); });
     }
     result<dm_memory_info> memory() const {
         return detail::fill(dm_memory_info_default(),
-                            [&](dm_memory_info* out) { return dm_context_get_memory(context_, out); });
+                            [&](dm_memory_info* out) { return dm_context_get_memory(get(), out); });
     }
 
   private:
-    explicit context(dm_context* made) noexcept : context_(made) {
+    explicit context(dm_context* made) : context_(made, dm_context_destroy) {
     }
-    dm_context* context_ = nullptr;
+    std::shared_ptr<dm_context> context_;
 };
 
 /* ---- meshes ---- */

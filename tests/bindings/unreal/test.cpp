@@ -76,6 +76,22 @@ int main(int argc, char** argv) {
     cabinet.restore(0, saved);
     must(distance(transform(cabinet.at(0), door.centre), now) < near, "it stands where it was saved");
     must(cabinet.grab(0, now), "it is grabbed where it stands");
+
+    /* Indexes of parts that are not there, as a component has them whose parts are gone. */
+    dragmesh_unreal::openable_parts none;
+    for (const std::size_t index : {std::size_t(0), std::size_t(4), std::size_t(-1)}) {
+        dragmesh_unreal::openable_parts& of = index == 0 ? none : cabinet;
+        must(!of.grab(index, now) && !of.move(index, DM_INTENT_OPEN), "a part that is not there is not moved");
+        of.pull(index, ray, frame);
+        of.release(index);
+        of.restore(index, saved);
+        must(of.info(index).id == 0 && of.state(index).value == 0, "nothing is told of it");
+        must(distance(of.at(index).translation, {0, 0, 0}) == 0, "it stays at rest");
+    }
+    *context = {}; /* before its parts */
+    cabinet.pull(0, ray, frame);
+    cabinet.release(0);
+    cabinet.advance(frame);
     std::printf("Unreal: the engine-free part opens a door to %.2f\n", static_cast<double>(value));
     return 0;
 }

@@ -39,6 +39,9 @@ void UOpenableComponent::BeginPlay() {
 void UOpenableComponent::EndPlay(EEndPlayReason::Type Reason) {
     Parts = {};
     Context = {};
+    Moving.Empty();
+    AtRest.Empty();
+    Held = INDEX_NONE;
     Super::EndPlay(Reason);
 }
 

@@ -31,7 +31,7 @@ inline placement placement_of(const dm_pose& pose) {
 
 class openable_parts {
   public:
-    /* Reads the bytes of a .dmo. The context outlives what it returns. */
+    /* Reads the bytes of a .dmo. */
     static dragmesh::result<openable_parts> load(dragmesh::context& context, dragmesh::span<const std::uint8_t> dmo) {
         auto object = context.load_object(dmo);
         openable_parts out;
@@ -52,33 +52,37 @@ class openable_parts {
     std::size_t count() const {
         return parts_.size();
     }
-    const dm_part_info& info(std::size_t index) const {
-        return parts_[index].info;
+    /* Indexes go from 0 to count() - 1. Of others there is nothing to tell, and nothing to do. */
+    dm_part_info info(std::size_t index) const {
+        return index < parts_.size() ? parts_[index].info : dm_part_info_default();
     }
     /* The joint in force and where the part stands: to be saved and replicated as numbers. */
-    const dm_part_state& state(std::size_t index) const {
-        return parts_[index].state;
+    dm_part_state state(std::size_t index) const {
+        return index < parts_.size() ? parts_[index].state : dm_part_state_default();
     }
 
     /* Puts a part where it was saved, or where a server says it is; ends its drag. */
     void restore(std::size_t index, const dm_part_state& state) {
+        if (index >= parts_.size()) return;
         part& p = parts_[index];
         p.drag.reset();
         p.held = false;
         p.state = state;
+        p.state.struct_size = sizeof p.state;
         dm_joint_pose(&state.joint, state.value, &p.state.pose);
     }
 
     /* Grabs a part at a point of the object's frame, where the part is now; false: it can not be grabbed there. */
     bool grab(std::size_t index, dm_vec3 point) {
+        if (index >= parts_.size()) return false;
         dm_pose back = carrier(index);
         dm_pose_inverse(&back, &back);
         return begin(index, dragmesh::apply(back, point), 0);
     }
     /* The grabbed point of a held part follows a ray of the object's frame; every frame, with its seconds. */
     void pull(std::size_t index, const dm_ray& ray, float seconds) {
+        if (!is_held(index)) return;
         part& p = parts_[index];
-        if (!p.held) return;
         dm_pose back = carrier(index);
         dm_pose_inverse(&back, &back);
         const dm_vec3 from = dragmesh::apply(back, ray.origin);
@@ -88,8 +92,8 @@ class openable_parts {
     }
     /* Lets go. The part then moves on by itself, in advance(). */
     void release(std::size_t index, std::int32_t intent = DM_INTENT_AUTO) {
+        if (!is_held(index)) return;
         part& p = parts_[index];
-        if (!p.held) return;
         dm_release_desc desc = dm_release_desc_default();
         desc.intent = intent, desc.flags = DM_RELEASE_BY_RULE; /* the same on every machine, without weights */
         p.held = false;
@@ -97,7 +101,7 @@ class openable_parts {
     }
     /* Opens or closes a part without a player. */
     bool move(std::size_t index, std::int32_t intent) {
-        if (parts_[index].held || !begin(index, {0, 0, 0}, DM_DRAG_WITHOUT_POINT)) return false;
+        if (index >= parts_.size() || is_held(index) || !begin(index, {0, 0, 0}, DM_DRAG_WITHOUT_POINT)) return false;
         release(index, intent);
         return true;
     }
@@ -109,6 +113,7 @@ class openable_parts {
 
     /* The part from rest, with what carries it: the transform of its component relative to that at rest. */
     placement at(std::size_t index) const {
+        if (index >= parts_.size()) return {{0, 0, 0, 1}, {0, 0, 0}};
         dm_pose pose = carrier(index);
         dm_pose_multiply(&pose, &parts_[index].state.pose, &pose);
         return placement_of(pose);
@@ -121,6 +126,10 @@ class openable_parts {
         dragmesh::drag drag; /* empty at rest */
         bool held = false;
     };
+
+    bool is_held(std::size_t index) const {
+        return index < parts_.size() && parts_[index].held;
+    }
 
     bool begin(std::size_t index, dm_vec3 point, std::uint32_t flags) {
         part& p = parts_[index];
