@@ -28,7 +28,7 @@ static void draw_slotted(dmg_builder* b, float width, float height, float depth,
             dmg_lathe_arc(b, v3(x, 0, -depth), v3(1, 0, 0), rim, 4, 0, 2.0f * DMG_PI);
         }
         dmg_box(b, v3(x, curved ? -0.5f * height : 0, -0.5f * depth - (curved ? 0.5f * depth : 0)),
-                v3(side, curved ? height : height, curved ? 1.9f * depth : depth));
+                v3(side, height, curved ? 1.9f * depth : depth));
     }
     dmg_box(b, v3(0, curved ? -0.9f * height : 0, -0.9f * depth),
             v3(width, curved ? 0.2f * height : height, 0.2f * depth));

@@ -26,7 +26,6 @@ static void draw_ring(dmg_builder* b, float r, float z0, float z1, int ribs) {
 
 /* Draws a barrel of rings one before the other: some turn, the front may screw out; a hood, a cap. */
 static void draw_lens(dmg_builder* b, float r, float length) {
-    static const char* const names[] = {"aperture_ring", "zoom_ring", "focus_ring"};
     int rings = dmg_int(b, 1, 3);
     float each = length / (float)(rings + 1), turn = dmg_range(b, 0.4f, 1.5f), z = 0.3f * each, core = 0.8f * r;
     bool screws = dmg_chance(b, 0.4f), hood = dmg_chance(b, 0.4f), cap = !hood && dmg_chance(b, 0.5f),
@@ -36,7 +35,8 @@ static void draw_lens(dmg_builder* b, float r, float length) {
     for (int i = 0; i < rings; ++i) {
         float wide = each * dmg_range(b, 0.5f, 0.9f), fat = r * dmg_range(b, 0.88f, 1.05f);
         int ribs = dmg_chance(b, 0.5f) ? dmg_int(b, 8, 16) : 0;
-        dmg_hinge(b, 0, names[i], v3(0, 0, 0), v3(0, 0, 1), -turn, turn);
+        const char* name = i == 0 ? "aperture_ring" : i == 1 ? "zoom_ring" : "focus_ring";
+        dmg_hinge(b, 0, name, v3(0, 0, 0), v3(0, 0, 1), -turn, turn);
         draw_ring(b, fat, z + 0.05f * each, z + wide, ribs);
         dmg_use(b, 0);
         z += each;

@@ -12,7 +12,7 @@ typedef struct watch {
 static void draw_hands(dmg_builder* b, const watch* w) {
     static const char* const names[] = {"hour_hand", "minute_hand", "second_hand"};
     static const float lengths[] = {0.5f, 0.75f, 0.8f}, widths[] = {0.08f, 0.06f, 0.025f};
-    int count = dmg_int(b, 2, 3), kind = dmg_int(b, 0, 1);
+    int count = dmg_int(b, 0, 1) ? 3 : 2, kind = dmg_int(b, 0, 1);
     for (int i = 0; i < count; ++i) {
         float z = 0.12f * w->t * (float)(i + 1), length = lengths[i] * w->r, wide = widths[i] * w->r,
               turn = 2 * DMG_PI * dmg_unit(b);

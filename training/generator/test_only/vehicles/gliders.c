@@ -101,7 +101,7 @@ static void draw_wings(dmg_builder* b, const sailplane* p) {
     w.sweep = dmg_chance(b, 0.5f) ? dmg_range(b, 0.3f, 1.0f) * (w.root - w.tip) : half * dmg_range(b, -0.06f, 0.25f);
     w.dihedral = dmg_range(b, 0.0f, 0.06f);
     trailing t[2] = {{.name = "flap"}, {.name = "aileron"}};
-    int count = dmg_int(b, 1, 2), brake = dmg_int(b, 0, 3);
+    int count = dmg_int(b, 0, 1) ? 2 : 1, brake = dmg_int(b, 0, 3);
     float middle = dmg_range(b, 0.45f, 0.62f), depth = dmg_range(b, 0.15f, 0.3f), up = dmg_range(b, 0.2f, 0.5f);
     bool square = dmg_chance(b, 0.4f), below = dmg_chance(b, 0.4f), winglet = dmg_chance(b, 0.3f),
          top = dmg_chance(b, 0.6f);
