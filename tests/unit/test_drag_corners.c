@@ -371,6 +371,117 @@ static void another_joint_begins_inside_the_bounds(void** state) {
 }
 
 /* What a host leaves out has its default, what it states stays. */
+/* Pulls a part along x, then round the axis of a hinge, until its joint changes to that one. Returns the update of the
+ * change; before: the one before it. */
+static dm_drag_state pull_to_a_hinge(dmi_drag* drag, const dm_drag_feel* feel, const dm_drag_rules* rules,
+                                     dm_drag_state* before) {
+    const dm_joint slide = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .upper = 1, .joint_confidence = 0.5f};
+    const dm_joint hinge = {.type = DM_JOINT_REVOLUTE,
+                            .axis = {0, 0, 1},
+                            .origin = {1.2f, 1.6f, 0},
+                            .upper = 0.75f,
+                            .joint_confidence = 0.5f};
+    const dm_joint joints[2] = {slide, hinge};
+    const float grab[3] = {0, 0, 0};
+    dm_drag_state now = {0};
+    dmi_drag_begin(drag, &slide, grab, 0, feel);
+    dmi_drag_track_hypotheses(drag, joints, NULL, 2, 1, (dmi_limit_give){0, 1});
+    if (rules != NULL) {
+        const dmi_rules kept = dmi_rules_from(rules, feel, &slide, false, 1);
+        dmi_drag_set_rules(drag, &kept);
+    }
+    assert_near(drag->speed, 1, 1e-6);
+    for (int i = 0; i <= 10; i++) {
+        const float turn = 0.01f * (float)i, c = cosf(turn), s = sinf(turn);
+        const dm_ray along = {{turn, 0, 5}, {0, 0, -1}},
+                     round = {{1.2f - 1.2f * c + 1.6f * s, 1.6f - 1.6f * c - 1.2f * s, 5}, {0, 0, -1}};
+        *before = now;
+        dmi_drag_update(drag, i < 10 ? &along : &round, FRAME, &now);
+    }
+    assert_true(before->changes == 0 && now.changes == 1);
+    return now;
+}
+
+/* No speed of the old joint goes on along the new one; value, limits and what the grabbed point does for a unit of the
+ * value are those of the new one. */
+static void another_joint_begins_at_a_standstill(void** state) {
+    (void)state;
+    const dm_drag_feel heavy = {.smoothing_time = 0.05f, .coast_time = 0.3f};
+    dmi_drag drag;
+    dm_drag_state before;
+    const dm_drag_state now = pull_to_a_hinge(&drag, &heavy, NULL, &before);
+    assert_true(before.velocity > 0.1f);
+    assert_near(now.velocity, 0, 1e-6);
+    assert_near(now.target, 0.1, 1e-3);
+    assert_near(now.value, now.target, 1e-6);
+    assert_near(drag.speed, 2, 1e-5);
+    assert_true(drag.limits_are_estimates && drag.estimated_upper == 0.75f);
+}
+
+/* Rules that limit the speed take the part on from where it is shown, at a standstill too. */
+static void another_joint_begins_where_the_part_is_shown(void** state) {
+    (void)state;
+    const dm_drag_feel light = {.smoothing_time = -1};
+    dm_drag_rules rules = no_rules();
+    rules.max_speed = 0.3f, rules.max_acceleration = 6;
+    dmi_drag drag;
+    dm_drag_state before;
+    const dm_drag_state now = pull_to_a_hinge(&drag, &light, &rules, &before);
+    const float shown = dmi_joint_project(&drag.joint, &before.pose, 0);
+    assert_true(before.value > shown + 0.03f); /* as another value of another joint */
+    assert_near(now.value, shown, 6 * FRAME * FRAME);
+    assert_near(drag.asked, 0.1, 1e-3);
+    assert_true(now.target < 0.2f * drag.asked); /* comes up with the hand from there */
+    assert_true(fabsf(now.velocity) <= 6 * FRAME + 1e-6f);
+}
+
+/* A part that its bounds hold at most 1/10000 of the range before its end has arrived; farther off it waits. */
+static void a_part_held_short_of_its_end_waits(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const struct {
+        float short_of; /* of the range */
+        int32_t phase;
+    } cases[] = {{0.9e-4f, DM_DRAG_AT_REST}, {1.1e-4f, DM_DRAG_RELEASED}, {0.2f, DM_DRAG_RELEASED}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        for (float range = 1; range <= 4; range += 3) {
+            const dm_joint joint = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .upper = range};
+            const float end = range * cases[i].short_of;
+            const dm_drag_input held = {.struct_size = sizeof held, .lower = end, .upper = 2 * range};
+            dm_drag_state now = {0};
+            dmi_drag drag;
+            test_begin(&drag, &joint, range, &plain, &rules);
+            dmi_drag_release(&drag, DM_INTENT_CLOSE, 0);
+            for (int k = 0; k < 120; k++) dmi_drag_step(&drag, &held, FRAME, &now);
+            assert_near(now.value, end, 1e-7);
+            assert_int_equal(now.phase, cases[i].phase);
+            if (now.phase != DM_DRAG_RELEASED) continue;
+            assert_near(run(&drag, 2).value, 0, 1e-7); /* and goes on once it may */
+        }
+    }
+}
+
+/* A part that was held up for long plans the rest as if it were released there: no faster than it would go then. */
+static void a_plan_held_up_for_long_begins_anew(void** state) {
+    (void)state;
+    const dm_drag_rules rules = no_rules();
+    const dm_drag_input held = {.struct_size = sizeof held, .lower = 0.5f, .upper = 2};
+    dm_drag_state now = {0}, alone = {0};
+    dmi_drag drag, other;
+    test_begin(&drag, &test_slide, 1, &plain, &rules);
+    dmi_drag_release(&drag, DM_INTENT_CLOSE, 1);
+    for (int k = 0; k < 180; k++) dmi_drag_step(&drag, &held, FRAME, &now);
+    assert_near(now.value, 0.5, 1e-6);
+    test_begin(&other, &test_slide, 0.5f, &plain, &rules);
+    dmi_drag_release(&other, DM_INTENT_CLOSE, 0);
+    for (int k = 0; k < 60; k++) {
+        dmi_drag_update(&drag, NULL, FRAME, &now);
+        dmi_drag_update(&other, NULL, FRAME, &alone);
+        assert_near(now.value, alone.value, 1e-6);
+    }
+    assert_near(now.value, 0, 1e-6);
+}
+
 static void rules_have_their_defaults(void** state) {
     (void)state;
     const dm_joint hinge = {.type = DM_JOINT_REVOLUTE, .lower = -1, .upper = 3};
@@ -562,6 +673,10 @@ int main(void) {
         cmocka_unit_test(a_pointer_after_a_hand_in_space_holds_where_it_points),
         cmocka_unit_test(a_joint_that_is_fixed_stays_under_a_scalar),
         cmocka_unit_test(another_joint_begins_inside_the_bounds),
+        cmocka_unit_test(another_joint_begins_at_a_standstill),
+        cmocka_unit_test(another_joint_begins_where_the_part_is_shown),
+        cmocka_unit_test(a_part_held_short_of_its_end_waits),
+        cmocka_unit_test(a_plan_held_up_for_long_begins_anew),
         cmocka_unit_test(rules_have_their_defaults),
         cmocka_unit_test(shares_are_of_the_range),
         cmocka_unit_test(a_limit_is_met_within_its_tolerance),
