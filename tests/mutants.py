@@ -56,7 +56,7 @@ AREAS = {
     "readers": (["sdk/kinematics/object/dmo_*.c", "sdk/nn/weights.c", "sdk/mesh/mask.c", "sdk/mesh/mesh_read.c",
                  "sdk/mesh/gltf/*.c"],
                 ["test_mask", "test_mesh", "test_weights", "test_gltf_surface", "test_gltf_hints", "test_gltf_tree",
-                 "test_gltf_export", "test_gltf", "test_gltf_edges", "test_gltf_documents", "test_gltf_scenes", "test_gltf_skins",
+                 "test_gltf_export", "test_gltf", "test_gltf_fields", "test_gltf_edges", "test_gltf_documents", "test_gltf_scenes", "test_gltf_skins",
                  "test_gltf_folder", "test_gltf_copies", "test_gltf_props", "test_reader_bounds", "test_boundary", "test_dmo",
                  "test_object_hints", "test_huge_weights", "test_object"]),
 }
