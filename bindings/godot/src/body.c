@@ -123,6 +123,7 @@ static dm_result finish(body* b) {
 }
 
 static bool begin(body* b) {
+    if (b->walking) return false;
     body_unload(b);
     body_find_parts(b);
     b->preparation = body_collect(b);
@@ -139,7 +140,7 @@ void body_prepare(body* b) {
 }
 
 dm_result body_prepare_now(body* b) {
-    if (!begin(b)) return DM_ERROR_OUT_OF_MEMORY;
+    if (!begin(b)) return b->walking ? DM_ERROR_UNSUPPORTED : DM_ERROR_OUT_OF_MEMORY;
     preparation_run(b->preparation);
     return finish(b);
 }
@@ -153,6 +154,7 @@ static bool parts_are_known(const body* b) {
 }
 
 dm_result body_load(body* b) {
+    if (b->walking) return DM_ERROR_UNSUPPORTED;
     body_unload(b);
     body_find_parts(b);
     if (!parts_are_known(b)) return DM_ERROR_NOT_FOUND;
@@ -176,14 +178,13 @@ void body_ready(body* b) {
 static bool advance_preparation(body* b) {
     if (!b->preparation) return true;
     const GDObjectInstanceID id = gd.object_get_instance_id(b->object);
-    const bool finished = atomic_load(&b->preparation->finished);
     const float progress = atomic_load(&b->preparation->progress);
     if (progress > b->told_progress) {
         b->told_progress = progress;
         emit(b, "progress", gd_of_float((double)progress));
         if (!gd.object_get_instance_from_id(id)) return false;
     }
-    if (!finished || !b->preparation) return true;
+    if (!b->preparation || !atomic_load(&b->preparation->finished)) return true; /* it may be another one by now */
     const dm_result result = finish(b);
     emit(b, "prepared", gd_of_text(result == DM_OK ? "" : dm_result_string(result)));
     return gd.object_get_instance_from_id(id) != NULL;

@@ -55,6 +55,7 @@ typedef struct body {
     gd_value properties[PROPERTIES];
     part* parts;
     uint32_t part_count;
+    int walking; /* how many functions go through the parts and call nodes, whose scripts may call this one */
     preparation* preparation; /* while one runs */
     float told_progress;
     dm_object prepared; /* 0 = not yet */
@@ -91,7 +92,8 @@ dm_pose body_carrier(body* b, const part* p);
 
 /* ---- objects: body.c ---- */
 
-/* In the background; `prepared` is emitted when it is done. */
+/* In the background; `prepared` is emitted when it is done. It, and the two below, do nothing while the parts are gone
+ * through: DM_ERROR_UNSUPPORTED. */
 void body_prepare(body* b);
 dm_result body_prepare_now(body* b);
 /* Loads the bytes of the property `dmo`. */

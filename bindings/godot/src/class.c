@@ -295,7 +295,7 @@ static gd_value value_of_plan(const dm_release_plan* plan) {
 
 static gd_value release_part(body* self, part* p, const gd_value* intent, const char* function) {
     dm_release_plan plan = dm_release_plan_default();
-    if (!fine(part_release(self, p, (int32_t)gd_int(intent), &plan), function)) return empty();
+    if (!fine(part_release(self, p, gd_enum((double)gd_int(intent)), &plan), function)) return empty();
     return value_of_plan(&plan);
 }
 
@@ -443,7 +443,7 @@ static gd_value set_links(void* self, const gd_value* const* a) {
         float kind = 0;
         take_number(&row, "kind", &kind);
         links[i].driver = id_in(self, &row, "driver"), links[i].driven = id_in(self, &row, "driven");
-        links[i].kind = (int32_t)kind;
+        links[i].kind = gd_enum((double)kind);
         links[i].flags = take_flag(&row, "both_ways") ? DM_LINK_BOTH_WAYS : 0;
         take_number(&row, "ratio", &links[i].ratio);
         take_number(&row, "offset", &links[i].offset);
@@ -458,12 +458,13 @@ static gd_value follow_links(void* self, const gd_value* const* a) {
     body* b = self;
     gd_value out = empty();
     const part* p = part_in(b, a[0], "follow_links");
-    const uint32_t count = (uint32_t)gd_count(a[1]);
+    const float* given = gd_floats(a[1]); /* a call without types may hand over any array */
+    const uint32_t count = given ? (uint32_t)gd_count(a[1]) : 0;
     if (!p || count != b->part_count || !count) return out;
     float* values = malloc(count * sizeof *values);
     uint8_t* held = malloc(count);
     if (values && held) {
-        memcpy(values, gd_floats(a[1]), count * sizeof *values);
+        memcpy(values, given, count * sizeof *values);
         if (fine(dm_object_follow_links(library_context(), b->prepared, p->id, values, held, count), "follow_links")) {
             gd_put(&out, "values", gd_of_floats(values, count));
             gd_put(&out, "held", gd_of_bytes(held, count));

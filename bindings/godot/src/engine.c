@@ -184,6 +184,10 @@ double gd_float(const gd_value* value) {
     return out;
 }
 
+int32_t gd_enum(double number) {
+    return number >= 0 && number <= INT32_MAX ? (int32_t)number : -1;
+}
+
 void gd_vector3(const gd_value* value, double out[3]) {
     reals data;
     to_type(GDEXTENSION_VARIANT_TYPE_VECTOR3, value, &data);

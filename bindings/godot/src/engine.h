@@ -102,6 +102,8 @@ bool gd_equal(const gd_value* a, const gd_value* b);
 bool gd_bool(const gd_value* value);
 int64_t gd_int(const gd_value* value);
 double gd_float(const gd_value* value);
+/* A number of a script as C's enums have it; -1, which none is, for one that does not fit. */
+int32_t gd_enum(double number);
 void gd_vector3(const gd_value* value, double out[3]);
 void gd_transform(const gd_value* value, double out[12]);
 GDExtensionObjectPtr gd_object(const gd_value* value);

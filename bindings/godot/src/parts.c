@@ -177,6 +177,7 @@ void body_forget_parts(body* b) {
 
 void body_find_parts(body* b) {
     body_forget_parts(b);
+    b->walking++;
     const gd_value* listed = &b->properties[PROPERTY_PARTS];
     const int64_t listed_count = gd_count(listed);
     gd_value nodes = mesh_nodes(b);
@@ -207,6 +208,7 @@ void body_find_parts(body* b) {
         find_others(b, &entry);
         gd_free(&entry);
     }
+    b->walking--;
 }
 
 /* "above/name"; frees both; NULL without memory. */
@@ -326,6 +328,7 @@ dm_pose body_carrier(body* b, const part* p) {
 void body_show(body* b, part* p) {
     const dm_pose own = p->moved ? p->state.pose : identity_pose(), above = body_carrier(b, p);
     dm_pose pose;
+    b->walking++;
     dm_pose_multiply(&above, &own, &pose);
     gd_value node = part_node(p), parent = parent_of(&node);
     if (gd_object(&node)) {
@@ -341,4 +344,5 @@ void body_show(body* b, part* p) {
     if (b->scene) dm_scene_move(library_context(), b->scene, b->instance, p->id, &pose);
     for (uint32_t i = 0; i < b->part_count; i++)
         if (b->parts[i].parent == p->id) body_show(b, &b->parts[i]);
+    b->walking--;
 }

@@ -55,7 +55,7 @@ static void put_numbers(gd_value* to, const number_field* fields, size_t count, 
 
 static void read_integer(const gd_value* from, const char* name, int32_t* out) {
     float number;
-    if (read_number(from, name, &number)) *out = (int32_t)number;
+    if (read_number(from, name, &number)) *out = gd_enum((double)number);
 }
 
 static bool read_flag(const gd_value* from, const char* name) {
