@@ -4,14 +4,13 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "../include/test_glb.h"
 #include "input.h"
 #include "use_gltf.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 enum { MOST_JSON = 2048, MOST_STREAM = 1 << 16, POINTS = 64, DRACO = 3 };
-enum { HEADER = 12, CHUNK_HEADER = 8, ALIGNMENT = 4 }; /* bytes, of .glb */
-enum { GLB_MAGIC = 0x46546c67, GLB_VERSION = 2, CHUNK_JSON = 0x4e4f534a, CHUNK_BIN = 0x004e4942 };
 enum { FLOAT = 5126, UINT = 5125, USHORT = 5123, SHORT = 5122, UBYTE = 5121, BYTE = 5120 }; /* of glTF */
 
 #define STREAM_AT (POINTS * sizeof(dm_vec3))
@@ -76,43 +75,27 @@ static void say_draco(fuzz_input* in) {
     say("\"buffers\":[{\"byteLength\":%zu}]}", STREAM_AT + in->size);
 }
 
-/* ---- the .glb ---- */
-
-static size_t put_word(uint8_t* file, size_t at, size_t word) {
-    for (size_t i = 0; i < sizeof(uint32_t); i++) file[at + i] = (uint8_t)(word >> 8 * i);
-    return at + sizeof(uint32_t);
-}
-
-/* In memory of its own, so that reads behind it are noticed. */
-static uint8_t* make_file(const fuzz_input* stream, size_t* out_size) {
-    while (json_size % ALIGNMENT != 0) say(" ");
-    const size_t bin_size = STREAM_AT + (stream->size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    *out_size = HEADER + CHUNK_HEADER + json_size + CHUNK_HEADER + bin_size;
-    uint8_t* file = calloc(1, *out_size);
-    fuzz_expect(file != NULL);
-    size_t at = put_word(file, put_word(file, put_word(file, 0, GLB_MAGIC), GLB_VERSION), *out_size);
-    at = put_word(file, put_word(file, at, json_size), CHUNK_JSON);
-    memcpy(file + at, json, json_size);
-    at = put_word(file, put_word(file, at + json_size, bin_size), CHUNK_BIN);
+/* The points, then the stream. */
+static test_glb make_file(const fuzz_input* stream) {
+    static uint8_t bin[STREAM_AT + MOST_STREAM];
     for (int i = 0; i < POINTS; i++) {
         const dm_vec3 point = {(float)(i % 4), (float)(i / 4 % 4), (float)(i / 16)};
-        memcpy(file + at + (size_t)i * sizeof point, &point, sizeof point);
+        memcpy(bin + (size_t)i * sizeof point, &point, sizeof point);
     }
-    if (stream->size > 0) memcpy(file + at + STREAM_AT, stream->data, stream->size);
-    return file;
+    if (stream->size > 0) memcpy(bin + STREAM_AT, stream->data, stream->size);
+    return test_glb_pack(json, bin, STREAM_AT + stream->size);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     fuzz_input in = {data, size < MOST_STREAM ? size : MOST_STREAM};
     const uint32_t codec = fuzz_below(&in, DRACO + 1);
-    size_t file_size;
     json_size = 0;
     if (codec == DRACO)
         say_draco(&in);
     else
         say_meshopt(&in, codec);
-    uint8_t* file = make_file(&in, &file_size);
-    use_gltf(file, file_size);
-    free(file);
+    const test_glb file = make_file(&in);
+    use_gltf(file.data, file.size);
+    free(file.data);
     return 0;
 }
