@@ -195,7 +195,7 @@ static void test_every_bad_job_is_named_and_the_rest_answered(void** state) {
         char id[16];
         snprintf(id, sizeof id, "bad%d", i);
         cJSON* answer = cJSON_Parse(line);
-        assert_non_null(answer);
+        if (answer == NULL) fail_msg("%s is answered by '%s'", id, line != NULL ? line : "nothing");
         assert_string_equal(cJSON_GetObjectItem(answer, "id")->valuestring, id);
         const cJSON* error = cJSON_GetObjectItem(answer, "error");
         if (!error || strncmp(error->valuestring, bad_jobs[i].error, strlen(bad_jobs[i].error)) != 0 ||
