@@ -11,9 +11,6 @@
 
 #define MAX_STRUCT_SIZE 4096 /* bytes; by hand: a larger struct_size was never set */
 #define MAX_WARNING 512      /* bytes of a warning, longer ones are cut; as of an error */
-/* Length of a rotation quaternion that still counts as unit; by hand, generous to accumulated rounding. */
-#define MIN_QUATERNION_LENGTH 0.5f
-#define MAX_QUATERNION_LENGTH 2.0f
 
 void dmi_warn(dmi_env* env, const char* format, ...) {
     if (env->log.message == NULL) return;
@@ -116,11 +113,10 @@ dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm
     if (result == DM_OK) result = dmi_check_vector(env, what, fields, pose->dual);
     if (result == DM_OK) result = dmi_check_number(env, what, ".dual[3]", pose->dual[3]);
     if (result != DM_OK) return result;
-    const float* r = pose->real;
-    float norm = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
-    if (!(norm > MIN_QUATERNION_LENGTH && norm < MAX_QUATERNION_LENGTH)) {
+    float length;
+    if (!dmi_pose_is_near_unit(pose, &length)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.real has length %g: it must be a unit quaternion", what,
-                        (double)norm);
+                        (double)length);
     }
     *out = dmi_pose_normalize(pose);
     return DM_OK;

@@ -9,7 +9,9 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 
-#define MIN_HALF_SINE 1e-7f /* sine of half the angle below which a rotation is rounding noise: a translation */
+#define MIN_HALF_SINE 1e-7f  /* sine of half the angle below which a rotation is rounding noise: a translation */
+#define MIN_UNIT_LENGTH 0.5f /* of a quaternion that counts as unit; by hand, generous to accumulated rounding */
+#define MAX_UNIT_LENGTH 2.0f
 
 /* out: neither a nor b. */
 static void quat_mul(const float a[4], const float b[4], float out[4]) {
@@ -69,6 +71,12 @@ dm_pose dmi_pose_inverse(const dm_pose* pose) {
     const float* r = pose->real;
     const float* d = pose->dual;
     return (dm_pose){{-r[0], -r[1], -r[2], r[3]}, {-d[0], -d[1], -d[2], d[3]}};
+}
+
+bool dmi_pose_is_near_unit(const dm_pose* pose, float* out_length) {
+    const float* r = pose->real;
+    *out_length = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    return *out_length > MIN_UNIT_LENGTH && *out_length < MAX_UNIT_LENGTH;
 }
 
 dm_pose dmi_pose_normalize(const dm_pose* pose) {

@@ -2,6 +2,8 @@
 #ifndef DMI_MATH_DUAL_QUAT_H
 #define DMI_MATH_DUAL_QUAT_H
 
+#include <stdbool.h>
+
 #include "dragmesh/dragmesh.h"
 
 /* A rigid motion as a screw: turn by `angle` about the line (axis, point) and advance by `distance` along it. */
@@ -18,6 +20,8 @@ dm_pose dmi_pose_from_rotation_translation(const float rotation[4], const float 
 dm_pose dmi_pose_from_screw(const float axis[3], const float point[3], float angle, float distance);
 dm_pose dmi_pose_multiply(const dm_pose* a, const dm_pose* b); /* x -> a(b(x)) */
 dm_pose dmi_pose_inverse(const dm_pose* pose);
+/* Whether the length of the quaternion of the rotation, 1 but for rounding, still counts as unit. out_length: it. */
+bool dmi_pose_is_near_unit(const dm_pose* pose, float* out_length);
 dm_pose dmi_pose_normalize(const dm_pose* pose); /* real to unit length, dual orthogonal to it; zeros -> identity */
 void dmi_pose_translation(const dm_pose* pose, float out[3]);
 void dmi_pose_apply(const dm_pose* pose, const float point[3], float out[3]);

@@ -11,16 +11,14 @@
 #include <math.h>
 
 #include "base/fp_environment.h"
+#include "math/dual_quat.h"
 #include "math/elementary.h"
 #include "mesh/gltf/gltf_animation.h"
 #include "mesh/gltf/gltf_images.h"
 #include "mesh/gltf/gltf_split.h"
 #include "mesh/gltf/gltf_tree.h"
 
-/* Of a track's poses and times, as dragmesh.h bounds the numbers of a host. */
-#define MIN_ROTATION 0.5f /* length of a rotation's quaternion */
-#define MAX_ROTATION 2.0f
-#define LARGEST 1e9f /* s, and scene units by two */
+#define LARGEST 1e9f /* s, and scene units by two: of a track, as dragmesh.h bounds the numbers of a host */
 
 /* What becomes of a node in the lists of children and roots, besides the index of its stand-in. */
 enum { KEPT = -1, GONE = -2, MOVED_ALONE = -3 /* what is below it stays */ };
@@ -47,15 +45,13 @@ typedef struct exporter {
 
 /* A host's poses, as the drags take them. */
 static dm_result check_pose(dmi_env* env, const dm_pose* pose, uint32_t track, uint32_t key) {
-    const float* r = pose->real;
-    const float length = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
-    float sum = 0, most = 0;
+    float length, sum = 0, most = 0;
     for (int i = 0; i < 4; i++) {
-        sum += fabsf(r[i]) + fabsf(pose->dual[i]);
+        sum += fabsf(pose->real[i]) + fabsf(pose->dual[i]);
         most = dmi_fmaxf(most, fabsf(pose->dual[i]));
     }
     if (!isfinite(sum)) return dmi_fail(env, DM_ERROR_NOT_FINITE, "track %u: pose %u is not finite", track, key);
-    if (!(length > MIN_ROTATION && length < MAX_ROTATION))
+    if (!dmi_pose_is_near_unit(pose, &length))
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
                         "track %u: pose %u has a rotation of length %g: it must be a unit quaternion", track, key,
                         (double)length);
