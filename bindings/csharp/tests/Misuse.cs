@@ -377,6 +377,7 @@ static class Misuse
                     while (true) drag.Step(DragInput.New(), 0.001f);
                 }
                 catch (ObjectDisposedException) { }
+                catch (DragMeshException stale) when (stale.Code == Result.StaleHandle) { } // between the two that follow
             });
             thread.Start();
             Thread.Sleep(20);
