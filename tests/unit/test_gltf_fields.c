@@ -24,15 +24,17 @@ static const bin bytes = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
 
 /* Every field of glTF 2.0 that is an index, a number, a list or a truth, and that is read. */
 static const char sound[] =
-    "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_node_visibility\"],"
+    "{\"asset\":{\"version\":\"2.0\",\"minVersion\":\"2.0\"},\"extensionsUsed\":[\"KHR_node_visibility\"],"
     "\"extensionsRequired\":[\"KHR_node_visibility\"],\"scene\":0,\"scenes\":[{\"nodes\":[0,2]}],"
-    "\"nodes\":[{\"mesh\":0,\"skin\":0,\"children\":[1],"
+    "\"nodes\":[{\"name\":\"door\",\"mesh\":0,\"skin\":0,\"children\":[1],"
     "\"extensions\":{\"KHR_node_visibility\":{\"visible\":true}}},"
     "{\"translation\":[1,2,3],\"rotation\":[0,0,0,1],\"scale\":[1,2,4]},"
     "{\"mesh\":0,\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]}],"
-    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1,\"JOINTS_0\":2,\"WEIGHTS_0\":3},"
+    "\"meshes\":[{\"name\":\"leaf\",\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1,\"JOINTS_0\":2,"
+    "\"WEIGHTS_0\":3},"
     "\"indices\":4,\"material\":0,\"targets\":[{\"POSITION\":5}]}]}],"
-    "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0.5,0.25,1],\"baseColorTexture\":{\"index\":0,"
+    "\"materials\":[{\"alphaMode\":\"MASK\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0.5,0.25,1],"
+    "\"baseColorTexture\":{\"index\":0,"
     "\"texCoord\":0,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0],\"rotation\":0.5,\"scale\":[1,3],"
     "\"texCoord\":1}}}}}],"
     "\"textures\":[{\"source\":0,\"sampler\":0,\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}],"
@@ -41,7 +43,8 @@ static const char sound[] =
     "\"buffers\":[{\"byteLength\":164}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36,\"byteStride\":12},"
     "{\"buffer\":0,\"byteOffset\":36,\"byteLength\":24},{\"buffer\":0,\"byteOffset\":60,\"byteLength\":12},"
     "{\"buffer\":0,\"byteOffset\":72,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":84,\"byteLength\":8},"
-    "{\"buffer\":0,\"byteOffset\":92,\"byteLength\":64},{\"buffer\":0,\"byteOffset\":156,\"byteLength\":4},"
+    "{\"buffer\":0,\"byteOffset\":92,\"byteLength\":64},{\"buffer\":0,\"byteOffset\":156,\"extensions\":{},"
+    "\"byteLength\":4},"
     "{\"buffer\":0,\"byteOffset\":160,\"byteLength\":4}],"
     "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
     "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC2\"},"
@@ -56,6 +59,8 @@ static const char sound[] =
 #define NO_NUMBER "1e999", "\"1\"", "null", "false", "[1]", "{}"
 #define NO_LIST "0", "\"\"", "null", "true", "{}", "{\"a\":{}}"
 #define NO_OBJECT "0", "\"\"", "null", "true", "[]", "[{}]"
+#define NO_TEXT "0", "null", "true", "[]", "[\"a\"]", "{}"
+#define NO_WRAP "0", "-1", "10496.5", "33069", "1e999", "\"10497\"", "null", "true", "[10497]", "{}"
 #define NO_TRUTH "0", "1", "\"true\"", "null", "[]", "{}"
 
 /* A field with its value in the sound file, values that it can't have, and its name in the message. */
@@ -65,6 +70,7 @@ static const struct row {
     const char* says;
 } rows[] = {
     /* the document */
+    {"\"minVersion\":", "\"2.0\"", {NO_TEXT}, "asset.minVersion"},
     {"\"extensionsUsed\":", "[\"KHR_node_visibility\"]", {NO_LIST}, "extensionsUsed"},
     {"\"extensionsRequired\":", "[\"KHR_node_visibility\"]", {NO_LIST}, "extensionsRequired"},
     {"\"extensionsRequired\":[", "\"KHR_node_visibility\"", {"0", "null", "{}"}, "extensionsRequired[0]"},
@@ -82,6 +88,7 @@ static const struct row {
     {"\"images\":", "[{\"bufferView\":6}]", {NO_LIST}, "images"},
     {"\"images\":[", "{\"bufferView\":6}", {NO_OBJECT}, "images[0]"},
     /* nodes */
+    {"\"nodes\":[{\"name\":", "\"door\"", {NO_TEXT}, "nodes[0].name"},
     {"\"mesh\":", "0", {NO_INDEX}, "nodes[0].mesh"},
     {"\"skin\":", "0", {NO_INDEX}, "nodes[0].skin"},
     {"\"children\":", "[1]", {NO_LIST}, "nodes[0].children"},
@@ -102,6 +109,7 @@ static const struct row {
     {"7,1]", "", {",\"rotation\":[0,0,0,1]"}, "nodes[2].rotation must not stand beside matrix"},
     {"7,1]", "", {",\"scale\":[1,1,1]"}, "nodes[2].scale must not stand beside matrix"},
     /* meshes */
+    {"\"meshes\":[{\"name\":", "\"leaf\"", {NO_TEXT}, "meshes[0].name"},
     {"\"primitives\":[", "", {"0,", "\"\",", "null,", "[],"}, "meshes[0].primitives[0]"},
     {"\"attributes\":",
      "{\"POSITION\":0,\"TEXCOORD_0\":1,\"JOINTS_0\":2,\"WEIGHTS_0\":3}",
@@ -117,6 +125,7 @@ static const struct row {
     {"\"targets\":[", "{\"POSITION\":5}", {NO_OBJECT}, "meshes[0].primitives[0].targets[0]"},
     {"\"targets\":[{\"POSITION\":", "5", {NO_INDEX}, "meshes[0].primitives[0].targets[0].POSITION"},
     /* looks */
+    {"\"alphaMode\":", "\"MASK\"", {NO_TEXT}, "materials[0].alphaMode"},
     {"\"baseColorFactor\":",
      "[1,0.5,0.25,1]",
      {NO_LIST, "[]", "[1,1,1]", "[1,1,1,1,1]", "[1,1,1,1e39]", "[1,1,1,null]"},
@@ -130,14 +139,22 @@ static const struct row {
     {"\"textures\":[{\"source\":", "0", {NO_INDEX, "1"}, "textures[0].source"},
     {"\"sampler\":", "0", {NO_INDEX, "1"}, "textures[0].sampler"},
     {"\"EXT_texture_webp\":{\"source\":", "0", {NO_INDEX, "1"}, "textures[0].extensions.EXT_texture_webp.source"},
-    {"\"wrapS\":", "33071", {NO_NUMBER}, "samplers[0].wrapS"},
-    {"\"wrapT\":", "33648", {NO_NUMBER}, "samplers[0].wrapT"},
+    {"\"wrapS\":", "33071", {NO_WRAP}, "samplers[0].wrapS must be 10497, 33071 or 33648"},
+    {"\"wrapT\":", "33648", {NO_WRAP}, "samplers[0].wrapT"},
+    {"\"images\":[{", "", {"\"uri\":0,", "\"uri\":null,", "\"uri\":{},"}, "images[0].uri"},
     {"\"images\":[{\"bufferView\":", "6", {NO_INDEX}, "images[0].bufferView"},
     /* skins */
     {"\"joints\":", "[1]", {NO_LIST}, "skins[0].joints"},
     {"\"joints\":[", "1", {NO_INDEX}, "skins[0].joints[0]"},
     {"\"inverseBindMatrices\":", "6", {NO_INDEX}, "skins[0].inverseBindMatrices"},
     /* bytes */
+    {"\"buffers\":[{", "", {"\"uri\":0,", "\"uri\":null,", "\"uri\":[],"}, "buffers[0].uri"},
+    {"\"byteOffset\":156,\"extensions\":", "{}", {NO_OBJECT}, "bufferViews[6].extensions"},
+    {"\"byteOffset\":156,\"extensions\":{",
+     "",
+     {"\"EXT_meshopt_compression\":0", "\"KHR_meshopt_compression\":[]", "\"EXT_meshopt_compression\":{\"mode\":1}",
+      "\"KHR_meshopt_compression\":{\"filter\":1}", "\"EXT_meshopt_compression\":{\"buffer\":0.5}"},
+     "bufferViews[6].extensions"},
     {"\"bufferViews\":[{\"buffer\":", "0", {NO_INDEX}, "bufferViews[0].buffer"},
     {"\"byteStride\":", "12", {"1", "4", "11"}, "byteStride"},
     {"\"accessors\":[{\"bufferView\":", "0", {NO_INDEX}, "accessors[0].bufferView"},

@@ -122,6 +122,23 @@ static void a_node_without_its_mesh_is_left_out_and_named(void** state) {
     close_nodes(o);
 }
 
+static void a_rotation_of_no_length_is_none_and_named(void** state) {
+    (void)state;
+    opened* o = open_nodes("", "{\"name\":\"a\",\"mesh\":0},{\"name\":\"b\",\"mesh\":0,\"rotation\":[0,0,0,0]}");
+    dm_gltf_node a, b;
+    assert_string_equal(o->seen, "a b ");
+    assert_int_equal(o->t.messages.count, 1);
+    assert_non_null(strstr(o->t.messages.text, "node 1 'b': its rotation is 0 0 0 0"));
+    dm_mesh_desc mesh = {.struct_size = sizeof mesh};
+    assert_int_equal(dm_gltf_get_node(o->gltf, 0, &a), DM_OK);
+    assert_int_equal(dm_gltf_get_node(o->gltf, 1, &b), DM_OK);
+    assert_int_equal(dm_gltf_get_mesh(o->gltf, &mesh), DM_OK);
+    const float(*corner)[3] = (const float(*)[3])mesh.positions;
+    assert_int_equal(b.vertex_count, 3);
+    assert_memory_equal(corner + a.first_vertex, corner + b.first_vertex, sizeof triangle);
+    close_nodes(o);
+}
+
 /* Nodes that carry each other hang from no root: nothing shows them. */
 static void a_ring_of_nodes_is_not_shown(void** state) {
     (void)state;
@@ -202,6 +219,7 @@ int main(void) {
         cmocka_unit_test(a_node_has_one_parent),
         cmocka_unit_test(what_is_named_exists),
         cmocka_unit_test(a_node_without_its_mesh_is_left_out_and_named),
+        cmocka_unit_test(a_rotation_of_no_length_is_none_and_named),
         cmocka_unit_test(a_ring_of_nodes_is_not_shown),
         cmocka_unit_test(a_flat_node_is_shown),
         cmocka_unit_test(shapes_for_collisions_are_left_out),

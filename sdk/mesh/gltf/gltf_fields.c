@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "dragmesh/ext/gltf.h"
 #include "mesh/gltf/gltf_draco.h"
 
 typedef enum kind {
@@ -14,6 +15,7 @@ typedef enum kind {
     TRUTH,
     NUMBER,
     FLOAT, /* a number that a float holds */
+    WRAP,  /* how a texture goes on beyond its image */
     CELL,  /* a number of a matrix of 4 columns, which end with 0 0 0 1 */
     INDEX, /* of an item that is looked for where it is needed; a part of the file is left out without it */
     ITEM   /* an index that nothing else asks about: of an item that there is */
@@ -41,6 +43,7 @@ static const field scene[] = {{"nodes", .kind = INDEX, .count = ANY}, {0}};
 static const field visibility[] = {{"visible", .kind = TRUTH}, {0}};
 static const field node_extensions[] = {{"KHR_node_visibility", .kind = OBJECT, .fields = visibility}, {0}};
 static const field node[] = {
+    {"name", .kind = TEXT},
     {"mesh", .kind = INDEX},
     {"skin", .kind = INDEX},
     {"children", .kind = INDEX, .count = ANY},
@@ -65,7 +68,11 @@ static const field primitive[] = {
     {"extensions", .kind = OBJECT, .fields = primitive_extensions},
     {0},
 };
-static const field mesh[] = {{"primitives", .kind = OBJECT, .count = ANY, .fields = primitive}, {0}};
+static const field mesh[] = {
+    {"name", .kind = TEXT},
+    {"primitives", .kind = OBJECT, .count = ANY, .fields = primitive},
+    {0},
+};
 static const field transform[] = {
     {"offset", .kind = NUMBER, .count = 2},
     {"rotation", .kind = NUMBER},
@@ -85,7 +92,11 @@ static const field surface[] = {
     {"baseColorTexture", .kind = OBJECT, .fields = use_of_texture},
     {0},
 };
-static const field material[] = {{"pbrMetallicRoughness", .kind = OBJECT, .fields = surface}, {0}};
+static const field material[] = {
+    {"alphaMode", .kind = TEXT},
+    {"pbrMetallicRoughness", .kind = OBJECT, .fields = surface},
+    {0},
+};
 static const field source[] = {{"source", .kind = ITEM, .of = DMI_GLTF_IMAGES}, {0}};
 static const field texture_extensions[] = {
     {"EXT_texture_webp", .kind = OBJECT, .fields = source},
@@ -100,11 +111,15 @@ static const field texture[] = {
     {0},
 };
 static const field sampler[] = {
-    {"wrapS", .kind = NUMBER},
-    {"wrapT", .kind = NUMBER},
+    {"wrapS", .kind = WRAP},
+    {"wrapT", .kind = WRAP},
     {0},
 };
-static const field image[] = {{"bufferView", .kind = INDEX}, {0}};
+static const field image[] = {
+    {"uri", .kind = TEXT},
+    {"bufferView", .kind = INDEX},
+    {0},
+};
 static const field skin[] = {
     {"joints", .kind = INDEX, .count = ANY},
     {"inverseBindMatrices", .kind = INDEX},
@@ -122,9 +137,26 @@ static const field accessor[] = {
     {"sparse", .kind = OBJECT, .fields = sparse},
     {0},
 };
-static const field view[] = {{"buffer", .kind = INDEX}, {0}};
-static const field anything[] = {{0}};
+static const field compression[] = {
+    {"buffer", .kind = INDEX},
+    {"mode", .kind = TEXT},
+    {"filter", .kind = TEXT},
+    {0},
+};
+static const field view_extensions[] = {
+    {"EXT_meshopt_compression", .kind = OBJECT, .fields = compression},
+    {"KHR_meshopt_compression", .kind = OBJECT, .fields = compression},
+    {0},
+};
+static const field view[] = {
+    {"buffer", .kind = INDEX},
+    {"extensions", .kind = OBJECT, .fields = view_extensions},
+    {0},
+};
+static const field buffer[] = {{"uri", .kind = TEXT}, {0}};
+static const field asset[] = {{"minVersion", .kind = TEXT}, {0}};
 static const field root[] = {
+    {"asset", .kind = OBJECT, .fields = asset},
     {"extensionsUsed", .kind = TEXT, .count = ANY},
     {"extensionsRequired", .kind = TEXT, .count = ANY},
     {"scene", .kind = ITEM, .of = DMI_GLTF_SCENES},
@@ -138,7 +170,7 @@ static const field root[] = {
     {"skins", .kind = OBJECT, .count = ANY, .fields = skin},
     {"accessors", .kind = OBJECT, .count = ANY, .fields = accessor},
     {"bufferViews", .kind = OBJECT, .count = ANY, .fields = view},
-    {"buffers", .kind = OBJECT, .count = ANY, .fields = anything},
+    {"buffers", .kind = OBJECT, .count = ANY, .fields = buffer},
     {0},
 };
 
@@ -190,6 +222,12 @@ static int is_index(const cJSON* value) {
            value->valuedouble <= UINT32_MAX;
 }
 
+static int is_wrap(const cJSON* value) {
+    return cJSON_IsNumber(value) &&
+           (value->valuedouble == DM_GLTF_WRAP_REPEAT || value->valuedouble == DM_GLTF_WRAP_CLAMP ||
+            value->valuedouble == DM_GLTF_WRAP_MIRROR);
+}
+
 /* What the number at `index` of a matrix must be; -1: any. A matrix that was written row by row has others there. */
 static int last_of_column(int index) {
     return index % COLUMN != COLUMN - 1 ? -1 : index == CELLS - 1;
@@ -233,6 +271,8 @@ static dm_result check_value(const checker* c, const field* f, const cJSON* valu
     case FLOAT:
         if (is_number(value) && fabs(value->valuedouble) <= FLT_MAX) return DM_OK;
         return refuse(at, "a number that a float holds", value, c->problem);
+    case WRAP:
+        return is_wrap(value) ? DM_OK : refuse(at, "10497, 33071 or 33648", value, c->problem);
     case CELL:
         return check_cell(c, value, at);
     case INDEX:

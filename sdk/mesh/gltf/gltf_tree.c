@@ -59,6 +59,13 @@ static int is_collider_name(const char* name) {
     return 0;
 }
 
+/* Whether `node` has a rotation without a direction, which every reader takes as none. */
+static int is_turned_nowhere(const cJSON* node) {
+    double q[4] = {0, 0, 0, 1};
+    dmi_json_numbers(node, "rotation", 4, q);
+    return q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0;
+}
+
 static int is_hidden(const cJSON* node) {
     const cJSON* extension = dmi_json_get(dmi_json_get(node, "extensions"), "KHR_node_visibility");
     return cJSON_IsFalse(dmi_json_get(extension, "visible"));
@@ -75,6 +82,8 @@ static void read_nodes(dm_gltf* gltf) {
         dmi_gltf_tree_node* node = &gltf->tree[i];
         *node = (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1};
         node->mesh = (int32_t)dmi_gltf_position(document, DMI_GLTF_MESHES, mesh);
+        if (is_turned_nowhere(json))
+            dmi_gltf_warn(&gltf->env, "glTF node %u '%.80s': its rotation is 0 0 0 0, taken as none", i, node->name);
         if (mesh < 0 || node->mesh >= 0) continue;
         dmi_gltf_problem missing;
         dmi_gltf_refuse(&missing, DM_ERROR_BAD_DATA, "glTF node %u '%.80s': mesh %.17g does not exist", i, node->name,
