@@ -322,6 +322,13 @@ static void test_alternatives(void** state) {
     assert_bad_word(&w, &file, at + 8, 0x40000000);  /* a confidence of 2 */
     assert_bad_word(&w, &file, at + 12, 0x7fc00000); /* NaN in the axis */
     assert_bad_word(&w, &file, at + 24, 0x7f800000); /* infinity in the origin */
+    float axis[3];
+    memcpy(axis, file.data + at + 12, sizeof axis);
+    const size_t main_one = fabsf(axis[0]) > 0.5f ? 0 : fabsf(axis[1]) > 0.5f ? 1 : 2;
+    const float longer = 1.0003f * axis[main_one];
+    uint32_t word;
+    memcpy(&word, &longer, sizeof word);
+    assert_bad_word(&w, &file, at + 12 + 4 * main_one, word); /* an axis that is too long to be rounding */
     /* Older files lack the section, and the one of free ranges: rename both. */
     put_u32(file.data + DMI_DMO_HEADER_SIZE + DMI_DMO_ALTERNATIVES * DMI_DMO_ENTRY_SIZE,
             DMI_DMO_TAG('N', 'E', 'W', ' '));

@@ -729,8 +729,8 @@ static void drags_have_the_same_bits_on_every_instruction_set(void** state) {
     test_world_close(&w);
 }
 
-/* Goes on with a drag whose saved bytes were changed at `place`. */
-static void expect_finite_frames(const test_world* w, dm_drag drag, size_t place) {
+/* Goes on with a drag whose saved bytes were changed at `place`: numbers are finite, rotations unit. */
+static void expect_sound_frames(const test_world* w, dm_drag drag, size_t place) {
     const dm_joint hinge = test_hinge();
     dm_drag_state now = dm_drag_state_default();
     for (int frame = 0; frame < 8; frame++) {
@@ -739,6 +739,9 @@ static void expect_finite_frames(const test_world* w, dm_drag drag, size_t place
         float sum = now.value + now.target + now.velocity + now.grab_point.x + now.grab_point.y + now.grab_point.z;
         for (int i = 0; i < 4; i++) sum += now.pose.real[i] + now.pose.dual[i];
         if (!isfinite(sum)) fail_msg("byte %zu: frame %d is not finite", place, frame);
+        const float* q = now.pose.real;
+        const float length = sqrtf(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+        if (fabsf(length - 1) > 1e-4f) fail_msg("byte %zu: frame %d has a rotation of length %g", place, frame, length);
     }
 }
 
@@ -779,13 +782,22 @@ static void hostile_snapshots_do_no_harm(void** state) {
         }
     }
     assert_true(taken > 0 && refused > 0);
-    /* A drag that is taken goes on with finite numbers. */
+    /* A drag that is taken goes on with finite numbers and unit rotations. */
     for (size_t i = 32; i + sizeof(float) <= size; i += sizeof(float)) {
         for (size_t k = 0; k < NUMBERS; k++) {
             memcpy(bad, saved, size);
             memcpy(bad + i, &numbers[k], sizeof numbers[k]);
             test_snapshot_sign(bad, size);
-            if (dm_drag_restore(w.context, drag, bad, size) == DM_OK) expect_finite_frames(&w, drag, i);
+            if (dm_drag_restore(w.context, drag, bad, size) == DM_OK) expect_sound_frames(&w, drag, i);
+        }
+        for (int k = 1; k <= 4; k++) { /* a little off */
+            float number;
+            memcpy(bad, saved, size);
+            memcpy(&number, bad + i, sizeof number);
+            number *= 1 + 0.0004f * (float)k;
+            memcpy(bad + i, &number, sizeof number);
+            test_snapshot_sign(bad, size);
+            if (dm_drag_restore(w.context, drag, bad, size) == DM_OK) expect_sound_frames(&w, drag, i);
         }
     }
     test_world_close(&w);
