@@ -72,7 +72,8 @@ static view look_at(const float* points, uint32_t count) {
               .out = {cosf(pitch) * sinf(yaw), sinf(pitch), cosf(pitch) * cosf(yaw)}};
     float low[3] = {HUGE_VALF, HUGE_VALF, HUGE_VALF}, high[3] = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
     for (uint32_t i = 0; i < count; ++i) {
-        const float p[3] = {dot3(v.right, points + 3 * i), dot3(v.up, points + 3 * i), dot3(v.out, points + 3 * i)};
+        const float* at = points + (size_t)3 * i;
+        const float p[3] = {dot3(v.right, at), dot3(v.up, at), dot3(v.out, at)};
         for (int k = 0; k < 3; ++k) {
             low[k] = fminf(low[k], p[k]);
             high[k] = fmaxf(high[k], p[k]);

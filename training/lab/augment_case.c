@@ -8,7 +8,7 @@ void lab_rotate_object(dmi_random* random, dmg_object* object, float out_rotatio
     lab_random_direction(random, axis);
     lab_rotation(axis, lab_random_uniform(random, 0.0f, 3.14159265f), out_rotation);
     for (uint32_t v = 0; v < object->vertex_count; v++)
-        lab_rotate(out_rotation, object->positions + 3 * v, object->positions + 3 * v);
+        lab_rotate(out_rotation, object->positions + (size_t)3 * v, object->positions + (size_t)3 * v);
     for (uint32_t j = 0; j < object->joint_count; j++) {
         lab_rotate(out_rotation, object->joints[j].axis, object->joints[j].axis);
         lab_rotate(out_rotation, object->joints[j].origin, object->joints[j].origin);
@@ -16,7 +16,7 @@ void lab_rotate_object(dmi_random* random, dmg_object* object, float out_rotatio
 }
 
 static void face_corners(const dmg_object* object, uint32_t face, const float* corners[3]) {
-    for (int i = 0; i < 3; i++) corners[i] = object->positions + 3 * object->indices[3 * face + i];
+    for (int i = 0; i < 3; i++) corners[i] = object->positions + (size_t)3 * object->indices[(size_t)3 * face + i];
 }
 
 static float face_area(const dmg_object* object, uint32_t face) {

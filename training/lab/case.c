@@ -68,7 +68,7 @@ static dm_result make_mesh(dmi_env* env, const dmg_object* object, dmi_mesh** ou
 
 /* Welds the vertices and repairs the part mask as the library does. */
 static dm_result weld_and_repair(dmi_env* env, lab_case* out) {
-    dmi_mesh *mesh = out->mesh, repaired;
+    dmi_mesh *mesh = out->mesh, repaired = *mesh;
     out->welded = dmi_alloc(env, mesh->vertex_count * sizeof *out->welded, _Alignof(uint32_t));
     if (out->welded == NULL) return DM_ERROR_OUT_OF_MEMORY;
     dmi_arena arena;
@@ -85,7 +85,7 @@ static dm_result weld_and_repair(dmi_env* env, lab_case* out) {
 
 static dm_joint flipped(dm_joint joint) {
     const float lower = joint.lower;
-    for (int i = 0; i < 3; i++) (&joint.axis.x)[i] = -(&joint.axis.x)[i];
+    joint.axis = (dm_vec3){-joint.axis.x, -joint.axis.y, -joint.axis.z};
     joint.lower = -joint.upper;
     joint.upper = -lower;
     return joint;

@@ -9,7 +9,7 @@ static float clamped(float value, float most) {
     return fmaxf(-most, fminf(most, value));
 }
 
-static void write_labels(const dm_joint* joint, const dmi_kpp_frame* frame, const dm_lab_kpp* out, uint32_t i) {
+static void write_labels(const dm_joint* joint, const dmi_kpp_frame* frame, const dm_lab_kpp* out, size_t i) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float from[3] = {joint->origin.x - frame->origin[0], joint->origin.y - frame->origin[1],
                            joint->origin.z - frame->origin[2]};
@@ -31,7 +31,7 @@ static void write_labels(const dm_joint* joint, const dmi_kpp_frame* frame, cons
 
 /* hint: NULL without a drag. */
 static void write_case(const lab_case* made, const dmi_drag_hint* hint, const dm_joint* joint, dmi_kpp_input* input,
-                       const dm_lab_kpp* out, uint32_t i) {
+                       const dm_lab_kpp* out, size_t i) {
     dmi_kpp_input_make(&made->cloud, 0, hint, input);
     memcpy(out->global_points + i * sizeof input->global_points / 4, input->global_points, sizeof input->global_points);
     memcpy(out->global_centres + i * sizeof input->global_centres / 4, input->global_centres,

@@ -68,6 +68,7 @@ static void grab_part(lab_case* made, float noise_degrees, dmi_grab* out) {
         out->point[k] = hint.point[k];
         out->drag[k] = has_drag ? hint.vector[k] / sqrtf(length) : 0;
     }
+    out->face = 0; /* of a mesh without faces, which no case has */
     dmi_mesh_nearest_face(made->mesh, out->point, NULL, &out->face);
 }
 

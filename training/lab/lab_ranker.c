@@ -56,7 +56,7 @@ static void write_case(const lab_evaluated_case* work, int with_drag, uint32_t a
     out->type[at] = work->joint.type - 1;
     out->has_drag[at] = with_drag;
     out->category[at] = (int32_t)work->made.category_id;
-    out->best[at] = work->pose[order[0]];
+    out->best[at] = out->pose[(size_t)at * out->rows];
 }
 
 dm_result dm_lab_ranker_batch(const dm_lab_options* options, const void* kinematics, size_t kinematics_size,

@@ -30,7 +30,7 @@ void lab_rotation(const float axis[3], float angle, float out[9]) {
 
 void lab_rotate(const float rotation[9], const float v[3], float out[3]) {
     float turned[3];
-    for (int i = 0; i < 3; i++)
+    for (size_t i = 0; i < 3; i++)
         turned[i] = rotation[3 * i] * v[0] + rotation[3 * i + 1] * v[1] + rotation[3 * i + 2] * v[2];
     for (int i = 0; i < 3; i++) out[i] = turned[i];
 }

@@ -37,7 +37,7 @@ static dm_joint roughly(dmi_random* random, dm_joint joint) {
     return joint;
 }
 
-static void write_joint(const dm_joint* joint, const dm_lab_vae* out, uint32_t i) {
+static void write_joint(const dm_joint* joint, const dm_lab_vae* out, size_t i) {
     memcpy(out->axis + 3 * i, &joint->axis, 3 * sizeof(float));
     memcpy(out->origin + 3 * i, &joint->origin, 3 * sizeof(float));
     out->pitch[i] = joint->type == DM_JOINT_SCREW ? joint->pitch : 0.0f;
@@ -47,7 +47,7 @@ static void write_joint(const dm_joint* joint, const dm_lab_vae* out, uint32_t i
 }
 
 static void write_query(const dmi_vae_object* object, const dmi_vae_query* query, const lab_stroke* stroke,
-                        const dm_lab_vae* out, uint32_t i) {
+                        const dm_lab_vae* out, size_t i) {
     dmi_vae_features features;
     dmi_vae_features_make(query, &features);
     memcpy(out->features + i * sizeof features / sizeof(float), &features, sizeof features);
@@ -71,7 +71,7 @@ static void write_query(const dmi_vae_object* object, const dmi_vae_query* query
 
 /* Writes one stroke that starts at the hint. joint: signed along the drag. */
 static void write_stroke(lab_case* made, const dm_lab_options* options, const dmi_vae_object* object,
-                         const dmi_drag_hint* hint, const dm_joint* joint, const dm_lab_vae* out, uint32_t i) {
+                         const dmi_drag_hint* hint, const dm_joint* joint, const dm_lab_vae* out, size_t i) {
     dmi_random* random = &made->random;
     const int steady = lab_random_bool(random, 0.25f);
     lab_stroke stroke;

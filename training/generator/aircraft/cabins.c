@@ -173,7 +173,7 @@ void dmg_build_cabin_door(dmg_builder* b) {
     uint32_t door;
     if (way == WAY_CLAM) {
         float split = d.a0 + (d.a1 - d.a0) * dmg_range(b, 0.35f, 0.65f);
-        door = draw_door(b, &d, WAY_UP, split, d.a1);
+        draw_door(b, &d, WAY_UP, split, d.a1);
         door = draw_door(b, &d, WAY_STAIR, d.a0, split);
     } else {
         door = draw_door(b, &d, way, d.a0, d.a1);

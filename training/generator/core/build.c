@@ -280,7 +280,7 @@ uint32_t dmg_vertex(dmg_builder* b, dmg_vec position) {
 static bool reserve_face(dmg_builder* b) {
     if (b->face_count < b->face_capacity) return true;
     uint32_t wanted = b->face_capacity ? b->face_capacity * 2 : 1024;
-    uint32_t* indices = realloc(b->indices, wanted * 3 * sizeof *indices);
+    uint32_t* indices = realloc(b->indices, (size_t)wanted * 3 * sizeof *indices);
     if (indices) b->indices = indices;
     uint32_t* face_part = realloc(b->face_part, wanted * sizeof *face_part);
     if (face_part) b->face_part = face_part;

@@ -335,7 +335,7 @@ void dmg_rounded_plate(dmg_builder* b, float width, float height, float thicknes
 
 void dmg_bent_plate(dmg_builder* b, const dmg_xy* line, int count, float thickness, float depth) {
     dmg_xy polygon[OUTLINE_LIMIT];
-    if (2 * count > OUTLINE_LIMIT) {
+    if (count < 2 || count > OUTLINE_LIMIT / 2) {
         b->failed = true;
         return;
     }

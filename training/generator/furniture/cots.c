@@ -251,10 +251,10 @@ static void draw_hood(dmg_builder* b, const cot* c) {
 /* Draws a tray across the sides, which is pushed along them, or is hung on the rear one and lifts. */
 static void draw_changer(dmg_builder* b, const cot* c) {
     float w = c->length * dmg_range(b, 0.35f, 0.5f), x = 0.5f * c->length - 0.5f * w - 0.1f * c->length,
-          z = 0.5f * c->width + 0.7f * c->post, y = c->high + 0.15f * c->post;
+          z = 0.5f * c->width + 0.7f * c->post;
     bool slides = dmg_chance(b, 0.6f);
     float far = slides ? 2 * x : dmg_range(b, 1.2f, 1.7f);
-    y = c->high + 0.005f;
+    const float y = c->high + 0.005f;
     uint32_t tray;
     if (slides)
         tray = dmg_slide(b, c->carrier, "changer", v3(-1, 0, 0), 0.0f, far);

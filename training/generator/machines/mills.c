@@ -153,7 +153,7 @@ static void draw_drill_table(dmg_builder* b, float u, float reach, float at, flo
     dmg_tube_draw(b, v3(0, -0.35f * u, 0), v3(0, 1, 0), 0.4f * u, 0.205f * u, 0.08f * u);
     dmg_box_span(b, v3(-0.15f * u, -0.3f * u, 0.25f * u), v3(0.15f * u, -t, reach - 0.1f * u));
     dmg_handwheel_place(b, table, "crank", v3(0.28f * u, -0.15f * u, 0), 0.5f * DMG_PI, 0.2f * u);
-    if (dmg_chance(b, 0.5f)) table = dmg_hinge(b, table, "tilt", v3(0, -0.2f * u, reach), v3(0, 0, 1), -0.8f, 0.8f);
+    if (dmg_chance(b, 0.5f)) dmg_hinge(b, table, "tilt", v3(0, -0.2f * u, reach), v3(0, 0, 1), -0.8f, 0.8f);
     if (dmg_chance(b, 0.5f))
         dmg_rod(b, v3(0, -t, reach), v3(0, 0, reach), over);
     else

@@ -245,7 +245,7 @@ void dmg_build_solar_tracker(dmg_builder* b) {
     if (head == 0 || dmg_chance(b, 0.85f)) {
         const float upper = fminf(1.5f - tilt, dmg_range(b, 0.2f, 1.2f)) + 0.1f,
                     lower = -fminf(tilt, dmg_range(b, 0.2f, 1.2f));
-        head = dmg_hinge(b, head, "tilt", v3(0, 0, 0), v3(-1, 0, 0), lower, upper);
+        dmg_hinge(b, head, "tilt", v3(0, 0, 0), v3(-1, 0, 0), lower, upper);
     }
     dmg_turn(b, v3(1, 0, 0), -tilt);
     dmg_beam(b, v3(-0.4f * s.width * (float)columns, 0, 0.5f * back),

@@ -270,7 +270,7 @@ static void draw_stack(dmg_builder* b) {
     }
     int load = dmg_int(b, 0, 3);
     if (load == 1 || load == 2) {
-        carrier = dmg_spin(b, carrier, "turntable", v3(0, 0, 0), v3(0, 1, 0));
+        dmg_spin(b, carrier, "turntable", v3(0, 0, 0), v3(0, 1, 0));
         dmg_rod(b, v3(0, 0, 0), v3(0, 0.3f * w, 0), 0.6f * w);
         dmg_box(b, v3(0.3f * w, 0.5f * w, 0), v3(0.3f * w, 0.4f * w, 0.3f * w));
     }

@@ -49,7 +49,7 @@ static void draw_claw_finger(dmg_builder* b, uint32_t palm, const claw* c, float
     dmg_vec at = {x, 0, -0.3f * c->over};
     uint32_t carrier = palm;
     if (c->slides) {
-        carrier = dmg_slide(b, palm, "finger", v3(-1, 0, 0), -0.1f * x, 0.7f * (x - 0.5f * c->wide));
+        dmg_slide(b, palm, "finger", v3(-1, 0, 0), -0.1f * x, 0.7f * (x - 0.5f * c->wide));
         dmg_box(b, v3(x, 0, 0.5f * c->length), v3(c->wide, c->deep, c->length));
         if (dmg_chance(b, 0.5f)) dmg_box(b, v3(x, 0, 0.05f * c->length), v3(2 * c->wide, c->deep, 0.1f * c->length));
         dmg_use(b, palm);

@@ -180,7 +180,6 @@ static void draw_roundabout(dmg_builder* b) {
     dmg_rod(b, v3(0, 0, 0), v3(0, y, 0), 0.12f * r);
     dmg_cone(b, v3(0, 0, 0), v3(0, 0.4f * y, 0), 0.35f * r, 0.15f * r);
     dmg_move(b, 0, y, 0);
-    y = 0;
     if (style == 1) dmg_turn(b, v3(1, 0, 0), fminf(lean, 0.6f * t / r));
     bool fixed = style == 0 && dmg_chance(b, 0.35f);
     float post = dmg_range(b, 0.5f, 0.9f), wheel = r * dmg_range(b, 0.2f, 0.35f);

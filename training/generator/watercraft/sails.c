@@ -187,7 +187,7 @@ static void draw_sail_boom(dmg_builder* b, uint32_t mast, float l, float high, f
         dmg_box(b, v3(0, 0, 0), v3(1.2f * r, 2.5f * r, 1.5f * r));
     }
     bool lifts = dmg_chance(b, 0.3f), sail = dmg_chance(b, 0.5f) && !lifts;
-    if (lifts) boom = dmg_hinge_across(b, boom, "topping", v3(0, 0, -1.5f * r), -0.9f, 0.15f);
+    if (lifts) dmg_hinge_across(b, boom, "topping", v3(0, 0, -1.5f * r), -0.9f, 0.15f);
     dmg_rod(b, v3(0, 0, -1.5f * r), v3(0, 0, -reach), 0.8f * r);
     if (sail) {
         float foot = 1.5f * r, head = 0.9f * high - y;

@@ -293,7 +293,7 @@ static void draw_easel(dmg_builder* b) {
     dmg_use(b, 0);
     uint32_t ledge = dmg_slide(b, 0, "ledge", v3(0, 1, 0), -0.15f * tall, 0.15f * tall);
     dmg_box_span(b, v3(-1.1f * x, y - t, 1.1f * t), v3(1.1f * x, y, 4 * t));
-    if (tilts && canvas) ledge = dmg_hinge(b, ledge, "canvas", v3(0, y, 1.5f * t), v3(1, 0, 0), 0.0f, 0.25f);
+    if (tilts && canvas) dmg_hinge(b, ledge, "canvas", v3(0, y, 1.5f * t), v3(1, 0, 0), 0.0f, 0.25f);
     if (canvas) dmg_box_span(b, v3(-1.3f * x, y + 0.002f, 1.3f * t), v3(1.3f * x, y + 0.4f * tall, 2 * t));
     dmg_use(b, 0);
     dmg_slide(b, 0, "clamp", v3(0, 1, 0), canvas ? 0.0f : -0.1f * tall, 0.1f * tall);

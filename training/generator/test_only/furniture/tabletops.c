@@ -154,8 +154,7 @@ static void draw_desk(dmg_builder* b, stand* s) {
     s->w = dmg_range(b, 0.9f, 1.7f);
     s->d = dmg_range(b, 0.5f, 0.75f);
     int sides = dmg_int(b, 0, 2), rows = dmg_int(b, 2, 4);
-    float wide = s->w * dmg_range(b, 0.24f, 0.32f), y0 = dmg_chance(b, 0.5f) ? 0.03f : 0.3f * s->h,
-          gap = s->w - 2 * s->leg;
+    float wide = s->w * dmg_range(b, 0.24f, 0.32f), y0 = dmg_chance(b, 0.5f) ? 0.03f : 0.3f * s->h;
     if (s->legs > 2 && sides == 2) s->legs = 0;
     draw_stand_top(b, s);
     draw_stand_legs(b, s, s->h - s->t);
@@ -164,7 +163,7 @@ static void draw_desk(dmg_builder* b, stand* s) {
     if (sides > 1) draw_drawer_stack(b, s, -x, wide, y0, s->h - s->t, rows);
     float left = sides > 1 ? wide - x - 0.5f * wide : 1.4f * s->leg - 0.5f * s->w,
           right = sides > 0 ? x - 0.5f * wide : 0.5f * s->w - 1.4f * s->leg;
-    gap = right - left;
+    const float gap = right - left;
     if (dmg_chance(b, 0.6f))
         draw_keyboard_tray(b, s, 0.5f * (left + right), fminf(gap, 0.75f));
     else

@@ -225,7 +225,7 @@ static void draw_lamp_yoke(dmg_builder* b, uint32_t arm, float r) {
     else
         dmg_sweep(b, both, 6, t, t, false);
     if (half) dmg_rod(b, v3(0, -stem, 0), v3(0.6f * wide, -stem, 0), t);
-    uint32_t head = fork;
+    uint32_t head;
     if (ring) {
         head = dmg_hinge(b, fork, "gimbal", v3(0, -drop, 0), v3(1, 0, 0), -1.5f, 1.5f);
         dmg_torus(b, v3(0, -drop, 0), v3(0, 1, 0), 1.06f * r, 0.6f * t);
