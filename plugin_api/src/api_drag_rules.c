@@ -1,5 +1,4 @@
 /* Checks of what a host asks of a dragged part besides following the hand: rules and inputs. */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -9,6 +8,7 @@
 
 #define LARGEST_RATE 1e12f /* joint value a second, or a second squared; by hand: no limit is felt any more */
 #define LARGEST_TIME 1e12f /* s; by hand */
+#define LARGEST_SIZE 1e16f /* of a scaled object: DMI_LARGEST to either side, a million times as large */
 
 typedef struct number {
     const char* name;
@@ -97,14 +97,14 @@ static bool is_within(float value, float least, float most) {
 
 bool dmi_is_sound_rules(const dmi_rules* r) {
     const dmi_snaps* s = &r->snaps;
-    if (!is_within(r->object_size, 0, FLT_MAX)) return false;
+    if (!is_within(r->object_size, 0, LARGEST_SIZE)) return false;
     if (!r->on) return s->count == 0;
     if (s->count > DM_MAX_SNAPS || !is_within(s->pull, 0, 1) || !is_within(s->reach, 0, DMI_LARGEST)) return false;
     for (uint32_t i = 0; i < s->count; i++) {
         if (!is_within(s->values[i], -DMI_LARGEST, DMI_LARGEST)) return false;
         if (i > 0 && !(s->values[i - 1] < s->values[i])) return false;
     }
-    return is_within(s->outer_reach, 0, FLT_MAX) && is_within(r->open_share, 0, 1) &&
+    return is_within(s->outer_reach, 0, LARGEST_SIZE) && is_within(r->open_share, 0, 1) &&
            is_within(r->closed_share, 0, r->open_share) && is_within(r->event_time, 0, LARGEST_TIME) &&
            is_within(r->max_speed, 0, LARGEST_RATE) && is_within(r->max_acceleration, 0, LARGEST_RATE) &&
            is_within(r->lock_give, 0, 1) && is_within(r->latch_turn, 0, DMI_LARGEST) &&

@@ -13,6 +13,7 @@
 #define GLIDE_HALF_LIVES 7.0f     /* half-lives after which a gliding part stands: 1/128 of the speed is left */
 #define PEAK_SPEED 1.875f         /* of minimum jerk, over its mean: at the middle */
 #define PEAK_ACCELERATION 5.7736f /* of minimum jerk over distance / time^2: 10 / sqrt(3), rounded up */
+#define MAX_DURATION 1e12f        /* s, by hand: a slower part is not seen to move, and numbers stay finite */
 #define MIN_FALL_TIME 1e-3f       /* s: a shorter fall is over within a frame all the same */
 #define MAX_BACKWARDS 0.105f      /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
 
@@ -25,7 +26,8 @@ static float shortest_duration(const dmi_released_part* part, float distance) {
     float time = 0;
     const float speed = dmi_released_rules(part)->max_speed, acceleration = dmi_released_rules(part)->max_acceleration;
     if (speed > 0) time = PEAK_SPEED * fabsf(distance) / speed;
-    return acceleration > 0 ? dmi_fmaxf(time, sqrtf(PEAK_ACCELERATION * fabsf(distance) / acceleration)) : time;
+    if (acceleration > 0) time = dmi_fmaxf(time, sqrtf(PEAK_ACCELERATION * fabsf(distance) / acceleration));
+    return dmi_fminf(time, MAX_DURATION);
 }
 
 /* Returns the duration of a motion over `distance`: by the share of the range, and not slower than the part already
@@ -92,7 +94,7 @@ static void plan_flight(const dmi_released_part* part, dmi_release* r, bool by_i
     } else if (by_itself && r->duration > 0 && dmi_released_falls(part)) {
         r->flies = true;
         r->acceleration = side * 2 * (part->joint->upper - part->joint->lower) / (time * time);
-        r->duration = sqrtf(2 * (r->end - r->start) / r->acceleration);
+        r->duration = dmi_fminf(sqrtf(2 * (r->end - r->start) / r->acceleration), time);
     }
 }
 

@@ -332,6 +332,47 @@ static void endless_times_give_finite_poses(void** state) {
     test_world_close(&w);
 }
 
+/* However slow a part may be by its rules, it stays where finite numbers are, and can be saved and restored. */
+static void parts_that_may_hardly_move_give_finite_poses(void** state) {
+    (void)state;
+    static const float slow[] = {1e-45f, FLT_MIN, 1e-30f, 1e-13f};
+    static const int32_t intents[] = {DM_INTENT_AUTO, DM_INTENT_OPEN, DM_INTENT_CLOSE, DM_INTENT_STAY};
+    enum { SLOW = sizeof slow / sizeof *slow, INTENTS = sizeof intents / sizeof *intents, FIELDS = 4 };
+    const dm_joint hinge = test_hinge();
+    test_world w;
+    dm_object object;
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+    open_world(&w, &object);
+    for (int i = 0; i < FIELDS * SLOW * INTENTS; i++) {
+        dm_drag_rules rules = {.struct_size = sizeof rules, .restitution = 0.3f};
+        float* const fields[FIELDS] = {&rules.max_speed, &rules.max_acceleration, &rules.drive_speed, &rules.fall_time};
+        *fields[i % FIELDS] = slow[i / FIELDS % SLOW];
+        dm_drag_desc desc = {.struct_size = sizeof desc,
+                             .part_id = TEST_DOOR,
+                             .object = object,
+                             .grab_point = test_pull().point,
+                             .rules = &rules};
+        const dm_part_state begun = {.struct_size = sizeof begun, .value = 0.6f, .joint = hinge};
+        desc.state = &begun;
+        const dm_release_desc release = {.struct_size = sizeof release, .intent = intents[i / FIELDS / SLOW]};
+        dm_drag drag = 0;
+        dm_drag_state now = dm_drag_state_default();
+        dm_release_plan plan = dm_release_plan_default();
+        assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
+        for (int frame = 0; frame < 20; frame++) {
+            const dm_ray ray = test_ray_to(moved(&hinge, 0.6f + 0.02f * (float)frame, test_pull().point));
+            if (frame == 10) assert_int_equal(dm_drag_release(w.context, drag, &release, &plan), DM_OK);
+            assert_int_equal(dm_drag_update(w.context, drag, frame < 10 ? &ray : NULL, 0.016f, &now), DM_OK);
+            assert_true(isfinite(now.value + now.target + now.velocity + now.pose.real[1] + now.pose.dual[0]));
+            assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
+            assert_int_equal(dm_drag_restore(w.context, drag, saved, dm_drag_snapshot_size()), DM_OK);
+        }
+        assert_true(isfinite(plan.end_value) && isfinite(plan.duration));
+        assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
+    }
+    test_world_close(&w);
+}
+
 /* Outputs of callers that are newer: what the library can't know comes back as zeros; no other size is taken. */
 static void outputs_fit_the_callers_version(void** state) {
     (void)state;
@@ -729,13 +770,18 @@ static void drags_have_the_same_bits_on_every_instruction_set(void** state) {
     test_world_close(&w);
 }
 
+/* ---- snapshots that mean harm ---- */
+
 /* Goes on with a drag whose saved bytes were changed at `place`: numbers are finite, rotations unit. */
 static void expect_sound_frames(const test_world* w, dm_drag drag, size_t place) {
     const dm_joint hinge = test_hinge();
     dm_drag_state now = dm_drag_state_default();
     for (int frame = 0; frame < 8; frame++) {
-        const dm_ray ray = test_ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
-        assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, &now), DM_OK);
+        dm_drag_input input = dm_drag_input_default();
+        input.hand.kind = DM_HAND_RAY;
+        input.hand.ray = test_ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
+        if (frame % 4 == 3) input.second = (dm_hand){.kind = DM_HAND_POINT, .point = test_pull().point};
+        assert_int_equal(dm_drag_step(w->context, drag, &input, 0.016f, &now), DM_OK);
         float sum = now.value + now.target + now.velocity + now.grab_point.x + now.grab_point.y + now.grab_point.z;
         for (int i = 0; i < 4; i++) sum += now.pose.real[i] + now.pose.dual[i];
         if (!isfinite(sum)) fail_msg("byte %zu: frame %d is not finite", place, frame);
@@ -745,61 +791,124 @@ static void expect_sound_frames(const test_world* w, dm_drag drag, size_t place)
     }
 }
 
+/* Restores a saved drag with other content at `at`, its checksum set right. */
+static dm_result restore_changed(const test_world* w, dm_drag drag, const uint8_t* saved, size_t at,
+                                 const void* content, size_t count) {
+    uint8_t bad[DM_DRAG_SNAPSHOT_MAX];
+    const size_t size = dm_drag_snapshot_size();
+    memcpy(bad, saved, size);
+    memcpy(bad + at, content, at + count <= size ? count : size - at);
+    test_snapshot_sign(bad, size);
+    const dm_result result = dm_drag_restore(w->context, drag, bad, size);
+    assert_true(result == DM_OK || result == DM_ERROR_BAD_DATA);
+    return result;
+}
+
 /* Bytes that mean harm are refused or harmless: no crash, whatever they hold. */
+static void expect_harmless_bytes(const test_world* w, dm_drag drag, const uint8_t* saved) {
+    static const uint8_t contents[][4] = {{0}, {1}, {2}, {0x7f}, {0x80}, {0xff, 0xff, 0xff, 0xff}};
+    const dm_joint hinge = test_hinge();
+    uint32_t taken = 0, refused = 0;
+    for (size_t i = 32; i < dm_drag_snapshot_size(); i++) {
+        for (size_t k = 0; k < sizeof contents / sizeof *contents; k++) {
+            const dm_result result = restore_changed(w, drag, saved, i, contents[k], k == 5 ? 4 : 1);
+            taken += result == DM_OK, refused += result != DM_OK;
+            if (result != DM_OK || k % 3 != 0) continue;
+            dm_drag_state now = dm_drag_state_default();
+            for (int frame = 0; frame < 4; frame++) {
+                const dm_ray ray = test_ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
+                assert_int_equal(dm_drag_update(w->context, drag, &ray, 0.016f, &now), DM_OK);
+            }
+        }
+    }
+    assert_true(taken > 0 && refused > 0);
+}
+
+/* A drag that is taken with another number goes on with finite numbers and unit rotations. */
+static void expect_harmless_numbers(const test_world* w, dm_drag drag, const uint8_t* saved) {
+    static const float numbers[] = {NAN,   INFINITY, -INFINITY, FLT_MAX, -1e30f, 1e15f,
+                                    -1e9f, FLT_MIN,  -FLT_MIN,  1e-45f,  0,      -1};
+    for (size_t i = 32; i + sizeof(float) <= dm_drag_snapshot_size(); i += sizeof(float)) {
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
+            if (restore_changed(w, drag, saved, i, &numbers[k], sizeof(float)) == DM_OK)
+                expect_sound_frames(w, drag, i);
+        for (int k = 1; k <= 4; k++) {
+            float number;
+            memcpy(&number, saved + i, sizeof number);
+            number *= 1 + 0.0004f * (float)k; /* a little off */
+            if (restore_changed(w, drag, saved, i, &number, sizeof number) == DM_OK) expect_sound_frames(w, drag, i);
+        }
+    }
+}
+
+static void save_signed(const test_world* w, dm_drag drag, uint8_t saved[DM_DRAG_SNAPSHOT_MAX]) {
+    uint8_t again[DM_DRAG_SNAPSHOT_MAX];
+    const size_t size = dm_drag_snapshot_size();
+    assert_int_equal(dm_drag_save(w->context, drag, saved, DM_DRAG_SNAPSHOT_MAX), DM_OK);
+    memcpy(again, saved, size);
+    test_snapshot_sign(again, size);
+    assert_memory_equal(again, saved, size); /* or these tests test nothing */
+}
+
 static void hostile_snapshots_do_no_harm(void** state) {
     (void)state;
     test_world w;
     dm_object object;
     open_world(&w, &object);
     const dm_joint hinge = test_hinge();
-    static const uint8_t values[] = {0, 1, 2, 0x7f, 0x80, 0xff};
-    static const float numbers[] = {NAN, INFINITY, -INFINITY, FLT_MAX, -1e30f, 1e15f, -1e9f, FLT_MIN, -FLT_MIN, 0, -1};
-    enum { NUMBERS = sizeof numbers / sizeof *numbers };
-    uint8_t saved[DM_DRAG_SNAPSHOT_MAX], bad[DM_DRAG_SNAPSHOT_MAX];
-    const size_t size = dm_drag_snapshot_size();
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
     const dm_drag drag = begin(&w, object, test_pull().point, NULL);
     pull(&w, drag, &hinge, 0, 0.4f, 0);
-    assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
-    memcpy(bad, saved, size);
-    test_snapshot_sign(bad, size);
-    assert_memory_equal(bad, saved, size); /* or this tests nothing */
-    uint32_t taken = 0, refused = 0;
-    for (size_t i = 32; i < size; i++) {
-        for (size_t k = 0; k < sizeof values; k++) {
-            memcpy(bad, saved, size);
-            bad[i] = values[k];
-            if (k == 5 && i + 4 < size) memset(bad + i, 0xff, 4);
-            test_snapshot_sign(bad, size);
-            const dm_result result = dm_drag_restore(w.context, drag, bad, size);
-            assert_true(result == DM_OK || result == DM_ERROR_BAD_DATA);
-            taken += result == DM_OK, refused += result != DM_OK;
-            if (result != DM_OK || k % 3 != 0) continue;
-            dm_drag_state now = dm_drag_state_default();
-            for (int frame = 0; frame < 4; frame++) {
-                const dm_ray ray = test_ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
-                assert_int_equal(dm_drag_update(w.context, drag, &ray, 0.016f, &now), DM_OK);
-            }
-        }
-    }
-    assert_true(taken > 0 && refused > 0);
-    /* A drag that is taken goes on with finite numbers and unit rotations. */
-    for (size_t i = 32; i + sizeof(float) <= size; i += sizeof(float)) {
-        for (size_t k = 0; k < NUMBERS; k++) {
-            memcpy(bad, saved, size);
-            memcpy(bad + i, &numbers[k], sizeof numbers[k]);
-            test_snapshot_sign(bad, size);
-            if (dm_drag_restore(w.context, drag, bad, size) == DM_OK) expect_sound_frames(&w, drag, i);
-        }
-        for (int k = 1; k <= 4; k++) { /* a little off */
-            float number;
-            memcpy(bad, saved, size);
-            memcpy(&number, bad + i, sizeof number);
-            number *= 1 + 0.0004f * (float)k;
-            memcpy(bad + i, &number, sizeof number);
-            test_snapshot_sign(bad, size);
-            if (dm_drag_restore(w.context, drag, bad, size) == DM_OK) expect_sound_frames(&w, drag, i);
-        }
-    }
+    save_signed(&w, drag, saved);
+    expect_harmless_bytes(&w, drag, saved);
+    expect_harmless_numbers(&w, drag, saved);
+    test_world_close(&w);
+}
+
+#define SNAP_REACH 0.0625f /* of no other number of the drag below */
+
+static dm_drag begin_ruled(const test_world* w, dm_object object) {
+    static const float snaps[2] = {0.2f, 0.9f};
+    const dm_drag_rules rules = {.struct_size = sizeof rules,
+                                 .flags = DM_RULE_LATCH,
+                                 .snaps = snaps,
+                                 .snap_count = 2,
+                                 .snap_reach = SNAP_REACH,
+                                 .event_time = 0.1f,
+                                 .max_speed = 3,
+                                 .max_acceleration = 30,
+                                 .auto_close_share = 0.1f,
+                                 .close_delay = 0.1f,
+                                 .tip_share = 0.5f,
+                                 .restitution = 0.3f,
+                                 .break_distance = 3};
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = TEST_DOOR,
+                               .object = object,
+                               .grab_point = test_pull().point,
+                               .rules = &rules};
+    dm_drag drag = 0;
+    assert_int_equal(dm_drag_begin(w->context, &desc, &drag), DM_OK);
+    return drag;
+}
+
+static void hostile_snapshots_of_rules_do_no_harm(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_joint hinge = test_hinge();
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+    const dm_drag drag = begin_ruled(&w, object);
+    pull(&w, drag, &hinge, 0, 0.4f, 0);
+    save_signed(&w, drag, saved);
+    expect_harmless_numbers(&w, drag, saved);
+    /* How far an outermost snap value reaches: as far as objects are large, and no farther. */
+    const float reaches[2] = {SNAP_REACH, SNAP_REACH}, fair = 1e9f, far = 1e17f;
+    size_t at = 32;
+    while (memcmp(saved + at, reaches, sizeof reaches) != 0) at += sizeof(float);
+    assert_int_equal(restore_changed(&w, drag, saved, at + sizeof(float), &fair, sizeof fair), DM_OK);
+    assert_int_equal(restore_changed(&w, drag, saved, at + sizeof(float), &far, sizeof far), DM_ERROR_BAD_DATA);
     test_world_close(&w);
 }
 
@@ -813,6 +922,7 @@ int main(void) {
         cmocka_unit_test(a_newer_state_is_taken),
         cmocka_unit_test(numbers_beyond_computing_are_refused),
         cmocka_unit_test(endless_times_give_finite_poses),
+        cmocka_unit_test(parts_that_may_hardly_move_give_finite_poses),
         cmocka_unit_test(outputs_fit_the_callers_version),
         cmocka_unit_test(setting_the_joint_that_is_there_changes_nothing),
         cmocka_unit_test(other_engines_words_for_no_limit_are_understood),
@@ -824,6 +934,7 @@ int main(void) {
         cmocka_unit_test(drags_have_the_same_bits_on_every_instruction_set),
         cmocka_unit_test(snapshots_of_other_things_are_refused),
         cmocka_unit_test(hostile_snapshots_do_no_harm),
+        cmocka_unit_test(hostile_snapshots_of_rules_do_no_harm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
