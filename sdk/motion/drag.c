@@ -280,7 +280,8 @@ void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag
 static void take_instead(dmi_drag* drag, float value) {
     const dmi_pending_value* pending = &drag->pending;
     const bool same_joint = drag->changes == pending->event_state.changes;
-    if (pending->dt > 0) drag->velocity = same_joint ? (value - pending->start) / pending->dt : 0;
+    const float velocity = (value - pending->start) / pending->dt;
+    if (pending->dt > 0) drag->velocity = same_joint && isfinite(velocity) ? velocity : 0;
     drag->value = value;
     drag->landing = (dmi_landing){0};
     if (pending->phase == DM_DRAG_RELEASED) drag->release.phase = DM_DRAG_RELEASED;

@@ -8,6 +8,7 @@
 
 #define EYE_DISTANCE 8.0f /* sizes of the part, from the grabbed point to an eye; by hand */
 #define PRESS_TIME 0.25f  /* s at an estimated limit before it gives to a rate; by hand */
+#define FARTHEST 1e9f     /* joint value that a scalar asks for at most: the largest that hosts hand in (dragmesh.h) */
 
 static const float eye_directions[DMI_HAND_EYES][3] = {{0.66f, 0.53f, 0.53f}, {-0.53f, 0.66f, 0.53f}};
 
@@ -161,6 +162,7 @@ static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
     if (hand->kind == DM_HAND_RATE) value += hand->amount * speed * range * dt;
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));
+    value = dmi_fminf(dmi_fmaxf(value, -FARTHEST), FARTHEST);
     if (dmi_joint_has_limits(&drag->joint)) value = inside_limits(drag, hand, value, dt);
     if (isfinite(value)) drag->pointer_value = value;
     dmi_drag_ask(drag);

@@ -53,7 +53,8 @@ static bool limit_to_bounds(dmi_bounds bounds, float before, float dt, float* va
     const float asked = *value, kept = dmi_fmaxf(dmi_fminf(asked, most), least);
     if (kept == asked) return false;
     *value = before >= bounds.lower && before <= bounds.upper ? dmi_bounds_clamp(bounds, kept) : kept;
-    if (dt > 0) *velocity = (*value - before) / dt;
+    const float speed = (*value - before) / dt;
+    if (dt > 0 && isfinite(speed)) *velocity = speed;
     return true;
 }
 

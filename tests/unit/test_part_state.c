@@ -373,6 +373,69 @@ static void parts_that_may_hardly_move_give_finite_poses(void** state) {
     test_world_close(&w);
 }
 
+/* However short an update is, what it, its bounds and a value that the host takes instead say of the speed is finite.
+ */
+static void updates_of_almost_no_time_give_finite_speeds(void** state) {
+    (void)state;
+    const dm_joint hinge = test_hinge();
+    test_world w;
+    dm_object object;
+    open_world(&w, &object);
+    const dm_drag_rules rules = {.struct_size = sizeof rules};
+    const dm_part_state begun = {.struct_size = sizeof begun, .value = 0.6f, .joint = hinge};
+    const dm_drag_desc desc = {.struct_size = sizeof desc,
+                               .part_id = TEST_DOOR,
+                               .object = object,
+                               .grab_point = test_pull().point,
+                               .rules = &rules,
+                               .state = &begun};
+    dm_drag drag = 0;
+    dm_drag_state now = dm_drag_state_default();
+    assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
+    for (int frame = 0; frame < 12; frame++) {
+        dm_drag_input input = dm_drag_input_default();
+        input.flags = DM_INPUT_ASK | (frame % 4 == 1 ? DM_INPUT_BOUNDS : 0);
+        input.lower = frame % 4 == 1 ? 0.7f : 0, input.upper = frame % 4 == 1 ? 0.8f : 0;
+        input.hand.kind = DM_HAND_RAY;
+        input.hand.ray = test_ray_to(moved(&hinge, 0.6f + 0.05f * (float)frame, test_pull().point));
+        assert_int_equal(dm_drag_step(w.context, drag, &input, frame % 3 ? 1e-45f : 0.016f, &now), DM_OK);
+        assert_true(isfinite(now.velocity));
+        assert_int_equal(dm_drag_take(w.context, drag, now.value + (frame % 2 ? 0.1f : 0), &now), DM_OK);
+        assert_true(isfinite(now.velocity));
+    }
+    test_world_close(&w);
+}
+
+/* However long an update is, a scalar hand asks for a value that hosts may have. */
+static void scalars_over_endless_updates_ask_for_finite_values(void** state) {
+    (void)state;
+    static const int32_t kinds[] = {DM_HAND_RATE, DM_HAND_STEP, DM_HAND_VALUE};
+    const dm_joint hinge = test_hinge();
+    dm_joint wheel = hinge;
+    wheel.type = DM_JOINT_CONTINUOUS;
+    test_world w;
+    dm_object object;
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+    open_world(&w, &object);
+    for (int i = 0; i < 12; i++) {
+        const dm_part_state begun = {.struct_size = sizeof begun, .value = 0.6f, .joint = i % 2 ? hinge : wheel};
+        const float amount = i / 6 ? -1e9f : 1e9f;
+        const dm_drag drag = begin(&w, object, test_pull().point, &begun);
+        dm_drag_state now = dm_drag_state_default();
+        for (int frame = 0; frame < 6; frame++) {
+            dm_drag_input input = dm_drag_input_default();
+            input.hand = (dm_hand){.kind = kinds[i / 2 % 3], .amount = amount};
+            assert_int_equal(dm_drag_step(w.context, drag, &input, 3e38f, &now), DM_OK);
+            assert_true(fabsf(now.value) <= 1e9f && fabsf(now.target) <= 1e9f && isfinite(now.velocity));
+            assert_true(isfinite(now.pose.real[1]) && isfinite(now.pose.dual[0]));
+            assert_int_equal(dm_drag_save(w.context, drag, saved, sizeof saved), DM_OK);
+            assert_int_equal(dm_drag_restore(w.context, drag, saved, dm_drag_snapshot_size()), DM_OK);
+        }
+        assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
+    }
+    test_world_close(&w);
+}
+
 /* Outputs of callers that are newer: what the library can't know comes back as zeros; no other size is taken. */
 static void outputs_fit_the_callers_version(void** state) {
     (void)state;
@@ -923,6 +986,8 @@ int main(void) {
         cmocka_unit_test(numbers_beyond_computing_are_refused),
         cmocka_unit_test(endless_times_give_finite_poses),
         cmocka_unit_test(parts_that_may_hardly_move_give_finite_poses),
+        cmocka_unit_test(updates_of_almost_no_time_give_finite_speeds),
+        cmocka_unit_test(scalars_over_endless_updates_ask_for_finite_values),
         cmocka_unit_test(outputs_fit_the_callers_version),
         cmocka_unit_test(setting_the_joint_that_is_there_changes_nothing),
         cmocka_unit_test(other_engines_words_for_no_limit_are_understood),
