@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/utf8.h"
+#include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_meshopt.h"
 
 #define ELEMENT_BYTES 12 /* of a triangle, or of a vertex' position */
@@ -135,11 +136,16 @@ int32_t dmi_edit_add_accessor(dmi_edit* e, int32_t view, int type, int component
 
 /* ---- one buffer ---- */
 
-/* Addresses bytes of a view, or of its compressed data, in the new buffers. */
+/* Addresses bytes of a view, or of its compressed data, in the new buffers. One that has none was left out with what
+ * needs it: it must not meet the bytes that now follow its buffer's. */
 static void move_view(dmi_edit* e, cJSON* view, const uint32_t* buffers, const uint64_t* offsets) {
     const double index = dmi_json_number(view, "buffer", DMI_GLTF_NO_INDEX);
     const int64_t old = dmi_gltf_position(&e->from->document, DMI_GLTF_BUFFERS, index);
     if (old < 0 || !cJSON_IsObject(view)) return;
+    dmi_gltf_problem broken;
+    dmi_gltf_view bytes;
+    if (e->from->buffers[old].data && dmi_gltf_find_stored(e->from, view, "", &broken, &bytes) != DM_OK)
+        dmi_edit_number(e, view, "byteLength", UINT32_MAX);
     if (buffers[old] != (uint32_t)old) dmi_edit_number(e, view, "buffer", buffers[old]);
     if (offsets[old] > 0)
         dmi_edit_number(e, view, "byteOffset", dmi_json_number(view, "byteOffset", 0) + (double)offsets[old]);
