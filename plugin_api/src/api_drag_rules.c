@@ -8,7 +8,7 @@
 
 #define LARGEST_RATE 1e12f /* joint value a second, or a second squared; by hand: no limit is felt any more */
 #define LARGEST_TIME 1e12f /* s; by hand */
-#define LARGEST_SIZE 1e16f /* of a scaled object: DMI_LARGEST to either side, a million times as large */
+#define LARGEST_SIZE 1e16f /* host units, of a scaled object: DMI_LARGEST to either side, a million times as large */
 
 typedef struct number {
     const char* name;

@@ -10,7 +10,7 @@
 #include "math/vec3.h"
 
 #define MAGIC 0x53444D44u    /* "DMDS" */
-#define UNIT_TOLERANCE 1e-5f /* of an axis; by hand: rounding leaves 1e-6. Poses are no nearer to unit */
+#define UNIT_TOLERANCE 1e-5f /* of an axis; by hand: rounding leaves 1e-7, and poses are as far off */
 #define LARGEST 1e12f        /* of a length or angle; by hand: its cube is in a float's range */
 #define FNV_START 0xcbf29ce484222325u
 #define FNV_PRIME 0x100000001b3u

@@ -162,9 +162,9 @@ static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
     if (hand->kind == DM_HAND_RATE) value += hand->amount * speed * range * dt;
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));
-    value = dmi_fminf(dmi_fmaxf(value, -FARTHEST), FARTHEST);
+    value = clamp_to_span((dmi_span){-FARTHEST, FARTHEST}, value);
     if (dmi_joint_has_limits(&drag->joint)) value = inside_limits(drag, hand, value, dt);
-    if (isfinite(value)) drag->pointer_value = value;
+    drag->pointer_value = value;
     dmi_drag_ask(drag);
 }
 

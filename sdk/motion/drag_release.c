@@ -13,9 +13,9 @@
 #define GLIDE_HALF_LIVES 7.0f     /* half-lives after which a gliding part stands: 1/128 of the speed is left */
 #define PEAK_SPEED 1.875f         /* of minimum jerk, over its mean: at the middle */
 #define PEAK_ACCELERATION 5.7736f /* of minimum jerk over distance / time^2: 10 / sqrt(3), rounded up */
-#define MAX_DURATION 1e12f        /* s, by hand: a slower part is not seen to move, and numbers stay finite */
-#define MIN_FALL_TIME 1e-3f       /* s: a shorter fall is over within a frame all the same */
-#define MAX_BACKWARDS 0.105f      /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
+#define MAX_DURATION 1e12f   /* s, as times of a host: a slower part is not seen to move, and a saved drag holds it */
+#define MIN_FALL_TIME 1e-3f  /* s: a shorter fall is over within a frame all the same */
+#define MAX_BACKWARDS 0.105f /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
 
 static bool is_limit(const dm_joint* joint, float value) {
     return value == joint->lower || value == joint->upper;

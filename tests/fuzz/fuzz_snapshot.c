@@ -98,19 +98,7 @@ static dm_drag begin(const dm_part_state* state, dm_vec3 scale) {
 
 /* A drag with every rule. */
 static dm_drag begin_ruled(void) {
-    static const float snaps[2] = {0.2f, 0.9f};
-    const dm_drag_rules rules = {.struct_size = sizeof rules,
-                                 .flags = DM_RULE_LATCH,
-                                 .snaps = snaps,
-                                 .snap_count = 2,
-                                 .event_time = 0.1f,
-                                 .max_speed = 3,
-                                 .max_acceleration = 30,
-                                 .auto_close_share = 0.1f,
-                                 .close_delay = 0.1f,
-                                 .tip_share = 0.5f,
-                                 .restitution = 0.3f,
-                                 .break_distance = 3};
+    const dm_drag_rules rules = test_every_rule();
     const dm_drag_desc desc = {
         .struct_size = sizeof desc, .part_id = DOOR, .object = object, .grab_point = handle, .rules = &rules};
     dm_drag drag = 0;

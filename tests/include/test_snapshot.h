@@ -1,9 +1,28 @@
-/* Checksums of changed saved drags, set right as someone would who means harm. */
+/* Saved drags that someone changed who means harm: what they are drags of, and checksums set right. */
 #ifndef TEST_SNAPSHOT_H
 #define TEST_SNAPSHOT_H
 
 #include <stdint.h>
 #include <string.h>
+
+#include "dragmesh/dragmesh.h"
+
+/* Rules of every kind, for a drag whose saved state has all that it can have. */
+static inline dm_drag_rules test_every_rule(void) {
+    static const float snaps[2] = {0.2f, 0.9f};
+    return (dm_drag_rules){.struct_size = sizeof(dm_drag_rules),
+                           .flags = DM_RULE_LATCH,
+                           .snaps = snaps,
+                           .snap_count = 2,
+                           .event_time = 0.1f,
+                           .max_speed = 3,
+                           .max_acceleration = 30,
+                           .auto_close_share = 0.1f,
+                           .close_delay = 0.1f,
+                           .tip_share = 0.5f,
+                           .restitution = 0.3f,
+                           .break_distance = 3};
+}
 
 /* Bytes of a saved drag (plugin_api/src/api_snapshot.c): where its checksum lies, and from where on it counts. */
 enum { TEST_SNAPSHOT_CHECKSUM_AT = 24, TEST_SNAPSHOT_CHECKED_FROM = 32 };

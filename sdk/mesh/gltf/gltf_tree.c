@@ -59,7 +59,7 @@ static int is_collider_name(const char* name) {
     return 0;
 }
 
-/* Whether `node` has a rotation without a direction, which every reader takes as none. */
+/* Whether `node` has a rotation without a direction, which compose takes as none. */
 static int is_turned_nowhere(const cJSON* node) {
     double q[4] = {0, 0, 0, 1};
     dmi_json_numbers(node, "rotation", 4, q);
