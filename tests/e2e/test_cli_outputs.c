@@ -77,8 +77,7 @@ static void test_pick(void** state) {
     for (int i = 0; i < 3; i++) from[i] = door.point[i] + 0.05 * door.vector[i] / sqrt(square);
     tool_run(&out, "dragmesh", NULL, "pick|%s|--ray|%.9g,%.9g,%.9g,%.9g,%.9g,%.9g|--json", door.glb, from[0], from[1],
              from[2], -door.vector[0], -door.vector[1], -door.vector[2]);
-    assert_int_equal(out.status, 0);
-    cJSON* hit = cJSON_Parse(out.text);
+    cJSON* hit = tool_json(&out);
     assert_true(cJSON_IsTrue(cJSON_GetObjectItem(hit, "hit")));
     assert_string_equal(cJSON_GetObjectItem(hit, "node")->valuestring, door.moving);
     assert_true(fabs(cJSON_GetObjectItem(hit, "distance")->valuedouble - 0.05) < 0.05);
@@ -93,8 +92,7 @@ static void test_prepare(void** state) {
     char path[TOOL_PATH + 32];
     path_in_folder(path, "door.dmo");
     tool_run(&out, "dragmesh", NULL, "prepare|%s|--models|none|-o|%s|--json", door.glb, path);
-    if (out.status != 0) fail_msg("%s", out.errors);
-    cJSON* json = cJSON_Parse(out.text);
+    cJSON* json = tool_json(&out);
     const int parts = cJSON_GetArraySize(cJSON_GetObjectItem(json, "parts"));
     assert_true(parts >= 1);
     size_t size;
@@ -124,8 +122,7 @@ static void test_eval(void** state) {
                                              "|--given-type"};
     for (int i = 0; i < 5; i++) {
         tool_run(&out, "dragmesh", NULL, "eval|%s|--models|none|--json%s", folder, conditions[i]);
-        if (out.status != 0) fail_msg("%s: %s", conditions[i], out.errors);
-        cJSON* json = cJSON_Parse(out.text);
+        cJSON* json = tool_json(&out);
         const int joints = cJSON_GetObjectItem(json, "joints")->valueint;
         assert_true(joints >= 2);
         assert_int_equal(cJSON_GetObjectItem(json, "answered")->valueint, joints);
@@ -149,7 +146,7 @@ static void test_eval_does_not_depend_on_the_frame(void** state) {
     tool_run(&out, "dragmesh_generate", NULL, "--category|drawers|--seed|2|-o|%s/b", folder);
     for (int turned = 0; turned < 2; turned++) {
         tool_run(&out, "dragmesh", NULL, "eval|%s|--json|--given-type%s", folder, turned ? "|--turn|3" : "");
-        cJSON* json = cJSON_Parse(out.text);
+        cJSON* json = tool_json(&out);
         pose[turned] = cJSON_GetObjectItem(cJSON_GetObjectItem(json, "pose_e3"), "mean")->valuedouble;
         cJSON_Delete(json);
     }
@@ -160,8 +157,7 @@ static void test_eval_does_not_depend_on_the_frame(void** state) {
 static void test_bench(void** state) {
     (void)state;
     tool_run(&out, "dragmesh", NULL, "bench|--models|none|--json");
-    if (out.status != 0) fail_msg("%s", out.errors);
-    cJSON* json = cJSON_Parse(out.text);
+    cJSON* json = tool_json(&out);
     assert_non_null(cJSON_GetObjectItem(json, "isa"));
     const cJSON* row;
     int seen = 0;

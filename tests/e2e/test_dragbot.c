@@ -25,8 +25,7 @@ static int remove_cabinet(void** state) {
 
 static cJSON* play(const char* more) {
     tool_run(&out, "dragmesh", NULL, "dragbot|%s|--models|none|--cameras|2|--json%s", folder, more);
-    if (out.status != 0) fail_msg("dragbot %s: %s", more, out.errors);
-    cJSON* json = cJSON_Parse(out.text);
+    cJSON* json = tool_json(&out);
     assert_non_null(json);
     return json;
 }
@@ -135,14 +134,14 @@ static void test_far_objects_are_played_as_near_ones(void** state) {
     (void)state;
     cJSON* near = play_well("", 0.98);
     tool_run(&out, "dragmesh", NULL, "eval|%s|--models|none|--json", folder);
-    cJSON* near_scores = cJSON_Parse(out.text);
+    cJSON* near_scores = tool_json(&out);
     write_far_joints();
     write_far_nodes();
     cJSON* far = play_well("", 0.98);
     assert_int_equal(number_of(far, "cases"), number_of(near, "cases"));
     assert_true(fabs(figure(far, "success") - figure(near, "success")) < 1e-9);
     tool_run(&out, "dragmesh", NULL, "eval|%s|--models|none|--json", folder);
-    cJSON* far_scores = cJSON_Parse(out.text);
+    cJSON* far_scores = tool_json(&out);
     static const char* const scores[] = {"type_acc", "pose_under_2pct", "axis_within_45mrad", "sign_acc"};
     for (size_t i = 0; i < sizeof scores / sizeof *scores; i++)
         assert_true(figure(far_scores, scores[i]) == figure(near_scores, scores[i]));

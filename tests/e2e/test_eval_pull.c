@@ -78,8 +78,7 @@ static tool_output out;
 
 static double figure(const char* folder, const char* arguments, const char* name) {
     tool_run(&out, "dragmesh", NULL, "eval|%s|--json%s", folder, arguments);
-    if (out.status != 0) fail_msg("%s: %s", arguments, out.errors);
-    cJSON* json = cJSON_Parse(out.text);
+    cJSON* json = tool_json(&out);
     const cJSON* item = cJSON_GetObjectItem(json, name);
     assert_true(cJSON_IsNumber(item));
     const double value = item->valuedouble;

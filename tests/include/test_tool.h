@@ -22,10 +22,11 @@
 
 extern char** environ;
 
-enum { TOOL_ARGUMENTS = 32, TOOL_TEXT = 1 << 18, TOOL_PATH = 512 };
+enum { TOOL_ARGUMENTS = 32, TOOL_TEXT = 1 << 18, TOOL_LINE = 8192, TOOL_PATH = 512 };
 
 typedef struct tool_output {
-    int status; /* exit status; -1 when a signal ended it */
+    char line[TOOL_LINE]; /* the arguments, as tool_run was given them */
+    int status;           /* exit status; -1 when a signal ended it */
     char text[TOOL_TEXT];
     char errors[TOOL_TEXT];
 } tool_output;
@@ -92,13 +93,14 @@ static inline void tool_slurp(const char* path, char out_text[TOOL_TEXT]) {
  * when the program is not there or takes more than ten minutes. */
 static inline void tool_run(tool_output* output, const char* name, const char* input, const char* format, ...) {
     char folder[TOOL_PATH], program[TOOL_PATH], in[TOOL_PATH + 8], out[TOOL_PATH + 8], err[TOOL_PATH + 8];
-    static char line[8192];
+    char line[TOOL_LINE];
     char* arguments[TOOL_ARGUMENTS + 5] = {"timeout", "--foreground", "600"};
     int count = 3;
     va_list list;
     va_start(list, format);
-    vsnprintf(line, sizeof line, format, list);
+    vsnprintf(output->line, sizeof output->line, format, list);
     va_end(list);
+    memcpy(line, output->line, sizeof line);
     tool_find(name, program);
     arguments[count++] = program;
     if (tool_elsewhere(name)) { /* a runner, its arguments, the program */
@@ -129,6 +131,14 @@ static inline void tool_run(tool_output* output, const char* name, const char* i
     tool_folder_remove(folder);
     if (output->status == 124) fail_msg("%s took more than %s seconds", program, arguments[2]);
     if (output->status >= 125 && output->status <= 127) fail_msg("can't run %s: %s", program, output->errors);
+}
+
+/* What the program answered; the test fails, and says how the program ended, where that is no JSON. */
+static inline cJSON* tool_json(const tool_output* output) {
+    cJSON* json = output->status == 0 ? cJSON_Parse(output->text) : NULL;
+    if (json == NULL)
+        fail_msg("%s: status %d, errors: '%s', answer: %s", output->line, output->status, output->errors, output->text);
+    return json;
 }
 
 /* ---- an object to work on, with its truth ---- */
