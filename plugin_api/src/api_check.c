@@ -108,11 +108,15 @@ dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
 
 dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out) {
     if (pose == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
-    static const char* const fields[3] = {".dual[0]", ".dual[1]", ".dual[2]"};
     dm_result result = dmi_check_finite(env, what, pose->real, 4);
-    if (result == DM_OK) result = dmi_check_vector(env, what, fields, pose->dual);
-    if (result == DM_OK) result = dmi_check_number(env, what, ".dual[3]", pose->dual[3]);
+    if (result == DM_OK) result = dmi_check_finite(env, what, pose->dual, 4);
     if (result != DM_OK) return result;
+    for (int i = 0; i < 4; i++) {
+        if (fabsf(pose->dual[i]) <= DMI_LARGEST_DUAL) continue;
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                        "%s.dual[%d] is %g: numbers beyond %g are too large to compute with", what, i,
+                        (double)pose->dual[i], (double)DMI_LARGEST_DUAL);
+    }
     float length;
     if (!dmi_pose_is_near_unit(pose, &length)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.real has length %g: it must be a unit quaternion", what,

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "base/env.h"
+#include "base/number_bounds.h"
 
 /* Size of a descriptor's first published version, whose last member is `last`. */
 #define DMI_FIRST_SIZE(type, last) (offsetof(type, last) + sizeof(((type*)0)->last))
@@ -22,10 +23,6 @@ void dmi_write_out(void* out, const void* value, size_t size);
 /* Logs a warning: the call goes on. Not in [frame] functions. */
 void dmi_warn(dmi_env* env, const char* format, ...) DMI_PRINTF(2, 3);
 
-/* Largest length (host units) or angle (rad) that is taken; by hand: cubes stay in a float's range, with room for what
- * a drag makes of them, so that finite input gives finite output. */
-#define DMI_LARGEST 1e9f
-
 /* Checks that a number is finite, else NOT_FINITE, and within DMI_LARGEST, else INVALID_ARGUMENT. field: ".axis.x". */
 dm_result dmi_check_number(dmi_env* env, const char* what, const char* field, float number);
 dm_result dmi_check_vector(dmi_env* env, const char* what, const char* const fields[3], const float vector[3]);
@@ -34,7 +31,7 @@ dm_result dmi_check_finite(dmi_env* env, const char* what, const float* values, 
 dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t first, int32_t last);
 /* Checks that a ray has finite numbers, an origin within DMI_LARGEST and a direction. */
 dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray);
-/* Checks that a pose is finite, within DMI_LARGEST, and holds a rotation; out: the pose as a unit dual quaternion. */
+/* Checks that a pose is finite, within DMI_LARGEST_DUAL, and holds a rotation; out: the pose as a unit dual quaternion. */
 dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out);
 
 #endif

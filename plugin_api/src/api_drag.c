@@ -24,7 +24,6 @@
 #define FAR_TURN 12.6f       /* rad beyond the limits of a turn: two turns, twice what a pull exceeds them by */
 #define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
 #define SMALLEST_FEEL 1e-12f /* of a time, share or catch that is not 0: its inverse stays in a float's range */
-#define LARGEST_FEEL 1e12f   /* s, or a catch: longer is as long; 30,000 years */
 #define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
 
 static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
@@ -149,6 +148,22 @@ static dm_result read_state(dmi_env* env, start* s) {
     return s->has_pose ? dmi_check_pose(env, "dm_drag_begin: desc.state.pose", &state.pose, &s->pose) : DM_OK;
 }
 
+/* Brings limits inside the values that are computed with. */
+static void bound_limits(dm_joint* joint) {
+    const float far = dmi_joint_farthest(joint);
+    joint->lower = dmi_fminf(dmi_fmaxf(joint->lower, -far), far);
+    joint->upper = dmi_fminf(dmi_fmaxf(joint->upper, -far), far);
+}
+
+static dm_result check_value(dmi_env* env, const start* s) {
+    const float far = dmi_joint_farthest(&s->joint);
+    if (fabsf(s->value) <= far) return DM_OK;
+    return dmi_fail(
+        env, DM_ERROR_INVALID_ARGUMENT,
+        "dm_drag_begin: the value %g times the screw's pitch %g: values beyond %g are too large to compute with",
+        (double)s->value, (double)s->joint.pitch, (double)far);
+}
+
 static dm_result read_start(dmi_env* env, start* s) {
     dm_result result = dmi_scale_read(env, "dm_drag_begin: desc.scale", s->desc->scale, &s->scale);
     if (result != DM_OK) return result;
@@ -164,20 +179,35 @@ static dm_result read_start(dmi_env* env, start* s) {
     result =
         s->desc->state != NULL ? read_state(env, s) : dmi_joint_check(env, SCALED_JOINT, &s->joint, DM_JOINT_UNKNOWN);
     if (result != DM_OK) return result;
+    bound_limits(&s->joint);
     const dmi_rules_start rules = {.joint = &s->joint,
                                    .one_sided = dmi_joint_open_side(&s->joint, s->object_size) != 0,
                                    .object_size = s->object_size};
     result = dmi_rules_read(env, s->desc, &rules, &s->rules);
     if (result != DM_OK) return result;
-    return dmi_check_number(env, "dm_drag_begin: the value", " times the screw's pitch", s->value * s->joint.pitch);
+    return check_value(env, s);
 }
 
-/* Takes hold of the middle of the part, where it is shown. */
+/* Returns where the part is shown. */
+static dm_pose shown_pose(const start* s) {
+    return s->has_pose ? s->pose : dmi_joint_pose(&s->joint, s->value);
+}
+
+/* Takes hold of the middle of the part. */
 static void grab_middle(const start* s, dm_drag_desc* desc) {
-    const dm_pose pose = s->has_pose ? s->pose : dmi_joint_pose(&s->joint, s->value);
+    const dm_pose pose = shown_pose(s);
     float middle[3];
     dmi_pose_apply(&pose, dmi_xyz(s->part_centre).v, middle);
     desc->grab_point = dmi_vec3(middle);
+}
+
+/* The hypotheses of a drag may turn about the grabbed point at rest. */
+static dm_result check_rest_point(dmi_env* env, const start* s) {
+    static const char* const fields[3] = {".x", ".y", ".z"};
+    const dm_pose pose = shown_pose(s), back = dmi_pose_inverse(&pose);
+    float rest[3];
+    dmi_pose_apply(&back, dmi_xyz(s->desc->grab_point).v, rest);
+    return dmi_check_vector(env, "dm_drag_begin: desc.grab_point with the part at rest", fields, rest);
 }
 
 static void warn_of_point(dmi_env* env, const start* s) {
@@ -229,6 +259,7 @@ static dmi_free_range free_range_out(const start* s, int32_t type, dmi_free_rang
 static bool joint_out(const start* s, const dm_joint* inner, dm_joint* out) {
     *out = dmi_frame_joint_out(&s->object->frame, inner);
     dmi_joint_scale(out, s->scale);
+    bound_limits(out);
     return dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN) == DM_OK;
 }
 
@@ -294,7 +325,7 @@ static void track(dmi_drag* drag, const start* s) {
     dm_joint joints[DM_MAX_HYPOTHESES];
     dmi_free_range free_ranges[DM_MAX_HYPOTHESES];
     const uint32_t count = collect_hypotheses(s, joints, free_ranges);
-    const dmi_limit_give limit_give = {.share = s->desc->limit_give, .length = s->object_size};
+    const dmi_limit_give limit_give = {.share = dmi_fminf(s->desc->limit_give, DMI_LARGEST), .length = s->object_size};
     dmi_drag_track_hypotheses(drag, joints, free_ranges, count, s->part_size, limit_give);
     if (count == 0 || is_chosen(s)) return;
     add_slides(&drag->tracker, s);
@@ -325,8 +356,9 @@ static bool same_pose(const dm_pose* a, const dm_pose* b) {
 /* Returns the feel with times and catches that can be computed with. */
 static dm_drag_feel usable_feel(const dm_drag_feel* given) {
     dm_drag_feel feel = *given;
-    float* const numbers[4] = {&feel.smoothing_time, &feel.coast_time, &feel.return_time, &feel.detent};
-    for (int i = 0; i < 4; i++) *numbers[i] = dmi_fmaxf(dmi_fminf(*numbers[i], LARGEST_FEEL), -LARGEST_FEEL);
+    float* const times[3] = {&feel.smoothing_time, &feel.coast_time, &feel.return_time};
+    for (int i = 0; i < 3; i++) *times[i] = dmi_fmaxf(dmi_fminf(*times[i], DMI_LARGEST_TIME), -DMI_LARGEST_TIME);
+    feel.detent = dmi_fminf(feel.detent, DMI_LARGEST);
     return feel;
 }
 
@@ -347,7 +379,9 @@ static void begin(dmi_drag_slot* slot, start* s) {
     slot->scale = s->scale;
     slot->open_side = (int8_t)dmi_joint_open_side(&s->joint, s->object_size);
     slot->value_unit = dmi_joint_value_unit(&s->joint, s->object_size);
-    if (slot->open_side != 0) feel.soft_limit *= slot->value_unit / (s->joint.upper - s->joint.lower);
+    if (slot->open_side != 0 && feel.soft_limit > 0)
+        feel.soft_limit =
+            dmi_fmaxf(feel.soft_limit * slot->value_unit / (s->joint.upper - s->joint.lower), SMALLEST_FEEL);
     if (s->has_pose && !same_pose(&s->pose, &on_joint)) {
         begin_at_pose(&slot->drag, s, &feel);
     } else {
@@ -391,6 +425,8 @@ dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, d
     if (result == DM_OK) result = read_start(env, &s);
     if (result != DM_OK) return result;
     if (known.flags & DM_DRAG_WITHOUT_POINT) grab_middle(&s, &known);
+    result = check_rest_point(env, &s);
+    if (result != DM_OK) return result;
     warn_of_point(env, &s);
     warn_of_value(env, &s);
     return publish(context, owner, &s, out_drag);

@@ -6,8 +6,6 @@
 #include "api_drag.h"
 #include "math/vec3.h"
 
-#define LARGEST_RATE 1e12f /* joint value a second, or a second squared; by hand: no limit is felt any more */
-#define LARGEST_TIME 1e12f /* s; by hand */
 #define LARGEST_SIZE 1e16f /* host units, of a scaled object: DMI_LARGEST to either side, a million times as large */
 
 typedef struct number {
@@ -47,18 +45,18 @@ static dm_result check_rules(dmi_env* env, const dm_drag_rules* rules, const dm_
     const number numbers[] = {{"snap_reach", rules->snap_reach, DMI_LARGEST},
                               {"open_share", rules->open_share, 1},
                               {"closed_share", rules->closed_share, 1},
-                              {"event_time", rules->event_time, LARGEST_TIME},
-                              {"max_speed", rules->max_speed, LARGEST_RATE},
-                              {"max_acceleration", rules->max_acceleration, LARGEST_RATE},
+                              {"event_time", rules->event_time, DMI_LARGEST_TIME},
+                              {"max_speed", rules->max_speed, DMI_LARGEST_RATE},
+                              {"max_acceleration", rules->max_acceleration, DMI_LARGEST_RATE},
                               {"latch_turn", rules->latch_turn, DMI_LARGEST},
                               {"auto_close_share", rules->auto_close_share, 1},
-                              {"auto_close_time", rules->auto_close_time, LARGEST_TIME},
-                              {"close_delay", rules->close_delay, LARGEST_TIME},
+                              {"auto_close_time", rules->auto_close_time, DMI_LARGEST_TIME},
+                              {"close_delay", rules->close_delay, DMI_LARGEST_TIME},
                               {"tip_share", rules->tip_share, 1},
-                              {"fall_time", rules->fall_time, LARGEST_TIME},
+                              {"fall_time", rules->fall_time, DMI_LARGEST_TIME},
                               {"restitution", rules->restitution, 1},
                               {"break_distance", rules->break_distance, DMI_LARGEST},
-                              {"drive_speed", rules->drive_speed, LARGEST_RATE}};
+                              {"drive_speed", rules->drive_speed, DMI_LARGEST_RATE}};
     dm_result result = check_numbers(env, numbers, sizeof numbers / sizeof *numbers);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.rules.lock_give", &rules->lock_give, 1);
     if (result == DM_OK && rules->lock_give > 1)
@@ -105,13 +103,13 @@ bool dmi_is_sound_rules(const dmi_rules* r) {
         if (i > 0 && !(s->values[i - 1] < s->values[i])) return false;
     }
     return is_within(s->outer_reach, 0, LARGEST_SIZE) && is_within(r->open_share, 0, 1) &&
-           is_within(r->closed_share, 0, r->open_share) && is_within(r->event_time, 0, LARGEST_TIME) &&
-           is_within(r->max_speed, 0, LARGEST_RATE) && is_within(r->max_acceleration, 0, LARGEST_RATE) &&
+           is_within(r->closed_share, 0, r->open_share) && is_within(r->event_time, 0, DMI_LARGEST_TIME) &&
+           is_within(r->max_speed, 0, DMI_LARGEST_RATE) && is_within(r->max_acceleration, 0, DMI_LARGEST_RATE) &&
            is_within(r->lock_give, 0, 1) && is_within(r->latch_turn, 0, DMI_LARGEST) &&
-           is_within(r->auto_close_share, 0, 1) && is_within(r->auto_close_time, 0, LARGEST_TIME) &&
-           is_within(r->close_delay, 0, LARGEST_TIME) && is_within(r->tip_share, 0, 1) &&
-           is_within(r->fall_time, 0, LARGEST_TIME) && is_within(r->restitution, 0, 1) &&
-           is_within(r->break_distance, 0, DMI_LARGEST) && is_within(r->drive_speed, 0, LARGEST_RATE);
+           is_within(r->auto_close_share, 0, 1) && is_within(r->auto_close_time, 0, DMI_LARGEST_TIME) &&
+           is_within(r->close_delay, 0, DMI_LARGEST_TIME) && is_within(r->tip_share, 0, 1) &&
+           is_within(r->fall_time, 0, DMI_LARGEST_TIME) && is_within(r->restitution, 0, 1) &&
+           is_within(r->break_distance, 0, DMI_LARGEST) && is_within(r->drive_speed, 0, DMI_LARGEST_RATE);
 }
 
 /* ---- inputs ---- */

@@ -11,7 +11,7 @@
 
 #define MAGIC 0x53444D44u    /* "DMDS" */
 #define UNIT_TOLERANCE 1e-5f /* of an axis; by hand: rounding leaves 1e-7, and poses are as far off */
-#define LARGEST 1e12f        /* of a length or angle; by hand: its cube is in a float's range */
+#define LARGEST 1e12f /* of a number that a drag makes of those within DMI_LARGEST; its cube is in a float's range */
 #define FNV_START 0xcbf29ce484222325u
 #define FNV_PRIME 0x100000001b3u
 
@@ -189,9 +189,10 @@ static bool is_sound_release(const dmi_release* r) {
 
 /* The blend's age is infinite where there is none. */
 static bool is_sound_blend(const dmi_pose_blend* b) {
-    dm_pose unit;
-    return dmi_check_pose(NULL, "", &b->offset, &unit) == DM_OK && are_within(b->lag, 3) && b->age >= 0 &&
-           b->turn_time >= 0 && b->lag_time >= 0 && are_finite(&b->turn_time, 1) && are_finite(&b->lag_time, 1);
+    float length;
+    return are_within(b->offset.real, 4) && are_within(b->offset.dual, 4) &&
+           dmi_pose_is_near_unit(&b->offset, &length) && are_within(b->lag, 3) && b->age >= 0 && b->turn_time >= 0 &&
+           b->lag_time >= 0 && are_finite(&b->turn_time, 1) && are_finite(&b->lag_time, 1);
 }
 
 static bool is_sound_event_state(const dmi_event_state* w) {

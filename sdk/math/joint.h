@@ -3,8 +3,10 @@
 #define DMI_MATH_JOINT_H
 
 #include <float.h>
+#include <math.h>
 #include <stdbool.h>
 
+#include "base/number_bounds.h"
 #include "math/dual_quat.h"
 #include "math/elementary.h"
 
@@ -30,10 +32,15 @@ static inline bool dmi_joint_turns(int32_t type) {
 static inline bool dmi_joint_has_limits(const dm_joint* joint) {
     return joint->type != DM_JOINT_CONTINUOUS && joint->lower < joint->upper;
 }
-/* Clamps to the limits, where the joint has any. */
+/* Returns the largest value, to either side, that is computed with: a screw moves its part by DMI_LARGEST at most. */
+static inline float dmi_joint_farthest(const dm_joint* joint) {
+    return joint->type == DM_JOINT_SCREW ? DMI_LARGEST / dmi_fmaxf(1, fabsf(joint->pitch)) : DMI_LARGEST;
+}
+/* Clamps to the limits; where the joint has none, to the largest values. */
 static inline float dmi_joint_clamp(const dm_joint* joint, float value) {
-    if (!dmi_joint_has_limits(joint)) return value;
-    return dmi_fminf(dmi_fmaxf(value, joint->lower), joint->upper);
+    if (dmi_joint_has_limits(joint)) return dmi_fminf(dmi_fmaxf(value, joint->lower), joint->upper);
+    const float far = dmi_joint_farthest(joint);
+    return dmi_fminf(dmi_fmaxf(value, -far), far);
 }
 
 /* Returns the pose at `value` (rad, or length for prismatic). Fixed and unknown joints give the identity. */

@@ -4,7 +4,9 @@
 
 #include <math.h>
 
+#include "base/number_bounds.h"
 #include "math/elementary.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 
 #define ACTIVE_EVERY 3           /* rounds: the active hypothesis is shown, so it is refined more often; by hand */
@@ -25,8 +27,10 @@ void dmi_axis_refiner_add(dmi_axis_refiner* refiner, uint32_t index, const dmi_j
 static void origin_at(const dmi_joint_hypothesis* hypothesis, const dmi_pull_fit* fit, const float shift[2],
                       dm_vec3* out) {
     float at[3];
-    for (int i = 0; i < 3; i++)
-        at[i] = hypothesis->initial_origin[i] + fit->size * (shift[0] * fit->outward[i] + shift[1] * fit->forward[i]);
+    for (int i = 0; i < 3; i++) {
+        const float way = fit->size * (shift[0] * fit->outward[i] + shift[1] * fit->forward[i]);
+        at[i] = dmi_clamp(hypothesis->initial_origin[i] + way, -DMI_LARGEST, DMI_LARGEST);
+    }
     *out = dmi_vec3(at);
 }
 

@@ -6,11 +6,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/number_bounds.h"
 #include "math/constants.h"
 #include "math/elementary.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 
-#define LIMIT_TOLERANCE 1e-4f /* share of the range that counts as at a limit; by hand */
+/* By hand. */
+#define LIMIT_TOLERANCE 1e-4f /* share of the range that counts as at a limit */
+#define SHORTEST_TIME 1e-9f   /* s: a shorter update is none, so that a step over its time stays in a float's range */
 
 static const dmi_constraints unconstrained = {.bounds = {-INFINITY, INFINITY}};
 
@@ -111,7 +115,7 @@ static void change_joint(dmi_drag* drag) {
     const dmi_joint_hypothesis* best = &drag->tracker.list[drag->tracker.best];
     const dm_pose before = shown_pose(drag);
     drag->joint = best->joint;
-    drag->pointer_value = best->pointer_value;
+    drag->pointer_value = dmi_clamp(best->pointer_value, -DMI_LARGEST, DMI_LARGEST);
     init_estimated_limits(drag);
     dmi_drag_ask(drag);
     drag->target = drag->value = first_value(drag, &before);
@@ -205,7 +209,7 @@ static void write_state(dmi_drag* drag, dm_drag_state* out_state) {
 
 /* Returns the time that an update advances, s. */
 static float time_of(float dt) {
-    return dt > 0 && isfinite(dt) ? dt : 0;
+    return dt >= SHORTEST_TIME && isfinite(dt) ? dmi_fminf(dt, DMI_LARGEST_TIME) : 0;
 }
 
 /* Before the hand is read. */
@@ -222,6 +226,7 @@ static void finish_update(dmi_drag* drag, const dm_ray* ray, float time, dm_drag
     } else if (drag->release.phase == DM_DRAG_RELEASED) {
         update_released(drag, time);
     }
+    drag->velocity = dmi_rate_clamp(drag->velocity);
     if (drag->rules.on) dmi_drag_keep_rules(drag, time);
     write_state(drag, out_state);
 }
@@ -280,8 +285,7 @@ void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag
 static void take_instead(dmi_drag* drag, float value) {
     const dmi_pending_value* pending = &drag->pending;
     const bool same_joint = drag->changes == pending->event_state.changes;
-    const float velocity = (value - pending->start) / pending->dt;
-    if (pending->dt > 0) drag->velocity = same_joint && isfinite(velocity) ? velocity : 0;
+    if (pending->dt > 0) drag->velocity = same_joint ? dmi_rate_clamp((value - pending->start) / pending->dt) : 0;
     drag->value = value;
     drag->landing = (dmi_landing){0};
     if (pending->phase == DM_DRAG_RELEASED) drag->release.phase = DM_DRAG_RELEASED;

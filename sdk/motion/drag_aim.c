@@ -1,6 +1,7 @@
 /* What hands other than one pointer ask for: a hand in space, a scalar, two hands. */
 #include <math.h>
 
+#include "base/number_bounds.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
@@ -8,7 +9,6 @@
 
 #define EYE_DISTANCE 8.0f /* sizes of the part, from the grabbed point to an eye; by hand */
 #define PRESS_TIME 0.25f  /* s at an estimated limit before it gives to a rate; by hand */
-#define FARTHEST 1e9f     /* joint value that a scalar asks for at most: the largest that hosts hand in (dragmesh.h) */
 
 static const float eye_directions[DMI_HAND_EYES][3] = {{0.66f, 0.53f, 0.53f}, {-0.53f, 0.66f, 0.53f}};
 
@@ -162,7 +162,7 @@ static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
     if (hand->kind == DM_HAND_RATE) value += hand->amount * speed * range * dt;
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));
-    value = clamp_to_span((dmi_span){-FARTHEST, FARTHEST}, value);
+    value = clamp_to_span((dmi_span){-DMI_LARGEST, DMI_LARGEST}, value);
     if (dmi_joint_has_limits(&drag->joint)) value = inside_limits(drag, hand, value, dt);
     drag->pointer_value = value;
     dmi_drag_ask(drag);

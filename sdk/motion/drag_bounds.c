@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/number_bounds.h"
 #include "math/elementary.h"
 
 /* By hand. */
@@ -14,6 +15,10 @@
 
 float dmi_bounds_clamp(dmi_bounds bounds, float value) {
     return dmi_fminf(dmi_fmaxf(value, bounds.lower), bounds.upper);
+}
+
+float dmi_rate_clamp(float velocity) {
+    return dmi_fminf(dmi_fmaxf(velocity, -DMI_LARGEST_RATE), DMI_LARGEST_RATE);
 }
 
 bool dmi_bounds_hold(dmi_bounds bounds, float value, float target, float range, bool held_before) {
@@ -53,15 +58,16 @@ static bool limit_to_bounds(dmi_bounds bounds, float before, float dt, float* va
     const float asked = *value, kept = dmi_fmaxf(dmi_fminf(asked, most), least);
     if (kept == asked) return false;
     *value = before >= bounds.lower && before <= bounds.upper ? dmi_bounds_clamp(bounds, kept) : kept;
-    const float speed = (*value - before) / dt;
-    if (dt > 0 && isfinite(speed)) *velocity = speed;
+    if (dt > 0) *velocity = (*value - before) / dt;
     return true;
 }
 
 bool dmi_limit_step(const dmi_rules* rules, dmi_bounds bounds, float before, float speed_before, float dt,
                     float* inout_value, float* inout_velocity) {
     const bool slowed = limit_speed(rules, before, speed_before, dt, inout_value, inout_velocity);
-    return limit_to_bounds(bounds, before, dt, inout_value, inout_velocity) || slowed;
+    const bool held = limit_to_bounds(bounds, before, dt, inout_value, inout_velocity);
+    *inout_velocity = dmi_rate_clamp(*inout_velocity);
+    return slowed || held;
 }
 
 float dmi_catch_up(float asked, float last, float lag, float dt) {

@@ -90,8 +90,7 @@ float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float target) {
 
 float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value) {
     if (!(feel->detent > 0)) return value;
-    const float nearest = dmi_joint_clamp(joint, feel->detent * roundf(value / feel->detent));
-    return isfinite(nearest) ? nearest : value;
+    return dmi_joint_clamp(joint, feel->detent * roundf(value / feel->detent));
 }
 
 float dmi_feel_coast_time(const dm_drag_feel* feel) {
@@ -144,5 +143,5 @@ void dmi_feel_follow(const dm_drag_feel* feel, const dm_joint* joint, float befo
     *inout_value = dmi_joint_clamp(joint, (float)value);
     if ((double)*inout_value != (double)(float)value) velocity = 0; /* stopped by a limit */
     if (!(feel->coast_time > 0) || !(half > 0)) velocity = (double)((*inout_value - old) / dt);
-    if (dt > 0 && isfinite((float)velocity)) *inout_velocity = (float)velocity;
+    if (dt > 0) *inout_velocity = (float)velocity;
 }

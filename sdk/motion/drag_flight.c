@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/number_bounds.h"
 #include "math/elementary.h"
 
 #define MAX_BOUNCES 16        /* of one step, then it stays at the limit; by hand */
@@ -49,7 +50,7 @@ static bool settles(const dmi_flight* flight, int32_t side, float speed) {
 static void strike(const dmi_flight* flight, int32_t side, dmi_landing* landing, float* value, float* velocity) {
     const float speed = fabsf(*velocity), back = flight->restitution * speed;
     landing->struck = side;
-    landing->impact = dmi_fmaxf(landing->impact, speed);
+    landing->impact = dmi_fminf(dmi_fmaxf(landing->impact, speed), DMI_LARGEST_RATE);
     landing->settled = settles(flight, side, back);
     *value = side > 0 ? flight->upper : flight->lower;
     *velocity = landing->settled ? 0 : -(float)side * back;

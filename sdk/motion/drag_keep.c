@@ -2,6 +2,8 @@
  * plan of a release has made. Apart from drag.c, so that drags without rules do not pay for it. */
 #include <math.h>
 
+#include "base/number_bounds.h"
+#include "math/elementary.h"
 #include "motion/drag_internal.h"
 
 #define ARRIVED_SHARE 1e-4f /* of the range: a released part is where its plan ends */
@@ -34,7 +36,7 @@ void dmi_drag_close(dmi_drag* drag, float dt) {
     const dmi_rules* rules = &drag->rules;
     dmi_release* release = &drag->release;
     const bool waits = release->return_time > 0 && rules->close_delay > 0;
-    drag->waited += dt;
+    drag->waited = dmi_fminf(drag->waited + dt, DMI_LARGEST_TIME);
     if (release->intent != DM_INTENT_STAY || drag->stays) return;
     if (waits && drag->waited < rules->close_delay) {
         release->phase = DM_DRAG_RELEASED;

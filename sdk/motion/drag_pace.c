@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/number_bounds.h"
 #include "math/constants.h"
 #include "math/elementary.h"
 #include "motion/drag_release.h"
@@ -85,7 +86,7 @@ static float glide_at(const dmi_release* r, const dm_drag_feel* feel) {
 void dmi_release_advance(dmi_release* r, const dm_drag_feel* feel, const dm_joint* joint, float dt, float* out_value,
                          float* out_velocity) {
     const float old = *out_value;
-    r->elapsed += dt;
+    r->elapsed = dmi_fminf(r->elapsed + dt, DMI_LARGEST_TIME);
     if (r->elapsed >= r->duration) {
         *out_value = r->end, *out_velocity = 0;
         r->phase = DM_DRAG_AT_REST;
@@ -93,6 +94,5 @@ void dmi_release_advance(dmi_release* r, const dm_drag_feel* feel, const dm_join
     }
     const float value = r->glides ? glide_at(r, feel) : move_at(r, r->elapsed / r->duration);
     *out_value = dmi_joint_clamp(joint, value);
-    const float velocity = (*out_value - old) / dt;
-    if (dt > 0 && isfinite(velocity)) *out_velocity = velocity;
+    if (dt > 0) *out_velocity = (*out_value - old) / dt;
 }

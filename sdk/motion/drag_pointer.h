@@ -6,8 +6,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/number_bounds.h"
 #include "math/constants.h"
 #include "math/elementary.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 #include "motion/drag_internal.h"
 
@@ -84,7 +86,7 @@ static inline void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float ha
     const float rest = (fabsf(gap) - at_once) * (1 - dmi_expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
     const float step = at_once + (dmi_joint_turns(drag->joint.type) ? dmi_fminf(rest, MAX_GLIDE * dt) : rest);
     const float value = drag->pointer_value + copysignf(step, gap);
-    if (isfinite(value)) drag->pointer_value = value;
+    if (isfinite(value)) drag->pointer_value = dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST);
 }
 
 /* Whether the joint is a slide seen end on: the pointer does not show its value, so it is no evidence against its

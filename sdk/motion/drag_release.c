@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/number_bounds.h"
 #include "math/constants.h"
 #include "math/elementary.h"
 
@@ -13,9 +14,8 @@
 #define GLIDE_HALF_LIVES 7.0f     /* half-lives after which a gliding part stands: 1/128 of the speed is left */
 #define PEAK_SPEED 1.875f         /* of minimum jerk, over its mean: at the middle */
 #define PEAK_ACCELERATION 5.7736f /* of minimum jerk over distance / time^2: 10 / sqrt(3), rounded up */
-#define MAX_DURATION 1e12f   /* s, as times of a host: a slower part is not seen to move, and a saved drag holds it */
-#define MIN_FALL_TIME 1e-3f  /* s: a shorter fall is over within a frame all the same */
-#define MAX_BACKWARDS 0.105f /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
+#define MIN_FALL_TIME 1e-3f       /* s: a shorter fall is over within a frame all the same */
+#define MAX_BACKWARDS 0.105f      /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
 
 static bool is_limit(const dm_joint* joint, float value) {
     return value == joint->lower || value == joint->upper;
@@ -27,7 +27,7 @@ static float shortest_duration(const dmi_released_part* part, float distance) {
     const float speed = dmi_released_rules(part)->max_speed, acceleration = dmi_released_rules(part)->max_acceleration;
     if (speed > 0) time = PEAK_SPEED * fabsf(distance) / speed;
     if (acceleration > 0) time = dmi_fmaxf(time, sqrtf(PEAK_ACCELERATION * fabsf(distance) / acceleration));
-    return dmi_fminf(time, MAX_DURATION);
+    return dmi_fminf(time, DMI_LARGEST_TIME);
 }
 
 /* Returns the duration of a motion over `distance`: by the share of the range, and not slower than the part already
@@ -45,7 +45,7 @@ static void plan_stay(const dmi_released_part* part, dmi_release* r) {
     const float end = dmi_joint_clamp(part->joint, part->value + dmi_released_glide(part));
     r->end = dmi_feel_nearest_detent(part->feel, part->joint, end);
     dmi_released_is_caught(part, &r->end);
-    r->duration = GLIDE_HALF_LIVES * dmi_feel_coast_time(part->feel);
+    r->duration = dmi_fminf(GLIDE_HALF_LIVES * dmi_feel_coast_time(part->feel), DMI_LARGEST_TIME);
     r->glides = r->end == end;
     if (!r->glides) r->duration = natural_duration(part, r->end - r->start);
     if (fabsf(r->end - r->start) <= ARRIVED_SHARE * dmi_released_unit(part)) r->duration = 0;
@@ -93,7 +93,8 @@ static void plan_flight(const dmi_released_part* part, dmi_release* r, bool by_i
         r->end = dmi_flight_end(&flight, r->start, part->velocity);
     } else if (by_itself && r->duration > 0 && dmi_released_falls(part)) {
         r->flies = true;
-        r->acceleration = side * 2 * (part->joint->upper - part->joint->lower) / (time * time);
+        const float pull = 2 * (part->joint->upper - part->joint->lower) / (time * time);
+        r->acceleration = side * dmi_fminf(pull, DMI_LARGEST_RATE);
         r->duration = dmi_fminf(sqrtf(2 * (r->end - r->start) / r->acceleration), time);
     }
 }
@@ -103,7 +104,7 @@ dmi_landing dmi_release_fly(dmi_release* r, const dmi_released_part* part, float
     const dmi_flight flight = flight_of(r, part);
     dmi_landing landing = dmi_flight_advance(&flight, dt, out_value, out_velocity);
     if (flight.lower != part->joint->lower || flight.upper != part->joint->upper) landing.struck = 0; /* rest is none */
-    r->elapsed += dt;
+    r->elapsed = dmi_fminf(r->elapsed + dt, DMI_LARGEST_TIME);
     if (landing.settled) {
         r->phase = DM_DRAG_AT_REST;
         r->end = *out_value;

@@ -89,8 +89,9 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
     const float range = joint->upper - joint->lower, near = REST_SHARE * range;
     const float most = dmi_joint_turns(joint->type) ? DMI_TWO_PI_F : limit_give.length;
     const float more = limit_give.share == 0 ? most : dmi_fmaxf(limit_give.share, 0) * range;
-    *out_lower = fabsf(joint->lower) <= near ? joint->lower : joint->lower - more;
-    *out_upper = fabsf(joint->upper) <= near ? joint->upper : joint->upper + more;
+    const float far = dmi_joint_farthest(joint);
+    *out_lower = fabsf(joint->lower) <= near ? joint->lower : dmi_fmaxf(joint->lower - more, -far);
+    *out_upper = fabsf(joint->upper) <= near ? joint->upper : dmi_fminf(joint->upper + more, far);
 }
 
 /* Whether the pull can't tell this joint's value, nor anything against it: it is that of the grab, seen end on. */

@@ -2,6 +2,8 @@
 #ifndef TEST_SNAPSHOT_H
 #define TEST_SNAPSHOT_H
 
+#include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -22,6 +24,14 @@ static inline dm_drag_rules test_every_rule(void) {
                            .tip_share = 0.5f,
                            .restitution = 0.3f,
                            .break_distance = 3};
+}
+
+/* Whether a drag's state holds nothing but numbers. */
+static inline bool test_state_is_finite(const dm_drag_state* now) {
+    float sum = now->value + now->target + now->velocity + now->impact;
+    sum += now->grab_point.x + now->grab_point.y + now->grab_point.z;
+    for (int i = 0; i < 4; i++) sum += now->pose.real[i] + now->pose.dual[i];
+    return isfinite(sum);
 }
 
 /* Bytes of a saved drag (plugin_api/src/api_snapshot.c): where its checksum lies, and from where on it counts. */

@@ -34,12 +34,6 @@ static dm_drag begin(const test_world* w, dm_object object, dm_vec3 grab, const 
     return begin_ruled(w, object, grab, NULL, state);
 }
 
-static bool is_finite(const dm_drag_state* now) {
-    float sum = now->value + now->target + now->velocity + now->grab_point.x + now->grab_point.y + now->grab_point.z;
-    for (int i = 0; i < 4; i++) sum += now->pose.real[i] + now->pose.dual[i];
-    return isfinite(sum);
-}
-
 static void save_and_restore(const test_world* w, dm_drag drag) {
     uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
     assert_int_equal(dm_drag_save(w->context, drag, saved, sizeof saved), DM_OK);
@@ -346,7 +340,7 @@ static void endless_times_give_finite_poses(void** state) {
             const dm_ray ray = test_ray_to(moved(&hinge, 0.05f * (float)frame, test_pull().point));
             if (frame == 20) assert_int_equal(dm_drag_release(w.context, drag, NULL, &plan), DM_OK);
             assert_int_equal(dm_drag_update(w.context, drag, frame < 20 ? &ray : NULL, 0.002f, &now), DM_OK);
-            assert_true(is_finite(&now));
+            assert_true(test_state_is_finite(&now));
         }
         assert_true(isfinite(plan.end_value) && isfinite(plan.duration));
         assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
@@ -377,7 +371,7 @@ static void parts_that_may_hardly_move_give_finite_poses(void** state) {
             const dm_ray ray = test_ray_to(moved(&hinge, 0.6f + 0.02f * (float)frame, test_pull().point));
             if (frame == 10) assert_int_equal(dm_drag_release(w.context, drag, &release, &plan), DM_OK);
             assert_int_equal(dm_drag_update(w.context, drag, frame < 10 ? &ray : NULL, 0.016f, &now), DM_OK);
-            assert_true(is_finite(&now));
+            assert_true(test_state_is_finite(&now));
             save_and_restore(&w, drag);
         }
         assert_true(isfinite(plan.end_value) && isfinite(plan.duration));
@@ -432,7 +426,7 @@ static void scalars_over_endless_updates_ask_for_finite_values(void** state) {
             input.hand = (dm_hand){.kind = kinds[i / 2 % 3], .amount = amount};
             assert_int_equal(dm_drag_step(w.context, drag, &input, 3e38f, &now), DM_OK);
             assert_true(fabsf(now.value) <= 1e9f && fabsf(now.target) <= 1e9f);
-            assert_true(is_finite(&now));
+            assert_true(test_state_is_finite(&now));
             save_and_restore(&w, drag);
         }
         assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
@@ -849,7 +843,7 @@ static void expect_sound_frames(const test_world* w, dm_drag drag, size_t place)
         input.hand.ray = test_ray_to(moved(&hinge, 0.4f + 0.1f * (float)frame, test_pull().point));
         if (frame % 4 == 3) input.second = (dm_hand){.kind = DM_HAND_POINT, .point = test_pull().point};
         assert_int_equal(dm_drag_step(w->context, drag, &input, 0.016f, &now), DM_OK);
-        if (!is_finite(&now)) fail_msg("byte %zu: frame %d is not finite", place, frame);
+        if (!test_state_is_finite(&now)) fail_msg("byte %zu: frame %d is not finite", place, frame);
         const float* q = now.pose.real;
         const float length = sqrtf(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
         if (fabsf(length - 1) > 1e-4f) fail_msg("byte %zu: frame %d has a rotation of length %g", place, frame, length);

@@ -11,14 +11,13 @@
 #include <math.h>
 
 #include "base/fp_environment.h"
+#include "base/number_bounds.h"
 #include "math/dual_quat.h"
 #include "math/elementary.h"
 #include "mesh/gltf/gltf_animation.h"
 #include "mesh/gltf/gltf_images.h"
 #include "mesh/gltf/gltf_split.h"
 #include "mesh/gltf/gltf_tree.h"
-
-#define LARGEST 1e9f /* s, and scene units by two: of a track, as dragmesh.h bounds the numbers of a host */
 
 /* What becomes of a node in the lists of children and roots, besides the index of its stand-in. */
 enum { KEPT = -1, GONE = -2, MOVED_ALONE = -3 /* what is below it stays */ };
@@ -55,9 +54,9 @@ static dm_result check_pose(dmi_env* env, const dm_pose* pose, uint32_t track, u
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
                         "track %u: pose %u has a rotation of length %g: it must be a unit quaternion", track, key,
                         (double)length);
-    if (most > LARGEST)
+    if (most > DMI_LARGEST_DUAL)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "track %u: pose %u moves by %g, more than %g", track, key,
-                        2 * (double)most, 2 * (double)LARGEST);
+                        2 * (double)most, 2 * (double)DMI_LARGEST_DUAL);
     return DM_OK;
 }
 
@@ -70,10 +69,10 @@ static dm_result check_track(dmi_env* env, const dm_gltf_track* track, uint32_t 
         const dm_result result = check_pose(env, &track->poses[k], which, k);
         if (result != DM_OK) return result;
         const float before = k ? track->times[k - 1] : -1;
-        if (!(track->times[k] >= 0 && track->times[k] <= LARGEST && track->times[k] > before))
+        if (!(track->times[k] >= 0 && track->times[k] <= DMI_LARGEST && track->times[k] > before))
             return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
                             "track %u: time %u is %g after %g, times must rise from 0, to %g at most", which, k,
-                            (double)track->times[k], (double)before, (double)LARGEST);
+                            (double)track->times[k], (double)before, (double)DMI_LARGEST);
     }
     return DM_OK;
 }
