@@ -106,16 +106,19 @@ dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
     return DM_OK;
 }
 
+static dm_result refuse_dual(dmi_env* env, const char* what, int i, double number) {
+    if (!isfinite(number)) return dmi_fail(env, DM_ERROR_NOT_FINITE, "%s.dual[%d] is %g", what, i, number);
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                    "%s.dual[%d] is %g: numbers beyond %g are too large to compute with", what, i, number,
+                    (double)DMI_LARGEST_DUAL);
+}
+
 dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out) {
     if (pose == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
     dm_result result = dmi_check_finite(env, what, pose->real, 4);
-    if (result == DM_OK) result = dmi_check_finite(env, what, pose->dual, 4);
     if (result != DM_OK) return result;
     for (int i = 0; i < 4; i++) {
-        if (fabsf(pose->dual[i]) <= DMI_LARGEST_DUAL) continue;
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
-                        "%s.dual[%d] is %g: numbers beyond %g are too large to compute with", what, i,
-                        (double)pose->dual[i], (double)DMI_LARGEST_DUAL);
+        if (!(fabsf(pose->dual[i]) <= DMI_LARGEST_DUAL)) return refuse_dual(env, what, i, (double)pose->dual[i]);
     }
     float length;
     if (!dmi_pose_is_near_unit(pose, &length)) {
