@@ -31,7 +31,8 @@ dm_result dmi_check_finite(dmi_env* env, const char* what, const float* values, 
 dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t first, int32_t last);
 /* Checks that a ray has finite numbers, an origin within DMI_LARGEST and a direction. */
 dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray);
-/* Checks that a pose is finite, within DMI_LARGEST_DUAL, and holds a rotation; out: the pose as a unit dual quaternion. */
+/* Checks that a pose is finite, within DMI_LARGEST_DUAL, and holds a rotation; out: the pose as a unit dual quaternion.
+ */
 dm_result dmi_check_pose(dmi_env* env, const char* what, const dm_pose* pose, dm_pose* out);
 
 #endif
