@@ -379,9 +379,9 @@ static void begin(dmi_drag_slot* slot, start* s) {
     slot->scale = s->scale;
     slot->open_side = (int8_t)dmi_joint_open_side(&s->joint, s->object_size);
     slot->value_unit = dmi_joint_value_unit(&s->joint, s->object_size);
+    const float unit_share = slot->value_unit / (s->joint.upper - s->joint.lower);
     if (slot->open_side != 0 && feel.soft_limit > 0)
-        feel.soft_limit =
-            dmi_fmaxf(feel.soft_limit * slot->value_unit / (s->joint.upper - s->joint.lower), SMALLEST_FEEL);
+        feel.soft_limit = dmi_fmaxf(feel.soft_limit * unit_share, SMALLEST_FEEL);
     if (s->has_pose && !same_pose(&s->pose, &on_joint)) {
         begin_at_pose(&slot->drag, s, &feel);
     } else {
