@@ -4,6 +4,7 @@
 #include "api_handles.h"
 #include "base/fp_environment.h"
 #include "math/dual_quat.h"
+#include "math/vec3.h"
 #include "pick/camera.h"
 
 dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray) {
@@ -26,8 +27,9 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
             (double)known.fov_y, (double)known.viewport_width, (double)known.viewport_height,
             (double)known.ortho_height);
     }
-    *out_ray = ray;
-    return DM_OK;
+    result = dmi_check_finite(env, "dm_camera_ray: the ray's origin", dmi_xyz(ray.origin).v, 3);
+    if (result == DM_OK) *out_ray = ray;
+    return result;
 }
 
 /* ---- create and destroy ---- */
