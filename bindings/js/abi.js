@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 9b65f9eb7616e9d0
+// Hash of the description: 9abac3eb1e29b3b4
 
 export const VERSION = '0.2.0';
 export const VERSION_NUMBER = 8192;

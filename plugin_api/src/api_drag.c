@@ -10,6 +10,7 @@
 #include "api_joint_check.h"
 #include "base/fp_environment.h"
 #include "math/elementary.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 
 /* By hand; docs/feel.md. */
@@ -148,11 +149,22 @@ static dm_result read_state(dmi_env* env, start* s) {
     return s->has_pose ? dmi_check_pose(env, "dm_drag_begin: desc.state.pose", &state.pose, &s->pose) : DM_OK;
 }
 
-/* Brings limits inside the values that are computed with. */
-static void bound_limits(dm_joint* joint) {
+/* Brings limits inside the values that are computed with. Returns false when no range is left of them. */
+static bool bound_limits(dm_joint* joint) {
     const float far = dmi_joint_farthest(joint);
+    const bool limited = dmi_joint_has_limits(joint);
     joint->lower = dmi_fminf(dmi_fmaxf(joint->lower, -far), far);
     joint->upper = dmi_fminf(dmi_fmaxf(joint->upper, -far), far);
+    return !limited || dmi_joint_has_limits(joint);
+}
+
+/* Sizes stand for lengths where a joint has no limits. */
+static dm_result check_sizes(dmi_env* env, const start* s) {
+    const float size = dmi_fmaxf(s->object_size, s->part_size);
+    if (size <= DMI_LARGEST) return DM_OK;
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                    "dm_drag_begin: the object is %g host units large: sizes beyond %g are too large to compute with",
+                    (double)size, (double)DMI_LARGEST);
 }
 
 static dm_result check_value(dmi_env* env, const start* s) {
@@ -160,7 +172,7 @@ static dm_result check_value(dmi_env* env, const start* s) {
     if (fabsf(s->value) <= far) return DM_OK;
     return dmi_fail(
         env, DM_ERROR_INVALID_ARGUMENT,
-        "dm_drag_begin: the value %g times the screw's pitch %g: values beyond %g are too large to compute with",
+        "dm_drag_begin: the value is %g: with the screw's pitch %g, values beyond %g are too large to compute with",
         (double)s->value, (double)s->joint.pitch, (double)far);
 }
 
@@ -168,6 +180,8 @@ static dm_result read_start(dmi_env* env, start* s) {
     dm_result result = dmi_scale_read(env, "dm_drag_begin: desc.scale", s->desc->scale, &s->scale);
     if (result != DM_OK) return result;
     measure(s);
+    result = check_sizes(env, s);
+    if (result != DM_OK) return result;
     s->joint = s->object->parts[s->part].joint;
     s->value = s->desc->start_value;
     dmi_joint_scale(&s->joint, s->scale);
@@ -179,7 +193,13 @@ static dm_result read_start(dmi_env* env, start* s) {
     result =
         s->desc->state != NULL ? read_state(env, s) : dmi_joint_check(env, SCALED_JOINT, &s->joint, DM_JOINT_UNKNOWN);
     if (result != DM_OK) return result;
-    bound_limits(&s->joint);
+    const float lower = s->joint.lower, upper = s->joint.upper;
+    if (!bound_limits(&s->joint)) {
+        return dmi_fail(
+            env, DM_ERROR_INVALID_ARGUMENT,
+            "dm_drag_begin: the joint's limits are %g and %g: values beyond %g are too large to compute with",
+            (double)lower, (double)upper, (double)dmi_joint_farthest(&s->joint));
+    }
     const dmi_rules_start rules = {.joint = &s->joint,
                                    .one_sided = dmi_joint_open_side(&s->joint, s->object_size) != 0,
                                    .object_size = s->object_size};
@@ -203,11 +223,11 @@ static void grab_middle(const start* s, dm_drag_desc* desc) {
 
 /* The hypotheses of a drag may turn about the grabbed point at rest. */
 static dm_result check_rest_point(dmi_env* env, const start* s) {
-    static const char* const fields[3] = {".x", ".y", ".z"};
+    static const char* const fields[3] = {": x", ": y", ": z"};
     const dm_pose pose = shown_pose(s), back = dmi_pose_inverse(&pose);
     float rest[3];
     dmi_pose_apply(&back, dmi_xyz(s->desc->grab_point).v, rest);
-    return dmi_check_vector(env, "dm_drag_begin: desc.grab_point with the part at rest", fields, rest);
+    return dmi_check_vector(env, "dm_drag_begin: the grabbed point, with the part at rest", fields, rest);
 }
 
 static void warn_of_point(dmi_env* env, const start* s) {
@@ -259,8 +279,7 @@ static dmi_free_range free_range_out(const start* s, int32_t type, dmi_free_rang
 static bool joint_out(const start* s, const dm_joint* inner, dm_joint* out) {
     *out = dmi_frame_joint_out(&s->object->frame, inner);
     dmi_joint_scale(out, s->scale);
-    bound_limits(out);
-    return dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN) == DM_OK;
+    return bound_limits(out) && dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN) == DM_OK;
 }
 
 /* Adds slides along the axes of the canonical frame. */
@@ -325,7 +344,8 @@ static void track(dmi_drag* drag, const start* s) {
     dm_joint joints[DM_MAX_HYPOTHESES];
     dmi_free_range free_ranges[DM_MAX_HYPOTHESES];
     const uint32_t count = collect_hypotheses(s, joints, free_ranges);
-    const dmi_limit_give limit_give = {.share = dmi_fminf(s->desc->limit_give, DMI_LARGEST), .length = s->object_size};
+    const dmi_limit_give limit_give = {.share = dmi_clamp(s->desc->limit_give, -1, DMI_LARGEST),
+                                       .length = s->object_size};
     dmi_drag_track_hypotheses(drag, joints, free_ranges, count, s->part_size, limit_give);
     if (count == 0 || is_chosen(s)) return;
     add_slides(&drag->tracker, s);
@@ -381,7 +401,7 @@ static void begin(dmi_drag_slot* slot, start* s) {
     slot->value_unit = dmi_joint_value_unit(&s->joint, s->object_size);
     const float unit_share = slot->value_unit / (s->joint.upper - s->joint.lower);
     if (slot->open_side != 0 && feel.soft_limit > 0)
-        feel.soft_limit = dmi_fmaxf(feel.soft_limit * unit_share, SMALLEST_FEEL);
+        feel.soft_limit = dmi_clamp(feel.soft_limit * unit_share, SMALLEST_FEEL, 1);
     if (s->has_pose && !same_pose(&s->pose, &on_joint)) {
         begin_at_pose(&slot->drag, s, &feel);
     } else {

@@ -6,8 +6,6 @@
 #include "api_drag.h"
 #include "math/vec3.h"
 
-#define LARGEST_SIZE 1e16f /* host units, of a scaled object: DMI_LARGEST to either side, a million times as large */
-
 typedef struct number {
     const char* name;
     float value, most;
@@ -95,14 +93,14 @@ static bool is_within(float value, float least, float most) {
 
 bool dmi_is_sound_rules(const dmi_rules* r) {
     const dmi_snaps* s = &r->snaps;
-    if (!is_within(r->object_size, 0, LARGEST_SIZE)) return false;
+    if (!is_within(r->object_size, 0, DMI_LARGEST)) return false;
     if (!r->on) return s->count == 0;
     if (s->count > DM_MAX_SNAPS || !is_within(s->pull, 0, 1) || !is_within(s->reach, 0, DMI_LARGEST)) return false;
     for (uint32_t i = 0; i < s->count; i++) {
         if (!is_within(s->values[i], -DMI_LARGEST, DMI_LARGEST)) return false;
         if (i > 0 && !(s->values[i - 1] < s->values[i])) return false;
     }
-    return is_within(s->outer_reach, 0, LARGEST_SIZE) && is_within(r->open_share, 0, 1) &&
+    return is_within(s->outer_reach, 0, DMI_LARGEST) && is_within(r->open_share, 0, 1) &&
            is_within(r->closed_share, 0, r->open_share) && is_within(r->event_time, 0, DMI_LARGEST_TIME) &&
            is_within(r->max_speed, 0, DMI_LARGEST_RATE) && is_within(r->max_acceleration, 0, DMI_LARGEST_RATE) &&
            is_within(r->lock_give, 0, 1) && is_within(r->latch_turn, 0, DMI_LARGEST) &&

@@ -50,7 +50,8 @@ float dmi_joint_value_unit(const dm_joint* joint, float size) {
 }
 
 static float far_limit(const dm_joint* joint, float size) {
-    return joint->type == DM_JOINT_PRISMATIC ? UNLIMITED_SLIDE * size : DMI_UNLIMITED_TURN;
+    const float far = joint->type == DM_JOINT_PRISMATIC ? UNLIMITED_SLIDE * size : DMI_UNLIMITED_TURN;
+    return dmi_fminf(far, dmi_joint_farthest(joint));
 }
 
 static float stand_in(const dm_joint* joint, float size) {

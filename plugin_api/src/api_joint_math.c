@@ -4,6 +4,7 @@
 #include "api_check.h"
 #include "api_joint_check.h"
 #include "base/fp_environment.h"
+#include "base/number_bounds.h"
 #include "math/constants.h"
 #include "math/elementary.h"
 #include "math/joint.h"
@@ -11,7 +12,6 @@
 #include "math/vec3.h"
 
 #define LIMIT_TOLERANCE 1e-4f /* rad by which rounding may put a value beyond its limit; by hand */
-#define UNLIMITED_LENGTH 1e9f /* host units: a slide's limit this far from rest is none; by hand */
 
 /* Reads a joint whose numbers a pose can be made of. */
 static dm_result read_joint(const dm_joint* joint, dm_joint* out) {
@@ -121,7 +121,7 @@ static void rotation_to(const float x[3], float out[4]) {
 }
 
 static void set_limits(const dm_joint* joint, dm_joint_frame* frame) {
-    const float far = joint->type == DM_JOINT_PRISMATIC ? UNLIMITED_LENGTH : DMI_UNLIMITED_TURN;
+    const float far = joint->type == DM_JOINT_PRISMATIC ? DMI_LARGEST : DMI_UNLIMITED_TURN;
     if (!dmi_joint_has_limits(joint) || joint->type == DM_JOINT_FIXED || joint->type == DM_JOINT_UNKNOWN) return;
     if (joint->lower > -far) frame->limits |= DM_LIMIT_LOWER, frame->lower = joint->lower;
     if (joint->upper < far) frame->limits |= DM_LIMIT_UPPER, frame->upper = joint->upper;

@@ -1,10 +1,12 @@
 /* Scene handles, and the camera. */
 #include "api_scene.h"
+
+#include <math.h>
+
 #include "api_check.h"
 #include "api_handles.h"
 #include "base/fp_environment.h"
 #include "math/dual_quat.h"
-#include "math/vec3.h"
 #include "pick/camera.h"
 
 dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray) {
@@ -27,9 +29,16 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
             (double)known.fov_y, (double)known.viewport_width, (double)known.viewport_height,
             (double)known.ortho_height);
     }
-    result = dmi_check_finite(env, "dm_camera_ray: the ray's origin", dmi_xyz(ray.origin).v, 3);
-    if (result == DM_OK) *out_ray = ray;
-    return result;
+    if (!isfinite(ray.origin.x) || !isfinite(ray.origin.y) || !isfinite(ray.origin.z)) {
+        return dmi_fail(
+            env, DM_ERROR_NOT_FINITE,
+            "dm_camera_ray: the ray's origin is beyond a float's range: camera.ortho_height %g, viewport %g x "
+            "%g, pixel %g, %g",
+            (double)known.ortho_height, (double)known.viewport_width, (double)known.viewport_height, (double)x,
+            (double)y);
+    }
+    *out_ray = ray;
+    return DM_OK;
 }
 
 /* ---- create and destroy ---- */

@@ -11,7 +11,6 @@
 
 #define MAGIC 0x53444D44u    /* "DMDS" */
 #define UNIT_TOLERANCE 1e-5f /* of an axis; by hand: rounding leaves 1e-7, and poses are as far off */
-#define LARGEST 1e12f /* of a number that a drag makes of those within DMI_LARGEST; its cube is in a float's range */
 #define FNV_START 0xcbf29ce484222325u
 #define FNV_PRIME 0x100000001b3u
 
@@ -99,7 +98,7 @@ static bool are_finite(const float* values, size_t count) {
 /* Whether poses can be made of the values, which come from numbers within DMI_LARGEST. */
 static bool are_within(const float* values, size_t count) {
     for (size_t i = 0; i < count; i++) {
-        if (!(fabsf(values[i]) <= LARGEST)) return false;
+        if (!(fabsf(values[i]) <= DMI_LARGEST_SAVED)) return false;
     }
     return true;
 }

@@ -54,7 +54,8 @@ static wish wish_of_point(dmi_drag* drag, const dm_hand* hand) {
     const dmi_span span = dmi_drag_span(drag, false);
     const float value =
         dmi_follow_point(&drag->joint, drag->rest_point, hands->point, drag->pointer_value, span.lower, span.upper);
-    return (wish){value, dmi_distance3(hands->point, before), squared_speed(drag, drag->rest_point)};
+    return (wish){dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST), dmi_distance3(hands->point, before),
+                  squared_speed(drag, drag->rest_point)};
 }
 
 static wish wish_of_first(dmi_drag* drag, const dm_hand* hand, dm_ray* out_ray) {
@@ -80,13 +81,14 @@ static void take_hold(dmi_drag* drag, const dm_hand* hand) {
 static float nearest_to_second(const dmi_drag* drag, const dm_hand* hand) {
     const dmi_second_hand* second = &drag->hands.second;
     const dmi_span span = dmi_drag_span(drag, false);
+    float value = second->value;
     dm_ray ray;
     if (hand->kind == DM_HAND_POINT)
-        return dmi_follow_point(&drag->joint, second->rest_point, dmi_xyz(hand->point).v, second->value, span.lower,
-                                span.upper);
-    if (!dmi_drag_unit_ray(&hand->ray, &ray)) return second->value;
-    return dmi_follow_ray(&drag->joint, second->rest_point, &ray, drag->projection, second->value, span.lower,
-                          span.upper);
+        value =
+            dmi_follow_point(&drag->joint, second->rest_point, dmi_xyz(hand->point).v, value, span.lower, span.upper);
+    else if (dmi_drag_unit_ray(&hand->ray, &ray))
+        value = dmi_follow_ray(&drag->joint, second->rest_point, &ray, drag->projection, value, span.lower, span.upper);
+    return dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST);
 }
 
 static wish wish_of_second(dmi_drag* drag, const dm_hand* hand) {

@@ -126,8 +126,9 @@ static inline float dmi_drag_nearest(dmi_drag* drag, const dm_ray* ray) {
         drag->projection = DMI_PERSPECTIVE;
     const bool stated = drag->limits_are_estimates && dmi_drag_is_unseen_slide(drag, ray);
     const dmi_span span = dmi_drag_span(drag, stated);
-    return dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->pointer_value, span.lower,
-                          span.upper);
+    const float value = dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->pointer_value,
+                                       span.lower, span.upper);
+    return dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST);
 }
 
 #endif

@@ -3,7 +3,9 @@
 
 #include <math.h>
 
+#include "base/number_bounds.h"
 #include "math/elementary.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 
 #define MIN_PULL 0.006f                 /* share of the part's size: a shorter pull carries no information; fitted */
@@ -39,9 +41,11 @@ void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, con
 
 void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 axis, dmi_free_range free_range) {
     const float size = tracker->grasp.size;
+    float origin[3];
+    for (int i = 0; i < 3; i++) origin[i] = dmi_clamp(tracker->grasp.pull.grab[i], -DMI_LARGEST, DMI_LARGEST);
     const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
                             .axis = axis,
-                            .origin = dmi_vec3(tracker->grasp.pull.grab),
+                            .origin = dmi_vec3(origin),
                             .lower = dmi_fmaxf(-size, free_range.lower),
                             .upper = dmi_fminf(size, free_range.upper),
                             .source = DM_JOINT_FROM_GEOMETRY};

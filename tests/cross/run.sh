@@ -6,7 +6,11 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 target=$1 built=$PWD/build/$1
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+clean_up() {
+    rm -rf "$work"
+    [ "$target" != windows ] || wineserver -k > /dev/null 2>&1 || true
+}
+trap clean_up EXIT
 failed=0
 joints_apart=0     # most that an inferred joint may be off, relative; 0: the same bits
 scene_apart=0      # the same of the fixed scene's answers, where a network runs (tests/e2e/determinism.sh)
@@ -30,7 +34,6 @@ windows)
     # one's connection: seldom, a program then ends at once, without a word and with status 0.
     wineserver -k > /dev/null 2>&1 || true
     wineserver -p
-    trap 'wineserver -k || true; rm -rf "$work"' EXIT
     wineboot --init > /dev/null 2>&1
     ;;
 linux-arm64) runner="qemu-aarch64 -L /usr/aarch64-linux-gnu" suffix='' compiler=aarch64-linux-gnu-gcc joints_apart=1e-3 scene_apart=1e-3 ;;

@@ -10,12 +10,12 @@
 
 #include "../include/test_shapes.h"
 #include "../include/test_snapshot.h"
+#include "base/number_bounds.h"
 #include "expect.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 enum { BYTES, CHANGES, STATE, KINDS };                    /* kinds of input */
-#define LARGEST_VALUE 1e9f                                /* that a host may hand in: dragmesh.h */
 enum { HELD_FRAMES = 12, RELEASED_FRAMES = 6, DOOR = 1 }; /* updates of a drag; the part's id */
 
 static dm_context* context;
@@ -60,7 +60,7 @@ static void expect_finite_step(dm_drag drag, int frame) {
     input.flags = DM_INPUT_ASK;
     fuzz_expect(dm_drag_step(context, drag, &input, 1.0f / 60, &now) == DM_OK);
     const dm_result taken = dm_drag_take(context, drag, now.value, &now);
-    fuzz_expect(taken == DM_OK || fabsf(now.value) > LARGEST_VALUE);
+    fuzz_expect(taken == DM_OK || fabsf(now.value) > DMI_LARGEST);
     fuzz_expect_state(&now);
 }
 

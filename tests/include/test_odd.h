@@ -11,7 +11,7 @@
 
 static const float test_odd_numbers[] = {0,     1e-45f, FLT_MIN, 1e-30f, 1e-20f, 1e-13f,  1e-9f, 1e-6f, 1e-3f,
                                          0.05f, 0.1f,   0.5f,    1,      2,      3,       10,    100,   1e3f,
-                                         1e6f,  1e9f,   1e12f,   3e38f,  -1,     -1e-45f, -0.5f, -1e9f};
+                                         1e6f,  1e9f,   1e12f,   3e38f,  -1,     -1e-45f, -0.5f, -1e9f, -3e38f};
 
 static inline float test_odd(dmi_random* random) {
     return test_odd_numbers[dmi_random_u32(random) % (sizeof test_odd_numbers / sizeof *test_odd_numbers)];

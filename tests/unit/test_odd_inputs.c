@@ -3,7 +3,9 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "math/vec3.h"
 #include "test_odd.h"
+#include "test_snapshot.h"
 #include "test_world.h"
 
 enum {
@@ -15,6 +17,11 @@ enum {
     SCENES = 400,
     MESHES = 150
 };
+
+/* Of `tried` inputs at least one in ten must have been taken: refusals alone would show nothing. */
+static void expect_taken(int taken, int tried) {
+    if (taken < tried / 10) fail_msg("only %d of %d were taken", taken, tried);
+}
 
 /* A number that is odd once in three times. */
 static float mild(dmi_random* random) {
@@ -47,6 +54,7 @@ static void odd_cameras_give_finite_rays(void** state) {
     test_world w;
     test_world_init(&w);
     test_world_open(&w);
+    int taken = 0;
     for (int i = 0; i < CAMERAS; i++) {
         dmi_random random = dmi_random_make((uint64_t)i, 2);
         dm_camera camera = dm_camera_default();
@@ -58,10 +66,12 @@ static void odd_cameras_give_finite_rays(void** state) {
         camera.viewport_width = test_odd(&random), camera.viewport_height = test_odd(&random);
         const float x = test_odd(&random), y = test_odd(&random);
         if (dm_camera_ray(w.context, &camera, x, y, &ray) != DM_OK) continue;
+        taken++;
         if (!test_is_finite_vector(ray.origin) || !test_is_unit(ray.direction))
             fail_msg("camera %d: from %g %g %g to %g %g %g", i, ray.origin.x, ray.origin.y, ray.origin.z,
                      ray.direction.x, ray.direction.y, ray.direction.z);
     }
+    expect_taken(taken, CAMERAS);
     test_world_close(&w);
 }
 
@@ -78,12 +88,12 @@ static dm_pose pose_within_bounds(dmi_random* random) {
     dm_pose pose;
     for (int i = 0; i < 4; i++) {
         pose.real[i] = fmaxf(fminf(test_odd(random), 1e9f), -1e9f);
-        pose.dual[i] = fmaxf(fminf(test_odd(random), 1e9f), -1e9f);
+        pose.dual[i] = fmaxf(fminf(test_odd(random), 4e9f), -4e9f);
     }
     return pose;
 }
 
-/* What returns nothing can't refuse: it promises finite numbers within 1e9. */
+/* What returns nothing can't refuse: it promises finite numbers for those within the bounds. */
 static void odd_poses_within_bounds_stay_finite(void** state) {
     (void)state;
     for (int i = 0; i < POSES; i++) {
@@ -112,6 +122,7 @@ static void expect_sound_value(const dm_joint* joint, const dm_pose* pose, float
 
 static void odd_joints_give_finite_answers(void** state) {
     (void)state;
+    int taken = 0, taken_scaled = 0;
     for (int i = 0; i < JOINTS; i++) {
         dmi_random random = dmi_random_make((uint64_t)i, 3);
         const dm_joint joint = odd_joint(&random);
@@ -123,15 +134,19 @@ static void odd_joints_give_finite_answers(void** state) {
         float at;
         describe(text, &joint);
         const bool poses = dm_joint_pose(&joint, value, &pose) == DM_OK;
+        taken += poses;
         if (poses && !test_is_sound_pose(&pose)) fail_msg("%s: its pose at %g", text, value);
         if (poses) expect_sound_value(&joint, &pose, value, text);
         if (dm_joint_value_at(&joint, share, &at) == DM_OK && !isfinite(at)) fail_msg("%s: %g at %g", text, at, share);
         expect_sound_frame(&joint, text);
         if (dm_joint_scale(&joint, scale, &scaled) != DM_OK) continue;
+        taken_scaled++;
         if (!test_is_finite_vector(scaled.axis) || !test_is_finite_vector(scaled.origin) || !isfinite(scaled.pitch))
             fail_msg("%s: scaled by %g %g %g", text, scale.x, scale.y, scale.z);
         if (poses && dm_joint_pose(&scaled, 0, &pose) != DM_OK) fail_msg("%s: not taken when scaled", text);
     }
+    expect_taken(taken, JOINTS);
+    expect_taken(taken_scaled, JOINTS);
 }
 
 /* An object is saved, loaded and saved again: the same bytes. */
@@ -154,6 +169,7 @@ static void a_joint_in_force_can_be_saved_and_dragged(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     const dm_object object = test_world_cabinet(&w);
+    int taken = 0;
     for (int i = 0; i < JOINTS_IN_FORCE; i++) {
         dmi_random random = dmi_random_make((uint64_t)i, 4);
         const dm_joint joint = odd_joint(&random);
@@ -164,12 +180,14 @@ static void a_joint_in_force_can_be_saved_and_dragged(void** state) {
         dm_drag drag;
         describe(text, &joint);
         if (dm_object_set_joint(w.context, object, TEST_DOOR, &joint) != DM_OK) continue;
+        taken++;
         assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &in_force), DM_OK);
         if (!test_is_finite_joint(&in_force)) fail_msg("%s: in force with another number", text);
         expect_saved_and_loaded(&w, object, text);
         if (dm_drag_begin(w.context, &desc, &drag) != DM_OK) fail_msg("%s: no drag: %s", text, w.messages.text);
         assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
     }
+    expect_taken(taken, JOINTS_IN_FORCE);
     test_world_close(&w);
 }
 
@@ -179,6 +197,7 @@ static void odd_links_move_parts_to_finite_values(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     const dm_object object = test_world_cabinet(&w);
+    int taken = 0;
     for (int i = 0; i < LINKED; i++) {
         dmi_random random = dmi_random_make((uint64_t)i, 5);
         dm_link link = {.driver = TEST_DOOR, .driven = TEST_HANDLE};
@@ -190,10 +209,12 @@ static void odd_links_move_parts_to_finite_values(void** state) {
         if (dm_object_set_links(w.context, object, &link, 1) != DM_OK) continue;
         const uint32_t moved = test_once_in(&random, 2) ? TEST_DOOR : TEST_HANDLE;
         if (dm_object_follow_links(w.context, object, moved, values, NULL, 2) != DM_OK) continue;
+        taken++;
         if (!test_are_finite(values, 2))
             fail_msg("ratio %g, offset %g, from %g: %g and %g", link.ratio, link.offset, link.from, values[0],
                      values[1]);
     }
+    expect_taken(taken, LINKED);
     test_world_close(&w);
 }
 
@@ -211,15 +232,17 @@ static void add_odd_instance(const test_world* w, dmi_random* random, dm_scene s
     if (dm_joint_pose(&joint, value, &pose) == DM_OK) dm_scene_move(w->context, scene, instance, TEST_DOOR, &pose);
 }
 
-static void expect_sound_hit(const test_world* w, dm_scene scene, const dm_ray* ray) {
+/* Returns whether something was hit. */
+static bool expect_sound_hit(const test_world* w, dm_scene scene, const dm_ray* ray) {
     dm_hit hit = dm_hit_default();
-    if (dm_scene_pick(w->context, scene, ray, &hit) != DM_OK) return;
+    if (dm_scene_pick(w->context, scene, ray, &hit) != DM_OK) return false;
     const float numbers[] = {hit.distance, hit.u, hit.v};
     if (!test_are_finite(numbers, 3) || !test_is_finite_vector(hit.point) || !test_is_finite_vector(hit.object_point) ||
         !test_is_finite_vector(hit.normal) || (hit.object != 0 && (!test_is_unit(hit.normal) || hit.distance < 0)))
         fail_msg("a ray from %g %g %g along %g %g %g: distance %g, normal %g %g %g", ray->origin.x, ray->origin.y,
                  ray->origin.z, ray->direction.x, ray->direction.y, ray->direction.z, hit.distance, hit.normal.x,
                  hit.normal.y, hit.normal.z);
+    return hit.object != 0;
 }
 
 static void odd_scenes_give_finite_hits(void** state) {
@@ -229,6 +252,7 @@ static void odd_scenes_give_finite_hits(void** state) {
     test_world_init(&w);
     test_world_open(&w);
     const dm_object object = test_world_cabinet(&w);
+    int hits = 0;
     for (int i = 0; i < SCENES; i++) {
         dmi_random random = dmi_random_make((uint64_t)i, 6);
         dm_scene scene;
@@ -240,10 +264,11 @@ static void odd_scenes_give_finite_hits(void** state) {
         for (int k = 0; k < 6; k++) {
             const dm_ray odd = {test_odd_vector(&random), test_odd_vector(&random)},
                          plain = {{0.5f, 0.5f, k > 3 ? 1e9f : 3}, {mild(&random), 0, -1}};
-            expect_sound_hit(&w, scene, k % 2 ? &plain : &odd);
+            hits += expect_sound_hit(&w, scene, k % 2 ? &plain : &odd);
         }
         assert_int_equal(dm_scene_destroy(w.context, scene), DM_OK);
     }
+    expect_taken(hits, SCENES);
     test_world_close(&w);
 }
 
@@ -258,7 +283,7 @@ static void make_odd(dmi_random* random, test_shape* shape) {
         float* number = &shape->xyz[i / 3][i % 3];
         if (way < 2) *number *= factors[i % 3];
         if (way == 2 && test_once_in(random, 40)) *number = test_odd(random);
-        *number += (&offset.x)[i % 3];
+        *number += dmi_xyz(offset).v[i % 3];
     }
 }
 
@@ -277,8 +302,30 @@ static void expect_sound_part(const test_world* w, dm_object object, uint32_t in
         fail_msg("%s: its own joint is refused: %s: %s", text, joint_text, w->messages.text);
 }
 
+/* A part that can be dragged is, is put back to where it was saved, and begins again where it ended. */
+static int expect_dragged(const test_world* w, dm_object object, const char* text) {
+    uint8_t saved[DM_DRAG_SNAPSHOT_MAX];
+    dm_part_state end = dm_part_state_default();
+    dm_drag_state now = dm_drag_state_default();
+    dm_drag_desc desc = {
+        .struct_size = sizeof desc, .part_id = TEST_DOOR, .object = object, .flags = DM_DRAG_WITHOUT_POINT};
+    dm_drag drag = 0;
+    if (dm_drag_begin(w->context, &desc, &drag) != DM_OK) return 0;
+    assert_int_equal(dm_drag_release(w->context, drag, NULL, NULL), DM_OK);
+    assert_int_equal(dm_drag_update(w->context, drag, NULL, 0.1f, &now), DM_OK);
+    if (!test_state_is_finite(&now) || !test_is_sound_pose(&now.pose)) fail_msg("%s: dragged to %g", text, now.value);
+    assert_int_equal(dm_drag_save(w->context, drag, saved, sizeof saved), DM_OK);
+    if (dm_drag_restore(w->context, drag, saved, dm_drag_snapshot_size()) != DM_OK) fail_msg("%s: not restored", text);
+    assert_int_equal(dm_drag_end(w->context, drag, &end), DM_OK);
+    desc.state = &end;
+    if (dm_drag_begin(w->context, &desc, &drag) != DM_OK) fail_msg("%s: not begun again: %s", text, w->messages.text);
+    assert_int_equal(dm_drag_end(w->context, drag, NULL), DM_OK);
+    return 1;
+}
+
 static void odd_meshes_give_finite_joints(void** state) {
     (void)state;
+    int prepared = 0, dragged = 0;
     for (int i = 0; i < MESHES; i++) {
         dmi_random random = dmi_random_make((uint64_t)i, 7);
         test_world w;
@@ -290,11 +337,15 @@ static void odd_meshes_give_finite_joints(void** state) {
         make_odd(&random, &w.shape);
         if (dm_context_create(&w.desc, &w.context) != DM_OK) continue;
         if (test_world_prepare(&w, 0, &object) == DM_OK) {
+            prepared++;
+            dragged += expect_dragged(&w, object, text);
             for (uint32_t k = 0; k < 2; k++) expect_sound_part(&w, object, k, text);
             expect_saved_and_loaded(&w, object, text);
         }
         test_world_close(&w);
     }
+    expect_taken(prepared, MESHES);
+    expect_taken(dragged, MESHES);
 }
 
 int main(void) {

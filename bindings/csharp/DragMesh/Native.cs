@@ -1474,7 +1474,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern void dm_pose_apply_points(Pose* pose, float* src, UIntPtr src_stride, float* dst, UIntPtr dst_stride, UIntPtr count);
 
-        /// <summary>Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID_ARGUMENT when the camera has no view; NOT_FINITE when the ray begins beyond a float. [frame]</summary>
+        /// <summary>Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID_ARGUMENT when the camera has no view; NOT_FINITE when the ray's origin is beyond a float's range. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_camera_ray(IntPtr context, Camera* camera, float x, float y, Ray* out_ray);
 

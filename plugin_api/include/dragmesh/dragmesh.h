@@ -5,9 +5,10 @@
  *
  * Conventions that hold for every function:
  *  - Frames and units are the HOST's, as stated in dm_context_desc (axes preset, unit). Angles are radians.
- *  - Places, lengths, joint values and pitches beyond 1e9 host units or rad answer INVALID_ARGUMENT where a drag, a
- *    pose or a pick would compute with them; factors of a scale are 1e-6 to 1e6. Finite input gives finite output; the
- *    functions that return nothing (dm_pose_multiply, _inverse, _to_matrix, _apply_points) promise it within 1e9.
+ *  - Places, lengths, joint values and pitches beyond 1e9 host units or rad, and numbers beyond 4e9 in the dual part of
+ *    a pose, answer INVALID_ARGUMENT where a drag, a pose or a pick would compute with them; factors of a scale are
+ *    1e-6 to 1e6. Finite input gives finite output; the functions that return nothing (dm_pose_multiply, _inverse,
+ *    _to_matrix, _apply_points) promise it for numbers within these bounds.
  *  - Functions return DM_OK (0) or a negative dm_result. On an error the outputs are untouched, a message that
  *    names the field and the value goes to the log callback, and the context stays usable. Nothing aborts.
  *    Any function may answer INVALID_ARGUMENT, STRUCT_SIZE, STALE_HANDLE and NOT_FINITE, one that names a part or an
@@ -988,7 +989,7 @@ DM_API void DM_CALL dm_pose_apply_points(const dm_pose* pose, const float* src, 
 /* ---- functions: camera and scene --------------------------------------------------------------------------------- */
 
 /* Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID_ARGUMENT
- * when the camera has no view; NOT_FINITE when the ray begins beyond a float. [frame] */
+ * when the camera has no view; NOT_FINITE when the ray's origin is beyond a float's range. [frame] */
 DM_API dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y,
                                        dm_ray* out_ray);
 

@@ -1473,7 +1473,7 @@ extern "C" {
     pub fn dm_pose_to_matrix(pose: *const dm_pose, out_matrix: *mut f32);
     /// Moves \`count\` float32 points; strides in bytes, 0 = packed. src may equal dst. \[frame\]
     pub fn dm_pose_apply_points(pose: *const dm_pose, src: *const f32, src_stride: usize, dst: *mut f32, dst_stride: usize, count: usize);
-    /// Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID\_ARGUMENT when the camera has no view; NOT\_FINITE when the ray begins beyond a float. \[frame\]
+    /// Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID\_ARGUMENT when the camera has no view; NOT\_FINITE when the ray's origin is beyond a float's range. \[frame\]
     pub fn dm_camera_ray(context: *const dm_context, camera: *const dm_camera, x: f32, y: f32, out_ray: *mut dm_ray) -> dm_result;
     /// Errors: UNSUPPORTED when the context picks nothing (DM\_PICK\_NONE, or nothing was found). \[any-thread\]
     pub fn dm_scene_create(context: *mut dm_context, desc: *const dm_scene_desc, out_scene: *mut dm_scene) -> dm_result;
