@@ -153,8 +153,8 @@ static dm_result read_state(dmi_env* env, start* s) {
 static bool bound_limits(dm_joint* joint) {
     const float far = dmi_joint_farthest(joint);
     const bool limited = dmi_joint_has_limits(joint);
-    joint->lower = dmi_fminf(dmi_fmaxf(joint->lower, -far), far);
-    joint->upper = dmi_fminf(dmi_fmaxf(joint->upper, -far), far);
+    joint->lower = dmi_clamp_within(joint->lower, far);
+    joint->upper = dmi_clamp_within(joint->upper, far);
     return !limited || dmi_joint_has_limits(joint);
 }
 
@@ -377,7 +377,7 @@ static bool same_pose(const dm_pose* a, const dm_pose* b) {
 static dm_drag_feel usable_feel(const dm_drag_feel* given) {
     dm_drag_feel feel = *given;
     float* const times[3] = {&feel.smoothing_time, &feel.coast_time, &feel.return_time};
-    for (int i = 0; i < 3; i++) *times[i] = dmi_fmaxf(dmi_fminf(*times[i], DMI_LARGEST_TIME), -DMI_LARGEST_TIME);
+    for (int i = 0; i < 3; i++) *times[i] = dmi_clamp_within(*times[i], DMI_LARGEST_TIME);
     feel.detent = dmi_fminf(feel.detent, DMI_LARGEST);
     return feel;
 }

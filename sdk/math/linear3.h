@@ -20,6 +20,11 @@ static inline float dmi_clamp(float value, float low, float high) {
     return !(value > low) ? low : value < high ? value : high;
 }
 
+/* Clamps to [-most, most]; -most for NaN. */
+static inline float dmi_clamp_within(float value, float most) {
+    return dmi_clamp(value, -most, most);
+}
+
 static inline float dmi_dot3(const float a[3], const float b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

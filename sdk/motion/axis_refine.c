@@ -29,7 +29,7 @@ static void origin_at(const dmi_joint_hypothesis* hypothesis, const dmi_pull_fit
     float at[3];
     for (int i = 0; i < 3; i++) {
         const float way = fit->size * (shift[0] * fit->outward[i] + shift[1] * fit->forward[i]);
-        at[i] = dmi_clamp(hypothesis->initial_origin[i] + way, -DMI_LARGEST, DMI_LARGEST);
+        at[i] = dmi_clamp_within(hypothesis->initial_origin[i] + way, DMI_LARGEST);
     }
     *out = dmi_vec3(at);
 }

@@ -115,7 +115,7 @@ static void change_joint(dmi_drag* drag) {
     const dmi_joint_hypothesis* best = &drag->tracker.list[drag->tracker.best];
     const dm_pose before = shown_pose(drag);
     drag->joint = best->joint;
-    drag->pointer_value = dmi_clamp(best->pointer_value, -DMI_LARGEST, DMI_LARGEST);
+    drag->pointer_value = dmi_clamp_within(best->pointer_value, DMI_LARGEST);
     init_estimated_limits(drag);
     dmi_drag_ask(drag);
     drag->target = drag->value = first_value(drag, &before);
@@ -226,7 +226,7 @@ static void finish_update(dmi_drag* drag, const dm_ray* ray, float time, dm_drag
     } else if (drag->release.phase == DM_DRAG_RELEASED) {
         update_released(drag, time);
     }
-    drag->velocity = dmi_rate_clamp(drag->velocity);
+    drag->velocity = dmi_clamp_within(drag->velocity, DMI_LARGEST_RATE);
     if (drag->rules.on) dmi_drag_keep_rules(drag, time);
     write_state(drag, out_state);
 }
@@ -285,7 +285,8 @@ void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag
 static void take_instead(dmi_drag* drag, float value) {
     const dmi_pending_value* pending = &drag->pending;
     const bool same_joint = drag->changes == pending->event_state.changes;
-    if (pending->dt > 0) drag->velocity = same_joint ? dmi_rate_clamp((value - pending->start) / pending->dt) : 0;
+    if (pending->dt > 0)
+        drag->velocity = same_joint ? dmi_clamp_within((value - pending->start) / pending->dt, DMI_LARGEST_RATE) : 0;
     drag->value = value;
     drag->landing = (dmi_landing){0};
     if (pending->phase == DM_DRAG_RELEASED) drag->release.phase = DM_DRAG_RELEASED;

@@ -54,7 +54,7 @@ static wish wish_of_point(dmi_drag* drag, const dm_hand* hand) {
     const dmi_span span = dmi_drag_span(drag, false);
     const float value =
         dmi_follow_point(&drag->joint, drag->rest_point, hands->point, drag->pointer_value, span.lower, span.upper);
-    return (wish){dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST), dmi_distance3(hands->point, before),
+    return (wish){dmi_clamp_within(value, DMI_LARGEST), dmi_distance3(hands->point, before),
                   squared_speed(drag, drag->rest_point)};
 }
 
@@ -88,7 +88,7 @@ static float nearest_to_second(const dmi_drag* drag, const dm_hand* hand) {
             dmi_follow_point(&drag->joint, second->rest_point, dmi_xyz(hand->point).v, value, span.lower, span.upper);
     else if (dmi_drag_unit_ray(&hand->ray, &ray))
         value = dmi_follow_ray(&drag->joint, second->rest_point, &ray, drag->projection, value, span.lower, span.upper);
-    return dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST);
+    return dmi_clamp_within(value, DMI_LARGEST);
 }
 
 static wish wish_of_second(dmi_drag* drag, const dm_hand* hand) {
@@ -164,7 +164,7 @@ static void follow_scalar(dmi_drag* drag, const dm_hand* hand, float dt) {
     if (hand->kind == DM_HAND_RATE) value += hand->amount * speed * range * dt;
     if (hand->kind == DM_HAND_STEP) value += hand->amount * range;
     if (hand->kind == DM_HAND_VALUE) value = dmi_drag_pointer_value(drag, dmi_joint_clamp(&drag->joint, hand->amount));
-    value = clamp_to_span((dmi_span){-DMI_LARGEST, DMI_LARGEST}, value);
+    value = dmi_clamp_within(value, DMI_LARGEST);
     if (dmi_joint_has_limits(&drag->joint)) value = inside_limits(drag, hand, value, dt);
     drag->pointer_value = value;
     dmi_drag_ask(drag);

@@ -6,6 +6,7 @@
 
 #include "base/number_bounds.h"
 #include "math/elementary.h"
+#include "math/linear3.h"
 
 /* By hand. */
 #define STOP_HALF_LIFE 0.02f    /* s in which half of the way to a bound is made at most, and half of the way back */
@@ -15,10 +16,6 @@
 
 float dmi_bounds_clamp(dmi_bounds bounds, float value) {
     return dmi_fminf(dmi_fmaxf(value, bounds.lower), bounds.upper);
-}
-
-float dmi_rate_clamp(float velocity) {
-    return dmi_fminf(dmi_fmaxf(velocity, -DMI_LARGEST_RATE), DMI_LARGEST_RATE);
 }
 
 bool dmi_bounds_hold(dmi_bounds bounds, float value, float target, float range, bool held_before) {
@@ -66,7 +63,7 @@ bool dmi_limit_step(const dmi_rules* rules, dmi_bounds bounds, float before, flo
                     float* inout_value, float* inout_velocity) {
     const bool slowed = limit_speed(rules, before, speed_before, dt, inout_value, inout_velocity);
     const bool held = limit_to_bounds(bounds, before, dt, inout_value, inout_velocity);
-    *inout_velocity = dmi_rate_clamp(*inout_velocity);
+    *inout_velocity = dmi_clamp_within(*inout_velocity, DMI_LARGEST_RATE); /* a very short step gives a larger one */
     return slowed || held;
 }
 

@@ -11,8 +11,6 @@ typedef struct dmi_bounds {
 
 /* Returns the value inside the bounds that is nearest to `value`. */
 float dmi_bounds_clamp(dmi_bounds bounds, float value);
-/* Returns the nearest velocity that is computed with: a step over a very short time may give a larger one. */
-float dmi_rate_clamp(float velocity);
 /* Whether the bounds hold a part at `value` that is asked to go to `target`. */
 bool dmi_bounds_hold(dmi_bounds bounds, float value, float target, float range, bool held_before);
 

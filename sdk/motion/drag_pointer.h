@@ -86,7 +86,7 @@ static inline void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float ha
     const float rest = (fabsf(gap) - at_once) * (1 - dmi_expf(-DMI_LN_2_F * dt / CATCH_UP_HALF_LIFE));
     const float step = at_once + (dmi_joint_turns(drag->joint.type) ? dmi_fminf(rest, MAX_GLIDE * dt) : rest);
     const float value = drag->pointer_value + copysignf(step, gap);
-    if (isfinite(value)) drag->pointer_value = dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST);
+    if (isfinite(value)) drag->pointer_value = dmi_clamp_within(value, DMI_LARGEST);
 }
 
 /* Whether the joint is a slide seen end on: the pointer does not show its value, so it is no evidence against its
@@ -128,7 +128,7 @@ static inline float dmi_drag_nearest(dmi_drag* drag, const dm_ray* ray) {
     const dmi_span span = dmi_drag_span(drag, stated);
     const float value = dmi_follow_ray(&drag->joint, drag->rest_point, ray, drag->projection, drag->pointer_value,
                                        span.lower, span.upper);
-    return dmi_clamp(value, -DMI_LARGEST, DMI_LARGEST);
+    return dmi_clamp_within(value, DMI_LARGEST);
 }
 
 #endif

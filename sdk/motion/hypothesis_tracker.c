@@ -42,7 +42,7 @@ void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, con
 void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 axis, dmi_free_range free_range) {
     const float size = tracker->grasp.size;
     float origin[3];
-    for (int i = 0; i < 3; i++) origin[i] = dmi_clamp(tracker->grasp.pull.grab[i], -DMI_LARGEST, DMI_LARGEST);
+    for (int i = 0; i < 3; i++) origin[i] = dmi_clamp_within(tracker->grasp.pull.grab[i], DMI_LARGEST);
     const dm_joint slide = {.type = DM_JOINT_PRISMATIC,
                             .axis = axis,
                             .origin = dmi_vec3(origin),
