@@ -2,8 +2,8 @@
 
 // Hash of the description: 9abac3eb1e29b3b4
 
-export const VERSION = '0.2.0';
-export const VERSION_NUMBER = 8192;
+export const VERSION = '0.3.0-dev';
+export const VERSION_NUMBER = 12287;
 export const MOTION_FRAMES = 16;
 export const MAX_HYPOTHESES = 8;
 export const MAX_PARTS = 4096;

@@ -64,13 +64,16 @@ function signature(fn) {
 
 const enums = ours(api.enums).map(enumOf);
 const numbers = ours(api.constants);
-const version = ['MAJOR', 'MINOR', 'PATCH'].map(part => numbers.find(c => c.name === `DM_VERSION_${part}`).value);
+const [major, minor, patch, development] = ['MAJOR', 'MINOR', 'PATCH', 'DEVELOPMENT']
+    .map(part => numbers.find(c => c.name === `DM_VERSION_${part}`).value);
+const version = `${major}.${minor}.${patch}${development ? '-dev' : ''}`;
+const versionNumber = (major << 22 | minor << 12 | patch) - development; // as DM_VERSION
 
 let code = NOTE, types = NOTE;
 // Of all that C sees, the table of functions too, which has no place below.
 const hash = createHash('sha256').update(JSON.stringify([ours(api.structs), ours(api.types), ours(api.functions)])).digest('hex').slice(0, 16);
 code += `\n// Hash of the description: ${hash}\n`;
-code += `\nexport const VERSION = '${version.join('.')}';\nexport const VERSION_NUMBER = ${version[0] << 22 | version[1] << 12 | version[2]};\n`;
+code += `\nexport const VERSION = '${version}';\nexport const VERSION_NUMBER = ${versionNumber};\n`;
 types += '\nexport const VERSION: string;\nexport const VERSION_NUMBER: number;\n';
 for (const { name, value, doc } of numbers.filter(c => c.name.startsWith('DM_') && !c.name.startsWith('DM_VERSION'))) {
     code += `export const ${name.slice(3)} = ${value};\n`;

@@ -49,8 +49,8 @@ int main(int argc, char** argv) {
     dm_library library;
     dm = dm_library_open(&library, file);
     if (dm == NULL) return fprintf(stderr, "%s: %s\n", file, library.error), 1;
-    uint32_t version = dm->version();
-    printf("dragmesh %u.%u.%u\n", version >> 22, version >> 12 & 0x3ff, version & 0xfff);
+    const uint32_t odd = dm->version() & 1, version = dm->version() + odd; /* odd: in development (DM_VERSION) */
+    printf("dragmesh %u.%u.%u%s\n", version >> 22, version >> 12 & 0x3ff, version & 0xfff, odd ? "-dev" : "");
     dm_context* context;
     dm_model model;
     dm_context_desc host = {.struct_size = sizeof host, .log = {stderr, print}};

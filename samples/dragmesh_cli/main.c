@@ -40,9 +40,16 @@ double cli_now_ms(void) {
     return 1e-6 * timing_now_ns(CLOCK_MONOTONIC);
 }
 
+/* Writes 0.3.0, or 0.3.0-dev for an odd number (DM_VERSION). */
+static void print_version(FILE* out, uint32_t version) {
+    const uint32_t odd = version & 1, release = version + odd;
+    fprintf(out, "%u.%u.%u%s", release >> 22, release >> 12 & 1023, release & 4095, odd ? "-dev" : "");
+}
+
 static void print_help(FILE* out) {
-    fprintf(out, "dragmesh %d.%d.%d: how the parts of an object move, and moves them.\n\n", DM_VERSION_MAJOR,
-            DM_VERSION_MINOR, DM_VERSION_PATCH);
+    fprintf(out, "dragmesh ");
+    print_version(out, DM_VERSION);
+    fprintf(out, ": how the parts of an object move, and moves them.\n\n");
     for (int i = 0; i < COMMANDS; i++)
         fprintf(out, "dragmesh %s %s\n    %s\n", commands[i]->name, commands[i]->usage, commands[i]->summary);
     fprintf(
@@ -64,7 +71,8 @@ static int run(int argc, char** argv) {
         return CLI_OK;
     }
     if (strcmp(argv[1], "--version") == 0) {
-        printf("%u.%u.%u\n", dm_version() >> 22, dm_version() >> 12 & 1023, dm_version() & 4095);
+        print_version(stdout, dm_version());
+        printf("\n");
         return CLI_OK;
     }
     fprintf(stderr, "dragmesh: no command '%s'; see dragmesh --help\n", argv[1]);

@@ -3,9 +3,9 @@
 # it to them. The header is the one place where a version is set.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-number() { sed -n "s/^#define DM_VERSION_$1 \([0-9]*\)$/\1/p" plugin_api/include/dragmesh/dragmesh.h; }
-major=$(number MAJOR) minor=$(number MINOR) patch=$(number PATCH)
-version=$major.$minor.$patch any='[0-9]+\.[0-9]+\.[0-9]+'
+version=$(scripts/version) numbers=$(scripts/version numbers) python=$(scripts/version python)
+IFS=. read -r major minor patch <<< "$numbers"
+any='[0-9]+\.[0-9]+\.[0-9]+(-dev|\.dev0)?'
 mode=${1:-check} failed=0 places=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 at() {
     sed -E "$2" "$1" > "$work/file"
     places=$((places + 1))
-    [ "${3:-must}" = may ] || grep -q "$version\|$major, $minor, $patch" "$work/file" ||
+    [ "${3:-must}" = may ] || grep -q "$numbers\|$major, $minor, $patch" "$work/file" ||
         { echo "version: $1 names no version any more" >&2; failed=1; }
     cmp -s "$1" "$work/file" && return
     if [ "$mode" = write ]; then
@@ -26,24 +26,23 @@ at() {
     fi
 }
 
-at packaging/vcpkg/dragmesh/vcpkg.json "s/(\"version\": \")$any/\1$version/"
+at packaging/vcpkg/dragmesh/vcpkg.json "s/(\"version-semver\": \")$any/\1$version/"
 at bindings/csharp/DragMesh/DragMesh.csproj "s/(<Version>)$any/\1$version/"
 at bindings/godot/addons/dragmesh/plugin.cfg "s/^(version=\")$any/\1$version/"
 at bindings/js/package.json "s/(\"version\": \")$any/\1$version/"
 at bindings/unity/package.json "s/(\"version\": \")$any/\1$version/"
 at bindings/unreal/DragMesh/DragMesh.uplugin "s/(\"VersionName\": \")$any/\1$version/"
-at bindings/python/pyproject.toml "s/^(version = \")$any/\1$version/"
-at bindings/python/dragmesh/__init__.py "s/^(__version__ = \")$any/\1$version/"
+at bindings/python/pyproject.toml "s/^(version = \")$any/\1$python/"
+at bindings/python/dragmesh/__init__.py "s/^(__version__ = \")$any/\1$python/"
 at bindings/python/blender/dragmesh_openable/__init__.py "s/(\"version\": \()[0-9]+, [0-9]+, [0-9]+/\1$major, $minor, $patch/"
 at bindings/rust/Cargo.lock "s/^(version = \")$any/\1$version/" # both packages are ours
 at bindings/rust/dragmesh-sys/Cargo.toml "s/^(version = \")$any/\1$version/"
 at bindings/rust/dragmesh/Cargo.toml "s/^((dragmesh-sys = \{ )?version = \")$any/\1$version/"
 for page in README.md docs/*.md docs/engines/*.md bindings/*/README.md bindings/*/*/README.md samples/*/CMakeLists.txt; do
-    at "$page" "s/(dragmesh(\.unity)?-)$any/\1$version/g; s/(find_package\(dragmesh )[0-9]+\.[0-9]+/\1$major.$minor/" may
+    at "$page" "s/(dragmesh(\.unity)?-)$any/\1$version/g; s/(dragmesh-)$any-py3/\1$python-py3/g; s/(find_package\(dragmesh )[0-9]+\.[0-9]+/\1$major.$minor/" may
 done
 [ "$(grep -c '^name = ' bindings/rust/Cargo.lock)" = 2 ] || { echo "version: bindings/rust/Cargo.lock has packages of others" >&2; failed=1; }
-# The changes begin with this version.
-[ "$mode" = write ] || [[ "$(grep -m 1 '^## ' CHANGELOG.md)" = "## $version ("*")" ]] ||
-    { echo "version: CHANGELOG.md does not begin with $version" >&2; failed=1; }
+# An odd number is a version in development (DM_VERSION).
+[ $((patch % 2)) = 0 ] || { echo "version: the patch number of $numbers is odd" >&2; failed=1; }
 [ $failed != 0 ] || echo "version: $version in $places files"
 exit $failed

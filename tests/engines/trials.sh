@@ -15,8 +15,7 @@ command -v debootstrap > /dev/null || { echo "trials.sh: debootstrap is missing"
 # In namespaces of its own: nothing stays mounted or runs on, however this ends.
 [ -n "${DM_UNSHARED:-}" ] || DM_UNSHARED=1 exec unshare --mount --pid --fork --propagation private "$PWD/tests/engines/trials.sh" "$@"
 [ $# -gt 0 ] || set -- cpp csharp rust love python blender web
-number() { sed -n "s/^#define DM_VERSION_$1 \([0-9]*\).*/\1/p" plugin_api/include/dragmesh/dragmesh.h; }
-version=$(number MAJOR).$(number MINOR).$(number PATCH)
+numbers=$(scripts/version numbers)
 work=$(mktemp -d) failed=0
 root=$work/root base=${DM_BASE:-$work/base}
 mounts() { # ON|OFF
@@ -54,7 +53,7 @@ steps() {
 
 for page; do
     rm -rf --one-file-system "$root" && cp -a "$base" "$root" && mounts ON
-    mkdir "$root/root/trial" && cp "${DM_DIST:-build/dist}"/*dragmesh*-"$version"* "$root/root/trial/"
+    mkdir "$root/root/trial" && cp "${DM_DIST:-build/dist}"/*dragmesh*-"$numbers"* "$root/root/trial/"
     { # apt's seconds are counted apart
         cat "$work/way"
         echo 'apt() { local from=$SECONDS; command apt-get -qq "$@" > /dev/null; packages=$((packages + SECONDS - from)); }

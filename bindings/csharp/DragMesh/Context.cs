@@ -83,7 +83,7 @@ namespace DragMesh
             GC.SuppressFinalize(this);
         }
 
-        /// <summary>Version of the library in use: major, minor, patch.</summary>
+        /// <summary>Version of the library in use: major, minor, patch. An odd patch is a version in development.</summary>
         public static Version LibraryVersion
         {
             get

@@ -9,7 +9,7 @@ from .values import (Axes, Error, Event, Intent, JointSource, JointType, LinkKin
                      joint_frame, joint_pose, joint_scaled, joint_value, joint_value_at, load, pose_apply, pose_from_rotation,
                      pose_inverse, pose_matrix, pose_multiply, version)
 
-__version__ = "0.2.0"
+__version__ = "0.3.0.dev0"
 __all__ = ["Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf", "Hit", "Hypothesis", "Intent", "Joint",
            "JointFrame", "JointSource", "JointType", "LinkKind", "Model", "Motion", "Object", "PartInfo", "PartState",
            "Phase", "Picking", "Pose", "Ray", "Rule", "Scene", "Status", "StepFlag", "Vec3", "joint_frame", "joint_pose",

@@ -130,7 +130,7 @@ def check(result: int, message: str = "") -> None:
 
 
 def version() -> Tuple[int, int, int]:
-    """Version of the library in use: major, minor, patch."""
+    """Version of the library in use: major, minor, patch. An odd patch is a version in development."""
     number = load().dm_version()
     return number >> 22, number >> 12 & 0x3FF, number & 0xFFF
 

@@ -76,10 +76,15 @@ extern "C" {
 #endif
 
 #define DM_VERSION_MAJOR 0
-#define DM_VERSION_MINOR 2
+#define DM_VERSION_MINOR 3
 #define DM_VERSION_PATCH 0
-/* One number that rises with the version. dm_version tells that of the library in use. */
-#define DM_VERSION ((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH)
+/* 1 while the version that the three numbers name is in development, 0 in its release. */
+#define DM_VERSION_DEVELOPMENT 1
+/* One number that rises with the version; dm_version tells that of the library in use. It is even in a release, whose
+ * patch number is even, and odd in development: one less than in the release to come. So 0.3.0 in development lies above
+ * every release before it and below 0.3.0; its bits read 0.2.4095, which is never released. */
+#define DM_VERSION                                                                                                     \
+    (((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH) - DM_VERSION_DEVELOPMENT)
 
 /* Number of key poses of a generated motion (paper: T). */
 #define DM_MOTION_FRAMES 16

@@ -53,7 +53,7 @@ pub mod prelude {
     pub use crate::values::{JointExt, PoseExt, Vec3Ext};
 }
 
-/// The version of the library in use: major, minor, patch.
+/// The version of the library in use: major, minor, patch. An odd patch is a version in development.
 pub fn version() -> (u32, u32, u32) {
     let v = unsafe { sys::dm_version() };
     (v >> 22, v >> 12 & 0x3ff, v & 0xfff)
