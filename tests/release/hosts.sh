@@ -15,6 +15,13 @@ export PKG_CONFIG_PATH=$root/lib/pkgconfig
 ${CC:-cc} "$hello/main.c" $(pkg-config --cflags --libs dragmesh) -Wl,-rpath,"$(pkg-config --variable=libdir dragmesh)" -o pkg_config
 ${EMULATOR:-} ./pkg_config "$(pkg-config --variable=models dragmesh)" > pkg_config.txt
 grep -q '^hinge' pkg_config.txt
+# The archive's own page; its last command runs what it has built.
+if [ -z "${EMULATOR:-}" ]; then
+    sed -n '/^```sh$/,/^```$/p' "$root/README.md" | grep -v '^```' > page
+    (cd "$root" && bash -e "$OLDPWD/page") > page.log 2>&1 || { cat page.log >&2; exit 1; }
+    tail -n "$(wc -l < pkg_config.txt)" page.log | cmp - pkg_config.txt || { echo "hosts.sh: README.md answers otherwise" >&2; exit 1; }
+    echo "hosts.sh: the commands of README.md build and run"
+fi
 
 # host NAME PROGRAM: builds the CMake project in the folder NAME; runs its program.
 host() {
