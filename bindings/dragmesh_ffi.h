@@ -150,6 +150,15 @@ enum {
     DM_STATUS_OPEN = 8
 };
 enum {
+    DM_GO_AUTO = 0,
+    DM_GO_STAY = 1,
+    DM_GO_OPEN = 2,
+    DM_GO_CLOSE = 3,
+    DM_GO_REPLAY = 4,
+    DM_GO_FREEZE = 5,
+    DM_GO_TOGGLE = 6
+};
+enum {
     DM_INTENT_AUTO = 0,
     DM_INTENT_STAY = 1,
     DM_INTENT_OPEN = 2,
@@ -721,3 +730,5 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
 void dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size);
 dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator, const dm_log* log, void** out_data, size_t* out_size);
 size_t dm_gltf_mend_text(char* text);
+dm_result dm_drag_update_input(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state) __asm__("dm_drag_step");
+dm_result dm_drag_override(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state) __asm__("dm_drag_take");

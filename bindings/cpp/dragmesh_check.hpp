@@ -116,6 +116,13 @@ static_assert(DM_STATUS_LATCHED == 1, "DM_STATUS_LATCHED has another value");
 static_assert(DM_STATUS_LOCKED == 2, "DM_STATUS_LOCKED has another value");
 static_assert(DM_STATUS_BLOCKED == 4, "DM_STATUS_BLOCKED has another value");
 static_assert(DM_STATUS_OPEN == 8, "DM_STATUS_OPEN has another value");
+static_assert(DM_GO_AUTO == 0, "DM_GO_AUTO has another value");
+static_assert(DM_GO_STAY == 1, "DM_GO_STAY has another value");
+static_assert(DM_GO_OPEN == 2, "DM_GO_OPEN has another value");
+static_assert(DM_GO_CLOSE == 3, "DM_GO_CLOSE has another value");
+static_assert(DM_GO_REPLAY == 4, "DM_GO_REPLAY has another value");
+static_assert(DM_GO_FREEZE == 5, "DM_GO_FREEZE has another value");
+static_assert(DM_GO_TOGGLE == 6, "DM_GO_TOGGLE has another value");
 static_assert(DM_INTENT_AUTO == 0, "DM_INTENT_AUTO has another value");
 static_assert(DM_INTENT_STAY == 1, "DM_INTENT_STAY has another value");
 static_assert(DM_INTENT_OPEN == 2, "DM_INTENT_OPEN has another value");
@@ -586,5 +593,7 @@ static_assert(std::is_same<decltype(&dm_gltf_export), dm_result (*)(const dm_glt
 static_assert(std::is_same<decltype(&dm_gltf_release_bytes), void (*)(const dm_gltf *, void *, size_t)>::value, "dm_gltf_release_bytes is another function");
 static_assert(std::is_same<decltype(&dm_gltf_write), dm_result (*)(const dm_gltf_part *, uint32_t, const dm_allocator *, const dm_log *, void **, size_t *)>::value, "dm_gltf_write is another function");
 static_assert(std::is_same<decltype(&dm_gltf_mend_text), size_t (*)(char *)>::value, "dm_gltf_mend_text is another function");
+static_assert(std::is_same<decltype(dm_drag_update_input), decltype(dm_drag_step)>::value, "dm_drag_update_input is another function");
+static_assert(std::is_same<decltype(dm_drag_override), decltype(dm_drag_take)>::value, "dm_drag_override is another function");
 
 #endif

@@ -48,6 +48,9 @@ char* cpp_write(const cJSON* api) {
         cJSON_ArrayForEach(constant, cJSON_GetObjectItem(entry, "constants")) put_constant(&w, constant);
     cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "structs")) put_struct(&w, entry);
     cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "functions")) put_function(&w, entry);
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "aliases"))
+        put(&w, "static_assert(std::is_same<decltype(%s), decltype(%s)>::value, \"%s is another function\");\n",
+            string_of(entry, "name"), string_of(entry, "function"), string_of(entry, "name"));
     put(&w, "\n#endif\n");
     return w.text;
 }

@@ -141,14 +141,16 @@ static void put_struct(writer* w, const cJSON* api, const cJSON* structure) {
     put(w, "    }\n");
 }
 
-static void put_function(writer* w, const cJSON* api, const cJSON* function) {
+/* Writes a function under its name, or under that of an alias. */
+static void put_function(writer* w, const cJSON* api, const cJSON* function, const char* name) {
     const bool gltf = strstr(string_of(function, "header"), "gltf") != NULL;
     put(w, "\n");
     put_doc(w, function, "        ");
-    put(w, "        [DllImport(%s, CallingConvention = CallingConvention.Cdecl)]\n        public static extern ",
-        gltf ? "GltfLibrary" : "Library");
+    put(w, "        [DllImport(%s, CallingConvention = CallingConvention.Cdecl", gltf ? "GltfLibrary" : "Library");
+    if (strcmp(name, string_of(function, "name")) != 0) put(w, ", EntryPoint = \"%s\"", string_of(function, "name"));
+    put(w, ")]\n        public static extern ");
     put_type(w, api, cJSON_GetObjectItem(function, "returns"));
-    put(w, " %s", string_of(function, "name"));
+    put(w, " %s", name);
     put_parameters(w, api, cJSON_GetObjectItem(function, "parameters"));
 }
 
@@ -167,7 +169,10 @@ char* csharp_write(const cJSON* api) {
             "#else\n"
             "        public const string Library = \"dragmesh\", GltfLibrary = \"dragmesh_gltf\";\n"
             "#endif\n");
-    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "functions")) put_function(&w, api, entry);
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "functions"))
+        put_function(&w, api, entry, string_of(entry, "name"));
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "aliases"))
+        put_function(&w, api, function_of(api, entry), string_of(entry, "name"));
     put(&w, "    }\n}\n");
     return w.text;
 }

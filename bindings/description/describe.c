@@ -39,10 +39,10 @@ static void write_file(const char* path, const char* text) {
 }
 
 static cJSON* new_description(void) {
-    static const char* const lists[] = {"abis", "constants", "enums", "types", "structs", "functions"};
+    static const char* const lists[] = {"abis", "constants", "enums", "types", "structs", "functions", "aliases"};
     cJSON* api = cJSON_CreateObject();
     cJSON_AddStringToObject(api, "about", about);
-    for (int i = 0; i < 6; i++) cJSON_AddArrayToObject(api, lists[i]);
+    for (int i = 0; i < 7; i++) cJSON_AddArrayToObject(api, lists[i]);
     return api;
 }
 

@@ -88,6 +88,15 @@ static void put_structs(writer* w, const cJSON* api) {
     }
 }
 
+/* Writes a declaration of the function under its other name; the label is what is linked. */
+static void put_alias(writer* w, const cJSON* api, const cJSON* alias) {
+    const cJSON* function = function_of(api, alias);
+    put_declaration(w, cJSON_GetObjectItem(function, "returns"), string_of(alias, "name"));
+    put(w, "(");
+    put_parameters(w, cJSON_GetObjectItem(function, "parameters"));
+    put(w, ") __asm__(\"%s\");\n", string_of(function, "name"));
+}
+
 char* ffi_write(const cJSON* api) {
     writer w = {0};
     const cJSON* entry;
@@ -101,5 +110,6 @@ char* ffi_write(const cJSON* api) {
         put_parameters(&w, cJSON_GetObjectItem(entry, "parameters"));
         put(&w, ");\n");
     }
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "aliases")) put_alias(&w, api, entry);
     return w.text;
 }

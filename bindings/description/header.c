@@ -156,7 +156,14 @@ static void add_function(reader* r, CXCursor cursor) {
 
 /* ---- macros ---- */
 
-/* Adds a macro that stands for one number. */
+/* Adds another name of a function; where the text is none of a function, drop_other_names takes it out again. */
+static void add_alias(reader* r, CXCursor cursor, const char* function) {
+    char* name = cursor_name(cursor);
+    cJSON_AddStringToObject(add_entry(r, "aliases", name, cursor), "function", function);
+    free(name);
+}
+
+/* Adds a macro that stands for one number or for another name. */
 static void add_macro(reader* r, CXCursor cursor) {
     CXToken* tokens = NULL;
     unsigned count = 0;
@@ -172,10 +179,30 @@ static void add_macro(reader* r, CXCursor cursor) {
             char* name = cursor_name(cursor);
             cJSON_AddNumberToObject(add_entry(r, "constants", name, cursor), "value", value);
             free(name);
+        } else if (clang_getTokenKind(tokens[1]) == CXToken_Identifier) {
+            add_alias(r, cursor, text);
         }
         clang_disposeString(spelling);
     }
     clang_disposeTokens(r->unit, tokens, count);
+}
+
+static bool has_function(const cJSON* api, const char* name) {
+    const cJSON* function;
+    cJSON_ArrayForEach(
+        function, cJSON_GetObjectItem(api, "functions")) if (strcmp(cJSON_GetObjectItem(function, "name")->valuestring,
+                                                                    name) == 0) return true;
+    return false;
+}
+
+/* Macros are read before functions, so only now it is known which of them name one. */
+static void drop_other_names(cJSON* api) {
+    cJSON *aliases = cJSON_GetObjectItem(api, "aliases"), *next;
+    for (cJSON* alias = aliases->child; alias != NULL; alias = next) {
+        next = alias->next;
+        if (!has_function(api, cJSON_GetObjectItem(alias, "function")->valuestring))
+            cJSON_Delete(cJSON_DetachItemViaPointer(aliases, alias));
+    }
 }
 
 /* ---- the header ---- */
@@ -215,5 +242,6 @@ void header_describe(CXTranslationUnit unit, const char* path, const char* name,
     const char* text = strstr(clang_getFileContents(unit, r.file, NULL), "All functions [");
     if (text != NULL) find_thread(text, r.default_thread);
     clang_visitChildren(clang_getTranslationUnitCursor(unit), visit, &r);
+    drop_other_names(api);
     comments_free(r.docs);
 }

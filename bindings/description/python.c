@@ -124,6 +124,15 @@ static void put_functions(writer* w, const cJSON* api, const char* table, bool g
     put(w, "}\n");
 }
 
+/* Writes {another name: function}. */
+static void put_aliases(writer* w, const cJSON* api) {
+    const cJSON* alias;
+    put(w, "\nALIASES = {  # another name of a function\n");
+    cJSON_ArrayForEach(alias, cJSON_GetObjectItem(api, "aliases"))
+        put(w, "    \"%s\": \"%s\",\n", string_of(alias, "name"), string_of(alias, "function"));
+    put(w, "}\n");
+}
+
 /* Writes {struct: {pointer size: (size, offsets)}}. */
 static void put_layouts(writer* w, const cJSON* api) {
     static const struct {
@@ -163,6 +172,7 @@ char* python_write(const cJSON* api) {
     put(&w, "\n");
     put_functions(&w, api, "FUNCTIONS", false);
     put_functions(&w, api, "GLTF_FUNCTIONS", true);
+    put_aliases(&w, api);
     put_layouts(&w, api);
     return w.text;
 }

@@ -123,6 +123,12 @@ static void put_functions(writer* w, const cJSON* api, bool gltf) {
         put(w, ";\n");
     }
     put(w, "}\n");
+    cJSON_ArrayForEach(function, cJSON_GetObjectItem(api, "aliases")) {
+        if ((strstr(string_of(function, "header"), "gltf") != NULL) != gltf) continue;
+        put_doc(w, function, "");
+        put(w, "%spub use self::%s as %s;\n", gltf ? "#[cfg(feature = \"gltf\")]\n" : "",
+            string_of(function, "function"), string_of(function, "name"));
+    }
 }
 
 static void put_layout(writer* w, const cJSON* structure, const char* abi) {

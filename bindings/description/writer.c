@@ -49,6 +49,14 @@ const cJSON* type_of(const cJSON* api, const char* name) {
     return NULL;
 }
 
+const cJSON* function_of(const cJSON* api, const cJSON* alias) {
+    const cJSON* entry;
+    cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "functions")) {
+        if (strcmp(string_of(entry, "name"), string_of(alias, "function")) == 0) return entry;
+    }
+    return NULL;
+}
+
 bool is_opaque(const cJSON* api, const char* name) {
     const cJSON* type = type_of(api, name);
     return type != NULL && strcmp(string_of(type, "kind"), "opaque") == 0;

@@ -20,6 +20,8 @@ void put_pascal(writer* w, const char* name);
 const char* string_of(const cJSON* entry, const char* key);
 /* Returns the number of a key; 0: absent. */
 int number_of(const cJSON* entry, const char* key);
+/* Returns the function that an entry of "aliases" is another name of. */
+const cJSON* function_of(const cJSON* api, const cJSON* alias);
 /* Returns the entry of "types" with this name; NULL: it is a struct or a type of C. */
 const cJSON* type_of(const cJSON* api, const char* name);
 /* Whether the named type is an opaque struct, which is only pointed to. */

@@ -209,7 +209,7 @@ export const HandKind: {
 export const InputFlag: {
     /** locked in this update, as by DM_RULE_LOCKED */
     readonly LOCKED: 1;
-    /** dm_drag_take may change the value that this update takes */
+    /** dm_drag_override may change the value that this update takes */
     readonly ASK: 2;
     /** lower and upper hold, also when they are equal */
     readonly BOUNDS: 4;
@@ -269,7 +269,7 @@ export const DragStatus: {
 };
 
 /** What a released part does next. */
-export const Intent: {
+export const Go: {
     /** as the player meant it, by where the part is and how fast it goes */
     readonly AUTO: 0;
     /** glides to a stop; also stops a part that moves by itself */
@@ -283,6 +283,17 @@ export const Intent: {
     /** stops dead */
     readonly FREEZE: 5;
     /** opens when it is nearer to rest than to its open end, else closes */
+    readonly TOGGLE: 6;
+};
+
+/** The same by their names of version 0.2. */
+export const Intent: {
+    readonly AUTO: 0;
+    readonly STAY: 1;
+    readonly OPEN: 2;
+    readonly CLOSE: 3;
+    readonly REPLAY: 4;
+    readonly FREEZE: 5;
     readonly TOGGLE: 6;
 };
 

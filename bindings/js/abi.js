@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 9abac3eb1e29b3b4
+// Hash of the description: 1ea68581a3887db4
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;
@@ -169,6 +169,16 @@ export const DragStatus = Object.freeze({
     LOCKED: 2,
     BLOCKED: 4,
     OPEN: 8,
+});
+
+export const Go = Object.freeze({
+    AUTO: 0,
+    STAY: 1,
+    OPEN: 2,
+    CLOSE: 3,
+    REPLAY: 4,
+    FREEZE: 5,
+    TOGGLE: 6,
 });
 
 export const Intent = Object.freeze({

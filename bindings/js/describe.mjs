@@ -46,7 +46,8 @@ const enumNames = {
     DM_DRAG_KEEP_JOINT: ['DragFlag', 'DM_DRAG_'], DM_RULE_LOCKED: ['RuleFlag', 'DM_RULE_'],
     DM_LINK_MOVES: ['LinkKind', 'DM_LINK_'], DM_LINK_BOTH_WAYS: ['LinkFlag', 'DM_LINK_'], DM_HAND_NONE: ['HandKind', 'DM_HAND_'],
     DM_INPUT_LOCKED: ['InputFlag', 'DM_INPUT_'], DM_DRAG_HELD: ['DragPhase', 'DM_DRAG_'],
-    DM_EVENT_LIMIT_LOWER: ['DragEvent', 'DM_EVENT_'], DM_INTENT_AUTO: ['Intent', 'DM_INTENT_'],
+    DM_EVENT_LIMIT_LOWER: ['DragEvent', 'DM_EVENT_'], DM_GO_AUTO: ['Go', 'DM_GO_'],
+    DM_INTENT_AUTO: ['Intent', 'DM_INTENT_'],
     DM_STATUS_LATCHED: ['DragStatus', 'DM_STATUS_'], DM_RELEASE_BY_RULE: ['ReleaseFlag', 'DM_RELEASE_'],
 };
 

@@ -160,7 +160,7 @@ namespace DragMesh
         public const int DM_HAND_VALUE = 5;
         /// <summary>locked in this update, as by DM_RULE_LOCKED</summary>
         public const int DM_INPUT_LOCKED = 1;
-        /// <summary>dm_drag_take may change the value that this update takes</summary>
+        /// <summary>dm_drag_override may change the value that this update takes</summary>
         public const int DM_INPUT_ASK = 2;
         /// <summary>lower and upper hold, also when they are equal</summary>
         public const int DM_INPUT_BOUNDS = 4;
@@ -207,18 +207,25 @@ namespace DragMesh
         /// <summary>it counts as open, from DM_EVENT_OPENED to DM_EVENT_CLOSED</summary>
         public const int DM_STATUS_OPEN = 8;
         /// <summary>as the player meant it, by where the part is and how fast it goes</summary>
-        public const int DM_INTENT_AUTO = 0;
+        public const int DM_GO_AUTO = 0;
         /// <summary>glides to a stop; also stops a part that moves by itself</summary>
-        public const int DM_INTENT_STAY = 1;
+        public const int DM_GO_STAY = 1;
         /// <summary>goes on to the end of the joint that lies the way it was pulled</summary>
-        public const int DM_INTENT_OPEN = 2;
+        public const int DM_GO_OPEN = 2;
         /// <summary>falls back to rest</summary>
-        public const int DM_INTENT_CLOSE = 3;
+        public const int DM_GO_CLOSE = 3;
         /// <summary>does once more what it did after the last release</summary>
-        public const int DM_INTENT_REPLAY = 4;
+        public const int DM_GO_REPLAY = 4;
         /// <summary>stops dead</summary>
-        public const int DM_INTENT_FREEZE = 5;
+        public const int DM_GO_FREEZE = 5;
         /// <summary>opens when it is nearer to rest than to its open end, else closes</summary>
+        public const int DM_GO_TOGGLE = 6;
+        public const int DM_INTENT_AUTO = 0;
+        public const int DM_INTENT_STAY = 1;
+        public const int DM_INTENT_OPEN = 2;
+        public const int DM_INTENT_CLOSE = 3;
+        public const int DM_INTENT_REPLAY = 4;
+        public const int DM_INTENT_FREEZE = 5;
         public const int DM_INTENT_TOGGLE = 6;
         /// <summary>paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets</summary>
         public const int DM_RELEASE_BY_RULE = 1;
@@ -1019,7 +1026,7 @@ namespace DragMesh
     public unsafe partial struct ReleaseDesc
     {
         public uint StructSize;
-        /// <summary>DM_INTENT_*</summary>
+        /// <summary>DM_GO_*</summary>
         public int Intent;
         /// <summary>s from here to the end; 0 = as far and fast as it goes asks for</summary>
         public float Duration;
@@ -1038,7 +1045,7 @@ namespace DragMesh
     public unsafe partial struct ReleasePlan
     {
         public uint StructSize;
-        /// <summary>as decided: DM_INTENT_STAY, OPEN, CLOSE or FREEZE</summary>
+        /// <summary>as decided: DM_GO_STAY, OPEN, CLOSE or FREEZE</summary>
         public int Intent;
         public float StartValue;
         public float EndValue;
@@ -1376,7 +1383,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_set_links(IntPtr context, ulong @object, Link* links, uint count);
 
-        /// <summary>Moves what is linked with a part that has moved. inout_values: the joint values of one instance, one a part, in the order of dm_object_get_part; that of the part itself changes where a driver of it is at its limit (dm_drag_take). out_held (may be NULL): 1 for the parts that links hold where they are (DM_INPUT_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. [frame]</summary>
+        /// <summary>Moves what is linked with a part that has moved. inout_values: the joint values of one instance, one a part, in the order of dm_object_get_part; that of the part itself changes where a driver of it is at its limit (dm_drag_override). out_held (may be NULL): 1 for the parts that links hold where they are (DM_INPUT_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_follow_links(IntPtr context, ulong @object, uint part_id, float* inout_values, byte* out_held, uint count);
 
@@ -1578,5 +1585,13 @@ namespace DragMesh
         /// <summary>Makes any text valid UTF-8, in place: a '?' for each piece that is no character, also for one that was cut off. Names and messages of this library are so already; hosts need it for what they write beside them. Returns the new length, never a longer one. NULL: 0.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern UIntPtr dm_gltf_mend_text(byte* text);
+
+        /// <summary>dm_drag_update for all that a dm_drag_input holds. A released part needs no hand. Errors: INVALID_ARGUMENT, also for handles, bounds and DM_INPUT_LOCKED of a drag without dm_drag_desc.rules. [frame]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, EntryPoint = "dm_drag_step")]
+        public static extern int dm_drag_update_input(IntPtr context, ulong drag, DragInput* input, float dt, DragState* out_state);
+
+        /// <summary>After an update with DM_INPUT_ASK, whose out_state is what is about to be: takes another value, inside the limits and bounds of that update. Events are then those of the value taken. Without this call, the update stands. Errors: INVALID_ARGUMENT when the last update did not ask. [frame]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, EntryPoint = "dm_drag_take")]
+        public static extern int dm_drag_override(IntPtr context, ulong drag, float value, DragState* out_state);
     }
 }

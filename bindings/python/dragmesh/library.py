@@ -3,6 +3,8 @@ import ctypes as c
 import os
 from typing import Any, Dict, Tuple
 
+from .native import ALIASES
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
 _loaded: Dict[str, c.CDLL] = {}
@@ -34,5 +36,8 @@ def open_library(name: str, functions: Dict[str, Tuple[Any, Any]]) -> c.CDLL:
         for function, (result, arguments) in functions.items():
             entry = getattr(library, function)
             entry.restype, entry.argtypes = result, arguments
+        for alias, function in ALIASES.items():
+            if function in functions:
+                setattr(library, alias, getattr(library, function))
         _loaded[name] = library
     return _loaded[name]

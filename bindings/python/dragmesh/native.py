@@ -114,6 +114,13 @@ DM_STATUS_LATCHED = 1
 DM_STATUS_LOCKED = 2
 DM_STATUS_BLOCKED = 4
 DM_STATUS_OPEN = 8
+DM_GO_AUTO = 0
+DM_GO_STAY = 1
+DM_GO_OPEN = 2
+DM_GO_CLOSE = 3
+DM_GO_REPLAY = 4
+DM_GO_FREEZE = 5
+DM_GO_TOGGLE = 6
 DM_INTENT_AUTO = 0
 DM_INTENT_STAY = 1
 DM_INTENT_OPEN = 2
@@ -1151,6 +1158,11 @@ GLTF_FUNCTIONS = {  # name: (result, arguments)
     "dm_gltf_release_bytes": (None, [c.c_void_p, c.c_void_p, c.c_size_t]),
     "dm_gltf_write": (c.c_int32, [c.POINTER(GltfPart), c.c_uint32, c.POINTER(Allocator), c.POINTER(Log), c.POINTER(c.c_void_p), c.POINTER(c.c_size_t)]),
     "dm_gltf_mend_text": (c.c_size_t, [c.c_char_p]),
+}
+
+ALIASES = {  # another name of a function
+    "dm_drag_update_input": "dm_drag_step",
+    "dm_drag_override": "dm_drag_take",
 }
 
 LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}

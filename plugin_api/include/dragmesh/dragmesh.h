@@ -81,10 +81,9 @@ extern "C" {
 /* 1 while the version that the three numbers name is in development, 0 in its release. */
 #define DM_VERSION_DEVELOPMENT 1
 /* One number that rises with the version; dm_version tells that of the library in use. It is even in a release, whose
- * patch number is even, and odd in development: one less than in the release to come. So 0.3.0 in development lies above
- * every release before it and below 0.3.0; its bits read 0.2.4095, which is never released. */
-#define DM_VERSION                                                                                                     \
-    (((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH) - DM_VERSION_DEVELOPMENT)
+ * patch number is even, and odd in development: one less than in the release to come. So 0.3.0 in development lies
+ * above every release before it and below 0.3.0; its bits read 0.2.4095, which is never released. */
+#define DM_VERSION (((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH) - DM_VERSION_DEVELOPMENT)
 
 /* Number of key poses of a generated motion (paper: T). */
 #define DM_MOTION_FRAMES 16
@@ -369,7 +368,7 @@ typedef struct dm_part_state {
     dm_joint joint;  /* stays the last field */
 } dm_part_state;
 
-/* Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM_INTENT_*). Return
+/* Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM_GO_*). Return
  * DM_JOINT_UNKNOWN to leave the question to the library. */
 typedef int32_t(DM_CALL* dm_intent_callback)(void* user, uint32_t part_id, dm_vec3 box_min, dm_vec3 box_max);
 
@@ -588,7 +587,7 @@ typedef struct dm_hand {
 
 enum {
     DM_INPUT_LOCKED = 1, /* locked in this update, as by DM_RULE_LOCKED */
-    DM_INPUT_ASK = 2,    /* dm_drag_take may change the value that this update takes */
+    DM_INPUT_ASK = 2,    /* dm_drag_override may change the value that this update takes */
     DM_INPUT_BOUNDS = 4  /* lower and upper hold, also when they are equal */
 };
 
@@ -658,13 +657,24 @@ typedef struct dm_drag_state {
 
 /* What a released part does next. */
 enum {
-    DM_INTENT_AUTO = 0,   /* as the player meant it, by where the part is and how fast it goes */
-    DM_INTENT_STAY = 1,   /* glides to a stop; also stops a part that moves by itself */
-    DM_INTENT_OPEN = 2,   /* goes on to the end of the joint that lies the way it was pulled */
-    DM_INTENT_CLOSE = 3,  /* falls back to rest */
-    DM_INTENT_REPLAY = 4, /* does once more what it did after the last release */
-    DM_INTENT_FREEZE = 5, /* stops dead */
-    DM_INTENT_TOGGLE = 6  /* opens when it is nearer to rest than to its open end, else closes */
+    DM_GO_AUTO = 0,   /* as the player meant it, by where the part is and how fast it goes */
+    DM_GO_STAY = 1,   /* glides to a stop; also stops a part that moves by itself */
+    DM_GO_OPEN = 2,   /* goes on to the end of the joint that lies the way it was pulled */
+    DM_GO_CLOSE = 3,  /* falls back to rest */
+    DM_GO_REPLAY = 4, /* does once more what it did after the last release */
+    DM_GO_FREEZE = 5, /* stops dead */
+    DM_GO_TOGGLE = 6  /* opens when it is nearer to rest than to its open end, else closes */
+};
+
+/* The same by their names of version 0.2. */
+enum {
+    DM_INTENT_AUTO = DM_GO_AUTO,
+    DM_INTENT_STAY = DM_GO_STAY,
+    DM_INTENT_OPEN = DM_GO_OPEN,
+    DM_INTENT_CLOSE = DM_GO_CLOSE,
+    DM_INTENT_REPLAY = DM_GO_REPLAY,
+    DM_INTENT_FREEZE = DM_GO_FREEZE,
+    DM_INTENT_TOGGLE = DM_GO_TOGGLE
 };
 
 enum {
@@ -674,7 +684,7 @@ enum {
 
 typedef struct dm_release_desc {
     uint32_t struct_size;
-    int32_t intent;    /* DM_INTENT_* */
+    int32_t intent;    /* DM_GO_* */
     float duration;    /* s from here to the end; 0 = as far and fast as it goes asks for */
     uint32_t seed;     /* of the DQ-VAE, as dm_motion_desc.seed */
     uint32_t flags;    /* DM_RELEASE_* */
@@ -683,7 +693,7 @@ typedef struct dm_release_desc {
 
 typedef struct dm_release_plan {
     uint32_t struct_size;
-    int32_t intent; /* as decided: DM_INTENT_STAY, OPEN, CLOSE or FREEZE */
+    int32_t intent; /* as decided: DM_GO_STAY, OPEN, CLOSE or FREEZE */
     float start_value, end_value;
     float duration;        /* s; 0 when it is there already */
     uint32_t from_network; /* 1: paced by the DQ-VAE; 0: by a rule */
@@ -868,7 +878,7 @@ DM_API dm_result DM_CALL dm_object_set_links(dm_context* context, dm_object obje
                                              uint32_t count);
 
 /* Moves what is linked with a part that has moved. inout_values: the joint values of one instance, one a part, in the
- * order of dm_object_get_part; that of the part itself changes where a driver of it is at its limit (dm_drag_take).
+ * order of dm_object_get_part; that of the part itself changes where a driver of it is at its limit (dm_drag_override).
  * out_held (may be NULL): 1 for the parts that links hold where they are (DM_INPUT_LOCKED), else 0. count: of both, the
  * number of parts. Limits are those of the joints in force, of the instance unscaled. [frame] */
 DM_API dm_result DM_CALL dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id,
@@ -937,11 +947,15 @@ DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const
  * handles, bounds and DM_INPUT_LOCKED of a drag without dm_drag_desc.rules. [frame] */
 DM_API dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
                                       dm_drag_state* out_state);
+/* The same function, by the name for new code; dm_core_1 and the exports have dm_drag_step. */
+#define dm_drag_update_input dm_drag_step
 
 /* After an update with DM_INPUT_ASK, whose out_state is what is about to be: takes another value, inside the limits and
  * bounds of that update. Events are then those of the value taken. Without this call, the update stands. Errors:
  * INVALID_ARGUMENT when the last update did not ask. [frame] */
 DM_API dm_result DM_CALL dm_drag_take(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state);
+/* The same function, by the name for new code; dm_core_1 and the exports have dm_drag_take. */
+#define dm_drag_override dm_drag_take
 
 /* The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE
  * paces it where the object has its weights and desc.flags doesn't forbid it. dm_drag_update moves it, dm_drag_end ends

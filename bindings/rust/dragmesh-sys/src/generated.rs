@@ -154,7 +154,7 @@ pub const DM_HAND_STEP: i32 = 4;
 pub const DM_HAND_VALUE: i32 = 5;
 /// locked in this update, as by DM\_RULE\_LOCKED
 pub const DM_INPUT_LOCKED: i32 = 1;
-/// dm\_drag\_take may change the value that this update takes
+/// dm\_drag\_override may change the value that this update takes
 pub const DM_INPUT_ASK: i32 = 2;
 /// lower and upper hold, also when they are equal
 pub const DM_INPUT_BOUNDS: i32 = 4;
@@ -201,18 +201,25 @@ pub const DM_STATUS_BLOCKED: i32 = 4;
 /// it counts as open, from DM\_EVENT\_OPENED to DM\_EVENT\_CLOSED
 pub const DM_STATUS_OPEN: i32 = 8;
 /// as the player meant it, by where the part is and how fast it goes
-pub const DM_INTENT_AUTO: i32 = 0;
+pub const DM_GO_AUTO: i32 = 0;
 /// glides to a stop; also stops a part that moves by itself
-pub const DM_INTENT_STAY: i32 = 1;
+pub const DM_GO_STAY: i32 = 1;
 /// goes on to the end of the joint that lies the way it was pulled
-pub const DM_INTENT_OPEN: i32 = 2;
+pub const DM_GO_OPEN: i32 = 2;
 /// falls back to rest
-pub const DM_INTENT_CLOSE: i32 = 3;
+pub const DM_GO_CLOSE: i32 = 3;
 /// does once more what it did after the last release
-pub const DM_INTENT_REPLAY: i32 = 4;
+pub const DM_GO_REPLAY: i32 = 4;
 /// stops dead
-pub const DM_INTENT_FREEZE: i32 = 5;
+pub const DM_GO_FREEZE: i32 = 5;
 /// opens when it is nearer to rest than to its open end, else closes
+pub const DM_GO_TOGGLE: i32 = 6;
+pub const DM_INTENT_AUTO: i32 = 0;
+pub const DM_INTENT_STAY: i32 = 1;
+pub const DM_INTENT_OPEN: i32 = 2;
+pub const DM_INTENT_CLOSE: i32 = 3;
+pub const DM_INTENT_REPLAY: i32 = 4;
+pub const DM_INTENT_FREEZE: i32 = 5;
 pub const DM_INTENT_TOGGLE: i32 = 6;
 /// paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets
 pub const DM_RELEASE_BY_RULE: i32 = 1;
@@ -243,7 +250,7 @@ pub type dm_scene = u64;
 pub type dm_task = Option<unsafe extern "C" fn(data: *mut c_void, index: u32)>;
 /// How far a call is: 0..1, rising; return non-zero to cancel it: it answers DM\_ERROR\_CANCELLED. Called on the thread that calls the library, whatever jobs run beside it.
 pub type dm_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, done: f32) -> i32>;
-/// Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM\_INTENT\_\*). Return DM\_JOINT\_UNKNOWN to leave the question to the library.
+/// Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM\_GO\_\*). Return DM\_JOINT\_UNKNOWN to leave the question to the library.
 pub type dm_intent_callback = Option<unsafe extern "C" fn(user: *mut c_void, part_id: u32, box_min: dm_vec3, box_max: dm_vec3) -> i32>;
 /// Asks the host which hypothesis is right (a designer's rule, a vision-language model that is shown pictures). Return its index to put it in force: its source is DM\_JOINT\_CHOSEN then, and both confidences are 1. DM\_CHOICE\_KEEP leaves the library's answer with its confidences. What else is no index ends the preparation with INDEX\_OUT\_OF\_RANGE. dm\_object\_get\_hypotheses and dm\_object\_reset\_joint go on giving the library's own ranking. Called on the thread that prepares, for one part after the other in order of id; not for parts that the host declares fixed.
 pub type dm_choice_callback = Option<unsafe extern "C" fn(user: *mut c_void, choice: *const dm_choice) -> i32>;
@@ -1040,7 +1047,7 @@ impl Default for dm_drag_state {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_release_desc {
     pub struct_size: u32,
-    /// DM\_INTENT\_\*
+    /// DM\_GO\_\*
     pub intent: i32,
     /// s from here to the end; 0 = as far and fast as it goes asks for
     pub duration: f32,
@@ -1065,7 +1072,7 @@ impl Default for dm_release_desc {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_release_plan {
     pub struct_size: u32,
-    /// as decided: DM\_INTENT\_STAY, OPEN, CLOSE or FREEZE
+    /// as decided: DM\_GO\_STAY, OPEN, CLOSE or FREEZE
     pub intent: i32,
     pub start_value: f32,
     pub end_value: f32,
@@ -1425,7 +1432,7 @@ extern "C" {
     pub fn dm_object_reset_joint(context: *mut dm_context, object: dm_object, part_id: u32) -> dm_result;
     /// Links parts of an object, in place of the links of before; count 0 to DM\_MAX\_LINKS, 0: none. Copied; a saved object does not hold them. Errors: INVALID\_ARGUMENT also when a part is moved by two drivers, or by itself over others; NOT\_FOUND. \[exclusive object\]
     pub fn dm_object_set_links(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result;
-    /// Moves what is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part; that of the part itself changes where a driver of it is at its limit (dm\_drag\_take). out\_held (may be NULL): 1 for the parts that links hold where they are (DM\_INPUT\_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. \[frame\]
+    /// Moves what is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part; that of the part itself changes where a driver of it is at its limit (dm\_drag\_override). out\_held (may be NULL): 1 for the parts that links hold where they are (DM\_INPUT\_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. \[frame\]
     pub fn dm_object_follow_links(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result;
     /// Pose of a joint at a value, in the frame of the joint. The axis may have any length, here and in the functions below. \[frame\]
     pub fn dm_joint_pose(joint: *const dm_joint, value: f32, out_pose: *mut dm_pose) -> dm_result;
@@ -1492,6 +1499,10 @@ extern "C" {
     /// Nearest hit of a ray. DM\_OK with out\_hit-\>object 0 when nothing is hit. Several threads may pick at once while none moves or commits. out\_hit-\>struct\_size must be set. \[frame\]
     pub fn dm_scene_pick(context: *mut dm_context, scene: dm_scene, ray: *const dm_ray, out_hit: *mut dm_hit) -> dm_result;
 }
+/// The same function, by the name for new code; dm\_core\_1 and the exports have dm\_drag\_step.
+pub use self::dm_drag_step as dm_drag_update_input;
+/// The same function, by the name for new code; dm\_core\_1 and the exports have dm\_drag\_take.
+pub use self::dm_drag_take as dm_drag_override;
 
 #[cfg(feature = "gltf")]
 #[link(name = "dragmesh_gltf")]
