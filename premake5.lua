@@ -314,7 +314,7 @@ end
 -- Programs ---------------------------------------------------------------------------------------------------------
 
 if has_gltf then
-    program("dragmesh_cli", { "samples/dragmesh_cli/*.c", "samples/common/platform.c" }, { api }, { "dragmesh", "dragmesh_gltf", "cjson", "m" })
+    program("dragmesh_cli", { "samples/dragmesh_cli/*.c", "samples/common/*.c" }, { api }, { "dragmesh", "dragmesh_gltf", "cjson", "m" })
         targetname "dragmesh"
         pin("stat", pinned.stat)
         pin("start", pinned.start)
@@ -353,7 +353,7 @@ if has_viewer then
     local has_jpeg = installed "jpeglib.h"
     local scenes = { "samples/12_latch/game.c", "samples/12_latch/scene*.c", "samples/12_latch/script.c",
         "samples/12_latch/scenes/*.c" }
-    local sources = table.join({ "samples/10_viewer/*.c", "samples/common/platform.c" }, scenes)
+    local sources = table.join({ "samples/10_viewer/*.c", "samples/common/*.c" }, scenes)
     program("dragmesh_viewer", sources, { api }, table.join(
         { "dragmesh", "dragmesh_gltf", "SDL2", "epoxy", "png", "z", "m" }, has_jpeg and { "jpeg" } or {}))
         if not has_jpeg then defines { "VIEWER_NO_JPEG" } end
@@ -403,7 +403,7 @@ library("fuzz_driver", { "tests/fuzz/driver.c" }, { api, "sdk" })
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
     local name, sources = source:match("([%w_]+)%.c$"), { source }
-    if name == "fuzz_jobs" then sources = { source, "samples/dragmesh_cli/*.c", "samples/common/platform.c" } end
+    if name == "fuzz_jobs" then sources = { source, "samples/dragmesh_cli/*.c", "samples/common/*.c" } end
     program(name, sources, everything, { "fuzz_driver", "dragmesh_gltf", "dragmesh_core", "dl", "m" }, "/fuzz")
         if name == "fuzz_jobs" then defines { "main=dragmesh_main" } end
         filter "configurations:fuzz"

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "../common/weights_folder.h"
 #include "files.h"
 #include "parts.h"
 
@@ -45,12 +46,13 @@ static char* read_weights(const char* folder, const char* name, size_t* out_size
 
 /* Without its weights the viewer still works, by geometry alone; each file may be absent. */
 static int load_model(world* world, const char* folder) {
-    if (folder == NULL) folder = "sdk/models";
+    char found[4096];
+    if (folder == NULL) folder = weights_folder_find(found, sizeof found) ? found : ".";
     if (strcmp(folder, "none") == 0) return 0;
     dm_model_desc desc = {.struct_size = sizeof desc};
-    char* kinematics = read_weights(folder, "kpp_net.safetensors", &desc.kinematics_size);
-    char* motion = read_weights(folder, "dq_vae.safetensors", &desc.motion_size);
-    char* ranker = read_weights(folder, "ranker.safetensors", &desc.ranker_size);
+    char* kinematics = read_weights(folder, WEIGHTS_KINEMATICS, &desc.kinematics_size);
+    char* motion = read_weights(folder, WEIGHTS_MOTION, &desc.motion_size);
+    char* ranker = read_weights(folder, WEIGHTS_RANKER, &desc.ranker_size);
     desc.kinematics = kinematics, desc.motion = motion, desc.ranker = ranker;
     dm_result result = DM_OK;
     if (kinematics != NULL || motion != NULL || ranker != NULL)

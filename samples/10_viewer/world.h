@@ -35,7 +35,7 @@ typedef struct world_past {
 typedef struct world_options {
     const char* file;
     const char* scene;  /* name of a scene of samples/12_latch in place of a file; may be NULL */
-    const char* models; /* folder with the weights; NULL = sdk/models; "none" = geometry alone */
+    const char* models; /* folder with the weights; NULL = weights_folder_find; "none" = geometry alone */
     const char* dmo;    /* a prepared object to load in place of preparing; may be NULL */
     const char* parts[WORLD_MAX_PARTS];
     uint32_t part_count; /* 0: every node but the largest is a part */
@@ -62,7 +62,7 @@ typedef struct world {
     uint32_t held;     /* the part in hand; 0 = none */
     dm_drag_hint pull; /* of the hand so far, in the frame of the part's carrier; vector 0 = none yet */
     vec3 grab_normal;
-    int32_t intent;                    /* DM_INTENT_*: what parts do when they are let go */
+    int32_t intent;                    /* DM_GO_*: what parts do when they are let go */
     world_past history[WORLD_HISTORY]; /* the latest last */
     uint32_t history_count;
     const scene* table; /* the scene whose joints and rules the parts have; NULL: none */

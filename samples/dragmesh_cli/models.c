@@ -7,47 +7,19 @@
 #include <string.h>
 
 #include "../common/platform.h"
+#include "../common/weights_folder.h"
 #include "files.h"
-
-static const char* const kinematics_file = "kpp_net.safetensors";
-static const char* const motion_file = "dq_vae.safetensors";
-static const char* const ranker_file = "ranker.safetensors";
 
 typedef struct weights {
     char* data; /* NULL: there is no such file */
     size_t size;
 } weights;
 
-/* Returns the folder of the program; to be freed. */
-static char* program_folder(void) {
-    char path[4096];
-    return path_join(platform_program_folder(path, sizeof path) ? path : ".", "");
-}
-
-static bool holds_weights(const char* folder) {
-    char* file = path_join(folder, kinematics_file);
-    const bool found = platform_exists(file);
-    free(file);
-    return found;
-}
-
-/* Returns the folder of the weights, in the order of the usage text; NULL when none has any. To be freed. */
+/* Returns the folder that was named, else where weights_folder_find looks; NULL when none has any. To be freed. */
 static char* find_folder(const char* models) {
+    char found[4096];
     if (models != NULL) return path_join(models, "");
-    const char* named = getenv("DRAGMESH_MODELS");
-    if (named != NULL && *named) return path_join(named, "");
-    static const char* const places[] = {"models", "../models", "../../sdk/models"};
-    char* program = program_folder();
-    char* found = NULL;
-    for (size_t i = 0; i < sizeof places / sizeof *places && found == NULL; i++) {
-        char* folder = path_join(program, places[i]);
-        if (holds_weights(folder))
-            found = folder;
-        else
-            free(folder);
-    }
-    free(program);
-    return found;
+    return weights_folder_find(found, sizeof found) ? path_join(found, "") : NULL;
 }
 
 static dm_result read_weights(session* session, const char* folder, const char* name, int required, weights* out) {
@@ -71,10 +43,10 @@ static void free_weights(weights* weights) {
 
 static dm_result load_folder(session* session, const char* folder) {
     weights kinematics = {NULL, 0}, motion = {NULL, 0}, ranker = {NULL, 0};
-    dm_result result = read_weights(session, folder, kinematics_file, 1, &kinematics);
-    if (result == DM_OK) result = read_weights(session, folder, motion_file, 0, &motion);
+    dm_result result = read_weights(session, folder, WEIGHTS_KINEMATICS, 1, &kinematics);
+    if (result == DM_OK) result = read_weights(session, folder, WEIGHTS_MOTION, 0, &motion);
     if (result == DM_OK && session->method != METHOD_RULES)
-        result = read_weights(session, folder, ranker_file, 0, &ranker);
+        result = read_weights(session, folder, WEIGHTS_RANKER, 0, &ranker);
     if (result == DM_OK && session->method == METHOD_GEOMETRY) free_weights(&kinematics);
     if (result == DM_OK && (kinematics.data != NULL || motion.data != NULL || ranker.data != NULL)) {
         const dm_model_desc desc = {.struct_size = sizeof desc,
@@ -105,7 +77,7 @@ dm_result models_load(session* session, const char* models) {
         return session_fail(session, DM_ERROR_NO_MODEL,
                             "no weights: there is no %s beside the program; name a folder with --models DIR or "
                             "DRAGMESH_MODELS, or use --models none",
-                            kinematics_file);
+                            WEIGHTS_KINEMATICS);
     const dm_result result = load_folder(session, folder);
     free(folder);
     return result;

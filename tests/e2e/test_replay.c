@@ -152,6 +152,34 @@ static void test_from_the_file_alone(void** state) {
     assert_string_equal(first, second);
 }
 
+/* Plays a .glb of this folder by its absolute path, which begins with `root`. */
+static void play_from(const char* root, const char* models, char hash[64]) {
+    tool_run(&out, "dragmesh_viewer", NULL,
+             "%s/tests/replay/cabinet_door/object.glb|--replay|%s/tests/replay/cabinet_door/hand.session%s", root, root,
+             models);
+    assert_int_equal(out.status, 0);
+    read_hash(hash);
+}
+
+/* The weights in force show in the poses. */
+static void test_weights_are_found_from_any_folder(void** state) {
+    (void)state;
+    char root[TOOL_PATH], named[64], found[64], none[64], elsewhere[64];
+    if (!has_viewer()) skip();
+    assert_non_null(getcwd(root, sizeof root));
+    play_from(root, "|--models|sdk/models", named);
+    play_from(root, "|--models|none", none);
+    assert_string_not_equal(named, none);
+    assert_int_equal(chdir("/"), 0);
+    play_from(root, "", found);
+    setenv("DRAGMESH_MODELS", "/dev/null", 1);
+    play_from(root, "", elsewhere);
+    unsetenv("DRAGMESH_MODELS");
+    assert_int_equal(chdir(root), 0);
+    assert_string_equal(found, named);
+    assert_string_equal(elsewhere, none);
+}
+
 /* ---- what belongs to the instance, and what to the object ---- */
 
 /* Writes a recorded session that goes on with `events` in place of its events from the first `cut` on. */
@@ -288,6 +316,7 @@ int main(void) {
                                        SESSION(names[10]),
                                        SESSION(names[11]),
                                        cmocka_unit_test(test_from_the_file_alone),
+                                       cmocka_unit_test(test_weights_are_found_from_any_folder),
                                        cmocka_unit_test(test_undo_puts_back_the_part),
                                        cmocka_unit_test(test_pull_leaves_the_object_as_it_is),
                                        cmocka_unit_test(test_recording_is_read_strictly)};
