@@ -33,7 +33,7 @@ dm_drag_desc without_point(std::uint32_t part) {
 /* One that any owner's context must still do. */
 void works(const dragmesh::object& object) {
     auto drag = object.grab(without_point(object.part(0)->id));
-    must(drag && drag->step(dm_drag_input_default(), 0.01f), "the context after misuse");
+    must(drag && drag->update_input(dm_drag_input_default(), 0.01f), "the context after misuse");
 }
 
 void empty_owners() {
@@ -147,7 +147,7 @@ void arguments(dragmesh::span<const std::uint8_t> dmo) {
         joint.axis = {wrong, 0, 0};
         fails(object->set_joint(part, joint), DM_ERROR_NOT_FINITE, "an axis");
         fails(drag->update({{wrong, 0, 0}, {0, 0, 1}}, 0.01f), DM_ERROR_NOT_FINITE, "a ray");
-        fails(drag->step(dm_drag_input_default(), wrong), DM_ERROR_NOT_FINITE, "a time");
+        fails(drag->update_input(dm_drag_input_default(), wrong), DM_ERROR_NOT_FINITE, "a time");
     }
     works(*object);
 }

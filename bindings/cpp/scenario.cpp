@@ -141,7 +141,7 @@ void drag_and_release(const dragmesh::object& object, const dm_hit& hit) {
     auto state = must(drag.update(ray_at(frames), frame_time), "update");
     print_state("restored", state);
     dm_release_desc release = dm_release_desc_default();
-    release.intent = DM_INTENT_OPEN, release.flags = DM_RELEASE_BY_RULE;
+    release.intent = DM_GO_OPEN, release.flags = DM_RELEASE_BY_RULE;
     const auto plan = must(drag.let_go(release), "release");
     print_floats("plan", &plan.end_value, 1);
     for (int frame = 0; frame < released_frames; frame++) {
@@ -172,8 +172,8 @@ void drag_behind_latch(const dragmesh::object& object, const dm_hit& hit) {
     for (int frame = 0; frame < frames; frame++) {
         input.hand.ray = ray_at(frame);
         input.handles[0] = frame < handle_turns_at ? 0 : handle_turn;
-        state = must(drag.step(input, frame_time), "step");
-        if (state.value > widest) state = must(drag.take(widest), "take");
+        state = must(drag.update_input(input, frame_time), "update");
+        if (state.value > widest) state = must(drag.override_value(widest), "override");
         events |= state.events, detents += state.detents;
         if (frame % shown_every == 0) print_state("latch", state);
     }

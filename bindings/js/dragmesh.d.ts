@@ -213,7 +213,7 @@ export interface DragState {
     status: number;
 }
 export interface ReleaseOptions {
-    /** Intent */
+    /** Go */
     intent?: number;
     duration?: number;
     seed?: number;
@@ -333,7 +333,11 @@ export interface Drag extends Destroyable {
     /** What the drag would end with. */
     readonly partState: PartState;
     update(ray: Ray | null, dt: number): DragState;
+    updateInput(input: DragInput, dt: number): DragState;
+    override(value: number): DragState;
+    /** updateInput, by its name in 0.2. */
     step(input: DragInput, dt: number): DragState;
+    /** override, by its name in 0.2. */
     take(value: number): DragState;
     release(options?: ReleaseOptions): ReleasePlan;
     end(): PartState;

@@ -598,14 +598,24 @@ export class Drag extends Owned {
     }
 
     /** update for all that can be told a drag: hands, handles, bounds. */
-    step(input, dt) {
+    updateInput(input, dt) {
         this.#library.memory.write('dm_drag_input', this.#library.input, input);
         return this.#frame('dm_drag_step', this.#library.input, dt);
     }
 
-    /** After a step with InputFlag.ASK: takes another value. */
-    take(value) {
+    /** After an updateInput with InputFlag.ASK: takes another value. */
+    override(value) {
         return this.#frame('dm_drag_take', value);
+    }
+
+    /** updateInput, by its name in 0.2. */
+    step(input, dt) {
+        return this.updateInput(input, dt);
+    }
+
+    /** override, by its name in 0.2. */
+    take(value) {
+        return this.override(value);
     }
 
     /** The player lets go; update moves the part on. */

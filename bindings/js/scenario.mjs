@@ -2,7 +2,7 @@
 //   node bindings/js/scenario.mjs [MODULE.wasm [FOLDER_OF_WEIGHTS]]
 import { readFileSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { load, HandKind, InputFlag, Intent, LinkKind, ReleaseFlag, RuleFlag } from './dragmesh.js';
+import { load, Go, HandKind, InputFlag, LinkKind, ReleaseFlag, RuleFlag } from './dragmesh.js';
 
 const FRAMES = 60, SHOWN_EVERY = 10, SAVED_AT = 30, RELEASED_FRAMES = 120, HANDLE_TURNS_AT = 25;
 const DOOR = 1, DRAWER = 2;
@@ -87,7 +87,7 @@ function dragAndRelease(object, hit) {
     }
     drag.restore(saved);
     printState('restored', drag.update(rayAt(FRAMES), FRAME_TIME));
-    const plan = drag.release({ intent: Intent.OPEN, flags: ReleaseFlag.BY_RULE });
+    const plan = drag.release({ intent: Go.OPEN, flags: ReleaseFlag.BY_RULE });
     printFloats('plan', [plan.endValue]);
     for (let frame = 0; frame < RELEASED_FRAMES; frame++) events |= drag.update(null, FRAME_TIME).events;
     printState('released', drag.state, events);
@@ -105,8 +105,8 @@ function dragBehindLatch(object, hit) {
     for (let frame = 0; frame < FRAMES; frame++) {
         const hand = { kind: HandKind.RAY, ray: rayAt(frame) };
         const handles = [frame < HANDLE_TURNS_AT ? 0 : HANDLE_TURN, 0];
-        let state = drag.step({ flags: InputFlag.ASK, hand, handles }, FRAME_TIME);
-        if (state.value > f32(WIDEST)) state = drag.take(WIDEST);
+        let state = drag.updateInput({ flags: InputFlag.ASK, hand, handles }, FRAME_TIME);
+        if (state.value > f32(WIDEST)) state = drag.override(WIDEST);
         events |= state.events;
         detents += state.detents;
         if (frame % SHOWN_EVERY === 0) printState('latch', state);

@@ -267,18 +267,20 @@ function Drag:update(ray, seconds)
 end
 
 --- The same for all that a dm_drag_input holds.
-function Drag:step(input, seconds)
+function Drag:update_input(input, seconds)
     self.state.struct_size = ffi.sizeof "dm_drag_state"
-    check(C.dm_drag_step(self.context.pointer, self.handle, sized(input, "dm_drag_input"), seconds, self.state))
+    check(C.dm_drag_update_input(self.context.pointer, self.handle, sized(input, "dm_drag_input"), seconds, self.state))
     return self.state
 end
 
---- After a step with DM_INPUT_ASK: takes another value.
-function Drag:take(value)
+--- After an update_input with DM_INPUT_ASK: takes another value.
+function Drag:override(value)
     self.state.struct_size = ffi.sizeof "dm_drag_state"
-    check(C.dm_drag_take(self.context.pointer, self.handle, value, self.state))
+    check(C.dm_drag_override(self.context.pointer, self.handle, value, self.state))
     return self.state
 end
+
+Drag.step, Drag.take = Drag.update_input, Drag.override -- their names in 0.2
 
 --- Lets go. desc: a dm_release_desc; nil = all defaults. Returns the dm_release_plan.
 function Drag:release(desc)

@@ -101,7 +101,7 @@ local function drag_and_release(object, hit)
     drag:restore(saved)
     print_state("restored", drag:update(ray_at(FRAMES), FRAME_TIME))
     local plan = drag:release(dragmesh.new("dm_release_desc",
-        { intent = C.DM_INTENT_OPEN, flags = C.DM_RELEASE_BY_RULE }))
+        { intent = C.DM_GO_OPEN, flags = C.DM_RELEASE_BY_RULE }))
     print_floats("plan", plan.end_value)
     for _ = 1, RELEASED_FRAMES do events = bit.bor(events, drag:update(nil, FRAME_TIME).events) end
     print_state("released", drag.state, events)
@@ -121,8 +121,8 @@ local function drag_behind_latch(object, hit)
     for frame = 0, FRAMES - 1 do
         input.hand.ray = ray_at(frame)
         input.handles[0] = frame < HANDLE_TURNS_AT and 0 or HANDLE_TURN
-        local state = drag:step(input, FRAME_TIME)
-        if state.value > f32(WIDEST) then state = drag:take(WIDEST) end
+        local state = drag:update_input(input, FRAME_TIME)
+        if state.value > f32(WIDEST) then state = drag:override(WIDEST) end
         events, detents = bit.bor(events, state.events), detents + state.detents
         if frame % SHOWN_EVERY == 0 then print_state("latch", state) end
     end

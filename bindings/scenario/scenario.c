@@ -110,7 +110,7 @@ static void drag_and_release(dm_context* context, dm_object object, const dm_hit
     const dm_ray last = ray_at(FRAMES);
     must(dm_drag_update(context, drag, &last, frame_time, &state), "update");
     print_state("restored", &state);
-    dm_release_desc release = {.struct_size = sizeof release, .intent = DM_INTENT_OPEN, .flags = DM_RELEASE_BY_RULE};
+    dm_release_desc release = {.struct_size = sizeof release, .intent = DM_GO_OPEN, .flags = DM_RELEASE_BY_RULE};
     dm_release_plan plan = dm_release_plan_default();
     must(dm_drag_release(context, drag, &release, &plan), "release");
     print_floats("plan", &plan.end_value, 1);
@@ -144,8 +144,8 @@ static void drag_behind_latch(dm_context* context, dm_object object, const dm_hi
     for (int frame = 0; frame < FRAMES; frame++) {
         input.hand.ray = ray_at(frame);
         input.handles[0] = frame < HANDLE_TURNS_AT ? 0 : handle_turn;
-        must(dm_drag_step(context, drag, &input, frame_time, &state), "step");
-        if (state.value > widest) must(dm_drag_take(context, drag, widest, &state), "take");
+        must(dm_drag_update_input(context, drag, &input, frame_time, &state), "step");
+        if (state.value > widest) must(dm_drag_override(context, drag, widest, &state), "take");
         events |= state.events, detents += state.detents;
         if (frame % SHOWN_EVERY == 0) print_state("latch", &state);
     }

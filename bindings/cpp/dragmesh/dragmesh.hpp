@@ -213,14 +213,22 @@ class drag : public owner<dm_drag, detail::end_drag> {
                             [&](dm_drag_state* out) { return dm_drag_update(raw(), handle_, nullptr, seconds, out); });
     }
     /* Everything that can be told a drag at once. [frame] */
-    result<dm_drag_state> step(const dm_drag_input& input, float seconds) {
-        return detail::fill(dm_drag_state_default(),
-                            [&](dm_drag_state* out) { return dm_drag_step(raw(), handle_, &input, seconds, out); });
+    result<dm_drag_state> update_input(const dm_drag_input& input, float seconds) {
+        return detail::fill(dm_drag_state_default(), [&](dm_drag_state* out) {
+            return dm_drag_update_input(raw(), handle_, &input, seconds, out);
+        });
     }
-    /* After a step with DM_INPUT_ASK: takes another value. [frame] */
-    result<dm_drag_state> take(float value) {
+    /* After an update_input with DM_INPUT_ASK: takes another value. [frame] */
+    result<dm_drag_state> override_value(float value) {
         return detail::fill(dm_drag_state_default(),
-                            [&](dm_drag_state* out) { return dm_drag_take(raw(), handle_, value, out); });
+                            [&](dm_drag_state* out) { return dm_drag_override(raw(), handle_, value, out); });
+    }
+    /* update_input and override_value, by their names in 0.2. [frame] */
+    result<dm_drag_state> step(const dm_drag_input& input, float seconds) {
+        return update_input(input, seconds);
+    }
+    result<dm_drag_state> take(float value) {
+        return override_value(value);
     }
     result<dm_release_plan> let_go(const dm_release_desc& desc) {
         return detail::fill(dm_release_plan_default(),

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
         drag->update(ray, 1.0f / 60);
     }
     dm_release_desc release = dm_release_desc_default();
-    release.intent = DM_INTENT_OPEN;
+    release.intent = DM_GO_OPEN;
     drag->let_go(release);
     while (drag->update(1.0f / 60)->phase != DM_DRAG_AT_REST) {
     }

@@ -116,6 +116,18 @@ namespace DragMesh
     }
 
     /// <summary>What a released part does next.</summary>
+    public enum Go
+    {
+        Auto = K.DM_GO_AUTO,
+        Stay = K.DM_GO_STAY,
+        Open = K.DM_GO_OPEN,
+        Close = K.DM_GO_CLOSE,
+        Replay = K.DM_GO_REPLAY,
+        Freeze = K.DM_GO_FREEZE,
+        Toggle = K.DM_GO_TOGGLE
+    }
+
+    /// <summary>Go, by its name in 0.2.</summary>
     public enum Intent
     {
         Auto = K.DM_INTENT_AUTO,

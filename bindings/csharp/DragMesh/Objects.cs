@@ -237,21 +237,27 @@ namespace DragMesh
         }
 
         /// <summary>Update for all that a DragInput holds.</summary>
-        public DragState Step(DragInput input, float seconds)
+        public DragState UpdateInput(DragInput input, float seconds)
         {
             DragState state = DragState.New();
             input.StructSize = DragInput.New().StructSize;
-            using (Begin()) Check(Native.dm_drag_step(Pointer, Id, &input, seconds, &state));
+            using (Begin()) Check(Native.dm_drag_update_input(Pointer, Id, &input, seconds, &state));
             return state;
         }
 
         /// <summary>Takes another value than the one that an update with DM_INPUT_ASK is about to take.</summary>
-        public DragState Take(float value)
+        public DragState Override(float value)
         {
             DragState state = DragState.New();
-            using (Begin()) Check(Native.dm_drag_take(Pointer, Id, value, &state));
+            using (Begin()) Check(Native.dm_drag_override(Pointer, Id, value, &state));
             return state;
         }
+
+        /// <summary>UpdateInput, by its name in 0.2.</summary>
+        public DragState Step(DragInput input, float seconds) => UpdateInput(input, seconds);
+
+        /// <summary>Override, by its name in 0.2.</summary>
+        public DragState Take(float value) => Override(value);
 
         /// <summary>Lets go. desc: ReleaseDesc.New() and what is wanted.</summary>
         public ReleasePlan Release(ReleaseDesc desc)
@@ -262,12 +268,14 @@ namespace DragMesh
             return plan;
         }
 
-        public ReleasePlan Release(Intent intent = Intent.Auto)
+        public ReleasePlan Release(Go what = Go.Auto)
         {
             ReleaseDesc desc = ReleaseDesc.New();
-            desc.Intent = (int)intent;
+            desc.Intent = (int)what;
             return Release(desc);
         }
+
+        public ReleasePlan Release(Intent what) => Release((Go)what);
 
         /// <summary>What the instance keeps: joint, value and pose.</summary>
         public PartState PartState()

@@ -20,7 +20,7 @@ static class FirstDoor
             {
                 for (int frame = 0; frame < 60; frame++) // every frame: the pointer's ray in the object's frame
                     state = drag.Update(new Ray(eye, new Vec3(-0.003f * frame, 0, -2)), 1f / 60);
-                drag.Release(Intent.Open);
+                drag.Release(Go.Open);
                 while (state.Doing != DragPhase.AtRest) state = drag.Update(1f / 60);
                 PartState kept = drag.Finish(); // joint, value and pose: what the instance saves
                 Console.WriteLine("part {0} stands open at {1:0.00}", part.Id, kept.Value);

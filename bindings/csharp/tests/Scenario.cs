@@ -121,7 +121,7 @@ static class Scenario
             drag.Restore(saved);
             Print("restored", drag.Update(RayAt(Frames), FrameTime));
             ReleaseDesc release = ReleaseDesc.New();
-            release.Intent = (int)Intent.Open;
+            release.Intent = (int)Go.Open;
             release.Flags = Constants.DM_RELEASE_BY_RULE;
             Print("plan", drag.Release(release).EndValue);
             for (int frame = 0; frame < ReleasedFrames; frame++)
@@ -157,8 +157,8 @@ static class Scenario
             {
                 input.Hand.Ray = RayAt(frame);
                 input.Handles[0] = frame < HandleTurnsAt ? 0 : HandleTurn;
-                state = drag.Step(input, FrameTime);
-                if (state.Value > Widest) state = drag.Take(Widest);
+                state = drag.UpdateInput(input, FrameTime);
+                if (state.Value > Widest) state = drag.Override(Widest);
                 events |= state.Events;
                 detents += state.Detents;
                 if (frame % ShownEvery == 0) Print("latch", state);

@@ -20,4 +20,4 @@ func _on_prepared(error: String, body: DragMeshBody3D) -> void:
 		var joint: Dictionary = body.joint(part)
 		print("%s: type %d, axis %s, up to %.2f, sure by %.0f %%" %
 				[part.name, joint.type, joint.axis, joint.upper, 100 * joint.joint_confidence])
-	body.move(body.part_nodes()[0], 2) # DM_INTENT_OPEN
+	body.move(body.part_nodes()[0], 2) # DM_GO_OPEN

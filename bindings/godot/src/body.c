@@ -282,7 +282,7 @@ void body_input(body* b, const gd_value* event) {
         if (!p->by_mouse) continue;
         gd_free(&b->mouse);
         b->mouse = gd_copy(&position);
-        if (gd_int(&button) == MOUSE_BUTTON_LEFT && !gd_bool(&pressed)) part_release(b, p, DM_INTENT_AUTO, NULL);
+        if (gd_int(&button) == MOUSE_BUTTON_LEFT && !gd_bool(&pressed)) part_release(b, p, DM_GO_AUTO, NULL);
     }
     gd_free(&pressed);
     gd_free(&button);

@@ -263,8 +263,8 @@ static void take_hand(body* b, const part* p, const gd_value* from, dm_hand* out
     gd_free(&origin);
 }
 
-static gd_value step(void* self, const gd_value* const* a) {
-    part* p = dragged_part(self, a[0], "step");
+static gd_value update_input(void* self, const gd_value* const* a) {
+    part* p = dragged_part(self, a[0], "update_input");
     if (!p) return empty();
     dm_drag_input input = dm_drag_input_default();
     take_hand(self, p, a[1], &input.hand);
@@ -276,10 +276,11 @@ static gd_value step(void* self, const gd_value* const* a) {
     return step_with(self, p, &input, gd_float(a[2]));
 }
 
-static gd_value take(void* self, const gd_value* const* a) {
-    part* p = dragged_part(self, a[0], "take");
+static gd_value override_value(void* self, const gd_value* const* a) {
+    part* p = dragged_part(self, a[0], "override_value");
     dm_drag_state state = dm_drag_state_default();
-    if (!p || !fine(dm_drag_take(library_context(), p->drag, (float)gd_float(a[1]), &state), "take")) return empty();
+    if (!p || !fine(dm_drag_override(library_context(), p->drag, (float)gd_float(a[1]), &state), "override_value"))
+        return empty();
     part_take(self, p, &state);
     return value_of_drag_state(&state);
 }
@@ -531,8 +532,11 @@ static const gd_method_row methods[] = {
      DICTIONARY,
      false,
      {NODE, {"origin", VECTOR3, NULL}, {"direction", VECTOR3, NULL}, {"delta", FLOAT, NULL}}},
-    {"step", step, DICTIONARY, false, {NODE, {"input", DICTIONARY, NULL}, {"delta", FLOAT, NULL}}},
-    {"take", take, DICTIONARY, false, {NODE, {"value", FLOAT, NULL}}},
+    {"update_input", update_input, DICTIONARY, false, {NODE, {"input", DICTIONARY, NULL}, {"delta", FLOAT, NULL}}},
+    {"override_value", override_value, DICTIONARY, false, {NODE, {"value", FLOAT, NULL}}},
+    /* Their names in 0.2. */
+    {"step", update_input, DICTIONARY, false, {NODE, {"input", DICTIONARY, NULL}, {"delta", FLOAT, NULL}}},
+    {"take", override_value, DICTIONARY, false, {NODE, {"value", FLOAT, NULL}}},
     {"release", release, DICTIONARY, false, {NODE, {"intent", INT, NULL}}},
     {"move", move, DICTIONARY, false, {NODE, {"intent", INT, NULL}}},
     {"end", end, NONE, false, {NODE}},

@@ -75,7 +75,7 @@ dm_result part_step(body* b, part* p, dm_drag_input* input, double seconds, dm_d
         if (handle && handle->moved) input->handles[i] = handle->state.value;
     }
     *out = dm_drag_state_default();
-    const dm_result result = dm_drag_step(library_context(), p->drag, input, (float)seconds, out);
+    const dm_result result = dm_drag_update_input(library_context(), p->drag, input, (float)seconds, out);
     if (result != DM_OK) return result;
     p->events |= out->events;
     part_take(b, p, out);

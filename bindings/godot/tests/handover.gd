@@ -2,7 +2,7 @@
 # godot --headless --path PROJECT --script handover.gd
 extends SceneTree
 
-const INTENT_OPEN := 2
+const GO_OPEN := 2
 const NEAR := 0.02 # rad
 
 var failed := 0
@@ -71,7 +71,7 @@ func hand_over(body: DragMeshBody3D, part: Node3D) -> void:
 
 
 func save_and_restore(body: DragMeshBody3D, part: Node3D) -> void:
-	body.move(part, INTENT_OPEN)
+	body.move(part, GO_OPEN)
 	body.advance(0.3)
 	var text := var_to_str(body.part_state(part))
 	var place := part.transform

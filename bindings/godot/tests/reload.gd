@@ -7,7 +7,7 @@ const EXTENSION := "res://addons/dragmesh/dragmesh.gdextension"
 const ROUNDS := 1000
 const SETTLED := 200
 const ALLOWED_GROWTH := 8192 # KiB of the process between round 200 and the last, by hand
-const INTENT_OPEN := 2
+const GO_OPEN := 2
 
 var packed: PackedScene
 var dmo := PackedByteArray()
@@ -52,7 +52,7 @@ func drag(body: Node) -> void:
 	if not body.is_prepared():
 		return
 	for part in body.part_nodes():
-		body.move(part, INTENT_OPEN)
+		body.move(part, GO_OPEN)
 		body.advance(0.05)
 		body.advance(3)
 		opened += int(absf(body.value(part)) > 0.01)

@@ -9,7 +9,7 @@ const RELEASED_FRAMES := 120
 const HANDLE_TURNS_AT := 25
 const HANDLE_TURN := 1.0
 const WIDEST := 0.45
-const INTENT_OPEN := 2
+const GO_OPEN := 2
 const DM_LINK_HOLDS := 2
 
 # x, y, z to x, y, z, part: samples/common/cabinet.h
@@ -129,9 +129,9 @@ func drag_and_release(body, part: Node3D, point: Vector3) -> void:
 	body.restore_drag(part, saved)
 	state = body.pull(part, origin, direction_at(FRAMES), frame_time)
 	print_state("restored", state)
-	print("plan", bits([body.release(part, INTENT_OPEN).end_value]))
+	print("plan", bits([body.release(part, GO_OPEN).end_value]))
 	for frame in RELEASED_FRAMES:
-		state = body.step(part, {}, frame_time)
+		state = body.update_input(part, {}, frame_time)
 		events |= state.events
 	state.events = events
 	print_state("released", state)
@@ -153,10 +153,10 @@ func drag_behind_latch(body, part: Node3D, point: Vector3) -> void:
 	var events := 0
 	var detents := 0
 	for frame in FRAMES:
-		state = body.step(part, {"origin": origin, "direction": direction_at(frame), "ask": 1,
+		state = body.update_input(part, {"origin": origin, "direction": direction_at(frame), "ask": 1,
 				"handle": 0.0 if frame < HANDLE_TURNS_AT else HANDLE_TURN}, frame_time)
 		if state.value > narrow(WIDEST):
-			state = body.take(part, WIDEST)
+			state = body.override_value(part, WIDEST)
 		events |= state.events
 		detents += state.detents
 		if frame % SHOWN_EVERY == 0:

@@ -11,7 +11,7 @@ local eye = ffi.new("dm_vec3", part.centre.x, part.centre.y, part.centre.z + 2)
 for frame = 0, 59 do -- every frame, with the pointer's ray in the object's frame
     drag:update(ffi.new("dm_ray", eye, { -0.003 * frame, 0, -2 }), 1 / 60)
 end
-drag:release(dragmesh.new("dm_release_desc", { intent = dragmesh.C.DM_INTENT_OPEN }))
+drag:release(dragmesh.new("dm_release_desc", { intent = dragmesh.C.DM_GO_OPEN }))
 while drag.state.phase ~= dragmesh.C.DM_DRAG_AT_REST do drag:update(nil, 1 / 60) end
 local kept = drag:finish() -- joint, value and pose: what the instance saves
 print(("part %d stands open at %.2f"):format(part.id, kept.value))

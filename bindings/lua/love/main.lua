@@ -57,7 +57,7 @@ function game.wheel(x, y, amount)
     if not part or part.held then return end
     prop:grab(part, nil)
     part.input.hand.kind, part.input.hand.amount = dragmesh.C.DM_HAND_STEP, amount
-    part.drag:step(part.input, 0)
+    part.drag:update_input(part.input, 0)
     prop:release(part)
 end
 

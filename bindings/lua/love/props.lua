@@ -139,7 +139,7 @@ function Prop:update(part, ray, dt, hear)
     input.hand.kind = part.held and ray and dragmesh.C.DM_HAND_RAY or dragmesh.C.DM_HAND_NONE
     if ray then input.hand.ray = self:to_object(ray, part) end
     if latch then input.handles[0] = math.max(math.abs(latch.value), self.key_turn or 0) end
-    local state = part.drag:step(input, dt)
+    local state = part.drag:update_input(input, dt)
     part.pose, part.value = ffi.new("dm_pose", state.pose), state.value
     self:place()
     if state.events ~= 0 then hear(part, state) end

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import native as n
 from .base import Unique, bytes_of, integer
-from .values import Intent, vec3
+from .values import Go, vec3
 
 if TYPE_CHECKING:
     from .context import Context, Hint, Vector
@@ -196,27 +196,30 @@ class Drag(Owned):
         self.call("drag_update", c.byref(n.Ray(vec3(origin), vec3(direction))), dt, c.byref(state))
         return state
 
-    def step(self, dt: float, ray: Any = None, bounds: Optional[Tuple[float, float]] = None, point: Any = None,
-             rate: Optional[float] = None, value: Optional[float] = None, handles: Tuple[float, float] = (0, 0),
-             flags: int = 0, move: Optional[float] = None, second: Optional[Dict[str, Any]] = None) -> n.DragState:
+    def update_input(self, dt: float, ray: Any = None, bounds: Optional[Tuple[float, float]] = None, point: Any = None,
+                     rate: Optional[float] = None, value: Optional[float] = None,
+                     handles: Tuple[float, float] = (0, 0), flags: int = 0, move: Optional[float] = None,
+                     second: Optional[Dict[str, Any]] = None) -> n.DragState:
         """The state after an update by all that a dm_drag_input holds. Of the hand, one of: ray (origin, direction),
         point, rate, move (a wheel's share of the range), value, or no news of it. second: a dict of ray or point and
         grab_point of another hand. bounds: the joint values (lower, upper) between which there is room; handles: values
-        of the latch's handles; flags: StepFlag."""
+        of the latch's handles; flags: InputFlag."""
         given, state = n.DragInput(flags=flags, handles=(c.c_float * 2)(*handles)), n.DragState()
         given.hand = _hand(ray, point, rate, move, value)
         if second is not None:
             given.second = _hand(**second)
         if bounds is not None:
             given.lower, given.upper = bounds
-        self.call("drag_step", c.byref(given), dt, c.byref(state))
+        self.call("drag_update_input", c.byref(given), dt, c.byref(state))
         return state
 
-    def take(self, value: float) -> n.DragState:
-        """The state with another value than that of the last step, which had flags=StepFlag.ASK."""
+    def override(self, value: float) -> n.DragState:
+        """The state with another value than that of the last update_input, which had flags=InputFlag.ASK."""
         state = n.DragState()
-        self.call("drag_take", value, c.byref(state))
+        self.call("drag_override", value, c.byref(state))
         return state
+
+    step, take = update_input, override  # their names in 0.2
 
     def part_state(self) -> n.PartState:
         """Joint, value and pose now, as the pull has left them: Object.drag(state=...) goes on from there."""
@@ -235,7 +238,7 @@ class Drag(Owned):
         data = bytes_of(data, "data")
         self.call("drag_restore", data, len(data))
 
-    def release(self, intent: int = Intent.AUTO, duration: float = 0.0, seed: int = 0,
+    def release(self, intent: int = Go.AUTO, duration: float = 0.0, seed: int = 0,
                 away_from: Optional["Vector"] = None, by_rule: bool = False) -> n.ReleasePlan:
         """The player lets go: the plan of what the part does now. advance() moves it. away_from: where the player
         stands, for a part that opens to both sides. by_rule: the same bits on every processor."""

@@ -44,15 +44,18 @@ class Picking(enum.IntEnum):
     NONE = n.DM_PICK_NONE
 
 
-class Intent(enum.IntEnum):
+class Go(enum.IntEnum):
     """What a released part does next."""
-    AUTO = n.DM_INTENT_AUTO
-    STAY = n.DM_INTENT_STAY
-    OPEN = n.DM_INTENT_OPEN
-    CLOSE = n.DM_INTENT_CLOSE
-    REPLAY = n.DM_INTENT_REPLAY
-    FREEZE = n.DM_INTENT_FREEZE
-    TOGGLE = n.DM_INTENT_TOGGLE
+    AUTO = n.DM_GO_AUTO
+    STAY = n.DM_GO_STAY
+    OPEN = n.DM_GO_OPEN
+    CLOSE = n.DM_GO_CLOSE
+    REPLAY = n.DM_GO_REPLAY
+    FREEZE = n.DM_GO_FREEZE
+    TOGGLE = n.DM_GO_TOGGLE
+
+
+Intent = Go  # its name in 0.2
 
 
 class Phase(enum.IntEnum):
@@ -94,10 +97,13 @@ class Rule(enum.IntFlag):
     LATCH = n.DM_RULE_LATCH
 
 
-class StepFlag(enum.IntFlag):
-    """Flags of one Drag.step."""
+class InputFlag(enum.IntFlag):
+    """Flags of one Drag.update_input."""
     LOCKED = n.DM_INPUT_LOCKED
     ASK = n.DM_INPUT_ASK
+
+
+StepFlag = InputFlag  # its name in 0.2
 
 
 class LinkKind(enum.IntEnum):

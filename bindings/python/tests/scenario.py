@@ -4,7 +4,7 @@ import sys
 import numpy as np
 
 import dragmesh
-from dragmesh import Intent, Joint, LinkKind, Rule, StepFlag
+from dragmesh import Go, InputFlag, Joint, LinkKind, Rule
 
 FRAMES, SHOWN_EVERY, SAVED_AT, RELEASED_FRAMES, HANDLE_TURNS_AT = 60, 10, 30, 120, 25
 FRAME_TIME = 1 / 60
@@ -84,7 +84,7 @@ def drag_and_release(thing, hit):
             saved = drag.save()
     drag.restore(saved)
     show_state("restored", drag.update(*ray_at(FRAMES), FRAME_TIME))
-    show("plan", drag.release(Intent.OPEN, by_rule=True).end_value)
+    show("plan", drag.release(Go.OPEN, by_rule=True).end_value)
     for _ in range(RELEASED_FRAMES):
         state = drag.advance(FRAME_TIME)
         events |= state.events
@@ -99,9 +99,9 @@ def drag_behind_latch(thing, hit):
     events = detents = 0
     for frame in range(FRAMES):
         turned = 0 if frame < HANDLE_TURNS_AT else HANDLE_TURN
-        state = drag.step(FRAME_TIME, ray=ray_at(frame), handles=(turned, 0), flags=StepFlag.ASK)
+        state = drag.update_input(FRAME_TIME, ray=ray_at(frame), handles=(turned, 0), flags=InputFlag.ASK)
         if state.value > WIDEST:
-            state = drag.take(WIDEST)
+            state = drag.override(WIDEST)
         events, detents = events | state.events, detents + state.detents
         if frame % SHOWN_EVERY == 0:
             show_state("latch", state)

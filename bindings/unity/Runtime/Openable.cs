@@ -108,19 +108,21 @@ namespace DragMesh.Unity
         }
 
         /// <summary>Lets go. The part then moves on by itself.</summary>
-        public void Release(uint id, Intent intent = Intent.Auto)
+        public void Release(uint id, Go what = Go.Auto)
         {
             OpenablePart part = Find(id);
             if (part == null || !part.held) return;
             ReleaseDesc desc = ReleaseDesc.New();
-            desc.Intent = (int)intent;
+            desc.Intent = (int)what;
             desc.Flags = Constants.DM_RELEASE_BY_RULE; // the same on every machine, without weights
             part.drag.Release(desc);
             part.held = false;
         }
 
+        public void Release(uint id, Intent what) => Release(id, (Go)what);
+
         /// <summary>Opens or closes a part by itself, as a player's release does.</summary>
-        public void Move(uint id, Intent intent)
+        public void Move(uint id, Go what)
         {
             OpenablePart part = Find(id);
             if (part == null || part.held || loaded == null) return;
@@ -130,8 +132,10 @@ namespace DragMesh.Unity
             desc.Flags = Constants.DM_DRAG_WITHOUT_POINT;
             part.drag = loaded.Grab(desc, DragRules.New(), part.moved ? part.state : (PartState?)null);
             part.held = true;
-            Release(id, intent);
+            Release(id, what);
         }
+
+        public void Move(uint id, Intent what) => Move(id, (Go)what);
 
         /// <summary>What to save of a part, and what Restore takes back.</summary>
         public PartState State(uint id)

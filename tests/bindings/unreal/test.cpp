@@ -67,10 +67,10 @@ int main(int argc, char** argv) {
     must(now.y > door.centre.y + 5, "the door comes to the front");
 
     const dm_part_state saved = cabinet.state(0);
-    cabinet.release(0, DM_INTENT_OPEN);
+    cabinet.release(0, DM_GO_OPEN);
     for (int i = 0; i < 600; i++) cabinet.advance(frame);
     must(std::fabs(cabinet.state(0).value - hinge.upper) < near, "it swings open by itself");
-    must(cabinet.move(0, DM_INTENT_CLOSE), "it is moved without a hand");
+    must(cabinet.move(0, DM_GO_CLOSE), "it is moved without a hand");
     for (int i = 0; i < 600; i++) cabinet.advance(frame);
     must(std::fabs(cabinet.state(0).value) < near, "it closes by itself");
     cabinet.restore(0, saved);
@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     dragmesh_unreal::openable_parts none;
     for (const std::size_t index : {std::size_t(0), std::size_t(4), std::size_t(-1)}) {
         dragmesh_unreal::openable_parts& of = index == 0 ? none : cabinet;
-        must(!of.grab(index, now) && !of.move(index, DM_INTENT_OPEN), "a part that is not there is not moved");
+        must(!of.grab(index, now) && !of.move(index, DM_GO_OPEN), "a part that is not there is not moved");
         of.pull(index, ray, frame);
         of.release(index);
         of.restore(index, saved);

@@ -1,5 +1,5 @@
 //! Pulls the first part of a prepared object open with a pointer, and lets it swing: first_door OBJECT.dmo
-use dragmesh::{prelude::*, sys, Context, ContextOptions, DragOptions, Intent, Ray, Vec3};
+use dragmesh::{prelude::*, sys, Context, ContextOptions, DragOptions, Go, Ray, Vec3};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = std::env::args().nth(1).ok_or("first_door OBJECT.dmo")?;
@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let ray = Ray { origin, direction: Vec3::new(-0.003 * frame as f32, 0.0, -2.0) }; // in the object's frame
         state = drag.update(&ray, 1.0 / 60.0)?;
     }
-    drag.release(Intent::Open)?;
+    drag.release(Go::Open)?;
     while state.phase != sys::DM_DRAG_AT_REST {
         state = drag.advance(1.0 / 60.0)?;
     }

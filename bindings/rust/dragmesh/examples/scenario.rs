@@ -124,7 +124,7 @@ fn drag_and_release(object: &Object, hit: &Hit) -> Result<()> {
     drag.restore(&saved)?;
     let mut state = drag.update(&ray_at(FRAMES), FRAME_TIME)?;
     print_state("restored", &state);
-    let plan = drag.release(ReleaseOptions { intent: Intent::Open, by_rule: true, ..Default::default() })?;
+    let plan = drag.release(ReleaseOptions { intent: Go::Open, by_rule: true, ..Default::default() })?;
     print("plan", &[plan.end_value]);
     for _ in 0..RELEASED_FRAMES {
         state = drag.advance(FRAME_TIME)?;
@@ -151,9 +151,9 @@ fn drag_behind_latch(object: &Object, hit: &Hit) -> Result<()> {
     for frame in 0..FRAMES {
         input.hand.ray = ray_at(frame);
         input.handles[0] = if frame < HANDLE_TURNS_AT { 0.0 } else { HANDLE_TURN };
-        state = drag.step(&input, FRAME_TIME)?;
+        state = drag.update_input(&input, FRAME_TIME)?;
         if state.value > WIDEST {
-            state = drag.take(WIDEST)?;
+            state = drag.override_value(WIDEST)?;
         }
         events |= state.events;
         detents += state.detents;

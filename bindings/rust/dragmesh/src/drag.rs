@@ -42,7 +42,7 @@ impl DragOptions {
 
 /// What a released part does next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Intent {
+pub enum Go {
     #[default]
     Auto,
     Stay,
@@ -53,10 +53,13 @@ pub enum Intent {
     Toggle,
 }
 
+/// `Go`, by its name in 0.2.
+pub type Intent = Go;
+
 /// How to let go.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ReleaseOptions {
-    pub intent: Intent,
+    pub intent: Go,
     /// Seconds to the end; 0 = as far and fast as it goes asks for.
     pub duration: f32,
     pub seed: u32,
@@ -66,8 +69,8 @@ pub struct ReleaseOptions {
     pub away_from: Option<Vec3>,
 }
 
-impl From<Intent> for ReleaseOptions {
-    fn from(intent: Intent) -> Self {
+impl From<Go> for ReleaseOptions {
+    fn from(intent: Go) -> Self {
         Self { intent, ..Default::default() }
     }
 }
@@ -134,17 +137,27 @@ impl Drag {
     }
 
     /// `update` for all that an `Input` holds.
-    pub fn step(&mut self, input: &Input, seconds: f32) -> Result<DragState> {
+    pub fn update_input(&mut self, input: &Input, seconds: f32) -> Result<DragState> {
         let mut state = DragState::default();
-        check(unsafe { sys::dm_drag_step(self.pointer()?, self.id, &input.sized(), seconds, &mut state) })?;
+        check(unsafe { sys::dm_drag_update_input(self.pointer()?, self.id, &input.sized(), seconds, &mut state) })?;
         Ok(state)
     }
 
-    /// Takes another value than the one that a step with `DM_INPUT_ASK` is about to take.
-    pub fn take(&mut self, value: f32) -> Result<DragState> {
+    /// Takes another value than the one that an `update_input` with `DM_INPUT_ASK` is about to take.
+    pub fn override_value(&mut self, value: f32) -> Result<DragState> {
         let mut state = DragState::default();
-        check(unsafe { sys::dm_drag_take(self.pointer()?, self.id, value, &mut state) })?;
+        check(unsafe { sys::dm_drag_override(self.pointer()?, self.id, value, &mut state) })?;
         Ok(state)
+    }
+
+    /// `update_input`, by its name in 0.2.
+    pub fn step(&mut self, input: &Input, seconds: f32) -> Result<DragState> {
+        self.update_input(input, seconds)
+    }
+
+    /// `override_value`, by its name in 0.2.
+    pub fn take(&mut self, value: f32) -> Result<DragState> {
+        self.override_value(value)
     }
 
     /// Lets go; the part moves on by `advance`.
@@ -154,13 +167,13 @@ impl Drag {
         let away = if how.away_from.is_some() { sys::DM_RELEASE_AWAY_FROM as u32 } else { 0 };
         let desc = sys::dm_release_desc {
             intent: match how.intent {
-                Intent::Auto => sys::DM_INTENT_AUTO,
-                Intent::Stay => sys::DM_INTENT_STAY,
-                Intent::Open => sys::DM_INTENT_OPEN,
-                Intent::Close => sys::DM_INTENT_CLOSE,
-                Intent::Replay => sys::DM_INTENT_REPLAY,
-                Intent::Freeze => sys::DM_INTENT_FREEZE,
-                Intent::Toggle => sys::DM_INTENT_TOGGLE,
+                Go::Auto => sys::DM_GO_AUTO,
+                Go::Stay => sys::DM_GO_STAY,
+                Go::Open => sys::DM_GO_OPEN,
+                Go::Close => sys::DM_GO_CLOSE,
+                Go::Replay => sys::DM_GO_REPLAY,
+                Go::Freeze => sys::DM_GO_FREEZE,
+                Go::Toggle => sys::DM_GO_TOGGLE,
             },
             duration: how.duration,
             seed: how.seed,

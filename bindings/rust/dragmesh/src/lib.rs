@@ -8,7 +8,7 @@
 //! calls the context that calls it gets an [`Error`]; what it drops ends after the call.
 //!
 //! ```no_run
-//! use dragmesh::{prelude::*, Context, ContextOptions, DragOptions, Intent, Ray, Vec3};
+//! use dragmesh::{prelude::*, Context, ContextOptions, DragOptions, Go, Ray, Vec3};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let context = Context::new(ContextOptions::default())?;
@@ -18,7 +18,7 @@
 //! let ray = Ray { origin: Vec3::new(0.0, 0.5, 2.0), direction: Vec3::new(0.0, 0.0, -1.0) };
 //! let state = drag.update(&ray, 1.0 / 60.0)?; // every frame
 //! let moved = state.pose.apply(part.centre);
-//! drag.release(Intent::Open)?;
+//! drag.release(Go::Open)?;
 //! # let _ = moved; Ok(())
 //! # }
 //! ```
@@ -35,7 +35,7 @@ mod scene;
 mod values;
 
 pub use context::{Axes, Context, ContextOptions, Level, Model, Picking};
-pub use drag::{Drag, DragOptions, Input, Intent, ReleaseOptions, Rules};
+pub use drag::{Drag, DragOptions, Go, Input, Intent, ReleaseOptions, Rules};
 pub use error::{Error, ErrorKind, Result};
 #[cfg(feature = "gltf")]
 pub use gltf::{Gltf, Node};

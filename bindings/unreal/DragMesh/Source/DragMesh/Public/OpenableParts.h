@@ -91,7 +91,7 @@ class openable_parts {
         take(p, p.drag.update({from, {to.x - from.x, to.y - from.y, to.z - from.z}}, seconds));
     }
     /* Lets go. The part then moves on by itself, in advance(). */
-    void release(std::size_t index, std::int32_t intent = DM_INTENT_AUTO) {
+    void release(std::size_t index, std::int32_t intent = DM_GO_AUTO) {
         if (!is_held(index)) return;
         part& p = parts_[index];
         dm_release_desc desc = dm_release_desc_default();
