@@ -1,5 +1,5 @@
-/* VR: two controllers pull two parts at the same time, each by its own drag. A pointing controller is a ray; a hand
- * that holds the handle itself is the ray from the eye through the hand. */
+/* VR: two controllers pull two parts at the same time, each by its own drag. A hand that holds the handle itself is a
+ * point in space, DM_HAND_POINT. A controller that points from afar is a ray, DM_HAND_RAY. */
 #include "recipe.h"
 
 typedef struct controller {
@@ -17,20 +17,21 @@ static void squeeze(dm_context* context, dm_object object, controller* hand) {
 int main(void) {
     dm_context* context = NULL;
     const dm_object object = recipe_open(&context);
-    const dm_vec3 head = {0.3f, 1.5f, 1.4f}, belt = {0.9f, 1.1f, 1.9f};
+    const dm_vec3 belt = {0.9f, 1.1f, 1.9f};
     controller left = {.part = CABINET_DRAWER, .held = {0.3f, 0.88f, 0.45f}};
     controller right = {.part = CABINET_DOOR, .held = handle_point};
     squeeze(context, object, &left);
     squeeze(context, object, &right);
     dm_drag_state drawer = dm_drag_state_default(), door = dm_drag_state_default();
-    for (int frame = 0; frame <= 90; frame++) { /* a second at 90 Hz; the head moves meanwhile, as heads do */
+    for (int frame = 0; frame <= 90; frame++) { /* a second at 90 Hz */
         const float share = (float)frame / 90;
-        const dm_vec3 looks_from = {head.x + 0.05f * share, head.y, head.z};
-        const dm_vec3 left_hand = {left.held.x, left.held.y, left.held.z + 0.25f * share};
-        const dm_ray touch = ray_through(looks_from, left_hand);       /* the hand is on the handle */
-        const dm_ray laser = ray_through(belt, hand_at(0.8f * share)); /* the controller points from afar */
-        EXPECT(dm_drag_update(context, left.drag, &touch, 1.0f / 90, &drawer) == DM_OK);
-        EXPECT(dm_drag_update(context, right.drag, &laser, 1.0f / 90, &door) == DM_OK);
+        dm_drag_input touch = dm_drag_input_default(), laser = dm_drag_input_default();
+        touch.hand.kind = DM_HAND_POINT; /* the hand is on the handle */
+        touch.hand.point = (dm_vec3){left.held.x, left.held.y, left.held.z + 0.25f * share};
+        laser.hand.kind = DM_HAND_RAY; /* the controller points from afar */
+        laser.hand.ray = ray_through(belt, hand_at(0.8f * share));
+        EXPECT(dm_drag_update_input(context, left.drag, &touch, 1.0f / 90, &drawer) == DM_OK);
+        EXPECT(dm_drag_update_input(context, right.drag, &laser, 1.0f / 90, &door) == DM_OK);
     }
     printf("drawer at %.3f, door at %.3f\n", (double)drawer.value, (double)door.value);
     EXPECT(fabsf(drawer.grab_point.z - left.held.z - 0.25f) < 0.05f);

@@ -125,11 +125,11 @@ static void step_part(game* game, uint32_t index, float dt) {
     game_part* part = &game->parts[index];
     const dm_drag_input input = input_of(game, index);
     dm_drag_state now = dm_drag_state_default();
-    if (dm_drag_step(game->context, part->drag, &input, dt, &now) != DM_OK) return;
+    if (dm_drag_update_input(game->context, part->drag, &input, dt, &now) != DM_OK) return;
     game->values[index] = now.value;
     follow_links(game, index);
     if (game->values[index] != now.value) /* what it drives is at its limit */
-        dm_drag_take(game->context, part->drag, game->values[index], &now);
+        dm_drag_override(game->context, part->drag, game->values[index], &now);
     if (now.events & DM_EVENT_LET_GO) part->hands[0] = part->hands[1] = GAME_NO_HAND;
     if (now.events && game->heard != NULL) game->heard(game->user, index + 1, &now);
     if (now.phase == DM_DRAG_AT_REST) end_drag(game, index);

@@ -159,7 +159,7 @@ static dm_result call_drag_update(bench* b) {
 static dm_result step_ruled(bench* b, dm_drag_input* input, dm_drag_state* out_state) {
     input->hand = (dm_hand){.kind = DM_HAND_RAY, .ray = pulling_ray(b)};
     input->handles[0] = 1, input->lower = -1, input->upper = 3;
-    return dm_drag_step(b->session.context, b->ruled, input, 1 / 60.0f, out_state);
+    return dm_drag_update_input(b->session.context, b->ruled, input, 1 / 60.0f, out_state);
 }
 
 static dm_result call_drag_step(bench* b) {
@@ -175,7 +175,7 @@ static dm_result call_drag_step_two_hands(bench* b) {
     input.second = (dm_hand){.kind = DM_HAND_POINT, .grab_point = box_object_drag.point, .point = {0, 0.5f, 0.5f}};
     input.flags = DM_INPUT_ASK;
     const dm_result result = step_ruled(b, &input, &state);
-    return result == DM_OK ? dm_drag_take(b->session.context, b->ruled, 0.99f * state.value, &state) : result;
+    return result == DM_OK ? dm_drag_override(b->session.context, b->ruled, 0.99f * state.value, &state) : result;
 }
 
 static dm_result call_joint_pose(bench* b) {

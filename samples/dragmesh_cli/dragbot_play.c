@@ -203,9 +203,10 @@ static dm_result update(player* p, const bot_step* step, const dm_ray* ray) {
     if (hand->point) input.hand = hand_in_space(p, step);
     if (hand->scalar) input.hand = gamepad(p, step);
     const double start = timing_now_ns(CLOCK_MONOTONIC);
-    const dm_result result = input.hand.kind == DM_HAND_NONE
-                                 ? dm_drag_update(p->session->context, p->drag, ray, (float)step->dt, &p->state)
-                                 : dm_drag_step(p->session->context, p->drag, &input, (float)step->dt, &p->state);
+    const dm_result result =
+        input.hand.kind == DM_HAND_NONE
+            ? dm_drag_update(p->session->context, p->drag, ray, (float)step->dt, &p->state)
+            : dm_drag_update_input(p->session->context, p->drag, &input, (float)step->dt, &p->state);
     record_time(p->times, timing_now_ns(CLOCK_MONOTONIC) - start);
     return result;
 }

@@ -245,8 +245,8 @@ static void test_model_is_down(void** state) {
 /* The recipes of docs/integration.md check what they claim. */
 static void test_recipes(void** state) {
     (void)state;
-    static const char* const names[] = {"instances",   "saving",  "undo",   "rollback",
-                                        "replication", "physics", "scaled", "vr"};
+    static const char* const names[] = {"find_part",   "instances", "saving", "undo", "rollback",
+                                        "replication", "physics",   "scaled", "vr"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char program[128];
         snprintf(program, sizeof program, "samples/recipe_%s", names[i]);

@@ -2,7 +2,7 @@
 import { Color } from './three/three.module.min.js';
 import { GLTFLoader } from './three/addons/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from './three/addons/libs/meshopt_decoder.module.js';
-import { load, Intent, Picking } from './dragmesh/dragmesh.js';
+import { load, Go, Picking } from './dragmesh/dragmesh.js';
 import { Figure, readAsset } from './asset.js';
 import { JointView } from './joint_view.js';
 import { Panel } from './panel.js';
@@ -121,7 +121,7 @@ function select(part) {
 }
 
 function toggle(part) {
-    part.release(Intent.TOGGLE);
+    part.release(Go.TOGGLE);
     endHint();
     wake();
 }
@@ -129,14 +129,14 @@ function toggle(part) {
 // value null: the slider was let go.
 let sliding = null;
 function slide(part, value) {
-    if (value === null && part.drag) part.release(Intent.STAY);
+    if (value === null && part.drag) part.release(Go.STAY);
     sliding = value === null ? null : { part, value };
     wake();
 }
 
 function choose(part, joint) {
     part.choose(joint);
-    part.release(Intent.OPEN); // shows what was chosen
+    part.release(Go.OPEN); // shows what was chosen
     wake();
 }
 
@@ -221,7 +221,7 @@ function lift(event) {
     if (!pointer) return;
     pressed.delete(event.pointerId);
     pointer.lifted = true;
-    if (pointer.mode === 'pulling' && !pointer.moved) pointer.part.release(Intent.STAY);
+    if (pointer.mode === 'pulling' && !pointer.moved) pointer.part.release(Go.STAY);
     else letGo(pointer);
     if (pointer.mode === 'turning' && !pointer.moved) select(null);
     cursor();
@@ -293,7 +293,7 @@ canvas.addEventListener('keydown', event => {
 canvas.addEventListener('keyup', event => {
     if (!(event.key in opening) || driving === 0) return;
     driving = 0;
-    if (selected?.drag) selected.release(Intent.STAY);
+    if (selected?.drag) selected.release(Go.STAY);
     endHint();
     wake();
 });

@@ -1,6 +1,6 @@
 // The parts of the asset: their faces, joints and poses, and the drag that moves one of them.
 import { Matrix4, Ray, Vector3 } from './three/three.module.min.js';
-import { DragFlag, DragPhase, HandKind, Intent, JointType } from './dragmesh/dragmesh.js';
+import { DragFlag, DragPhase, Go, HandKind, JointType } from './dragmesh/dragmesh.js';
 
 // A found part of more faces than this share of a mesh without pieces is the body. By hand.
 const BODY_SHARE = 0.75;
@@ -70,15 +70,15 @@ export class Part {
     /** amount: -1 to 1, opening. */
     drive(amount, dt) {
         this.hold();
-        return this.#moved(this.drag.step({ hand: { kind: HandKind.RATE, amount } }, dt));
+        return this.#moved(this.drag.updateInput({ hand: { kind: HandKind.RATE, amount } }, dt));
     }
 
     setValue(value, dt) {
         this.hold();
-        return this.#moved(this.drag.step({ hand: { kind: HandKind.VALUE, amount: value } }, dt));
+        return this.#moved(this.drag.updateInput({ hand: { kind: HandKind.VALUE, amount: value } }, dt));
     }
 
-    release(intent = Intent.AUTO) {
+    release(intent = Go.AUTO) {
         this.hold();
         return this.drag.release({ intent });
     }
