@@ -81,6 +81,9 @@ static bool read_value(const option_spec* option, const char* text) {
     case OPTION_NAMES:
         read_names(option->value, text);
         return true;
+    case OPTION_OPTIONAL:
+        if (text[0] == 0) return true;
+        return read_number(text, 0, option->value, &rest);
     case OPTION_NUMBER:
         return read_number(text, 0, option->value, &rest);
     case OPTION_NUMBERS:
@@ -114,6 +117,9 @@ static const char* take_value(const option_spec* option, int argc, char** argv, 
     int ignored;
     const option_spec integer = {.kind = OPTION_INTEGER, .value = &ignored};
     if (option->kind == OPTION_SEED && !(next != NULL && read_value(&integer, next))) return "1";
+    double unread;
+    const option_spec number = {.kind = OPTION_NUMBER, .value = &unread};
+    if (option->kind == OPTION_OPTIONAL && !(next != NULL && read_value(&number, next))) return "";
     const char* last = "";
     if (option->kind == OPTION_CHOICE && find_choice(option, next, &last) == NULL) return last;
     if (next != NULL) ++*at;

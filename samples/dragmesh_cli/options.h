@@ -14,15 +14,16 @@ typedef struct name_list {
 } name_list;
 
 enum option_kind {
-    OPTION_FLAG,    /* int*: set to 1 */
-    OPTION_TEXT,    /* const char** */
-    OPTION_INTEGER, /* int* */
-    OPTION_SEED,    /* int*: the integer that follows, or 1 when something else does */
-    OPTION_NUMBER,  /* double* */
-    OPTION_NUMBERS, /* float[count]: comma-separated */
-    OPTION_DOUBLES, /* double[count]: the same */
-    OPTION_NAMES,   /* name_list* */
-    OPTION_CHOICE   /* const char**: one of `choices` that follows, or the last of them when something else does */
+    OPTION_FLAG,     /* int*: set to 1 */
+    OPTION_TEXT,     /* const char** */
+    OPTION_INTEGER,  /* int* */
+    OPTION_SEED,     /* int*: the integer that follows, or 1 when something else does */
+    OPTION_NUMBER,   /* double* */
+    OPTION_OPTIONAL, /* double*: the number that follows; stays as it is when something else does */
+    OPTION_NUMBERS,  /* float[count]: comma-separated */
+    OPTION_DOUBLES,  /* double[count]: the same */
+    OPTION_NAMES,    /* name_list* */
+    OPTION_CHOICE    /* const char**: one of `choices` that follows, or the last of them when something else does */
 };
 
 typedef struct option_spec {
