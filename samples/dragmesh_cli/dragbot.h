@@ -30,7 +30,9 @@ bot_view bot_view_new(void);
 void bot_view_free(bot_view* view);
 /* Looks from the unit direction `from` at a ball. */
 void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, double distance);
-/* Draws a mesh, one part id a face. */
+/* Looks from the eye along a unit direction. fov: of the screen's height, rad. */
+void bot_view_look(bot_view* view, vec eye, vec forward, vec up, double fov);
+/* Draws a mesh alone, one part id a face. */
 void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face_parts);
 /* The pixel of a point; 0 when it is behind the eye. */
 bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y);

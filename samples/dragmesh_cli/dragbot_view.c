@@ -23,8 +23,12 @@ void bot_view_free(bot_view* view) {
 
 void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, double distance) {
     const double fov = 2 * asin(fmin(radius / distance, max_view_sine));
-    view->eye = add(centre, scale(from, distance));
-    view->forward = scale(from, -1);
+    bot_view_look(view, add(centre, scale(from, distance)), scale(from, -1), up, fov);
+}
+
+void bot_view_look(bot_view* view, vec eye, vec forward, vec up, double fov) {
+    view->eye = eye;
+    view->forward = forward;
     view->right = unit(cross(view->forward, up));
     view->up = cross(view->right, view->forward);
     view->zoom = 0.5 * BOT_HEIGHT / tan(0.5 * fov);
@@ -35,8 +39,6 @@ void bot_view_aim(bot_view* view, vec from, vec up, vec centre, double radius, d
                                .up = vec_out(view->up),
                                .viewport_width = BOT_WIDTH,
                                .viewport_height = BOT_HEIGHT};
-    memset(view->depth, 0, PIXELS * sizeof *view->depth);
-    memset(view->part, 0, PIXELS * sizeof *view->part);
 }
 
 bool bot_view_project(const bot_view* view, vec point, double* out_x, double* out_y) {
@@ -99,6 +101,8 @@ static void fill(bot_view* view, const corner c[3], uint32_t part) {
 void bot_view_draw(bot_view* view, const dm_mesh_desc* mesh, const uint8_t* face_parts) {
     const uint32_t* indices = mesh->indices;
     const float* positions = mesh->positions;
+    memset(view->depth, 0, PIXELS * sizeof *view->depth);
+    memset(view->part, 0, PIXELS * sizeof *view->part);
     for (uint64_t face = 0; face < mesh->index_count / 3; face++) {
         corner corners[3] = {{0, 0, 0}};
         bool seen = true;
