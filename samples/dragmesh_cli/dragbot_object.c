@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "dragbot_object.h"
+#include "eval_hints.h"
 
 /* ---- parts ---- */
 
@@ -69,8 +70,17 @@ static void drop_faceless_parts(bot_object* s) {
         if (!own[s->part_of_joint[i]]) s->part_of_joint[i] = 0;
 }
 
+/* Enters what the dataset has of a joint. pivot: room for it. */
+static void enter_hints(const bot_object* s, const known_joint* joint, dm_pivot* pivot, dm_part_desc* part) {
+    if (s->hints & HINTS_NAMES && joint->label[0] != 0) part->label = joint->label;
+    if (!(s->hints & HINTS_PIVOTS) || !joint->has_pivot) return;
+    *pivot = eval_hints_pivot(joint->pivot, joint->pivot_axes);
+    part->pivot = pivot;
+}
+
 static dm_result prepare(bot_object* s) {
     dm_part_desc parts[BOT_MAX_PARTS];
+    dm_pivot pivots[BOT_MAX_PARTS];
     uint8_t known[BOT_MAX_PARTS + 1] = {0};
     uint32_t count = 0;
     for (int i = 0; i < s->known.joint_count; i++) {
@@ -78,28 +88,37 @@ static dm_result prepare(bot_object* s) {
         if (!id || known[id]) continue;
         const int carrier = carrier_of(s, i);
         known[id] = 1;
-        parts[count++] = (dm_part_desc){
+        parts[count] = (dm_part_desc){
             .struct_size = sizeof parts[0], .id = id, .parent = carrier < 0 ? 0 : s->part_of_joint[carrier]};
+        enter_hints(s, &s->known.joints[i], &pivots[count], &parts[count]);
+        count++;
     }
     dm_mesh_desc mesh = s->session->mesh;
     mesh.part_ids = s->face_parts;
     mesh.part_id_bytes = mesh.index_count / 3;
     mesh.part_id_format = DM_UINT8;
     mesh.part_id_scope = DM_PER_FACE;
-    const dm_object_desc desc = {
-        .struct_size = sizeof desc, .mesh = &mesh, .parts = parts, .part_count = count, .model = s->session->model};
+    const dm_object_desc desc = {.struct_size = sizeof desc,
+                                 .mesh = &mesh,
+                                 .parts = parts,
+                                 .part_count = count,
+                                 .model = s->session->model,
+                                 .up = vec_out(s->told_up)};
     session_release_object(s->session);
     return dm_object_prepare(s->session->context, &desc, &s->session->object);
 }
 
 /* ---- setup ---- */
 
-dm_result bot_object_set_up(bot_object* s) {
-    const dm_scene_desc scene = {.struct_size = sizeof scene};
-    uint32_t instance;
+static void make_room(bot_object* s) {
     s->face_parts = cli_alloc_zeroed(s->session->mesh.index_count / 3);
     s->part_of_joint = cli_alloc_zeroed((size_t)s->known.joint_count * sizeof *s->part_of_joint);
-    number_parts(s);
+}
+
+/* Prepares the parts that have numbers and places the object. */
+static dm_result set_up(bot_object* s) {
+    const dm_scene_desc scene = {.struct_size = sizeof scene};
+    uint32_t instance;
     dm_result result = mark_faces(s);
     if (result != DM_OK) return result;
     drop_faceless_parts(s);
@@ -114,6 +133,18 @@ dm_result bot_object_set_up(bot_object* s) {
     s->radius = 0.5 * length(sub(vec_of(info.box_max), vec_of(info.box_min)));
     s->size = (double)info.size;
     return DM_OK;
+}
+
+dm_result bot_object_set_up(bot_object* s) {
+    make_room(s);
+    number_parts(s);
+    return set_up(s);
+}
+
+dm_result bot_object_set_up_alone(bot_object* s, int joint) {
+    make_room(s);
+    s->part_of_joint[joint] = s->part_count = 1;
+    return set_up(s);
 }
 
 void bot_object_take_down(bot_object* s) {

@@ -12,14 +12,19 @@ typedef struct bot_object {
     uint8_t* face_parts;
     uint32_t* part_of_joint; /* 0: none of its own */
     uint32_t part_count;
+    int hints;   /* HINTS_*: what the library is told of what the dataset has */
+    vec told_up; /* the upward direction that it is told; zeros: none */
     vec up, centre;
     double radius, size;
     dm_scene scene;
     bot_view view;
 } bot_object;
 
-/* Prepares all parts at once. object->session, known and up must be set; to be taken down whatever is returned. */
+/* Prepares all parts at once. object->session, known, up and hints must be set; to be taken down whatever is returned.
+ */
 dm_result bot_object_set_up(bot_object* object);
+/* Prepares the part of one joint, with all that it carries; whatever else the object has is its body. */
+dm_result bot_object_set_up_alone(bot_object* object, int joint);
 void bot_object_take_down(bot_object* object);
 /* Whether a face is the joint's part's own. */
 bool bot_object_owns(const bot_object* object, int joint, uint64_t face);

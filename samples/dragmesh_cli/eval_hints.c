@@ -9,14 +9,19 @@ int eval_hints_of(const char* name) {
     return strcmp(name, "both") == 0 ? HINTS_NAMES | HINTS_PIVOTS : 0;
 }
 
+dm_pivot eval_hints_pivot(vec origin, const vec axes[3]) {
+    dm_pivot pivot = {.origin = vec_out(origin)};
+    for (int i = 0; i < 3; i++) {
+        const float row[3] = {(float)axes[i].x, (float)axes[i].y, (float)axes[i].z};
+        memcpy(pivot.axes + 3 * (size_t)i, row, sizeof row);
+    }
+    return pivot;
+}
+
 static void enter_pivot(vec origin, const vec axes[3], job* out) {
     out->has_pivot = 1;
     out->no_pivot = 0;
-    out->pivot.origin = vec_out(origin);
-    for (int i = 0; i < 3; i++) {
-        const float row[3] = {(float)axes[i].x, (float)axes[i].y, (float)axes[i].z};
-        memcpy(out->pivot.axes + 3 * (size_t)i, row, sizeof row);
-    }
+    out->pivot = eval_hints_pivot(origin, axes);
 }
 
 /* Draws a point of the box and three perpendicular directions. */
