@@ -69,6 +69,7 @@ typedef struct bot_pull {
     double path[BOT_MAX_FRAMES][2];
     int frames;
     double length; /* of the true path, pixels */
+    vec way;       /* of a naive hand in space, from the grabbed point to the end */
 } bot_pull;
 
 /* Where the true joint at `value` takes a point. */
@@ -105,6 +106,10 @@ typedef struct bot_hand {
     int moving_instance; /* the object turns and rises in the world during the pull */
     int point;           /* a hand in space, where the true joint takes the grabbed point, in place of a pointer */
     int scalar;          /* a gamepad's axis in place of a pointer, steered by what the player sees of the part */
+    int naive;           /* doesn't know the true path: dragbot_naive.h; then also: */
+    double degrees;      /* its direction is off by so much at most */
+    int snap;            /* along the screen's axis nearest to the first true direction */
+    int up;              /* up the screen */
 } bot_hand;
 
 /* Bends the path as the hand draws it. Returns false when the path left is none that a mouse can draw. */
@@ -170,14 +175,17 @@ typedef struct bot_result {
     double through;            /* how deep the part was in the body, share of the object's size */
     bool own_way;              /* the part is where its true joint can take it */
     double worst_regrab;       /* share of the object's size */
-    dm_joint joint;            /* at the end */
+    dm_part_state end;
+    dm_pose pose; /* as shown at the end */
 } bot_result;
 
 /* A case: where from, what and how. */
 struct bot_body;
 typedef struct bot_case {
     const char* id;
-    bool given; /* with the true joint */
+    bool given;                 /* with the true joint */
+    uint32_t flags;             /* DM_DRAG_* */
+    const dm_part_state* state; /* that the drag begins with; NULL: the object's joint, at rest */
     const bot_view* view;
     const bot_pull* pull;
     const bot_hand* hand;
@@ -185,7 +193,7 @@ typedef struct bot_case {
     const bot_part* part;
     const known_joint* truth;
     vec up;
-    struct bot_body* body; /* what the part must not go through */
+    struct bot_body* body; /* what the part must not go through; NULL: not looked at */
     FILE* poses;           /* NULL, or where every update is written */
 } bot_case;
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "dragbot.h"
+#include "dragbot_naive.h"
 
 /* Ticks, by hand. */
 enum {
@@ -64,7 +64,7 @@ static timeline make_timeline(const bot_hand* hand, const bot_pull* pull) {
         from = to;
         if (i < stops) put(&line, (stage){.ticks = REGRAB, .from = to, .on_way = true, .regrabs = true});
     }
-    put(&line, (stage){.ticks = BOT_HOLD, .from = from, .on_way = true});
+    put(&line, (stage){.ticks = hand->naive ? BOT_NAIVE_HOLD : BOT_HOLD, .from = from, .on_way = true});
     return line;
 }
 

@@ -5,6 +5,7 @@
 
 #include "dragbot.h"
 #include "dragbot_body.h"
+#include "dragbot_naive.h"
 #include "timing.h"
 
 /* By hand; docs/feel.md. */
@@ -180,7 +181,8 @@ static double wanted(const player* p, const bot_step* step) {
 
 static dm_hand hand_in_space(const player* p, const bot_step* step) {
     const bot_pull* pull = p->now->pull;
-    const vec point = bot_true_move(p->now->truth, pull->point, pull->asked * wanted(p, step));
+    const vec point = p->now->hand->naive ? add(pull->point, scale(pull->way, bot_naive_progress(step->at)))
+                                          : bot_true_move(p->now->truth, pull->point, pull->asked * wanted(p, step));
     return (dm_hand){.kind = DM_HAND_POINT, .point = {(float)point.x, (float)point.y, (float)point.z}};
 }
 
@@ -301,17 +303,19 @@ dm_result bot_play(session* session, dm_scene scene, const bot_case* played, bot
                                .part_id = played->part->id,
                                .object = session->object,
                                .grab_point = hit.object_point,
+                               .flags = played->flags,
+                               .state = played->state,
                                .rules = played->hand->scalar ? &fast : NULL};
     result = dm_drag_begin(session->context, &desc, &p.drag);
     if (result != DM_OK) return result;
     p.frames = cli_alloc((size_t)played->plan->count * sizeof *p.frames);
     result = follow_plan(&p);
-    dm_part_state end = dm_part_state_default();
-    dm_drag_end(session->context, p.drag, &end);
-    out_result->joint = end.joint;
+    out_result->end = dm_part_state_default();
+    dm_drag_end(session->context, p.drag, &out_result->end);
+    out_result->pose = p.state.pose;
     out_result->changes = (int)(p.changes + p.state.changes);
     judge(played, &p.state, out_result);
-    out_result->through = bot_body_depth(played->body, played->part, p.frames, p.frame_count);
+    if (played->body != NULL) out_result->through = bot_body_depth(played->body, played->part, p.frames, p.frame_count);
     if (played->poses != NULL) bot_poses_write(played, p.frames, p.frame_count);
     free(p.frames);
     return result;

@@ -155,14 +155,20 @@ void bot_report_text(const bot_run* run) {
     print_line("sliding", &slides);
     printf("the pull changed the joint %d times\n", all.changes);
     print_hand(&all);
-    printf("drag_update, %s: median %.0f ns, p99 %.0f ns, worst %.0f ns of %zu\n", timing_isa(),
-           time_at(&score->times, 0.5), time_at(&score->times, 0.99), time_at(&score->times, 1), score->times.count);
+}
+
+void bot_report_text(const bot_run* run) {
+    if (run->options.hand.naive)
+        bot_naive_print_text(run);
+    else
+        print_text(run);
+    print_times(&run->score.times);
 }
 
 static void print_result(const char* name, const bot_result* r, FILE* out) {
     fprintf(out, "  %s: %s reached %6.3f off %.3f jumps %d (%.0f px) changes %d joint %d p %.2f [%.2f, %.2f]\n", name,
-            r->success ? "ok  " : "FAIL", r->reached, r->off, r->jumps, r->worst_jump, r->changes, r->joint.type,
-            (double)r->joint.joint_confidence, (double)r->joint.lower, (double)r->joint.upper);
+            r->success ? "ok  " : "FAIL", r->reached, r->off, r->jumps, r->worst_jump, r->changes, r->end.joint.type,
+            (double)r->end.joint.joint_confidence, (double)r->end.joint.lower, (double)r->end.joint.upper);
 }
 
 static void print_failures(const bot_run* run, FILE* out) {
