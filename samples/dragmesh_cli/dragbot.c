@@ -6,6 +6,7 @@
 
 #include "../common/platform.h"
 #include "dragbot_score.h"
+#include "eval_hints.h"
 #include "session_open.h"
 
 static int by_time(const void* a, const void* b) {
@@ -14,6 +15,8 @@ static int by_time(const void* a, const void* b) {
 }
 
 /* ---- hands ---- */
+
+enum { NAIVE_DEGREES = 35 }; /* by which a naive hand's direction is off at most; by hand */
 
 /* The hands of --all. */
 static const struct {
@@ -40,6 +43,11 @@ static const struct {
     {"moving instance", {.moving_instance = 1}, BOT_AROUND},
     {"point", {.point = 1}, BOT_AROUND},
     {"scalar", {.scalar = 1}, BOT_AROUND},
+    {"naive", {.naive = 1, .degrees = NAIVE_DEGREES}, BOT_AROUND},
+    {"naive snapped", {.naive = 1, .snap = 1}, BOT_AROUND},
+    {"naive up", {.naive = 1, .degrees = NAIVE_DEGREES, .up = 1}, BOT_AROUND},
+    {"naive regrab 3", {.naive = 1, .degrees = NAIVE_DEGREES, .regrab = 3}, BOT_AROUND},
+    {"naive point", {.naive = 1, .degrees = NAIVE_DEGREES, .point = 1}, BOT_AROUND},
 };
 enum { HANDS = sizeof hands / sizeof *hands };
 
@@ -83,6 +91,7 @@ static int play(session* session, const char* folder, const bot_options* options
     const int status = report(runs, count, all, as_json);
     for (int i = 0; i < count; i++) {
         free(runs[i].score.rows);
+        free(runs[i].score.pulls);
         free(runs[i].score.times.ns);
     }
     name_list_free(&names);
@@ -101,10 +110,25 @@ static bool read_sight(const char* name, enum bot_sight* out_sight) {
     return false;
 }
 
+/* Refuses what a naive hand can't be, and what others can't. */
+static int check_naive(const bot_options* options) {
+    const bot_hand* hand = &options->hand;
+    if (!hand->naive && (hand->snap || hand->up)) return options_refuse(&cli_dragbot, "--snap and --up with --naive");
+    if (!hand->naive) return CLI_OK;
+    if (hand->degrees < 0 || hand->degrees > 180) return options_refuse(&cli_dragbot, "--naive 0 to 180 degrees");
+    if (hand->snap + hand->up + hand->point > 1) return options_refuse(&cli_dragbot, "--snap, --up or --point");
+    if (hand->straight || hand->axis || hand->wander != 0 || hand->tremor != 0 || hand->jostle != 0 ||
+        hand->offset != 0 || hand->pause || hand->scalar || hand->moving_camera || hand->moving_instance ||
+        options->sight != BOT_AROUND || options->given_only)
+        return options_refuse(&cli_dragbot, "--naive, with --snap, --up, --point, --regrab, --hz or --hitch alone");
+    return CLI_OK;
+}
+
 /* Refuses numbers out of range, and hands that can't be one hand. */
 static int check(const bot_options* options) {
     const bot_hand* hand = &options->hand;
     const int hz = hand->hz;
+    if (check_naive(options) != CLI_OK) return CLI_USAGE;
     if (options->cameras < 1) return options_refuse(&cli_dragbot, "--cameras from 1");
     if (hand->straight && hand->axis) return options_refuse(&cli_dragbot, "--straight or --axis");
     if ((hand->point || hand->scalar) &&
@@ -131,7 +155,7 @@ static bool is_plain(const bot_options* options) {
     const bot_hand* hand = &options->hand;
     return !hand->straight && !hand->axis && hand->wander == 0 && hand->tremor == 0 && hand->jostle == 0 &&
            hand->offset == 0 && !hand->pause && !hand->regrab && hand->hz == 60 && !hand->hitch &&
-           !hand->moving_camera && !hand->moving_instance && !hand->point && !hand->scalar &&
+           !hand->moving_camera && !hand->moving_instance && !hand->point && !hand->scalar && !hand->naive &&
            options->sight == BOT_AROUND;
 }
 
@@ -155,8 +179,11 @@ static int run_session(const char* folder, const char* models, const char* poses
 static int run(int argc, char** argv) {
     const char *folder = NULL, *models = NULL, *view = "around", *poses = NULL;
     int as_json = 0, all = 0;
-    bot_options options = {.cameras = 4, .hand.hz = 60};
+    const char* hints = "none";
+    static const char* const known_hints[] = {"names", "pivots", "both", NULL};
+    bot_options options = {.cameras = 4, .hand = {.hz = 60, .degrees = NAIVE_DEGREES}};
     bot_hand* hand = &options.hand;
+    double* degrees = &hand->degrees;
     const option_spec table[] = {{.name = "--models", .kind = OPTION_TEXT, .value = &models},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
                                  {.name = "--worst", .kind = OPTION_INTEGER, .value = &options.worst},
@@ -174,24 +201,34 @@ static int run(int argc, char** argv) {
                                  {.name = "--moving-instance", .kind = OPTION_FLAG, .value = &hand->moving_instance},
                                  {.name = "--point", .kind = OPTION_FLAG, .value = &hand->point},
                                  {.name = "--scalar", .kind = OPTION_FLAG, .value = &hand->scalar},
+                                 {.name = "--naive", .kind = OPTION_OPTIONAL, .value = degrees, .given = &hand->naive},
+                                 {.name = "--snap", .kind = OPTION_FLAG, .value = &hand->snap},
+                                 {.name = "--up", .kind = OPTION_FLAG, .value = &hand->up},
+                                 {.name = "--only", .kind = OPTION_NAMES, .value = &options.only},
+                                 {.name = "--hints", .kind = OPTION_CHOICE, .value = &hints, .choices = known_hints},
                                  {.name = "--view", .kind = OPTION_TEXT, .value = &view},
                                  {.name = "--poses", .kind = OPTION_TEXT, .value = &poses},
                                  {.name = "--all", .kind = OPTION_FLAG, .value = &all},
                                  {.name = "--cameras", .kind = OPTION_INTEGER, .value = &options.cameras},
                                  {.name = "--given-joint", .kind = OPTION_FLAG, .value = &options.given_only}};
-    const int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
+    int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
     if (status != CLI_OK) return status;
     if (folder == NULL) return options_refuse(&cli_dragbot, "which folder?");
     if (!read_sight(view, &options.sight)) return options_refuse(&cli_dragbot, "--view end-on, above or behind");
     if (check(&options) != CLI_OK) return CLI_USAGE;
+    options.hints = eval_hints_of(hints);
+    if (hand->naive && poses != NULL) return options_refuse(&cli_dragbot, "--naive writes no poses");
     if (all && (poses != NULL || !is_plain(&options)))
         return options_refuse(&cli_dragbot, "--all has hands and views of its own, and writes no poses");
-    return run_session(folder, models, poses, &options, all, as_json);
+    status = run_session(folder, models, poses, &options, all, as_json);
+    name_list_free(&options.only);
+    return status;
 }
 
 const cli_command cli_dragbot = {
     "dragbot", run,
     "DIR [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
     "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera | --moving-instance] [--point | --scalar] "
-    "[--view end-on|above|behind] [--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json]",
+    "[--view end-on|above|behind] [--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json] "
+    "[--naive [DEGREES] [--snap | --up]] [--only WORD,WORD...] [--hints [names|pivots|both]]",
     "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel."};

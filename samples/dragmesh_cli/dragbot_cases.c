@@ -1,4 +1,5 @@
 /* The scripted player on one object: every joint, from several places, with every hand. */
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +17,7 @@ static bot_row* new_row(bot_score* score) {
     return row;
 }
 
-static dm_joint true_joint(const known_joint* truth) {
+dm_joint bot_true_joint(const known_joint* truth) {
     dm_joint joint = {.struct_size = sizeof joint, .axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
     const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
     joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
@@ -96,18 +97,74 @@ static void play_hand(const joint_setup* j, bot_run* run) {
     }
 }
 
+/* Whether a run's hand knows the true way. */
+static bool is_knowing(const bot_run* run) {
+    return !run->options.hand.naive;
+}
+
 static void play_joint(bot_object* s, int joint, bool given, bot_run* runs, int run_count) {
     const joint_setup j = {s, joint, given, bot_object_part(s, joint), bot_body_new(s, joint)};
     if (given) {
-        const dm_joint exact = true_joint(&s->known.joints[joint]);
+        const dm_joint exact = bot_true_joint(&s->known.joints[joint]);
         dm_object_set_joint(s->session->context, s->session->object, j.part.id, &exact);
     }
-    for (int i = 0; i < run_count; i++) play_hand(&j, &runs[i]);
+    for (int i = 0; i < run_count; i++)
+        if (is_knowing(&runs[i])) play_hand(&j, &runs[i]);
     bot_body_free(j.body);
 }
 
 static void fail_all(bot_run* runs, int run_count) {
     for (int i = 0; i < run_count; i++) runs[i].score.failed++;
+}
+
+static bool is_same_letter(char a, char b) {
+    return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
+
+/* Whether a text has a word, in capitals or not. */
+static bool contains(const char* text, const char* word) {
+    for (; *text != 0; text++) {
+        size_t same = 0;
+        while (word[same] != 0 && is_same_letter(text[same], word[same])) same++;
+        if (word[same] == 0) return true;
+    }
+    return false;
+}
+
+/* Whether an object's name or category has one of some words. No words: all have. */
+static bool has_word(const known_object* object, const name_list* words) {
+    for (unsigned i = 0; i < words->count; i++)
+        if (contains(object->name, words->names[i]) || contains(object->category, words->names[i])) return true;
+    return words->count == 0;
+}
+
+/* Plays the hands that know the true way, with the joints found and with the true ones. */
+static dm_result play_knowing_hands(bot_object* s, bot_run* runs, int run_count) {
+    dm_result result = bot_object_set_up(s);
+    for (int given = runs[0].options.given_only; given < 2 && result == DM_OK; given++) {
+        for (int i = 0; i < s->known.joint_count; i++)
+            if (s->part_of_joint[i]) play_joint(s, i, given != 0, runs, run_count);
+    }
+    bot_object_take_down(s);
+    return result;
+}
+
+static void play_read_object(bot_object* s, bot_run* runs, int run_count) {
+    session* session = s->session;
+    int knowing = 0;
+    for (int i = 0; i < run_count; i++) knowing += is_knowing(&runs[i]);
+    s->up = (vec){s->known.up == 'x', s->known.up == 'y', s->known.up == 'z'};
+    s->hints = runs[0].options.hints;
+    dm_result result = session_use_file(session, s->known.glb);
+    if (result == DM_OK) dataset_enter_frame(&s->known, session->origin);
+    s->view = bot_view_new();
+    if (result == DM_OK && knowing < run_count && !runs[0].options.given_only)
+        bot_naive_play_object(s, runs, run_count);
+    if (result == DM_OK && knowing > 0) result = play_knowing_hands(s, runs, run_count);
+    bot_view_free(&s->view);
+    if (result == DM_OK) return;
+    fprintf(stderr, "dragmesh dragbot: %s: %s\n", s->known.name, session->error);
+    fail_all(runs, run_count);
 }
 
 void bot_play_object(session* session, const char* folder, const char* name, bot_run* runs, int run_count) {
@@ -118,20 +175,6 @@ void bot_play_object(session* session, const char* folder, const char* name, bot
         fail_all(runs, run_count);
         return;
     }
-    s.up = (vec){s.known.up == 'x', s.known.up == 'y', s.known.up == 'z'};
-    s.view = bot_view_new();
-    dm_result result = session_use_file(session, s.known.glb);
-    if (result == DM_OK) dataset_enter_frame(&s.known, session->origin);
-    if (result == DM_OK) result = bot_object_set_up(&s);
-    if (result != DM_OK) {
-        fprintf(stderr, "dragmesh dragbot: %s: %s\n", name, session->error);
-        fail_all(runs, run_count);
-    }
-    for (int given = runs[0].options.given_only; given < 2 && result == DM_OK; given++) {
-        for (int i = 0; i < s.known.joint_count; i++)
-            if (s.part_of_joint[i]) play_joint(&s, i, given != 0, runs, run_count);
-    }
-    bot_object_take_down(&s);
-    bot_view_free(&s.view);
+    if (has_word(&s.known, &runs[0].options.only)) play_read_object(&s, runs, run_count);
     dataset_free(&s.known);
 }

@@ -2,8 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "dragbot_score.h"
-#include "json.h"
+#include "dragbot_naive_report.h"
 #include "timing.h"
 
 static const double through_share = 0.01; /* of the object's size: the part goes through the body; by hand */
@@ -103,9 +102,13 @@ static void add_totals(cJSON* out, const totals* t) {
 static cJSON* figures(const bot_run* run) {
     const bot_score* score = &run->score;
     cJSON* out = cJSON_CreateObject();
+    const bool naive = run->options.hand.naive;
     const totals all = sum_up(run, -1), turns = sum_up(run, 0), slides = sum_up(run, 1);
-    cJSON_AddNumberToObject(out, "cases", (double)score->count);
-    add_totals(out, &all);
+    cJSON_AddNumberToObject(out, "cases", (double)(naive ? score->pull_count : score->count));
+    if (naive)
+        bot_naive_add_figures(run, out);
+    else
+        add_totals(out, &all);
     json_add_number(out, "p99_update_ns", time_at(&score->times, 0.99), 4);
     json_add_number(out, "median_update_ns", time_at(&score->times, 0.5), 4);
     json_add_number(out, "worst_update_ns", time_at(&score->times, 1), 4);
@@ -114,6 +117,7 @@ static cJSON* figures(const bot_run* run) {
     cJSON_AddNumberToObject(out, "hidden", score->unseen);
     cJSON_AddNumberToObject(out, "undrawable", score->undrawable);
     cJSON_AddNumberToObject(out, "failed", score->failed);
+    if (naive) return out;
     add_totals(cJSON_AddObjectToObject(out, "turning"), &turns);
     add_totals(cJSON_AddObjectToObject(out, "sliding"), &slides);
     return out;
@@ -145,7 +149,12 @@ static void print_hand(const totals* t) {
     print_pair("largest jump at a new grab, sizes", t->regrab_jump);
 }
 
-void bot_report_text(const bot_run* run) {
+static void print_times(const bot_times* times) {
+    printf("drag_update, %s: median %.0f ns, p99 %.0f ns, worst %.0f ns of %zu\n", timing_isa(), time_at(times, 0.5),
+           time_at(times, 0.99), time_at(times, 1), times->count);
+}
+
+static void print_text(const bot_run* run) {
     const bot_score* score = &run->score;
     const totals all = sum_up(run, -1), turns = sum_up(run, 0), slides = sum_up(run, 1);
     printf("%zu cases; %d views hid the part, in %d its way was too short or left the screen; %d failed\n",
@@ -210,6 +219,10 @@ static void print_deepest(const bot_run* run, FILE* out) {
 }
 
 void bot_report_failures(const bot_run* run, FILE* out) {
+    if (run->options.hand.naive) {
+        bot_naive_print_worst(run, out);
+        return;
+    }
     print_failures(run, out);
     print_deepest(run, out);
 }
@@ -245,12 +258,13 @@ void bot_report_table(const bot_run* runs, int count, bool as_json) {
         printf("\n");
     }
     for (int i = 0; i < count; i++) {
-        if (!as_json) print_row(&runs[i]);
+        if (!as_json && !runs[i].options.hand.naive) print_row(&runs[i]);
         if (!as_json) continue;
         cJSON* row = figures(&runs[i]);
         cJSON_AddStringToObject(row, "hand", runs[i].name);
         cJSON_AddItemToArray(rows, row);
     }
+    if (!as_json) bot_naive_print_table(runs, count);
     if (as_json)
         json_print(rows);
     else
