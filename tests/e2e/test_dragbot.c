@@ -318,10 +318,11 @@ static void test_poses(void** state) {
 
 static void test_table(void** state) {
     (void)state;
-    static const char* const hands[] = {"arc",           "straight",        "unsteady", "jostle 8", "jostle 16",
-                                        "regrab 3",      "offset 15",       "pause",    "axis",     "above",
-                                        "behind",        "end-on",          "30 Hz",    "144 Hz",   "hitch",
-                                        "moving camera", "moving instance", "point",    "scalar"};
+    static const char* const hands[] = {"arc",           "straight",        "unsteady",       "jostle 8",   "jostle 16",
+                                        "regrab 3",      "offset 15",       "pause",          "axis",       "above",
+                                        "behind",        "end-on",          "30 Hz",          "144 Hz",     "hitch",
+                                        "moving camera", "moving instance", "point",          "scalar",     "naive",
+                                        "naive snapped", "naive up",        "naive regrab 3", "naive point"};
     enum { HANDS = sizeof hands / sizeof *hands };
     cJSON* rows = play("|--all");
     assert_int_equal(cJSON_GetArraySize(rows), HANDS);
