@@ -150,7 +150,8 @@ static void move_world(player* p, const bot_step* step) {
     if (now->hand->moving_instance) p->instance = carry;
 }
 
-/* Computes the pointer of a step. Where the camera or the instance moves, it goes with the true point on the screen. */
+/* Computes the pointer of a step, in whole pixels but for the naive hand, whose direction they would change. Where the
+ * camera or the instance moves, it goes with the true point on the screen. */
 static void aim(const player* p, const bot_step* step, double pointer[2]) {
     const bot_case* now = p->now;
     bot_plan_pointer(now->plan, now->pull, step, pointer);
@@ -161,6 +162,7 @@ static void aim(const player* p, const bot_step* step, double pointer[2]) {
         if (bot_view_project(now->view, point, &was[0], &was[1]) && see(p, point, &is[0], &is[1]))
             for (int k = 0; k < 2; k++) pointer[k] += is[k] - was[k];
     }
+    if (now->hand->naive) return;
     for (int k = 0; k < 2; k++) pointer[k] = round(pointer[k]); /* a mouse reports whole pixels */
 }
 
