@@ -186,7 +186,7 @@ void bot_naive_print_text(const bot_run* run) {
     double shown[BOT_NAIVE_ENDS];
     printf("%zu pulls of %d joints; from %d places the part was hidden, %d grabs were left out; %d failed\n",
            score->pull_count, count_joints(score), score->unseen, score->undrawable, score->failed);
-    printf("%-18s %8s %8s %8s\n", "", "", "kept", ends > BOT_NAIVE_FIRST ? "1st pull" : "");
+    printf("%-18s %8s %8s %8s\n", "", "", "keep", ends > BOT_NAIVE_FIRST ? "1st pull" : "");
     for (int i = 0; i < FIGURES; i++) {
         for (int end = 0; end < ends; end++) shown[end] = mean_of(score, end, figures[i].of, figures[i].what);
         print_figure(figures[i].name, shown, ends);
@@ -199,7 +199,7 @@ static void print_heads(void) {
     printf("\n%-16s %6s", "naive hand", "pulls");
     for (int i = 0; i < FIGURES; i++)
         if (figures[i].column != NULL) printf(" %8s", figures[i].column);
-    printf(" %8s %8s %8s\n", "calibr.", "kept j.", "1st pull");
+    printf(" %8s %8s %8s\n", "calibr.", "keep", "1st pull");
 }
 
 static void print_row(const bot_run* run) {
