@@ -333,15 +333,21 @@ local needs = {
     prepare_offline = { "dragmesh", "dragmesh_gltf", "m" },
     gpu_skinning = { "dragmesh", "SDL2", "epoxy", "m" },
     vlm_intent = { "dragmesh", "curl", "cjson", "png", "m" },
+    whole_host = { "dragmesh", "tinygltf", "m" },
 }
 local missing = { viewer = true, gpu_skinning = not has_viewer, vlm_intent = not installed "curl/curl.h",
-    prepare_offline = not has_gltf }
+    prepare_offline = not has_gltf, whole_host = not (installed "cglm/cglm.h" and installed "tiny_gltf.h") }
 
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
     if name and not missing[name] then
         local sources = { (source:gsub("main%.c$", "**.c")) }
         program("sample_" .. name, sources, { api }, needs[name] or { "dragmesh", "m" }, "/samples")
+            local cpp = os.matchfiles((source:gsub("main%.c$", "*.cpp")))
+            if #cpp > 0 then
+                language "C++"
+                files(cpp)
+            end
     end
 end
 

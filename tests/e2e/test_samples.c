@@ -97,6 +97,25 @@ static void test_many_objects(void** state) {
     assert_says("256 cabinets");
 }
 
+static void test_whole_host(void** state) {
+    (void)state;
+    run_sample("whole_host", "");
+    assert_int_equal(out.status, 0);
+    /* The camera of the renderer and that of the library are one: the point that was hit is drawn at the mouse. */
+    assert_says("pixel (600, 400) is on door_left; its point is drawn at (600.0, 400.0)");
+    int frames = 0;
+    float value = 0;
+    for (const char* at = out.text; (at = strstr(at, "value ")) != NULL; at++, frames++) value = strtof(at + 6, NULL);
+    assert_int_equal(frames, 31);
+    assert_true(value > 0.3f && value < 1); /* rad: the door follows the mouse */
+    run_sample("whole_host", "samples/cabinet.glb|body|10|10");
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.errors, "pixel (10, 10) is on no part"));
+    run_sample("whole_host", "README.md");
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.errors, "README.md: "));
+}
+
 /* ---- a stub of a language model ---- */
 
 static pid_t stub_process; /* 0: none runs */
@@ -277,6 +296,7 @@ int main(void) {
                                        cmocka_unit_test(test_prepare_offline),
                                        cmocka_unit_test(test_gpu_skinning),
                                        cmocka_unit_test(test_many_objects),
+                                       cmocka_unit_test(test_whole_host),
                                        cmocka_unit_test(test_recipes),
                                        cmocka_unit_test(test_rollback_has_the_same_bits_without_fma),
                                        cmocka_unit_test_teardown(test_model_decides, stub_stop),
