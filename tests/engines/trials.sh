@@ -3,7 +3,8 @@
 # alone, runs the commands that docs/engines/PAGE.md gives under "Install" and "First door", with its code saved in the files that
 # it names, and expects the words that it says the program ends with. Prints the seconds of the packages' download and
 # installation, and those of the rest. As root, with debootstrap; some 400 MB of downloads.
-# PAGE: cpp, csharp, rust, love, python, blender, web; all unless some are given.
+# PAGE: cpp, csharp, rust, love, python, blender, web, or a sample, whose README.md has the same headings: 13_whole_host. All
+# unless some are given.
 #   DM_DIST  folder of the archives, by default build/dist
 #   DM_BASE  folder of a bare Debian 12 to copy, made where there is none; by default one that is removed
 set -euo pipefail
@@ -14,7 +15,7 @@ cd "$(dirname "$0")/../.."
 command -v debootstrap > /dev/null || { echo "trials.sh: debootstrap is missing" >&2; exit 2; }
 # In namespaces of its own: nothing stays mounted or runs on, however this ends.
 [ -n "${DM_UNSHARED:-}" ] || DM_UNSHARED=1 exec unshare --mount --pid --fork --propagation private "$PWD/tests/engines/trials.sh" "$@"
-[ $# -gt 0 ] || set -- cpp csharp rust love python blender web
+[ $# -gt 0 ] || set -- cpp csharp rust love python blender web 13_whole_host
 numbers=$(scripts/version numbers)
 work=$(mktemp -d) failed=0
 root=$work/root base=${DM_BASE:-$work/base}
@@ -52,18 +53,20 @@ steps() {
 }
 
 for page; do
+    text=docs/engines/$page.md
+    [ -e "$text" ] || text=samples/$page/README.md
     rm -rf --one-file-system "$root" && cp -a "$base" "$root" && mounts ON
     mkdir "$root/root/trial" && cp "${DM_DIST:-build/dist}"/*dragmesh*-"$numbers"* "$root/root/trial/"
     { # apt's seconds are counted apart
         cat "$work/way"
         echo 'apt() { local from=$SECONDS; command apt-get -qq "$@" > /dev/null; packages=$((packages + SECONDS - from)); }
             export DEBIAN_FRONTEND=noninteractive HOME=/root; packages=0; cd /root/trial'
-        steps "docs/engines/$page.md"
+        steps "$text"
         echo 'echo "trial $packages $((SECONDS - packages))"'
     } > "$root/root/steps"
     chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb bash -eo pipefail /root/steps > "$work/log" 2>&1 || true
     read -r _ packages rest < <(grep '^trial ' "$work/log") || packages=
-    said=$(sed -n 's/^It ends with `\([^`]*\)`.*/\1/p' "docs/engines/$page.md" | head -1)
+    said=$(sed -n 's/^It ends with `\([^`]*\)`.*/\1/p' "$text" | head -1)
     if [ -n "$packages" ] && grep -qF "$said" "$work/log"; then
         echo "$page: the door is open after $packages s for packages and $rest s for the rest"
     else

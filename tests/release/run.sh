@@ -16,6 +16,14 @@ cmp "$dist/SHA256SUMS" "$work/first"
 binaries=$(echo "$dist"/dragmesh-*-$platform.tar.gz) source=$(echo "$dist"/dragmesh-*-source.tar.gz)
 tests/release/hosts.sh "$binaries" "$work/binaries"
 
+# The sample that needs packages besides, in the archive as its page says; tinygltf once as a library, once as a header.
+unpacked=$work/binaries/$(basename "$binaries" .tar.gz)
+for without in '' TinyGLTF; do
+    cmake -Wno-dev -S "$unpacked/samples/13_whole_host" -B "$work/whole$without" ${without:+-DCMAKE_DISABLE_FIND_PACKAGE_$without=ON} > "$work/whole.log"
+    cmake --build "$work/whole$without" >> "$work/whole.log" || { cat "$work/whole.log" >&2; exit 1; }
+    (cd "$unpacked" && "$work/whole$without/whole_host") | cmp - <(build/release/samples/sample_whole_host)
+done
+
 # An engine that fetches the source; installed, it is found like a release.
 mkdir "$work/engine"
 cat > "$work/engine/CMakeLists.txt" <<END
