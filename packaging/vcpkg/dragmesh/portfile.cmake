@@ -7,4 +7,4 @@ vcpkg_cmake_install()
 vcpkg_copy_pdbs()
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include")
 vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE" "${SOURCE_PATH}/third_party/cjson/upstream/LICENSE"
-    "${SOURCE_PATH}/third_party/meshoptimizer/LICENSE.md")
+    "${SOURCE_PATH}/third_party/cglm/LICENSE" "${SOURCE_PATH}/third_party/meshoptimizer/LICENSE.md")
