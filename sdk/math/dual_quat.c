@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cglm/scalar_quat.h"
 #include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
@@ -15,18 +16,11 @@
 
 /* out: neither a nor b. */
 static void quat_mul(const float a[4], const float b[4], float out[4]) {
-    out[0] = a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1];
-    out[1] = a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0];
-    out[2] = a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3];
-    out[3] = a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2];
+    glm_quat_mul(dmi_glm(a), dmi_glm(b), out);
 }
 
 static float dot4(const float a[4], const float b[4]) {
     return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
-}
-
-static void negate4(float v[4]) {
-    for (int i = 0; i < 4; i++) v[i] = -v[i];
 }
 
 dm_pose dmi_pose_identity(void) {
@@ -36,7 +30,8 @@ dm_pose dmi_pose_identity(void) {
 dm_pose dmi_pose_from_rotation_translation(const float rotation[4], const float translation[3]) {
     dm_pose pose;
     memcpy(pose.real, rotation, sizeof pose.real);
-    const float half[4] = {0.5f * translation[0], 0.5f * translation[1], 0.5f * translation[2], 0};
+    float half[4] = {0, 0, 0, 0};
+    dmi_scale3(translation, 0.5f, half);
     quat_mul(half, rotation, pose.dual);
     return pose;
 }
@@ -63,7 +58,7 @@ dm_pose dmi_pose_multiply(const dm_pose* a, const dm_pose* b) {
     quat_mul(a->real, b->real, product.real);
     quat_mul(a->real, b->dual, left);
     quat_mul(a->dual, b->real, right);
-    for (int i = 0; i < 4; i++) product.dual[i] = left[i] + right[i];
+    glm_vec4_add(left, right, product.dual);
     return product;
 }
 
@@ -74,8 +69,7 @@ dm_pose dmi_pose_inverse(const dm_pose* pose) {
 }
 
 bool dmi_pose_is_near_unit(const dm_pose* pose, float* out_length) {
-    const float* r = pose->real;
-    *out_length = sqrtf(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    *out_length = glm_quat_norm(dmi_glm(pose->real));
     return *out_length > MIN_UNIT_LENGTH && *out_length < MAX_UNIT_LENGTH;
 }
 
@@ -87,17 +81,19 @@ dm_pose dmi_pose_normalize(const dm_pose* pose) {
         out.real[i] = pose->real[i] / norm;
         out.dual[i] = pose->dual[i] / norm;
     }
-    const float along = dot4(out.real, out.dual);
-    for (int i = 0; i < 4; i++) out.dual[i] -= along * out.real[i];
+    glm_vec4_muladds(out.real, -dot4(out.real, out.dual), out.dual);
     return out;
 }
 
 void dmi_pose_translation(const dm_pose* pose, float out[3]) {
     const float* r = pose->real;
     const float* d = pose->dual;
-    float turned[3];
+    float sum[3], turned[3];
+    dmi_scale3(d, r[3], sum);
+    dmi_madd3(sum, -d[3], r, sum);
     dmi_cross3(r, d, turned);
-    for (int i = 0; i < 3; i++) out[i] = 2 * (r[3] * d[i] - d[3] * r[i] + turned[i]);
+    dmi_add3(sum, turned, sum);
+    dmi_scale3(sum, 2, out);
 }
 
 void dmi_pose_rotate(const dm_pose* pose, const float vector[3], float out[3]) {
@@ -105,7 +101,8 @@ void dmi_pose_rotate(const dm_pose* pose, const float vector[3], float out[3]) {
     float once[3], twice[3];
     dmi_cross3(r, vector, once);
     dmi_cross3(r, once, twice);
-    for (int i = 0; i < 3; i++) out[i] = vector[i] + 2 * (r[3] * once[i] + twice[i]);
+    dmi_madd3(twice, r[3], once, once);
+    dmi_madd3(vector, 2, once, out);
 }
 
 void dmi_pose_apply(const dm_pose* pose, const float point[3], float out[3]) {
@@ -156,8 +153,8 @@ dm_pose dmi_pose_sclerp(const dm_pose* a, const dm_pose* b, float t) {
     dm_pose inverse = dmi_pose_inverse(a);
     dm_pose way = dmi_pose_multiply(&inverse, b);
     if (way.real[3] < 0) { /* the double that turns by less than pi */
-        negate4(way.real);
-        negate4(way.dual);
+        glm_vec4_negate(way.real);
+        glm_vec4_negate(way.dual);
     }
     dmi_screw screw = dmi_pose_to_screw(&way);
     dm_pose part = dmi_pose_from_screw(screw.axis, screw.point, t * screw.angle, t * screw.distance);

@@ -12,7 +12,9 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "cglm/scalar_quat.h"
 #include "math/joint.h"
+#include "math/linear3.h"
 #include "math/vec3.h"
 
 #define ORTHOGONALITY_TOLERANCE 1e-4f /* of a product of two columns; by hand */
@@ -30,15 +32,11 @@ static const float preset_axes[][9] = {
 static bool is_orthogonal(const float m[9]) {
     for (size_t i = 0; i < 3; i++) {
         for (size_t k = 0; k < 3; k++) {
-            const float product = m[3 * i] * m[3 * k] + m[3 * i + 1] * m[3 * k + 1] + m[3 * i + 2] * m[3 * k + 2];
+            const float product = dmi_dot3(m + 3 * i, m + 3 * k);
             if (!(fabsf(product - (i == k ? 1.0f : 0.0f)) <= ORTHOGONALITY_TOLERANCE)) return false; /* NaN too */
         }
     }
     return true;
-}
-
-static float determinant(const float m[9]) {
-    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
 bool dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float unit_in_metres) {
@@ -47,7 +45,7 @@ bool dmi_axes_init(dmi_axes* out, int32_t preset, const float custom[9], float u
     if (axes == NULL || !is_orthogonal(axes)) return false;
     if (!(unit_in_metres >= 0) || !isfinite(unit_in_metres)) return false;
     memcpy(out->to_canonical, axes, sizeof out->to_canonical);
-    out->handedness = determinant(axes) < 0 ? -1.0f : 1.0f;
+    out->handedness = glm_mat3_det((vec3*)axes) < 0 ? -1.0f : 1.0f;
     out->unit = unit_in_metres > 0 ? unit_in_metres : 1;
     return true;
 }

@@ -24,8 +24,9 @@ dm_pose dmi_joint_pose(const dm_joint* joint, float value) {
         return dmi_pose_from_screw(dmi_xyz(joint->axis).v, dmi_xyz(joint->origin).v, value, advance(joint) * value);
     }
     if (joint->type == DM_JOINT_PRISMATIC) {
-        const float half = 0.5f * value;
-        return (dm_pose){{0, 0, 0, 1}, {half * joint->axis.x, half * joint->axis.y, half * joint->axis.z, 0}};
+        dm_pose pose = dmi_pose_identity();
+        dmi_scale3(dmi_xyz(joint->axis).v, 0.5f * value, pose.dual);
+        return pose;
     }
     return dmi_pose_identity();
 }
@@ -66,7 +67,7 @@ void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3
 }
 
 void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {
-    const dm_vec3 a = joint->axis;
+    const dmi_float3 axis = dmi_xyz(joint->axis);
     if (dmi_joint_turns(joint->type)) {
         float p[3];
         dmi_copy3(rest_point, p);
@@ -74,24 +75,19 @@ void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_poi
             const dm_pose pose = dmi_joint_pose(joint, value);
             dmi_pose_apply(&pose, rest_point, p);
         }
-        const float x = p[0] - joint->origin.x, y = p[1] - joint->origin.y, z = p[2] - joint->origin.z;
-        const float pitch = advance(joint);
-        out[0] = a.y * z - a.z * y + pitch * a.x;
-        out[1] = a.z * x - a.x * z + pitch * a.y;
-        out[2] = a.x * y - a.y * x + pitch * a.z;
+        dmi_sub3(p, dmi_xyz(joint->origin).v, p);
+        dmi_cross3(axis.v, p, out);
+        dmi_madd3(out, advance(joint), axis.v, out);
     } else {
-        const float speed = joint->type == DM_JOINT_PRISMATIC ? 1 : 0;
-        out[0] = speed * a.x;
-        out[1] = speed * a.y;
-        out[2] = speed * a.z;
+        dmi_scale3(axis.v, joint->type == DM_JOINT_PRISMATIC ? 1 : 0, out);
     }
 }
 
 void dmi_joint_set_origin_near(dm_joint* joint, const float centre[3]) {
+    const dmi_float3 axis = dmi_xyz(joint->axis);
+    dmi_float3 origin = dmi_xyz(joint->origin);
     float gap[3];
-    dmi_sub3(centre, dmi_xyz(joint->origin).v, gap);
-    const float along = dmi_dot3(gap, dmi_xyz(joint->axis).v);
-    joint->origin.x += along * joint->axis.x;
-    joint->origin.y += along * joint->axis.y;
-    joint->origin.z += along * joint->axis.z;
+    dmi_sub3(centre, origin.v, gap);
+    dmi_madd3(origin.v, dmi_dot3(gap, axis.v), axis.v, origin.v);
+    joint->origin = dmi_vec3(origin.v);
 }

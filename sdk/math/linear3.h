@@ -1,10 +1,29 @@
-/* Linear algebra in three dimensions: float vectors, symmetric eigenproblems, perpendicular frames. */
+/* Linear algebra in three dimensions: float vectors, symmetric eigenproblems, perpendicular frames.
+ *
+ * Vectors, matrices and quaternions of floats are cglm's wherever it has the same operations in the same order, in all
+ * of sdk/math. It is compiled without vector instructions (third_party/cglm), so that the bits are the same on every
+ * machine. These stay code of our own:
+ *  - dmi_min, dmi_max, dmi_clamp: cglm's give another answer for NaN, or of two zeros.
+ *  - dmi_normalize3: divides by the length. cglm multiplies by its reciprocal, which rounds twice. The same holds for
+ *    the division of four numbers in dual_quat.c.
+ *  - dot4 and dmi_pose_to_matrix in dual_quat.c: they add four products in pairs, cglm from left to right.
+ *  - dmi_length2, eigenvectors, host frames (frames.c): doubles, which cglm does not have.
+ *  - dual quaternions, which cglm does not have.
+ *  - elementary functions (elementary.c): cglm calls those of the C library, whose bits differ between machines.
+ *  - points in bulk (apply_points.c): one kernel for each instruction set. */
 #ifndef DMI_MATH_LINEAR3_H
 #define DMI_MATH_LINEAR3_H
 
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+#include "cglm/scalar_vec3.h"
+
+/* Returns v as cglm's functions take it: none of their arguments is const, but they write to the last one alone. */
+static inline float* dmi_glm(const float* v) {
+    return (float*)v;
+}
 
 /* Inline, unlike fminf and fmaxf, which are calls because of NaN; arguments are never NaN. */
 static inline float dmi_min(float a, float b) {
@@ -26,33 +45,34 @@ static inline float dmi_clamp_within(float value, float most) {
 }
 
 static inline float dmi_dot3(const float a[3], const float b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return glm_vec3_dot(dmi_glm(a), dmi_glm(b));
 }
 
 static inline void dmi_cross3(const float a[3], const float b[3], float out[3]) {
-    float x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
-    out[0] = x, out[1] = y, out[2] = z;
+    glm_vec3_cross(dmi_glm(a), dmi_glm(b), out);
 }
 
 static inline void dmi_sub3(const float a[3], const float b[3], float out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = a[i] - b[i];
+    glm_vec3_sub(dmi_glm(a), dmi_glm(b), out);
 }
 
 static inline void dmi_add3(const float a[3], const float b[3], float out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = a[i] + b[i];
+    glm_vec3_add(dmi_glm(a), dmi_glm(b), out);
 }
 
 static inline void dmi_scale3(const float a[3], float s, float out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = a[i] * s;
+    glm_vec3_scale(dmi_glm(a), s, out);
 }
 
-/* out = a + s b */
+/* out = a + s b; out may be either. */
 static inline void dmi_madd3(const float a[3], float s, const float b[3], float out[3]) {
-    for (int i = 0; i < 3; i++) out[i] = a[i] + s * b[i];
+    float scaled[3];
+    glm_vec3_scale(dmi_glm(b), s, scaled);
+    glm_vec3_add(dmi_glm(a), scaled, out);
 }
 
 static inline void dmi_copy3(const float a[3], float out[3]) {
-    memcpy(out, a, 3 * sizeof(float));
+    glm_vec3_copy(dmi_glm(a), out);
 }
 
 /* As hypotf, but with the same bits from every C library. */
@@ -61,20 +81,17 @@ static inline float dmi_length2(float x, float y) {
 }
 
 static inline float dmi_length3(const float a[3]) {
-    return sqrtf(dmi_dot3(a, a));
+    return glm_vec3_norm(dmi_glm(a));
 }
 
 static inline float dmi_distance3(const float a[3], const float b[3]) {
-    float d[3];
-    dmi_sub3(a, b, d);
-    return dmi_length3(d);
+    return glm_vec3_distance(dmi_glm(a), dmi_glm(b));
 }
 
 /* Scales to unit length and returns the former length; leaves vectors shorter than 1e-20 (rounding) as they are. */
 static inline float dmi_normalize3(float a[3]) {
     float length = dmi_length3(a);
-    if (length > 1e-20f)
-        for (int i = 0; i < 3; i++) a[i] /= length;
+    if (length > 1e-20f) glm_vec3_divs(a, length, a);
     return length;
 }
 
@@ -104,11 +121,15 @@ void dmi_principal3(const float (*points)[3], uint32_t count, float out_mean[3],
 /* Rotates `point` about the line (axis, origin) by the angle whose cosine and sine are given. */
 static inline void dmi_turn3(const float axis[3], const float origin[3], float cosine, float sine, const float point[3],
                              float out[3]) {
-    float d[3], c[3];
+    float d[3], c[3], sum[3];
     dmi_sub3(point, origin, d);
     dmi_cross3(axis, d, c);
-    float along = dmi_dot3(axis, d) * (1 - cosine);
-    for (int i = 0; i < 3; i++) out[i] = origin[i] + d[i] * cosine + c[i] * sine + axis[i] * along;
+    const float along = dmi_dot3(axis, d) * (1 - cosine);
+    dmi_copy3(origin, sum);
+    glm_vec3_muladds(d, cosine, sum);
+    glm_vec3_muladds(c, sine, sum);
+    glm_vec3_muladds(dmi_glm(axis), along, sum);
+    dmi_copy3(sum, out);
 }
 
 #endif
