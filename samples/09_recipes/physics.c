@@ -2,6 +2,8 @@
  * grab begins where physics left it. */
 #include "recipe.h"
 
+#include "cglm/scalar_quat.h"
+
 /* What engines call it: PxRevoluteJoint, btHingeConstraint, JPH::HingeConstraint, hingeJoint … */
 typedef struct engine_hinge {
     dm_vec3 anchor;
@@ -23,14 +25,14 @@ static engine_hinge make_hinge(const dm_part_state* door) {
 static dm_pose step(engine_hinge* hinge, float dt) {
     hinge->angle += dt * hinge->speed;
     if (hinge->limited) hinge->angle = fminf(fmaxf(hinge->angle, hinge->low), hinge->high);
-    const dm_pose frame = {.real = {hinge->rotation[0], hinge->rotation[1], hinge->rotation[2], hinge->rotation[3]}};
-    const dm_vec3 x = move_point(&frame, (dm_vec3){1, 0, 0}), a = hinge->anchor;
-    const float s = sinf(hinge->angle / 2), c = cosf(hinge->angle / 2);
-    dm_pose turn = {.real = {s * x.x, s * x.y, s * x.z, c}};
-    const dm_vec3 b = move_point(&turn, a);
-    const dm_pose shift = {.real = {0, 0, 0, 1}, .dual = {(a.x - b.x) / 2, (a.y - b.y) / 2, (a.z - b.z) / 2, 0}};
-    dm_pose_multiply(&shift, &turn, &turn);
-    return turn;
+    vec3 axis, turned;
+    versor turn;
+    dm_pose body;
+    glm_quat_rotatev(hinge->rotation, (vec3){1, 0, 0}, axis);
+    glm_quatv(turn, hinge->angle, axis);
+    glm_quat_rotatev(turn, raw(hinge->anchor).v, turned);
+    EXPECT(dm_pose_from_rotation(turn, sub(hinge->anchor, vec_from(turned)), &body) == DM_OK);
+    return body;
 }
 
 int main(void) {
@@ -55,7 +57,7 @@ int main(void) {
     const dm_drag_desc again = {.struct_size = sizeof again,
                                 .object = object,
                                 .part_id = CABINET_DOOR,
-                                .grab_point = move_point(&body, handle_point),
+                                .grab_point = pose_point(&body, handle_point),
                                 .state = &door};
     dm_drag drag = 0;
     EXPECT(dm_drag_begin(context, &again, &drag) == DM_OK);

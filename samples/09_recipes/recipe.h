@@ -1,6 +1,4 @@
-/* What the recipes share: a prepared cabinet, a player's hand, and a little vector arithmetic that an engine has
- * itself.
- */
+/* What the recipes share: a prepared cabinet and a player's hand. Vectors are cglm's, as a host's are of its engine. */
 #ifndef SAMPLES_RECIPE_H
 #define SAMPLES_RECIPE_H
 
@@ -9,6 +7,7 @@
 #include <string.h>
 
 #include "../common/cabinet.h"
+#include "../common/vectors.h"
 
 /* The recipes are tests of what they claim. */
 #define EXPECT(condition)                                                                                              \
@@ -46,26 +45,17 @@ static inline dm_part_state recipe_closed(dm_context* context, dm_object object,
     return state;
 }
 
-static inline dm_vec3 move_point(const dm_pose* pose, dm_vec3 point) {
-    float p[3] = {point.x, point.y, point.z};
-    dm_pose_apply_points(pose, p, 0, p, 0, 1);
-    return (dm_vec3){p[0], p[1], p[2]};
-}
-
-static inline float distance(dm_vec3 a, dm_vec3 b) {
-    const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-    return sqrtf(x * x + y * y + z * z);
-}
-
 /* A ray from `from` through `to`. */
 static inline dm_ray ray_through(dm_vec3 from, dm_vec3 to) {
-    return (dm_ray){from, {to.x - from.x, to.y - from.y, to.z - from.z}};
+    return (dm_ray){from, sub(to, from)};
 }
 
 /* Where a hand is that swings the door's handle open by `angle` about its left edge. */
 static inline dm_vec3 hand_at(float angle) {
-    const float x = handle_point.x, z = handle_point.z - 0.41f;
-    return (dm_vec3){x * cosf(angle) - z * sinf(angle), handle_point.y, 0.41f + x * sinf(angle) + z * cosf(angle)};
+    const dm_vec3 hinge = {0, 0, 0.41f};
+    raw_vec3 arm = raw(sub(handle_point, hinge));
+    glm_vec3_rotate(arm.v, -angle, (vec3){0, 1, 0});
+    return add(hinge, vec_from(arm.v));
 }
 
 /* Half a second of pulling from one angle to another. The first ray is the one that grabbed the part. */
@@ -93,7 +83,7 @@ static inline dm_drag_state recipe_open_door(dm_context* context, dm_object obje
 }
 
 static inline float shift_between(const dm_pose* a, const dm_pose* b) {
-    return distance(move_point(a, handle_point), move_point(b, handle_point));
+    return distance(pose_point(a, handle_point), pose_point(b, handle_point));
 }
 
 #endif

@@ -2,10 +2,6 @@
  * are rigid, so nothing shears. */
 #include "recipe.h"
 
-static dm_vec3 times(dm_vec3 a, dm_vec3 b) {
-    return (dm_vec3){a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
 int main(void) {
     dm_context* context = NULL;
     const dm_object object = recipe_open(&context);
@@ -27,12 +23,12 @@ int main(void) {
     for (int frame = 0; frame <= FPS; frame++) {
         dm_pose pose;
         EXPECT(dm_joint_pose(&joint, 0.8f * fminf(2.0f * (float)frame / FPS, 1), &pose) == DM_OK);
-        hand = move_point(&pose, grabbed);
+        hand = pose_point(&pose, grabbed);
         const dm_ray ray = ray_through(watcher, hand);
         EXPECT(dm_drag_update(context, drag, &ray, 1.0f / FPS, &now) == DM_OK);
     }
     /* To draw: vertex -> times scale -> pose -> the instance's rotation and place. */
-    const dm_vec3 corner = move_point(&now.pose, times((dm_vec3){0.6f, 0.79f, 0.42f}, scale));
+    const dm_vec3 corner = pose_point(&now.pose, times((dm_vec3){0.6f, 0.79f, 0.42f}, scale));
     printf("the handle is %.4f from the hand, the door's corner at (%.2f, %.2f, %.2f)\n",
            (double)distance(now.grab_point, hand), (double)corner.x, (double)corner.y, (double)corner.z);
     EXPECT(distance(now.grab_point, hand) < 0.02f);

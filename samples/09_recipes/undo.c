@@ -16,7 +16,7 @@ int main(void) {
         const dm_drag_desc desc = {.struct_size = sizeof desc,
                                    .object = object,
                                    .part_id = CABINET_DOOR,
-                                   .grab_point = move_point(&pose, handle_point),
+                                   .grab_point = pose_point(&pose, handle_point),
                                    .state = &door};
         dm_drag drag = 0;
         EXPECT(dm_drag_begin(context, &desc, &drag) == DM_OK);

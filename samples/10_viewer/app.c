@@ -104,9 +104,9 @@ void app_event(app* app, const event* event) {
 /* There and back along the whole range, two seconds each way. */
 static void play(app* app) {
     const dm_joint* joint = &app->world->parts[app->selected].state.joint;
-    const float whole = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI_F : 0;
+    const float whole = joint->type == DM_JOINT_CONTINUOUS ? 2 * GLM_PIf : 0;
     const float lower = whole > 0 ? 0 : joint->lower, upper = whole > 0 ? whole : joint->upper;
-    const float t = 0.5f - 0.5f * cosf(app->playing * PI_F / 2);
+    const float t = 0.5f - 0.5f * cosf(app->playing * GLM_PIf / 2);
     const float start = fabsf(lower) < fabsf(upper) ? lower : upper, end = start == lower ? upper : lower;
     app->playing += frame_seconds;
     world_set_value(app->world, app->selected, start + t * (end - start));

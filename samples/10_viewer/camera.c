@@ -3,25 +3,25 @@
 
 #include <stdbool.h>
 
-vec3 camera_up(const camera* camera) {
+dm_vec3 camera_up(const camera* camera) {
     return camera->z_up ? vec(0, 0, 1) : vec(0, 1, 0);
 }
 
 /* y-up words to the world's: what is (x, y, z) there is (x, -z, y) here. */
-static vec3 turned(const camera* camera, vec3 v) {
+static dm_vec3 turned(const camera* camera, dm_vec3 v) {
     return camera->z_up ? vec(v.x, -v.z, v.y) : v;
 }
 
-vec3 camera_forward(const camera* camera) {
+dm_vec3 camera_forward(const camera* camera) {
     const float level = cosf(camera->pitch);
     return turned(camera, vec(-sinf(camera->yaw) * level, -sinf(camera->pitch), -cosf(camera->yaw) * level));
 }
 
-vec3 camera_eye(const camera* camera) {
+dm_vec3 camera_eye(const camera* camera) {
     return along(camera->target, camera_forward(camera), -camera->distance);
 }
 
-void camera_frame(camera* camera, vec3 box_min, vec3 box_max) {
+void camera_frame(camera* camera, dm_vec3 box_min, dm_vec3 box_max) {
     const float radius = 0.5f * length(sub(box_max, box_min));
     camera->yaw = 0.6f;
     camera->pitch = 0.38f;
@@ -33,11 +33,11 @@ void camera_frame(camera* camera, vec3 box_min, vec3 box_max) {
 
 void camera_orbit(camera* camera, float dx, float dy) {
     camera->yaw -= dx * 0.008f;
-    camera->pitch = clampf(camera->pitch + dy * 0.008f, -1.5f, 1.5f);
+    camera->pitch = glm_clamp(camera->pitch + dy * 0.008f, -1.5f, 1.5f);
 }
 
 void camera_pan(camera* camera, float dx, float dy) {
-    const vec3 forward = camera_forward(camera), side = unit(cross(forward, camera_up(camera)));
+    const dm_vec3 forward = camera_forward(camera), side = unit(cross(forward, camera_up(camera)));
     const float unit_of_pixel = 2 * camera->distance * tanf(camera->fov_y / 2) / (float)camera->height;
     camera->target = along(camera->target, side, -dx * unit_of_pixel);
     camera->target = along(camera->target, cross(side, forward), dy * unit_of_pixel);
@@ -47,13 +47,12 @@ void camera_zoom(camera* camera, float steps) {
     camera->distance *= powf(0.9f, steps);
 }
 
-mat4 camera_view(const camera* camera) {
-    return mat4_look(camera_eye(camera), camera_forward(camera), camera_up(camera));
-}
-
-mat4 camera_projection(const camera* camera) {
-    return mat4_perspective(camera->fov_y, (float)camera->width / (float)camera->height, camera->distance * 0.02f,
-                            camera->distance * 20);
+void camera_matrix(const camera* camera, mat4 out) {
+    mat4 view, projection;
+    glm_look(raw(camera_eye(camera)).v, raw(camera_forward(camera)).v, raw(camera_up(camera)).v, view);
+    glm_perspective(camera->fov_y, (float)camera->width / (float)camera->height, camera->distance * 0.02f,
+                    camera->distance * 20, projection);
+    glm_mat4_mul(projection, view, out);
 }
 
 dm_camera camera_for_picking(const camera* camera) {
@@ -66,11 +65,11 @@ dm_camera camera_for_picking(const camera* camera) {
                        .viewport_height = (float)camera->height};
 }
 
-bool camera_project(const camera* camera, vec3 p, float out[3]) {
-    const mat4 view = camera_view(camera), projection = camera_projection(camera);
-    const mat4 both = mat4_multiply(&projection, &view);
-    float clip[4];
-    mat4_apply(&both, p, clip);
+bool camera_project(const camera* camera, dm_vec3 p, float out[3]) {
+    mat4 matrix;
+    vec4 clip, point = {p.x, p.y, p.z, 1};
+    camera_matrix(camera, matrix);
+    glm_mat4_mulv(matrix, point, clip);
     if (clip[3] <= 0) return false;
     out[0] = (clip[0] / clip[3] * 0.5f + 0.5f) * (float)camera->width;
     out[1] = (0.5f - clip[1] / clip[3] * 0.5f) * (float)camera->height;

@@ -92,8 +92,8 @@ static void push_line(draw_list* list, const float a[3], const float b[3], float
 }
 
 /* What lies behind the camera is cut off first. */
-void draw_line(draw* draw, vec3 from, vec3 to, float width, colour colour) {
-    const vec3 eye = camera_eye(draw->camera), forward = camera_forward(draw->camera);
+void draw_line(draw* draw, dm_vec3 from, dm_vec3 to, float width, colour colour) {
+    const dm_vec3 eye = camera_eye(draw->camera), forward = camera_forward(draw->camera);
     const float near = draw->camera->distance * 0.02f;
     const float a = dot(sub(from, eye), forward), b = dot(sub(to, eye), forward);
     if (a < near && b < near) return;
@@ -104,7 +104,7 @@ void draw_line(draw* draw, vec3 from, vec3 to, float width, colour colour) {
         push_line(&draw->space, p, q, width, colour);
 }
 
-void draw_arrow(draw* draw, vec3 from, vec3 to, float width, colour colour) {
+void draw_arrow(draw* draw, dm_vec3 from, dm_vec3 to, float width, colour colour) {
     draw_line(draw, from, to, width, colour);
     float p[3], q[3];
     if (!camera_project(draw->camera, from, p) || !camera_project(draw->camera, to, q)) return;
@@ -154,12 +154,12 @@ float draw_text(draw* draw, float x, float y, float size, colour colour, const c
     return x;
 }
 
-void draw_label(draw* draw, vec3 at, float size, colour c, const char* text) {
+void draw_label(draw* draw, dm_vec3 at, float size, colour c, const char* text) {
     float p[3];
     if (!camera_project(draw->camera, at, p)) return;
     const float width = draw_text_width(size, text), margin = size * 0.6f;
-    const float x = clampf(p[0] + size, margin, (float)draw->camera->width - width - margin);
-    const float y = clampf(p[1] - size, size + margin, (float)draw->camera->height - margin);
+    const float x = glm_clamp(p[0] + size, margin, (float)draw->camera->width - width - margin);
+    const float y = glm_clamp(p[1] - size, size + margin, (float)draw->camera->height - margin);
     draw_box(draw, x - margin, y - size - margin, width + 2 * margin, size + 2 * margin,
              (colour){0.07f, 0.08f, 0.1f, 0.78f});
     draw_text(draw, x, y, size, c, text);

@@ -33,8 +33,8 @@ int draw_open(draw* draw);
 void draw_close(draw* draw);
 void draw_begin(draw* draw, const camera* camera);
 
-void draw_line(draw* draw, vec3 from, vec3 to, float width, colour colour);
-void draw_arrow(draw* draw, vec3 from, vec3 to, float width, colour colour); /* with a head at `to` */
+void draw_line(draw* draw, dm_vec3 from, dm_vec3 to, float width, colour colour);
+void draw_arrow(draw* draw, dm_vec3 from, dm_vec3 to, float width, colour colour); /* with a head at `to` */
 void draw_line_2d(draw* draw, float x0, float y0, float x1, float y1, float width, colour colour);
 void draw_disc(draw* draw, float x, float y, float radius, colour colour);
 void draw_box(draw* draw, float x, float y, float width, float height, colour colour);
@@ -44,7 +44,7 @@ float draw_text(draw* draw, float x, float y, float size, colour colour, const c
 float draw_text_width(float size, const char* text);
 
 /* Draws a label with a dark background beside a point of the scene, unless that is behind the camera. */
-void draw_label(draw* draw, vec3 at, float size, colour colour, const char* text);
+void draw_label(draw* draw, dm_vec3 at, float size, colour colour, const char* text);
 
 /* Draws the queued primitives and empties the queue. */
 void draw_end(draw* draw);

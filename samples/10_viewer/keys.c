@@ -9,9 +9,9 @@
 #include "parts.h"
 
 void keys_frame(app* app) {
-    vec3 low = vec(INFINITY, INFINITY, INFINITY), high = scale(low, -1);
+    dm_vec3 low = vec(INFINITY, INFINITY, INFINITY), high = scale(low, -1);
     for (uint64_t v = 0; v < app->world->mesh.vertex_count; v++) {
-        const vec3 p = vec_from((const float*)app->world->mesh.positions + 3 * v);
+        const dm_vec3 p = vec_from((const float*)app->world->mesh.positions + 3 * v);
         low = vec_min(low, p), high = vec_max(high, p);
     }
     camera_frame(&app->camera, low, high);
@@ -141,13 +141,13 @@ static void next_type(app* app) {
     const bool is_slide = joint.type == DM_JOINT_PRISMATIC;
     if (is_slide != was_slide) {
         joint.lower = 0;
-        joint.upper = is_slide ? 0.4f * app->world->info.size : PI_F / 2;
+        joint.upper = is_slide ? 0.4f * app->world->info.size : GLM_PIf / 2;
     }
     joint.pitch = joint.type == DM_JOINT_SCREW ? 0.01f * app->world->info.size : 0;
     override(app, &joint);
 }
 
-static void axis_along(app* app, vec3 axis) {
+static void axis_along(app* app, dm_vec3 axis) {
     dm_joint joint = app->world->parts[app->selected].state.joint;
     joint.axis = axis;
     override(app, &joint);
@@ -185,7 +185,7 @@ static void origin_here(app* app) {
 
 static void move_limit(app* app, float lower_steps, float upper_steps) {
     dm_joint joint = app->world->parts[app->selected].state.joint;
-    const float step = joint.type == DM_JOINT_PRISMATIC ? 0.02f * app->world->info.size : PI_F / 36;
+    const float step = joint.type == DM_JOINT_PRISMATIC ? 0.02f * app->world->info.size : GLM_PIf / 36;
     joint.lower = fminf(joint.lower + lower_steps * step, 0);
     joint.upper = fmaxf(joint.upper + upper_steps * step, 0);
     override(app, &joint);

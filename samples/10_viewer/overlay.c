@@ -55,13 +55,13 @@ static dm_pose carrier_pose(const world* world, uint32_t id) {
 /* ---- axis and limits ---- */
 
 /* The part's corner farthest from the axis, level with its middle: where the limits are best read. */
-static vec3 far_point(const world_part* part, const dm_joint* joint) {
-    vec3 best = part->centre;
+static dm_vec3 far_point(const world_part* part, const dm_joint* joint) {
+    dm_vec3 best = part->centre;
     float most = 0;
     for (int i = 0; i < 8; i++) {
-        const vec3 corner = vec(i & 1 ? part->box_max.x : part->box_min.x, i & 2 ? part->box_max.y : part->box_min.y,
-                                i & 4 ? part->box_max.z : part->box_min.z);
-        const vec3 off = sub(corner, joint->origin);
+        const dm_vec3 corner = vec(i & 1 ? part->box_max.x : part->box_min.x, i & 2 ? part->box_max.y : part->box_min.y,
+                                   i & 4 ? part->box_max.z : part->box_min.z);
+        const dm_vec3 off = sub(corner, joint->origin);
         const float away = length(along(off, joint->axis, -dot(off, joint->axis)));
         if (away <= most) continue;
         most = away;
@@ -70,7 +70,7 @@ static vec3 far_point(const world_part* part, const dm_joint* joint) {
     return best;
 }
 
-static vec3 moved(const dm_joint* joint, float value, const dm_pose* carrier, vec3 p) {
+static dm_vec3 moved(const dm_joint* joint, float value, const dm_pose* carrier, dm_vec3 p) {
     dm_pose pose;
     if (dm_joint_pose(joint, value, &pose) != DM_OK) return p;
     return pose_point(carrier, pose_point(&pose, p));
@@ -79,17 +79,17 @@ static vec3 moved(const dm_joint* joint, float value, const dm_pose* carrier, ve
 static void draw_travel(draw* draw, const world_part* part, const dm_joint* joint, const dm_pose* carrier, float width,
                         colour colour) {
     const bool endless = joint->type == DM_JOINT_CONTINUOUS || joint->upper <= joint->lower;
-    const float lower = endless ? -PI_F : joint->lower, upper = endless ? PI_F : joint->upper;
-    const vec3 start = far_point(part, joint);
+    const float lower = endless ? -GLM_PIf : joint->lower, upper = endless ? GLM_PIf : joint->upper;
+    const dm_vec3 start = far_point(part, joint);
     const bool turns = joint->type != DM_JOINT_PRISMATIC;
-    vec3 last = moved(joint, lower, carrier, start);
+    dm_vec3 last = moved(joint, lower, carrier, start);
     for (int i = 1; i <= ARC_STEPS; i++) {
-        const vec3 next = moved(joint, lower + (upper - lower) * (float)i / ARC_STEPS, carrier, start);
+        const dm_vec3 next = moved(joint, lower + (upper - lower) * (float)i / ARC_STEPS, carrier, start);
         draw_line(draw, last, next, width, colour);
         last = next;
     }
-    const vec3 level = along(joint->origin, joint->axis, dot(sub(start, joint->origin), joint->axis));
-    const vec3 hub = pose_point(carrier, level);
+    const dm_vec3 level = along(joint->origin, joint->axis, dot(sub(start, joint->origin), joint->axis));
+    const dm_vec3 hub = pose_point(carrier, level);
     const struct colour faint = {colour.r, colour.g, colour.b, colour.a * 0.55f};
     if (endless || !turns) return;
     draw_line(draw, hub, moved(joint, lower, carrier, start), width * 0.75f, faint);
@@ -98,13 +98,13 @@ static void draw_travel(draw* draw, const world_part* part, const dm_joint* join
 
 static void draw_axis(draw* draw, const world_part* part, const dm_joint* joint, const dm_pose* carrier, float width,
                       colour colour) {
-    const vec3 axis = pose_direction(carrier, joint->axis);
+    const dm_vec3 axis = pose_direction(carrier, joint->axis);
     const float reach = 0.6f * length(sub(part->box_max, part->box_min));
     const bool slides = joint->type == DM_JOINT_PRISMATIC;
     /* A slide has no line of its own: its arrow starts in the middle of the part. */
-    const vec3 off = sub(part->centre, joint->origin);
-    const vec3 middle = slides ? part->centre : along(joint->origin, joint->axis, dot(off, joint->axis));
-    const vec3 at = pose_point(carrier, middle);
+    const dm_vec3 off = sub(part->centre, joint->origin);
+    const dm_vec3 middle = slides ? part->centre : along(joint->origin, joint->axis, dot(off, joint->axis));
+    const dm_vec3 at = pose_point(carrier, middle);
     draw_arrow(draw, along(at, axis, -reach), along(at, axis, reach), width, colour);
 }
 
@@ -141,7 +141,7 @@ static void draw_hypotheses(const app* app, draw* draw, uint32_t id) {
 
 static void key_pose(const world_part* part, int key, dm_pose* out_pose) {
     const dm_joint* joint = &part->state.joint;
-    const float span = joint->type == DM_JOINT_CONTINUOUS ? 2 * PI_F : joint->upper - joint->lower;
+    const float span = joint->type == DM_JOINT_CONTINUOUS ? 2 * GLM_PIf : joint->upper - joint->lower;
     const float start = joint->type == DM_JOINT_CONTINUOUS ? 0 : joint->lower;
     *out_pose = pose_identity;
     if (part->has_keys)
@@ -168,7 +168,7 @@ void overlay_ghosts(const app* app, render* render, const surface* surface) {
 static void draw_hand(const app* app, draw* draw) {
     const world* world = app->world;
     const dm_pose carrier = carrier_pose(world, world->held);
-    const vec3 grabbed = pose_point(&carrier, world->parts[world->held].last.grab_point);
+    const dm_vec3 grabbed = pose_point(&carrier, world->parts[world->held].last.grab_point);
     const float size = fmaxf(3, (float)app->camera.height / 140);
     float p[3];
     if (!camera_project(&app->camera, grabbed, p)) return;
@@ -205,11 +205,11 @@ static void draw_pointer(const app* app, draw* draw) {
 
 static void draw_brush(const app* app, draw* draw) {
     const float radius = app->brush * app->world->size;
-    const vec3 n = app->under.normal, side = perpendicular(n), ahead = cross(n, side);
-    vec3 last = along(app->under.point, side, radius);
+    const dm_vec3 n = app->under.normal, side = perpendicular(n), ahead = cross(n, side);
+    dm_vec3 last = along(app->under.point, side, radius);
     for (int i = 1; i <= 32; i++) {
-        const float angle = 2 * PI_F * (float)i / 32;
-        const vec3 next = along(along(app->under.point, side, radius * cosf(angle)), ahead, radius * sinf(angle));
+        const float angle = 2 * GLM_PIf * (float)i / 32;
+        const dm_vec3 next = along(along(app->under.point, side, radius * cosf(angle)), ahead, radius * sinf(angle));
         draw_line(draw, last, next, 2, hand_colour);
         last = next;
     }

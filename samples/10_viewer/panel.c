@@ -12,7 +12,7 @@ static const colour ground = {0.07f, 0.08f, 0.10f, 0.74f};
 enum { MAX_LINES = 14, LINE = 160 }; /* lines of text, bytes of one */
 
 static float text_size(const app* app) {
-    return clampf((float)app->camera.height / 46, 6.5f, 14);
+    return glm_clamp((float)app->camera.height / 46, 6.5f, 14);
 }
 
 static const char* type_name(int32_t type) {
@@ -24,7 +24,7 @@ static void write_value(const world_part* part, char* out, size_t room) {
     if (part->state.joint.type == DM_JOINT_PRISMATIC)
         snprintf(out, room, "%.3f", (double)roundf(part->state.value * 1e3f) * 1e-3 + 0.0);
     else
-        snprintf(out, room, "%.0f deg", (double)roundf(part->state.value * 180 / PI_F) + 0.0); /* no -0 */
+        snprintf(out, room, "%.0f deg", (double)roundf(part->state.value * 180 / GLM_PIf) + 0.0); /* no -0 */
 }
 
 static void write_part(const world_part* part, char* out, size_t room) {
@@ -95,8 +95,8 @@ void panel_draw(const app* app, draw* draw, uint32_t id) {
         const world_part* part = &app->world->parts[id];
         char text[LINE];
         write_part(part, text, sizeof text);
-        const vec3 top = vec(part->centre.x, app->camera.z_up ? part->centre.y : part->box_max.y,
-                             app->camera.z_up ? part->box_max.z : part->centre.z);
+        const dm_vec3 top = vec(part->centre.x, app->camera.z_up ? part->centre.y : part->box_max.y,
+                                app->camera.z_up ? part->box_max.z : part->centre.z);
         draw_label(draw, pose_point(&part->carried, top), text_size(app), bright, text);
     }
     if (app->show & SHOW_PANEL) draw_parts(app, draw);

@@ -82,9 +82,9 @@ int parts_from_names(world* world, const char* const* lists, uint32_t count) {
 /* ---- from nodes ---- */
 
 static float node_diagonal(const world* world, const dm_gltf_node* node) {
-    vec3 low = vec(INFINITY, INFINITY, INFINITY), high = scale(low, -1);
+    dm_vec3 low = vec(INFINITY, INFINITY, INFINITY), high = scale(low, -1);
     for (uint64_t v = node->first_vertex; v < node->first_vertex + node->vertex_count; v++) {
-        const vec3 p = vec_from((const float*)world->mesh.positions + 3 * v);
+        const dm_vec3 p = vec_from((const float*)world->mesh.positions + 3 * v);
         low = vec_min(low, p), high = vec_max(high, p);
     }
     return node->vertex_count ? length(sub(high, low)) : 0;

@@ -25,7 +25,7 @@ void parts_toggle_node(world* world, uint32_t face);
 
 /* Assigns to `part` the faces with a corner within a radius of a point, or all connected to a face. Returns how many.
  */
-uint32_t parts_paint(world* world, vec3 point, float radius, uint32_t part);
+uint32_t parts_paint(world* world, dm_vec3 point, float radius, uint32_t part);
 uint32_t parts_fill(world* world, uint32_t face, uint32_t part);
 
 /* Removes parts without faces; ids become consecutive. */

@@ -9,17 +9,17 @@ static uint32_t vertex_of(const world* world, size_t face, size_t corner) {
     return ((const uint32_t*)world->mesh.indices)[3 * face + corner];
 }
 
-static vec3 place_of(const world* world, uint32_t vertex) {
+static dm_vec3 place_of(const world* world, uint32_t vertex) {
     return vec_from((const float*)world->mesh.positions + 3 * (size_t)vertex);
 }
 
-static bool touches(const world* world, uint32_t face, vec3 point, float radius) {
+static bool touches(const world* world, uint32_t face, dm_vec3 point, float radius) {
     for (size_t k = 0; k < 3; k++)
         if (length(sub(place_of(world, vertex_of(world, face, k)), point)) <= radius) return true;
     return false;
 }
 
-uint32_t parts_paint(world* world, vec3 point, float radius, uint32_t part) {
+uint32_t parts_paint(world* world, dm_vec3 point, float radius, uint32_t part) {
     uint32_t changed = 0;
     for (uint32_t face = 0; face < world->face_count; face++) {
         if (world->face_part[face] == part || !touches(world, face, point, radius)) continue;
@@ -30,12 +30,12 @@ uint32_t parts_paint(world* world, vec3 point, float radius, uint32_t part) {
 }
 
 typedef struct placed {
-    vec3 place;
+    dm_vec3 place;
     uint32_t vertex;
 } placed;
 
 static int by_place(const void* a, const void* b) {
-    const vec3 p = ((const placed*)a)->place, q = ((const placed*)b)->place;
+    const dm_vec3 p = ((const placed*)a)->place, q = ((const placed*)b)->place;
     if (p.x != q.x) return p.x < q.x ? -1 : 1;
     if (p.y != q.y) return p.y < q.y ? -1 : 1;
     return p.z == q.z ? 0 : p.z < q.z ? -1 : 1;

@@ -50,11 +50,11 @@ void render_close(render* render) {
 }
 
 /* The sun stands behind the viewer's first place, high and to the left; the object's front is lit. */
-static vec3 sun_of(const camera* camera) {
+static dm_vec3 sun_of(const camera* camera) {
     return unit(camera->z_up ? vec(-0.45f, -0.75f, 1.05f) : vec(-0.45f, 1.05f, 0.75f));
 }
 
-static vec3 middle_of(const surface* surface) {
+static dm_vec3 middle_of(const surface* surface) {
     return scale(add(surface->box_min, surface->box_max), 0.5f);
 }
 
@@ -65,16 +65,16 @@ static float reach_of(const surface* surface) {
 
 static void draw_part(const surface* surface, uint32_t part, GLuint program, const dm_pose* pose) {
     mat4 model;
-    dm_pose_to_matrix(pose, model.m);
-    shader_matrix(program, "model", &model);
+    dm_pose_to_matrix(pose, (float*)model);
+    shader_matrix(program, "model", model);
     glDrawArrays(GL_TRIANGLES, surface->first[part], surface->first[part + 1] - surface->first[part]);
 }
 
 /* Draws a part with its textures. */
 static void draw_textured(const surface* surface, uint32_t part, GLuint program, const dm_pose* pose) {
     mat4 model;
-    dm_pose_to_matrix(pose, model.m);
-    shader_matrix(program, "model", &model);
+    dm_pose_to_matrix(pose, (float*)model);
+    shader_matrix(program, "model", model);
     glActiveTexture(GL_TEXTURE0 + PICTURE_UNIT);
     for (uint32_t r = surface->first_run[part]; r < surface->first_run[part + 1]; r++) {
         glBindTexture(GL_TEXTURE_2D, surface->runs[r].texture);
@@ -86,10 +86,11 @@ static void draw_textured(const surface* surface, uint32_t part, GLuint program,
 static void draw_shadows(render* render, const surface* surface, const camera* camera, const look* looks,
                          uint32_t parts) {
     const float reach = reach_of(surface);
-    const vec3 sun = sun_of(camera), eye = along(middle_of(surface), sun, 2 * reach);
-    const mat4 view = mat4_look(eye, scale(sun, -1), camera_up(camera));
-    const mat4 box = mat4_box(reach, reach, 0, 4 * reach);
-    render->light = mat4_multiply(&box, &view);
+    const dm_vec3 sun = sun_of(camera), eye = along(middle_of(surface), sun, 2 * reach);
+    mat4 view, box;
+    glm_look(raw(eye).v, raw(scale(sun, -1)).v, raw(camera_up(camera)).v, view);
+    glm_ortho(-reach, reach, -reach, reach, 0, 4 * reach, box);
+    glm_mat4_mul(box, view, render->light);
     GLint frame;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &frame);
     glBindFramebuffer(GL_FRAMEBUFFER, render->shadow_frame);
@@ -98,7 +99,7 @@ static void draw_shadows(render* render, const surface* surface, const camera* c
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2);
     glUseProgram(render->shadow);
-    shader_matrix(render->shadow, "view_projection", &render->light);
+    shader_matrix(render->shadow, "view_projection", render->light);
     for (uint32_t part = 0; part <= parts; part++) draw_part(surface, part, render->shadow, &looks[part].pose);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glBindFramebuffer(GL_FRAMEBUFFER, (GLuint)frame);
@@ -113,15 +114,15 @@ static void draw_sky(const render* render) {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void draw_floor(const render* render, const surface* surface, const camera* camera, const mat4* both) {
-    const vec3 up = camera_up(camera), side = vec(1, 0, 0), ahead = cross(side, up);
+static void draw_floor(render* render, const surface* surface, const camera* camera, mat4 both) {
+    const dm_vec3 up = camera_up(camera), side = vec(1, 0, 0), ahead = cross(side, up);
     const float reach = 2.2f * reach_of(surface);
-    const vec3 middle = middle_of(surface);
+    const dm_vec3 middle = middle_of(surface);
     if (dot(sub(camera_eye(camera), surface->box_min), up) <= 0) return; /* it would hide the object */
     const float sunk = dot(sub(middle, surface->box_min), up) + 0.001f * reach;
     glUseProgram(render->floor);
     shader_matrix(render->floor, "view_projection", both);
-    shader_matrix(render->floor, "light", &render->light);
+    shader_matrix(render->floor, "light", render->light);
     shader_vec3(render->floor, "middle", along(middle, up, -sunk));
     shader_vec3(render->floor, "side", scale(side, reach));
     shader_vec3(render->floor, "ahead", scale(ahead, reach));
@@ -132,24 +133,20 @@ static void draw_floor(const render* render, const surface* surface, const camer
     glDisable(GL_BLEND);
 }
 
-static mat4 both_of(const camera* camera) {
-    const mat4 view = camera_view(camera), projection = camera_projection(camera);
-    return mat4_multiply(&projection, &view);
-}
-
 void render_scene(render* render, const surface* surface, const camera* camera, const look* looks, uint32_t parts) {
-    const mat4 both = both_of(camera);
+    mat4 both;
+    camera_matrix(camera, both);
     glBindVertexArray(surface->array);
     glEnable(GL_DEPTH_TEST);
     draw_shadows(render, surface, camera, looks, parts);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     draw_sky(render);
     glBindTexture(GL_TEXTURE_2D, render->shadow_map);
-    draw_floor(render, surface, camera, &both);
+    draw_floor(render, surface, camera, both);
     glUseProgram(render->solid);
     glBindVertexArray(surface->array);
-    shader_matrix(render->solid, "view_projection", &both);
-    shader_matrix(render->solid, "light", &render->light);
+    shader_matrix(render->solid, "view_projection", both);
+    shader_matrix(render->solid, "light", render->light);
     shader_vec3(render->solid, "eye", camera_eye(camera));
     shader_vec3(render->solid, "sun", sun_of(camera));
     shader_vec3(render->solid, "up", camera_up(camera));
@@ -162,10 +159,11 @@ void render_scene(render* render, const surface* surface, const camera* camera, 
 }
 
 void render_ghost(render* render, const surface* surface, const camera* camera, uint32_t part, const look* look) {
-    const mat4 both = both_of(camera);
+    mat4 both;
+    camera_matrix(camera, both);
     glUseProgram(render->ghost);
     glBindVertexArray(surface->array);
-    shader_matrix(render->ghost, "view_projection", &both);
+    shader_matrix(render->ghost, "view_projection", both);
     shader_vec3(render->ghost, "eye", camera_eye(camera));
     shader_vec4(render->ghost, "tint", look->tint);
     glEnable(GL_BLEND);

@@ -40,11 +40,11 @@ GLuint shader_make(const char* name, const char* vertex, const char* fragment) {
     return program;
 }
 
-void shader_matrix(GLuint program, const char* name, const mat4* value) {
-    glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, value->m);
+void shader_matrix(GLuint program, const char* name, mat4 value) {
+    glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, value[0]);
 }
 
-void shader_vec3(GLuint program, const char* name, vec3 value) {
+void shader_vec3(GLuint program, const char* name, dm_vec3 value) {
     glUniform3f(glGetUniformLocation(program, name), value.x, value.y, value.z);
 }
 

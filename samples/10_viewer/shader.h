@@ -10,8 +10,8 @@
  * messages, on failure. */
 GLuint shader_make(const char* name, const char* vertex, const char* fragment);
 
-void shader_matrix(GLuint program, const char* name, const mat4* value);
-void shader_vec3(GLuint program, const char* name, vec3 value);
+void shader_matrix(GLuint program, const char* name, mat4 value);
+void shader_vec3(GLuint program, const char* name, dm_vec3 value);
 void shader_vec4(GLuint program, const char* name, const float value[4]);
 void shader_float(GLuint program, const char* name, float value);
 void shader_int(GLuint program, const char* name, int value);

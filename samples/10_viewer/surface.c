@@ -8,47 +8,47 @@
 #include "files.h"
 
 typedef struct vertex {
-    vec3 place, normal, colour;
+    dm_vec3 place, normal, colour;
     float uv[2];
 } vertex;
 
 typedef struct corner {
-    vec3 place;
+    dm_vec3 place;
     uint32_t index; /* 3 x face + corner */
 } corner;
 
 static const float crease = 0.766f; /* cos 40 degrees */
 
-static vec3 place_of(const world* world, uint32_t corner) {
+static dm_vec3 place_of(const world* world, uint32_t corner) {
     return vec_from((const float*)world->mesh.positions + 3 * (size_t)((const uint32_t*)world->mesh.indices)[corner]);
 }
 
 /* Length = twice the area, so that large faces count more. */
-static vec3 face_normal(const world* world, uint32_t face) {
-    const vec3 a = place_of(world, 3 * face), b = place_of(world, 3 * face + 1), c = place_of(world, 3 * face + 2);
+static dm_vec3 face_normal(const world* world, uint32_t face) {
+    const dm_vec3 a = place_of(world, 3 * face), b = place_of(world, 3 * face + 1), c = place_of(world, 3 * face + 2);
     return cross(sub(b, a), sub(c, a));
 }
 
 static int by_place(const void* a, const void* b) {
-    return memcmp(a, b, sizeof(vec3));
+    return memcmp(a, b, sizeof(dm_vec3));
 }
 
 /* Of the corners [first, end) in one place: each takes the faces there that lie nearly in its own plane. */
-static void smooth(const corner* corners, uint32_t first, uint32_t end, const vec3* faces, vec3* normals) {
+static void smooth(const corner* corners, uint32_t first, uint32_t end, const dm_vec3* faces, dm_vec3* normals) {
     for (uint32_t i = first; i < end; i++) {
-        const vec3 own = unit(faces[corners[i].index / 3]);
-        vec3 sum = {0, 0, 0};
+        const dm_vec3 own = unit(faces[corners[i].index / 3]);
+        dm_vec3 sum = {0, 0, 0};
         for (uint32_t k = first; k < end; k++) {
-            const vec3 other = faces[corners[k].index / 3];
+            const dm_vec3 other = faces[corners[k].index / 3];
             if (dot(own, other) >= crease * length(other)) sum = add(sum, other);
         }
         normals[corners[i].index] = unit(sum);
     }
 }
 
-static vec3* corner_normals(const world* world) {
+static dm_vec3* corner_normals(const world* world) {
     const uint32_t count = world->face_count * 3;
-    vec3 *faces = take(world->face_count, sizeof *faces), *normals = take(count, sizeof *normals);
+    dm_vec3 *faces = take(world->face_count, sizeof *faces), *normals = take(count, sizeof *normals);
     corner* corners = take(count, sizeof *corners);
     for (uint32_t face = 0; face < world->face_count; face++) faces[face] = face_normal(world, face);
     for (uint32_t i = 0; i < count; i++) corners[i] = (corner){place_of(world, i), i};
@@ -102,7 +102,7 @@ static void list_runs(surface* surface, const world* world, const textures* text
 }
 
 static vertex* make_vertices(const world* world, const textures* textures, const drawn* order) {
-    vec3* normals = corner_normals(world);
+    dm_vec3* normals = corner_normals(world);
     vertex* vertices = take((size_t)world->face_count * 3, sizeof *vertices);
     for (uint32_t i = 0; i < 3 * world->face_count; i++) {
         const uint32_t face = order[i / 3].face, corner = 3 * face + i % 3;
@@ -132,7 +132,7 @@ void surface_make(surface* surface, const world* world, const textures* textures
     glBindBuffer(GL_ARRAY_BUFFER, surface->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof *vertices), vertices, GL_STATIC_DRAW);
     const char* offset = NULL; /* of the attribute in a vertex, as OpenGL wants it: a pointer */
-    for (GLuint i = 0; i < 4; i++, offset += sizeof(vec3)) {
+    for (GLuint i = 0; i < 4; i++, offset += sizeof(dm_vec3)) {
         glEnableVertexAttribArray(i);
         glVertexAttribPointer(i, i < 3 ? 3 : 2, GL_FLOAT, GL_FALSE, sizeof *vertices, offset);
     }

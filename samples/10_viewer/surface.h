@@ -19,7 +19,7 @@ typedef struct surface {
     GLint first[WORLD_MAX_PARTS + 2]; /* of every part's range; [0] the body, closed by the end of the last */
     surface_run* runs;
     uint32_t first_run[WORLD_MAX_PARTS + 2]; /* of every part's runs, as `first` */
-    vec3 box_min, box_max;
+    dm_vec3 box_min, box_max;
 } surface;
 
 /* Where two faces meet at less than 40 degrees they share a normal. */

@@ -45,8 +45,8 @@ static uint32_t slot_of(textures* textures, source* sources, const dm_gltf_surfa
 }
 
 /* Held between too dark and too bright to light well. */
-static vec3 lit_colour(const float c[4]) {
-    return vec(clampf(c[0], 0.03f, 0.8f), clampf(c[1], 0.03f, 0.8f), clampf(c[2], 0.03f, 0.8f));
+static dm_vec3 lit_colour(const float c[4]) {
+    return vec(glm_clamp(c[0], 0.03f, 0.8f), glm_clamp(c[1], 0.03f, 0.8f), glm_clamp(c[2], 0.03f, 0.8f));
 }
 
 static void read_surface(textures* textures, source* sources, dm_gltf* gltf, uint32_t index) {
@@ -55,7 +55,7 @@ static void read_surface(textures* textures, source* sources, dm_gltf* gltf, uin
     float* uv = textures->uv[3 * surface.first_face];
     const bool placed = dm_gltf_get_texture_coordinates(gltf, index, uv, 3 * surface.face_count) == DM_OK;
     const uint32_t slot = placed ? slot_of(textures, sources, &surface) : 0;
-    const vec3 colour = lit_colour(surface.colour);
+    const dm_vec3 colour = lit_colour(surface.colour);
     for (uint64_t face = surface.first_face; face < surface.first_face + surface.face_count; face++) {
         textures->slots[face] = slot;
         textures->colours[face] = colour;

@@ -67,9 +67,9 @@ static int load_model(world* world, const char* folder) {
 }
 
 static float mesh_diagonal(const dm_mesh_desc* mesh) {
-    vec3 low = vec(INFINITY, INFINITY, INFINITY), high = scale(low, -1);
+    dm_vec3 low = vec(INFINITY, INFINITY, INFINITY), high = scale(low, -1);
     for (uint64_t v = 0; v < mesh->vertex_count; v++) {
-        const vec3 p = vec_from((const float*)mesh->positions + 3 * v);
+        const dm_vec3 p = vec_from((const float*)mesh->positions + 3 * v);
         low = vec_min(low, p), high = vec_max(high, p);
     }
     return length(sub(high, low));

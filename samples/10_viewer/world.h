@@ -18,7 +18,7 @@ typedef struct world_part {
     uint32_t hypothesis_count;
     dm_part_state state; /* this instance's own joint, value and pose; during a drag, those of now */
     dm_pose carried;     /* state.pose with the parts that carry it */
-    vec3 centre, box_min, box_max;
+    dm_vec3 centre, box_min, box_max;
     dm_pose keys[DM_MOTION_FRAMES]; /* the motion the last pull asked for */
     int has_keys;
     dm_drag drag;       /* in hand, or still moving after the hand let go; 0 = neither */
@@ -61,7 +61,7 @@ typedef struct world {
     char message[512]; /* what the library, or the world, said last */
     uint32_t held;     /* the part in hand; 0 = none */
     dm_drag_hint pull; /* of the hand so far, in the frame of the part's carrier; vector 0 = none yet */
-    vec3 grab_normal;
+    dm_vec3 grab_normal;
     int32_t intent;                    /* DM_GO_*: what parts do when they are let go */
     world_past history[WORLD_HISTORY]; /* the latest last */
     uint32_t history_count;

@@ -28,11 +28,11 @@ void world_update(world* world) {
 }
 
 /* Moeller and Trumbore: distance along the ray, 0 when it misses. */
-static float meet(const dm_ray* ray, vec3 a, vec3 b, vec3 c) {
-    const vec3 ab = sub(b, a), ac = sub(c, a), p = cross(ray->direction, ac), from = sub(ray->origin, a);
+static float meet(const dm_ray* ray, dm_vec3 a, dm_vec3 b, dm_vec3 c) {
+    const dm_vec3 ab = sub(b, a), ac = sub(c, a), p = cross(ray->direction, ac), from = sub(ray->origin, a);
     const float det = dot(ab, p);
     if (det == 0) return 0;
-    const vec3 q = cross(from, ab);
+    const dm_vec3 q = cross(from, ab);
     const float u = dot(from, p) / det, v = dot(ray->direction, q) / det;
     return u < 0 || v < 0 || u + v > 1 ? 0 : fmaxf(dot(ac, q) / det, 0);
 }
@@ -45,8 +45,9 @@ static dm_hit pick_file(const world* world, const dm_ray* ray) {
     memset(&hit, 0, sizeof hit);
     for (uint32_t face = 0; face < world->face_count; face++) {
         const uint32_t* corners = indices + 3 * (size_t)face;
-        const vec3 a = vec_from(positions + 3 * (size_t)corners[0]), b = vec_from(positions + 3 * (size_t)corners[1]),
-                   c = vec_from(positions + 3 * (size_t)corners[2]);
+        const dm_vec3 a = vec_from(positions + 3 * (size_t)corners[0]),
+                      b = vec_from(positions + 3 * (size_t)corners[1]),
+                      c = vec_from(positions + 3 * (size_t)corners[2]);
         const float distance = meet(ray, a, b, c);
         if (distance <= 0 || (hit.distance > 0 && distance >= hit.distance)) continue;
         hit.distance = distance;
@@ -104,10 +105,10 @@ int world_grab(world* world, const dm_hit* hit) {
 
 /* What a pull on the screen means in space: the ray cut with the plane through the grabbed point that holds the
  * surface's normal and faces the camera best, so that pulling, pushing and sliding can all be said. */
-static vec3 pull_in_space(const world* world, const dm_ray* ray) {
-    const vec3 direction = unit(ray->direction), normal = world->grab_normal;
-    const vec3 across = along(direction, normal, -dot(direction, normal));
-    const vec3 plane = length(across) > 1e-3f ? unit(across) : direction;
+static dm_vec3 pull_in_space(const world* world, const dm_ray* ray) {
+    const dm_vec3 direction = unit(ray->direction), normal = world->grab_normal;
+    const dm_vec3 across = along(direction, normal, -dot(direction, normal));
+    const dm_vec3 plane = length(across) > 1e-3f ? unit(across) : direction;
     const float distance = dot(sub(world->pull.point, ray->origin), plane) / dot(direction, plane);
     return sub(along(ray->origin, direction, distance), world->pull.point);
 }
@@ -167,7 +168,7 @@ static void let_go(world* world, uint32_t id) {
 }
 
 static float within(const dm_joint* joint, float value) {
-    return joint->upper > joint->lower ? clampf(value, joint->lower, joint->upper) : value;
+    return joint->upper > joint->lower ? glm_clamp(value, joint->lower, joint->upper) : value;
 }
 
 void world_set_value(world* world, uint32_t id, float value) {

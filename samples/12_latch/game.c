@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "../common/vectors.h"
+
 static const dm_pose at_rest = {{0, 0, 0, 1}, {0, 0, 0, 0}};
 
 /* ---- frames: a part that is carried moves in the frame of its carrier ---- */
@@ -13,11 +15,6 @@ static dm_pose inverse(dm_pose pose) {
     return pose;
 }
 
-static dm_vec3 moved(const dm_pose* pose, dm_vec3 point) {
-    dm_pose_apply_points(pose, &point.x, 0, &point.x, 0, 1);
-    return point;
-}
-
 static dm_pose carrier_pose(const game* game, uint32_t index) {
     const uint32_t parent = game->scene->parts[index].parent;
     return parent ? game->poses[parent - 1] : at_rest;
@@ -25,11 +22,10 @@ static dm_pose carrier_pose(const game* game, uint32_t index) {
 
 static dm_hand carried(const dm_pose* to_carrier, const dm_hand* hand) {
     dm_hand out = *hand;
-    const dm_vec3 o = hand->ray.origin, d = hand->ray.direction;
-    const dm_vec3 ahead = moved(to_carrier, (dm_vec3){o.x + d.x, o.y + d.y, o.z + d.z});
-    out.point = moved(to_carrier, hand->point);
-    out.ray.origin = moved(to_carrier, o);
-    out.ray.direction = (dm_vec3){ahead.x - out.ray.origin.x, ahead.y - out.ray.origin.y, ahead.z - out.ray.origin.z};
+    const dm_vec3 ahead = pose_point(to_carrier, add(hand->ray.origin, hand->ray.direction));
+    out.point = pose_point(to_carrier, hand->point);
+    out.ray.origin = pose_point(to_carrier, hand->ray.origin);
+    out.ray.direction = sub(ahead, out.ray.origin);
     return out;
 }
 
@@ -69,7 +65,7 @@ dm_result game_grab(game* game, int32_t hand, uint32_t part_id, dm_vec3 point) {
     const uint32_t index = part_id - 1;
     game_part* part = &game->parts[index];
     const dm_pose carrier = carrier_pose(game, index), to_carrier = inverse(carrier);
-    const dm_vec3 local = moved(&to_carrier, point);
+    const dm_vec3 local = pose_point(&to_carrier, point);
     if (is_in_hand(part)) { /* one hand is on it already */
         part->hands[1] = hand, part->second_at = local;
         return DM_OK;

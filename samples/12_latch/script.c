@@ -1,6 +1,8 @@
 /* A scene's own hands: each takes hold, goes its way in straight lines, and lets go. */
 #include "game.h"
 
+#include "../common/vectors.h"
+
 static float length_of(const scene_hand* hand) {
     float seconds = 0;
     for (int i = 0; i < SCENE_WAYPOINTS; i++) seconds += hand->way[i].seconds;
@@ -11,8 +13,7 @@ static float length_of(const scene_hand* hand) {
 static dm_vec3 place_of(const scene_hand* hand, dm_vec3 from, float seconds) {
     for (int i = 0; i < SCENE_WAYPOINTS && hand->way[i].seconds > 0 && seconds > 0; i++) {
         const float share = seconds < hand->way[i].seconds ? seconds / hand->way[i].seconds : 1;
-        const dm_vec3 move = hand->way[i].move;
-        from = (dm_vec3){from.x + share * move.x, from.y + share * move.y, from.z + share * move.z};
+        from = along(from, hand->way[i].move, share);
         seconds -= hand->way[i].seconds;
     }
     return from;
@@ -24,8 +25,7 @@ void script_open(script* script) {
 
 static void take_hold(script* script, game* game, int32_t free_hand) {
     const scene_hand* hand = &game->scene->hands[script->next];
-    dm_vec3 point = hand->grab;
-    dm_pose_apply_points(&game->poses[hand->part - 1], &point.x, 0, &point.x, 0, 1);
+    const dm_vec3 point = pose_point(&game->poses[hand->part - 1], hand->grab);
     script->acting[free_hand] = (int32_t)script->next++;
     script->from[free_hand] = point;
     game_grab(game, free_hand, hand->part, point);
