@@ -378,6 +378,11 @@ local cmocka = cross and {} or { "cmocka" }
 local listed, list = {}, "tests/cross/" .. (cross or "") .. ".txt"
 for name in os.isfile(list) and io.lines(list) or function() end do listed[name] = true end
 
+-- Tests with a file in C++ beside them, and what that links; without the header of that library they are left out. It comes
+-- first, because Debian's libdraco exports a tinygltf of its own.
+local beside = { test_gltf_second_opinion = { source = "tests/e2e/tinygltf_scene.cpp", library = "tinygltf",
+    found = installed "tiny_gltf.h" } }
+
 for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
     for _, source in ipairs(os.matchfiles("tests/" .. room .. "/test_*.c")) do
         local name = source:match("([%w_]+)%.c$")
@@ -391,8 +396,13 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
         if name:find "gltf" and not cross then -- it compresses files itself
             libraries = table.join(libraries, { "meshoptimizer" }, has_draco and { "draco" } or {}, { "stdc++" })
         end
-        if not cross or listed[name] then
-            program(name, { source }, everything, table.join(cmocka, libraries), "/tests")
+        local cpp = beside[name]
+        if (not cross or listed[name]) and (not cpp or cpp.found) then
+            program(name, { source }, everything, table.join(cpp and { cpp.library } or {}, cmocka, libraries), "/tests")
+                if cpp then
+                    language "C++"
+                    files { cpp.source }
+                end
                 defines(gltf_macros)
                 defines(pick_macros)
                 if cross then defines { "DMI_NO_EMBREE" } end -- the library looks for it, and there is none to test with
