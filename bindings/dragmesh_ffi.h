@@ -150,6 +150,12 @@ enum {
     DM_STATUS_OPEN = 8
 };
 enum {
+    DM_BASIS_PREPARED = 0,
+    DM_BASIS_PULL = 1,
+    DM_BASIS_HOST = 2,
+    DM_BASIS_CHOSEN = 3
+};
+enum {
     DM_GO_AUTO = 0,
     DM_GO_STAY = 1,
     DM_GO_OPEN = 2,
@@ -332,6 +338,7 @@ struct dm_joint {
     float lower;
     float upper;
     int32_t source;
+    uint32_t evidence[4];
 };
 struct dm_joint_frame {
     uint32_t struct_size;
@@ -503,6 +510,8 @@ struct dm_drag_state {
     uint32_t detents;
     float impact;
     uint32_t status;
+    float joint_confidence;
+    int32_t joint_basis;
 };
 struct dm_release_desc {
     uint32_t struct_size;

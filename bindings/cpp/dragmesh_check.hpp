@@ -116,6 +116,10 @@ static_assert(DM_STATUS_LATCHED == 1, "DM_STATUS_LATCHED has another value");
 static_assert(DM_STATUS_LOCKED == 2, "DM_STATUS_LOCKED has another value");
 static_assert(DM_STATUS_BLOCKED == 4, "DM_STATUS_BLOCKED has another value");
 static_assert(DM_STATUS_OPEN == 8, "DM_STATUS_OPEN has another value");
+static_assert(DM_BASIS_PREPARED == 0, "DM_BASIS_PREPARED has another value");
+static_assert(DM_BASIS_PULL == 1, "DM_BASIS_PULL has another value");
+static_assert(DM_BASIS_HOST == 2, "DM_BASIS_HOST has another value");
+static_assert(DM_BASIS_CHOSEN == 3, "DM_BASIS_CHOSEN has another value");
 static_assert(DM_GO_AUTO == 0, "DM_GO_AUTO has another value");
 static_assert(DM_GO_STAY == 1, "DM_GO_STAY has another value");
 static_assert(DM_GO_OPEN == 2, "DM_GO_OPEN has another value");
@@ -213,7 +217,7 @@ static_assert(std::is_same<decltype(dm_part_desc::joint_type), int32_t>::value &
 static_assert(std::is_same<decltype(dm_part_desc::drag), const dm_drag_hint *>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, drag) == 16), "dm_part_desc.drag is another field");
 static_assert(std::is_same<decltype(dm_part_desc::label), const char *>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, label) == 24), "dm_part_desc.label is another field");
 static_assert(std::is_same<decltype(dm_part_desc::pivot), const dm_pivot *>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, pivot) == 32), "dm_part_desc.pivot is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_joint) == 56, "dm_joint has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_joint) == 72, "dm_joint has another size");
 static_assert(std::is_same<decltype(dm_joint::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint, struct_size) == 0), "dm_joint.struct_size is another field");
 static_assert(std::is_same<decltype(dm_joint::type), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint, type) == 4), "dm_joint.type is another field");
 static_assert(std::is_same<decltype(dm_joint::type_confidence), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint, type_confidence) == 8), "dm_joint.type_confidence is another field");
@@ -224,6 +228,7 @@ static_assert(std::is_same<decltype(dm_joint::origin), dm_vec3>::value && (sizeo
 static_assert(std::is_same<decltype(dm_joint::lower), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint, lower) == 44), "dm_joint.lower is another field");
 static_assert(std::is_same<decltype(dm_joint::upper), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint, upper) == 48), "dm_joint.upper is another field");
 static_assert(std::is_same<decltype(dm_joint::source), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint, source) == 52), "dm_joint.source is another field");
+static_assert(std::is_same<decltype(dm_joint::evidence), uint32_t[4]>::value && (sizeof(void*) != 8 || offsetof(dm_joint, evidence) == 56), "dm_joint.evidence is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_joint_frame) == 88, "dm_joint_frame has another size");
 static_assert(std::is_same<decltype(dm_joint_frame::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, struct_size) == 0), "dm_joint_frame.struct_size is another field");
 static_assert(std::is_same<decltype(dm_joint_frame::type), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, type) == 4), "dm_joint_frame.type is another field");
@@ -236,7 +241,7 @@ static_assert(std::is_same<decltype(dm_joint_frame::lower), float>::value && (si
 static_assert(std::is_same<decltype(dm_joint_frame::upper), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, upper) == 76), "dm_joint_frame.upper is another field");
 static_assert(std::is_same<decltype(dm_joint_frame::limits), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, limits) == 80), "dm_joint_frame.limits is another field");
 static_assert(std::is_same<decltype(dm_joint_frame::pitch), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, pitch) == 84), "dm_joint_frame.pitch is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_part_state) == 104, "dm_part_state has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_part_state) == 120, "dm_part_state has another size");
 static_assert(std::is_same<decltype(dm_part_state::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_part_state, struct_size) == 0), "dm_part_state.struct_size is another field");
 static_assert(std::is_same<decltype(dm_part_state::value), float>::value && (sizeof(void*) != 8 || offsetof(dm_part_state, value) == 4), "dm_part_state.value is another field");
 static_assert(std::is_same<decltype(dm_part_state::velocity), float>::value && (sizeof(void*) != 8 || offsetof(dm_part_state, velocity) == 8), "dm_part_state.velocity is another field");
@@ -365,7 +370,7 @@ static_assert(std::is_same<decltype(dm_drag_input::second), dm_hand>::value && (
 static_assert(std::is_same<decltype(dm_drag_input::handles), float[2]>::value && (sizeof(void*) != 8 || offsetof(dm_drag_input, handles) == 120), "dm_drag_input.handles is another field");
 static_assert(std::is_same<decltype(dm_drag_input::lower), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_input, lower) == 128), "dm_drag_input.lower is another field");
 static_assert(std::is_same<decltype(dm_drag_input::upper), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_input, upper) == 132), "dm_drag_input.upper is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_drag_state) == 88, "dm_drag_state has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_drag_state) == 96, "dm_drag_state has another size");
 static_assert(std::is_same<decltype(dm_drag_state::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, struct_size) == 0), "dm_drag_state.struct_size is another field");
 static_assert(std::is_same<decltype(dm_drag_state::pose), dm_pose>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, pose) == 4), "dm_drag_state.pose is another field");
 static_assert(std::is_same<decltype(dm_drag_state::grab_point), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, grab_point) == 36), "dm_drag_state.grab_point is another field");
@@ -379,6 +384,8 @@ static_assert(std::is_same<decltype(dm_drag_state::events), uint32_t>::value && 
 static_assert(std::is_same<decltype(dm_drag_state::detents), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, detents) == 76), "dm_drag_state.detents is another field");
 static_assert(std::is_same<decltype(dm_drag_state::impact), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, impact) == 80), "dm_drag_state.impact is another field");
 static_assert(std::is_same<decltype(dm_drag_state::status), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, status) == 84), "dm_drag_state.status is another field");
+static_assert(std::is_same<decltype(dm_drag_state::joint_confidence), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, joint_confidence) == 88), "dm_drag_state.joint_confidence is another field");
+static_assert(std::is_same<decltype(dm_drag_state::joint_basis), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, joint_basis) == 92), "dm_drag_state.joint_basis is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_release_desc) == 32, "dm_release_desc has another size");
 static_assert(std::is_same<decltype(dm_release_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_release_desc, struct_size) == 0), "dm_release_desc.struct_size is another field");
 static_assert(std::is_same<decltype(dm_release_desc::intent), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_release_desc, intent) == 4), "dm_release_desc.intent is another field");

@@ -268,6 +268,18 @@ export const DragStatus: {
     readonly OPEN: 8;
 };
 
+/** Where the joint that a drag follows comes from. */
+export const JointBasis: {
+    /** dm_object_prepare found it, and no pull has changed it */
+    readonly PREPARED: 0;
+    /** a pull of this drag, or of an earlier one of the same dm_part_state, has changed it */
+    readonly PULL: 1;
+    /** the host's own */
+    readonly HOST: 2;
+    /** the host has chosen it among the hypotheses */
+    readonly CHOSEN: 3;
+};
+
 /** What a released part does next. */
 export const Go: {
     /** as the player meant it, by where the part is and how fast it goes */

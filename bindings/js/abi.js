@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 1ea68581a3887db4
+// Hash of the description: d276b2267099380f
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;
@@ -171,6 +171,13 @@ export const DragStatus = Object.freeze({
     OPEN: 8,
 });
 
+export const JointBasis = Object.freeze({
+    PREPARED: 0,
+    PULL: 1,
+    HOST: 2,
+    CHOSEN: 3,
+});
+
 export const Go = Object.freeze({
     AUTO: 0,
     STAY: 1,
@@ -289,7 +296,7 @@ export const structs = {
         label: [20, 'u32'],
         pivot: [24, 'u32'],
     } },
-    dm_joint: { size: 56, fields: {
+    dm_joint: { size: 72, fields: {
         structSize: [0, 'u32'],
         type: [4, 'i32'],
         typeConfidence: [8, 'f32'],
@@ -300,6 +307,7 @@ export const structs = {
         lower: [44, 'f32'],
         upper: [48, 'f32'],
         source: [52, 'i32'],
+        evidence: [56, 'u32', 4],
     } },
     dm_joint_frame: { size: 88, fields: {
         structSize: [0, 'u32'],
@@ -314,7 +322,7 @@ export const structs = {
         limits: [80, 'u32'],
         pitch: [84, 'f32'],
     } },
-    dm_part_state: { size: 104, fields: {
+    dm_part_state: { size: 120, fields: {
         structSize: [0, 'u32'],
         value: [4, 'f32'],
         velocity: [8, 'f32'],
@@ -457,7 +465,7 @@ export const structs = {
         lower: [128, 'f32'],
         upper: [132, 'f32'],
     } },
-    dm_drag_state: { size: 88, fields: {
+    dm_drag_state: { size: 96, fields: {
         structSize: [0, 'u32'],
         pose: [4, 'dm_pose'],
         grabPoint: [36, 'dm_vec3'],
@@ -471,6 +479,8 @@ export const structs = {
         detents: [76, 'u32'],
         impact: [80, 'f32'],
         status: [84, 'u32'],
+        jointConfidence: [88, 'f32'],
+        jointBasis: [92, 'i32'],
     } },
     dm_release_desc: { size: 32, fields: {
         structSize: [0, 'u32'],

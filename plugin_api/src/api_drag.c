@@ -257,6 +257,12 @@ static void warn_of_value(dmi_env* env, const start* s) {
 
 /* ---- hypotheses ---- */
 
+/* Returns the number by which evidence knows its part; never 0. */
+static uint32_t evidence_key(const dmi_object* object, uint32_t part) {
+    const uint64_t key = dmi_part_key(object, part);
+    return (uint32_t)(key ^ key >> 32) | 1;
+}
+
 /* Whether a part is a push button: small, and sliding a short way to one side of rest only. */
 static bool is_button(const start* s) {
     const dm_joint* joint = &s->joint;
@@ -340,6 +346,28 @@ static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESE
     return count;
 }
 
+/* Returns the up direction in the frame of the scaled instance: that of the asset, where it was given. */
+static dmi_float3 up_out(const start* s) {
+    static const float canonical[3] = {0, 1, 0};
+    const float* given = s->object->parts[s->part].asset_hints.up;
+    dmi_float3 up;
+    dmi_frame_direction_out(&s->object->frame, dmi_dot3(given, given) > 0 ? given : canonical, up.v);
+    return up;
+}
+
+/* Takes in what earlier pulls of the instance have said, and which way is up. */
+static void recall_pulls(dmi_drag* drag, const start* s) {
+    const dmi_object_part* part = &s->object->parts[s->part];
+    dm_joint ranked[DM_MAX_HYPOTHESES];
+    uint32_t count = 0;
+    while (count < part->hypotheses.count && count < DM_MAX_HYPOTHESES &&
+           joint_out(s, &part->hypotheses.joints[count], &ranked[count]))
+        count++;
+    drag->earlier = dmi_pull_evidence_unpack(s->joint.evidence, evidence_key(s->object, s->part));
+    dmi_pull_evidence_recall(&drag->tracker, ranked, count, &drag->earlier);
+    dmi_hypothesis_tracker_set_up(&drag->tracker, up_out(s).v);
+}
+
 static void track(dmi_drag* drag, const start* s) {
     dm_joint joints[DM_MAX_HYPOTHESES];
     dmi_free_range free_ranges[DM_MAX_HYPOTHESES];
@@ -350,6 +378,7 @@ static void track(dmi_drag* drag, const start* s) {
     if (count == 0 || is_chosen(s)) return;
     add_slides(&drag->tracker, s);
     add_alternatives(&drag->tracker, s);
+    recall_pulls(drag, s);
 }
 
 /* ---- begin ---- */
@@ -388,6 +417,15 @@ bool dmi_is_usable_feel(const dm_drag_feel* feel) {
     return check_feel(NULL, feel) == DM_OK && memcmp(feel, &usable, sizeof usable) == 0;
 }
 
+/* Returns where the joint comes from that the drag begins with: DM_BASIS_*. */
+static int32_t basis_of(const start* s) {
+    if (s->joint.source == DM_JOINT_FROM_HOST) return DM_BASIS_HOST;
+    if (is_chosen(s)) return DM_BASIS_CHOSEN;
+    dm_joint prepared = s->object->parts[s->part].joint;
+    dmi_joint_scale(&prepared, s->scale);
+    return dmi_joints_alike(&s->joint, &prepared, s->part_size) ? DM_BASIS_PREPARED : DM_BASIS_PULL;
+}
+
 static void begin(dmi_drag_slot* slot, start* s) {
     dm_drag_feel feel = usable_feel(&s->desc->feel);
     const bool certain = s->desc->flags & DM_DRAG_KEEP_JOINT || s->joint.source == DM_JOINT_FROM_HOST;
@@ -408,6 +446,7 @@ static void begin(dmi_drag_slot* slot, start* s) {
         dmi_drag_begin(&slot->drag, &s->joint, dmi_xyz(s->desc->grab_point).v, s->value, &feel);
     }
     if (!certain) track(&slot->drag, s);
+    slot->drag.basis = basis_of(s);
     slot->drag.rules = s->rules;
     if (s->rules.on) dmi_drag_set_rules(&slot->drag, &s->rules);
 }
@@ -552,8 +591,12 @@ static void write_part_state(const dmi_drag_slot* slot, dm_part_state* out_state
         .value = now.value, .velocity = now.velocity, .status = now.status, .pose = now.pose, .joint = drag->joint};
     const uint32_t room = out_state->struct_size - (uint32_t)offsetof(dm_part_state, joint);
     state.joint.struct_size = room < sizeof state.joint ? room : (uint32_t)sizeof state.joint;
-    if (drag->tracker.round > 0) state.joint.joint_confidence = dmi_hypothesis_tracker_confidence(&drag->tracker);
-    state.joint.type_confidence = dmi_fmaxf(state.joint.type_confidence, state.joint.joint_confidence);
+    state.joint.joint_confidence = now.joint_confidence;
+    if (drag->tracker.round > 0) {
+        state.joint.type_confidence = dmi_hypothesis_tracker_type_confidence(&drag->tracker);
+        const dmi_pull_evidence evidence = dmi_pull_evidence_collect(&drag->tracker, &drag->earlier);
+        dmi_pull_evidence_pack(&evidence, evidence_key(slot->owner->object, slot->part), state.joint.evidence);
+    }
     dmi_write_out(out_state, &state, sizeof state);
 }
 

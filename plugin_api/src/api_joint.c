@@ -143,6 +143,7 @@ dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object object, uin
     warn_of_degrees(env, &given);
     given.type_confidence = given.joint_confidence = 1;
     given.source = DM_JOINT_FROM_HOST;
+    memset(given.evidence, 0, sizeof given.evidence);
     *in_force = given;
     return DM_OK;
 }

@@ -48,12 +48,16 @@ static uint64_t checksum_of(const snapshot* s) {
     return hash(FNV_START, (const uint8_t*)s + start, sizeof *s - start);
 }
 
-/* Returns what tells a part from others: its id, its box, and the counts of part and object. */
-static uint64_t part_key(const dmi_drag_slot* slot) {
-    const dmi_object* object = slot->owner->object;
-    const dmi_part* shape = &object->parts[slot->part].shape;
-    const uint64_t counts[4] = {shape->id, shape->face_count, object->vertex_count, object->triangle_count};
-    const uint64_t sum = hash(FNV_START, counts, sizeof counts);
+uint64_t dmi_part_key(const dmi_object* object, uint32_t part) {
+    const dmi_object_part* one = &object->parts[part];
+    const dmi_part* shape = &one->shape;
+    const uint64_t counts[5] = {shape->id, shape->face_count, object->vertex_count, object->triangle_count,
+                                one->hypotheses.count};
+    uint64_t sum = hash(FNV_START, counts, sizeof counts);
+    for (uint32_t i = 0; i < one->hypotheses.count; i++) {
+        const int32_t type = one->hypotheses.joints[i].type;
+        sum = hash(sum, &type, sizeof type);
+    }
     return hash(hash(sum, shape->box_min, sizeof shape->box_min), shape->box_max, sizeof shape->box_max);
 }
 
@@ -71,7 +75,7 @@ dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, 
     snapshot s;
     memset(&s, 0, sizeof s); /* gaps between fields too */
     s.magic = MAGIC, s.version = DM_VERSION, s.size = sizeof s;
-    s.part = part_key(slot);
+    s.part = dmi_part_key(slot->owner->object, slot->part);
     s.scale = slot->scale, s.value_unit = slot->value_unit, s.open_side = (int32_t)slot->open_side;
     memcpy(&s.drag, &slot->drag, sizeof s.drag);
     s.checksum = checksum_of(&s);
@@ -126,6 +130,12 @@ static bool is_sound_joint(const dm_joint* j) {
            (!moves || fabsf(dmi_length3(dmi_xyz(j->axis).v) - 1) <= UNIT_TOLERANCE);
 }
 
+/* Whether a vector is unit, or zeros, which stand for none. */
+static bool is_direction(const float v[3]) {
+    const float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    return square == 0 || fabsf(square - 1) <= 2 * UNIT_TOLERANCE;
+}
+
 static bool is_projection(const dmi_projection* projection) {
     uint32_t value = 0;
     memcpy(&value, projection, sizeof value < sizeof *projection ? sizeof value : sizeof *projection);
@@ -153,7 +163,9 @@ static bool is_sound_hypothesis(const dmi_joint_hypothesis* h) {
     return is_sound_joint(&h->joint) && is_bool(&h->range_unknown) && is_bool(&h->grabbed) &&
            is_bool(&h->other_side_blocked) && h->free_range.lower <= 0 && h->free_range.upper >= 0 &&
            are_within(h->initial_origin, 3) && are_finite(h->shift, 2) && (h->side == 0 || fabsf(h->side) == 1) &&
-           are_finite(h->excursion, 2) && are_finite(&h->pointer_value, 1) && are_numbers(numbers, 4);
+           is_direction(h->first_motion) && is_bool(&h->upright) && h->rank >= DMI_UNRANKED &&
+           h->rank < DM_MAX_HYPOTHESES && are_finite(h->excursion, 2) && are_finite(&h->pointer_value, 1) &&
+           are_numbers(numbers, 4);
 }
 
 static bool is_sound_refiner(const dmi_axis_refiner* r, uint32_t count) {
@@ -174,8 +186,8 @@ static bool is_sound_tracker(const dmi_hypothesis_tracker* t) {
     }
     if (t->count == 0) return true;
     return are_within(numbers, 3) && t->grasp.size > 0 && is_sound_pull(&t->grasp.pull) &&
-           are_numbers(&t->grasp.straight_log_likelihood, 1) && are_numbers(t->priority, t->count) &&
-           is_sound_refiner(&t->refiner, t->count);
+           are_numbers(&t->grasp.straightness, 1) && is_direction(t->grasp.way) && is_bool(&t->grasp.was_open) &&
+           are_numbers(t->priority, t->count) && is_sound_refiner(&t->refiner, t->count);
 }
 
 static bool is_sound_release(const dmi_release* r) {
@@ -235,6 +247,12 @@ static bool is_sound_keeping(const dmi_drag* d) {
            is_sound_latch(&d->latch) && are_sound_hands(&d->hands) && is_sound_pending(&d->pending);
 }
 
+static bool is_sound_origin_of_joint(const dmi_drag* d) {
+    const float confidences[3] = {d->first_confidence, d->tracker.confidence, d->earlier.others};
+    return are_numbers(confidences, 3) && are_numbers(d->earlier.ranked, DM_MAX_HYPOTHESES) &&
+           are_numbers(&d->earlier.own, 1) && d->basis >= DM_BASIS_PREPARED && d->basis <= DM_BASIS_CHOSEN;
+}
+
 static bool is_sound_drag(const dmi_drag* d) {
     const float numbers[5] = {d->value, d->target, d->velocity, d->speed, d->pointer_value};
     const float limits[4] = {d->reachable_lower, d->estimated_lower, d->estimated_upper, d->reachable_upper};
@@ -243,7 +261,8 @@ static bool is_sound_drag(const dmi_drag* d) {
            are_within(d->rest_point, 3) && are_within(d->point, 3) && are_within(grab_offset.v, 3) &&
            is_sound_ray(&d->last_ray) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
            are_rising(limits, 4) && d->pointer_span.lower <= d->pointer_span.upper && is_sound_blend(&d->blend) &&
-           is_sound_tracker(&d->tracker) && is_sound_release(&d->release) && is_sound_keeping(d);
+           is_sound_tracker(&d->tracker) && is_sound_origin_of_joint(d) && is_sound_release(&d->release) &&
+           is_sound_keeping(d);
 }
 
 static bool is_sound(const snapshot* s) {
@@ -261,7 +280,7 @@ static dm_result check_snapshot(dmi_env* env, const dmi_drag_slot* slot, const s
     }
     if (s->checksum != checksum_of(s) || !is_sound(s))
         return dmi_fail(env, DM_ERROR_BAD_DATA, "dm_drag_restore: data is corrupt");
-    if (s->part == part_key(slot)) return DM_OK;
+    if (s->part == dmi_part_key(slot->owner->object, slot->part)) return DM_OK;
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_restore: data is of another part");
 }
 

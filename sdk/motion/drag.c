@@ -14,6 +14,7 @@
 
 /* By hand. */
 #define LIMIT_TOLERANCE 1e-4f /* share of the range that counts as at a limit */
+#define OPEN_SHARE 0.006f     /* of the part's size: a grabbed point farther from rest has been moved */
 #define SHORTEST_TIME 1e-9f   /* s: a shorter update is none, so that a step over its time stays in a float's range */
 
 static const dmi_constraints unconstrained = {.bounds = {-INFINITY, INFINITY}};
@@ -27,7 +28,7 @@ static float speed_of(const dm_joint* joint, const float rest_point[3]) {
 
 void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_point[3], float start_value,
                     const dm_drag_feel* feel) {
-    *drag = (dmi_drag){.joint = *joint, .feel = *feel};
+    *drag = (dmi_drag){.joint = *joint, .feel = *feel, .first_confidence = joint->joint_confidence};
     dm_pose pose = dmi_joint_pose(joint, start_value), back = dmi_pose_inverse(&pose);
     dmi_pose_apply(&back, grab_point, drag->rest_point);
     drag->value = drag->target = dmi_joint_clamp(joint, start_value);
@@ -56,6 +57,7 @@ static void init_estimated_limits(dmi_drag* drag) {
 void dmi_drag_track_hypotheses(dmi_drag* drag, const dm_joint* joints, const dmi_free_range* free_ranges,
                                uint32_t count, float size, dmi_limit_give limit_give) {
     dmi_hypothesis_tracker_init(&drag->tracker, joints, free_ranges, count, drag->rest_point, size, limit_give);
+    drag->tracker.grasp.was_open = dmi_distance3(drag->rest_point, drag->point) > OPEN_SHARE * size;
     init_estimated_limits(drag);
     drag->pointer_value = dmi_drag_pointer_value(drag, drag->target);
 }
@@ -324,6 +326,8 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
     out_state->events = out_state->detents = 0;
     out_state->impact = 0;
     out_state->status = dmi_drag_status(drag);
+    out_state->joint_confidence = drag->tracker.round > 0 ? drag->tracker.confidence : drag->first_confidence;
+    out_state->joint_basis = drag->changes > 0 ? DM_BASIS_PULL : drag->basis;
 }
 
 void dmi_drag_release(dmi_drag* drag, int32_t intent, float duration) {

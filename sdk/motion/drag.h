@@ -8,8 +8,8 @@
 #include "motion/drag_hands.h"
 #include "motion/drag_latch.h"
 #include "motion/drag_release.h"
-#include "motion/hypothesis_tracker.h"
 #include "motion/pose_blend.h"
+#include "motion/pull_evidence.h"
 
 /* What constrains the part in one update. */
 typedef struct dmi_constraints {
@@ -51,6 +51,9 @@ typedef struct dmi_drag {
     dm_ray last_ray;           /* of the last update that had a usable one; direction unit, zeros before the first */
     dmi_projection projection; /* perspective once rays of different directions have come */
     dmi_hypothesis_tracker tracker; /* count 0: the joint is certain */
+    dmi_pull_evidence earlier;      /* of earlier drags of the same instance */
+    int32_t basis;                  /* DM_BASIS_* of the joint that the drag began with */
+    float first_confidence;         /* of that joint */
     bool limits_are_estimates;      /* limits were inferred and may be exceeded up to the reachable ones */
     float estimated_lower, estimated_upper, reachable_lower, reachable_upper;
     dmi_span pointer_span; /* at whose ends the part is at its limits, as they were found; infinite without limits */

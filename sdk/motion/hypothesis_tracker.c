@@ -7,14 +7,24 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
+#include "motion/hand_likelihood.h"
 
 #define MIN_PULL 0.006f                 /* share of the part's size: a shorter pull carries no information; fitted */
 #define FALLBACK_SLIDE_LOG_ODDS (-6.5f) /* of a slide along an object axis that inference did not propose; fitted */
 #define UNKNOWN_RANGE_LOG_ODDS (-0.35f) /* of a joint without an inferred range; fitted */
 #define UPDATED_PER_RAY 3               /* hypotheses beside the active one; by hand, for a microsecond an update */
 #define REFINE_INTERVAL 2               /* updates between two steps of the axis refinement; by hand */
-#define WAITING_BONUS 0.05f /* log likelihood that a hypothesis may gain in a round without update; fitted */
-#define SWITCH_MARGIN 0.4f  /* log ratio by which another joint must be more probable; fitted */
+#define WAITING_BONUS 0.05f         /* log likelihood that a hypothesis may gain in a round without update; fitted */
+#define NEGLIGIBLE_LOG_ODDS (-7.0f) /* against the active hypothesis: left out of its probability; by hand */
+#define SMALLEST_POSTERIOR 1e-4f    /* posteriors are clamped to [this, 1 - this]; by hand */
+#define UPRIGHT_COSINE 0.98f        /* of a slide and the up direction, 11 degrees; by hand */
+#define TYPE_MARGIN 0.5f            /* how much more probable one of another type must be; fitted */
+#define SWITCH_MARGIN 0.23f         /* log ratio by which another joint must be more probable; fitted */
+
+/* What turns log odds among the tracked hypotheses into those of being right: of a straight pull, and of one that
+ * bends. Slopes and offsets are fitted (docs/research/trials_drag.md). The most is by hand: no straight pull makes a
+ * joint certain. */
+static const struct { float slope, offset, most; } calibration[2] = {{0.5f, 1.4f, 3.0f}, {0.61f, 2.17f, 4.6f}};
 
 static bool is_known(const dmi_hypothesis_tracker* tracker, const dm_joint* joint) {
     for (uint32_t i = 0; i < tracker->count; i++) {
@@ -64,6 +74,14 @@ void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint
     tracker->list[0].grabbed = tracker->count > 0;
 }
 
+void dmi_hypothesis_tracker_set_up(dmi_hypothesis_tracker* tracker, const float up[3]) {
+    for (uint32_t i = 0; i < tracker->count; i++) {
+        dmi_joint_hypothesis* one = &tracker->list[i];
+        one->upright =
+            one->joint.type == DM_JOINT_PRISMATIC && fabsf(dmi_dot3(dmi_xyz(one->joint.axis).v, up)) > UPRIGHT_COSINE;
+    }
+}
+
 /* Finds the hypotheses of highest priority but the active one, highest first. */
 static uint32_t highest_priority(const dmi_hypothesis_tracker* tracker, uint32_t out[UPDATED_PER_RAY]) {
     uint32_t found = 0;
@@ -104,41 +122,75 @@ static bool switch_to_best(dmi_hypothesis_tracker* tracker, float pointer_value,
     const float at_stop = dmi_joint_hypothesis_update_active(&tracker->grasp, best, pointer_value, ray);
     const float needed = at_stop + SWITCH_MARGIN;
     const uint32_t winner = update_some(tracker, ray);
-    if (tracker->list[winner].log_posterior <= needed) return false;
+    const bool same_type = dmi_joint_turns(tracker->list[winner].joint.type) == dmi_joint_turns(best->joint.type);
+    if (tracker->list[winner].log_posterior <= needed + (same_type ? 0 : TYPE_MARGIN)) return false;
     const bool changed = winner != tracker->best;
     tracker->best = winner;
     return dmi_joint_hypothesis_adopt_side(&tracker->list[winner], tracker->grasp.size) || changed;
 }
 
-/* Returns true when the axis line of the active hypothesis has changed. */
+/* Returns true when the axis line of the active hypothesis has changed. A straight pull does not show where a line is:
+ * a hand that goes straight misses the circle of the right one too. */
 static bool refine_axes(dmi_hypothesis_tracker* tracker) {
-    if (tracker->round % REFINE_INTERVAL != 0) return false;
+    if (tracker->round % REFINE_INTERVAL != 0 || dmi_grasp_is_straight(&tracker->grasp)) return false;
     const uint32_t moved =
         dmi_axis_refiner_step(&tracker->refiner, &tracker->grasp, tracker->list, tracker->count, tracker->best);
     if (moved != DMI_NO_HYPOTHESIS) set_priority(tracker, moved);
     return moved == tracker->best;
 }
 
-bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray,
-                                   dmi_projection projection) {
-    if (tracker->count == 0) return false;
-    dmi_pull* pull = &tracker->grasp.pull;
-    pull->projection = projection;
-    dmi_grasp_add(&tracker->grasp, ray);
-    if (pull->length < MIN_PULL * tracker->grasp.size) return false;
-    tracker->round++;
+/* ---- confidence ---- */
+
+/* Returns the posterior probability of the active hypothesis, or of all of its type, among those tracked. */
+static float posterior_of_active(const dmi_hypothesis_tracker* tracker, bool type_alone) {
+    const dmi_joint_hypothesis* best = &tracker->list[tracker->best];
+    float sum = 1, own = 1; /* of odds against the active one */
+    for (uint32_t i = 0; i < tracker->count; i++) {
+        const dmi_joint_hypothesis* one = &tracker->list[i];
+        const float apart = one->log_posterior - best->log_posterior;
+        if (i == tracker->best || apart < NEGLIGIBLE_LOG_ODDS) continue;
+        const float odds = dmi_expf(dmi_fminf(apart, -NEGLIGIBLE_LOG_ODDS));
+        sum += odds;
+        if (type_alone && dmi_joint_turns(one->joint.type) == dmi_joint_turns(best->joint.type)) own += odds;
+    }
+    return own / sum;
+}
+
+/* Returns the probability that an answer is right whose posterior among those tracked is p. "None of these" has a share
+ * that grows with what the pull leaves open. */
+static float calibrate(const dmi_hypothesis_tracker* tracker, float p) {
+    const float kept = dmi_fminf(dmi_fmaxf(p, SMALLEST_POSTERIOR), 1 - SMALLEST_POSTERIOR);
+    const int bends = !dmi_grasp_is_straight(&tracker->grasp);
+    const float log_odds = calibration[bends].slope * dmi_logf(kept / (1 - kept)) + calibration[bends].offset;
+    return 1 / (1 + dmi_expf(-dmi_fminf(log_odds, calibration[bends].most)));
+}
+
+float dmi_hypothesis_tracker_type_confidence(const dmi_hypothesis_tracker* tracker) {
+    return dmi_fmaxf(calibrate(tracker, posterior_of_active(tracker, true)), tracker->confidence);
+}
+
+/* ---- update ---- */
+
+/* Follows one ray that the pull has taken in. Returns true when another joint, side of rest or axis line is active. */
+static bool follow_ray(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray) {
+    const dmi_pull* pull = &tracker->grasp.pull;
     if (switch_to_best(tracker, pointer_value, ray)) return true;
     dmi_joint_hypothesis* best = &tracker->list[tracker->best];
     if (dmi_joint_hypothesis_is_pushed_shut(best, best->pointer_value) || !refine_axes(tracker)) return false;
     float lower, upper;
     dmi_joint_hypothesis_range(&tracker->grasp, best, &lower, &upper);
-    best->pointer_value = dmi_follow_ray(&best->joint, pull->grab, ray, projection, pointer_value, lower, upper);
+    best->pointer_value = dmi_follow_ray(&best->joint, pull->grab, ray, pull->projection, pointer_value, lower, upper);
     return true;
 }
 
-float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker) {
-    const float best = tracker->count ? tracker->list[tracker->best].log_posterior : 0;
-    float sum = 0;
-    for (uint32_t i = 0; i < tracker->count; i++) sum += dmi_expf(tracker->list[i].log_posterior - best);
-    return sum > 0 ? 1 / sum : 1;
+bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray,
+                                   dmi_projection projection) {
+    if (tracker->count == 0) return false;
+    tracker->grasp.pull.projection = projection;
+    dmi_grasp_add(&tracker->grasp, ray);
+    if (tracker->grasp.pull.length < MIN_PULL * tracker->grasp.size) return false;
+    tracker->round++;
+    const bool changed = follow_ray(tracker, pointer_value, ray);
+    tracker->confidence = calibrate(tracker, posterior_of_active(tracker, false));
+    return changed;
 }

@@ -11,6 +11,7 @@ typedef struct dmi_hypothesis_tracker {
     uint32_t count, best;                   /* best: the active one */
     float priority[DMI_TRACKED_HYPOTHESES]; /* last log posterior and a bonus for waiting: who is updated next */
     uint32_t round;                         /* updates so far */
+    float confidence;                       /* probability that the active one is right; of the last update */
     dmi_axis_refiner refiner;
 } dmi_hypothesis_tracker;
 
@@ -23,12 +24,14 @@ void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, con
                                             dmi_free_range free_range);
 /* Adds a slide that inference did not propose, as a last resort. axis: unit. */
 void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 axis, dmi_free_range free_range);
+/* Says which way is up: unit, host object frame. All joints have been added. */
+void dmi_hypothesis_tracker_set_up(dmi_hypothesis_tracker* tracker, const float up[3]);
 /* Updates the active hypothesis, which follows the ray at `pointer_value`, and the likeliest others by one ray; not
  * all, so that an update takes about a microsecond. Returns true when another joint, another side of rest or another
  * axis line is active now. */
 bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray,
                                    dmi_projection projection);
-/* Returns the posterior probability of the active hypothesis. */
-float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker);
+/* Returns the probability that the type of the active hypothesis is right. */
+float dmi_hypothesis_tracker_type_confidence(const dmi_hypothesis_tracker* tracker);
 
 #endif

@@ -1,6 +1,6 @@
-/* Prior, reachable range and likelihood of one joint hypothesis.
+/* Prior, reachable range and posterior of one joint hypothesis.
  *
- * All numbers of the priors and the likelihood are fitted to scripted drags of generated objects
+ * All numbers of the priors are fitted to scripted drags of generated objects
  * (docs/research/trials_drag.md), unless their comment says otherwise. */
 #include "motion/joint_hypothesis.h"
 
@@ -10,24 +10,21 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
+#include "motion/hand_likelihood.h"
 
-#define NOISE_PER_LENGTH 0.01f      /* expected residual on the right joint, share of the pull's length; fitted */
-#define NOISE_FLOOR 0.0015f         /* expected residual at the start, share of the part's size; fitted */
-#define TAIL_EXPONENT 3.5f          /* of the power law that residuals follow; fitted */
 #define PUSH_LOG_PRIOR (-1.5f)      /* of a hand that pushes a part against its stop; by hand */
 #define EXCURSION_LOG_PRIOR (-4.0f) /* of the side of rest to which the pull has gone less far; by hand */
 #define JOSTLE_SHARE 0.15f          /* most travel of the grabbed point in a jostle, share of the part; fitted */
 #define LEAVE_RATIO 3.5f            /* times what exceeds a jostle that a pull goes to leave the stated side; fitted */
 #define RETURN_RATIO 0.5f           /* times as far as it left, to come back to the stated side; fitted */
 #define BLOCKED_SHARE 0.25f         /* of the range: a side with less room is blocked; by hand */
-#define STRAIGHT_LOG_LIKELIHOOD (-4.5f) /* of a pointer that goes straight to where a turn should end; fitted */
-#define NEGLIGIBLE_LOG_RATIO 3.0f       /* a term smaller than the other by exp(3) is left out; by hand */
-#define MIN_CONFIDENCE 1e-3f            /* confidences are clamped to [this, 1 - this]; by hand */
-#define GOOD_ARM 0.15f      /* distance of axis and grabbed point at full prior, share of the part; fitted */
-#define MIN_ARM 0.05f       /* least share of GOOD_ARM that lowers the prior further; fitted */
-#define REST_SHARE 0.05f    /* of the range: a limit this near to rest is a stop at rest; by hand */
-#define SAME_COSINE 0.9998f /* of two axes, 20 mrad: alike; by hand */
-#define SAME_DISTANCE 0.02f /* of two axis lines, share of the part's size: alike; by hand */
+#define CONFIDENCE_EXPONENT 0.73f   /* of the odds: confidences of one part's joints err together */
+#define MIN_CONFIDENCE 1e-3f        /* confidences are clamped to [this, 1 - this]; by hand */
+#define GOOD_ARM 0.15f              /* distance of axis and grabbed point at full prior, share of the part; fitted */
+#define MIN_ARM 0.05f               /* least share of GOOD_ARM that lowers the prior further; fitted */
+#define REST_SHARE 0.05f            /* of the range: a limit this near to rest is a stop at rest; by hand */
+#define SAME_COSINE 0.9998f         /* of two axes, 20 mrad: alike; by hand */
+#define SAME_DISTANCE 0.02f         /* of two axis lines, share of the part's size: alike; by hand */
 
 /* ---- prior ---- */
 
@@ -51,7 +48,7 @@ bool dmi_joints_alike(const dm_joint* a, const dm_joint* b, float size) {
 /* Odds, not probabilities: the confidences of an object's hypotheses do not add up to 1. */
 float dmi_joint_log_odds(const dm_joint* joint) {
     const float p = dmi_fminf(dmi_fmaxf(joint->joint_confidence, MIN_CONFIDENCE), 1 - MIN_CONFIDENCE);
-    return dmi_logf(p / (1 - p));
+    return CONFIDENCE_EXPONENT * dmi_logf(p / (1 - p));
 }
 
 /* A turn about an axis close to the grabbed point explains any small pull by a large angle, so it gets a lower prior.
@@ -68,17 +65,25 @@ static bool is_blocked(const dm_joint* joint, dmi_free_range free_range) {
     return side != 0 && room < BLOCKED_SHARE * (joint->upper - joint->lower);
 }
 
+void dmi_joint_hypothesis_find_first_motion(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis) {
+    dmi_joint_velocity(&hypothesis->joint, 0, grasp->pull.grab, hypothesis->first_motion);
+    dmi_normalize3(hypothesis->first_motion);
+}
+
 dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_grasp* grasp, const dm_joint* joint, float log_odds,
                                                bool range_unknown, dmi_free_range free_range) {
     const float log_prior = log_odds + dmi_lever_arm_log_prior(grasp, joint);
-    return (dmi_joint_hypothesis){.joint = *joint,
-                                  .initial_origin = {joint->origin.x, joint->origin.y, joint->origin.z},
-                                  .side = side_of(joint),
-                                  .range_unknown = range_unknown,
-                                  .other_side_blocked = is_blocked(joint, free_range),
-                                  .free_range = free_range,
-                                  .log_prior = log_prior,
-                                  .log_posterior = log_prior};
+    dmi_joint_hypothesis made = {.joint = *joint,
+                                 .initial_origin = {joint->origin.x, joint->origin.y, joint->origin.z},
+                                 .side = side_of(joint),
+                                 .rank = DMI_UNRANKED,
+                                 .range_unknown = range_unknown,
+                                 .other_side_blocked = is_blocked(joint, free_range),
+                                 .free_range = free_range,
+                                 .log_prior = log_prior,
+                                 .log_posterior = log_prior};
+    dmi_joint_hypothesis_find_first_motion(grasp, &made);
+    return made;
 }
 
 /* ---- reachable range ---- */
@@ -94,8 +99,7 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
     *out_upper = fabsf(joint->upper) <= near ? joint->upper : dmi_fminf(joint->upper + more, far);
 }
 
-/* Whether the pull can't tell this joint's value, nor anything against it: it is that of the grab, seen end on. */
-static bool is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {
+bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {
     const dmi_pull* pull = &grasp->pull;
     return hypothesis->grabbed && dmi_is_seen_end_on(&hypothesis->joint, pull->grab, pull->pointer.sight);
 }
@@ -106,7 +110,7 @@ void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothes
         *out_lower = hypothesis->free_range.lower, *out_upper = hypothesis->free_range.upper;
         return;
     }
-    if (hypothesis->joint.type == DM_JOINT_PRISMATIC && is_end_on(grasp, hypothesis)) {
+    if (hypothesis->joint.type == DM_JOINT_PRISMATIC && dmi_joint_hypothesis_is_end_on(grasp, hypothesis)) {
         *out_lower = hypothesis->joint.lower, *out_upper = hypothesis->joint.upper;
         return;
     }
@@ -147,41 +151,7 @@ bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float siz
     return true;
 }
 
-/* ---- likelihood ---- */
-
-float dmi_expected_residual(const dmi_grasp* grasp) {
-    return NOISE_PER_LENGTH * grasp->pull.length + NOISE_FLOOR * grasp->size;
-}
-
-/* Power law of the largest residual, relative to the expected one. The largest counts, because a slide crosses the arc
- * of a hinge and matches it there alone; relative to the pull so far, so that an early error fades. The heavy tail
- * stands for a hand of unknown skill: where no joint fits well, a near one is little better than a farther one. */
-static float residual_log_likelihood(const dmi_grasp* grasp, float residual) {
-    return -TAIL_EXPONENT * dmi_logf(1 + residual / dmi_expected_residual(grasp));
-}
-
-void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray) {
-    dmi_pull_add(&grasp->pull, ray);
-    grasp->straight_log_likelihood = STRAIGHT_LOG_LIKELIHOOD + residual_log_likelihood(grasp, grasp->pull.bend);
-}
-
-/* Likelihood of a hand that follows the joint. */
-static float followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual) {
-    return is_end_on(grasp, hypothesis) ? 0 : residual_log_likelihood(grasp, residual);
-}
-
-/* Adds the case of a pointer that goes straight to where the part should end instead of along its circle: a turn then
- * has the likelihood of a straight pull, if the pull is straight and lies on a chord of the circle. */
-float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
-                                          float residual) {
-    const float followed = followed_log_likelihood(grasp, hypothesis, residual);
-    if (followed > STRAIGHT_LOG_LIKELIHOOD + NEGLIGIBLE_LOG_RATIO || !dmi_joint_turns(hypothesis->joint.type))
-        return followed;
-    const float straight = grasp->straight_log_likelihood;
-    if (followed > straight + NEGLIGIBLE_LOG_RATIO || !dmi_pull_is_on_chord(&grasp->pull, &hypothesis->joint))
-        return followed;
-    return dmi_fmaxf(followed, straight) + dmi_logf(1 + dmi_expf(-fabsf(followed - straight)));
-}
+/* ---- posterior ---- */
 
 /* Returns how far a pull must go to one side of rest to make it its side, after it went to the other by `excursion`. A
  * jostle is undone by as much; what was really opened on the stated side is left only by much more, because a hand that
@@ -226,7 +196,8 @@ static float log_posterior_at_stop(const dmi_grasp* grasp, const dmi_joint_hypot
     if (side_of(&hypothesis->joint) * hypothesis->pointer_value >= 0 || hypothesis->other_side_blocked)
         return hypothesis->log_posterior;
     const float at_stop = dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab);
-    const float missed = followed_log_likelihood(grasp, hypothesis, at_stop); /* a part that is held goes on no chord */
+    const float missed =
+        dmi_followed_log_likelihood(grasp, hypothesis, at_stop); /* a part that is held goes on no chord */
     return hypothesis->log_prior - hypothesis->shift_cost + dmi_fmaxf(missed, PUSH_LOG_PRIOR + likelihood);
 }
 

@@ -22,15 +22,23 @@ typedef struct dmi_grasp {
     dmi_pull pull;
     float size; /* of the part, host units */
     dmi_limit_give limit_give;
-    float straight_log_likelihood; /* of the pull if the pointer goes straight to where a turn should end */
+    bool was_open;      /* the part was away from rest when it was grabbed: the hand has seen how it moves */
+    float straightness; /* log likelihood of the pull's bend in a hand that means to go straight; 0 or less */
+    float way[3];       /* unit direction from the grabbed point to the pointer, as seen; zeros: none */
 } dmi_grasp;
+
+/* dmi_joint_hypothesis.rank of a joint that inference has not ranked. */
+enum { DMI_UNRANKED = -1 };
 
 typedef struct dmi_joint_hypothesis {
     dm_joint joint;            /* host object frame */
     float initial_origin[3];   /* origin before any shift by the pull */
+    float first_motion[3];     /* unit direction in which the joint moves the grabbed point at rest; zeros: none */
     float shift[2];            /* of the axis line from there, in part sizes (pull_fit.h) */
     float shift_cost;          /* negative log prior of that shift */
     float side;                /* of rest on which its range was found: +1 or -1; 0: both */
+    int8_t rank;               /* by inference, 0 the best; DMI_UNRANKED */
+    bool upright;              /* a slide along the up direction */
     bool range_unknown;        /* inference found no range for it */
     bool grabbed;              /* in force when the part was grabbed */
     bool other_side_blocked;   /* on the other side of rest the part would penetrate its body */
@@ -60,20 +68,17 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
  * may have been inferred wrongly. A joint whose range is unknown stays in its free range. */
 void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
                                 float* out_upper);
+/* Whether the pull can't tell this joint's value, nor anything against it: the part was grabbed on this joint, whose
+ * first motion is seen end on. */
+bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis);
 /* Whether the hand pushes the part against its stop at rest: it asks for a value on the other side, which is blocked.
  */
 bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis, float pointer_value);
 
-/* Shows the pull one more ray. */
-void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray);
-/* Returns the log likelihood of a pull with this largest residual. */
-float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
-                                          float residual);
+/* Finds the first motion anew: for a joint or an axis line that has changed. */
+void dmi_joint_hypothesis_find_first_motion(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis);
 /* Returns the log prior that the pull asks for this value, by its side of rest. */
 float dmi_joint_hypothesis_side_log_prior(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float value);
-/* Returns the residual that the right joint has with an unsteady pointer, host units. */
-float dmi_expected_residual(const dmi_grasp* grasp);
-
 /* Follows one more ray and updates residual and posterior. Returns the log likelihood of the pull so far. */
 float dmi_joint_hypothesis_update(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis, const dm_ray* ray);
 /* The same for the active hypothesis; where it is not followed on both sides, it already follows at `pointer_value`.

@@ -124,7 +124,7 @@ namespace DragMesh
               Expect("dm_part_desc.pivot", (byte*)&s.Pivot - at, 32, 24);
             }
             { Joint s; byte* at = (byte*)&s;
-              Expect("dm_joint", sizeof(Joint), 56, 56);
+              Expect("dm_joint", sizeof(Joint), 72, 72);
               Expect("dm_joint.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_joint.type", (byte*)&s.Type - at, 4, 4);
               Expect("dm_joint.type_confidence", (byte*)&s.TypeConfidence - at, 8, 8);
@@ -135,6 +135,7 @@ namespace DragMesh
               Expect("dm_joint.lower", (byte*)&s.Lower - at, 44, 44);
               Expect("dm_joint.upper", (byte*)&s.Upper - at, 48, 48);
               Expect("dm_joint.source", (byte*)&s.Source - at, 52, 52);
+              Expect("dm_joint.evidence", (byte*)s.Evidence - at, 56, 56);
             }
             { JointFrame s; byte* at = (byte*)&s;
               Expect("dm_joint_frame", sizeof(JointFrame), 88, 88);
@@ -151,7 +152,7 @@ namespace DragMesh
               Expect("dm_joint_frame.pitch", (byte*)&s.Pitch - at, 84, 84);
             }
             { PartState s; byte* at = (byte*)&s;
-              Expect("dm_part_state", sizeof(PartState), 104, 104);
+              Expect("dm_part_state", sizeof(PartState), 120, 120);
               Expect("dm_part_state.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_part_state.value", (byte*)&s.Value - at, 4, 4);
               Expect("dm_part_state.velocity", (byte*)&s.Velocity - at, 8, 8);
@@ -308,7 +309,7 @@ namespace DragMesh
               Expect("dm_drag_input.upper", (byte*)&s.Upper - at, 132, 132);
             }
             { DragState s; byte* at = (byte*)&s;
-              Expect("dm_drag_state", sizeof(DragState), 88, 88);
+              Expect("dm_drag_state", sizeof(DragState), 96, 96);
               Expect("dm_drag_state.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_drag_state.pose", (byte*)&s.Pose - at, 4, 4);
               Expect("dm_drag_state.grab_point", (byte*)&s.GrabPoint - at, 36, 36);
@@ -322,6 +323,8 @@ namespace DragMesh
               Expect("dm_drag_state.detents", (byte*)&s.Detents - at, 76, 76);
               Expect("dm_drag_state.impact", (byte*)&s.Impact - at, 80, 80);
               Expect("dm_drag_state.status", (byte*)&s.Status - at, 84, 84);
+              Expect("dm_drag_state.joint_confidence", (byte*)&s.JointConfidence - at, 88, 88);
+              Expect("dm_drag_state.joint_basis", (byte*)&s.JointBasis - at, 92, 92);
             }
             { ReleaseDesc s; byte* at = (byte*)&s;
               Expect("dm_release_desc", sizeof(ReleaseDesc), 32, 32);

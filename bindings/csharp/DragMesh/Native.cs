@@ -206,6 +206,14 @@ namespace DragMesh
         public const int DM_STATUS_BLOCKED = 4;
         /// <summary>it counts as open, from DM_EVENT_OPENED to DM_EVENT_CLOSED</summary>
         public const int DM_STATUS_OPEN = 8;
+        /// <summary>dm_object_prepare found it, and no pull has changed it</summary>
+        public const int DM_BASIS_PREPARED = 0;
+        /// <summary>a pull of this drag, or of an earlier one of the same dm_part_state, has changed it</summary>
+        public const int DM_BASIS_PULL = 1;
+        /// <summary>the host's own</summary>
+        public const int DM_BASIS_HOST = 2;
+        /// <summary>the host has chosen it among the hypotheses</summary>
+        public const int DM_BASIS_CHOSEN = 3;
         /// <summary>as the player meant it, by where the part is and how fast it goes</summary>
         public const int DM_GO_AUTO = 0;
         /// <summary>glides to a stop; also stops a part that moves by itself</summary>
@@ -645,6 +653,8 @@ namespace DragMesh
         public float Upper;
         /// <summary>DM_JOINT_FROM_*, DM_JOINT_CHOSEN</summary>
         public int Source;
+        /// <summary>in a dm_part_state: what the part's pulls so far say of all its joints. dm_drag_end writes it, dm_drag_begin reads it; keep the four numbers as they are. Zeros: no pull said anything. Elsewhere 0, and not read</summary>
+        public fixed uint Evidence[4];
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static Joint New() => new Joint { StructSize = (uint)sizeof(Joint) };
@@ -680,7 +690,7 @@ namespace DragMesh
         public static JointFrame New() => new JointFrame { StructSize = (uint)sizeof(JointFrame) };
     }
 
-    /// <summary>Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, value).</summary>
+    /// <summary>Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, evidence, value).</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct PartState
     {
@@ -1017,6 +1027,10 @@ namespace DragMesh
         public float Impact;
         /// <summary>DM_STATUS_*: what holds the part, and how it stands; 0 without dm_drag_desc.rules</summary>
         public uint Status;
+        /// <summary>probability that the joint in force is right, 0..1: the one number to show. A pull of one kind from one side never makes it certain</summary>
+        public float JointConfidence;
+        /// <summary>DM_BASIS_*: where the joint in force comes from</summary>
+        public int JointBasis;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static DragState New() => new DragState { StructSize = (uint)sizeof(DragState) };

@@ -114,6 +114,10 @@ DM_STATUS_LATCHED = 1
 DM_STATUS_LOCKED = 2
 DM_STATUS_BLOCKED = 4
 DM_STATUS_OPEN = 8
+DM_BASIS_PREPARED = 0
+DM_BASIS_PULL = 1
+DM_BASIS_HOST = 2
+DM_BASIS_CHOSEN = 3
 DM_GO_AUTO = 0
 DM_GO_STAY = 1
 DM_GO_OPEN = 2
@@ -361,6 +365,7 @@ class Joint(Sized):
     lower: float
     upper: float
     source: int
+    evidence: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("type", c.c_int32),
@@ -372,6 +377,7 @@ class Joint(Sized):
         ("lower", c.c_float),
         ("upper", c.c_float),
         ("source", c.c_int32),
+        ("evidence", c.c_uint32 * 4),
     ]
 
 
@@ -405,7 +411,7 @@ class JointFrame(Sized):
 
 
 class PartState(Sized):
-    """Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, value)."""
+    """Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, evidence, value)."""
 
     struct_size: int
     value: float
@@ -736,6 +742,8 @@ class DragState(Sized):
     detents: int
     impact: float
     status: int
+    joint_confidence: float
+    joint_basis: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("pose", Pose),
@@ -750,6 +758,8 @@ class DragState(Sized):
         ("detents", c.c_uint32),
         ("impact", c.c_float),
         ("status", c.c_uint32),
+        ("joint_confidence", c.c_float),
+        ("joint_basis", c.c_int32),
     ]
 
 
@@ -1179,9 +1189,9 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     DragHint: {8: (24, [0, 12]), 4: (24, [0, 12])},
     Pivot: {8: (48, [0, 12]), 4: (48, [0, 12])},
     PartDesc: {8: (40, [0, 4, 8, 12, 16, 24, 32]), 4: (28, [0, 4, 8, 12, 16, 20, 24])},
-    Joint: {8: (56, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52])},
+    Joint: {8: (72, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52, 56]), 4: (72, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52, 56])},
     JointFrame: {8: (88, [0, 4, 8, 20, 32, 44, 56, 72, 76, 80, 84]), 4: (88, [0, 4, 8, 20, 32, 44, 56, 72, 76, 80, 84])},
-    PartState: {8: (104, [0, 4, 8, 12, 16, 48]), 4: (104, [0, 4, 8, 12, 16, 48])},
+    PartState: {8: (120, [0, 4, 8, 12, 16, 48]), 4: (120, [0, 4, 8, 12, 16, 48])},
     PartInfo: {8: (56, [0, 4, 8, 12, 16, 28, 40, 52]), 4: (56, [0, 4, 8, 12, 16, 28, 40, 52])},
     JointEnd: {8: (72, [0, 4, 36, 48, 60]), 4: (72, [0, 4, 36, 48, 60])},
     Hypothesis: {8: (160, [0, 4, 8, 16]), 4: (156, [0, 4, 8, 12])},
@@ -1195,7 +1205,7 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     DragDesc: {8: (96, [0, 4, 8, 16, 28, 32, 56, 60, 64, 72, 84, 88]), 4: (88, [0, 4, 8, 16, 28, 32, 56, 60, 64, 68, 80, 84])},
     Hand: {8: (56, [0, 4, 28, 40, 44]), 4: (56, [0, 4, 28, 40, 44])},
     DragInput: {8: (136, [0, 4, 8, 64, 120, 128, 132]), 4: (136, [0, 4, 8, 64, 120, 128, 132])},
-    DragState: {8: (88, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84]), 4: (88, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84])},
+    DragState: {8: (96, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92]), 4: (96, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92])},
     ReleaseDesc: {8: (32, [0, 4, 8, 12, 16, 20]), 4: (32, [0, 4, 8, 12, 16, 20])},
     ReleasePlan: {8: (24, [0, 4, 8, 12, 16, 20]), 4: (24, [0, 4, 8, 12, 16, 20])},
     Camera: {8: (56, [0, 4, 8, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 20, 32, 44, 48, 52])},

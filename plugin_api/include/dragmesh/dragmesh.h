@@ -330,6 +330,9 @@ typedef struct dm_joint {
                            or 100 object sizes (FLT_MAX, 1e10, infinity) is none; where only one side is, a little more
                            than that stands for it */
     int32_t source;     /* DM_JOINT_FROM_*, DM_JOINT_CHOSEN */
+    uint32_t evidence[4]; /* in a dm_part_state: what the part's pulls so far say of all its joints. dm_drag_end writes
+                             it, dm_drag_begin reads it; keep the four numbers as they are. Zeros: no pull said
+                             anything. Elsewhere 0, and not read */
 } dm_joint;
 
 enum {
@@ -357,7 +360,7 @@ enum { DM_LIMIT_LOWER = 1, DM_LIMIT_UPPER = 2 };
 
 /* Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes.
  * Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch,
- * axis, origin, limits, source, both confidences, value). */
+ * axis, origin, limits, source, both confidences, evidence, value). */
 typedef struct dm_part_state {
     uint32_t struct_size;
     float value;     /* joint value; 0 = rest */
@@ -653,7 +656,18 @@ typedef struct dm_drag_state {
                            pass several */
     float impact;       /* joint value a second: how fast it met a limit or was blocked; 0 without such an event */
     uint32_t status;    /* DM_STATUS_*: what holds the part, and how it stands; 0 without dm_drag_desc.rules */
+    float joint_confidence; /* probability that the joint in force is right, 0..1: the one number to show. A pull of one
+                               kind from one side never makes it certain */
+    int32_t joint_basis;    /* DM_BASIS_*: where the joint in force comes from */
 } dm_drag_state;
+
+/* Where the joint that a drag follows comes from. */
+enum {
+    DM_BASIS_PREPARED = 0, /* dm_object_prepare found it, and no pull has changed it */
+    DM_BASIS_PULL = 1,     /* a pull of this drag, or of an earlier one of the same dm_part_state, has changed it */
+    DM_BASIS_HOST = 2,     /* the host's own */
+    DM_BASIS_CHOSEN = 3    /* the host has chosen it among the hypotheses */
+};
 
 /* What a released part does next. */
 enum {

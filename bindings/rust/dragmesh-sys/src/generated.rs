@@ -200,6 +200,14 @@ pub const DM_STATUS_LOCKED: i32 = 2;
 pub const DM_STATUS_BLOCKED: i32 = 4;
 /// it counts as open, from DM\_EVENT\_OPENED to DM\_EVENT\_CLOSED
 pub const DM_STATUS_OPEN: i32 = 8;
+/// dm\_object\_prepare found it, and no pull has changed it
+pub const DM_BASIS_PREPARED: i32 = 0;
+/// a pull of this drag, or of an earlier one of the same dm\_part\_state, has changed it
+pub const DM_BASIS_PULL: i32 = 1;
+/// the host's own
+pub const DM_BASIS_HOST: i32 = 2;
+/// the host has chosen it among the hypotheses
+pub const DM_BASIS_CHOSEN: i32 = 3;
 /// as the player meant it, by where the part is and how fast it goes
 pub const DM_GO_AUTO: i32 = 0;
 /// glides to a stop; also stops a part that moves by itself
@@ -562,6 +570,8 @@ pub struct dm_joint {
     pub upper: f32,
     /// DM\_JOINT\_FROM\_\*, DM\_JOINT\_CHOSEN
     pub source: i32,
+    /// in a dm\_part\_state: what the part's pulls so far say of all its joints. dm\_drag\_end writes it, dm\_drag\_begin reads it; keep the four numbers as they are. Zeros: no pull said anything. Elsewhere 0, and not read
+    pub evidence: [u32; 4],
 }
 
 impl Default for dm_joint {
@@ -609,7 +619,7 @@ impl Default for dm_joint_frame {
     }
 }
 
-/// Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, value).
+/// Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, evidence, value).
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_part_state {
@@ -1032,6 +1042,10 @@ pub struct dm_drag_state {
     pub impact: f32,
     /// DM\_STATUS\_\*: what holds the part, and how it stands; 0 without dm\_drag\_desc.rules
     pub status: u32,
+    /// probability that the joint in force is right, 0..1: the one number to show. A pull of one kind from one side never makes it certain
+    pub joint_confidence: f32,
+    /// DM\_BASIS\_\*: where the joint in force comes from
+    pub joint_basis: i32,
 }
 
 impl Default for dm_drag_state {
@@ -1572,9 +1586,9 @@ mod tests {
         check!(dm_drag_hint, 24, point 0, vector 12);
         check!(dm_pivot, 48, origin 0, axes 12);
         check!(dm_part_desc, 40, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 24, pivot 32);
-        check!(dm_joint, 56, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52);
+        check!(dm_joint, 72, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52, evidence 56);
         check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
-        check!(dm_part_state, 104, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
+        check!(dm_part_state, 120, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
         check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
         check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
         check!(dm_hypothesis, 160, struct_size 0, reserved 4, joint 8, ends 16);
@@ -1588,7 +1602,7 @@ mod tests {
         check!(dm_drag_desc, 96, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 72, reserved 84, rules 88);
         check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
         check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
-        check!(dm_drag_state, 88, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84);
+        check!(dm_drag_state, 96, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84, joint_confidence 88, joint_basis 92);
         check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
         check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
@@ -1619,9 +1633,9 @@ mod tests {
         check!(dm_drag_hint, 24, point 0, vector 12);
         check!(dm_pivot, 48, origin 0, axes 12);
         check!(dm_part_desc, 28, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 20, pivot 24);
-        check!(dm_joint, 56, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52);
+        check!(dm_joint, 72, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52, evidence 56);
         check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
-        check!(dm_part_state, 104, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
+        check!(dm_part_state, 120, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
         check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
         check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
         check!(dm_hypothesis, 156, struct_size 0, reserved 4, joint 8, ends 12);
@@ -1635,7 +1649,7 @@ mod tests {
         check!(dm_drag_desc, 88, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 68, reserved 80, rules 84);
         check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
         check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
-        check!(dm_drag_state, 88, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84);
+        check!(dm_drag_state, 96, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84, joint_confidence 88, joint_basis 92);
         check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
         check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);

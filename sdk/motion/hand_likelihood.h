@@ -1,0 +1,19 @@
+/* How people pull: the likelihood of a pull, given the joint that the part has. */
+#ifndef DMI_MOTION_HAND_LIKELIHOOD_H
+#define DMI_MOTION_HAND_LIKELIHOOD_H
+
+#include "motion/joint_hypothesis.h"
+
+/* Shows the pull one more ray. */
+void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray);
+/* Whether the pull bends so little that the hand may have meant a straight line. */
+bool dmi_grasp_is_straight(const dmi_grasp* grasp);
+/* Returns the residual that the right joint has with an unsteady pointer, host units. */
+float dmi_expected_residual(const dmi_grasp* grasp);
+/* Returns the log likelihood of a hand that follows the part exactly, with this largest residual. */
+float dmi_followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual);
+/* Returns the log likelihood of the pull, whichever way the hand pulls. residual: the largest one. */
+float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
+                                          float residual);
+
+#endif
