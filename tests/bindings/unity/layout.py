@@ -21,7 +21,7 @@ def imported(path):
 
 manifest = json.loads((package / "package.json").read_text())
 must(re.fullmatch(r"com\.[a-z0-9.-]+", manifest["name"]), "the name is no reverse domain")
-must(re.fullmatch(r"\d+\.\d+\.\d+", manifest["version"]), "the version is none of semantic versioning")
+must(re.fullmatch(r"\d+\.\d+\.\d+(-dev)?", manifest["version"]), "the version is none of semantic versioning")
 must(re.fullmatch(r"\d{4}\.\d", manifest["unity"]), "the least version of Unity")
 for sample in manifest["samples"]:
     must((package / sample["path"]).is_dir(), "no sample at " + sample["path"])
