@@ -35,3 +35,4 @@ rejected "a parameter of another type" 's/dm_model model, dm_object\* out_object
 rejected "another result" 's/^DM_API uint32_t DM_CALL dm_version(void);/DM_API int32_t DM_CALL dm_version(void);/' "$core"
 rejected "a function less" 's/^DM_API uint32_t DM_CALL dm_version(void);//' "$core"
 rejected "a field of an extension" 's/^    uint32_t carrier;/    uint64_t carrier;/' "$everyone C#:csharp/DragMesh/Layout.cs"
+rejected "another name of another function" 's/^#define dm_drag_override dm_drag_take/#define dm_drag_override dm_drag_step/' "$everyone"
