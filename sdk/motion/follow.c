@@ -25,8 +25,6 @@
 #define END_ON_SINE 0.15f      /* between a point's motion and the line of sight; below: seen end on */
 #define MIN_ARM 1e-6f          /* lever arm of a turning point, share of its coordinates; below: rounding */
 
-typedef float vec3[3];
-
 /* A sliding point relative to the ray's origin at value v: P = arm + (along + v) a, with the arm perpendicular to a. */
 typedef struct slide_view {
     vec3 a, d, arm;
