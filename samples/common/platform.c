@@ -12,6 +12,7 @@
 
 #include <direct.h>
 #include <io.h>
+#include <process.h>
 #include <windows.h>
 
 #include <shellapi.h>
@@ -71,6 +72,69 @@ bool platform_exists(const char* path) {
     return widen(path, wide, WIDE_PATH) && GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES;
 }
 
+static bool read_info(const char* path, struct stat* out) {
+    wchar_t wide[WIDE_PATH];
+    struct _stat64 info;
+    if (!widen(path, wide, WIDE_PATH) || _wstat64(wide, &info) != 0) return false;
+    out->st_mode = info.st_mode;
+    return true;
+}
+
+bool platform_may_write(const char* path) {
+    wchar_t wide[WIDE_PATH];
+    const int descriptor = widen(path, wide, WIDE_PATH) ? _wopen(wide, _O_WRONLY | _O_BINARY | _O_NOINHERIT) : -1;
+    return descriptor >= 0 && close(descriptor) == 0;
+}
+
+static int create_descriptor(const char* path) {
+    wchar_t wide[WIDE_PATH];
+    if (!widen(path, wide, WIDE_PATH)) return -1;
+    return _wopen(wide, _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+}
+
+void platform_copy_mode(const char* path, FILE* to) {
+    (void)path;
+    (void)to;
+}
+
+int platform_sync(FILE* file) {
+    return _commit(_fileno(file));
+}
+
+enum {
+    RENAMES = 100,
+    RENAME_WAIT = 10
+}; /* tries and ms between them: a reader holds the old file for as long; by hand */
+
+int platform_replace(const char* from, const char* to) {
+    wchar_t wide_from[WIDE_PATH], wide_to[WIDE_PATH];
+    if (!widen(from, wide_from, WIDE_PATH) || !widen(to, wide_to, WIDE_PATH)) return -1;
+    for (int i = 0; i < RENAMES; i++) {
+        if (MoveFileExW(wide_from, wide_to, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH)) return 0;
+        const DWORD reason = GetLastError();
+        errno = reason == ERROR_DISK_FULL ? ENOSPC : EACCES;
+        if (reason != ERROR_ACCESS_DENIED && reason != ERROR_SHARING_VIOLATION) return -1;
+        Sleep(RENAME_WAIT);
+    }
+    return -1;
+}
+
+void platform_remove(const char* path) {
+    wchar_t wide[WIDE_PATH];
+    if (widen(path, wide, WIDE_PATH)) _wunlink(wide);
+}
+
+bool platform_read_link(const char* path, char* out, size_t size) {
+    (void)path;
+    (void)out;
+    (void)size;
+    return false;
+}
+
+bool platform_is_separator(char c) {
+    return c == '/' || c == '\\' || c == ':';
+}
+
 int platform_make_folder(const char* path) {
     wchar_t wide[WIDE_PATH];
     return widen(path, wide, WIDE_PATH) ? _wmkdir(wide) : -1;
@@ -125,6 +189,53 @@ bool platform_exists(const char* path) {
     return stat(path, &info) == 0;
 }
 
+static bool read_info(const char* path, struct stat* out) {
+    return stat(path, out) == 0;
+}
+
+bool platform_may_write(const char* path) {
+    const int descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    return descriptor >= 0 && close(descriptor) == 0;
+}
+
+static int create_descriptor(const char* path) {
+    return open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+/* Where the owner stays another, rights to run as the owner go. */
+void platform_copy_mode(const char* path, FILE* to) {
+    struct stat old = {0}, new = {0};
+    const int descriptor = fileno(to);
+    if (stat(path, &old) != 0 || fstat(descriptor, &new) != 0) return;
+    const bool same = old.st_uid == new.st_uid&& old.st_gid == new.st_gid;
+    const mode_t most = same || fchown(descriptor, old.st_uid, old.st_gid) == 0 ? 07777 : 0777;
+    if ((old.st_mode & 07777) != (new.st_mode & 07777)) fchmod(descriptor, old.st_mode & most);
+}
+
+/* Some file systems can't wait (EINVAL); there the file is as safe as it gets. */
+int platform_sync(FILE* file) {
+    return fsync(fileno(file)) == 0 || errno == EINVAL ? 0 : -1;
+}
+
+int platform_replace(const char* from, const char* to) {
+    return rename(from, to);
+}
+
+void platform_remove(const char* path) {
+    unlink(path);
+}
+
+bool platform_read_link(const char* path, char* out, size_t size) {
+    const ssize_t length = readlink(path, out, size - 1);
+    if (length <= 0) return false;
+    out[length] = 0;
+    return true;
+}
+
+bool platform_is_separator(char c) {
+    return c == '/';
+}
+
 int platform_make_folder(const char* path) {
     return mkdir(path, 0777);
 }
@@ -156,4 +267,25 @@ FILE* platform_open_regular(const char* path) {
     close(descriptor);
     errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
     return NULL;
+}
+
+enum platform_kind platform_kind_of(const char* path) {
+    struct stat info = {0};
+    if (!read_info(path, &info)) return PLATFORM_NOTHING;
+    if (S_ISDIR(info.st_mode)) return PLATFORM_FOLDER;
+    return S_ISREG(info.st_mode) ? PLATFORM_FILE : PLATFORM_STREAM;
+}
+
+FILE* platform_create(const char* path) {
+    const int descriptor = create_descriptor(path);
+    return descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
+}
+
+FILE* platform_duplicate(int descriptor) {
+    const int copy = dup(descriptor);
+    return copy >= 0 ? fdopen(copy, "wb") : NULL;
+}
+
+long platform_process(void) {
+    return (long)getpid();
 }

@@ -33,6 +33,29 @@ FILE* platform_open(const char* path, const char* mode);
  * A folder: EISDIR. */
 FILE* platform_open_regular(const char* path);
 bool platform_exists(const char* path);
+
+/* What lies at a path, links followed. */
+enum platform_kind { PLATFORM_NOTHING, PLATFORM_FILE, PLATFORM_FOLDER, PLATFORM_STREAM /* a pipe or a device */ };
+enum platform_kind platform_kind_of(const char* path);
+/* Whether an existing file may be written; false with errno set. Changes nothing. */
+bool platform_may_write(const char* path);
+/* Opens a new file for writing; NULL with errno EEXIST where there is one of that name. */
+FILE* platform_create(const char* path);
+/* Opens for writing what a descriptor of this program writes to, by a descriptor of its own. */
+FILE* platform_duplicate(int descriptor);
+/* Gives an open file the mode, and as far as the system lets it the owner, of the file at a path. */
+void platform_copy_mode(const char* path, FILE* to);
+/* Waits until the disk has what was flushed. 0, or -1 with errno set. */
+int platform_sync(FILE* file);
+/* Renames a file, in place of one that is there. 0, or -1 with errno set. */
+int platform_replace(const char* from, const char* to);
+void platform_remove(const char* path);
+/* Writes what the link at a path names; false where there is no link. */
+bool platform_read_link(const char* path, char* out, size_t size);
+bool platform_is_separator(char c);
+/* Id of the running program. */
+long platform_process(void);
+
 /* 0, or -1 with errno set. */
 int platform_make_folder(const char* path);
 /* Calls entry(user, name) for each name in a folder, in no order; false when there is no such folder. */
