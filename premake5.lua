@@ -321,7 +321,7 @@ if has_gltf then
 end
 
 if not cross then
-    program("dragmesh_generate", { "training/generate/*.c" }, { api, "sdk", generator },
+    program("dragmesh_generate", { "training/generate/*.c", "samples/common/*.c" }, { api, "sdk", generator },
         { "dragmesh_generator", "dragmesh_gltf", "dragmesh", "cjson", "png", "m" })
 end
 
@@ -338,10 +338,13 @@ local needs = {
 local missing = { viewer = true, gpu_skinning = not has_viewer, vlm_intent = not installed "curl/curl.h",
     prepare_offline = not has_gltf, whole_host = not (installed "cglm/cglm.h" and installed "tiny_gltf.h") }
 
+local writers = {} -- those that write files
+for _, name in ipairs { "prepare_offline", "vlm_intent", "latch" } do writers[name] = "samples/common/*.c" end
+
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
     if name and not missing[name] then
-        local sources = { (source:gsub("main%.c$", "**.c")) }
+        local sources = { (source:gsub("main%.c$", "**.c")), writers[name] }
         program("sample_" .. name, sources, { api }, needs[name] or { "dragmesh", "m" }, "/samples")
             local cpp = os.matchfiles((source:gsub("main%.c$", "*.cpp")))
             if #cpp > 0 then

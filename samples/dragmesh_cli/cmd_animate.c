@@ -8,13 +8,22 @@
 enum { DEFAULT_FRAMES = 60, MAX_FRAMES = 100000 }; /* key frames of the opening; by hand */
 static const float seconds_open = 2;               /* duration of the opening, s; by hand */
 
+static dm_result write_motion(session* session, const dm_pose* poses, int frames, const char* out_path) {
+    void* data = NULL;
+    size_t size = 0;
+    dm_result result = play_export(session, poses, (uint32_t)frames, seconds_open, &data, &size);
+    if (result == DM_OK) result = session_write(session, out_path, data, size);
+    dm_gltf_release_bytes(session->gltf, data, size);
+    return result;
+}
+
 static dm_result animate(session* session, job* job, int frames, const char* out_path) {
     joint_answer answer;
     dm_result result = job_answer(session, job, &answer);
     if (result != DM_OK) return result;
     dm_pose* poses = cli_alloc((size_t)frames * sizeof *poses);
     result = play_motion(session, job, &answer, (uint32_t)frames, poses, NULL);
-    if (result == DM_OK) result = play_export(session, poses, (uint32_t)frames, seconds_open, out_path);
+    if (result == DM_OK) result = write_motion(session, poses, frames, out_path);
     free(poses);
     if (result == DM_OK) answer_print(&answer);
     return result;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/output_file.h"
 #include "dataset.h"
 #include "files.h"
 #include "metrics.h"
@@ -12,10 +13,10 @@
 #include "render.h"
 #include "session_open.h"
 
-enum { PANELS = 6, UPDATES = 90, PANEL_PIXELS = 420 }; /* by hand */
-static const float seconds = 1.5f;                     /* of the drag */
-static const double first_stretch = 0.25;              /* share of the drag that the joint is refined by; by hand */
-static const double demo_travel = 0.95;                /* share of the full travel that is dragged; by hand */
+enum { PANELS = 6, UPDATES = 90, PANEL_PIXELS = 420, LEAST_PIXELS = 16, MOST_PIXELS = 1024 }; /* by hand */
+static const float seconds = 1.5f;                                                            /* of the drag */
+static const double first_stretch = 0.25; /* share of the drag that the joint is refined by; by hand */
+static const double demo_travel = 0.95;   /* share of the full travel that is dragged; by hand */
 
 typedef struct pixel {
     double x, y;
@@ -26,6 +27,7 @@ typedef struct player {
     renderer* view;
     pixel from, to; /* the pointer's path across the screen */
     dm_hit grab;
+    int pixels; /* a side of a picture */
 } player;
 
 static dm_result ray_through(const player* p, double share, dm_ray* out_ray) {
@@ -121,7 +123,7 @@ static dm_result open_view(player* p, metric_case* known, job* job, joint_answer
     if (result != DM_OK) return result;
     known->size = p->view->size;
     true_poses(known, poses);
-    render_aim(p->view, known->drag->vector, poses, PANELS, PANEL_PIXELS, PANEL_PIXELS);
+    render_aim(p->view, known->drag->vector, poses, PANELS, p->pixels, p->pixels);
     aim_pointer(p, known);
     return DM_OK;
 }
@@ -146,18 +148,36 @@ static dm_result play(player* p, const metric_case* known, joint_answer* answer,
     return DM_OK;
 }
 
+static char* path_with_ending(const char* prefix, const char* ending) {
+    const size_t room = strlen(prefix) + strlen(ending) + 1;
+    char* path = cli_alloc(room);
+    snprintf(path, room, "%s%s", prefix, ending);
+    return path;
+}
+
+/* Writes the picture and the animation, both or none. */
+static dm_result write_both(session* session, const output_bytes files[2]) {
+    int failed;
+    if (output_write_all(files, 2, &failed) != 0) return session_fail_to_write(session, files[failed].path);
+    for (int i = 0; i < 2; i++) printf("wrote %s\n", files[i].path);
+    return DM_OK;
+}
+
 static dm_result show(player* p, const joint_answer* answer, const dm_pose poses[UPDATES], const char* prefix) {
     dm_pose panels[PANELS];
-    const size_t room = strlen(prefix) + 8;
-    char* path = cli_alloc(room);
+    char *png_path = path_with_ending(prefix, ".png"), *glb_path = path_with_ending(prefix, ".glb");
+    void* glb = NULL;
+    size_t png_size = 0, glb_size = 0;
     for (int i = 0; i < PANELS; i++) panels[i] = poses[i * (UPDATES - 1) / (PANELS - 1)];
-    snprintf(path, room, "%s.png", prefix);
-    dm_result result = render_film(p->view, panels, PANELS, &answer->joint, path);
-    if (result == DM_OK) printf("wrote %s\n", path);
-    snprintf(path, room, "%s.glb", prefix);
-    if (result == DM_OK) result = play_export(p->session, poses, UPDATES, seconds, path);
-    if (result == DM_OK) printf("wrote %s\n", path);
-    free(path);
+    void* png = render_film(p->view, panels, PANELS, &answer->joint, &png_size);
+    dm_result result = png != NULL ? DM_OK : DM_ERROR_INTERNAL;
+    if (result == DM_OK) result = play_export(p->session, poses, UPDATES, seconds, &glb, &glb_size);
+    if (result == DM_OK)
+        result = write_both(p->session, (output_bytes[2]){{png_path, png, png_size}, {glb_path, glb, glb_size}});
+    dm_gltf_release_bytes(p->session->gltf, glb, glb_size);
+    free(png);
+    free(png_path);
+    free(glb_path);
     return result;
 }
 
@@ -175,12 +195,12 @@ static vec* vertices_of(const session* session, size_t* out_count) {
     return points;
 }
 
-static dm_result demonstrate(session* session, const known_object* object, const char* prefix) {
+static dm_result demonstrate(session* session, const known_object* object, int pixels, const char* prefix) {
     const known_joint* truth = &object->joints[0];
     job job = {.file = object->glb, .moving = truth->moving};
     metric_case known = {.truth = truth, .drag = &truth->drags[0], .dragged = 1};
     renderer view;
-    player p = {.session = session, .view = &view};
+    player p = {.session = session, .view = &view, .pixels = pixels};
     joint_answer answer;
     memset(&view, 0, sizeof view);
     view.session = session;
@@ -199,11 +219,11 @@ static dm_result demonstrate(session* session, const known_object* object, const
     return result;
 }
 
-static int demonstrate_folder(const known_object* object, const char* prefix, const char* models) {
+static int demonstrate_folder(const known_object* object, int pixels, const char* prefix, const char* models) {
     session session;
     const int status = session_open(&session, models, NULL);
     if (status != CLI_OK) return status;
-    const dm_result result = demonstrate(&session, object, prefix);
+    const dm_result result = demonstrate(&session, object, pixels, prefix);
     if (result != DM_OK) fprintf(stderr, "dragmesh: %s\n", session.error);
     session_close(&session);
     return result == DM_OK ? CLI_OK : CLI_FAILED;
@@ -211,17 +231,21 @@ static int demonstrate_folder(const known_object* object, const char* prefix, co
 
 static int run(int argc, char** argv) {
     const char *folder = NULL, *prefix = NULL, *models = NULL;
+    int pixels = PANEL_PIXELS;
     const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &prefix},
+                                 {.name = "--size", .kind = OPTION_INTEGER, .value = &pixels},
                                  {.name = "--models", .kind = OPTION_TEXT, .value = &models}};
     known_object object;
     char error[512];
-    int status = options_read(&cli_demo, argc, argv, table, 2, &folder);
+    int status = options_read(&cli_demo, argc, argv, table, sizeof table / sizeof *table, &folder);
     if (status == CLI_OK && (folder == NULL || prefix == NULL))
         status = options_refuse(&cli_demo, "a folder and -o are needed");
+    if (status == CLI_OK && (pixels < LEAST_PIXELS || pixels > MOST_PIXELS))
+        status = options_refuse(&cli_demo, "--size: %d to %d", LEAST_PIXELS, MOST_PIXELS);
     if (status != CLI_OK) return status;
     if (dataset_read(folder, ".", &object, error, sizeof error) != 0) return options_refuse(&cli_demo, "%s", error);
     if (object.joints[0].drag_count > 0)
-        status = demonstrate_folder(&object, prefix, models);
+        status = demonstrate_folder(&object, pixels, prefix, models);
     else
         status = options_refuse(&cli_demo, "the first joint of '%s' has no drag", folder);
     dataset_free(&object);
@@ -229,6 +253,6 @@ static int run(int argc, char** argv) {
 }
 
 const cli_command cli_demo = {
-    "demo", run, "DIR -o PREFIX",
+    "demo", run, "DIR -o PREFIX [--size PIXELS]",
     "Picks a part of a generated object (DIR/object.glb, DIR/joints.json) through a pixel, drags it "
     "across the screen,\n    and writes PREFIX.png and PREFIX.glb."};

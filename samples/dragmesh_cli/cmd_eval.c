@@ -297,7 +297,7 @@ static int run(int argc, char** argv) {
     if (status == CLI_OK) status = session_open_method(&session, models, (enum session_method)read_method(baseline));
     if (status != CLI_OK) return status;
     if (pictures != NULL && error_report_open(&report, pictures) == 0) options.error_report = &report;
-    status = pictures != NULL && options.error_report == NULL ? CLI_USAGE
+    status = pictures != NULL && options.error_report == NULL ? CLI_FAILED
                                                               : evaluate(&session, folder, &options, as_json, worst);
     if (options.error_report != NULL && error_report_close(&report) != 0) status = CLI_FAILED;
     session_close(&session);

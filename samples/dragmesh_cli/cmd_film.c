@@ -16,21 +16,31 @@ typedef struct film_options {
     int axis;
 } film_options;
 
-static dm_result film(session* session, job* job, const film_options* options) {
-    joint_answer answer;
+/* Draws the strip and writes it. */
+static dm_result draw(session* session, const job* job, const joint_answer* answer, const dm_pose* poses,
+                      const film_options* options) {
     renderer renderer;
-    dm_pose poses[MAX_FRAMES];
+    size_t size;
+    void* png = NULL;
     const uint32_t frames = (uint32_t)options->frames;
-    dm_result result = job_answer(session, job, &answer);
-    if (result == DM_OK) result = play_motion(session, job, &answer, frames, poses, NULL);
-    if (result != DM_OK) return result;
-    result = render_open(&renderer, session, options->up[0]);
+    dm_result result = render_open(&renderer, session, options->up[0]);
     if (result == DM_OK) {
         const vec toward = job->has_drag ? vec_of(job->drag.vector) : (vec){0, 0, 0};
         render_aim(&renderer, toward, poses, frames, (int)options->size[0], (int)options->size[1]);
-        result = render_film(&renderer, poses, frames, options->axis ? &answer.joint : NULL, options->out_path);
+        png = render_film(&renderer, poses, frames, options->axis ? &answer->joint : NULL, &size);
+        result = png != NULL ? session_write(session, options->out_path, png, size) : DM_ERROR_INTERNAL;
     }
     render_close(&renderer);
+    free(png);
+    return result;
+}
+
+static dm_result film(session* session, job* job, const film_options* options) {
+    joint_answer answer;
+    dm_pose poses[MAX_FRAMES];
+    dm_result result = job_answer(session, job, &answer);
+    if (result == DM_OK) result = play_motion(session, job, &answer, (uint32_t)options->frames, poses, NULL);
+    if (result == DM_OK) result = draw(session, job, &answer, poses, options);
     if (result == DM_OK) answer_print(&answer);
     return result;
 }

@@ -1,5 +1,4 @@
 /* dragmesh prepare: a file's parts, their joints found, as a .dmo that a game loads without the network. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -84,8 +83,7 @@ static dm_result save(session* session, const char* path, size_t* out_size) {
     if (result != DM_OK) return result;
     void* bytes = cli_alloc(size);
     result = dm_object_save(session->context, session->object, bytes, size, &size);
-    if (result == DM_OK && file_write(path, bytes, size) != 0)
-        result = session_fail(session, DM_ERROR_NOT_FOUND, "can't write '%s': %s", path, strerror(errno));
+    if (result == DM_OK) result = session_write(session, path, bytes, size);
     free(bytes);
     *out_size = size;
     return result;

@@ -1,10 +1,11 @@
 /* dragmesh dragbot: a scripted player on a folder of objects whose joints are known. */
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/platform.h"
+#include "../common/output_file.h"
 #include "dragbot_score.h"
 #include "eval_hints.h"
 #include "session_open.h"
@@ -159,20 +160,27 @@ static bool is_plain(const bot_options* options) {
            options->sight == BOT_AROUND;
 }
 
-/* Opens the file of poses and plays. */
+static int fail_to_write(const char* path) {
+    fprintf(stderr, "dragmesh dragbot: can't write '%s': %s\n", path, strerror(errno));
+    return CLI_FAILED;
+}
+
+/* Opens the file of poses and plays. Poses of drags that failed are kept too. */
 static int run_session(const char* folder, const char* models, const char* poses, bot_options* options, bool all,
                        bool as_json) {
     session session;
-    if (poses != NULL && (options->poses = platform_open(poses, "wb")) == NULL) {
-        fprintf(stderr, "dragmesh dragbot: '%s' can't be written\n", poses);
-        return CLI_FAILED;
-    }
+    output_file file = {.stream = NULL};
+    if (poses != NULL && output_open(&file, poses) != 0) return fail_to_write(poses);
+    if (poses != NULL) options->poses = &file;
     int status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
         status = play(&session, folder, options, all, as_json);
         session_close(&session);
     }
-    if (options->poses != NULL && fclose(options->poses) != 0) status = CLI_FAILED;
+    if (poses != NULL && status == CLI_USAGE)
+        output_discard(&file);
+    else if (poses != NULL && output_close(&file) != 0)
+        status = fail_to_write(poses);
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "../common/output_file.h"
 #include "dataset.h"
 #include "random.h"
 
@@ -194,7 +195,7 @@ typedef struct bot_case {
     const known_joint* truth;
     vec up;
     struct bot_body* body; /* what the part must not go through; NULL: not looked at */
-    FILE* poses;           /* NULL, or where every update is written */
+    output_file* poses;    /* NULL, or where every update is written */
 } bot_case;
 
 /* An update, kept until the drag has ended, so that nothing but the drag runs during it. */

@@ -8,7 +8,7 @@ typedef struct bot_options {
     int cameras, given_only, worst;
     bot_hand hand;
     enum bot_sight sight;
-    FILE* poses;
+    output_file* poses; /* NULL: none are written */
     name_list only; /* words, one of which an object's name or category has; none: all objects */
     int hints;      /* HINTS_*: what the library is told of the datasets' names and pivots */
 } bot_options;

@@ -16,11 +16,16 @@ enum { PER_SHEET = COLUMNS * ROWS };
 
 static const uint8_t blue[3] = {70, 150, 255}, red[3] = {255, 70, 60}, green[3] = {40, 220, 70};
 
+static void fail_to_write(const char* path) {
+    fprintf(stderr, "dragmesh eval: can't write '%s': %s\n", path, strerror(errno));
+}
+
 static int write_named(const error_report* report, const picture* picture, const char* format, int number) {
     char name[32];
     snprintf(name, sizeof name, format, number);
     char* path = path_join(report->folder, name);
     const int status = picture_write(picture, path);
+    if (status != 0) fail_to_write(path);
     free(path);
     return status;
 }
@@ -28,16 +33,17 @@ static int write_named(const error_report* report, const picture* picture, const
 int error_report_open(error_report* report, const char* folder) {
     *report = (error_report){.folder = folder};
     char* path = path_join(folder, "index.txt");
-    if (platform_make_folder(folder) == 0 || errno == EEXIST) report->index = platform_open(path, "wb");
-    if (report->index == NULL) fprintf(stderr, "dragmesh eval: can't write '%s': %s\n", path, strerror(errno));
+    const bool made = platform_make_folder(folder) == 0 || errno == EEXIST;
+    const int status = made ? output_open(&report->index, path) : -1;
+    if (status != 0) fail_to_write(path);
     free(path);
-    if (report->index == NULL) return -1;
-    fprintf(report->index,
-            "Strips: at rest, open as it should, open as answered. True axis blue, answered red, drag green.\n"
-            "A sheet holds %d: %d rows of %d.\n"
-            "%5s %5s  %-22s %9s %9s %8s %5s  %-16s %s\n",
-            PER_SHEET, ROWS, COLUMNS, "strip", "sheet", "true -> found", "axis mrad", "line e3", "pose e3", "conf",
-            "category", "id");
+    if (status != 0) return -1;
+    output_print(&report->index,
+                 "Strips: at rest, open as it should, open as answered. True axis blue, answered red, drag green.\n"
+                 "A sheet holds %d: %d rows of %d.\n"
+                 "%5s %5s  %-22s %9s %9s %8s %5s  %-16s %s\n",
+                 PER_SHEET, ROWS, COLUMNS, "strip", "sheet", "true -> found", "axis mrad", "line e3", "pose e3", "conf",
+                 "category", "id");
     return 0;
 }
 
@@ -91,13 +97,13 @@ static dm_result draw_strip(renderer* r, const metric_case* known, const joint_a
     return result;
 }
 
-static void write_index_line(const error_report* report, const metric_case* known, const metric_row* row) {
+static void write_index_line(error_report* report, const metric_case* known, const metric_row* row) {
     char types[48];
     snprintf(types, sizeof types, "%s -> %s", known->truth->slides ? "slides" : "turns", row->found_type);
-    fprintf(report->index, "%5d %5d  %-22s %9.1f %9.1f %8.1f %5.2f  %-16s %s\n", report->count,
-            (report->count - 1) / PER_SHEET + 1, types, row->value[METRIC_AXIS],
-            isnan(row->value[METRIC_LINE]) ? 0 : row->value[METRIC_LINE], row->value[METRIC_POSE] * 1e3,
-            row->value[METRIC_CONFIDENCE], row->category, row->id);
+    output_print(&report->index, "%5d %5d  %-22s %9.1f %9.1f %8.1f %5.2f  %-16s %s\n", report->count,
+                 (report->count - 1) / PER_SHEET + 1, types, row->value[METRIC_AXIS],
+                 isnan(row->value[METRIC_LINE]) ? 0 : row->value[METRIC_LINE], row->value[METRIC_POSE] * 1e3,
+                 row->value[METRIC_CONFIDENCE], row->category, row->id);
 }
 
 dm_result error_report_add(error_report* report, session* session, const metric_case* known, const joint_answer* answer,
@@ -109,8 +115,7 @@ dm_result error_report_add(error_report* report, session* session, const metric_
     renderer.sky_rays = 3;
     if (result == DM_OK) result = draw_strip(&renderer, known, answer, &strip);
     render_close(&renderer);
-    if (result == DM_OK && add_strip(report, &strip) != 0)
-        result = session_fail(session, DM_ERROR_NOT_FOUND, "can't write into '%s'", report->folder);
+    if (result == DM_OK && add_strip(report, &strip) != 0) report->failed = true;
     if (result == DM_OK) write_index_line(report, known, row);
     picture_free(&strip);
     return result;
@@ -118,5 +123,9 @@ dm_result error_report_add(error_report* report, session* session, const metric_
 
 int error_report_close(error_report* report) {
     const int status = flush_sheet(report);
-    return fclose(report->index) == 0 && status == 0 ? 0 : -1;
+    char* path = path_join(report->folder, "index.txt");
+    const bool wrote = output_close(&report->index) == 0;
+    if (!wrote) fail_to_write(path);
+    free(path);
+    return wrote && status == 0 && !report->failed ? 0 : -1;
 }

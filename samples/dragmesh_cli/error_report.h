@@ -2,8 +2,7 @@
 #ifndef CLI_ERROR_REPORT_H
 #define CLI_ERROR_REPORT_H
 
-#include <stdio.h>
-
+#include "../common/output_file.h"
 #include "metrics.h"
 #include "picture.h"
 
@@ -12,8 +11,9 @@
  */
 typedef struct error_report {
     const char* folder;
-    FILE* index;
+    output_file index;
     int count;     /* strips so far */
+    bool failed;   /* a picture could not be written */
     picture sheet; /* of the last strips; rgb NULL: none begun */
 } error_report;
 
@@ -22,7 +22,8 @@ int error_report_open(error_report* report, const char* folder);
 /* Adds the object that the session holds; row: its metrics; up: 'x', 'y' or 'z'. */
 dm_result error_report_add(error_report* report, session* session, const metric_case* known, const joint_answer* answer,
                            const metric_row* row, char up);
-/* Returns 0, or -1 when something could not be written. */
+/* Writes index.txt, after all pictures. Returns 0, or -1 when something could not be written, with a line on standard
+ * error. */
 int error_report_close(error_report* report);
 
 #endif

@@ -62,13 +62,6 @@ enum file_line file_read_line(FILE* file, char** line, size_t* room, size_t* out
     return LINE_READ;
 }
 
-int file_write(const char* path, const void* data, size_t size) {
-    FILE* file = platform_open(path, "wb");
-    if (file == NULL) return -1;
-    const bool wrote = fwrite(data, 1, size, file) == size;
-    return fclose(file) == 0 && wrote ? 0 : -1;
-}
-
 char* path_join(const char* folder, const char* name) {
     const size_t size = strlen(folder) + strlen(name) + 2;
     char* path = cli_alloc(size);

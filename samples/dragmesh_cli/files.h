@@ -16,8 +16,6 @@ enum { LINE_MOST = 1 << 24 }; /* bytes of a line; by hand: a job with thousands 
 enum file_line { LINE_READ, LINE_NONE, LINE_TOO_LONG };
 /* Reads a line, its end left out, with a NUL behind it. The buffer grows; free it at the end. */
 enum file_line file_read_line(FILE* file, char** line, size_t* room, size_t* out_length);
-/* 0, or -1 with errno set. */
-int file_write(const char* path, const void* data, size_t size);
 /* folder/name, to be freed. */
 char* path_join(const char* folder, const char* name);
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
+#include "../common/output_file.h"
 
 bool part_at_point_requested(const name_list* moving) {
     return moving->count == 1 && strcmp(moving->names[0], "auto") == 0;
@@ -57,7 +57,7 @@ int part_at_point_write(const session* session, const char* path) {
     }
     text[2 * faces] = ']';
     text[2 * faces + 1] = '\n';
-    const int status = file_write(path, text, 2 * faces + 2);
+    const int status = output_write(path, text, 2 * faces + 2);
     if (status != 0) fprintf(stderr, "dragmesh: can't write '%s': %s\n", path, strerror(errno));
     free(text);
     free(moving);

@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +13,7 @@
 #endif
 #include <stb/stb_image_write.h>
 
-#include "../common/platform.h"
+#include "../common/output_file.h"
 #include "cli.h"
 
 picture picture_new(int width, int height) {
@@ -61,16 +60,18 @@ void picture_line(picture* picture, double x0, double y0, double x1, double y1, 
     }
 }
 
-static void write_bytes(void* user, void* data, int size) {
-    fwrite(data, 1, (size_t)size, user);
+void* picture_encode(const picture* picture, size_t* out_size) {
+    int size = 0;
+    void* bytes = stbi_write_png_to_mem(picture->rgb, 3 * picture->width, picture->width, picture->height, 3, &size);
+    *out_size = (size_t)size;
+    return bytes;
 }
 
 int picture_write(const picture* picture, const char* path) {
-    FILE* file = platform_open(path, "wb");
-    const bool wrote = file != NULL && stbi_write_png_to_func(write_bytes, file, picture->width, picture->height, 3,
-                                                              picture->rgb, 3 * picture->width);
-    const bool failed = file == NULL || ferror(file);
-    if (file != NULL && fclose(file) == 0 && wrote && !failed) return 0;
-    fprintf(stderr, "dragmesh: can't write '%s': %s\n", path, strerror(errno));
-    return -1;
+    size_t size;
+    void* bytes = picture_encode(picture, &size);
+    if (bytes == NULL) errno = ENOMEM;
+    const int status = bytes != NULL ? output_write(path, bytes, size) : -1;
+    free(bytes);
+    return status;
 }

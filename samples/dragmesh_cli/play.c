@@ -1,13 +1,10 @@
 /* The motion of an answered part, from rest to fully open. */
 #include "play.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "constants.h"
-#include "files.h"
 
 #define REST_SHARE 0.05f /* of the range: an upper limit this near to rest is the end where the part rests; by hand */
 
@@ -48,18 +45,14 @@ dm_result play_motion(session* session, const job* job, const joint_answer* answ
     return DM_OK;
 }
 
-dm_result play_export(session* session, const dm_pose* poses, uint32_t count, float seconds, const char* path) {
+dm_result play_export(session* session, const dm_pose* poses, uint32_t count, float seconds, void** out_data,
+                      size_t* out_size) {
     float* times = cli_alloc(count * sizeof *times);
     for (uint32_t i = 0; i < count; i++) times[i] = seconds * (float)i / (float)(count - 1);
     uint8_t* moving = session_moving_faces(session);
     const dm_gltf_track track = {
         .name = "dragmesh_part", .face_ids = moving, .value = 1, .poses = poses, .times = times, .key_count = count};
-    void* data = NULL;
-    size_t size = 0;
-    dm_result result = dm_gltf_export(session->gltf, &track, 1, &data, &size);
-    if (result == DM_OK && file_write(path, data, size) != 0)
-        result = session_fail(session, DM_ERROR_NOT_FOUND, "can't write '%s': %s", path, strerror(errno));
-    dm_gltf_release_bytes(session->gltf, data, size);
+    const dm_result result = dm_gltf_export(session->gltf, &track, 1, out_data, out_size);
     free(moving);
     free(times);
     return result;

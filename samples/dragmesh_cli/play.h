@@ -12,7 +12,9 @@ dm_result play_motion(session* session, const job* job, const joint_answer* answ
 float play_target(const dm_joint* joint);
 /* Minimum-jerk progress (Flash and Hogan 1985): 0..1 to 0..1. */
 float minimum_jerk(float t);
-/* An animated .glb of the session's file, looping there and back; session->error on failure. */
-dm_result play_export(session* session, const dm_pose* poses, uint32_t count, float seconds, const char* path);
+/* An animated .glb of the session's file, looping there and back, to be given back to dm_gltf_release_bytes;
+ * session->error on failure. */
+dm_result play_export(session* session, const dm_pose* poses, uint32_t count, float seconds, void** out_data,
+                      size_t* out_size);
 
 #endif

@@ -186,7 +186,7 @@ void render_axis(const renderer* r, const dm_joint* joint, const uint8_t rgb[3],
     render_segment(r, sub(middle, half), add(middle, half), rgb, picture, left);
 }
 
-dm_result render_film(renderer* r, const dm_pose* poses, uint32_t count, const dm_joint* axis, const char* path) {
+void* render_film(renderer* r, const dm_pose* poses, uint32_t count, const dm_joint* axis, size_t* out_size) {
     const int width = (int)r->camera.viewport_width, height = (int)r->camera.viewport_height;
     picture strip = picture_new((width + GAP) * (int)count - GAP, height);
     dm_result result = DM_OK;
@@ -196,8 +196,9 @@ dm_result render_film(renderer* r, const dm_pose* poses, uint32_t count, const d
         result = render_draw(r, &poses[i], &strip, left);
         if (axis != NULL) render_axis(r, axis, blue, &strip, left);
     }
-    if (result == DM_OK && picture_write(&strip, path) != 0)
-        result = session_fail(r->session, DM_ERROR_NOT_FOUND, "can't write the picture '%s'", path);
+    void* png = result == DM_OK ? picture_encode(&strip, out_size) : NULL;
+    if (result == DM_OK && png == NULL)
+        session_fail(r->session, DM_ERROR_OUT_OF_MEMORY, "no memory for the picture of %d x %d", strip.width, height);
     picture_free(&strip);
-    return result;
+    return png;
 }

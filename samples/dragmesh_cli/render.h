@@ -38,7 +38,8 @@ dm_result render_draw(renderer* renderer, const dm_pose* pose, picture* picture,
 void render_segment(const renderer* renderer, vec from, vec to, const uint8_t rgb[3], picture* picture, int left);
 /* The joint's axis over it. */
 void render_axis(const renderer* renderer, const dm_joint* joint, const uint8_t rgb[3], picture* picture, int left);
-/* A film strip: one panel a pose, the joint's axis over each (axis NULL: none). Writes a .png; session->error. */
-dm_result render_film(renderer* renderer, const dm_pose* poses, uint32_t count, const dm_joint* axis, const char* path);
+/* Draws a film strip: one panel a pose, the joint's axis over each (axis NULL: none). Returns the bytes of a .png, to
+ * be freed; NULL and session->error on failure. */
+void* render_film(renderer* renderer, const dm_pose* poses, uint32_t count, const dm_joint* axis, size_t* out_size);
 
 #endif

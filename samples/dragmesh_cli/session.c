@@ -1,11 +1,13 @@
 /* State of one run of the tool: a context with its weights, and the file and object of the last job. */
 #include "session.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/output_file.h"
 #include "files.h"
 
 static void set_error(session* session, dm_result code, const char* text) {
@@ -27,6 +29,15 @@ dm_result session_fail(session* session, dm_result code, const char* format, ...
     va_end(arguments);
     set_error(session, code, text);
     return code;
+}
+
+dm_result session_fail_to_write(session* session, const char* path) {
+    snprintf(session->error, sizeof session->error, "can't write '%.800s': %s", path, strerror(errno));
+    return SESSION_NOT_WRITTEN;
+}
+
+dm_result session_write(session* session, const char* path, const void* data, size_t size) {
+    return output_write(path, data, size) == 0 ? DM_OK : session_fail_to_write(session, path);
 }
 
 bool session_init(session* session, const dm_allocator* allocator, enum session_method method) {

@@ -18,6 +18,9 @@ enum session_method {
     METHOD_RULES     /* rules set by hand in the ranker's place */
 };
 
+/* Beside the library's results, which are 0 and below: a file could not be written. */
+#define SESSION_NOT_WRITTEN ((dm_result)1)
+
 typedef struct session {
     dm_context* context;
     dm_model model; /* 0: geometry alone */
@@ -43,6 +46,10 @@ void session_close(session* session);
 
 /* Sets session->error to an error of the tool's own and returns `code`. */
 dm_result session_fail(session* session, dm_result code, const char* format, ...) PLATFORM_PRINTF(3, 4);
+/* Sets session->error to what errno says of a file that could not be written, and returns SESSION_NOT_WRITTEN. */
+dm_result session_fail_to_write(session* session, const char* path);
+/* Writes a whole file; session->error. */
+dm_result session_write(session* session, const char* path, const void* data, size_t size);
 
 /* Makes `path` the session's file; does nothing when it is already. */
 dm_result session_use_file(session* session, const char* path);
