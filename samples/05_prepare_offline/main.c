@@ -1,11 +1,13 @@
 /* The build machine finds the joints and writes a .dmo; the game reads it and needs no weights.
  *   sample_prepare_offline FILE.glb BODY OUT.dmo [sdk/models]    every node but BODY may move
  *   sample_prepare_offline OUT.dmo                               what the game does */
+#include <errno.h>
 #include <stdbool.h>
 #include <string.h>
 #include <time.h>
 
 #include "../common/cabinet.h"
+#include "../common/output_file.h"
 #include "../common/weights.h"
 #include "dragmesh/ext/gltf.h"
 
@@ -47,11 +49,12 @@ static int write_object(dm_context* context, dm_object object, const char* path)
     dm_object_save(context, object, NULL, 0, &size);
     void* data = malloc(size);
     if (data == NULL || dm_object_save(context, object, data, size, &size) != DM_OK) return 1;
-    FILE* file = fopen(path, "wb");
-    const bool wrote = file != NULL && fwrite(data, 1, size, file) == size;
-    if (file != NULL) fclose(file);
+    const bool wrote = output_write(path, data, size) == 0;
+    if (wrote)
+        printf("%s: %zu bytes\n", path, size);
+    else
+        fprintf(stderr, "can't write %s: %s\n", path, strerror(errno));
     free(data);
-    printf("%s: %zu bytes\n", path, size);
     return !wrote;
 }
 

@@ -3,9 +3,12 @@
  * its answer is no use, the library's own answer stays.
  *   DRAGMESH_VLM_URL    such as http://localhost:8000/v1; DRAGMESH_VLM_KEY, DRAGMESH_VLM_MODEL
  *   sample_vlm_intent [sdk/models [FOLDER]]      FOLDER: the pictures are written there too */
+#include <errno.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "../common/cabinet.h"
+#include "../common/output_file.h"
 #include "../common/weights.h"
 #include "endpoint.h"
 #include "pictures.h"
@@ -19,9 +22,7 @@ typedef struct adviser {
 static void write_picture(const char* folder, uint32_t part, uint32_t number, const void* png, size_t size) {
     char path[1024];
     snprintf(path, sizeof path, "%s/part%u_%u.png", folder, (unsigned)part, (unsigned)number);
-    FILE* file = fopen(path, "wb");
-    if (file == NULL || fwrite(png, 1, size, file) != size) fprintf(stderr, "can't write %s\n", path);
-    if (file != NULL) fclose(file);
+    if (output_write(path, png, size) != 0) fprintf(stderr, "can't write %s: %s\n", path, strerror(errno));
 }
 
 /* The hypothesis in words, and its picture. Numbers that people read begin at 1. */

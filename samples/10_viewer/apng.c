@@ -2,6 +2,7 @@
  * written, with the pixels in it that stayed left transparent: they pack to nearly nothing. */
 #include "apng.h"
 
+#include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,10 +19,6 @@ static void put32(uint8_t* out, uint32_t value) {
     for (int i = 0; i < 4; i++) out[i] = (uint8_t)(value >> (24 - 8 * i));
 }
 
-static void put(apng* apng, const void* data, size_t size) {
-    if (size && fwrite(data, 1, size, apng->file) != size) apng->failed = 1;
-}
-
 /* `head` (may be empty) and `body` together are the chunk's data. */
 static void write_chunk(apng* apng, const char* name, const uint8_t* head, size_t head_size, const uint8_t* body,
                         size_t body_size) {
@@ -31,11 +28,11 @@ static void write_chunk(apng* apng, const char* name, const uint8_t* head, size_
     if (body_size) crc = crc32(crc, body, (uInt)body_size);
     put32(size, (uint32_t)(head_size + body_size));
     put32(check, (uint32_t)crc);
-    put(apng, size, 4);
-    put(apng, name, 4);
-    put(apng, head, head_size);
-    put(apng, body, body_size);
-    put(apng, check, 4);
+    output_put(&apng->file, size, 4);
+    output_put(&apng->file, name, 4);
+    output_put(&apng->file, head, head_size);
+    output_put(&apng->file, body, body_size);
+    output_put(&apng->file, check, 4);
 }
 
 int apng_open(apng* apng, const char* path, int width, int height, uint32_t count) {
@@ -43,18 +40,14 @@ int apng_open(apng* apng, const char* path, int width, int height, uint32_t coun
     apng->width = width;
     apng->height = height;
     apng->count = count;
-    apng->file = fopen(path, "wb");
-    if (apng->file == NULL) {
-        fprintf(stderr, "viewer: can't write '%s'\n", path);
-        return -1;
-    }
+    if (output_open(&apng->file, path) != 0) return -1;
     apng->last = take((size_t)width * (size_t)height, 3);
     uint8_t header[13] = {[8] = 8, [9] = 6}; /* 8 bits, RGBA */
     uint8_t control[8] = {0};                /* frames, 0 = loops for ever */
     put32(header, (uint32_t)width);
     put32(header + 4, (uint32_t)height);
     put32(control, count);
-    put(apng, "\x89PNG\r\n\x1a\n", 8);
+    output_put(&apng->file, "\x89PNG\r\n\x1a\n", 8);
     write_chunk(apng, "IHDR", header, sizeof header, NULL, 0);
     write_chunk(apng, "acTL", control, sizeof control, NULL, 0);
     return 0;
@@ -150,7 +143,9 @@ void apng_frame(apng* apng, const uint8_t* rgb, uint16_t milliseconds) {
 
 int apng_close(apng* apng) {
     write_chunk(apng, "IEND", NULL, 0, NULL, 0);
-    if (fclose(apng->file) != 0 || apng->written != apng->count) apng->failed = 1;
     free(apng->last);
-    return apng->failed ? -1 : 0;
+    if (apng->written == apng->count) return output_close(&apng->file);
+    output_discard(&apng->file);
+    errno = ECANCELED;
+    return -1;
 }

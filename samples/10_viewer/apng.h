@@ -3,22 +3,23 @@
 #define VIEWER_APNG_H
 
 #include <stdint.h>
-#include <stdio.h>
+
+#include "../common/output_file.h"
 
 typedef struct apng {
-    FILE* file;
+    output_file file;
     int width, height;
     uint32_t count, written, number; /* frames promised, frames written, sequence number */
     uint8_t* last;                   /* pixels of the last frame */
-    int failed;
 } apng;
 
-/* `count` frames will follow. 0, or -1 with a line on stderr. */
+/* `count` frames will follow. Returns 0, or -1 with errno set. */
 int apng_open(apng* apng, const char* path, int width, int height, uint32_t count);
 
 /* rgb: rows from top to bottom, three bytes a pixel. */
 void apng_frame(apng* apng, const uint8_t* rgb, uint16_t milliseconds);
 
-int apng_close(apng* apng); /* 0, or -1 when something could not be written */
+/* Returns 0, or -1 with errno set when something could not be written or frames are missing. */
+int apng_close(apng* apng);
 
 #endif

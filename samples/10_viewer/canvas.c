@@ -1,12 +1,14 @@
 /* Where a frame is drawn: a multisampled buffer, resolved to the window or to a .png. */
 #include "canvas.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <png.h>
 
+#include "../common/output_file.h"
 #include "files.h"
 
 enum { SAMPLES = 4 }; /* of a pixel, multisampling; by hand */
@@ -80,9 +82,14 @@ int canvas_to_png(const canvas* canvas, const char* path) {
     image.width = (png_uint_32)canvas->width;
     image.height = (png_uint_32)canvas->height;
     image.format = PNG_FORMAT_RGB;
-    const int wrote = png_image_write_to_file(&image, path, 0, pixels, 0, NULL);
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+    void* bytes = take(size, 1);
+    int status = -1;
+    if (bytes != NULL && png_image_write_to_memory(&image, bytes, &size, 0, pixels, 0, NULL))
+        status = output_write(path, bytes, size);
+    else
+        errno = ENOMEM;
+    free(bytes);
     free(pixels);
-    if (wrote) return 0;
-    fprintf(stderr, "viewer: can't write '%s': %s\n", path, image.message);
-    return -1;
+    return status;
 }

@@ -18,6 +18,7 @@ void canvas_begin(const canvas* canvas);
 void canvas_to_window(const canvas* canvas);
 /* RGB rows from top to bottom, to be freed. */
 uint8_t* canvas_pixels(const canvas* canvas);
-int canvas_to_png(const canvas* canvas, const char* path); /* 0, or -1 with a line on stderr */
+/* Writes the picture. Returns 0, or -1 with errno set. */
+int canvas_to_png(const canvas* canvas, const char* path);
 
 #endif

@@ -1,7 +1,6 @@
 /* Whole files. */
 #include "files.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,13 +29,6 @@ char* file_read(const char* path, size_t* out_size) {
     }
     fclose(file);
     return bytes;
-}
-
-int file_write(const char* path, const void* data, size_t size) {
-    FILE* file = fopen(path, "wb");
-    if (file == NULL) return -1;
-    const bool wrote = fwrite(data, 1, size, file) == size;
-    return fclose(file) == 0 && wrote ? 0 : -1;
 }
 
 char* path_with_ending(const char* path, const char* ending) {

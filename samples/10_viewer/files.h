@@ -1,4 +1,4 @@
-/* Reading and writing of whole files. */
+/* Reading of whole files; samples/common/output_file.h writes them. */
 #ifndef VIEWER_FILES_H
 #define VIEWER_FILES_H
 
@@ -6,9 +6,6 @@
 
 /* A file's bytes and a zero after them, to be freed; NULL with errno set. */
 char* file_read(const char* path, size_t* out_size);
-
-/* 0, or -1 with errno set. */
-int file_write(const char* path, const void* data, size_t size);
 
 /* Adds or takes the ending: path_with_ending("a/b.glb", ".dmo") = "a/b.dmo", to be freed. */
 char* path_with_ending(const char* path, const char* ending);

@@ -1,8 +1,10 @@
 /* A viewer: opens a .glb, shows what can move, lets the player drag it. Also plays recorded sessions off screen. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/output_file.h"
 #include "apng.h"
 #include "app.h"
 #include "canvas.h"
@@ -100,6 +102,21 @@ static int read_options(options* options, int argc, char** argv) {
     return options->world.file != NULL || options->world.scene != NULL || options->replay != NULL ? 0 : -1;
 }
 
+/* ---- files ---- */
+
+static int fail_to_write(const char* path) {
+    fprintf(stderr, "viewer: can't write '%s': %s\n", path, strerror(errno));
+    return -1;
+}
+
+static int open_output(output_file* file, const char* path) {
+    return output_open(file, path) == 0 ? 0 : fail_to_write(path);
+}
+
+static int close_output(output_file* file, const char* path) {
+    return output_close(file) == 0 ? 0 : fail_to_write(path);
+}
+
 /* ---- drawing ---- */
 
 static int graphics_open(graphics* graphics, int width, int height) {
@@ -139,7 +156,7 @@ static void resize(graphics* graphics, app* app, SDL_Window* window) {
 enum { MOST_BEHIND = 15 }; /* frames: after a longer stop the world doesn't catch up */
 
 /* Steps of a sixtieth of a second, however fast the screen is, so that a recording plays back the same. */
-static void run(app* app, graphics* graphics, SDL_Window* window, FILE* record) {
+static void run(app* app, graphics* graphics, SDL_Window* window, output_file* record) {
     const Uint64 start = SDL_GetPerformanceCounter();
     uint32_t frame = 0, skipped = 0;
     event event;
@@ -159,7 +176,7 @@ static void run(app* app, graphics* graphics, SDL_Window* window, FILE* record) 
         canvas_to_window(&graphics->canvas);
         SDL_GL_SwapWindow(window);
     }
-    if (record != NULL) fprintf(record, "%u end\n", (unsigned)frame);
+    if (record != NULL) output_print(record, "%u end\n", (unsigned)frame);
 }
 
 static int play_live(const options* options, world* world) {
@@ -170,14 +187,16 @@ static int play_live(const options* options, world* world) {
     if (status != 0) return status;
     app_open(&app, world, options->width, options->height, options->z_up);
     app.save_path = options->save;
-    FILE* record = options->record != NULL ? fopen(options->record, "w") : NULL;
-    if (record != NULL) session_write_head(record, &app.camera, &options->world);
-    status = options->record != NULL && record == NULL ? -1 : graphics_open(&graphics, options->width, options->height);
+    output_file record = {.stream = NULL};
+    if (options->record != NULL) status = open_output(&record, options->record);
+    if (record.stream != NULL) session_write_head(&record, &app.camera, &options->world);
+    if (status == 0) status = graphics_open(&graphics, options->width, options->height);
     if (status == 0) {
-        run(&app, &graphics, window.handle, record);
+        run(&app, &graphics, window.handle, record.stream != NULL ? &record : NULL);
         graphics_close(&graphics);
+        if (options->record != NULL) status = close_output(&record, options->record);
     }
-    if (record != NULL) fclose(record);
+    output_discard(&record);
     window_close(&window);
     return status;
 }
@@ -193,7 +212,7 @@ static int take_picture(graphics* graphics, const char* folder, int number) {
     char name[32];
     snprintf(name, sizeof name, "frame_%03d.png", number);
     char* path = path_join(folder, name);
-    const int status = canvas_to_png(&graphics->canvas, path);
+    const int status = canvas_to_png(&graphics->canvas, path) == 0 ? 0 : fail_to_write(path);
     free(path);
     return status;
 }
@@ -229,11 +248,12 @@ static int play_drawn(const options* options, const session* session, app* app, 
     graphics graphics;
     if (window_open(&window, session->width, session->height, 1) != 0) return 3;
     int status = graphics_open(&graphics, session->width, session->height);
-    if (status == 0 && options->apng != NULL)
-        status =
-            apng_open(&graphics.animation, options->apng, session->width, session->height, (uint32_t)options->frames);
+    if (status == 0 && options->apng != NULL &&
+        apng_open(&graphics.animation, options->apng, session->width, session->height, (uint32_t)options->frames) != 0)
+        status = fail_to_write(options->apng);
     if (status == 0) status = play_events(options, session, app, &graphics, poses);
-    if (graphics.animation.file != NULL) status |= apng_close(&graphics.animation);
+    if (graphics.animation.file.stream != NULL && apng_close(&graphics.animation) != 0)
+        status = fail_to_write(options->apng);
     graphics_close(&graphics);
     window_close(&window);
     return status;
@@ -242,19 +262,16 @@ static int play_drawn(const options* options, const session* session, app* app, 
 static int replay(const options* options, const session* session, world* world) {
     app app;
     poses poses;
-    FILE* file = options->poses != NULL ? fopen(options->poses, "w") : NULL;
-    if (options->poses != NULL && file == NULL) {
-        fprintf(stderr, "viewer: can't write '%s'\n", options->poses);
-        return -1;
-    }
-    poses_open(&poses, file);
+    output_file file = {.stream = NULL};
+    if (options->poses != NULL && open_output(&file, options->poses) != 0) return -1;
+    poses_open(&poses, file.stream != NULL ? &file : NULL);
     app_open(&app, world, session->width, session->height, session->z_up);
     app.save_path = options->save;
     app.hide_times = 1;
-    const int status = options->png != NULL || options->apng != NULL
-                           ? play_drawn(options, session, &app, &poses)
-                           : play_events(options, session, &app, NULL, &poses);
-    if (file != NULL) fclose(file);
+    int status = options->png != NULL || options->apng != NULL ? play_drawn(options, session, &app, &poses)
+                                                               : play_events(options, session, &app, NULL, &poses);
+    if (status == 0 && options->poses != NULL) status = close_output(&file, options->poses);
+    output_discard(&file);
     if (status == 0) printf("poses %016llx over %u frames\n", (unsigned long long)poses.hash, session->end + 1);
     for (uint32_t id = 1; id <= world->part_count && status == 0; id++)
         printf("part %u '%s': %.6g\n", (unsigned)id, world->parts[id].name,

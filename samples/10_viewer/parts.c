@@ -159,7 +159,7 @@ void parts_tidy(world* world) {
 
 /* NumPy's format 1.0: a header padded to 64 bytes, then one byte a face. Segmenters and dragmesh's own tools read it.
  */
-int parts_save(const world* world, const char* path) {
+uint8_t* parts_encode(const world* world, size_t* out_size) {
     char header[128];
     uint8_t* bytes = take(sizeof header + world->face_count, 1);
     memset(bytes, ' ', sizeof header);
@@ -169,9 +169,8 @@ int parts_save(const world* world, const char* path) {
     memcpy(bytes + 10, header, (size_t)length);
     bytes[sizeof header - 1] = '\n';
     memcpy(bytes + sizeof header, world->face_part, world->face_count);
-    const int status = file_write(path, bytes, sizeof header + world->face_count);
-    free(bytes);
-    return status;
+    *out_size = sizeof header + world->face_count;
+    return bytes;
 }
 
 int parts_load(world* world, const char* path) {

@@ -10,9 +10,10 @@ int parts_from_names(world* world, const char* const* lists, uint32_t count);
 /* Assigns every node but the largest, which is the body, to a part of its own. */
 void parts_from_nodes(world* world);
 
-/* From FILE.parts.npy, as parts_save wrote it. */
+/* From FILE.parts.npy, as parts_encode made it. */
 int parts_load(world* world, const char* path);
-int parts_save(const world* world, const char* path);
+/* Returns the bytes of such a file, to be freed. */
+uint8_t* parts_encode(const world* world, size_t* out_size);
 
 /* A new part without faces; its id, 0 when there are too many. */
 uint32_t parts_add(world* world, const char* name);

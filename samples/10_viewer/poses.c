@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-void poses_open(poses* poses, FILE* file) {
+void poses_open(poses* poses, output_file* file) {
     memset(poses, 0, sizeof *poses);
     poses->file = file;
     poses->hash = 14695981039346656037u; /* FNV-1a, 64 bits */
@@ -29,10 +29,10 @@ static void write_joint(poses* poses, const world_part* part, uint32_t frame, ui
     const dm_joint* j = &part->state.joint;
     if (same_line(j, &poses->joints[id])) return;
     poses->joints[id] = *j;
-    fprintf(poses->file, "# %u %u type %d %.2f axis %.4f %.4f %.4f origin %.4f %.4f %.4f from %.4f to %.4f\n",
-            (unsigned)frame, (unsigned)id, (int)j->type, (double)j->type_confidence, (double)j->axis.x,
-            (double)j->axis.y, (double)j->axis.z, (double)j->origin.x, (double)j->origin.y, (double)j->origin.z,
-            (double)j->lower, (double)j->upper);
+    output_print(poses->file, "# %u %u type %d %.2f axis %.4f %.4f %.4f origin %.4f %.4f %.4f from %.4f to %.4f\n",
+                 (unsigned)frame, (unsigned)id, (int)j->type, (double)j->type_confidence, (double)j->axis.x,
+                 (double)j->axis.y, (double)j->axis.z, (double)j->origin.x, (double)j->origin.y, (double)j->origin.z,
+                 (double)j->lower, (double)j->upper);
 }
 
 void poses_frame(poses* poses, const world* world, uint32_t frame) {
@@ -44,8 +44,9 @@ void poses_frame(poses* poses, const world* world, uint32_t frame) {
         if (same_bits(p, &poses->last[id], sizeof *p)) continue;
         poses->last[id] = *p;
         if (poses->file != NULL)
-            fprintf(poses->file, "%u %u %.6g %a %a %a %a %a %a %a %a\n", (unsigned)frame, (unsigned)id,
-                    (double)part->state.value, (double)p->real[0], (double)p->real[1], (double)p->real[2],
-                    (double)p->real[3], (double)p->dual[0], (double)p->dual[1], (double)p->dual[2], (double)p->dual[3]);
+            output_print(poses->file, "%u %u %.6g %a %a %a %a %a %a %a %a\n", (unsigned)frame, (unsigned)id,
+                         (double)part->state.value, (double)p->real[0], (double)p->real[1], (double)p->real[2],
+                         (double)p->real[3], (double)p->dual[0], (double)p->dual[1], (double)p->dual[2],
+                         (double)p->dual[3]);
     }
 }

@@ -2,18 +2,18 @@
 #ifndef VIEWER_POSES_H
 #define VIEWER_POSES_H
 
-#include <stdio.h>
+#include "../common/output_file.h"
 
 #include "world.h"
 
 typedef struct poses {
-    FILE* file; /* may be NULL: only the hash is kept */
+    output_file* file; /* may be NULL: only the hash is kept */
     uint64_t hash;
     dm_pose last[WORLD_MAX_PARTS + 1];
     dm_joint joints[WORLD_MAX_PARTS + 1];
 } poses;
 
-void poses_open(poses* poses, FILE* file);
+void poses_open(poses* poses, output_file* file);
 
 /* Adds every part's pose to the hash, and writes those that changed since the last frame in hexadecimal floats, and
  * changes of a joint. */

@@ -110,20 +110,21 @@ void session_free(session* session) {
     memset(session, 0, sizeof *session);
 }
 
-void session_write_head(FILE* file, const camera* camera, const world_options* options) {
-    fprintf(file, "dragmesh-session 1\nsize %d %d\nup %c\n", camera->width, camera->height, camera->z_up ? 'z' : 'y');
-    if (options->scene != NULL) fprintf(file, "scene %s\n", options->scene);
-    for (uint32_t i = 0; i < options->part_count; i++) fprintf(file, "part %s\n", options->parts[i]);
+void session_write_head(output_file* file, const camera* camera, const world_options* options) {
+    output_print(file, "dragmesh-session 1\nsize %d %d\nup %c\n", camera->width, camera->height,
+                 camera->z_up ? 'z' : 'y');
+    if (options->scene != NULL) output_print(file, "scene %s\n", options->scene);
+    for (uint32_t i = 0; i < options->part_count; i++) output_print(file, "part %s\n", options->parts[i]);
     const event start = {.kind = EVENT_CAMERA,
                          .numbers = {camera->yaw, camera->pitch, camera->distance, camera->target.x, camera->target.y,
                                      camera->target.z}};
     session_write_event(file, &start);
 }
 
-void session_write_event(FILE* file, const event* event) {
-    fprintf(file, "%u %s", event->frame, kinds[event->kind]);
-    for (int i = 0; i < number_counts[event->kind]; i++) fprintf(file, " %.9g", (double)event->numbers[i]);
-    if (event->kind == EVENT_KEY) fprintf(file, " %s", event->key);
-    if (event->kind == EVENT_PRESS || event->kind == EVENT_RELEASE) fprintf(file, " %s", buttons[event->button]);
-    fprintf(file, "%s\n", event->shift ? " shift" : "");
+void session_write_event(output_file* file, const event* event) {
+    output_print(file, "%u %s", event->frame, kinds[event->kind]);
+    for (int i = 0; i < number_counts[event->kind]; i++) output_print(file, " %.9g", (double)event->numbers[i]);
+    if (event->kind == EVENT_KEY) output_print(file, " %s", event->key);
+    if (event->kind == EVENT_PRESS || event->kind == EVENT_RELEASE) output_print(file, " %s", buttons[event->button]);
+    output_print(file, "%s\n", event->shift ? " shift" : "");
 }

@@ -20,6 +20,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "../common/output_file.h"
 #include "camera.h"
 #include "world.h"
 
@@ -47,7 +48,7 @@ typedef struct session {
 int session_read(session* session, const char* path); /* 0, or -1 with a line on stderr */
 void session_free(session* session);
 
-void session_write_head(FILE* file, const camera* camera, const world_options* options);
-void session_write_event(FILE* file, const event* event);
+void session_write_head(output_file* file, const camera* camera, const world_options* options);
+void session_write_event(output_file* file, const event* event);
 
 #endif

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "../common/output_file.h"
 #include "../common/weights_folder.h"
 #include "files.h"
 #include "parts.h"
@@ -213,14 +214,16 @@ int world_load(world* world, const char* path) {
     return result == DM_OK ? adopt(world) : -1;
 }
 
-static int write_object(world* world, const char* path) {
-    size_t size = 0;
+/* Writes the object and the parts that its faces belong to, both or none. */
+static int write_object(world* world, const char* path, const char* beside) {
+    size_t size = 0, part_size;
     dm_object_save(world->context, world->object, NULL, 0, &size);
-    void* data = take(size, 1);
-    dm_result result = dm_object_save(world->context, world->object, data, size, &size);
-    int status = result == DM_OK ? 0 : -1;
-    if (status == 0 && file_write(path, data, size) != 0)
-        status = fail(world, "can't write '%s': %s", path, strerror(errno));
+    uint8_t *data = take(size, 1), *parts = parts_encode(world, &part_size);
+    int status = dm_object_save(world->context, world->object, data, size, &size) == DM_OK ? 0 : -1, failed;
+    const output_bytes files[2] = {{path, data, size}, {beside, parts, part_size}};
+    if (status == 0 && output_write_all(files, 2, &failed) != 0)
+        status = fail(world, "can't write '%s': %s", files[failed].path, strerror(errno));
+    free(parts);
     free(data);
     return status;
 }
@@ -228,9 +231,7 @@ static int write_object(world* world, const char* path) {
 int world_save(world* world, const char* path) {
     if (!world->object) return fail(world, "nothing is prepared, so nothing can be saved");
     char* beside = path_with_ending(path, ".parts.npy");
-    int status = write_object(world, path);
-    if (status == 0 && parts_save(world, beside) != 0)
-        status = fail(world, "can't write '%s': %s", beside, strerror(errno));
+    const int status = write_object(world, path, beside);
     if (status == 0) fail(world, "saved %s", path); /* a message, no failure */
     free(beside);
     return status;

@@ -3,11 +3,13 @@
  *     sample_latch                         all scenes
  *     sample_latch house_door [HZ]         one scene, at a frame rate
  *     sample_latch house_door --glb FILE   its object as a .glb */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../common/cabinet.h"
+#include "../common/output_file.h"
 #include "game.h"
 
 typedef struct listener {
@@ -52,9 +54,8 @@ static int run(dm_context* context, const scene* scene, float hz) {
 static int write_glb(const scene* scene, const char* path) {
     size_t size = 0;
     void* bytes = scene_glb(scene, &size);
-    FILE* file = bytes != NULL ? fopen(path, "wb") : NULL;
-    int status = file != NULL && fwrite(bytes, 1, size, file) == size ? 0 : 1;
-    if (file != NULL && fclose(file) != 0) status = 1;
+    const int status = bytes != NULL && output_write(path, bytes, size) == 0 ? 0 : 1;
+    if (status != 0) fprintf(stderr, "can't write %s: %s\n", path, strerror(errno));
     free(bytes);
     return status;
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "../../samples/common/output_file.h"
 #include "bench.h"
 #include "check_all.h"
 #include "dragmesh/ext/gltf.h"
@@ -296,17 +297,23 @@ static int write_glb(const dmg_object* object, void** data, size_t* size) {
 
 /* ---- files ---- */
 
-static int write_file(const char* folder, const char* name, const void* data, size_t size) {
-    char path[4096];
-    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path) {
-        fprintf(stderr, "dragmesh_generate: the path of %s is too long\n", name);
-        return 0;
-    }
-    FILE* file = fopen(path, "wb");
-    int ok = file && fwrite(data, 1, size, file) == size;
-    if (file && fclose(file) != 0) ok = 0;
-    if (!ok) fprintf(stderr, "dragmesh_generate: can't write %s: %s\n", path, strerror(errno));
-    return ok;
+enum { PATH_ROOM = 4096 };
+
+static int join(const char* folder, const char* name, char path[PATH_ROOM]) {
+    if (snprintf(path, PATH_ROOM, "%s/%s", folder, name) < PATH_ROOM) return 1;
+    fprintf(stderr, "dragmesh_generate: the path of %s is too long\n", name);
+    return 0;
+}
+
+/* Writes the object and what is known of it, both or none. */
+static int write_files(const char* folder, const void* glb, size_t size, const char* json) {
+    char glb_path[PATH_ROOM], json_path[PATH_ROOM];
+    if (!join(folder, "object.glb", glb_path) || !join(folder, "joints.json", json_path)) return 0;
+    const output_bytes files[2] = {{glb_path, glb, size}, {json_path, json, strlen(json)}};
+    int failed;
+    if (output_write_all(files, 2, &failed) == 0) return 1;
+    fprintf(stderr, "dragmesh_generate: can't write %s: %s\n", files[failed].path, strerror(errno));
+    return 0;
 }
 
 /* mkdir -p */
@@ -340,8 +347,7 @@ static int generate(const options* options) {
     if (!ok)
         fprintf(stderr, "dragmesh_generate: %s seed %llu could not be encoded\n", object.category,
                 (unsigned long long)options->seed);
-    ok = ok && make_folder(options->folder) && write_file(options->folder, "object.glb", glb, size) &&
-         write_file(options->folder, "joints.json", json, strlen(json));
+    ok = ok && make_folder(options->folder) && write_files(options->folder, glb, size, json);
     free(glb);
     free(json);
     dmg_object_release(&object);

@@ -1,12 +1,14 @@
 /* Draws contact sheets by a small rasteriser: a depth buffer, flat shading, four samples a pixel; parts in colour. */
 #include "sheet.h"
 
+#include <errno.h>
 #include <math.h>
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../samples/common/output_file.h"
 #include "generator.h"
 
 enum { SIDE = 104, SAMPLES = 2, FINE = SIDE * SAMPLES };
@@ -184,9 +186,16 @@ static int draw_pair(tile* t, uint32_t category, uint64_t seed, uint32_t flags, 
 
 static int write_png(const char* path, const unsigned char* rgb, uint32_t width, uint32_t height) {
     png_image image = {.version = PNG_IMAGE_VERSION, .width = width, .height = height, .format = PNG_FORMAT_RGB};
-    if (png_image_write_to_file(&image, path, 0, rgb, 0, NULL)) return 0;
-    fprintf(stderr, "dragmesh_generate: can't write %s: %s\n", path, image.message);
-    return -1;
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+    void* bytes = malloc(size);
+    int status = -1;
+    if (bytes != NULL && png_image_write_to_memory(&image, bytes, &size, 0, rgb, 0, NULL))
+        status = output_write(path, bytes, size);
+    else
+        errno = ENOMEM;
+    free(bytes);
+    if (status != 0) fprintf(stderr, "dragmesh_generate: can't write %s: %s\n", path, strerror(errno));
+    return status;
 }
 
 int sheet_write(const char* path, const uint32_t* categories, uint32_t count, uint32_t columns, uint64_t first_seed,
