@@ -82,6 +82,7 @@ python_runs() { PYTHONPATH=bindings/python DRAGMESH_LIBRARY_PATH=$build /usr/bin
 guides Python "python_runs first_door samples/cabinet.glb" "python_runs handover $cabinet"
 DRAGMESH_LIBRARY_PATH=$build passes "the layer of Python" /usr/bin/python3 tests/python/test_binding.py
 DRAGMESH_LIBRARY_PATH=$build passes "the misuse of Python" /usr/bin/python3 tests/python/test_misuse.py
+DRAGMESH_LIBRARY_PATH=$build passes "the files of Python" /usr/bin/python3 tests/python/test_whole_file.py
 passes "the wheel" tests/python/wheel.sh "$build"
 blender_addon() {
     "$build/dragmesh_generate" --category kitchen_cabinet --seed 100 -o "$work" && bindings/python/blender/pack "$work/addon.zip" "$build" &&

@@ -1,5 +1,6 @@
 """The paper's three ablation tables and its efficiency table, row by row (see ../ablate)."""
 import csv
+import io
 import json
 import math
 import os
@@ -12,6 +13,7 @@ import torch
 from torch import nn
 
 from . import config, data, evaluate, losses, train
+from .files import save_arrays, write_whole
 from .networks import KPP_SIZES, VAE_SIZES, Attention, DqVae, KppNet
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "ablations")
@@ -84,10 +86,11 @@ def read(table):
 def write(table, rows):
     os.makedirs(FOLDER, exist_ok=True)
     names = ["row", *dict.fromkeys(name for row in rows.values() for name in row if name != "row")]
-    with open(path_of(table), "w", newline="") as file:
-        writer = csv.DictWriter(file, names, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows.values())
+    text = io.StringIO()
+    writer = csv.DictWriter(text, names, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows.values())
+    write_whole(path_of(table), text.getvalue().encode())
 
 
 def cases(lab, network, split, count):
@@ -97,7 +100,7 @@ def cases(lab, network, split, count):
     if not os.path.exists(path):
         chunks = [data.make_batch(lab, network, SEED * 7919 + i, min(512, count - i), data.trained_categories(lab), split)
                   for i in range(0, count, 512)]
-        np.savez(path, **{name: np.concatenate([c[name] for c in chunks]) for name in chunks[0]})
+        save_arrays(path, **{name: np.concatenate([c[name] for c in chunks]) for name in chunks[0]})
     with np.load(path) as kept:
         return dict(kept)
 

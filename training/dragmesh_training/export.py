@@ -8,6 +8,8 @@ import sys
 import numpy as np
 import torch
 
+from .files import write_whole
+
 ARCHITECTURES = {"kpp": "dragmesh-kpp-net", "vae": "dragmesh-dq-vae"}
 
 
@@ -20,9 +22,7 @@ def write_safetensors(path, arrays, metadata):
         offset += array.nbytes
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 8)
-    with open(path + ".new", "wb") as file:
-        file.write(struct.pack("<Q", len(text)) + text + b"".join(array.tobytes() for array in arrays.values()))
-    os.replace(path + ".new", path)
+    write_whole(path, struct.pack("<Q", len(text)) + text + b"".join(array.tobytes() for array in arrays.values()))
 
 
 def save_safetensors(path, tensors, metadata):

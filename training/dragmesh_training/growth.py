@@ -18,6 +18,7 @@ import torch
 
 from .config import HELD_OUT
 from .export import commit, perceptron_tensors, write_safetensors
+from .files import save_arrays
 from .lab import Options, category_weights, chosen_kinds, kinds, open_lab
 
 BATCH = 50  # cases
@@ -79,7 +80,7 @@ def gather(lab, folder, name, count, make, messy=0.6):
             continue
         parts.append(make(first, min(BATCH, count - first), mask, messy))
         if path:
-            np.savez(path, *parts[-1])
+            save_arrays(path, *parts[-1])
     data = [np.concatenate(arrays) for arrays in zip(*parts)]
     print(f"{name}: {len(data[0])} rows of {count} cases, {time.time() - start:.0f} s", flush=True)
     return data

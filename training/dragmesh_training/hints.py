@@ -13,6 +13,7 @@ import re
 
 import numpy as np
 
+from .files import save_arrays, write_whole
 from .lab import LAB, PULLS, Options, category_weights, chosen_kinds, open_lab
 
 ROOT = os.path.join(os.path.dirname(__file__), "..", "..")
@@ -72,7 +73,7 @@ def make(lab, seed, count, split, chosen):
 def run_make(arguments):
     lab = open_lab(arguments.lab)
     data = make(lab, arguments.seed, arguments.count, arguments.split, chosen_kinds(lab, arguments.only))
-    np.savez_compressed(arguments.out, **data)
+    save_arrays(arguments.out, compressed=True, **data)
 
 
 def load(paths):
@@ -226,8 +227,7 @@ def write(model, lab, path):
     lines += [f"KIND_SLIDES({name}, {value:.3f}f)" for name, value in zip(names_of(lab, 0), model["slides"].numpy())]
     lines += [f"KIND_WEIGHTS({name}, {numbers(row)})" for name, row in zip(names_of(lab, 0), model["kinds"].numpy())]
     lines += [""] + [f"#undef {table}" for table in tables]
-    with open(path, "w") as file:
-        file.write("\n".join(lines) + "\n")
+    write_whole(path, ("\n".join(lines) + "\n").encode())
 
 
 def run_fit(arguments):

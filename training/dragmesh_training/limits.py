@@ -19,6 +19,7 @@ from .cases import case_files, load
 from .descent import descend
 from .export import perceptron_tensors, write_joint_models
 from .features import PRISMATIC
+from .files import save_arrays
 from .lab import LAB, chosen_kinds, names_by_id, open_lab, options_of
 
 ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32), ("pose", np.float32),
@@ -168,7 +169,7 @@ def run_make(arguments):
     parts = [make(lab, kinematics, prefilter, arguments.seed * 1000003 + first, min(AT_ONCE, arguments.count - first),
                   arguments.split, chosen)
              for first in range(0, arguments.count, AT_ONCE)]
-    np.savez(arguments.out, names=np.array(names_by_id(lab)),
+    save_arrays(arguments.out, names=np.array(names_by_id(lab)),
              **{name: np.concatenate([part[name] for part in parts]) for name in parts[0]})
 
 

@@ -26,6 +26,7 @@ from . import boosted_trees, prefilter
 from .cases import KEPT_BEST, case_files, costs, load, log_weights, make
 from .config import HELD_OUT
 from .features import HIDDEN_GROUPS, NETWORK, PRISMATIC
+from .files import save_arrays, write_whole
 from .lab import LAB, PULLS, chosen_kinds, names_by_id, open_lab, options_of
 
 GOOD = 0.02
@@ -61,7 +62,7 @@ def run_make(arguments):
         part["features"] = part["features"].astype(np.float16)
         parts.append(part)
     data = {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
-    np.savez(arguments.out, names=np.array(names_by_id(lab)), **data)
+    save_arrays(arguments.out, names=np.array(names_by_id(lab)), **data)
     print(f"{arguments.count} cases in {time.time() - start:.0f} s; best candidate under 2 %: "
           f"{(data['best'] < GOOD).mean():.3f}; candidates {data['total'].mean():.0f}")
 
@@ -263,8 +264,7 @@ def committed_network(folder, name, commit):
     if not os.path.exists(path):
         weights = subprocess.run(["git", "show", f"{commit}:sdk/models/kpp_net.safetensors"], stdout=subprocess.PIPE, check=True,
                                  cwd=os.path.dirname(os.path.abspath(__file__))).stdout
-        with open(path, "wb") as file:
-            file.write(weights)
+        write_whole(path, weights)
     return path
 
 

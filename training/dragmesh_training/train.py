@@ -11,6 +11,7 @@ import torch
 from . import evaluate, export
 from .choice import choice_loss, question
 from .data import CHUNK, Pool, Stream, mirrored, to_tensors
+from .files import whole_file
 from .losses import kpp_losses, vae_losses, weighted
 from .networks import KPP_SIZES, VAE_SIZES, DqVae, KppNet
 
@@ -128,8 +129,8 @@ class Run:
         state = {name: getattr(self, name).state_dict() for name in ("model", "average", "optimizer")}
         state.update(step=self.step, chunks=self.chunks, seconds=self.seconds, random=torch.get_rng_state(),
                      config=asdict(self.config))
-        torch.save(state, self.checkpoint + ".new")
-        os.replace(self.checkpoint + ".new", self.checkpoint)
+        with whole_file(self.checkpoint) as file:
+            torch.save(state, file)
 
     def drawn(self, config, step):
         """The batch of a step, which are to be asked for in order."""

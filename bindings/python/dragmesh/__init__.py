@@ -8,6 +8,7 @@ from .objects import Drag, Model, Motion, Object, Scene
 from .values import (Axes, Error, Event, Go, InputFlag, Intent, JointSource, JointType, LinkKind, Phase, Picking, Rule, Status, StepFlag,
                      joint_frame, joint_pose, joint_scaled, joint_value, joint_value_at, load, pose_apply, pose_from_rotation,
                      pose_inverse, pose_matrix, pose_multiply, version)
+from .whole_file import whole_file, write_together, write_whole
 
 __version__ = "0.3.0.dev0"
 __all__ = ["Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf", "Go", "Hit", "Hypothesis", "InputFlag", "Intent", "Joint",
@@ -15,4 +16,4 @@ __all__ = ["Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf", "Go", 
            "Phase", "Picking", "Pose", "Ray", "Rule", "Scene", "Status", "StepFlag", "Vec3", "joint_frame", "joint_pose",
            "joint_scaled", "joint_value", "joint_value_at", "load", "pose_apply",
            "pose_from_rotation", "pose_inverse", "pose_matrix", "pose_multiply",
-           "prepare_gltf", "version", "write_glb"]
+           "prepare_gltf", "version", "whole_file", "write_glb", "write_together", "write_whole"]

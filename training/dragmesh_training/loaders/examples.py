@@ -9,6 +9,7 @@ import sys
 import numpy as np
 
 from .. import cases
+from ..files import save_arrays
 from ..lab import open_lab
 from . import objects
 from .batches import given
@@ -59,7 +60,7 @@ def main():
     names, data = make(open_lab(options.lab), options.folder, options.rows, options.with_drag, weights)
     if not data:
         sys.exit(f"{options.folder}: no joint that the library takes")
-    np.savez(options.o, names=np.array(names), **data)
+    save_arrays(options.o, names=np.array(names), **data)
     print(f"{len(data['type'])} examples of {len(names)} categories")
 
 

@@ -10,8 +10,8 @@ FLOAT, UINT32, ARRAY, ELEMENTS = 5126, 5125, 34962, 34963
 TYPES = {5121: np.uint8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 
 
-def write(path, parts):
-    """parts: {node name: (positions (V, 3), triangles (F, 3))}."""
+def encode(parts):
+    """The bytes of a file. parts: {node name: (positions (V, 3), triangles (F, 3))}."""
     tree = {"asset": {"version": "2.0", "generator": "dragmesh"}, "scene": 0,
             "scenes": [{"nodes": list(range(len(parts)))}], "nodes": [], "meshes": [], "accessors": [],
             "bufferViews": [], "buffers": []}
@@ -31,7 +31,7 @@ def write(path, parts):
     text = json.dumps(tree).encode()
     text += b" " * (-len(text) % 4)
     body = struct.pack("<II", len(text), JSON) + text + struct.pack("<II", len(data), BIN) + bytes(data)
-    Path(path).write_bytes(struct.pack("<III", MAGIC, 2, 12 + len(body)) + body)
+    return struct.pack("<III", MAGIC, 2, 12 + len(body)) + body
 
 
 def chunks(data):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..files import write_together
 from . import glb, meshes
 
 KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
@@ -203,9 +204,9 @@ def convert(path, out, category=None, up="z", seed=1):
     if not entries:
         raise UrdfError(f"{path}: no joint moves one part against another")
     out.mkdir(parents=True, exist_ok=True)
-    glb.write(out / "object.glb", parts)
-    (out / "joints.json").write_text(json.dumps(
-        {"object": folder.name, "source": "urdf", "path": path.name, "license": "as its source states",
-         "category": category or read_category(folder) or root.get("name") or "?", "family": folder.name, "up": up,
-         "units": "m", "largest_dimension": size, "joints": entries}, indent=1))
+    description = {"object": folder.name, "source": "urdf", "path": path.name, "license": "as its source states",
+                   "category": category or read_category(folder) or root.get("name") or "?", "family": folder.name,
+                   "up": up, "units": "m", "largest_dimension": size, "joints": entries}
+    write_together({str(out / "object.glb"): glb.encode(parts),
+                    str(out / "joints.json"): json.dumps(description, indent=1).encode()})
     return len(entries)

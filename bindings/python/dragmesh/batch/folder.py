@@ -4,6 +4,7 @@ import os
 from typing import Any, Dict, List, Optional
 
 from ..values import version
+from ..whole_file import write_whole
 from .task import Result
 
 _ENDINGS = (".glb", ".gltf")
@@ -19,11 +20,8 @@ def find_files(folder: str) -> List[str]:
 
 
 def _write(path: str, data: bytes) -> None:
-    """All of a file or nothing of it."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path + ".part", "wb") as file:
-        file.write(data)
-    os.replace(path + ".part", path)
+    write_whole(path, data)
 
 
 class Results:
