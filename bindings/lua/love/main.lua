@@ -147,9 +147,13 @@ function love.draw()
         local path = game.picture
         game.picture = nil
         love.graphics.captureScreenshot(function(image)
-            local file = assert(io.open(path, "wb"))
-            file:write(image:encode("png"):getString())
-            file:close()
+            local part = path .. ".part" -- renamed when it is whole
+            local file = assert(io.open(part, "wb"))
+            local wrote, problem = file:write(image:encode("png"):getString())
+            if wrote then wrote, problem = file:close() end
+            if wrote then wrote, problem = os.rename(part, path) end
+            if not wrote then os.remove(part) end
+            assert(wrote, problem)
             love.event.quit()
         end)
     end

@@ -22,6 +22,5 @@ with dragmesh.Context() as context, dragmesh.Gltf(source) as gltf:
     kept = drag.end()  # what the instance saves
     faces = np.zeros(gltf.face_count(), np.uint8)
     gltf.mark_faces([f"#{gltf.nodes()[part.id - 1].node}"], 1, faces)
-    with open(target, "wb") as file:
-        file.write(gltf.export([{"face_ids": faces, "value": 1, "poses": poses, "times": times}]))
+    dragmesh.write_whole(target, gltf.export([{"face_ids": faces, "value": 1, "poses": poses, "times": times}]))
     print(f"{dragmesh.JointType(kept.joint.type).name} at {kept.value:.2f}, {events!r}")

@@ -22,7 +22,22 @@ static class Bake
         using (Model model = context.LoadModel(arguments[0]))
         using (PreparedObject cabinet = context.Prepare(new Mesh(positions.ToArray(), indices, ids.ToArray(), true),
                                                         new PrepareOptions { Model = model, Parts = parts, Label = "cabinet" }))
-            File.WriteAllBytes(arguments[1], cabinet.Save());
+            WriteWhole(arguments[1], cabinet.Save());
+    }
+
+    // Beside its place, then renamed: whatever fails, the file that was there stays.
+    private static void WriteWhole(string path, byte[] data)
+    {
+        string part = path + ".part";
+        try
+        {
+            File.WriteAllBytes(part, data);
+            if (File.Exists(path)) File.Replace(part, path, null); else File.Move(part, path);
+        }
+        finally
+        {
+            File.Delete(part);
+        }
     }
 
     private static void Add(float[][] boxes, int id, List<Vec3> positions, List<int> ids)

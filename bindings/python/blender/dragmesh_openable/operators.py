@@ -1,5 +1,6 @@
 """The commands and the panel."""
 import os
+import tempfile
 
 import bpy
 from bpy_extras.io_utils import ExportHelper
@@ -104,8 +105,7 @@ class Export(bpy.types.Operator, ExportHelper):
                 prepared = inference.prepare(library, body, parts, context.evaluated_depsgraph_get())
                 for number, part in enumerate(parts):
                     prepared.set_joint(number + 1, inference.joint_of(part))
-                with open(os.path.splitext(self.filepath)[0] + ".dmo", "wb") as file:
-                    file.write(prepared.save())
+                dmo = prepared.save()
         except (dragmesh.Error, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -113,8 +113,22 @@ class Export(bpy.types.Operator, ExportHelper):
             context.scene.frame_set(frame)
         for thing in (body, *(thing for part in parts for thing in (part.dragmesh.rest, part.dragmesh.motion))):
             thing.select_set(True)
-        bpy.ops.export_scene.gltf(filepath=self.filepath, use_selection=True, export_extras=True, export_animations=True)
+        try:
+            self.write(dmo)
+        except OSError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
         return {"FINISHED"}
+
+    def write(self, dmo):
+        """The .glb and the .dmo beside it, both or none. Blender's exporter takes a path alone."""
+        with tempfile.TemporaryDirectory() as folder:
+            exported = os.path.join(folder, "object.glb")
+            bpy.ops.export_scene.gltf(filepath=exported, export_format="GLB", use_selection=True, export_extras=True,
+                                      export_animations=True)
+            with open(exported, "rb") as file:
+                glb = file.read()
+        dragmesh.write_together({self.filepath: glb, os.path.splitext(self.filepath)[0] + ".dmo": dmo})
 
 
 class Panel(bpy.types.Panel):
