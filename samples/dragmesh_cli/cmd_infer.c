@@ -46,8 +46,7 @@ static bool answer_line(session* session, const char* line, size_t length, unsig
         answer_to_json(&answer, result);
     else
         cJSON_AddStringToObject(result, "error", session->error);
-    if (code == DM_OK && part_at_point_requested(&job.moving))
-        part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+    if (code == DM_OK && job.find_part) part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
     json_print_line(result);
     job_free(&job);
     cJSON_Delete(json);
@@ -94,8 +93,7 @@ static int answer_one(session* session, job* job, int as_json) {
             answer_to_json(&answer, result);
         else
             cJSON_AddStringToObject(result, "error", session->error);
-        if (code == DM_OK && part_at_point_requested(&job->moving))
-            part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+        if (code == DM_OK && job->find_part) part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
         json_print_line(result);
     } else if (code == DM_OK) {
         answer_print(&answer);

@@ -56,7 +56,7 @@ static dm_result select_part(session* session, const job* job, selection* out, j
     dm_result result;
     if (job->mask != NULL)
         result = select_by_mask(session, job, out, answer);
-    else if (part_at_point_requested(&job->moving))
+    else if (job->find_part)
         result = part_at_point_mark(session, NULL, &job->drag, false, out->ids);
     else
         result = dm_gltf_mark_faces(session->gltf, (const char* const*)job->moving.names, job->moving.count, JOB_PART,
@@ -83,7 +83,7 @@ static int32_t DM_CALL on_progress(void* user, float done) {
 static void find_hints(const session* session, const job* job, bool from_file, part_hints* out) {
     *out = (part_hints){.has_pivot = false};
     if (job->no_hints) return;
-    if (from_file && job->moving.count > 0 && job->mask == NULL && !part_at_point_requested(&job->moving))
+    if (from_file && job->moving.count > 0 && job->mask == NULL && !job->find_part)
         part_hints_of_node(session->gltf, session->path, job->moving.names[0], out);
     if (job->label != NULL) part_hints_set_label(out, job->label);
     if (job->has_pivot) out->pivot = job->pivot;

@@ -13,6 +13,7 @@
 typedef struct job {
     const char* file;
     name_list moving;
+    int find_part;    /* `moving` is "auto": the part is found at the drag point */
     const char* mask; /* a file that replaces `moving`; NULL: none */
     int64_t mask_value;
     int has_mask_value;

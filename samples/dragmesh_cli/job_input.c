@@ -57,7 +57,10 @@ int job_options_finish(const cli_command* command, job_options* options, const c
         return options_refuse(command, "what moves? --moving NODE[,NODE…] or --mask FILE");
     if (options->has_point != options->has_vector)
         return options_refuse(command, "a drag is --drag-point and --drag-vector");
-    if (part_at_point_requested(&job->moving) && job->mask == NULL && !options->has_point)
+    if (job->mask != NULL && strcmp(file, "-") == 0 && strcmp(job->mask, "-") == 0)
+        return options_refuse(command, "the file and the mask can't both be standard input");
+    job->find_part = part_at_point_requested(&job->moving);
+    if (job->find_part && job->mask == NULL && !options->has_point)
         return options_refuse(command, "--moving auto needs to know where it is grabbed: --drag-point, --drag-vector");
     if (options->type != NULL && (job->type = joint_type_from_name(options->type)) == DM_JOINT_UNKNOWN)
         return options_refuse(command, "--type: '%s' is no joint type", options->type);
@@ -84,6 +87,19 @@ static dm_result read_text(session* session, const cJSON* json, const char* name
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"%s\" is not a string", name);
     *out = found->valuestring;
     return DM_OK;
+}
+
+/* A path in data names a file. What names an input of the tool counts on the command line alone: here it would take the
+ * lines that follow. */
+static dm_result read_path(session* session, const cJSON* json, const char* name, const char** out) {
+    static const char* const inputs[] = {"/dev/stdin", "/dev/fd/", "/proc/self/fd/"};
+    const dm_result result = read_text(session, json, name, out);
+    if (result != DM_OK || *out == NULL) return result;
+    bool is_input = strcmp(*out, "-") == 0;
+    for (int i = 0; i < 3; i++) is_input = is_input || strncmp(*out, inputs[i], strlen(inputs[i])) == 0;
+    if (!is_input) return DM_OK;
+    return session_fail(session, DM_ERROR_INVALID_ARGUMENT,
+                        "job: \"%s\" is '%s', no file; only the command line can name standard input", name, *out);
 }
 
 static dm_result read_number(session* session, const cJSON* json, const char* name, double* out, int* out_given) {
@@ -154,8 +170,8 @@ static dm_result read_fields(session* session, const cJSON* json, job* out) {
     const char* type = NULL;
     int has_vector = 0, ignored = 0;
     double value = 0, vector[3] = {0, 0, 0};
-    dm_result result = read_text(session, json, "file", &out->file);
-    if (result == DM_OK) result = read_text(session, json, "mask", &out->mask);
+    dm_result result = read_path(session, json, "file", &out->file);
+    if (result == DM_OK) result = read_path(session, json, "mask", &out->mask);
     if (result == DM_OK) result = read_text(session, json, "type", &type);
     if (result == DM_OK) result = read_number(session, json, "mask_value", &value, &out->has_mask_value);
     if (result == DM_OK) result = read_number(session, json, "mask_noise", &out->mask_noise, &ignored);
@@ -188,7 +204,8 @@ dm_result job_from_json(session* session, const cJSON* json, job* out_job) {
     if (out_job->file == NULL) return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"file\" is missing");
     if (out_job->mask == NULL && out_job->moving.count == 0)
         return session_fail(session, DM_ERROR_EMPTY_MASK, "job: neither \"moving\" nor \"mask\" says what moves");
-    if (out_job->mask == NULL && part_at_point_requested(&out_job->moving) && !out_job->has_drag)
+    out_job->find_part = part_at_point_requested(&out_job->moving);
+    if (out_job->mask == NULL && out_job->find_part && !out_job->has_drag)
         return session_fail(session, DM_ERROR_INVALID_ARGUMENT, "job: \"moving\" is auto, but there is no drag");
     return DM_OK;
 }

@@ -1,6 +1,7 @@
 /* Bad input, one of each kind: a named error that says what and where, the right exit status, and the other jobs of the
  * file still answered. */
 #include <math.h>
+#include <stdbool.h>
 
 #include "dragmesh/ext/gltf.h"
 #include "test_tool.h"
@@ -210,6 +211,33 @@ static void test_every_bad_job_is_named_and_the_rest_answered(void** state) {
         assert_non_null(strstr(line, "\"good"));
     }
     assert_null(line);
+}
+
+/* What names standard input on the command line is an error within a job, and takes none of the lines that follow. */
+static void test_a_job_can_not_name_an_input(void** state) {
+    (void)state;
+    static const char* const inputs[] = {"-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"};
+    enum { INPUTS = sizeof inputs / sizeof *inputs };
+    jobs[0] = 0;
+    for (int i = 0; i < INPUTS; i++) {
+        char fields[64];
+        sprintf(jobs + strlen(jobs), "{\"id\":\"bad\",\"file\":\"%s\",\"moving\":[\"door\"]}\n", inputs[i]);
+        append_job("good", i, "object.glb", "\"moving\":[\"$\"]");
+        snprintf(fields, sizeof fields, "\"mask\":\"%s\"", inputs[i]);
+        append_job("bad", i, "object.glb", fields);
+    }
+    append_job("good", INPUTS, "object.glb", "\"moving\":[\"$\"]");
+    tool_run(&out, "dragmesh", jobs, "infer|--models|none|--jobs|-");
+    assert_int_equal(out.status, 1);
+    int lines = 0, refused = 0;
+    for (char* line = strtok(out.text, "\n"); line != NULL; line = strtok(NULL, "\n"), lines++) {
+        const bool is_bad = strstr(line, "\"id\":\"bad") != NULL;
+        refused +=
+            is_bad && strstr(line, "DM_ERROR_INVALID_ARGUMENT: ") && strstr(line, "no file; only the command line");
+        if (!is_bad) assert_null(strstr(line, "\"error\""));
+    }
+    assert_int_equal(lines, 3 * INPUTS + 1);
+    assert_int_equal(refused, 2 * INPUTS);
 }
 
 static void test_single_job_fails_with_status_1(void** state) {
@@ -464,6 +492,7 @@ static void test_every_line_is_utf8(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_bad_job_is_named_and_the_rest_answered),
+        cmocka_unit_test(test_a_job_can_not_name_an_input),
         cmocka_unit_test(test_single_job_fails_with_status_1),
         cmocka_unit_test(test_wrong_weights),
         cmocka_unit_test(test_a_wrong_ranker),
