@@ -47,7 +47,7 @@ static dm_result check_buffer(dmi_env* env, const char* what, const buffer* b) {
 /* Counts above DM_MAX_ELEMENTS are refused later, by name; below, nothing here overflows. */
 static dm_result check_buffers(dmi_env* env, const char* what, const dm_mesh_desc* mesh) {
     if (mesh->vertex_count > DM_MAX_ELEMENTS || mesh->index_count > 3 * (uint64_t)DM_MAX_ELEMENTS) return DM_OK;
-    const uint64_t faces = (mesh->indices != NULL ? mesh->index_count : mesh->vertex_count) / 3;
+    const uint64_t corners = mesh->indices != NULL ? mesh->index_count : mesh->vertex_count, faces = corners / 3;
     const bool per_face = mesh->part_id_scope == DM_PER_FACE;
     const buffer positions = {.name = "position_bytes",
                               .elements = "positions",
@@ -73,7 +73,9 @@ static dm_result check_buffers(dmi_env* env, const char* what, const dm_mesh_des
     dm_result result = DM_OK;
     if (mesh->position_bytes > 0) result = check_buffer(env, what, &positions);
     if (result == DM_OK && mesh->indices != NULL && mesh->index_bytes > 0) result = check_buffer(env, what, &indices);
-    if (result == DM_OK && mesh->part_ids != NULL) result = check_buffer(env, what, &ids);
+    /* Corners that make no whole triangles are refused later, by name. */
+    const bool counted = !per_face || (corners > 0 && corners % 3 == 0);
+    if (result == DM_OK && mesh->part_ids != NULL && counted) result = check_buffer(env, what, &ids);
     return result;
 }
 

@@ -155,6 +155,14 @@ static void test_buffers_that_do_not_fit_are_refused(void** state) {
     mesh.index_bytes = mesh.index_count * sizeof(uint32_t), mesh.position_bytes = mesh.vertex_count * 12 - 1;
     assert_error(&w, dm_object_prepare(w.context, &desc, &object), DM_ERROR_INVALID_ARGUMENT, "position_bytes is 287");
     mesh.position_bytes++;
+    const uint64_t counts[] = {0, 1, 5, mesh.index_count - 1};
+    for (int i = 0; i < 4; i++) { /* what is wrong is named, not what it is compared with */
+        dm_mesh_desc torn = mesh;
+        torn.index_count = counts[i];
+        const dm_object_desc whole = {.struct_size = sizeof whole, .mesh = &torn};
+        assert_error(&w, dm_object_prepare(w.context, &whole, &object), DM_ERROR_INVALID_ARGUMENT,
+                     "dm_mesh_desc.index_count: ");
+    }
     uint8_t faces[64];
     const dm_drag_hint hint = test_pull();
     mesh.part_id_format = DM_UINT32;

@@ -8,6 +8,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "base/utf8.h"
 #include "dragmesh/ext/gltf.h"
 #include "test_env.h"
 #include "test_glb.h"
@@ -136,13 +137,62 @@ static void names_of_files_beside(void** state) {
                 {"parts/", DM_ERROR_BAD_DATA, "is no file beside this one"},
                 {"c:x.bin", DM_ERROR_BAD_DATA, "is no file beside this one"},
                 {"https://host/x.bin", DM_ERROR_BAD_DATA, "is no file beside this one"},
-                {"parts%5Cy.bin", DM_ERROR_BAD_DATA, "is no file beside this one"}};
+                {"parts%5Cy.bin", DM_ERROR_BAD_DATA, "is no file beside this one"},
+                {"x.bin%00", DM_ERROR_BAD_DATA, "'x.bin%00' holds %00"},
+                {"x.bin%00.png", DM_ERROR_BAD_DATA, "holds %00"},
+                {"%00x.bin", DM_ERROR_BAD_DATA, "holds %00"},
+                {"parts/%00/../y.bin", DM_ERROR_BAD_DATA, "holds %00"},
+                {"x.bin\\u0000", DM_ERROR_BAD_DATA, "zero byte"},
+                {"x.bin\\u0000.png", DM_ERROR_BAD_DATA, "zero byte"},
+                {"\\u0000x.bin", DM_ERROR_BAD_DATA, "zero byte"}};
     static const char* const odd[] = {"in/a b.bin", "in/%zz.bin", "in/%4.bin", "in/..x.bin", "in/x.."};
     for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) write_file(odd[i], triangle, sizeof triangle);
     for (size_t i = 0; i < sizeof uris / sizeof *uris; i++) {
         write_document("in/a.gltf", uris[i].uri, sizeof triangle);
         expect(in_folder("in/a.gltf"), uris[i].result, uris[i].says);
     }
+}
+
+/* Schemes and their words count in any case of letters. */
+static void schemes_in_any_case(void** state) {
+    (void)state;
+    static const char* const heads[] = {"data:application/octet-stream;base64,",
+                                        "DATA:application/octet-stream;BASE64,", "Data:;Base64,",
+                                        "dAtA:x;charset=y;bAsE64,"};
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
+        char uri[128];
+        snprintf(uri, sizeof uri, "%sAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA", heads[i]); /* the triangle */
+        write_document("in/a.gltf", uri, sizeof triangle);
+        expect(in_folder("in/a.gltf"), DM_OK, NULL);
+    }
+    write_document("in/a.gltf", "DATA:text/plain,hello", sizeof triangle);
+    expect(in_folder("in/a.gltf"), DM_ERROR_UNSUPPORTED, "not base64");
+    write_document("in/a.gltf", "HTTP://host/x.bin", sizeof triangle);
+    expect(in_folder("in/a.gltf"), DM_ERROR_BAD_DATA, "is no file beside this one");
+}
+
+/* Messages show the beginning of a long URI, whatever is wrong with it, and are whole UTF-8. */
+static void messages_do_not_echo_long_uris(void** state) {
+    (void)state;
+    static const char* const heads[] = {"",     "../",      "http://",      "data:", "data:;base64,*",
+                                        "x%00", "\xc3\xa9", "z\xe2\x82\xac"};
+    enum { LONG = 100000 };
+    char* uri = malloc(LONG + 64);
+    assert_non_null(uri);
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
+        const char* unit = i >= 6 ? heads[i] : "x";
+        size_t length = (size_t)sprintf(uri, "%s", heads[i]);
+        while (length < LONG) length += (size_t)sprintf(uri + length, "%s", unit);
+        write_document("in/a.gltf", uri, sizeof triangle);
+        opened o;
+        open_path(&o, in_folder("in/a.gltf"), TEST_NEVER);
+        assert_int_not_equal(o.result, DM_OK);
+        if (strlen(o.t.messages.text) > 200 || !strstr(o.t.messages.text, "…'") ||
+            !dmi_utf8_is_valid(o.t.messages.text, strlen(o.t.messages.text)))
+            fail_msg("%zu bytes: %.300s", strlen(o.t.messages.text), o.t.messages.text);
+        test_env_close(&o.t);
+    }
+    free(uri);
 }
 
 /* Links are followed where they stay in the folder; beginning like its name is not enough. */
@@ -424,6 +474,8 @@ static void images_beside_go_along(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(names_of_files_beside),
+        cmocka_unit_test(schemes_in_any_case),
+        cmocka_unit_test(messages_do_not_echo_long_uris),
         cmocka_unit_test(links_do_not_lead_out),
         cmocka_unit_test(the_folder_of_a_bare_name_is_the_current_one),
         cmocka_unit_test(what_is_no_file_is_named),

@@ -31,14 +31,16 @@ static dm_result open_file(dm_gltf* gltf, const char* uri, dmi_gltf_problem* pro
     size_t size = 0;
     if (result == DM_OK && !gltf->files.open) {
         result = dmi_gltf_refuse(problem, DM_ERROR_NOT_FOUND,
-                                 "glTF: '%.200s' lies beside the file; dm_gltf_desc.files hands it over", path);
+                                 "glTF: '%s' lies beside the file; dm_gltf_desc.files hands it over",
+                                 dmi_uri_shorten(path).text);
     } else if (result == DM_OK) {
         const dm_result opened = gltf->files.open(gltf->files.user, path, &out->file, &size);
         const int no_memory = opened == DM_ERROR_OUT_OF_MEMORY;
         if (opened != DM_OK)
-            result = dmi_gltf_refuse(
-                problem, no_memory ? opened : DM_ERROR_NOT_FOUND,
-                no_memory ? "glTF: no memory for the file '%.200s'" : "glTF: the file '%.200s' is not there", path);
+            result =
+                dmi_gltf_refuse(problem, no_memory ? opened : DM_ERROR_NOT_FOUND,
+                                no_memory ? "glTF: no memory for the file '%s'" : "glTF: the file '%s' is not there",
+                                dmi_uri_shorten(path).text);
     }
     if (result != DM_OK) out->file = NULL;
     out->file_size = result == DM_OK ? size : 0;

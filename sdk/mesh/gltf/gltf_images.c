@@ -27,7 +27,7 @@ static void embed(dmi_edit* e, cJSON* image, const char* path) {
     size_t size = 0;
     const dm_result opened = files->open(files->user, path, &data, &size);
     if (opened == DM_ERROR_OUT_OF_MEMORY)
-        dmi_gltf_refuse(&e->problem, opened, "glTF: no memory for the image '%.200s'", path);
+        dmi_gltf_refuse(&e->problem, opened, "glTF: no memory for the image '%s'", dmi_uri_shorten(path).text);
     if (opened != DM_OK) return;
     const char* type = media_type(data, size);
     if (type) {

@@ -65,6 +65,35 @@ static int nesting(const char* text, size_t length) {
     return deepest;
 }
 
+/* Returns the end of the string that begins at the quote `at`: the place of its last quote, or `length`. */
+static size_t end_of_string(const char* text, size_t length, size_t at) {
+    for (at++; at < length && text[at] != '"'; at++) at += text[at] == '\\';
+    return at < length ? at : length;
+}
+
+/* Whether a string has a zero byte, as it is or as the escape: as a text in C it would end there. */
+static int has_zero(const char* string, size_t length) {
+    for (size_t i = 0; i < length; i++) {
+        if (string[i] == 0 || (length - i >= 6 && memcmp(string + i, "\\u0000", 6) == 0)) return 1;
+        i += string[i] == '\\';
+    }
+    return 0;
+}
+
+/* Whether the value of a member "uri" has a zero byte. */
+static int has_zero_in_uri(const char* text, size_t length) {
+    static const char name[] = "\"uri\"";
+    int is_uri = 0;
+    for (size_t at = 0; at < length; at++) {
+        if (text[at] != '"') continue;
+        const size_t end = end_of_string(text, length, at);
+        if (is_uri && has_zero(text + at, end - at)) return 1;
+        is_uri = end < length && end - at + 1 == sizeof name - 1 && memcmp(text + at, name, sizeof name - 1) == 0;
+        at = end;
+    }
+    return 0;
+}
+
 /* Makes names and values UTF-8. A URI stays as it is, because files may be called so. */
 static void mend_strings(cJSON* item) {
     const int is_uri = item->string && strcmp(item->string, "uri") == 0;
@@ -117,6 +146,8 @@ dm_result dmi_json_parse(const char* text, size_t length, dmi_gltf_problem* prob
     if (deepest > DEEPEST_JSON)
         return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "the JSON nests %d deep, %d is the most", deepest,
                                DEEPEST_JSON);
+    if (has_zero_in_uri(text, length))
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "a URI holds a zero byte, as no file's name does");
     const char* end = NULL;
     errno = 0; /* cJSON does not tell a failed malloc from a bad text */
     cJSON* root = cJSON_ParseWithLengthOpts(text, length, &end, 0);

@@ -5,8 +5,29 @@
 
 static const char data_scheme[] = "data:", base64_mark[] = ";base64";
 
+dmi_uri_excerpt dmi_uri_shorten(const char* uri) {
+    dmi_uri_excerpt out;
+    const size_t most = sizeof out.text - sizeof "…";
+    size_t length = strnlen(uri, most + 1);
+    const int whole = length <= most;
+    while (!whole && length > 0 && (length > most || ((unsigned char)uri[length] & 0xC0) == 0x80)) length--;
+    memcpy(out.text, uri, length);
+    memcpy(out.text + length, whole ? "" : "…", whole ? 1 : sizeof "…");
+    return out;
+}
+
+static char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+/* Whether `text` begins with `word`, which is in lower case, in any case of letters. */
+static int begins(const char* text, const char* word) {
+    while (*word && lower(*text) == *word) text++, word++;
+    return !*word;
+}
+
 int dmi_uri_is_data(const char* uri) {
-    return strncmp(uri, data_scheme, sizeof data_scheme - 1) == 0;
+    return begins(uri, data_scheme);
 }
 
 /* -1: no digit of base64. */
@@ -38,8 +59,9 @@ static int64_t decode_base64(const char* text, size_t length, uint8_t* out) {
 dm_result dmi_uri_decode(dmi_env* env, const char* uri, dmi_gltf_problem* problem, uint8_t** out, uint64_t* out_size) {
     const char* comma = strchr(uri, ',');
     const size_t mark = sizeof base64_mark - 1;
-    if (!comma || (size_t)(comma - uri) < mark || strncmp(comma - mark, base64_mark, mark) != 0)
-        return dmi_gltf_refuse(problem, DM_ERROR_UNSUPPORTED, "glTF: a data URI that is not base64: '%.40s'", uri);
+    if (!comma || (size_t)(comma - uri) < mark || !begins(comma - mark, base64_mark))
+        return dmi_gltf_refuse(problem, DM_ERROR_UNSUPPORTED, "glTF: a data URI that is not base64: '%s'",
+                               dmi_uri_shorten(uri).text);
     const char* text = comma + 1;
     size_t length = strlen(text);
     while (length > 0 && text[length - 1] == '=') length--;
@@ -48,7 +70,8 @@ dm_result dmi_uri_decode(dmi_env* env, const char* uri, dmi_gltf_problem* proble
     if (!bytes) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for an embedded buffer");
     if (decode_base64(text, length, bytes) != (int64_t)size) {
         dmi_free(env, bytes, size);
-        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "glTF: a data URI whose base64 is broken: '%.40s'", uri);
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "glTF: a data URI whose base64 is broken: '%s'",
+                               dmi_uri_shorten(uri).text);
     }
     *out = bytes;
     *out_size = size;
@@ -61,13 +84,16 @@ static int hex_of(char c) {
     return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-static void decode_percent(const char* uri, char* path) {
+/* 0 where it holds a zero byte. */
+static int decode_percent(const char* uri, char* path) {
     while (*uri) {
         const int high = uri[0] == '%' ? hex_of(uri[1]) : -1, low = high >= 0 ? hex_of(uri[2]) : -1;
+        if (high == 0 && low == 0) return 0;
         *path++ = low >= 0 ? (char)(16 * high + low) : *uri;
         uri += low >= 0 ? 3 : 1;
     }
     *path = 0;
+    return 1;
 }
 
 /* Whether the path stays in its folder: its steps are names. */
@@ -83,8 +109,11 @@ static int stays(const char* path) {
 }
 
 dm_result dmi_uri_to_path(const char* uri, dmi_gltf_problem* problem, char* path) {
-    decode_percent(uri, path);
+    if (!decode_percent(uri, path))
+        return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "glTF: '%s' holds %%00, a zero byte, as no file's name does",
+                               dmi_uri_shorten(uri).text);
     while (strncmp(path, "./", 2) == 0) memmove(path, path + 2, strlen(path) - 1);
     if (stays(path)) return DM_OK;
-    return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "glTF: '%.200s' is no file beside this one", uri);
+    return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "glTF: '%s' is no file beside this one",
+                           dmi_uri_shorten(uri).text);
 }
