@@ -8,6 +8,7 @@
 
 #include "../common/cabinet.h"
 #include "../common/output_file.h"
+#include "../common/shown.h"
 #include "../common/weights.h"
 #include "dragmesh/ext/gltf.h"
 
@@ -26,8 +27,8 @@ static void print_parts(dm_context* context, dm_object object) {
         dm_object_get_part(context, object, i, &part);
         dm_object_get_joint(context, object, part.id, &joint);
         printf("  part %u: %s, axis (%.2f, %.2f, %.2f), %.3f to %.3f\n", (unsigned)part.id, joint_name(joint.type),
-               (double)joint.axis.x, (double)joint.axis.y, (double)joint.axis.z, (double)joint.lower,
-               (double)joint.upper);
+               shown((double)joint.axis.x, 2), shown((double)joint.axis.y, 2), shown((double)joint.axis.z, 2),
+               shown((double)joint.lower, 3), shown((double)joint.upper, 3));
     }
 }
 

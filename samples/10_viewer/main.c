@@ -283,6 +283,10 @@ int main(int argc, char** argv) {
     static world world;
     options options;
     session session = {0};
+    if (argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
+        fputs(usage, stdout);
+        return 0;
+    }
     if (read_options(&options, argc, argv) != 0) {
         fputs(usage, stderr);
         return 2;

@@ -10,6 +10,7 @@
 
 #include "../common/cabinet.h"
 #include "../common/output_file.h"
+#include "../common/shown.h"
 #include "game.h"
 
 typedef struct listener {
@@ -46,7 +47,7 @@ static int run(dm_context* context, const scene* scene, float hz) {
     while (script_step(&script, &game, 1 / hz)) ear.time = script.time + 1 / hz;
     printf("  ends with");
     for (uint32_t i = 0; i < scene->part_count; i++)
-        printf("%s %s %.3f", i ? "," : "", scene->parts[i].name, (double)game.values[i]);
+        printf("%s %s %.3f", i ? "," : "", scene->parts[i].name, shown((double)game.values[i], 3));
     printf("\n");
     return dm_object_destroy(context, object) == DM_OK ? 0 : 1;
 }

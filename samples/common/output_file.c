@@ -152,6 +152,14 @@ static int open_beside(output_file* file, const char* path, bool exists) {
     return 0;
 }
 
+bool output_is_stream(const char* path) {
+    char followed[PATH_ROOM];
+    const size_t size = strlen(path) + 1;
+    if (size > PATH_ROOM) return false;
+    memcpy(followed, path, size);
+    return follow_links(followed) && (names_open_file(followed) || platform_kind_of(followed) == PLATFORM_STREAM);
+}
+
 static int open_at(output_file* file, const char* path) {
     char followed[PATH_ROOM];
     const size_t size = strlen(path) + 1;

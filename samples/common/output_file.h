@@ -3,6 +3,7 @@
 #ifndef SAMPLES_OUTPUT_FILE_H
 #define SAMPLES_OUTPUT_FILE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -15,6 +16,8 @@ typedef struct output_file {
     int error;    /* errno of the first addition that failed; 0: none */
 } output_file;
 
+/* Whether the path names a pipe, a device, or what the program has open: written at once, there is nothing to keep. */
+bool output_is_stream(const char* path);
 /* Opens a file for writing. Returns 0, or -1 with errno set, also where it is a folder or may not be written. */
 int output_open(output_file* file, const char* path);
 /* Add bytes, or text as printf makes it; a failure shows in output_seal. */

@@ -1,8 +1,8 @@
 /* Answers as JSON and as text. */
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "../common/shown.h"
 #include "job.h"
 #include "json.h"
 
@@ -42,11 +42,16 @@ void answer_to_json(const joint_answer* answer, cJSON* out) {
 void joint_print(const dm_joint* joint, const double frame[3]) {
     const char* unit = joint->type == DM_JOINT_PRISMATIC ? "units" : "rad";
     printf("%-10s %3.0f %%  axis (%.4f, %.4f, %.4f)  origin (%.4f, %.4f, %.4f)", joint_type_name(joint->type),
-           (double)joint->joint_confidence * 100, (double)joint->axis.x, (double)joint->axis.y, (double)joint->axis.z,
-           (double)joint->origin.x + frame[0], (double)joint->origin.y + frame[1], (double)joint->origin.z + frame[2]);
+           (double)joint->joint_confidence * 100, shown((double)joint->axis.x, 4), shown((double)joint->axis.y, 4),
+           shown((double)joint->axis.z, 4), shown((double)joint->origin.x + frame[0], 4),
+           shown((double)joint->origin.y + frame[1], 4), shown((double)joint->origin.z + frame[2], 4));
     if (joint->type != DM_JOINT_CONTINUOUS)
-        printf("  from %.4f to %.4f %s", (double)joint->lower, (double)joint->upper, unit);
+        printf("  from %.4f to %.4f %s", shown((double)joint->lower, 4), shown((double)joint->upper, 4), unit);
     printf("\n");
+}
+
+void confidence_print(void) {
+    printf("%%: how probable it is that type, axis and origin are all right\n");
 }
 
 void answer_print(const joint_answer* answer) {
@@ -57,6 +62,7 @@ void answer_print(const joint_answer* answer) {
         printf("   or ");
         joint_print(&answer->hypotheses[i], answer->frame);
     }
+    confidence_print();
     printf("%.1f ms to prepare, %.1f ms of them kinematics; %.2f ms for the motion\n", answer->prepare_ms,
            answer->kinematics_ms, answer->motion_ms);
 }

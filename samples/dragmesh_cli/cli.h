@@ -6,6 +6,8 @@
 
 /* Exit statuses: the contract of the tool. */
 enum { CLI_OK = 0, CLI_FAILED = 1, CLI_USAGE = 2 };
+/* Of a command that has printed its help, in place of an exit status; the tool exits with CLI_OK then. */
+enum { CLI_HELPED = -1 };
 
 typedef struct cli_command {
     const char* name;
@@ -14,8 +16,8 @@ typedef struct cli_command {
     const char* summary;
 } cli_command;
 
-extern const cli_command cli_infer, cli_animate, cli_film, cli_pick, cli_prepare, cli_eval, cli_bench, cli_demo,
-    cli_dragbot;
+extern const cli_command cli_infer, cli_animate, cli_film, cli_nodes, cli_pick, cli_prepare, cli_show, cli_eval,
+    cli_bench, cli_demo, cli_dragbot;
 
 /* Memory of a tool: ends the program with a message when there is none. free() releases it. */
 void* cli_alloc(size_t size);

@@ -41,6 +41,7 @@ static int run(int argc, char** argv) {
     int status = options_read(&cli_animate, argc, argv, table, JOB_OPTIONS + 2, &file);
     if (status == CLI_OK) status = job_options_finish(&cli_animate, &options, file);
     if (status == CLI_OK && out_path == NULL) status = options_refuse(&cli_animate, "where to? -o OUT.glb");
+    if (status == CLI_OK) status = options_check_output(&cli_animate, "-o", out_path, ".glb");
     if (status == CLI_OK && (frames < 2 || frames > MAX_FRAMES))
         status = options_refuse(&cli_animate, "--frames: 2 to %d", MAX_FRAMES);
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../common/output_file.h"
+#include "../common/shown.h"
 #include "dataset.h"
 #include "files.h"
 #include "metrics.h"
@@ -47,7 +48,8 @@ static dm_result grab_part(player* p) {
         return session_fail(p->session, DM_ERROR_NOT_FOUND, "the pixel (%.0f, %.0f) does not show the part", p->from.x,
                             p->from.y);
     printf("picked pixel (%.0f, %.0f): the part, at (%.3f, %.3f, %.3f)\n", p->from.x, p->from.y,
-           (double)p->grab.object_point.x, (double)p->grab.object_point.y, (double)p->grab.object_point.z);
+           shown((double)p->grab.object_point.x, 3), shown((double)p->grab.object_point.y, 3),
+           shown((double)p->grab.object_point.z, 3));
     return DM_OK;
 }
 
@@ -98,11 +100,13 @@ static void print_joint_beside_truth(const known_joint* truth, const dm_joint* f
     printf("found  ");
     joint_print(found, (double[3]){0, 0, 0});
     printf("true   %-10s        axis (%.4f, %.4f, %.4f)  origin (%.4f, %.4f, %.4f)  from %.4f to %.4f %s\n",
-           truth->slides ? "prismatic" : "revolute", truth->axis.x, truth->axis.y, truth->axis.z, truth->origin.x,
-           truth->origin.y, truth->origin.z, truth->lower, truth->upper, truth->slides ? "units" : "rad");
+           truth->slides ? "prismatic" : "revolute", shown(truth->axis.x, 4), shown(truth->axis.y, 4),
+           shown(truth->axis.z, 4), shown(truth->origin.x, 4), shown(truth->origin.y, 4), shown(truth->origin.z, 4),
+           shown(truth->lower, 4), shown(truth->upper, 4), truth->slides ? "units" : "rad");
     printf("       axis %.1f mrad off", row->value[METRIC_AXIS]);
     if (!truth->slides) printf(", %.1f thousandths of the object beside the true line", row->value[METRIC_ORIGIN]);
     printf("; fully open, the part is %.1f thousandths out of place\n", row->value[METRIC_POSE] * 1e3);
+    confidence_print();
 }
 
 /* Poses along the true joint, so that the camera sees all of the motion. */
@@ -143,7 +147,7 @@ static dm_result play(player* p, const metric_case* known, joint_answer* answer,
     metric_row row;
     answer->hypothesis_count = 0;
     metrics_of_joint(known, answer, &row);
-    printf("dragged to pixel (%.0f, %.0f): the joint went to %.3f\n", p->to.x, p->to.y, (double)value);
+    printf("dragged to pixel (%.0f, %.0f): the joint went to %.3f\n", p->to.x, p->to.y, shown((double)value, 3));
     print_joint_beside_truth(known->truth, &answer->joint, &row);
     return DM_OK;
 }

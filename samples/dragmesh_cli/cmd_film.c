@@ -47,6 +47,7 @@ static dm_result film(session* session, job* job, const film_options* options) {
 
 static int check(const film_options* options) {
     if (options->out_path == NULL) return options_refuse(&cli_film, "where to? -o OUT.png");
+    if (options_check_output(&cli_film, "-o", options->out_path, ".png") != CLI_OK) return CLI_USAGE;
     if (options->frames < 2 || options->frames > MAX_FRAMES)
         return options_refuse(&cli_film, "--frames: 2 to %d", MAX_FRAMES);
     for (int i = 0; i < 2; i++)

@@ -117,6 +117,8 @@ static int run(int argc, char** argv) {
     if (status == CLI_OK && jobs == NULL) status = job_options_finish(&cli_infer, &options, file);
     if (status == CLI_OK && jobs != NULL && (file != NULL || mask_out != NULL || options.job.moving.count > 0))
         status = options_refuse(&cli_infer, "--jobs stands alone");
+    if (status == CLI_OK && mask_out != NULL)
+        status = options_check_output(&cli_infer, "--mask-out", mask_out, ".json");
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
         status = jobs != NULL ? answer_jobs(&session, jobs, options.job.no_hints)
@@ -131,7 +133,7 @@ static int run(int argc, char** argv) {
 const cli_command cli_infer = {
     "infer", run,
     "FILE.glb --moving NODE[,NODE…]|auto [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
-    "    [--mask-out FILE] [--choose N] [--no-hints] [--json]\n"
+    "    [--mask-out OUT.json] [--choose N] [--no-hints] [--json]\n"
     "dragmesh infer --jobs JOBS.jsonl [--no-hints]",
     "How the part moves: type, axis, origin, limits. --jobs ('-': standard input) answers one JSON line a line.\n"
     "    --moving auto finds the part that the drag point is on; --mask-out writes it, one 0 or 1 a triangle.\n"

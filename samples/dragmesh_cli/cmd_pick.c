@@ -51,9 +51,9 @@ static void print_hit(const session* session, const dm_hit* hit, int as_json) {
     if (!as_json && !hit->object) printf("nothing\n");
     if (!as_json && hit->object)
         printf("%s, triangle %llu of it, at (%g, %g, %g), %g away\n", node.name,
-               (unsigned long long)(hit->triangle - node.first_face), (double)hit->point.x + session->origin[0],
-               (double)hit->point.y + session->origin[1], (double)hit->point.z + session->origin[2],
-               (double)hit->distance);
+               (unsigned long long)(hit->triangle - node.first_face), (double)hit->point.x + session->origin[0] + 0.0,
+               (double)hit->point.y + session->origin[1] + 0.0, (double)hit->point.z + session->origin[2] + 0.0,
+               (double)hit->distance); /* no -0 */
     if (!as_json) return;
     cJSON* out = cJSON_CreateObject();
     cJSON_AddBoolToObject(out, "hit", hit->object != 0);

@@ -121,6 +121,7 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
         if (!as_json) joint_print(&found.joint, session->origin);
     }
     cJSON_AddNumberToObject(out, "bytes", (double)bytes);
+    if (!as_json) confidence_print();
     if (as_json)
         json_print_line(out);
     else
@@ -140,6 +141,7 @@ static int run(int argc, char** argv) {
     int status = options_read(&cli_prepare, argc, argv, table, sizeof table / sizeof *table, &file);
     if (status == CLI_OK && (file == NULL || out_path == NULL))
         status = options_refuse(&cli_prepare, "a file and -o are needed");
+    if (status == CLI_OK) status = options_check_output(&cli_prepare, "-o", out_path, ".dmo");
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
         size_t bytes = 0;

@@ -226,6 +226,7 @@ static int run(int argc, char** argv) {
     if (check(&options) != CLI_OK) return CLI_USAGE;
     options.hints = eval_hints_of(hints);
     if (hand->naive && poses != NULL) return options_refuse(&cli_dragbot, "--naive writes no poses");
+    if (poses != NULL && options_check_output(&cli_dragbot, "--poses", poses, ".jsonl") != CLI_OK) return CLI_USAGE;
     if (all && (poses != NULL || !is_plain(&options)))
         return options_refuse(&cli_dragbot, "--all has hands and views of its own, and writes no poses");
     status = run_session(folder, models, poses, &options, all, as_json);

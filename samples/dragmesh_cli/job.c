@@ -26,7 +26,7 @@ static dm_result select_by_mask(session* session, const job* job, selection* out
     size_t size;
     char* bytes = file_read(job->mask, &size);
     if (bytes == NULL)
-        return session_fail(session, DM_ERROR_NOT_FOUND, "can't read the mask '%s': %s", job->mask, file_problem());
+        return session_fail(session, DM_ERROR_NOT_FOUND, "can't read the mask '%.200s': %s", job->mask, file_problem());
     int32_t ambiguous = 0;
     const dm_result result = dm_gltf_read_mask(
         session->gltf, bytes, size, job->has_mask_value ? &job->mask_value : NULL, out->ids, &out->scope, &ambiguous);

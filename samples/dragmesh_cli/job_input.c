@@ -63,7 +63,7 @@ int job_options_finish(const cli_command* command, job_options* options, const c
     if (job->find_part && job->mask == NULL && !options->has_point)
         return options_refuse(command, "--moving auto needs to know where it is grabbed: --drag-point, --drag-vector");
     if (options->type != NULL && (job->type = joint_type_from_name(options->type)) == DM_JOINT_UNKNOWN)
-        return options_refuse(command, "--type: '%s' is no joint type", options->type);
+        return options_refuse(command, "--type: '%.200s' is no joint type; --help lists them", options->type);
     if (options->has_choice && job->choice.index < 0)
         return options_refuse(command, "--choose: %d is no index of a hypothesis", job->choice.index);
     if (options->has_choice) job->choice.kind = CHOICE_INDEX;

@@ -18,8 +18,8 @@ typedef struct weights {
 /* Returns the folder that was named, else where weights_folder_find looks; NULL when none has any. To be freed. */
 static char* find_folder(const char* models) {
     char found[4096];
-    if (models != NULL) return path_join(models, "");
-    return weights_folder_find(found, sizeof found) ? path_join(found, "") : NULL;
+    if (models != NULL) return cli_copy_text(models);
+    return weights_folder_find(found, sizeof found) ? cli_copy_text(found) : NULL;
 }
 
 static dm_result read_weights(session* session, const char* folder, const char* name, int required, weights* out) {
@@ -58,9 +58,7 @@ static dm_result load_folder(session* session, const char* folder) {
                                     .ranker_size = ranker.size};
         result = dm_model_load(session->context, &desc, &session->model);
         if (result != DM_OK) {
-            char reason[sizeof session->error];
-            memcpy(reason, session->error, sizeof reason);
-            snprintf(session->error, sizeof session->error, "%.800s (weights in %.200s)", reason, folder);
+            session_add_place(session, "weights in", folder);
         }
     }
     session->has_motion = result == DM_OK && motion.data != NULL;

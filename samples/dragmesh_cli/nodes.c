@@ -20,14 +20,17 @@ uint32_t node_of_face(const dm_gltf* gltf, uint64_t face) {
     return low;
 }
 
-static double box_diagonal(const float* positions, uint64_t first, uint64_t count) {
+void node_box_size(const session* session, uint32_t index, double out_size[3]) {
+    dm_gltf_node node;
+    dm_gltf_get_node(session->gltf, index, &node);
     vec low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint64_t v = first; v < first + count; v++) {
-        const vec p = vec_at(positions + 3 * v);
+    for (uint64_t v = node.first_vertex; v < node.first_vertex + node.vertex_count; v++) {
+        const vec p = vec_at((const float*)session->mesh.positions + 3 * v);
         low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
         high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
     }
-    return count ? length(sub(high, low)) : 0;
+    const vec size = node.vertex_count > 0 ? sub(high, low) : (vec){0, 0, 0};
+    out_size[0] = size.x, out_size[1] = size.y, out_size[2] = size.z;
 }
 
 uint32_t largest_node(const session* session) {
@@ -36,7 +39,9 @@ uint32_t largest_node(const session* session) {
     for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
         dm_gltf_node node;
         dm_gltf_get_node(session->gltf, i, &node);
-        const double diagonal = box_diagonal(session->mesh.positions, node.first_vertex, node.vertex_count);
+        double sides[3];
+        node_box_size(session, i, sides);
+        const double diagonal = length((vec){sides[0], sides[1], sides[2]});
         if (node.face_count == 0 || diagonal <= size) continue;
         best = i;
         size = diagonal;

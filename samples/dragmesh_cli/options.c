@@ -1,6 +1,7 @@
 /* Command-line arguments, read by a table. */
 #include "options.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -8,6 +9,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "../common/output_file.h"
+#include "help.h"
 
 int options_refuse(const cli_command* command, const char* format, ...) {
     va_list arguments;
@@ -126,6 +130,10 @@ static const char* take_value(const option_spec* option, int argc, char** argv, 
     return next;
 }
 
+static bool is_help(const char* text) {
+    return strcmp(text, "--help") == 0 || strcmp(text, "-h") == 0;
+}
+
 static const option_spec* find_option(const option_spec* options, size_t count, const char* name) {
     for (size_t i = 0; i < count; i++) {
         if (strcmp(options[i].name, name) == 0) return &options[i];
@@ -135,21 +143,44 @@ static const option_spec* find_option(const option_spec* options, size_t count, 
 
 int options_read(const cli_command* command, int argc, char** argv, const option_spec* options, size_t option_count,
                  const char** out_operand) {
+    bool reads_options = true;
     int operands = 0;
     for (int i = 1; i < argc; i++) {
-        const option_spec* option = find_option(options, option_count, argv[i]);
-        if (option == NULL && argv[i][0] == '-' && argv[i][1])
-            return options_refuse(command, "no option '%s'", argv[i]);
+        const option_spec* option = reads_options ? find_option(options, option_count, argv[i]) : NULL;
+        if (option == NULL && reads_options && is_help(argv[i])) {
+            help_print(command);
+            return CLI_HELPED;
+        }
+        if (option == NULL && reads_options && strcmp(argv[i], "--") == 0) {
+            reads_options = false;
+            continue;
+        }
+        if (option == NULL && reads_options && argv[i][0] == '-' && argv[i][1])
+            return options_refuse(command, "no option '%.200s'", argv[i]);
         if (option == NULL) {
             if (out_operand == NULL || operands++)
-                return options_refuse(command, "'%s' is one argument too many", argv[i]);
+                return options_refuse(command, "'%.200s' is one argument too many", argv[i]);
             *out_operand = argv[i];
             continue;
         }
         const char* value = take_value(option, argc, argv, &i);
         if (value == NULL) return options_refuse(command, "%s needs a value", option->name);
-        if (!read_value(option, value)) return options_refuse(command, "%s: '%s' can't be read", option->name, value);
+        if (!read_value(option, value))
+            return options_refuse(command, "%s: '%.200s' can't be read", option->name, value);
         if (option->given != NULL) *option->given = 1;
     }
     return CLI_OK;
+}
+
+static bool ends_with(const char* path, const char* suffix) {
+    const size_t length = strlen(path), end = strlen(suffix);
+    if (length <= end) return false;
+    for (size_t i = 0; i < end; i++)
+        if (tolower((unsigned char)path[length - end + i]) != suffix[i]) return false;
+    return true;
+}
+
+int options_check_output(const cli_command* command, const char* option, const char* path, const char* suffix) {
+    if (ends_with(path, suffix) || output_is_stream(path) || platform_kind_of(path) == PLATFORM_FOLDER) return CLI_OK;
+    return options_refuse(command, "%s: it writes %s; '%.200s' has another suffix", option, suffix, path);
 }

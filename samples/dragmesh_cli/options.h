@@ -35,10 +35,14 @@ typedef struct option_spec {
     const char* const* choices; /* of OPTION_CHOICE; NULL ends them */
 } option_spec;
 
-/* Reads argv[1..]; at most one argument may stand alone, and goes to *out_operand (NULL: none may). 0, or prints what
- * is wrong and answers CLI_USAGE. */
+/* Reads argv[1..]; at most one argument may stand alone, and goes to *out_operand (NULL: none may). After "--" no
+ * argument is an option. Returns CLI_OK, CLI_USAGE after a line about what is wrong, or CLI_HELPED where -h or --help
+ * is among them. */
 int options_read(const cli_command* command, int argc, char** argv, const option_spec* options, size_t option_count,
                  const char** out_operand);
+/* Whether a file of that suffix may be written to `path`: any case of letters, and any name of a pipe or a device.
+ * Returns CLI_OK, or prints a message and returns CLI_USAGE. option: the one that names it. */
+int options_check_output(const cli_command* command, const char* option, const char* path, const char* suffix);
 /* Prints a message and the usage; answers CLI_USAGE. */
 int options_refuse(const cli_command* command, const char* format, ...) PLATFORM_PRINTF(2, 3);
 

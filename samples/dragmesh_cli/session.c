@@ -10,6 +10,8 @@
 #include "../common/output_file.h"
 #include "files.h"
 
+enum { PATH_SHOWN = 200 }; /* bytes of a path in an error */
+
 static void set_error(session* session, dm_result code, const char* text) {
     snprintf(session->error, sizeof session->error, "%s: %s", dm_result_string(code), text);
 }
@@ -29,6 +31,14 @@ dm_result session_fail(session* session, dm_result code, const char* format, ...
     va_end(arguments);
     set_error(session, code, text);
     return code;
+}
+
+void session_add_place(session* session, const char* preposition, const char* path) {
+    char reason[sizeof session->error], shown[PATH_SHOWN + 1];
+    snprintf(shown, sizeof shown, "%s", path);
+    if (strstr(session->error, shown) != NULL) return;
+    memcpy(reason, session->error, sizeof reason);
+    snprintf(session->error, sizeof session->error, "%.800s (%s '%s')", reason, preposition, shown);
 }
 
 dm_result session_fail_to_write(session* session, const char* path) {
@@ -81,7 +91,8 @@ void session_close(session* session) {
 static dm_result open_input(session* session) {
     size_t size;
     char* bytes = file_read("-", &size);
-    if (bytes == NULL) return session_fail(session, DM_ERROR_NOT_FOUND, "can't read: %s", file_problem());
+    if (bytes == NULL)
+        return session_fail(session, DM_ERROR_NOT_FOUND, "can't read standard input: %s", file_problem());
     const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
     const dm_result result =
         size > 0 ? dm_gltf_open(&desc, &session->gltf) : session_fail(session, DM_ERROR_BAD_DATA, "it is empty");
@@ -104,9 +115,7 @@ dm_result session_use_file(session* session, const char* path) {
     release_file(session);
     const dm_result result = strcmp(path, "-") == 0 ? open_input(session) : open_path(session, path);
     if (result != DM_OK) {
-        char reason[sizeof session->error];
-        memcpy(reason, session->error, sizeof reason);
-        snprintf(session->error, sizeof session->error, "%.800s (in '%.200s')", reason, path);
+        session_add_place(session, "in", path);
         return result;
     }
     dm_gltf_get_origin(session->gltf, session->origin);

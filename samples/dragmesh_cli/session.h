@@ -46,6 +46,8 @@ void session_close(session* session);
 
 /* Sets session->error to an error of the tool's own and returns `code`. */
 dm_result session_fail(session* session, dm_result code, const char* format, ...) PLATFORM_PRINTF(3, 4);
+/* Adds where it was to session->error, such as " (in 'FILE')", unless it names the path already. */
+void session_add_place(session* session, const char* preposition, const char* path);
 /* Sets session->error to what errno says of a file that could not be written, and returns SESSION_NOT_WRITTEN. */
 dm_result session_fail_to_write(session* session, const char* path);
 /* Writes a whole file; session->error. */

@@ -361,6 +361,11 @@ static int list(void) {
 
 int main(int count, char** arguments) {
     options options = {0};
+    for (int i = 1; i < count; ++i) {
+        if (strcmp(arguments[i], "--help") != 0 && strcmp(arguments[i], "-h") != 0) continue;
+        usage(stdout);
+        return 0;
+    }
     if (!parse(count, arguments, &options)) return usage(stderr);
     if (options.mode == LIST) return list();
     if (options.mode == MAKE) return generate(&options);
