@@ -30,7 +30,7 @@ static void write_value(const world_part* part, char* out, size_t room) {
 static void write_part(const world_part* part, char* out, size_t room) {
     char value[32], sure[32];
     write_value(part, value, sizeof value);
-    snprintf(sure, sizeof sure, "%.0f%%", (double)(100 * part->state.joint.type_confidence));
+    snprintf(sure, sizeof sure, "%.0f%%", (double)(100 * part->state.joint.joint_confidence));
     if (part->state.joint.source == DM_JOINT_FROM_HOST) snprintf(sure, sizeof sure, "as you say");
     snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->state.joint.type), sure, value);
 }

@@ -30,7 +30,7 @@ static void write_joint(poses* poses, const world_part* part, uint32_t frame, ui
     if (same_line(j, &poses->joints[id])) return;
     poses->joints[id] = *j;
     output_print(poses->file, "# %u %u type %d %.2f axis %.4f %.4f %.4f origin %.4f %.4f %.4f from %.4f to %.4f\n",
-                 (unsigned)frame, (unsigned)id, (int)j->type, (double)j->type_confidence, (double)j->axis.x,
+                 (unsigned)frame, (unsigned)id, (int)j->type, (double)j->joint_confidence, (double)j->axis.x,
                  (double)j->axis.y, (double)j->axis.z, (double)j->origin.x, (double)j->origin.y, (double)j->origin.z,
                  (double)j->lower, (double)j->upper);
 }
