@@ -9,8 +9,8 @@ typedef struct bot_options {
     bot_hand hand;
     enum bot_sight sight;
     output_file* poses; /* NULL: none are written */
-    name_list only; /* words, one of which an object's name or category has; none: all objects */
-    int hints;      /* HINTS_*: what the library is told of the datasets' names and pivots */
+    name_list only;     /* words, one of which an object's name or category has; none: all objects */
+    int hints;          /* HINTS_*: what the library is told of the datasets' names and pivots */
 } bot_options;
 
 typedef struct bot_row {
