@@ -9,9 +9,10 @@
 
 #include "base/compiler.h"
 
-#define CHUNK_COUNT 26            /* 64 + 128 + ... covers all 32-bit indices but the last 64 */
-#define FIRST_CHUNK_BITS 6        /* 64 slots; each chunk doubles */
-#define GENERATION_MASK 0xFFFFFFu /* 24 bits of the handle */
+#define CHUNK_COUNT 18                  /* 64 + 128 + ... covers all 24-bit indices but the last 64 */
+#define FIRST_CHUNK_BITS 6              /* 64 slots; each chunk doubles */
+#define LAST_GENERATION UINT32_MAX      /* 32 bits of the handle */
+#define INDEX_MASK ((uint64_t)0xFFFFFF) /* 24 bits of the handle */
 #define NO_SLOT UINT32_MAX
 
 typedef struct slot {
@@ -78,7 +79,7 @@ static uint64_t make_handle(const dmi_pool* pool, uint32_t generation, uint32_t 
 static uint32_t next_first_generation(void) {
     static _Atomic uint32_t pools;
     uint32_t number = atomic_fetch_add_explicit(&pools, 1, memory_order_relaxed);
-    return 1 + number * 0x9E3779B1u /* a prime near 2^32 / golden ratio */ % GENERATION_MASK;
+    return 1 + number * 0x9E3779B1u /* a prime near 2^32 / golden ratio */ % LAST_GENERATION;
 }
 
 dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool) {
@@ -116,7 +117,8 @@ static uint32_t take_free(dmi_pool* pool) {
 
 /* Adds a chunk. The host's allocator runs outside the lock; of two threads at once, one frees its chunk again. */
 static dm_result add_chunk(dmi_pool* pool, uint32_t chunk) {
-    if (chunk >= CHUNK_COUNT) return dmi_fail(pool->env, DM_ERROR_TOO_LARGE, "handle pool: 2^32 handles are in use");
+    if (chunk >= CHUNK_COUNT)
+        return dmi_fail(pool->env, DM_ERROR_TOO_LARGE, "handle pool: 2^24 handles are in use or used up");
     size_t size = chunk_slots(chunk) * sizeof(slot);
     slot* slots = dmi_alloc_zeroed(pool->env, size, _Alignof(slot));
     if (slots == NULL) return dmi_fail(pool->env, DM_ERROR_OUT_OF_MEMORY, "handle pool: no memory for %zu bytes", size);
@@ -166,33 +168,42 @@ dm_result dmi_pool_insert(dmi_pool* pool, void* item, uint64_t* out_handle) {
     }
 }
 
+static uint32_t generation_after(uint32_t generation) {
+    return generation == LAST_GENERATION ? 1 : generation + 1;
+}
+
+/* A slot that has had all generations stays out of the list, so that no handle is given twice. */
+static void put_free(dmi_pool* pool, uint32_t index) {
+    listed_slot(pool, index)->next = pool->first_free;
+    pool->first_free = index;
+}
+
 /* Whether the handle has the kind and generation of the slot. */
 static bool matches(const dmi_pool* pool, const slot* s, uint64_t handle) {
-    uint32_t generation = (uint32_t)(handle >> DMI_HANDLE_GENERATION_SHIFT) & GENERATION_MASK;
+    const uint32_t generation = (uint32_t)(handle >> DMI_HANDLE_GENERATION_SHIFT); /* without the kind above it */
     return handle >> DMI_HANDLE_KIND_SHIFT == pool->kind &&
            atomic_load_explicit(&s->generation, memory_order_relaxed) == generation;
 }
 
 void* dmi_pool_get(const dmi_pool* pool, uint64_t handle) {
-    const slot* s = slot_at(pool, (uint32_t)handle);
+    const slot* s = slot_at(pool, (uint32_t)(handle & INDEX_MASK));
     if (s == NULL) return NULL;
     void* item = atomic_load_explicit(&s->item, memory_order_acquire);
     return matches(pool, s, handle) ? item : NULL;
 }
 
 void* dmi_pool_remove(dmi_pool* pool, uint64_t handle) {
-    uint32_t index = (uint32_t)handle;
+    const uint32_t index = (uint32_t)(handle & INDEX_MASK);
     void* item = NULL;
     lock(pool);
     slot* s = slot_at(pool, index);
     if (s != NULL && matches(pool, s, handle)) item = atomic_load_explicit(&s->item, memory_order_relaxed);
     if (item != NULL) {
-        uint32_t next = (atomic_load_explicit(&s->generation, memory_order_relaxed) + 1) & GENERATION_MASK;
-        atomic_store_explicit(&s->generation, next > 0 ? next : 1, memory_order_relaxed);
+        const uint32_t next = generation_after(atomic_load_explicit(&s->generation, memory_order_relaxed));
+        atomic_store_explicit(&s->generation, next, memory_order_relaxed);
         atomic_store_explicit(&s->item, NULL, memory_order_release);
         unlink_live(pool, s);
-        s->next = pool->first_free;
-        pool->first_free = index;
+        if (next != pool->first_generation) put_free(pool, index);
     }
     unlock(pool);
     return item;

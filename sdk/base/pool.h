@@ -4,9 +4,9 @@
 
 #include "base/env.h"
 
-/* Layout of a handle: kind (8 bits, non-zero) | generation (24) | index (32). */
+/* Layout of a handle: kind (8 bits, non-zero) | generation (32, non-zero) | index (24). */
 #define DMI_HANDLE_KIND_SHIFT 56
-#define DMI_HANDLE_GENERATION_SHIFT 32
+#define DMI_HANDLE_GENERATION_SHIFT 24
 
 typedef struct dmi_pool dmi_pool;
 
@@ -14,7 +14,8 @@ dm_result dmi_pool_create(dmi_env* env, uint8_t kind, dmi_pool** out_pool);
 /* The items must have been removed. NULL does nothing. */
 void dmi_pool_destroy(dmi_pool* pool);
 
-/* Thread-safe. The first dmi_pool_insert after a remove reuses its slot with a new generation. */
+/* Thread-safe. The first dmi_pool_insert after a remove reuses its slot with a new generation, and no handle is given
+ * twice. TOO_LARGE when no index is left. */
 dm_result dmi_pool_insert(dmi_pool* pool, void* item, uint64_t* out_handle);
 /* Returns the item; NULL for null, stale or foreign handles. Wait-free. */
 void* dmi_pool_get(const dmi_pool* pool, uint64_t handle);

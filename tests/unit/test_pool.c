@@ -3,7 +3,7 @@
 
 #include <pthread.h>
 
-/* The slots themselves: ageing one to its last generation takes 16 million rounds otherwise. */
+/* The slots themselves: ageing one to its last generation takes four billion rounds otherwise. */
 #include "base/pool.c" /* NOLINT(bugprone-suspicious-include) */
 
 enum { KIND = 5 };
@@ -24,12 +24,12 @@ static void handles_have_the_documented_layout(void** state) {
     uint64_t a = 0, b = 0, c = 0;
     assert_int_equal(dmi_pool_insert(pool, &items[0], &a), DM_OK);
     assert_int_equal(dmi_pool_insert(pool, &items[1], &b), DM_OK);
-    assert_int_equal(a, (uint64_t)KIND << 56 | (uint64_t)pool->first_generation << 32 | 0);
+    assert_int_equal(a, (uint64_t)KIND << 56 | (uint64_t)pool->first_generation << 24 | 0);
     assert_int_equal(b, a + 1);
     assert_ptr_equal(dmi_pool_get(pool, a), &items[0]);
     assert_ptr_equal(dmi_pool_remove(pool, a), &items[0]);
     assert_int_equal(dmi_pool_insert(pool, &items[2], &c), DM_OK);
-    assert_int_equal(c, a + ((uint64_t)1 << 32)); /* same slot, next generation */
+    assert_int_equal(c, a + ((uint64_t)1 << 24)); /* same slot, next generation */
     assert_null(dmi_pool_get(pool, a));
     assert_null(dmi_pool_remove(pool, a));
     assert_ptr_equal(dmi_pool_get(pool, c), &items[2]);
@@ -48,7 +48,7 @@ static void wrong_handles_find_nothing(void** state) {
     dmi_pool* pool = make_pool(&t);
     int item;
     uint64_t handle = 0;
-    assert_null(dmi_pool_get(pool, (uint64_t)KIND << 56 | (uint64_t)1 << 32)); /* nothing inserted yet */
+    assert_null(dmi_pool_get(pool, (uint64_t)KIND << 56 | (uint64_t)1 << 24)); /* nothing inserted yet */
     assert_int_equal(dmi_pool_insert(pool, &item, &handle), DM_OK);
     for (int bit = 0; bit < 64; bit++) {
         assert_null(dmi_pool_get(pool, handle ^ (uint64_t)1 << bit));
@@ -56,7 +56,7 @@ static void wrong_handles_find_nothing(void** state) {
     }
     assert_null(dmi_pool_get(pool, 0));
     assert_null(dmi_pool_get(pool, UINT64_MAX));
-    assert_null(dmi_pool_get(pool, handle | UINT32_MAX));
+    assert_null(dmi_pool_get(pool, handle | INDEX_MASK));
     assert_ptr_equal(dmi_pool_remove(pool, handle), &item);
     assert_null(dmi_pool_remove(pool, handle));
     dmi_pool_destroy(pool);
@@ -106,22 +106,64 @@ static void pools_start_at_different_generations(void** state) {
     test_env_close(&t);
 }
 
-static void generations_skip_zero(void** state) {
+/* Near the last generation: handles differ before and after the wrap, and none is 0 or of another kind. */
+static void generations_wrap_without_a_handle_twice(void** state) {
+    (void)state;
+    enum { ROUNDS_HERE = 6 };
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool* pool = make_pool(&t);
+    int item;
+    uint64_t handles[ROUNDS_HERE];
+    const uint32_t generations[ROUNDS_HERE] = {UINT32_MAX - 2, UINT32_MAX - 1, UINT32_MAX, 1, 2, 3};
+    dmi_pool_insert(pool, &item, &handles[0]);
+    dmi_pool_remove(pool, handles[0]);
+    atomic_store(&slot_at(pool, 0)->generation, UINT32_MAX - 2);
+    for (int i = 0; i < ROUNDS_HERE; i++) {
+        assert_int_equal(dmi_pool_insert(pool, &item, &handles[i]), DM_OK);
+        assert_int_equal(handles[i], (uint64_t)KIND << 56 | (uint64_t)generations[i] << 24);
+        for (int k = 0; k < i; k++) assert_null(dmi_pool_get(pool, handles[k]));
+        assert_ptr_equal(dmi_pool_remove(pool, handles[i]), &item);
+    }
+    dmi_pool_destroy(pool);
+    test_env_close(&t);
+}
+
+static void a_slot_that_is_used_up_rests(void** state) {
     (void)state;
     test_env t;
     test_env_open(&t, TEST_NEVER);
     dmi_pool* pool = make_pool(&t);
     int item;
-    uint64_t handle = 0;
-    dmi_pool_insert(pool, &item, &handle);
-    dmi_pool_remove(pool, handle);
-    atomic_store(&slot_at(pool, 0)->generation, GENERATION_MASK); /* as after 2^24 - 2 more rounds */
-    dmi_pool_insert(pool, &item, &handle);
-    assert_int_equal(handle, (uint64_t)KIND << 56 | (uint64_t)0xFFFFFF << 32);
-    dmi_pool_remove(pool, handle);
-    dmi_pool_insert(pool, &item, &handle);
-    assert_int_equal(handle, (uint64_t)KIND << 56 | (uint64_t)1 << 32);
-    dmi_pool_remove(pool, handle);
+    uint64_t first = 0, last = 0, other = 0;
+    dmi_pool_insert(pool, &item, &first);
+    dmi_pool_remove(pool, first);
+    const uint32_t start = pool->first_generation;
+    atomic_store(&slot_at(pool, 0)->generation, start > 1 ? start - 1 : UINT32_MAX); /* as after all rounds but one */
+    dmi_pool_insert(pool, &item, &last);
+    assert_int_equal(last & INDEX_MASK, 0);
+    dmi_pool_remove(pool, last);
+    dmi_pool_insert(pool, &item, &other);
+    assert_int_equal(other & INDEX_MASK, 1);
+    assert_null(dmi_pool_get(pool, first));
+    dmi_pool_remove(pool, other);
+    dmi_pool_destroy(pool);
+    test_env_close(&t);
+}
+
+static void the_last_index_is_refused_by_name(void** state) {
+    (void)state;
+    test_env t;
+    test_env_open(&t, TEST_NEVER);
+    dmi_pool* pool = make_pool(&t);
+    int item;
+    uint64_t handle = 77;
+    pool->slot_count = (1 << 24) - 64; /* as if all chunks were full; none is there to be freed */
+    pool->chunk_count = CHUNK_COUNT;
+    assert_int_equal(dmi_pool_insert(pool, &item, &handle), DM_ERROR_TOO_LARGE);
+    assert_non_null(strstr(t.messages.text, "2^24"));
+    assert_int_equal(handle, 77);
+    t.messages.count = 0;
     dmi_pool_destroy(pool);
     test_env_close(&t);
 }
@@ -223,7 +265,9 @@ int main(void) {
         cmocka_unit_test(wrong_handles_find_nothing),
         cmocka_unit_test(thousands_live_side_by_side),
         cmocka_unit_test(pools_start_at_different_generations),
-        cmocka_unit_test(generations_skip_zero),
+        cmocka_unit_test(generations_wrap_without_a_handle_twice),
+        cmocka_unit_test(a_slot_that_is_used_up_rests),
+        cmocka_unit_test(the_last_index_is_refused_by_name),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(threads_do_not_disturb_each_other),
     };
