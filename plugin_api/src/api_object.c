@@ -86,8 +86,10 @@ static dm_result encode(dm_context* context, const char* function, dmi_object_sl
     uint32_t count = slot->object->part_count;
     encoding work = {.context = context, .slot = slot, .network = model->motion};
     slot->features = dmi_alloc(env, count * sizeof *slot->features, _Alignof(dmi_vae_object));
-    if (slot->features != NULL) dmi_parallel_for(env, count - 1, encode_part, &work);
-    if (slot->features != NULL && !work.failed) return DM_OK;
+    if (slot->features != NULL) {
+        const dm_result result = dmi_parallel_for(env, count - 1, encode_part, &work);
+        if (result != DM_OK || !work.failed) return result;
+    }
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for the motion network's features", function);
 }
 

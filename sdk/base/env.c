@@ -2,6 +2,7 @@
 #include "base/env.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -92,22 +93,74 @@ dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) {
     return code;
 }
 
-typedef struct host_task {
+/* ---- the host's jobs ---- */
+
+#define WORD_BITS 32
+#define WORDS ((DM_MAX_PARTS + WORD_BITS - 1) / WORD_BITS)
+
+/* Tasks handed to the host's job system, and which of them it has run. */
+typedef struct host_tasks {
     dm_task task;
     void* data;
-} host_task;
+    uint32_t count;
+    _Atomic uint32_t run[WORDS];   /* a bit a task */
+    _Atomic bool wrong;            /* a task was run again, or is none of them */
+    _Atomic uint32_t wrong_number; /* of that task */
+} host_tasks;
+
+static bool has_run(const host_tasks* given, uint32_t index) {
+    return atomic_load(&given->run[index / WORD_BITS]) >> index % WORD_BITS & 1;
+}
+
+/* Marks a task as run. Returns false when it is none of those given or has been run before. */
+static bool claim(host_tasks* given, uint32_t index) {
+    const uint32_t bit = (uint32_t)1 << index % WORD_BITS;
+    if (index < given->count && !(atomic_fetch_or(&given->run[index / WORD_BITS], bit) & bit)) return true;
+    atomic_store(&given->wrong_number, index);
+    atomic_store(&given->wrong, true);
+    return false;
+}
 
 /* The host's workers have floating-point environments of their own. */
 static void DM_CALL run_on_worker(void* data, uint32_t index) {
     DMI_OWN_FP;
-    const host_task* given = data;
-    given->task(given->data, index);
+    host_tasks* given = data;
+    if (claim(given, index)) given->task(given->data, index);
 }
 
-void dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data) {
-    if (count == 0) return;
+/* Returns the first task that has or has not run; the count of tasks when there is none. */
+static uint32_t first_task(const host_tasks* given, bool run) {
+    uint32_t i = 0;
+    while (i < given->count && has_run(given, i) != run) i++;
+    return i;
+}
+
+/* Checks what the host's job system did with the tasks. out_inline: none was run, and all are left to the library. */
+static dm_result check_tasks(dmi_env* env, const host_tasks* given, bool done, bool* out_inline) {
+    if (atomic_load(&given->wrong)) {
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_jobs.parallel_for: task %u was run %s, of %u tasks",
+                        atomic_load(&given->wrong_number),
+                        atomic_load(&given->wrong_number) < given->count ? "twice" : "but not given", given->count);
+    }
+    const uint32_t missing = first_task(given, false), run = first_task(given, true);
+    *out_inline = !done && run == given->count;
+    if (*out_inline || (done && missing == given->count)) return DM_OK;
+    if (done)
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_jobs.parallel_for: task %u of %u was not run", missing,
+                        given->count);
+    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_jobs.parallel_for answered 0 after it had run task %u of %u",
+                    run, given->count);
+}
+
+dm_result dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data) {
     const dm_jobs* jobs = &env->jobs;
-    host_task given = {task, data};
-    if (count > 1 && jobs->parallel_for != NULL && jobs->parallel_for(jobs->user, count, run_on_worker, &given)) return;
-    for (uint32_t i = 0; i < count; i++) task(data, i);
+    bool run_inline = true;
+    if (count > 1 && jobs->parallel_for != NULL) {
+        host_tasks given = {.task = task, .data = data, .count = count};
+        const bool done = jobs->parallel_for(jobs->user, count, run_on_worker, &given) != 0;
+        const dm_result result = check_tasks(env, &given, done, &run_inline);
+        if (result != DM_OK) return result;
+    }
+    for (uint32_t i = 0; run_inline && i < count; i++) task(data, i);
+    return DM_OK;
 }

@@ -30,7 +30,8 @@ void dmi_free(dmi_env* env, void* memory, size_t size);
 /* Logs an error message and returns `code`, so that a check reads: return dmi_fail(env, DM_ERROR_..., "...", ...). */
 dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) DMI_PRINTF(3, 4);
 
-/* Runs task(data, i) for i in [0, count) on the host's jobs, or inline. */
-void dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data);
+/* Runs task(data, i) for i in [0, count) on the host's jobs, or inline. count: DM_MAX_PARTS at most. INVALID_ARGUMENT
+ * when the host's jobs left a task out or ran one twice, of which the second time does nothing. */
+dm_result dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data);
 
 #endif

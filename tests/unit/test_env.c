@@ -115,21 +115,46 @@ static void every_index_runs_once(void** state) {
         dmi_env env;
         dmi_env_init(&env, NULL, NULL, &jobs);
         int done[40] = {0};
-        dmi_parallel_for(&env, 40, mark, done);
+        assert_int_equal(dmi_parallel_for(&env, 40, mark, done), DM_OK);
         for (int i = 0; i < 40; i++) assert_int_equal(done[i], 1);
         assert_int_equal(host.calls, accepts != 2);
-        dmi_parallel_for(&env, 0, mark, done);
+        assert_int_equal(dmi_parallel_for(&env, 0, mark, done), DM_OK);
         assert_int_equal(done[0], 1);
-        dmi_parallel_for(&env, 1, mark, done);
+        assert_int_equal(dmi_parallel_for(&env, 1, mark, done), DM_OK);
         assert_int_equal(done[0], 2);
+    }
+}
+
+static int32_t DM_CALL repeats_one(void* user, uint32_t count, dm_task task, void* data) {
+    const uint32_t* one = user;
+    for (uint32_t i = 0; i < count; i++) task(data, i);
+    task(data, *one);
+    return 1;
+}
+
+/* With as many tasks as there may be. The second time does nothing. */
+static void a_repeated_task_is_noticed_and_not_run(void** state) {
+    (void)state;
+    static int done[DM_MAX_PARTS];
+    for (uint32_t one = 0; one < DM_MAX_PARTS; one += 1365) {
+        const dm_jobs jobs = {&one, repeats_one};
+        dmi_env env;
+        dmi_env_init(&env, NULL, NULL, &jobs);
+        memset(done, 0, sizeof done);
+        assert_int_equal(dmi_parallel_for(&env, DM_MAX_PARTS, mark, done), DM_ERROR_INVALID_ARGUMENT);
+        for (int i = 0; i < DM_MAX_PARTS; i++) assert_int_equal(done[i], 1);
     }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(counts_bytes_and_peak),      cmocka_unit_test(size_zero_is_a_real_block),
-        cmocka_unit_test(refusals_change_no_counter), cmocka_unit_test(works_without_hooks),
-        cmocka_unit_test(failures_are_told),          cmocka_unit_test(every_index_runs_once),
+        cmocka_unit_test(counts_bytes_and_peak),
+        cmocka_unit_test(size_zero_is_a_real_block),
+        cmocka_unit_test(refusals_change_no_counter),
+        cmocka_unit_test(works_without_hooks),
+        cmocka_unit_test(failures_are_told),
+        cmocka_unit_test(every_index_runs_once),
+        cmocka_unit_test(a_repeated_task_is_noticed_and_not_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
