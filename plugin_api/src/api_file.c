@@ -35,7 +35,8 @@ dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t s
     }
     if (model && dmi_find(context, context->models, "dm_object_load: model", model) == NULL)
         return DM_ERROR_STALE_HANDLE;
-    const dmi_progress progress = dmi_progress_of(env, "dm_object_load");
+    float told;
+    const dmi_progress progress = dmi_progress_of(env, "dm_object_load", &told);
     dmi_object* object = NULL;
     dm_result result = dmi_dmo_read(env, context->picker, &context->axes, data, size, &progress, &object);
     if (result != DM_OK) return result;

@@ -51,7 +51,8 @@ dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mes
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_mesh_find_part: %s is NULL",
                         drag != NULL ? "out_face_ids" : "drag");
     dm_result result = dmi_mesh_desc_read(env, "dm_mesh_find_part: mesh", mesh, &known);
-    const dmi_progress progress = dmi_progress_of(env, "dm_mesh_find_part"),
+    float told;
+    const dmi_progress progress = dmi_progress_of(env, "dm_mesh_find_part", &told),
                        reading = dmi_progress_piece(&progress, 0, MESH_DONE),
                        finding = dmi_progress_piece(&progress, MESH_DONE, 1);
     dmi_mesh* inner = NULL;

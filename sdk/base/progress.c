@@ -3,8 +3,9 @@
 
 #define PERCENT 100.0f
 
-dmi_progress dmi_progress_of(dmi_env* env, const char* function) {
-    return (dmi_progress){env, function, env->progress, env->progress_user, 0, 1};
+dmi_progress dmi_progress_of(dmi_env* env, const char* function, float* told) {
+    *told = 0;
+    return (dmi_progress){env, function, env->progress, env->progress_user, 0, 1, told};
 }
 
 dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float to) {
@@ -17,7 +18,11 @@ dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float 
 
 dm_result dmi_progress_tell(const dmi_progress* progress, float share) {
     if (progress == NULL || progress->progress == NULL) return DM_OK;
-    const float done = progress->from + (share < 1 ? share : 1) * (progress->to - progress->from);
+    float done = progress->from + (share < 1 ? share : 1) * (progress->to - progress->from);
+    if (progress->told != NULL) { /* shares of shares round differently */
+        if (done < *progress->told) done = *progress->told;
+        *progress->told = done;
+    }
     if (!progress->progress(progress->user, done)) return DM_OK;
     return dmi_fail(progress->env, DM_ERROR_CANCELLED, "%s: the progress callback asked to stop at %.0f %%",
                     progress->function, (double)(done * PERCENT));

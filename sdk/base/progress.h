@@ -14,10 +14,11 @@ typedef struct dmi_progress {
     dm_progress_callback progress; /* NULL: nobody asks */
     void* user;
     float from, to; /* what part of the call is watched, 0 to 1 */
+    float* told;    /* the last report, below which none falls; NULL: who calls sees to it */
 } dmi_progress;
 
-/* Watches a whole call for the callback of the context. */
-dmi_progress dmi_progress_of(dmi_env* env, const char* function);
+/* Watches a whole call for the callback of the context. told: the caller's, as long as the call lasts. */
+dmi_progress dmi_progress_of(dmi_env* env, const char* function, float* told);
 
 /* The same for a piece of what is watched, by shares of it. `progress` may be NULL. */
 dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float to);

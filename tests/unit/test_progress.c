@@ -116,6 +116,43 @@ static void check(int32_t picking) {
     test_world_close(&w);
 }
 
+/* A body and a row of boxes, each a part. */
+static void reports_rise_whatever_the_count_of_parts(void** state) {
+    (void)state;
+    enum { MOST_PARTS = 40, BOX_FACES = 12, CORNERS = 8 };
+    static const uint8_t faces[BOX_FACES][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    static float xyz[(MOST_PARTS + 1) * CORNERS][3];
+    static uint32_t corners[(MOST_PARTS + 1) * BOX_FACES][3];
+    static uint8_t part[(MOST_PARTS + 1) * BOX_FACES];
+    test_world w;
+    test_world_init(&w);
+    w.desc.picking = DM_PICK_NONE;
+    test_world_open(&w);
+    for (uint32_t b = 0; b <= MOST_PARTS; b++) {
+        for (uint32_t v = 0; v < CORNERS; v++) {
+            const float low[3] = {b > 0 ? 1.3f * (float)b : -1, b > 0 ? 0 : -1, b > 0 ? 0 : -1},
+                        high[3] = {b > 0 ? 1.3f * (float)b + 1 : 60, b > 0 ? 2 : 3, b > 0 ? 0.1f : 0};
+            for (uint32_t k = 0; k < 3; k++) xyz[b * CORNERS + v][k] = v >> k & 1 ? high[k] : low[k];
+        }
+        for (uint32_t f = 0; f < BOX_FACES; f++) {
+            for (uint32_t k = 0; k < 3; k++) corners[b * BOX_FACES + f][k] = b * CORNERS + faces[f][k];
+            part[b * BOX_FACES + f] = (uint8_t)b;
+        }
+    }
+    for (uint32_t parts = 1; parts <= MOST_PARTS; parts++) {
+        const grid g = {xyz, corners, part, (parts + 1) * CORNERS, (parts + 1) * BOX_FACES};
+        reports r = {0};
+        dm_object object = 0;
+        assert_int_equal(prepare(&w, &g, &r, &object), DM_OK);
+        if (r.falls != 0 || r.outside != 0 || r.last != 1)
+            fail_msg("%u parts: of %d reports %d fall, %d are no share; the last is %.9g", parts, r.count, r.falls,
+                     r.outside, (double)r.last);
+        assert_int_equal(dm_object_destroy(w.context, object), DM_OK);
+    }
+    test_world_close(&w);
+}
+
 static void with_code_of_our_own(void** state) {
     (void)state;
     check(DM_PICK_PORTABLE);
@@ -316,7 +353,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(with_code_of_our_own),  cmocka_unit_test(with_what_picks_by_itself),
         cmocka_unit_test(without_picking),       cmocka_unit_test(calls_without_a_callback_of_their_own),
-        cmocka_unit_test(one_callback_is_asked),
+        cmocka_unit_test(one_callback_is_asked), cmocka_unit_test(reports_rise_whatever_the_count_of_parts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -147,11 +147,12 @@ static dm_result prepare_parts(preparation* work) {
     uint32_t count = work->object->part_count, batch = env->jobs.parallel_for != NULL ? BATCH : 1;
     for (work->first = 1; work->first < count; work->first += batch) {
         uint32_t tasks = count - work->first < batch ? count - work->first : batch;
-        dmi_parallel_for(env, tasks, prepare_part, work);
+        dm_result result = dmi_parallel_for(env, tasks, prepare_part, work);
+        if (result != DM_OK) return result;
         for (uint32_t i = work->first; i < work->first + tasks; i++) {
             if (work->requests[i].result != DM_OK) return work->requests[i].result;
         }
-        dm_result result = choose_joints(work, tasks);
+        result = choose_joints(work, tasks);
         if (result != DM_OK) return result;
         const float done = (float)(work->first + tasks - 1) / (float)(count - 1);
         result = dmi_progress_tell(work->progress, SHARED + (1 - SHARED) * done);
@@ -252,7 +253,8 @@ static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* 
 }
 
 dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object** out_object) {
-    dmi_progress progress = dmi_progress_of(env, "dm_object_prepare");
+    float told;
+    dmi_progress progress = dmi_progress_of(env, "dm_object_prepare", &told);
     if (desc->progress != NULL) {
         progress.progress = desc->progress;
         progress.user = desc->progress_user;
@@ -276,7 +278,8 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
 
 dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, const dmi_inference_models* models,
                             const dmi_drag_hint* hint) {
-    const dmi_progress progress = dmi_progress_of(env, "dm_object_refine"),
+    float told;
+    const dmi_progress progress = dmi_progress_of(env, "dm_object_refine", &told),
                        sharing = dmi_progress_piece(&progress, 0, REFINING),
                        inferring = dmi_progress_piece(&progress, REFINING, 1);
     dmi_arena arena;
