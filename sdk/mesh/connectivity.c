@@ -291,12 +291,23 @@ static bool sees_corner(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corne
     return height > sine * sqrtf(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
 }
 
+/* Which faces at an edge belong to one sheet, besides coincident ones and two at an edge of their own. */
+typedef struct sheet_rule {
+    float concave_sine; /* two do not where the edge is concave by more */
+    bool fans;          /* as many as are compared at one edge do, and all further ones */
+} sheet_rule;
+
+static void unite_fan(const edges* edges, uint32_t e, uint32_t* parents) {
+    const uint32_t first = edges->face[e];
+    for (; e != NONE; e = edges->before[e]) unite(parents, first, edges->face[e]);
+}
+
 /* Unites the faces at one edge, from its newest entry on: coincident faces first; if just two places are left, these
  * belong to one sheet unless the edge is concave. */
 static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const edges* edges, uint32_t low, uint32_t e,
-                          float concave_sine, uint32_t* parents) {
+                          const sheet_rule* rule, uint32_t* parents) {
     uint32_t faces[MAX_FACES_AT_EDGE], corners[MAX_FACES_AT_EDGE], count = 0;
-    const uint32_t high = edges->other[e];
+    const uint32_t high = edges->other[e], newest = e;
     for (; e != NONE && count < MAX_FACES_AT_EDGE; e = edges->before[e]) {
         const uint32_t face = edges->face[e], corner = third_corner(mesh, welded, face, low, high);
         uint32_t same = 0;
@@ -308,15 +319,16 @@ static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const ed
             corners[count++] = corner;
         }
     }
+    if (count == MAX_FACES_AT_EDGE && rule->fans) unite_fan(edges, newest, parents);
     if (count != 2) return;
-    if (sees_corner(mesh, faces[0], low, corners[1], concave_sine) &&
-        sees_corner(mesh, faces[1], low, corners[0], concave_sine))
+    if (sees_corner(mesh, faces[0], low, corners[1], rule->concave_sine) &&
+        sees_corner(mesh, faces[1], low, corners[0], rule->concave_sine))
         return;
     unite(parents, faces[0], faces[1]);
 }
 
-dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, float concave_sine,
-                          const dmi_progress* progress, uint32_t* out_labels, uint32_t* out_count) {
+static dm_result label_sheets(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const sheet_rule* rule,
+                              const dmi_progress* progress, uint32_t* out_labels, uint32_t* out_count) {
     const dmi_progress uniting = dmi_progress_piece(progress, SORTED, 1);
     edges edges;
     uint8_t* all = dmi_arena_push(arena, mesh->face_count);
@@ -332,7 +344,7 @@ dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
         uint32_t begin = edges.first[v], end = edges.first[v + 1];
         for (uint32_t e = begin; e < end; e++) chain_edge(&edges, begin, e);
         for (uint32_t e = begin; e < end; e++)
-            if (edges.latest[edges.other[e]] == e) unite_at_edge(mesh, welded, &edges, v, e, concave_sine, out_labels);
+            if (edges.latest[edges.other[e]] == e) unite_at_edge(mesh, welded, &edges, v, e, rule, out_labels);
         if (dmi_progress_step(&uniting, v, mesh->vertex_count) != DM_OK) return DM_ERROR_CANCELLED;
     }
     *out_count = number_sets(out_labels, all, mesh->face_count);
@@ -341,5 +353,18 @@ dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t
 
 dm_result dmi_face_sheets(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const dmi_progress* progress,
                           uint32_t* out_labels, uint32_t* out_count) {
-    return dmi_face_bulges(arena, mesh, welded, NO_CONCAVE_CUT, progress, out_labels, out_count);
+    const sheet_rule rule = {.concave_sine = NO_CONCAVE_CUT};
+    return label_sheets(arena, mesh, welded, &rule, progress, out_labels, out_count);
+}
+
+dm_result dmi_face_sheets_and_fans(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded,
+                                   const dmi_progress* progress, uint32_t* out_labels, uint32_t* out_count) {
+    const sheet_rule rule = {.concave_sine = NO_CONCAVE_CUT, .fans = true};
+    return label_sheets(arena, mesh, welded, &rule, progress, out_labels, out_count);
+}
+
+dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, float concave_sine,
+                          const dmi_progress* progress, uint32_t* out_labels, uint32_t* out_count) {
+    const sheet_rule rule = {.concave_sine = concave_sine};
+    return label_sheets(arena, mesh, welded, &rule, progress, out_labels, out_count);
 }

@@ -21,7 +21,11 @@ dm_result dmi_face_regions(dmi_arena* arena, const dmi_mesh* mesh, const uint32_
  * place (double-sided meshes) count as one. Pieces that merely touch, at a vertex or an edge, stay apart. */
 dm_result dmi_face_sheets(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const dmi_progress* progress,
                           uint32_t* out_labels, uint32_t* out_count);
-/* The same, cut also where the surface bends inwards by more than the angle with this sine, seen from outside. */
+/* The same, but an edge at which 32 sheets or more meet divides nothing: all its faces are of one sheet. */
+dm_result dmi_face_sheets_and_fans(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded,
+                                   const dmi_progress* progress, uint32_t* out_labels, uint32_t* out_count);
+/* dmi_face_sheets, cut also where the surface bends inwards by more than the angle with this sine, seen from outside.
+ */
 dm_result dmi_face_bulges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, float concave_sine,
                           const dmi_progress* progress, uint32_t* out_labels, uint32_t* out_count);
 

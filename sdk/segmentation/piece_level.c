@@ -46,7 +46,8 @@ dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi
         return out_of_memory(arena, mesh);
     memset(all, 1, mesh->face_count);
     dm_result result = dmi_weld_vertices(arena, mesh, WELD_DISTANCE, &welding, out->welded);
-    if (result == DM_OK) result = dmi_face_sheets(arena, mesh, out->welded, &uniting, out->labels, &out->count);
+    if (result == DM_OK)
+        result = dmi_face_sheets_and_fans(arena, mesh, out->welded, &uniting, out->labels, &out->count);
     if (result == DM_OK) result = dmi_progress_tell(&joining, 0);
     if (result != DM_OK) return result;
     return dmi_face_regions(arena, mesh, out->welded, all, SHELLS_ONLY, &joining, out->shells, &shell_count);

@@ -134,7 +134,7 @@ static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_
     int stages = 0;
     while (stages < MAX_STAGES && g.area <= MAX_AREA_SHARE * level->total_area && result == DM_OK) {
         rate_neighbours(&g, rater);
-        work += g.region.contact_sample_count + (uint64_t)RATING_WORK * g.region.neighbour_count;
+        work += g.region.contacts.first_sample[level->pieces.count] + (uint64_t)RATING_WORK * g.region.neighbour_count;
         const bool is_last = g.next_piece == DMI_PIECE_NONE || work > MAX_WORK;
         if (g.next_log_odds < CERTAIN_LOG_ODDS || is_last) {
             result = propose_stage(arena, &g, out);

@@ -5,7 +5,6 @@
 
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "segmentation/contact_kind.h"
 
 #define MIN_AREA 1e-12f         /* object sizes squared: avoids the logarithm of zero */
 #define MIN_VARIANCE 1e-10f     /* object sizes squared: avoids a division by zero */
@@ -18,14 +17,6 @@ typedef struct dmi_piece_extent {
     float low, high;                    /* along the drag */
     float normal_cosine;                /* mean |cosine| between normals and the drag */
 } piece_extent;
-
-/* Contacts of a piece outside the region, in numbers of samples. */
-typedef struct dmi_neighbour_contacts {
-    uint32_t with_region, with_others; /* the piece's samples in contact with the region, with another piece outside */
-    uint32_t from_region;              /* the region's samples in contact with the piece */
-    uint32_t flush, stacked, ahead, behind, concave, convex; /* of with_region */
-    float distance;                                          /* sum over with_region, in contact distances */
-} neighbour_contacts;
 
 /* ---- extents ---- */
 
@@ -73,7 +64,7 @@ static uint32_t label_count(const uint32_t* labels, uint32_t count) {
 dm_result dmi_region_make(dmi_arena* arena, const dmi_piece_level* level, const float drag[3], dmi_region* out) {
     const dmi_pieces* pieces = &level->pieces;
     const uint32_t shells = label_count(level->shells, pieces->count);
-    const uint32_t sheets = label_count(level->sheets, pieces->count), samples = pieces->first[pieces->count];
+    const uint32_t sheets = label_count(level->sheets, pieces->count);
     *out = (dmi_region){.level = level};
     dmi_copy3(drag, out->drag);
     out->inside = dmi_arena_push(arena, pieces->count);
@@ -81,19 +72,15 @@ dm_result dmi_region_make(dmi_arena* arena, const dmi_piece_level* level, const 
     out->sheet_inside = dmi_arena_push(arena, sheets);
     out->features = dmi_arena_push(arena, pieces->count * sizeof *out->features);
     out->neighbours = dmi_arena_push(arena, pieces->count * sizeof *out->neighbours);
-    out->contact_samples = dmi_arena_push(arena, samples * sizeof *out->contact_samples);
     out->extents = dmi_arena_push(arena, pieces->count * sizeof *out->extents);
-    out->sums = dmi_arena_push(arena, pieces->count * sizeof *out->sums);
     if (out->inside == NULL || out->shell_inside == NULL || out->sheet_inside == NULL || out->features == NULL ||
-        out->neighbours == NULL || out->contact_samples == NULL || out->extents == NULL || out->sums == NULL)
+        out->neighbours == NULL || out->extents == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to grow a region of %u pieces", pieces->count);
     memset(out->inside, 0, pieces->count);
     memset(out->shell_inside, 0, shells);
     memset(out->sheet_inside, 0, sheets);
     for (uint32_t p = 0; p < pieces->count; p++) out->extents[p] = measure_piece(pieces, out->drag, p);
-    for (uint32_t s = 0; s < samples; s++)
-        if (pieces->samples[s].contact_count > 0) out->contact_samples[out->contact_sample_count++] = s;
-    return DM_OK;
+    return dmi_region_contacts_make(arena, pieces, drag, &out->contacts);
 }
 
 void dmi_region_add(dmi_region* region, uint32_t piece) {
@@ -101,47 +88,12 @@ void dmi_region_add(dmi_region* region, uint32_t piece) {
     region->shell_inside[region->level->shells[piece]] = 1;
     region->sheet_inside[region->level->sheets[piece]] = 1;
     region->piece_count++;
-}
-
-/* ---- contacts ---- */
-
-/* Adds the contact of a neighbour's sample with the region. */
-static void add_contact(const dmi_region* region, const dmi_piece_sample* sample, const dmi_piece_contact* contact,
-                        neighbour_contacts* sums) {
-    const dmi_pieces* pieces = &region->level->pieces;
-    const dmi_contact_kind kind = dmi_contact_classify(pieces, sample, contact, region->drag);
-    sums->with_region++;
-    sums->flush += kind.flush;
-    sums->stacked += kind.stacked;
-    sums->concave += kind.concave;
-    sums->convex += kind.convex;
-    sums->ahead += kind.ahead;
-    sums->behind += kind.behind;
-    sums->distance += contact->distance / pieces->contact_distance;
-}
-
-/* Adds one sample's contacts to the sums of the pieces concerned. */
-static void add_sample(dmi_region* region, const dmi_piece_sample* sample) {
-    neighbour_contacts* sums = region->sums;
-    const dmi_piece_contact* nearest = NULL;
-    bool with_others = false;
-    for (uint32_t c = 0; c < sample->contact_count; c++) {
-        const dmi_piece_contact* contact = &sample->contacts[c];
-        const uint32_t piece = region->level->pieces.samples[contact->sample].piece;
-        if (region->inside[sample->piece] && !region->inside[piece]) sums[piece].from_region++;
-        if (region->inside[sample->piece]) continue;
-        if (!region->inside[piece])
-            with_others = true;
-        else if (nearest == NULL || contact->distance < nearest->distance)
-            nearest = contact;
-    }
-    sums[sample->piece].with_others += with_others;
-    if (nearest != NULL) add_contact(region, sample, nearest, &sums[sample->piece]);
+    dmi_region_contacts_add(&region->contacts, region->inside, piece);
 }
 
 /* ---- features ---- */
 
-static void write_contacts(const neighbour_contacts* sums, float piece_samples, float region_samples, float* out) {
+static void write_contacts(const dmi_neighbour_contacts* sums, float piece_samples, float region_samples, float* out) {
     const float contacts = dmi_fmaxf((float)sums->with_region, 1);
     out[DMI_NEIGHBOUR_CONTACT_SHARE] =
         (float)sums->with_region / dmi_fmaxf((float)(sums->with_region + sums->with_others), 1);
@@ -200,21 +152,19 @@ void dmi_region_find_neighbours(dmi_region* region) {
     const dmi_pieces* pieces = &region->level->pieces;
     piece_extent whole = {.area = 0};
     uint32_t region_samples = 0, members = 0;
-    memset(region->sums, 0, pieces->count * sizeof *region->sums);
     for (uint32_t p = 0; p < pieces->count; p++) {
         if (!region->inside[p]) continue;
         whole = members++ == 0 ? region->extents[p] : merge_extents(&whole, &region->extents[p]);
         region_samples += pieces->first[p + 1] - pieces->first[p];
     }
-    for (uint32_t i = 0; i < region->contact_sample_count; i++)
-        add_sample(region, &pieces->samples[region->contact_samples[i]]);
+    const dmi_neighbour_contacts* sums = region->contacts.sums;
     region->neighbour_count = 0;
     for (uint32_t p = 0; p < pieces->count; p++) {
-        if (region->inside[p] || region->sums[p].with_region + region->sums[p].from_region == 0) continue;
+        if (region->inside[p] || sums[p].with_region + sums[p].from_region == 0) continue;
         float* features = region->features[region->neighbour_count];
         region->neighbours[region->neighbour_count++] = p;
         const float samples = (float)(pieces->first[p + 1] - pieces->first[p]);
-        write_contacts(&region->sums[p], samples, (float)region_samples, features);
+        write_contacts(&sums[p], samples, (float)region_samples, features);
         write_sizes(&region->extents[p], &whole, region->level->total_area, features);
         write_drag(&region->extents[p], &whole, region->drag, features);
         write_relation(region, p, features);

@@ -3,6 +3,7 @@
 #define DMI_SEGMENTATION_REGION_GROWING_H
 
 #include "segmentation/piece_level.h"
+#include "segmentation/region_contacts.h"
 
 /* Features of a piece that is in contact with the region, inputs of the growth network. "Share" is in 0 .. 1; lengths
  * are object-normalised. */
@@ -53,11 +54,9 @@ typedef struct dmi_region {
     uint32_t* neighbours;                      /* pieces outside the region that are in contact with it */
     float (*features)[DMI_NEIGHBOUR_FEATURES]; /* per neighbour, in the same order */
     uint32_t neighbour_count;
-    uint32_t piece_count;      /* of the region */
-    uint32_t* contact_samples; /* samples in contact with any other piece */
-    uint32_t contact_sample_count;
-    struct dmi_piece_extent* extents;    /* per piece */
-    struct dmi_neighbour_contacts* sums; /* per piece */
+    uint32_t piece_count; /* of the region */
+    dmi_region_contacts contacts;
+    struct dmi_piece_extent* extents; /* per piece */
 } dmi_region;
 
 /* Makes an empty region. All memory comes from the arena. drag: unit, or zeros: none. */

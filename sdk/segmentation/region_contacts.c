@@ -1,0 +1,125 @@
+/* Counts a piece's contacts anew when a piece in contact with it joins the region. */
+#include "segmentation/region_contacts.h"
+
+#include <string.h>
+
+#include "math/linear3.h"
+#include "segmentation/contact_kind.h"
+
+static uint32_t piece_of(const dmi_pieces* pieces, const dmi_piece_contact* contact) {
+    return pieces->samples[contact->sample].piece;
+}
+
+/* ---- lists ---- */
+
+/* Lists the samples that are in contact with another piece. */
+static void list_samples(dmi_region_contacts* contacts) {
+    const dmi_pieces* pieces = contacts->pieces;
+    uint32_t count = 0;
+    for (uint32_t p = 0; p < pieces->count; p++) {
+        contacts->first_sample[p] = count;
+        for (uint32_t s = pieces->first[p]; s < pieces->first[p + 1]; s++)
+            if (pieces->samples[s].contact_count > 0) contacts->samples[count++] = s;
+        contacts->sums[p].with_others = count - contacts->first_sample[p];
+    }
+    contacts->first_sample[pieces->count] = count;
+}
+
+/* Lists for each piece those with a sample in contact with it, by a counting sort. A piece comes again for each such
+ * sample, side by side. first_of_touching has two entries more than there are pieces. */
+static void list_touching(dmi_region_contacts* contacts) {
+    const dmi_pieces* pieces = contacts->pieces;
+    uint32_t* first = contacts->first_of_touching;
+    const uint32_t count = contacts->first_sample[pieces->count];
+    memset(first, 0, ((size_t)pieces->count + 2) * sizeof *first);
+    for (uint32_t i = 0; i < count; i++) {
+        const dmi_piece_sample* sample = &pieces->samples[contacts->samples[i]];
+        for (uint32_t c = 0; c < sample->contact_count; c++) first[piece_of(pieces, &sample->contacts[c]) + 2]++;
+    }
+    for (uint32_t p = 0; p < pieces->count; p++) first[p + 2] += first[p + 1];
+    for (uint32_t i = 0; i < count; i++) {
+        const dmi_piece_sample* sample = &pieces->samples[contacts->samples[i]];
+        for (uint32_t c = 0; c < sample->contact_count; c++)
+            contacts->touching_pieces[first[piece_of(pieces, &sample->contacts[c]) + 1]++] = sample->piece;
+    }
+}
+
+static uint32_t contact_count(const dmi_pieces* pieces) {
+    uint32_t count = 0;
+    for (uint32_t s = 0; s < pieces->first[pieces->count]; s++) count += pieces->samples[s].contact_count;
+    return count;
+}
+
+dm_result dmi_region_contacts_make(dmi_arena* arena, const dmi_pieces* pieces, const float drag[3],
+                                   dmi_region_contacts* out) {
+    const size_t count = pieces->count;
+    *out = (dmi_region_contacts){.pieces = pieces};
+    dmi_copy3(drag, out->drag);
+    out->samples = dmi_arena_push(arena, pieces->first[count] * sizeof *out->samples);
+    out->first_sample = dmi_arena_push(arena, (count + 1) * sizeof *out->first_sample);
+    out->touching_pieces = dmi_arena_push(arena, contact_count(pieces) * sizeof *out->touching_pieces);
+    out->first_of_touching = dmi_arena_push(arena, (count + 2) * sizeof *out->first_of_touching);
+    out->sums = dmi_arena_push(arena, count * sizeof *out->sums);
+    if (out->samples == NULL || out->first_sample == NULL || out->touching_pieces == NULL ||
+        out->first_of_touching == NULL || out->sums == NULL)
+        return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory for the contacts of %u pieces", pieces->count);
+    memset(out->sums, 0, count * sizeof *out->sums);
+    list_samples(out);
+    list_touching(out);
+    return DM_OK;
+}
+
+/* ---- sums ---- */
+
+/* Adds the contact of a piece's sample with the region. */
+static void add_contact(const dmi_region_contacts* contacts, const dmi_piece_sample* sample,
+                        const dmi_piece_contact* contact, dmi_neighbour_contacts* sums) {
+    const dmi_contact_kind kind = dmi_contact_classify(contacts->pieces, sample, contact, contacts->drag);
+    sums->with_region++;
+    sums->flush += kind.flush;
+    sums->stacked += kind.stacked;
+    sums->concave += kind.concave;
+    sums->convex += kind.convex;
+    sums->ahead += kind.ahead;
+    sums->behind += kind.behind;
+    sums->distance += contact->distance / contacts->pieces->contact_distance;
+}
+
+/* Adds one sample's contacts to the sums of its piece, which is outside the region. */
+static void add_sample(const dmi_region_contacts* contacts, const uint8_t* inside, const dmi_piece_sample* sample,
+                       dmi_neighbour_contacts* sums) {
+    const dmi_piece_contact* nearest = NULL;
+    bool with_others = false;
+    for (uint32_t c = 0; c < sample->contact_count; c++) {
+        const dmi_piece_contact* contact = &sample->contacts[c];
+        if (!inside[piece_of(contacts->pieces, contact)])
+            with_others = true;
+        else if (nearest == NULL || contact->distance < nearest->distance)
+            nearest = contact;
+    }
+    sums->with_others += with_others;
+    if (nearest != NULL) add_contact(contacts, sample, nearest, sums);
+}
+
+/* Counts the contacts of one piece outside the region anew. */
+static void count_again(dmi_region_contacts* contacts, const uint8_t* inside, uint32_t piece) {
+    dmi_neighbour_contacts sums = {.from_region = contacts->sums[piece].from_region};
+    for (uint32_t i = contacts->first_sample[piece]; i < contacts->first_sample[piece + 1]; i++)
+        add_sample(contacts, inside, &contacts->pieces->samples[contacts->samples[i]], &sums);
+    contacts->sums[piece] = sums;
+}
+
+void dmi_region_contacts_add(dmi_region_contacts* contacts, const uint8_t* inside, uint32_t piece) {
+    const dmi_pieces* pieces = contacts->pieces;
+    for (uint32_t i = contacts->first_sample[piece]; i < contacts->first_sample[piece + 1]; i++) {
+        const dmi_piece_sample* sample = &pieces->samples[contacts->samples[i]];
+        for (uint32_t c = 0; c < sample->contact_count; c++)
+            contacts->sums[piece_of(pieces, &sample->contacts[c])].from_region++;
+    }
+    uint32_t last = DMI_PIECE_NONE;
+    for (uint32_t i = contacts->first_of_touching[piece]; i < contacts->first_of_touching[piece + 1]; i++) {
+        const uint32_t other = contacts->touching_pieces[i];
+        if (other != last && !inside[other]) count_again(contacts, inside, other);
+        last = other;
+    }
+}

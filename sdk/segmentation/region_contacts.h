@@ -1,0 +1,30 @@
+/* Contacts between a region and the pieces outside it. They are kept while the region grows: a piece that joins changes
+ * the sums of the pieces that it is in contact with, and no others. */
+#ifndef DMI_SEGMENTATION_REGION_CONTACTS_H
+#define DMI_SEGMENTATION_REGION_CONTACTS_H
+
+#include "segmentation/pieces.h"
+
+/* Contacts of a piece outside the region, in numbers of samples. */
+typedef struct dmi_neighbour_contacts {
+    uint32_t with_region, with_others; /* the piece's samples in contact with the region, with another piece outside */
+    uint32_t from_region;              /* the region's samples in contact with the piece */
+    uint32_t flush, stacked, ahead, behind, concave, convex; /* of with_region */
+    float distance;                                          /* sum over with_region, in contact distances */
+} dmi_neighbour_contacts;
+
+typedef struct dmi_region_contacts {
+    const dmi_pieces* pieces;
+    float drag[3];                                 /* unit; zeros: none */
+    uint32_t *samples, *first_sample;              /* in contact with another piece; per piece, where its own begin */
+    uint32_t *touching_pieces, *first_of_touching; /* those with a sample in contact with a piece; where they begin */
+    dmi_neighbour_contacts* sums;                  /* per piece; of those outside the region */
+} dmi_region_contacts;
+
+/* Makes the contacts of an empty region. All memory comes from the arena. drag: as of dmi_region_make. */
+dm_result dmi_region_contacts_make(dmi_arena* arena, const dmi_pieces* pieces, const float drag[3],
+                                   dmi_region_contacts* out);
+/* Takes in that a piece has joined. inside: per piece, 1 in the region, that piece already. */
+void dmi_region_contacts_add(dmi_region_contacts* contacts, const uint8_t* inside, uint32_t piece);
+
+#endif
