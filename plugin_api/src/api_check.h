@@ -8,6 +8,9 @@
 #include "base/env.h"
 #include "base/number_bounds.h"
 
+/* In place of an environment: the checks of [frame] functions, which log nothing. */
+#define DMI_SILENT ((dmi_env*)NULL)
+
 /* Size of a descriptor's first published version, whose last member is `last`. */
 #define DMI_FIRST_SIZE(type, last) (offsetof(type, last) + sizeof(((type*)0)->last))
 

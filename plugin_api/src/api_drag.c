@@ -26,6 +26,9 @@
 #define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
 #define SMALLEST_FEEL 1e-12f /* of a time, share or catch that is not 0: its inverse stays in a float's range */
 #define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
+#define ROUNDED_TIME                                                                                                   \
+    1e-4f /* s: a negative time step this small is a rounded 0. The last bit of a clock that counts                    \
+             seconds in a float is as large after a quarter of an hour; by hand */
 
 static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
     const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,
@@ -501,11 +504,24 @@ static int32_t only_limit_at(const dmi_drag_slot* slot) {
     return value >= joint->upper - tolerance ? 1 : 0;
 }
 
-static dm_result check_step(dmi_env* env, const char* const names[3], float dt, const dm_drag_state* out_state) {
-    dm_result result = dmi_check_finite(env, names[1], &dt, 1);
+static dm_result check_state(const dm_drag_state* out_state) {
+    return dmi_check_out(DMI_SILENT, "out_state", out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
+}
+
+/* Checks a time step, and takes one that rounding has made negative as 0. */
+static dm_result check_step(float* dt, const dm_drag_state* out_state) {
+    dm_result result = dmi_check_finite(DMI_SILENT, "dt", dt, 1);
     if (result != DM_OK) return result;
-    if (dt < 0.0f) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g s", names[1], (double)dt);
-    return dmi_check_out(env, names[2], out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
+    if (*dt < -ROUNDED_TIME) return DM_ERROR_INVALID_ARGUMENT;
+    *dt = dmi_fmaxf(*dt, 0);
+    return check_state(out_state);
+}
+
+/* Remembers the first error of a call that may not log, for dmi_drag_slot_warn. Returns the result. */
+static dm_result remember(dmi_drag_slot* slot, dm_result result) {
+    if (result == DM_OK) return result;
+    if (slot->refused++ == 0) slot->first_refusal = result;
+    return result;
 }
 
 /* Advances by a pointer's ray, or by an input where one is given. */
@@ -527,48 +543,38 @@ static void step(dmi_drag_slot* slot, const dm_ray* ray, const dm_drag_input* in
 dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                  dm_drag_state* out_state) {
     DMI_OWN_FP;
-    static const char* const names[3] = {"dm_drag_update", "dm_drag_update: dt", "dm_drag_update: out_state"};
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &context->env;
-    dmi_drag_slot* slot = dmi_find(context, context->drags, names[0], drag);
+    dmi_drag_slot* slot = dmi_pool_get(context->drags, drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_result result = DM_OK;
-    if (ray != NULL || slot->drag.release.phase == DM_DRAG_HELD)
-        result = dmi_check_ray(env, "dm_drag_update: ray", ray);
-    if (result == DM_OK) result = check_step(env, names, dt, out_state);
+    if (ray != NULL || slot->drag.release.phase == DM_DRAG_HELD) result = dmi_check_ray(DMI_SILENT, "ray", ray);
+    if (result == DM_OK) result = check_step(&dt, out_state);
     if (result == DM_OK) step(slot, ray, NULL, dt, out_state);
-    return result;
+    return remember(slot, result);
 }
 
 dm_result DM_CALL dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
                                dm_drag_state* out_state) {
     DMI_OWN_FP;
-    static const char* const names[3] = {"dm_drag_step", "dm_drag_step: dt", "dm_drag_step: out_state"};
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &context->env;
-    dmi_drag_slot* slot = dmi_find(context, context->drags, names[0], drag);
+    dmi_drag_slot* slot = dmi_pool_get(context->drags, drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_drag_input known;
-    dm_result result = dmi_input_read(env, &slot->drag, input, &known);
-    if (result == DM_OK) result = check_step(env, names, dt, out_state);
+    dm_result result = dmi_input_read(&slot->drag, input, &known);
+    if (result == DM_OK) result = check_step(&dt, out_state);
     if (result == DM_OK) step(slot, NULL, &known, dt, out_state);
-    return result;
+    return remember(slot, result);
 }
 
 dm_result DM_CALL dm_drag_take(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &context->env;
-    dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_take", drag);
+    dmi_drag_slot* slot = dmi_pool_get(context->drags, drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dm_result result = dmi_check_number(env, "dm_drag_take: ", "value", value);
-    if (result == DM_OK)
-        result = dmi_check_out(env, "dm_drag_take: out_state", out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
-    if (result != DM_OK) return result;
-    if (!slot->drag.pending.open) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
-                        "dm_drag_take: the last update had no DM_INPUT_ASK, or its value was taken already");
-    }
+    dm_result result = dmi_check_number(DMI_SILENT, "", "value", value);
+    if (result == DM_OK) result = check_state(out_state);
+    if (result == DM_OK && !slot->drag.pending.open) result = DM_ERROR_INVALID_ARGUMENT;
+    if (result != DM_OK) return remember(slot, result);
     dm_drag_state now = {.struct_size = sizeof now};
     dmi_drag_take(&slot->drag, value, &now);
     if (slot->open_side != 0) now.at_limit = only_limit_at(slot);
@@ -577,6 +583,11 @@ dm_result DM_CALL dm_drag_take(dm_context* context, dm_drag drag, float value, d
 }
 
 void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot) {
+    if (slot->refused > 0) {
+        dmi_warn(env, "%s: %u updates of this drag were refused, the first with %s", function, slot->refused,
+                 dm_result_string(slot->first_refusal));
+        slot->refused = 0;
+    }
     if (!(slot->longest_frame > 0)) return;
     dmi_warn(env, "%s: an update of this drag had dt %g s. Were milliseconds meant?", function,
              (double)slot->longest_frame);
@@ -624,10 +635,9 @@ dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* 
 dm_result DM_CALL dm_drag_get_part_state(dm_context* context, dm_drag drag, dm_part_state* out_state) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &context->env;
-    const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_get_part_state", drag);
+    const dmi_drag_slot* slot = dmi_pool_get(context->drags, drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dm_result result = check_part_state(env, "dm_drag_get_part_state: out_state", out_state);
+    dm_result result = check_part_state(DMI_SILENT, "out_state", out_state);
     if (result == DM_OK) write_part_state(slot, out_state);
     return result;
 }

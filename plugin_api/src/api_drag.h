@@ -20,11 +20,11 @@ typedef struct dmi_rules_start {
 dm_result dmi_rules_read(dmi_env* env, const dm_drag_desc* desc, const dmi_rules_start* start, dmi_rules* out);
 /* Whether a drag can have begun with these rules. */
 bool dmi_is_sound_rules(const dmi_rules* rules);
-/* Reads and checks the input of an update, of any version. */
-dm_result dmi_input_read(dmi_env* env, const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out);
+/* Reads and checks the input of an update, of any version. Logs nothing. */
+dm_result dmi_input_read(const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out);
 /* Returns what tells a part from others: its id, its box, the counts of part and object, the types of its joints. */
 uint64_t dmi_part_key(const dmi_object* object, uint32_t part);
-/* Reports, once, what an update noticed and may not log itself. */
+/* Reports, once, what the [frame] calls of a drag noticed and may not log themselves. */
 void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot);
 
 #endif

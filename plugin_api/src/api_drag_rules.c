@@ -112,12 +112,9 @@ bool dmi_is_sound_rules(const dmi_rules* r) {
 
 /* ---- inputs ---- */
 
-static dm_result check_bounds(dmi_env* env, const dm_drag_input* input) {
+static dm_result check_bounds(const dm_drag_input* input) {
     if (input->lower < input->upper || (input->lower == input->upper && isfinite(input->lower))) return DM_OK;
-    const bool numbers = !isnan(input->lower) && !isnan(input->upper);
-    return dmi_fail(env, numbers ? DM_ERROR_INVALID_ARGUMENT : DM_ERROR_NOT_FINITE,
-                    "dm_drag_step: input.lower is %g, input.upper %g: they must rise", (double)input->lower,
-                    (double)input->upper);
+    return isnan(input->lower) || isnan(input->upper) ? DM_ERROR_NOT_FINITE : DM_ERROR_INVALID_ARGUMENT;
 }
 
 /* Whether an input says what only rules read. */
@@ -126,47 +123,47 @@ static bool needs_rules(const dm_drag_input* input) {
            input->handles[0] != 0 || input->handles[1] != 0;
 }
 
-static dm_result check_point(dmi_env* env, const char* what, dm_vec3 point) {
+static dm_result check_point(dm_vec3 point) {
     static const char* const fields[3] = {".x", ".y", ".z"};
-    return dmi_check_vector(env, what, fields, dmi_xyz(point).v);
+    return dmi_check_vector(DMI_SILENT, "point", fields, dmi_xyz(point).v);
 }
 
-static dm_result check_first(dmi_env* env, const dm_hand* hand) {
-    dm_result result = dmi_check_range(env, "dm_drag_step: input.hand.kind", hand->kind, DM_HAND_NONE, DM_HAND_VALUE);
-    if (result != DM_OK) return result;
-    if (hand->kind == DM_HAND_RAY) return dmi_check_ray(env, "dm_drag_step: input.hand.ray", &hand->ray);
-    if (hand->kind == DM_HAND_POINT) return check_point(env, "dm_drag_step: input.hand.point", hand->point);
-    if (hand->kind > DM_HAND_POINT) return dmi_check_number(env, "dm_drag_step: input.hand", ".amount", hand->amount);
-    return DM_OK;
+static dm_result check_first(const dm_hand* hand) {
+    switch (hand->kind) {
+    case DM_HAND_NONE:
+        return DM_OK;
+    case DM_HAND_RAY:
+        return dmi_check_ray(DMI_SILENT, "ray", &hand->ray);
+    case DM_HAND_POINT:
+        return check_point(hand->point);
+    case DM_HAND_RATE:
+    case DM_HAND_STEP:
+    case DM_HAND_VALUE:
+        return dmi_check_number(DMI_SILENT, "", "amount", hand->amount);
+    default:
+        return DM_ERROR_INVALID_ARGUMENT;
+    }
 }
 
-static dm_result check_second(dmi_env* env, const dm_drag_input* input) {
+/* Checks the second hand: two hands hold by ray or point. */
+static dm_result check_second(const dm_drag_input* input) {
     const dm_hand* hand = &input->second;
     if (hand->kind == DM_HAND_NONE) return DM_OK;
-    dm_result result = dmi_check_range(env, "dm_drag_step: input.second.kind", hand->kind, DM_HAND_NONE, DM_HAND_POINT);
-    if (result == DM_OK && input->hand.kind > DM_HAND_POINT)
-        result =
-            dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
-                     "dm_drag_step: input.second is set, but input.hand.kind is %d: two hands hold by ray or point",
-                     input->hand.kind);
-    if (result == DM_OK) result = check_point(env, "dm_drag_step: input.second.grab_point", hand->grab_point);
-    if (result != DM_OK) return result;
-    if (hand->kind == DM_HAND_RAY) return dmi_check_ray(env, "dm_drag_step: input.second.ray", &hand->ray);
-    return check_point(env, "dm_drag_step: input.second.point", hand->point);
+    if (hand->kind < DM_HAND_NONE || hand->kind > DM_HAND_POINT) return DM_ERROR_INVALID_ARGUMENT;
+    if (input->hand.kind > DM_HAND_POINT) return DM_ERROR_INVALID_ARGUMENT;
+    const dm_result result = check_point(hand->grab_point);
+    return result != DM_OK ? result : check_first(hand);
 }
 
-dm_result dmi_input_read(dmi_env* env, const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out) {
+dm_result dmi_input_read(const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out) {
     dm_result result =
-        dmi_read_desc(env, "dm_drag_step: input", input, DMI_FIRST_SIZE(dm_drag_input, upper), sizeof *out, out);
+        dmi_read_desc(DMI_SILENT, "input", input, DMI_FIRST_SIZE(dm_drag_input, upper), sizeof *out, out);
     if (result == DM_OK && out->flags & ~(uint32_t)(DM_INPUT_LOCKED | DM_INPUT_ASK | DM_INPUT_BOUNDS))
-        result =
-            dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_step: input.flags is 0x%x: unknown flag", out->flags);
-    if (result == DM_OK) result = check_first(env, &out->hand);
-    if (result == DM_OK) result = check_second(env, out);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_step: input.handles", out->handles, 2);
-    if (result == DM_OK) result = check_bounds(env, out);
-    if (result != DM_OK || drag->rules.on || !needs_rules(out)) return result;
-    return dmi_fail(
-        env, DM_ERROR_INVALID_ARGUMENT,
-        "dm_drag_step: input has bounds, handles or DM_INPUT_LOCKED, but the drag began without desc.rules");
+        result = DM_ERROR_INVALID_ARGUMENT;
+    if (result == DM_OK) result = check_first(&out->hand);
+    if (result == DM_OK) result = check_second(out);
+    if (result == DM_OK) result = dmi_check_finite(DMI_SILENT, "handles", out->handles, 2);
+    if (result == DM_OK) result = check_bounds(out);
+    if (result == DM_OK && !drag->rules.on && needs_rules(out)) result = DM_ERROR_INVALID_ARGUMENT;
+    return result;
 }

@@ -57,6 +57,8 @@ typedef struct dmi_drag_slot {
     int8_t open_side;    /* +1: no upper limit, but a lower one; -1: the reverse; 0: both or none */
     float value_unit;    /* the object's size for slides, 1 rad for turns */
     float longest_frame; /* s: dt of an update too long to be meant; 0: none, -1: reported */
+    uint32_t refused;    /* updates that had an error, not yet reported */
+    dm_result first_refusal;
     dmi_drag drag;
 } dmi_drag_slot;
 

@@ -68,14 +68,10 @@ dm_result DM_CALL dm_object_set_links(dm_context* context, dm_object object, con
     return DM_OK;
 }
 
-static dm_result check_values(dmi_env* env, const dmi_object* object, const float* values, uint32_t count) {
-    if (count != object->part_count - 1 || (count > 0 && values == NULL)) {
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
-                        "dm_object_follow_links: count is %u: the object has %u parts, with a value each", count,
-                        object->part_count - 1);
-    }
+static dm_result check_values(const dmi_object* object, const float* values, uint32_t count) {
+    if (count != object->part_count - 1 || (count > 0 && values == NULL)) return DM_ERROR_INVALID_ARGUMENT;
     for (uint32_t i = 0; i < count; i++) {
-        dm_result result = dmi_check_number(env, "dm_object_follow_links: inout_values", "[]", values[i]);
+        dm_result result = dmi_check_number(DMI_SILENT, "inout_values", "[]", values[i]);
         if (result != DM_OK) return result;
     }
     return DM_OK;
@@ -85,17 +81,16 @@ dm_result DM_CALL dm_object_follow_links(dm_context* context, dm_object object, 
                                          uint8_t* out_held, uint32_t count) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_follow_links", object);
+    const dmi_object_slot* slot = dmi_pool_get(context->objects, object);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    uint32_t part;
-    uint8_t changed[DM_MAX_PARTS];
-    dm_result result = check_values(&context->env, slot->object, inout_values, count);
-    if (result == DM_OK)
-        result = dmi_find_part(context, "dm_object_follow_links: part_id", slot->object, part_id, &part);
+    dm_result result = check_values(slot->object, inout_values, count);
     if (result != DM_OK) return result;
+    const int32_t part = dmi_object_find_part(slot->object, part_id);
+    if (part <= 0) return DM_ERROR_NOT_FOUND;
+    uint8_t changed[DM_MAX_PARTS];
     memset(changed, 0, count);
     const dmi_linked_joints joints = {&slot->object->parts[1].joint, sizeof *slot->object->parts};
-    dmi_links_follow(slot->links, slot->link_count, joints, part - 1, inout_values, changed);
+    dmi_links_follow(slot->links, slot->link_count, joints, (uint32_t)part - 1, inout_values, changed);
     if (out_held != NULL) dmi_links_hold(slot->links, slot->link_count, inout_values, out_held, count);
     return DM_OK;
 }

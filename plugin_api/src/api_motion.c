@@ -172,12 +172,11 @@ dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion, float 
                                    float* out_value) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_motion_slot* slot = dmi_find(context, context->motions, "dm_motion_sample", motion);
+    const dmi_motion_slot* slot = dmi_pool_get(context->motions, motion);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dm_result result = dmi_check_finite(&context->env, "dm_motion_sample: t", &t, 1);
+    dm_result result = dmi_check_finite(DMI_SILENT, "t", &t, 1);
     if (result != DM_OK) return result;
-    if (out_pose == NULL)
-        return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_sample: out_pose is NULL");
+    if (out_pose == NULL) return DM_ERROR_INVALID_ARGUMENT;
     float value = dmi_motion_value(&slot->motion, t);
     *out_pose = dmi_joint_pose(&slot->motion.joint, value);
     if (out_value != NULL) *out_value = value;
@@ -187,10 +186,9 @@ dm_result DM_CALL dm_motion_sample(dm_context* context, dm_motion motion, float 
 dm_result DM_CALL dm_motion_get_frames(dm_context* context, dm_motion motion, dm_pose* out_poses, float* out_values) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_motion_slot* slot = dmi_find(context, context->motions, "dm_motion_get_frames", motion);
+    const dmi_motion_slot* slot = dmi_pool_get(context->motions, motion);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    if (out_poses == NULL)
-        return dmi_fail(&context->env, DM_ERROR_INVALID_ARGUMENT, "dm_motion_get_frames: out_poses is NULL");
+    if (out_poses == NULL) return DM_ERROR_INVALID_ARGUMENT;
     for (int i = 0; i < DM_MOTION_FRAMES; i++) {
         out_poses[i] = dmi_joint_pose(&slot->motion.joint, slot->motion.values[i]);
         if (out_values != NULL) out_values[i] = slot->motion.values[i];

@@ -12,31 +12,16 @@
 dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &((dm_context*)context)->env; /* for its log */
     dm_camera known;
-    dm_result result = dmi_read_desc(env, "dm_camera_ray: camera", camera, DMI_FIRST_SIZE(dm_camera, ortho_height),
-                                     sizeof known, &known);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_camera_ray: x", &x, 1);
-    if (result == DM_OK) result = dmi_check_finite(env, "dm_camera_ray: y", &y, 1);
+    dm_result result =
+        dmi_read_desc(DMI_SILENT, "camera", camera, DMI_FIRST_SIZE(dm_camera, ortho_height), sizeof known, &known);
+    if (result == DM_OK) result = dmi_check_finite(DMI_SILENT, "x", &x, 1);
+    if (result == DM_OK) result = dmi_check_finite(DMI_SILENT, "y", &y, 1);
     if (result != DM_OK) return result;
-    if (out_ray == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_camera_ray: out_ray is NULL");
     dm_ray ray;
-    if (!dmi_camera_ray(&known, context->axes.handedness, x, y, &ray)) {
-        return dmi_fail(
-            env, DM_ERROR_INVALID_ARGUMENT,
-            "dm_camera_ray: camera has no view: fov_y %g, viewport %g x %g, ortho_height %g, or forward and up do "
-            "not span a plane",
-            (double)known.fov_y, (double)known.viewport_width, (double)known.viewport_height,
-            (double)known.ortho_height);
-    }
-    if (!isfinite(ray.origin.x) || !isfinite(ray.origin.y) || !isfinite(ray.origin.z)) {
-        return dmi_fail(
-            env, DM_ERROR_NOT_FINITE,
-            "dm_camera_ray: the ray's origin is beyond a float's range: camera.ortho_height %g, viewport %g x "
-            "%g, pixel %g, %g",
-            (double)known.ortho_height, (double)known.viewport_width, (double)known.viewport_height, (double)x,
-            (double)y);
-    }
+    if (out_ray == NULL || !dmi_camera_ray(&known, context->axes.handedness, x, y, &ray))
+        return DM_ERROR_INVALID_ARGUMENT;
+    if (!isfinite(ray.origin.x) || !isfinite(ray.origin.y) || !isfinite(ray.origin.z)) return DM_ERROR_NOT_FINITE;
     *out_ray = ray;
     return DM_OK;
 }
@@ -160,10 +145,10 @@ dm_result DM_CALL dm_scene_move(dm_context* context, dm_scene scene, uint32_t in
                                 const dm_pose* pose) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_move", scene);
+    const dmi_scene_slot* slot = dmi_pool_get(context->scenes, scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_pose unit;
-    dm_result result = dmi_check_pose(&context->env, "dm_scene_move: pose", pose, &unit);
+    dm_result result = dmi_check_pose(DMI_SILENT, "pose", pose, &unit);
     if (result != DM_OK) return result;
     return dmi_scene_move(slot->scene, instance, part_id, &unit);
 }
@@ -182,7 +167,7 @@ dm_result DM_CALL dm_scene_remove(dm_context* context, dm_scene scene, uint32_t 
 dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_commit", scene);
+    const dmi_scene_slot* slot = dmi_pool_get(context->scenes, scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dmi_scene_commit(slot->scene);
     return DM_OK;
@@ -191,11 +176,11 @@ dm_result DM_CALL dm_scene_commit(dm_context* context, dm_scene scene) {
 dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    const dmi_scene_slot* slot = dmi_find(context, context->scenes, "dm_scene_pick", scene);
+    const dmi_scene_slot* slot = dmi_pool_get(context->scenes, scene);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    dm_result result = dmi_check_ray(&context->env, "dm_scene_pick: ray", ray);
+    dm_result result = dmi_check_ray(DMI_SILENT, "ray", ray);
     if (result != DM_OK) return result;
-    result = dmi_check_out(&context->env, "dm_scene_pick: out_hit", out_hit, DMI_FIRST_SIZE(dm_hit, object_point));
+    result = dmi_check_out(DMI_SILENT, "out_hit", out_hit, DMI_FIRST_SIZE(dm_hit, object_point));
     if (result != DM_OK) return result;
     dm_hit other;
     const uint32_t given = out_hit->struct_size;

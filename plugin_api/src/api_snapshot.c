@@ -64,14 +64,10 @@ uint64_t dmi_part_key(const dmi_object* object, uint32_t part) {
 dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, size_t capacity) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &context->env;
-    const dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_save", drag);
+    const dmi_drag_slot* slot = dmi_pool_get(context->drags, drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    if (buffer == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_save: buffer is NULL");
-    if (capacity < sizeof(snapshot)) {
-        return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_drag_save: capacity is %zu, a drag takes %zu bytes",
-                        capacity, sizeof(snapshot));
-    }
+    if (buffer == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    if (capacity < sizeof(snapshot)) return DM_ERROR_BUFFER_TOO_SMALL;
     snapshot s;
     memset(&s, 0, sizeof s); /* gaps between fields too */
     s.magic = MAGIC, s.version = DM_VERSION, s.size = sizeof s;
@@ -271,32 +267,24 @@ static bool is_sound(const snapshot* s) {
            s->scale.x * s->scale.y * s->scale.z != 0 && s->value_unit > 0 && is_sound_drag(&s->drag);
 }
 
-static dm_result check_snapshot(dmi_env* env, const dmi_drag_slot* slot, const snapshot* s) {
-    if (s->magic != MAGIC) return dmi_fail(env, DM_ERROR_BAD_DATA, "dm_drag_restore: data is no saved drag");
-    if (s->version != DM_VERSION || s->size != sizeof *s) {
-        return dmi_fail(env, DM_ERROR_VERSION,
-                        "dm_drag_restore: saved by version 0x%x in %u bytes; this is version 0x%x with %zu", s->version,
-                        s->size, (unsigned)DM_VERSION, sizeof *s);
-    }
-    if (s->checksum != checksum_of(s) || !is_sound(s))
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "dm_drag_restore: data is corrupt");
-    if (s->part == dmi_part_key(slot->owner->object, slot->part)) return DM_OK;
-    return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_restore: data is of another part");
+static dm_result check_snapshot(const dmi_drag_slot* slot, const snapshot* s) {
+    if (s->magic != MAGIC) return DM_ERROR_BAD_DATA;
+    if (s->version != DM_VERSION || s->size != sizeof *s) return DM_ERROR_VERSION;
+    if (s->checksum != checksum_of(s) || !is_sound(s)) return DM_ERROR_BAD_DATA;
+    return s->part == dmi_part_key(slot->owner->object, slot->part) ? DM_OK : DM_ERROR_INVALID_ARGUMENT;
 }
 
 dm_result DM_CALL dm_drag_restore(dm_context* context, dm_drag drag, const void* data, size_t size) {
     DMI_OWN_FP;
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &context->env;
-    dmi_drag_slot* slot = dmi_find(context, context->drags, "dm_drag_restore", drag);
+    dmi_drag_slot* slot = dmi_pool_get(context->drags, drag);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    if (data == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_restore: data is NULL");
+    if (data == NULL) return DM_ERROR_INVALID_ARGUMENT;
     snapshot s;
     memset(&s, 0, sizeof s);
     memcpy(&s, data, size < sizeof s ? size : sizeof s);
-    if (s.magic == MAGIC && s.size == sizeof s && size < sizeof s)
-        return dmi_fail(env, DM_ERROR_BAD_DATA, "dm_drag_restore: %zu of %zu bytes", size, sizeof s);
-    dm_result result = check_snapshot(env, slot, &s);
+    if (s.magic == MAGIC && s.size == sizeof s && size < sizeof s) return DM_ERROR_BAD_DATA;
+    dm_result result = check_snapshot(slot, &s);
     if (result != DM_OK) return result;
     slot->scale = s.scale, slot->value_unit = s.value_unit, slot->open_side = (int8_t)s.open_side;
     memcpy(&slot->drag, &s.drag, sizeof s.drag);

@@ -33,7 +33,8 @@ dm_result dmi_scene_add(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* f
 void dmi_scene_set_user(dmi_scene* scene, uint32_t instance, void* user);
 void* dmi_scene_user(const dmi_scene* scene, uint32_t instance);
 /* part_id: the host's, 0 = the placement of the whole. Poses in host units: the part's own is from rest in the object
- * frame, the poses of the parts that carry it included. No allocation. */
+ * frame, the poses of the parts that carry it included. Allocates and logs nothing. NOT_FOUND: no such
+ * instance or part; INVALID_ARGUMENT: too far away. */
 dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, const dm_pose* host_pose);
 /* Takes effect at once, without a commit. */
 dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance);

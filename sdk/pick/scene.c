@@ -95,14 +95,19 @@ static dm_result make_parts(dmi_scene* scene, dmi_placed_object* placed) {
     return result;
 }
 
-/* Normalises a pose and checks that its translation is within the bounds. */
-static dm_result check_pose(dmi_env* env, const dm_pose* pose, dm_pose* out) {
+/* Normalises a pose. Returns whether its translation is within the bounds. */
+static bool read_pose(const dm_pose* pose, dm_pose* out) {
     float t[3];
     *out = dmi_pose_normalize(pose);
     dmi_pose_translation(out, t);
-    if (fabs((double)t[0]) <= DMI_MAX_COORDINATE && fabs((double)t[1]) <= DMI_MAX_COORDINATE &&
-        fabs((double)t[2]) <= DMI_MAX_COORDINATE)
-        return DM_OK;
+    return fabs((double)t[0]) <= DMI_MAX_COORDINATE && fabs((double)t[1]) <= DMI_MAX_COORDINATE &&
+           fabs((double)t[2]) <= DMI_MAX_COORDINATE;
+}
+
+static dm_result check_placement(dmi_env* env, const dm_pose* pose, dm_pose* out) {
+    if (read_pose(pose, out)) return DM_OK;
+    float t[3];
+    dmi_pose_translation(out, t);
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "scene: a pose by (%g, %g, %g), must be within %g units",
                     (double)t[0], (double)t[1], (double)t[2], DMI_MAX_COORDINATE);
 }
@@ -141,7 +146,7 @@ dm_result dmi_scene_add(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* f
     dmi_placed_object* placed = NULL;
     dm_pose placement;
     dm_result result = check_size(env, frame);
-    if (result == DM_OK) result = check_pose(env, host_placement, &placement);
+    if (result == DM_OK) result = check_placement(env, host_placement, &placement);
     if (result == DM_OK && scene->free_count == 0) result = grow(scene);
     if (result == DM_OK) result = make_placed(scene, bvh, frame, object, &placement, &placed);
     if (result != DM_OK || placed == NULL) return result;
@@ -166,14 +171,12 @@ void* dmi_scene_user(const dmi_scene* scene, uint32_t instance) {
 }
 
 dm_result dmi_scene_move(dmi_scene* scene, uint32_t instance, uint32_t part_id, const dm_pose* host_pose) {
-    dmi_env* env = scene->picker->env;
     dmi_placed_object* placed = find_placed(scene, instance);
-    if (placed == NULL) return dmi_fail(env, DM_ERROR_NOT_FOUND, "scene: no instance %u", instance);
+    if (placed == NULL) return DM_ERROR_NOT_FOUND;
     int32_t part = dmi_bvh_find_part(placed->bvh, part_id);
-    if (part < 0) return dmi_fail(env, DM_ERROR_NOT_FOUND, "scene: instance %u has no part %u", instance, part_id);
+    if (part < 0) return DM_ERROR_NOT_FOUND;
     dm_pose pose;
-    dm_result result = check_pose(env, host_pose, &pose);
-    if (result != DM_OK) return result;
+    if (!read_pose(host_pose, &pose)) return DM_ERROR_INVALID_ARGUMENT;
     if (part == 0) {
         placed->placement = pose;
         placed->moved = true;

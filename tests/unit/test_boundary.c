@@ -13,6 +13,14 @@
         if (!strstr((world)->messages.text, field)) fail_msg("no '%s' in: %s", field, (world)->messages.text);         \
     } while (0)
 
+/* Fails unless a [frame] call answered `code` without a message. */
+#define assert_silent_error(world, call, expected)                                                                     \
+    do {                                                                                                               \
+        (world)->messages.count = 0;                                                                                   \
+        assert_int_equal(call, expected);                                                                              \
+        assert_int_equal((world)->messages.count, 0);                                                                  \
+    } while (0)
+
 static void test_every_result_has_its_own_name(void** state) {
     (void)state;
     for (dm_result a = DM_OK; a >= DM_ERROR_INTERNAL; a--) {
@@ -193,13 +201,13 @@ static void test_inputs_of_other_versions(void** state) {
     camera.known.struct_size = sizeof camera;
     assert_int_equal(dm_camera_ray(w.context, &camera.known, 1, 1, &ray), DM_OK);
     camera.unknown[3] = 1u << 31;
-    assert_error(&w, dm_camera_ray(w.context, &camera.known, 1, 1, &ray), DM_ERROR_STRUCT_SIZE, "camera");
+    assert_silent_error(&w, dm_camera_ray(w.context, &camera.known, 1, 1, &ray), DM_ERROR_STRUCT_SIZE);
     camera.known.struct_size = sizeof camera.known;
     assert_int_equal(dm_camera_ray(w.context, &camera.known, 1, 1, &ray), DM_OK);
     const uint32_t wrong[] = {0, 4, sizeof camera.known - 1, 4097, UINT32_MAX};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         camera.known.struct_size = wrong[i];
-        assert_error(&w, dm_camera_ray(w.context, &camera.known, 1, 1, &ray), DM_ERROR_STRUCT_SIZE, "struct_size");
+        assert_silent_error(&w, dm_camera_ray(w.context, &camera.known, 1, 1, &ray), DM_ERROR_STRUCT_SIZE);
     }
     test_world_close(&w);
 }
@@ -392,15 +400,15 @@ static void test_drag_arguments(void** state) {
     assert_error(&w, dm_drag_begin(w.context, &desc, NULL), DM_ERROR_INVALID_ARGUMENT, "out_drag");
     assert_int_equal(dm_drag_begin(w.context, &desc, &drag), DM_OK);
     dm_ray ray = {{0, 0, 5}, {0, 0, 0}};
-    assert_error(&w, dm_drag_update(w.context, drag, &ray, 0, &out), DM_ERROR_INVALID_ARGUMENT, "ray.direction");
+    assert_silent_error(&w, dm_drag_update(w.context, drag, &ray, 0, &out), DM_ERROR_INVALID_ARGUMENT);
     ray.direction.z = -1;
-    assert_error(&w, dm_drag_update(w.context, drag, NULL, 0, &out), DM_ERROR_INVALID_ARGUMENT, "ray is NULL");
-    assert_error(&w, dm_drag_update(w.context, drag, &ray, -1, &out), DM_ERROR_INVALID_ARGUMENT, "dt is -1");
-    assert_error(&w, dm_drag_update(w.context, drag, &ray, (float)INFINITY, &out), DM_ERROR_NOT_FINITE, "dt is inf");
-    assert_error(&w, dm_drag_update(w.context, drag, &ray, 0, NULL), DM_ERROR_INVALID_ARGUMENT, "out_state");
+    assert_silent_error(&w, dm_drag_update(w.context, drag, NULL, 0, &out), DM_ERROR_INVALID_ARGUMENT);
+    assert_silent_error(&w, dm_drag_update(w.context, drag, &ray, -1, &out), DM_ERROR_INVALID_ARGUMENT);
+    assert_silent_error(&w, dm_drag_update(w.context, drag, &ray, (float)INFINITY, &out), DM_ERROR_NOT_FINITE);
+    assert_silent_error(&w, dm_drag_update(w.context, drag, &ray, 0, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_drag_update(w.context, drag, &ray, 0, &out), DM_OK);
     assert_int_equal(dm_drag_end(w.context, drag, NULL), DM_OK);
-    assert_error(&w, dm_drag_update(w.context, drag, &ray, 0, &out), DM_ERROR_STALE_HANDLE, "a drag");
+    assert_silent_error(&w, dm_drag_update(w.context, drag, &ray, 0, &out), DM_ERROR_STALE_HANDLE);
     assert_error(&w, dm_drag_end(w.context, drag, NULL), DM_ERROR_STALE_HANDLE, "dm_drag_end");
     test_world_close(&w);
 }
@@ -428,15 +436,15 @@ static void test_scene_arguments(void** state) {
     pose.dual[1] = (float)NAN;
     assert_error(&w, dm_scene_add(w.context, scene, object, &pose, &instance), DM_ERROR_NOT_FINITE, "placement");
     assert_int_equal(dm_scene_add(w.context, scene, object, NULL, &instance), DM_OK);
-    assert_error(&w, dm_scene_move(w.context, scene, instance, 1, NULL), DM_ERROR_INVALID_ARGUMENT, "pose is NULL");
+    assert_silent_error(&w, dm_scene_move(w.context, scene, instance, 1, NULL), DM_ERROR_INVALID_ARGUMENT);
     pose = (dm_pose){.real = {0, 0, 0, 1}};
     assert_int_equal(dm_scene_move(w.context, scene, instance, 7, &pose), DM_ERROR_NOT_FOUND);
     assert_int_equal(dm_scene_move(w.context, scene, instance + 1, 1, &pose), DM_ERROR_NOT_FOUND);
     assert_int_equal(dm_scene_remove(w.context, scene, instance + 1), DM_ERROR_NOT_FOUND);
     const dm_ray ray = {{0.5f, 0.5f, 5}, {0, 0, -2}};
-    assert_error(&w, dm_scene_pick(w.context, scene, &ray, NULL), DM_ERROR_INVALID_ARGUMENT, "out_hit");
+    assert_silent_error(&w, dm_scene_pick(w.context, scene, &ray, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_scene_destroy(w.context, scene), DM_OK);
-    assert_error(&w, dm_scene_pick(w.context, scene, &ray, &hit), DM_ERROR_STALE_HANDLE, "a scene");
+    assert_silent_error(&w, dm_scene_pick(w.context, scene, &ray, &hit), DM_ERROR_STALE_HANDLE);
     test_world_close(&w);
 }
 
@@ -448,10 +456,10 @@ static void test_camera_and_pose_arguments(void** state) {
     dm_camera camera = {.struct_size = sizeof camera, .fov_y = 1, .forward = {0, 0, -1}, .up = {0, 0, 2}};
     camera.viewport_width = camera.viewport_height = 100;
     dm_ray ray;
-    assert_error(&w, dm_camera_ray(w.context, &camera, 1, 1, &ray), DM_ERROR_INVALID_ARGUMENT, "forward and up");
+    assert_silent_error(&w, dm_camera_ray(w.context, &camera, 1, 1, &ray), DM_ERROR_INVALID_ARGUMENT);
     camera.up.y = 1;
-    assert_error(&w, dm_camera_ray(w.context, &camera, (float)NAN, 1, &ray), DM_ERROR_NOT_FINITE, "x is nan");
-    assert_error(&w, dm_camera_ray(w.context, &camera, 1, 1, NULL), DM_ERROR_INVALID_ARGUMENT, "out_ray");
+    assert_silent_error(&w, dm_camera_ray(w.context, &camera, (float)NAN, 1, &ray), DM_ERROR_NOT_FINITE);
+    assert_silent_error(&w, dm_camera_ray(w.context, &camera, 1, 1, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_camera_ray(w.context, &camera, 1, 1, &ray), DM_OK);
     dm_joint joint = test_hinge();
     dm_pose pose;

@@ -308,7 +308,6 @@ static void numbers_beyond_computing_are_refused(void** state) {
     const dm_ray far = {{0, 1e30f, 0}, {0, -1, 0}};
     dm_drag_state now = dm_drag_state_default();
     assert_int_equal(dm_drag_update(w.context, drag, &far, 0.016f, &now), DM_ERROR_INVALID_ARGUMENT);
-    assert_non_null(strstr(w.messages.text, "ray.origin.y"));
     const dm_joint slide = {
         .struct_size = sizeof slide, .type = DM_JOINT_PRISMATIC, .axis = {0, 0, 1}, .origin = {3e38f, 0, 0}};
     assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &slide), DM_ERROR_INVALID_ARGUMENT);

@@ -449,7 +449,7 @@ static void scenes_grow_and_reuse_ids(void** state) {
     close_stage(&s);
 }
 
-static void wrong_ids_are_named(void** state) {
+static void wrong_ids_are_not_found(void** state) {
     (void)state;
     stage s;
     open_stage(&s);
@@ -457,13 +457,13 @@ static void wrong_ids_are_named(void** state) {
     dm_pose pose = dmi_pose_identity();
     test_messages* messages = &s.f.t.messages;
     assert_int_equal(dmi_scene_move(s.scene, instance + 1, 0, &pose), DM_ERROR_NOT_FOUND);
-    assert_non_null(strstr(messages->text, "no instance 1"));
     assert_int_equal(dmi_scene_move(s.scene, UINT32_MAX, 0, &pose), DM_ERROR_NOT_FOUND);
     assert_int_equal(dmi_scene_move(s.scene, instance, 3, &pose), DM_ERROR_NOT_FOUND);
-    assert_non_null(strstr(messages->text, "no part 3"));
+    assert_int_equal(messages->count, 0); /* a frame call */
     assert_int_equal(dmi_scene_remove(s.scene, instance), DM_OK);
     assert_int_equal(dmi_scene_remove(s.scene, instance), DM_ERROR_NOT_FOUND);
-    assert_int_equal(messages->count, 4);
+    assert_non_null(strstr(messages->text, "no instance 0"));
+    assert_int_equal(messages->count, 1);
     messages->count = 0;
     close_stage(&s);
 }
@@ -503,15 +503,16 @@ static void places_out_of_reach_are_refused(void** state) {
     dm_pose away = dmi_pose_from_rotation_translation(rotation, far), identity = dmi_pose_identity();
     assert_int_equal(dmi_scene_move(s.scene, instance, 0, &away), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dmi_scene_move(s.scene, instance, 1, &away), DM_ERROR_INVALID_ARGUMENT);
-    assert_non_null(strstr(messages->text, "-2e+10"));
+    assert_int_equal(messages->count, 0); /* frame calls */
     assert_int_equal(dmi_scene_add(s.scene, s.bvh, &s.mesh->frame, 2, &away, &untouched), DM_ERROR_INVALID_ARGUMENT);
+    assert_non_null(strstr(messages->text, "-2e+10"));
     dmi_frame tiny = s.mesh->frame, huge = s.mesh->frame;
     tiny.size = 1e-9;
     huge.size = 1e15;
     assert_int_equal(dmi_scene_add(s.scene, s.bvh, &tiny, 2, &identity, &untouched), DM_ERROR_UNSUPPORTED);
     assert_int_equal(dmi_scene_add(s.scene, s.bvh, &huge, 2, &identity, &untouched), DM_ERROR_UNSUPPORTED);
     assert_int_equal(untouched, 77);
-    assert_int_equal(messages->count, 5);
+    assert_int_equal(messages->count, 3);
     messages->count = 0;
     dmi_scene_commit(s.scene);
     assert_int_equal(look(&s, 0.5f).object, 1); /* still where it was */
@@ -743,7 +744,7 @@ int main(void) {
         cmocka_unit_test(changes_show_at_the_commit),
         cmocka_unit_test(removed_instances_are_gone_at_once),
         cmocka_unit_test(scenes_grow_and_reuse_ids),
-        cmocka_unit_test(wrong_ids_are_named),
+        cmocka_unit_test(wrong_ids_are_not_found),
         cmocka_unit_test(unusable_rays_hit_nothing),
         cmocka_unit_test(places_out_of_reach_are_refused),
         cmocka_unit_test(objects_at_the_limits_can_be_picked),

@@ -477,7 +477,7 @@ namespace DragMesh
         public IntPtr Message;
     }
 
-    /// <summary>The host's job system. parallel_for runs task(data, i) for every i in [0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread.</summary>
+    /// <summary>The host's job system. parallel_for runs task(data, i) once for every i in [0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). A task that was left out, made up or run twice ends the call with INVALID_ARGUMENT; its second run does nothing. The library starts no thread.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Jobs
     {
@@ -1441,7 +1441,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_drag_begin(IntPtr context, DragDesc* desc, ulong* out_drag);
 
-        /// <summary>The grabbed point follows the pointer ray (object frame; scaled with dm_drag_desc.scale) as closely as its joint allows; dt in seconds. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032 rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm_drag_release it moves by itself, and ray may be NULL. out_state-&gt;struct_size must be set. [frame]</summary>
+        /// <summary>The grabbed point follows the pointer ray (object frame; scaled with dm_drag_desc.scale) as closely as its joint allows; dt in seconds, from -1e-4 to 0 taken as 0: a clock's rounding. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032 rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm_drag_release it moves by itself, and ray may be NULL. out_state-&gt;struct_size must be set. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_drag_update(IntPtr context, ulong drag, Ray* ray, float dt, DragState* out_state);
 

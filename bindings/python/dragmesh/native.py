@@ -197,7 +197,7 @@ class Log(Struct):
 
 
 class Jobs(Struct):
-    """The host's job system. parallel_for runs task(data, i) for every i in [0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread."""
+    """The host's job system. parallel_for runs task(data, i) once for every i in [0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). A task that was left out, made up or run twice ends the call with INVALID_ARGUMENT; its second run does nothing. The library starts no thread."""
 
     user: Any
     parallel_for: Any

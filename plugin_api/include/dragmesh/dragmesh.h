@@ -10,7 +10,8 @@
  *    1e-6 to 1e6. Finite input gives finite output; the functions that return nothing (dm_pose_multiply, _inverse,
  *    _to_matrix, _apply_points) promise it for numbers within these bounds.
  *  - Functions return DM_OK (0) or a negative dm_result. On an error the outputs are untouched, a message that
- *    names the field and the value goes to the log callback, and the context stays usable. Nothing aborts.
+ *    names the field and the value goes to the log callback, but for [frame] functions, and the context stays usable.
+ *    Nothing aborts.
  *    Any function may answer INVALID_ARGUMENT, STRUCT_SIZE, STALE_HANDLE and NOT_FINITE, one that names a part or an
  *    instance NOT_FOUND, and one that makes something OUT_OF_MEMORY; each says what else it may answer.
  *  - Every descriptor, and every output that may grow, starts with struct_size = sizeof(the struct); the caller
@@ -21,8 +22,9 @@
  *    of structs that start with struct_size, constants, bits. Structs without struct_size never change. Error codes,
  *    bits of events and of status may be added: take an unknown negative result as an error, and leave out unknown
  *    bits. Answers are no part of this, they get better. docs/integration.md, "Versions".
- *  - Handles are 64-bit ids with a generation. 0 is null. A handle to something destroyed answers
- *    DM_ERROR_STALE_HANDLE, and so does one of another context.
+ *  - Handles are opaque 64-bit ids: 8 bits of kind, 32 of generation, 24 of index. 0 is null. A handle to something
+ *    destroyed answers DM_ERROR_STALE_HANDLE, and so does one of another context. A context gives no handle twice, and
+ *    has room for 16,777,152 of each kind at a time (TOO_LARGE beyond).
  *  - Memory the host passes in is borrowed for the call alone, never kept, never written unless it is an output.
  *  - Callbacks (allocator, log, jobs, intent, choose, progress) may call functions that take no context
  *    (dm_result_string, dm_joint_*, dm_pose_*) and anything of OTHER contexts, nothing of the context that calls them.
@@ -43,7 +45,8 @@
  *      [exclusive object]  no other call on the same object (or scene, or model) at the same time; calls on
  *                          different ones may run side by side.
  *      [frame]             as [any-thread], one caller at a time per drag, motion or scene; never allocates,
- *                          locks or logs when its handles are valid.
+ *                          locks or logs, whatever its input: its result is all that it says. What the updates of a
+ *                          drag refused is told once, as a warning, by dm_drag_release and dm_drag_end.
  */
 #ifndef DRAGMESH_H
 #define DRAGMESH_H
@@ -180,8 +183,9 @@ typedef struct dm_log {
 
 typedef void(DM_CALL* dm_task)(void* data, uint32_t index);
 
-/* The host's job system. parallel_for runs task(data, i) for every i in [0, count) and returns non-zero when all
- * are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread. */
+/* The host's job system. parallel_for runs task(data, i) once for every i in [0, count) and returns non-zero when all
+ * are done, or returns 0 without having run any (the library then runs them inline). A task that was left out, made up
+ * or run twice ends the call with INVALID_ARGUMENT; its second run does nothing. The library starts no thread. */
 typedef struct dm_jobs {
     void* user;
     int32_t(DM_CALL* parallel_for)(void* user, uint32_t count, dm_task task, void* data);
@@ -951,9 +955,10 @@ DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion
 DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 
 /* The grabbed point follows the pointer ray (object frame; scaled with dm_drag_desc.scale) as closely as its joint
- * allows; dt in seconds. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032
- * rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm_drag_release it
- * moves by itself, and ray may be NULL. out_state->struct_size must be set. [frame] */
+ * allows; dt in seconds, from -1e-4 to 0 taken as 0: a clock's rounding. Pass first the ray that grabbed the part: by
+ * how much it misses the grab point (at most 0.032 rad) is kept for the whole drag, so that the part does not move
+ * before the pointer does. After dm_drag_release it moves by itself, and ray may be NULL. out_state->struct_size must
+ * be set. [frame] */
 DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,
                                         dm_drag_state* out_state);
 

@@ -343,7 +343,7 @@ impl Default for dm_log {
     }
 }
 
-/// The host's job system. parallel\_for runs task(data, i) for every i in \[0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). The library starts no thread.
+/// The host's job system. parallel\_for runs task(data, i) once for every i in \[0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). A task that was left out, made up or run twice ends the call with INVALID\_ARGUMENT; its second run does nothing. The library starts no thread.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_jobs {
@@ -1468,7 +1468,7 @@ extern "C" {
     pub fn dm_motion_destroy(context: *mut dm_context, motion: dm_motion) -> dm_result;
     /// The player grabs a part. Where the library found the joint, a pull tells more about it: the drag holds the part's other hypotheses, and likely joints beyond them, and follows the one that explains the pull best, and limits that were estimated yield when the pull goes on beyond them. docs/feel.md. A grab point or value that can't be meant (other units, degrees) gets a warning. \[any-thread\]
     pub fn dm_drag_begin(context: *mut dm_context, desc: *const dm_drag_desc, out_drag: *mut dm_drag) -> dm_result;
-    /// The grabbed point follows the pointer ray (object frame; scaled with dm\_drag\_desc.scale) as closely as its joint allows; dt in seconds. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032 rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm\_drag\_release it moves by itself, and ray may be NULL. out\_state-\>struct\_size must be set. \[frame\]
+    /// The grabbed point follows the pointer ray (object frame; scaled with dm\_drag\_desc.scale) as closely as its joint allows; dt in seconds, from -1e-4 to 0 taken as 0: a clock's rounding. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032 rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm\_drag\_release it moves by itself, and ray may be NULL. out\_state-\>struct\_size must be set. \[frame\]
     pub fn dm_drag_update(context: *mut dm_context, drag: dm_drag, ray: *const dm_ray, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
     /// dm\_drag\_update for all that a dm\_drag\_input holds. A released part needs no hand. Errors: INVALID\_ARGUMENT, also for handles, bounds and DM\_INPUT\_LOCKED of a drag without dm\_drag\_desc.rules. \[frame\]
     pub fn dm_drag_step(context: *mut dm_context, drag: dm_drag, input: *const dm_drag_input, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
