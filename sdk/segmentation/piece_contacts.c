@@ -25,6 +25,8 @@
 /* The 27 cells around and including a cell, by index; from the first one past the middle on, each pair comes once. */
 enum { NEIGHBOUR_CELLS = 27, FIRST_LATER_CELL = 14, CELLS_OF_A_SLAB = 9 };
 
+enum { NUMBERS_A_PLACE = 5 }; /* coordinates, reach, and reach of the block */
+
 /* A bucket of samples. Its box is that of the first ones, as many as are compared. */
 typedef struct bucket {
     uint32_t first, end; /* places */
@@ -204,16 +206,16 @@ static bool take_arrays(dmi_arena* arena, uint32_t count, hash_grid* out) {
     out->places = dmi_arena_push(arena, count * sizeof *out->places);
     out->pieces = dmi_arena_push(arena, padded * sizeof *out->pieces);
     out->contacts = dmi_arena_push(arena, count * sizeof *out->contacts);
-    float* numbers = dmi_arena_push(arena, 5 * padded * sizeof *numbers);
+    float* numbers = dmi_arena_push(arena, NUMBERS_A_PLACE * padded * sizeof *numbers);
     if (out->buckets == NULL || out->samples == NULL || out->places == NULL || out->pieces == NULL ||
         out->contacts == NULL || numbers == NULL)
         return false;
     memset(out->buckets, 0, buckets * sizeof *out->buckets);
     memset(out->pieces, 0, padded * sizeof *out->pieces);
-    memset(numbers, 0, 5 * padded * sizeof *numbers);
+    memset(numbers, 0, NUMBERS_A_PLACE * padded * sizeof *numbers);
     for (size_t k = 0; k < 3; k++) out->points[k] = numbers + k * padded;
     out->reach = numbers + 3 * padded;
-    out->block_reach = numbers + 4 * padded;
+    out->block_reach = out->reach + padded;
     return true;
 }
 

@@ -124,6 +124,18 @@ static void make_one_edge(input* in, uint32_t items) {
     }
 }
 
+/* The same, each triangle with an edge of its own near the others'. */
+static void make_near_edges(input* in, uint32_t items) {
+    const float apart = 1e-3f;
+    body(in, items);
+    for (uint32_t i = 0; i < items; i++) {
+        const float angle = TURN * (float)i / (float)items;
+        const uint32_t a = vertex(in, apart * both(in), apart * both(in), ABOVE),
+                       b = vertex(in, apart * both(in), apart * both(in), 2 * ABOVE);
+        face(in, a, b, vertex(in, cosf(angle), sinf(angle), 1.5f * ABOVE), 1);
+    }
+}
+
 /* Triangles round one vertex. */
 static void make_fan(input* in, uint32_t items) {
     body(in, items);
@@ -492,12 +504,15 @@ static void run_overlap(input* in) {
 static const family families[] = {
     {"find_slivers", 2000, make_slivers, run_find},
     {"find_one_edge", 500, make_one_edge, run_find},
+    {"find_few_at_edge", 128, make_one_edge, run_find},
+    {"find_near_edges", 256, make_near_edges, run_find},
     {"find_fan", 8000, make_fan, run_find},
     {"find_shells", 2000, make_shells, run_find},
     {"find_soup", 4000, make_soup, run_find},
     {"find_coincident", 4000, make_coincident, run_find},
     {"weld_bucket", 1500, make_bucket, run_weld},
     {"find_row_given", 1500, make_row, run_find_given},
+    {"prepare_parts", 16, make_row, run_prepare},
     {"prepare_slivers", 8000, make_slivers, run_prepare},
     {"prepare_one_edge", 8000, make_one_edge, run_prepare},
     {"prepare_fan", 8000, make_fan, run_prepare},

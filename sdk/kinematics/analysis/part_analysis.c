@@ -106,17 +106,15 @@ static float area_ratio(const dmi_mesh* mesh, const uint8_t* moving) {
     return (float)(rest / dmi_fmax(part, MIN_PART_AREA));
 }
 
-/* Sets the diagonal, and low .. high to the part's box grown by the near margin. */
 /* Shares of the work, when the part's vertices are collected, and when all but its patches is measured; measured. */
 #define PART_MEASURED 0.3f
 #define MEASURED 0.6f
 
-static void find_near_box(dmi_part_analysis* analysis, float low[3], float high[3]) {
+void dmi_part_near_box(const float low[3], const float high[3], float out_low[3], float out_high[3]) {
     float side = 0;
-    for (int k = 0; k < 3; k++) side = dmi_max(side, analysis->high[k] - analysis->low[k]);
-    analysis->diagonal = dmi_max(dmi_distance3(analysis->low, analysis->high), MIN_DIAGONAL);
-    float margin = dmi_max(NEAR_MARGIN * side, MIN_NEAR_MARGIN);
-    for (int k = 0; k < 3; k++) low[k] = analysis->low[k] - margin, high[k] = analysis->high[k] + margin;
+    for (int k = 0; k < 3; k++) side = dmi_max(side, high[k] - low[k]);
+    const float margin = dmi_max(NEAR_MARGIN * side, MIN_NEAR_MARGIN);
+    for (int k = 0; k < 3; k++) out_low[k] = low[k] - margin, out_high[k] = high[k] + margin;
 }
 
 dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
@@ -130,7 +128,8 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
     float(*vertices)[3] = moving != NULL ? part_vertices(arena, moving, out, &vertex_count) : NULL;
     if (vertices == NULL) return DM_ERROR_OUT_OF_MEMORY;
     float low[3], high[3];
-    find_near_box(out, low, high);
+    dmi_part_near_box(out->low, out->high, low, high);
+    out->diagonal = dmi_max(dmi_distance3(out->low, out->high), MIN_DIAGONAL);
     out->area_ratio = area_ratio(mesh, moving);
 
     dm_result result = dmi_progress_tell(progress, PART_MEASURED);

@@ -81,4 +81,7 @@ typedef struct dmi_part_analysis {
 dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_cloud* cloud, uint32_t part,
                                  const uint32_t* welded, const dmi_progress* progress, dmi_part_analysis* out);
 
+/* Grows a part's box to that of its surroundings, which the analysis reads of the body. */
+void dmi_part_near_box(const float low[3], const float high[3], float out_low[3], float out_high[3]);
+
 #endif

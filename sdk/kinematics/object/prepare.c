@@ -5,6 +5,7 @@
 
 #include "base/arena_pool.h"
 #include "kinematics/analysis/part_analysis.h"
+#include "kinematics/object/alike_parts.h"
 #include "kinematics/object/choice.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
@@ -40,6 +41,7 @@ typedef struct preparation {
     dmi_object* object;
     part_request* requests; /* one per part; the body's is unused */
     shared_mesh shared;
+    const uint32_t* like;   /* per part, the one that is inferred for it, mostly itself; NULL: all themselves */
     dmi_arena_pool scratch; /* of the parts */
     uint32_t first;         /* part of task 0 */
 } preparation;
@@ -125,10 +127,32 @@ static dm_result prepare_in(dmi_arena* arena, preparation* work, uint32_t index)
 
 static void DM_CALL prepare_part(void* data, uint32_t task) {
     preparation* work = data;
-    uint32_t index = work->first + task;
+    const uint32_t index = work->first + task;
+    if (work->like != NULL && work->like[index] != index) return;
     dmi_arena own, *arena = dmi_arena_pool_take(&work->scratch, &own);
     work->requests[index].result = prepare_in(arena, work, index);
     dmi_arena_pool_put(&work->scratch, arena);
+}
+
+/* Gives the parts of a batch that are like earlier ones, or others of the batch, their answers. */
+static void copy_alike(const preparation* work, uint32_t tasks) {
+    for (uint32_t i = work->first; work->like != NULL && i < work->first + tasks; i++)
+        if (work->like[i] != i) dmi_alike_part_copy(work->object, work->like[i], i);
+}
+
+/* Looks for parts that are alike where there are many. */
+static dm_result find_alike(dmi_arena* arena, preparation* work) {
+    const uint32_t count = work->object->part_count;
+    if (count - 1 < DMI_MANY_PARTS) return DM_OK;
+    const dmi_progress asking = dmi_progress_piece(work->progress, SHARED, SHARED);
+    uint32_t* like = dmi_arena_push(arena, count * sizeof *like);
+    uint8_t* excluded = dmi_arena_push(arena, count);
+    if (like == NULL || excluded == NULL)
+        return dmi_fail(work->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for %u parts", count);
+    for (uint32_t i = 0; i < count; i++) excluded[i] = work->requests[i].has_hint;
+    const dm_result result = dmi_alike_parts_find(arena, &work->shared.mesh, work->object, excluded, &asking, like);
+    work->like = like;
+    return result;
 }
 
 /* Asks the host to choose among the hypotheses of the parts of a batch. */
@@ -152,6 +176,7 @@ static dm_result prepare_parts(preparation* work) {
         for (uint32_t i = work->first; i < work->first + tasks; i++) {
             if (work->requests[i].result != DM_OK) return work->requests[i].result;
         }
+        copy_alike(work, tasks);
         result = choose_joints(work, tasks);
         if (result != DM_OK) return result;
         const float done = (float)(work->first + tasks - 1) / (float)(count - 1);
@@ -203,6 +228,7 @@ static dm_result run_requests(preparation* work) {
     dmi_arena_pool_init(&work->scratch, work->env, SCRATCH_BLOCK);
     const dmi_progress sharing = dmi_progress_piece(work->progress, BVH_DONE, SHARED);
     dm_result result = make_shared_mesh(&arena, work->object->mesh, &sharing, &work->shared);
+    if (result == DM_OK) result = find_alike(&arena, work);
     if (result == DM_OK) result = prepare_parts(work);
     dmi_arena_pool_release(&work->scratch);
     dmi_arena_release(&arena);
