@@ -158,6 +158,10 @@ dm_result dm_gltf_get_node(const dm_gltf* gltf, uint32_t index, dm_gltf_node* ou
     return DM_OK;
 }
 
+int32_t dm_gltf_left_out(const dm_gltf* gltf) {
+    return gltf && (gltf->left_out.code != DM_OK || gltf->has_one_of_instances);
+}
+
 dm_result dm_gltf_get_mesh(const dm_gltf* gltf, dm_mesh_desc* out_mesh) {
     DMI_OWN_FP;
     if (!gltf || !out_mesh) return DM_ERROR_INVALID_ARGUMENT;

@@ -179,6 +179,20 @@ static dm_result decode(dm_gltf* gltf, const cJSON* extension, const char* place
     return result;
 }
 
+/* Puts a view's plain bytes in the place of compressed ones that do not decode, where the file has them and does not
+ * need the extension. Returns `problem` else. */
+static dm_result refuse_meshopt(dm_gltf* gltf, const cJSON* view, dmi_gltf_decoded* decoded, const char* place,
+                                dmi_gltf_problem* problem, dmi_gltf_view* out) {
+    dmi_gltf_problem none = {.code = DM_OK};
+    if (problem->fatal || dmi_gltf_requires(&gltf->document, dmi_meshopt_name_of(view)) ||
+        dmi_gltf_find_stored(gltf, view, place, &none, out) != DM_OK)
+        return problem->code;
+    decoded->refused = 1;
+    dmi_gltf_warn(&gltf->env, "%s; its plain data is read", problem->text);
+    *problem = (dmi_gltf_problem){.code = DM_OK};
+    return DM_OK;
+}
+
 dm_result dmi_gltf_find_view(dm_gltf* gltf, double index, const char* place, dmi_gltf_problem* problem,
                              dmi_gltf_view* out) {
     const int64_t position = dmi_gltf_position(&gltf->document, DMI_GLTF_VIEWS, index);
@@ -188,9 +202,10 @@ dm_result dmi_gltf_find_view(dm_gltf* gltf, double index, const char* place, dmi
     if (!extension || (!dmi_meshopt_available() && dmi_gltf_find_stored(gltf, view, place, problem, out) == DM_OK))
         return dmi_gltf_find_stored(gltf, view, place, problem, out);
     dmi_gltf_decoded* decoded = &gltf->decoded[position];
+    if (decoded->refused) return dmi_gltf_find_stored(gltf, view, place, problem, out);
     if (!decoded->data) {
         const dm_result result = decode(gltf, extension, place, problem, decoded);
-        if (result != DM_OK) return result;
+        if (result != DM_OK) return refuse_meshopt(gltf, view, decoded, place, problem, out);
     }
     *out = (dmi_gltf_view){decoded->data, decoded->size, 0};
     return dmi_json_whole(extension, "byteStride", 0, UINT32_MAX, place, problem, &out->stride);

@@ -76,6 +76,14 @@ static int is_known(const char* name) {
     return 0;
 }
 
+int dmi_gltf_requires(const dmi_gltf_document* document, const char* extension) {
+    const cJSON* name;
+    cJSON_ArrayForEach(name, dmi_json_get(document->root, "extensionsRequired")) {
+        if (cJSON_IsString(name) && strcmp(name->valuestring, extension) == 0) return 1;
+    }
+    return 0;
+}
+
 dm_result dmi_gltf_check_asset(const dmi_gltf_document* document, dmi_gltf_problem* problem) {
     const cJSON *asset = dmi_json_get(document->root, "asset"), *name;
     const char *version = dmi_json_text(asset, "version"), *least = dmi_json_text(asset, "minVersion");

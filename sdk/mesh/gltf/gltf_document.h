@@ -38,6 +38,8 @@ cJSON* dmi_gltf_item(const dmi_gltf_document* document, dmi_gltf_list list, doub
 /* Position in the list of an index that dmi_gltf_item finds; -1 for others. */
 int64_t dmi_gltf_position(const dmi_gltf_document* document, dmi_gltf_list list, double index);
 
+/* Whether the file can't be read without an extension. */
+int dmi_gltf_requires(const dmi_gltf_document* document, const char* extension);
 /* Checks "asset", and that every required extension is one that this library reads or may ignore. */
 dm_result dmi_gltf_check_asset(const dmi_gltf_document* document, dmi_gltf_problem* problem);
 

@@ -31,6 +31,7 @@ typedef struct dmi_gltf_decoded {
     uint64_t size;
     dmi_draco* draco;
     dmi_gltf_block* blocks;
+    uint8_t refused; /* 1: what is compressed does not decode, and the plain data stands for it */
 } dmi_gltf_decoded;
 
 /* A node of the file. */
@@ -77,6 +78,7 @@ struct dm_gltf {
     float told;
     uint64_t untold;           /* vertices and triangles since the last report */
     dmi_gltf_problem left_out; /* the first thing that was left out */
+    uint8_t has_one_of_instances;
     dmi_gltf_document document;
     uint8_t* bin_copy; /* of the binary chunk; NULL where the bytes stay */
     const uint8_t* bin;

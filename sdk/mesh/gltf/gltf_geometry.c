@@ -23,12 +23,19 @@ struct dmi_gltf_block {
 };
 #define FACES UINT32_MAX
 
+/* Whether the positions of a primitive are there without Draco too, as in a file whose Draco is optional. */
+static int has_plain_data(const dm_gltf* gltf, const cJSON* primitive) {
+    const double positions = dmi_json_number(dmi_json_get(primitive, "attributes"), "POSITION", DMI_GLTF_NO_INDEX);
+    return dmi_json_get(dmi_gltf_item(&gltf->document, DMI_GLTF_ACCESSORS, positions), "bufferView") != NULL;
+}
+
 const cJSON* dmi_gltf_draco_of(const dm_gltf* gltf, const cJSON* primitive) {
     const cJSON* found = dmi_json_get(dmi_json_get(primitive, "extensions"), DMI_DRACO_NAME);
-    if (!found || dmi_draco_available()) return found;
-    /* A file whose Draco is optional has the plain data too. */
-    const double positions = dmi_json_number(dmi_json_get(primitive, "attributes"), "POSITION", DMI_GLTF_NO_INDEX);
-    return dmi_json_get(dmi_gltf_item(&gltf->document, DMI_GLTF_ACCESSORS, positions), "bufferView") ? NULL : found;
+    if (!found) return NULL;
+    const int64_t view =
+        dmi_gltf_position(&gltf->document, DMI_GLTF_VIEWS, dmi_json_number(found, "bufferView", DMI_GLTF_NO_INDEX));
+    const int refused = view >= 0 && gltf->decoded[view].refused;
+    return (refused || !dmi_draco_available()) && has_plain_data(gltf, primitive) ? NULL : found;
 }
 
 static dm_result accessor_count(dm_gltf* gltf, double accessor, const char* place, dmi_gltf_problem* problem,
@@ -200,8 +207,8 @@ uint32_t dmi_gltf_key(const dm_gltf* gltf, const cJSON* primitive) {
     return (uint32_t)position + (draco ? gltf->document.counts[DMI_GLTF_ACCESSORS] : 0);
 }
 
-dm_result dmi_gltf_find_geometry(dm_gltf* gltf, const cJSON* primitive, const char* place, dmi_gltf_problem* problem,
-                                 dmi_gltf_geometry* out) {
+static dm_result find_geometry(dm_gltf* gltf, const cJSON* primitive, const char* place, dmi_gltf_problem* problem,
+                               dmi_gltf_geometry* out) {
     uint64_t mode;
     dm_result result = dmi_json_whole(primitive, "mode", DMI_GLTF_TRIANGLES, INT32_MAX, place, problem, &mode);
     if (result != DM_OK) return result;
@@ -216,4 +223,25 @@ dm_result dmi_gltf_find_geometry(dm_gltf* gltf, const cJSON* primitive, const ch
             dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: %d components a vertex", place, out->positions.components);
     if (result == DM_OK) result = find_indices(gltf, primitive, place, problem, out);
     return result == DM_OK ? find_joints(gltf, primitive, place, problem, out) : result;
+}
+
+/* Puts the plain data in the place of a Draco stream that the file does not need. Returns whether it does. */
+static int refuse_draco(dm_gltf* gltf, const cJSON* primitive, const dmi_gltf_problem* problem) {
+    const cJSON* draco = dmi_gltf_draco_of(gltf, primitive);
+    if (!draco || problem->fatal || !has_plain_data(gltf, primitive)) return 0;
+    if (dmi_gltf_requires(&gltf->document, DMI_DRACO_NAME)) return 0;
+    const int64_t view =
+        dmi_gltf_position(&gltf->document, DMI_GLTF_VIEWS, dmi_json_number(draco, "bufferView", DMI_GLTF_NO_INDEX));
+    if (view < 0) return 0;
+    gltf->decoded[view].refused = 1;
+    dmi_gltf_warn(&gltf->env, "%s; its plain data is read", problem->text);
+    return 1;
+}
+
+dm_result dmi_gltf_find_geometry(dm_gltf* gltf, const cJSON* primitive, const char* place, dmi_gltf_problem* problem,
+                                 dmi_gltf_geometry* out) {
+    const dm_result result = find_geometry(gltf, primitive, place, problem, out);
+    if (result == DM_OK || !refuse_draco(gltf, primitive, problem)) return result;
+    *problem = (dmi_gltf_problem){.code = DM_OK};
+    return find_geometry(gltf, primitive, place, problem, out);
 }

@@ -24,6 +24,10 @@ const cJSON* dmi_meshopt_of(const cJSON* object) {
     return found ? found : dmi_json_get(extensions, names[1]);
 }
 
+const char* dmi_meshopt_name_of(const cJSON* object) {
+    return dmi_json_get(dmi_json_get(object, "extensions"), names[0]) ? names[0] : names[1];
+}
+
 static int is(const char* a, const char* b) {
     return a && strcmp(a, b) == 0;
 }

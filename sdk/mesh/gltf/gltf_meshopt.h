@@ -19,6 +19,8 @@ int dmi_meshopt_available(void);
 int dmi_meshopt_is_name(const char* name);
 /* The extension of a buffer view, or of a buffer; NULL: it has none. */
 const cJSON* dmi_meshopt_of(const cJSON* object);
+/* Which of the names the extension of the object has. */
+const char* dmi_meshopt_name_of(const cJSON* object);
 /* Checks mode, stride and filter, and that the sizes are possible, before memory is taken for the elements. */
 dm_result dmi_meshopt_check(const dmi_meshopt_view* view, const char* place, dmi_gltf_problem* problem);
 /* Writes count * stride bytes of a view that was checked. */

@@ -118,6 +118,11 @@ DM_API dm_result DM_CALL dm_gltf_get_hints(const dm_gltf* gltf, const char* name
  * leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL. */
 DM_API int32_t DM_CALL dm_gltf_pivots_are_lost(const dm_gltf* gltf);
 
+/* 1 when triangles of the file are not in the merged mesh: a primitive or a node could not be read, or only one of its
+ * instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there, or gltf is
+ * NULL. */
+DM_API int32_t DM_CALL dm_gltf_left_out(const dm_gltf* gltf);
+
 /* Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort
  * the merged mesh otherwise). mask_value NULL:
  * non-zero is moving. out_part_ids: as many bytes as max(vertex_count, face_count). out_ambiguous (may be NULL): both
