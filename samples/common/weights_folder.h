@@ -10,7 +10,7 @@
 #define WEIGHTS_RANKER "ranker.safetensors"
 
 /* Writes the folder that the environment variable DRAGMESH_MODELS names. Without it, writes the first folder that holds
- * WEIGHTS_KINEMATICS: that of the program, models in it, models beside it, or sdk/models of the repository that the
+ * one of the files: that of the program, models in it, models beside it, or sdk/models of the repository that the
  * program was built in. Returns false where there is none, or where its path does not fit. */
 bool weights_folder_find(char* out_path, size_t size);
 

@@ -22,11 +22,12 @@ static char* find_folder(const char* models) {
     return weights_folder_find(found, sizeof found) ? cli_copy_text(found) : NULL;
 }
 
-static dm_result read_weights(session* session, const char* folder, const char* name, int required, weights* out) {
+/* Reads a file of weights where there is one; the library warns of what is missing. */
+static dm_result read_weights(session* session, const char* folder, const char* name, weights* out) {
     char* path = path_join(folder, name);
     dm_result result = DM_OK;
     *out = (weights){NULL, 0};
-    if (required || platform_exists(path)) {
+    if (platform_exists(path)) {
         out->data = file_read(path, &out->size);
         if (out->data == NULL)
             result = session_fail(session, DM_ERROR_NOT_FOUND, "can't read the weights '%s': %s", path, file_problem());
@@ -41,26 +42,50 @@ static void free_weights(weights* weights) {
     weights->size = 0;
 }
 
+/* Loads the files that are there, each alone where that fails, so that the error names the one. */
+static dm_result load_model(session* session, const char* folder, const dm_model_desc* all) {
+    if (all->kinematics == NULL && all->motion == NULL && all->ranker == NULL) return DM_OK;
+    const dm_result result = dm_model_load(session->context, all, &session->model);
+    if (result == DM_OK) return result;
+    const dm_model_desc alone[] = {
+        {.struct_size = sizeof *all, .kinematics = all->kinematics, .kinematics_size = all->kinematics_size},
+        {.struct_size = sizeof *all, .motion = all->motion, .motion_size = all->motion_size},
+        {.struct_size = sizeof *all, .ranker = all->ranker, .ranker_size = all->ranker_size}};
+    const void* const data[] = {all->kinematics, all->motion, all->ranker};
+    const char* const names[] = {WEIGHTS_KINEMATICS, WEIGHTS_MOTION, WEIGHTS_RANKER};
+    for (size_t i = 0; i < sizeof alone / sizeof *alone; i++) {
+        dm_model model = 0;
+        if (data[i] == NULL) continue;
+        if (dm_model_load(session->context, &alone[i], &model) == DM_OK) {
+            dm_model_unload(session->context, model);
+            continue;
+        }
+        char* path = path_join(folder, names[i]);
+        session_add_place(session, "in the weights", path);
+        free(path);
+        break;
+    }
+    return result;
+}
+
 static dm_result load_folder(session* session, const char* folder) {
     weights kinematics = {NULL, 0}, motion = {NULL, 0}, ranker = {NULL, 0};
-    dm_result result = read_weights(session, folder, WEIGHTS_KINEMATICS, 1, &kinematics);
-    if (result == DM_OK) result = read_weights(session, folder, WEIGHTS_MOTION, 0, &motion);
+    dm_result result = read_weights(session, folder, WEIGHTS_KINEMATICS, &kinematics);
+    if (result == DM_OK) result = read_weights(session, folder, WEIGHTS_MOTION, &motion);
     if (result == DM_OK && session->method != METHOD_RULES)
-        result = read_weights(session, folder, WEIGHTS_RANKER, 0, &ranker);
+        result = read_weights(session, folder, WEIGHTS_RANKER, &ranker);
+    if (result == DM_OK && kinematics.data == NULL && motion.data == NULL && ranker.data == NULL)
+        result = session_fail(session, DM_ERROR_NO_MODEL, "there is no %s, %s or %s in '%s'", WEIGHTS_KINEMATICS,
+                              WEIGHTS_MOTION, WEIGHTS_RANKER, folder);
     if (result == DM_OK && session->method == METHOD_GEOMETRY) free_weights(&kinematics);
-    if (result == DM_OK && (kinematics.data != NULL || motion.data != NULL || ranker.data != NULL)) {
-        const dm_model_desc desc = {.struct_size = sizeof desc,
-                                    .kinematics = kinematics.data,
-                                    .kinematics_size = kinematics.size,
-                                    .motion = motion.data,
-                                    .motion_size = motion.size,
-                                    .ranker = ranker.data,
-                                    .ranker_size = ranker.size};
-        result = dm_model_load(session->context, &desc, &session->model);
-        if (result != DM_OK) {
-            session_add_place(session, "weights in", folder);
-        }
-    }
+    const dm_model_desc desc = {.struct_size = sizeof desc,
+                                .kinematics = kinematics.data,
+                                .kinematics_size = kinematics.size,
+                                .motion = motion.data,
+                                .motion_size = motion.size,
+                                .ranker = ranker.data,
+                                .ranker_size = ranker.size};
+    if (result == DM_OK) result = load_model(session, folder, &desc);
     session->has_motion = result == DM_OK && motion.data != NULL;
     free(kinematics.data);
     free(motion.data);
