@@ -47,6 +47,7 @@ static bool answer_line(session* session, const char* line, size_t length, unsig
     else
         cJSON_AddStringToObject(result, "error", session->error);
     if (code == DM_OK && job.find_part) part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+    if (code == DM_OK) session_warnings_to_json(session, result);
     json_print_line(result);
     job_free(&job);
     cJSON_Delete(json);
@@ -94,6 +95,7 @@ static int answer_one(session* session, job* job, int as_json) {
         else
             cJSON_AddStringToObject(result, "error", session->error);
         if (code == DM_OK && job->find_part) part_at_point_to_json(session, cJSON_AddArrayToObject(result, "moving"));
+        if (code == DM_OK) session_warnings_to_json(session, result);
         json_print_line(result);
     } else if (code == DM_OK) {
         answer_print(&answer);

@@ -66,6 +66,7 @@ static void print_hit(const session* session, const dm_hit* hit, int as_json) {
         json_add_point(out, "point", hit->point, session->origin);
         json_add_vector(out, "normal", hit->normal);
     }
+    session_warnings_to_json(session, out);
     json_print_line(out);
 }
 

@@ -65,6 +65,7 @@ static dm_result prepare(session* session, const name_list* moving, int no_hints
         mesh.part_id_format = DM_UINT16;
         mesh.part_id_scope = DM_PER_FACE;
         const dm_object_desc desc = {.struct_size = sizeof desc,
+                                     .flags = session_prepare_flags(session),
                                      .mesh = &mesh,
                                      .parts = count > 0 ? parts : NULL,
                                      .part_count = count,
@@ -121,6 +122,7 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
         if (!as_json) joint_print(&found.joint, session->origin);
     }
     cJSON_AddNumberToObject(out, "bytes", (double)bytes);
+    session_warnings_to_json(session, out);
     if (!as_json) confidence_print();
     if (as_json)
         json_print_line(out);

@@ -99,7 +99,7 @@ static dm_result prepare(session* session, const dm_mesh_desc* mesh, const job* 
     session->hints = *hints;
     part_hints_enter(&session->hints, &part);
     const dm_object_desc desc = {.struct_size = sizeof desc,
-                                 .flags = session->method == METHOD_KPP ? DM_PREPARE_NETWORK_ALONE : 0,
+                                 .flags = session_prepare_flags(session),
                                  .mesh = mesh,
                                  .parts = &part,
                                  .part_count = 1,

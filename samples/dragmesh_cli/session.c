@@ -16,11 +16,25 @@ static void set_error(session* session, dm_result code, const char* text) {
     snprintf(session->error, sizeof session->error, "%s: %s", dm_result_string(code), text);
 }
 
+/* Keeps a warning for answers as JSON. Objects of one file mostly have the same one: it is printed once in a row. */
+static void warn(session* session, const char* text) {
+    warnings_add(session->opens_file ? &session->file_warnings : &session->object_warnings, text);
+    if (session->warned != NULL && strcmp(session->warned, text) == 0) return;
+    fprintf(stderr, "dragmesh: %s\n", text);
+    free(session->warned);
+    session->warned = cli_copy_text(text);
+}
+
 static void DM_CALL on_message(void* user, int32_t level, dm_result code, const char* text) {
     if (level == DM_LOG_ERROR)
         set_error(user, code, text);
     else if (level == DM_LOG_WARNING)
-        fprintf(stderr, "dragmesh: %s\n", text);
+        warn(user, text);
+}
+
+void session_warnings_to_json(const session* session, cJSON* out) {
+    warnings_to_json(&session->file_warnings, out);
+    warnings_to_json(&session->object_warnings, out);
 }
 
 dm_result session_fail(session* session, dm_result code, const char* format, ...) {
@@ -63,6 +77,7 @@ void session_release_object(session* session) {
     free(session->part_ids);
     session->object = 0;
     session->part_ids = NULL;
+    warnings_clear(&session->object_warnings);
 }
 
 void session_own_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type) {
@@ -79,12 +94,15 @@ static void release_file(session* session) {
     free(session->path);
     session->gltf = NULL;
     session->path = NULL;
+    warnings_clear(&session->file_warnings);
 }
 
 void session_close(session* session) {
     release_file(session);
     dm_context_destroy(session->context);
+    free(session->warned);
     session->context = NULL;
+    session->warned = NULL;
 }
 
 /* Standard input: nothing lies beside it. */
@@ -105,6 +123,11 @@ static dm_result open_path(session* session, const char* path) {
     return dm_gltf_open_file(path, &desc, &session->gltf);
 }
 
+uint32_t session_prepare_flags(const session* session) {
+    return (session->method == METHOD_KPP ? DM_PREPARE_NETWORK_ALONE : 0u) |
+           (dm_gltf_left_out(session->gltf) ? DM_PREPARE_MESH_INCOMPLETE : 0u);
+}
+
 dm_vec3 session_point(const session* session, const double point[3]) {
     return (dm_vec3){(float)(point[0] - session->origin[0]), (float)(point[1] - session->origin[1]),
                      (float)(point[2] - session->origin[2])};
@@ -113,7 +136,9 @@ dm_vec3 session_point(const session* session, const double point[3]) {
 dm_result session_use_file(session* session, const char* path) {
     if (session->path != NULL && strcmp(session->path, path) == 0) return DM_OK;
     release_file(session);
+    session->opens_file = true;
     const dm_result result = strcmp(path, "-") == 0 ? open_input(session) : open_path(session, path);
+    session->opens_file = false;
     if (result != DM_OK) {
         session_add_place(session, "in", path);
         return result;

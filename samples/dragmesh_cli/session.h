@@ -9,6 +9,7 @@
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
 #include "part_hints.h"
+#include "warnings.h"
 
 /* Which inference method answers; docs/accuracy.md compares them. */
 enum session_method {
@@ -27,6 +28,11 @@ typedef struct session {
     enum session_method method;
     bool has_motion;  /* the model has motion weights */
     char error[1024]; /* "DM_ERROR_NAME: what and where", of the last failure */
+
+    /* What was warned of: of the file below, and of the object below. */
+    warnings file_warnings, object_warnings;
+    bool opens_file;
+    char* warned; /* the last warning on standard error; NULL: none */
 
     char* path; /* of the file below; NULL: none */
     dm_gltf* gltf;
@@ -53,12 +59,17 @@ dm_result session_fail_to_write(session* session, const char* path);
 /* Writes a whole file; session->error. */
 dm_result session_write(session* session, const char* path, const void* data, size_t size);
 
+/* DM_PREPARE_* for an object of the session's file and method. */
+uint32_t session_prepare_flags(const session* session);
+
 /* Makes `path` the session's file; does nothing when it is already. */
 dm_result session_use_file(session* session, const char* path);
 /* A point of the file's frame in the mesh's. */
 dm_vec3 session_point(const session* session, const double point[3]);
 /* Stores the part ids that the object was just prepared with; takes ownership of `ids`. */
 void session_own_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type);
+/* Adds the warnings of file and object to an answer, as its member `warnings`; none: adds nothing. */
+void session_warnings_to_json(const session* session, cJSON* out);
 /* Destroys the last job's object. */
 void session_release_object(session* session);
 
