@@ -91,6 +91,8 @@ export interface ObjectInfo {
     boxMax: Vector;
     size: number;
     pickable: number;
+    /** Bits of Degraded. */
+    degraded: number;
 }
 export interface Choice {
     part: PartInfo;

@@ -354,14 +354,17 @@ export class Context {
         });
     }
 
-    /** Fetches the three files of weights from a folder's URL, and loads them. */
+    /** Fetches the three files of weights from a folder's URL, and loads them. One that is not there (404) is left out,
+     * which PreparedObject.info.degraded tells; where none is, that is an error. */
     async fetchModel(folder) {
         const files = { kinematics: 'kpp_net', motion: 'dq_vae', ranker: 'ranker' };
         const data = await Promise.all(Object.values(files).map(async name => {
             const response = await fetch(`${String(folder).replace(/\/$/, '')}/${name}.safetensors`);
+            if (response.status === 404) return null;
             if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
             return response.arrayBuffer();
         }));
+        if (data.every(bytes => bytes === null)) throw new Error(`${folder}: there are no weights`);
         return this.loadModel(Object.fromEntries(Object.keys(files).map((key, i) => [key, data[i]])));
     }
 

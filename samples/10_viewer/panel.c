@@ -27,10 +27,12 @@ static void write_value(const world_part* part, char* out, size_t room) {
         snprintf(out, room, "%.0f deg", (double)roundf(part->state.value * 180 / GLM_PIf) + 0.0); /* no -0 */
 }
 
-static void write_part(const world_part* part, char* out, size_t room) {
+static void write_part(const world* world, const world_part* part, char* out, size_t room) {
     char value[32], sure[32];
     write_value(part, value, sizeof value);
     snprintf(sure, sizeof sure, "%.0f%%", (double)(100 * part->state.joint.joint_confidence));
+    if (world->info.degraded & (DM_DEGRADED_NO_KINEMATICS | DM_DEGRADED_NO_RANKER))
+        snprintf(sure, sizeof sure, "a guess: weights are missing");
     if (part->state.joint.source == DM_JOINT_FROM_HOST) snprintf(sure, sizeof sure, "as you say");
     snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->state.joint.type), sure, value);
 }
@@ -60,7 +62,7 @@ static void draw_parts(const app* app, draw* draw) {
     const uint32_t first = app->selected > MAX_LINES - 3 ? app->selected - (MAX_LINES - 3) : 1;
     for (uint32_t id = first; id <= world->part_count && count < MAX_LINES - 1; id++) {
         if (id == app->selected) marked = count;
-        write_part(&world->parts[id], lines[count++], LINE);
+        write_part(world, &world->parts[id], lines[count++], LINE);
     }
     if (!(app->show & SHOW_HELP)) snprintf(lines[count++], LINE, "F1 help");
     draw_block(draw, 8, 8, text_size(app), (const char(*)[LINE])lines, count, marked);
@@ -94,7 +96,7 @@ void panel_draw(const app* app, draw* draw, uint32_t id) {
     if (id && app->world->object && (app->show & SHOW_LABEL)) {
         const world_part* part = &app->world->parts[id];
         char text[LINE];
-        write_part(part, text, sizeof text);
+        write_part(app->world, part, text, sizeof text);
         const dm_vec3 top = vec(part->centre.x, app->camera.z_up ? part->centre.y : part->box_max.y,
                                 app->camera.z_up ? part->box_max.z : part->centre.z);
         draw_label(draw, pose_point(&part->carried, top), text_size(app), bright, text);

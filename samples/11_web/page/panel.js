@@ -1,5 +1,5 @@
 // The card of the chosen part, and the list of parts.
-import { JointType } from './dragmesh/dragmesh.js';
+import { Degraded, JointType } from './dragmesh/dragmesh.js';
 
 const SHOWN = 4; // hypotheses that the card offers
 const ALIKE = 0.03; // rad, and share of the size, within which two hypotheses look the same
@@ -14,6 +14,9 @@ const icons = {
 };
 
 const byName = ([x, y, z]) => [['left–right', x], ['up–down', y], ['front–back', z]].reduce((best, each) => (Math.abs(each[1]) > Math.abs(best[1]) ? each : best))[0];
+
+// Whether the joints were found without a network or the ranker, whose confidence says little then.
+const isGuess = part => (part.degraded & (Degraded.NO_KINEMATICS | Degraded.NO_RANKER)) !== 0;
 
 /** What a joint is in words: 'Hinge, left side'. */
 function describe(joint, info) {
@@ -87,7 +90,7 @@ export class Panel {
         const part = this.#part;
         if (!part) return;
         const { joint, value } = part, [from, to] = this.#range();
-        const sure = `${Math.round(joint.jointConfidence * 100)} % sure`;
+        const sure = isGuess(part) ? 'a guess: weights are missing' : `${Math.round(joint.jointConfidence * 100)} % sure`;
         this.$('.kind').textContent = `${nouns[joint.type]} · ${part.corrected ? 'your choice' : part.pulled ? 'by your pull' : sure}`;
         this.$('.value').textContent = number(joint, value);
         const share = Math.min(1, Math.max(0, (value - from) / (to - from || 1)));
@@ -105,7 +108,7 @@ export class Panel {
         this.$('.choices').replaceChildren(...shown.map(joint => {
             const button = document.createElement('button'), text = document.createElement('span'), share = document.createElement('small');
             text.textContent = describe(joint, info);
-            share.textContent = `${Math.max(1, Math.round(joint.jointConfidence * 100))} %`;
+            share.textContent = isGuess(this.#part) ? '' : `${Math.max(1, Math.round(joint.jointConfidence * 100))} %`;
             button.setAttribute('role', 'radio');
             button.setAttribute('aria-checked', String(alike(joint, this.#part.joint, parts.asset.size)));
             button.append(icon(joint.type), text, share);

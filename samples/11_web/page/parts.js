@@ -20,7 +20,7 @@ export class Part {
     pulled = false; // a pull has put another joint in place of what was found
 
     constructor(parts, id, name, answer) {
-        Object.assign(this, { parts, id, name, faces: answer.faces, hypotheses: answer.hypotheses, times: answer.times });
+        Object.assign(this, { parts, id, name, faces: answer.faces, hypotheses: answer.hypotheses, degraded: answer.degraded, times: answer.times });
         this.object = parts.context.loadObject(answer.data);
         this.state = { value: 0, pose: rest, joint: answer.joint };
         this.info = this.object.parts[0];

@@ -1,6 +1,6 @@
 // Finds parts and infers their joints away from the page's thread, which stays free to draw.
 //   { open: mesh }                                    mesh: { positions, indices, pieces } in the object frame
-//   { find: { point, vector }, label, names, pivot }  answers { faces, data, joint, hypotheses, times } or { error }
+//   { find: { point, vector }, label, names, pivot }  answers { faces, data, joint, hypotheses, degraded, times } or { error }
 import { load, PartIdScope, Picking } from './dragmesh/dragmesh.js';
 
 const ready = start();
@@ -9,7 +9,8 @@ let mesh;
 async function start() {
     const dragmesh = await load();
     const context = dragmesh.createContext({ picking: Picking.NONE });
-    return { context, model: await context.fetchModel('dragmesh/models') };
+    // Without weights joints are guessed by geometry and rules: the object says so, and the page passes it on.
+    return { context, model: await context.fetchModel('dragmesh/models').catch(() => undefined) };
 }
 
 // Marks the faces that go with the grabbed point. A file of several pieces says what is rigid.
@@ -30,7 +31,7 @@ async function solve({ find, label, names, pivot }) {
     });
     const prepared = performance.now();
     try {
-        return { faces, data: object.save(), joint: object.joint(1), hypotheses: object.hypotheses(1),
+        return { faces, data: object.save(), joint: object.joint(1), hypotheses: object.hypotheses(1), degraded: object.info.degraded,
             times: { find: found - began, prepare: prepared - found } };
     } finally {
         object.destroy();
