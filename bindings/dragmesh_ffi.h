@@ -91,7 +91,16 @@ enum {
 };
 enum {
     DM_PREPARE_WITHOUT_PICKING = 1,
-    DM_PREPARE_NETWORK_ALONE = 2
+    DM_PREPARE_NETWORK_ALONE = 2,
+    DM_PREPARE_MESH_INCOMPLETE = 4
+};
+enum {
+    DM_DEGRADED_NO_KINEMATICS = 1,
+    DM_DEGRADED_NO_RANKER = 2,
+    DM_DEGRADED_NO_MOTION = 4,
+    DM_DEGRADED_NO_BODY = 8,
+    DM_DEGRADED_HINT = 16,
+    DM_DEGRADED_MESH = 32
 };
 enum {
     DM_DRAG_KEEP_JOINT = 1,
@@ -417,6 +426,8 @@ struct dm_object_info {
     dm_vec3 box_max;
     float size;
     uint32_t pickable;
+    uint32_t degraded;
+    uint32_t reserved;
 };
 struct dm_motion_desc {
     uint32_t struct_size;
@@ -734,6 +745,7 @@ dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* 
 dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char** names, uint32_t name_count, uint8_t value, uint8_t* inout_face_ids, uint64_t face_count);
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size, dm_pivot* out_pivot);
 int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf);
+int32_t dm_gltf_left_out(const dm_gltf* gltf);
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value, uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous);
 dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data, size_t* out_size);
 void dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size);

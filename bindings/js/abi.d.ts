@@ -158,6 +158,24 @@ export const PrepareFlag: {
     readonly WITHOUT_PICKING: 1;
     /** the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL when `model` has no kinematics weights */
     readonly NETWORK_ALONE: 2;
+    /** who read the mesh left something of its file out (dm_gltf_left_out): kept as DM_DEGRADED_MESH */
+    readonly MESH_INCOMPLETE: 4;
+};
+
+/** Why answers about an object are less than they could be: bits of dm_object_info.degraded. The call that makes the object says the same in one warning. A saved object keeps them, but for DM_DEGRADED_NO_MOTION, which is that of the model it was loaded with. */
+export const Degraded: {
+    /** no weights of KPP-Net: joints are found by geometry alone */
+    readonly NO_KINEMATICS: 1;
+    /** no weights of the ranker: joints are chosen, and limits set, by rules */
+    readonly NO_RANKER: 2;
+    /** no weights of the DQ-VAE: releases are paced by a rule, motions answer NO_MODEL */
+    readonly NO_MOTION: 4;
+    /** everything is of a part: nothing stays that joints could be told by */
+    readonly NO_BODY: 8;
+    /** a pivot was ignored: it is 1,000 object sizes away or more */
+    readonly HINT: 16;
+    /** DM_PREPARE_MESH_INCOMPLETE */
+    readonly MESH: 32;
 };
 
 export const DragFlag: {

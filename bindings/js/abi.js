@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: d276b2267099380f
+// Hash of the description: 8b39c03e68080e61
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;
@@ -104,6 +104,16 @@ export const Choice = Object.freeze({
 export const PrepareFlag = Object.freeze({
     WITHOUT_PICKING: 1,
     NETWORK_ALONE: 2,
+    MESH_INCOMPLETE: 4,
+});
+
+export const Degraded = Object.freeze({
+    NO_KINEMATICS: 1,
+    NO_RANKER: 2,
+    NO_MOTION: 4,
+    NO_BODY: 8,
+    HINT: 16,
+    MESH: 32,
 });
 
 export const DragFlag = Object.freeze({
@@ -377,7 +387,7 @@ export const structs = {
         choose: [72, 'u32'],
         chooseUser: [76, 'u32'],
     } },
-    dm_object_info: { size: 56, fields: {
+    dm_object_info: { size: 64, fields: {
         structSize: [0, 'u32'],
         partCount: [4, 'u32'],
         vertexCount: [8, 'u64'],
@@ -386,6 +396,8 @@ export const structs = {
         boxMax: [36, 'dm_vec3'],
         size: [48, 'f32'],
         pickable: [52, 'u32'],
+        degraded: [56, 'u32'],
+        reserved: [60, 'u32'],
     } },
     dm_motion_desc: { size: 44, fields: {
         structSize: [0, 'u32'],

@@ -48,7 +48,8 @@ const enumNames = {
     DM_INPUT_LOCKED: ['InputFlag', 'DM_INPUT_'], DM_DRAG_HELD: ['DragPhase', 'DM_DRAG_'],
     DM_EVENT_LIMIT_LOWER: ['DragEvent', 'DM_EVENT_'], DM_GO_AUTO: ['Go', 'DM_GO_'],
     DM_INTENT_AUTO: ['Intent', 'DM_INTENT_'],
-    DM_STATUS_LATCHED: ['DragStatus', 'DM_STATUS_'], DM_BASIS_PREPARED: ['JointBasis', 'DM_BASIS_'], DM_RELEASE_BY_RULE: ['ReleaseFlag', 'DM_RELEASE_'],
+    DM_STATUS_LATCHED: ['DragStatus', 'DM_STATUS_'], DM_BASIS_PREPARED: ['JointBasis', 'DM_BASIS_'],
+    DM_RELEASE_BY_RULE: ['ReleaseFlag', 'DM_RELEASE_'], DM_DEGRADED_NO_KINEMATICS: ['Degraded', 'DM_DEGRADED_'],
 };
 
 function enumOf({ doc, constants }) {

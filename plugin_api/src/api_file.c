@@ -40,5 +40,6 @@ dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t s
     dmi_object* object = NULL;
     dm_result result = dmi_dmo_read(env, context->picker, &context->axes, data, size, &progress, &object);
     if (result != DM_OK) return result;
-    return dmi_object_publish(context, "dm_object_load", object, model, out_object);
+    const uint32_t unmissed = model == 0 ? DM_DEGRADED_NO_MOTION : 0; /* such a host generates no motions */
+    return dmi_object_publish(context, "dm_object_load", object, model, unmissed, out_object);
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "api_check.h"
+#include "api_degraded.h"
 #include "api_handles.h"
 #include "api_joint_check.h"
 #include "api_model.h"
@@ -92,7 +93,10 @@ dm_result DM_CALL dm_object_refine(dm_context* context, dm_object object, uint32
     result = dmi_object_hint(env, "dm_object_refine: drag", slot->object, index, drag, &hint);
     if (result != DM_OK) return result;
     const dmi_inference_models models = dmi_inference_models_of(context, model);
-    return dmi_object_refine(env, slot->object, index, &models, &hint);
+    result = dmi_object_refine(env, slot->object, index, &models, &hint);
+    const bool by_rules = models.joints == NULL && !slot->object->network_alone;
+    if (result == DM_OK && by_rules) dmi_degraded_warn(env, "dm_object_refine", DM_DEGRADED_NO_RANKER);
+    return result;
 }
 
 /* ---- the host's joint ---- */

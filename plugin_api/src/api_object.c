@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "api_check.h"
+#include "api_degraded.h"
 #include "api_handles.h"
 #include "api_mesh.h"
 #include "api_model.h"
@@ -14,7 +15,8 @@
 /* ---- the descriptors of dm_object_prepare ---- */
 
 static dm_result check_flags(dmi_env* env, const dm_object_desc* desc) {
-    if (desc->flags & ~(uint32_t)(DM_PREPARE_WITHOUT_PICKING | DM_PREPARE_NETWORK_ALONE)) {
+    const uint32_t known = DM_PREPARE_WITHOUT_PICKING | DM_PREPARE_NETWORK_ALONE | DM_PREPARE_MESH_INCOMPLETE;
+    if (desc->flags & ~known) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_prepare: desc.flags is 0x%x: unknown flag",
                         desc->flags);
     }
@@ -96,7 +98,7 @@ static dm_result encode(dm_context* context, const char* function, dmi_object_sl
 /* ---- prepare and destroy ---- */
 
 dm_result dmi_object_publish(dm_context* context, const char* function, dmi_object* object, dm_model model,
-                             dm_object* out_object) {
+                             uint32_t unmissed, dm_object* out_object) {
     dmi_env* env = &context->env;
     dmi_object_slot* slot = dmi_alloc_zeroed(env, sizeof *slot, _Alignof(dmi_object_slot));
     if (slot == NULL) {
@@ -112,6 +114,7 @@ dm_result dmi_object_publish(dm_context* context, const char* function, dmi_obje
         dmi_object_release(context, slot);
         return result;
     }
+    dmi_degraded_warn(env, function, dmi_degraded_of(slot) & ~unmissed);
     *out_object = handle;
     return DM_OK;
 }
@@ -138,6 +141,7 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
                                     .labels = {.label = desc->label, .up = desc->up},
                                     .seed = desc->seed,
                                     .network_alone = (desc->flags & DM_PREPARE_NETWORK_ALONE) != 0,
+                                    .mesh_is_incomplete = (desc->flags & DM_PREPARE_MESH_INCOMPLETE) != 0,
                                     .keep_triangles = !(desc->flags & DM_PREPARE_WITHOUT_PICKING),
                                     .intent = desc->intent,
                                     .intent_user = desc->intent_user,
@@ -148,7 +152,7 @@ static dm_result prepare(dm_context* context, const dm_object_desc* desc, const 
     dmi_object* object = NULL;
     result = dmi_object_prepare(env, context->picker, &inner, &object);
     if (result != DM_OK) return result;
-    return dmi_object_publish(context, "dm_object_prepare", object, desc->model, out_object);
+    return dmi_object_publish(context, "dm_object_prepare", object, desc->model, 0, out_object);
 }
 
 dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object) {
@@ -213,7 +217,8 @@ dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_o
                            .vertex_count = inner->vertex_count,
                            .triangle_count = inner->triangle_count,
                            .size = dmi_frame_length_out(&inner->frame),
-                           .pickable = inner->bvh != NULL};
+                           .pickable = inner->bvh != NULL,
+                           .degraded = dmi_degraded_of(slot)};
     dmi_object_box_out(&inner->frame, inner->box_min, inner->box_max, &info.box_min, &info.box_max);
     dmi_write_out(out_info, &info, sizeof info);
     return DM_OK;

@@ -287,6 +287,44 @@ static void test_a_wrong_ranker(void** state) {
     assert_int_equal(out.status, 2);
     assert_non_null(strstr(out.errors, "DM_ERROR_WRONG_MODEL: "));
     assert_non_null(strstr(out.errors, "dragmesh-joint-models"));
+    assert_non_null(strstr(out.errors, "/ranker.safetensors'"));
+    assert_null(strstr(out.errors, "kpp_net.safetensors"));
+}
+
+/* Each file of weights missing in turn: one warning that names it, on standard error and in the answer. */
+static void test_missing_weights_are_said(void** state) {
+    (void)state;
+    static const char* const names[] = {"kpp_net.safetensors", "dq_vae.safetensors", "ranker.safetensors"};
+    char folder[TOOL_PATH + 32], path[TOOL_PATH + 64];
+    snprintf(folder, sizeof folder, "%s/some_weights", object.folder);
+    assert_int_equal(mkdir(folder, 0700), 0);
+    for (int missing = 0; missing <= 3; missing++) {
+        for (int i = 0; i < 3; i++) {
+            char from[64];
+            size_t size;
+            snprintf(from, sizeof from, "sdk/models/%s", names[i]);
+            snprintf(path, sizeof path, "%s/%s", folder, names[i]);
+            char* bytes = tool_read(from, &size);
+            if (i == missing)
+                unlink(path);
+            else
+                tool_write(path, bytes, size);
+            free(bytes);
+        }
+        tool_run(&out, "dragmesh", NULL, "infer|%s|--moving|%s|--models|%s|--json", object.glb, object.moving, folder);
+        assert_int_equal(out.status, 0);
+        cJSON* answer = cJSON_Parse(out.text);
+        const cJSON* warnings = cJSON_GetObjectItem(answer, "warnings");
+        const char* newline = strchr(out.errors, '\n');
+        assert_int_equal(cJSON_GetArraySize(warnings), missing < 3);
+        for (int i = 0; i < 3; i++) {
+            const char* said = cJSON_GetStringValue(cJSON_GetArrayItem(warnings, 0));
+            assert_int_equal(said != NULL && strstr(said, names[i]) != NULL, i == missing);
+            assert_int_equal(strstr(out.errors, names[i]) != NULL, i == missing);
+        }
+        if (missing < 3) assert_true(newline != NULL && newline[1] == 0); /* one line */
+        cJSON_Delete(answer);
+    }
 }
 
 static void test_unusable_arguments(void** state) {
@@ -496,6 +534,7 @@ int main(void) {
         cmocka_unit_test(test_single_job_fails_with_status_1),
         cmocka_unit_test(test_wrong_weights),
         cmocka_unit_test(test_a_wrong_ranker),
+        cmocka_unit_test(test_missing_weights_are_said),
         cmocka_unit_test(test_unusable_arguments),
         cmocka_unit_test(test_results_that_cannot_be_written),
         cmocka_unit_test(test_standard_output_that_takes_nothing),

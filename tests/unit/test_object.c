@@ -242,7 +242,7 @@ static void test_invalid_meshes_are_reported(void** state) {
     cabinet.mesh.reserved = 1;
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_INVALID_ARGUMENT);
     describe(&w, &cabinet);
-    cabinet.desc.flags = 4;
+    cabinet.desc.flags = 8;
     assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_INVALID_ARGUMENT);
     describe(&w, &cabinet);
     cabinet.desc.flags = DM_PREPARE_NETWORK_ALONE;

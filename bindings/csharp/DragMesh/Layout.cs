@@ -213,7 +213,7 @@ namespace DragMesh
               Expect("dm_object_desc.choose_user", (byte*)&s.ChooseUser - at, 112, 76);
             }
             { ObjectInfo s; byte* at = (byte*)&s;
-              Expect("dm_object_info", sizeof(ObjectInfo), 56, 56);
+              Expect("dm_object_info", sizeof(ObjectInfo), 64, 64);
               Expect("dm_object_info.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_object_info.part_count", (byte*)&s.PartCount - at, 4, 4);
               Expect("dm_object_info.vertex_count", (byte*)&s.VertexCount - at, 8, 8);
@@ -222,6 +222,8 @@ namespace DragMesh
               Expect("dm_object_info.box_max", (byte*)&s.BoxMax - at, 36, 36);
               Expect("dm_object_info.size", (byte*)&s.Size - at, 48, 48);
               Expect("dm_object_info.pickable", (byte*)&s.Pickable - at, 52, 52);
+              Expect("dm_object_info.degraded", (byte*)&s.Degraded - at, 56, 56);
+              Expect("dm_object_info.reserved", (byte*)&s.Reserved - at, 60, 60);
             }
             { MotionDesc s; byte* at = (byte*)&s;
               Expect("dm_motion_desc", sizeof(MotionDesc), 48, 44);

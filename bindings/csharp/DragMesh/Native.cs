@@ -130,6 +130,20 @@ namespace DragMesh
         public const int DM_PREPARE_WITHOUT_PICKING = 1;
         /// <summary>the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL when `model` has no kinematics weights</summary>
         public const int DM_PREPARE_NETWORK_ALONE = 2;
+        /// <summary>who read the mesh left something of its file out (dm_gltf_left_out): kept as DM_DEGRADED_MESH</summary>
+        public const int DM_PREPARE_MESH_INCOMPLETE = 4;
+        /// <summary>no weights of KPP-Net: joints are found by geometry alone</summary>
+        public const int DM_DEGRADED_NO_KINEMATICS = 1;
+        /// <summary>no weights of the ranker: joints are chosen, and limits set, by rules</summary>
+        public const int DM_DEGRADED_NO_RANKER = 2;
+        /// <summary>no weights of the DQ-VAE: releases are paced by a rule, motions answer NO_MODEL</summary>
+        public const int DM_DEGRADED_NO_MOTION = 4;
+        /// <summary>everything is of a part: nothing stays that joints could be told by</summary>
+        public const int DM_DEGRADED_NO_BODY = 8;
+        /// <summary>a pivot was ignored: it is 1,000 object sizes away or more</summary>
+        public const int DM_DEGRADED_HINT = 16;
+        /// <summary>DM_PREPARE_MESH_INCOMPLETE</summary>
+        public const int DM_DEGRADED_MESH = 32;
         /// <summary>follow the joint in force, limits and all, whatever the pull says, as with a host's joint</summary>
         public const int DM_DRAG_KEEP_JOINT = 1;
         /// <summary>no point is grabbed: for hands of DM_HAND_RATE, STEP and VALUE, and for releases. grab_point is not read; the middle of the part's box stands for it</summary>
@@ -823,6 +837,10 @@ namespace DragMesh
         public float Size;
         /// <summary>1 when it kept its triangles</summary>
         public uint Pickable;
+        /// <summary>DM_DEGRADED_*; 0: all that the library knows was at work</summary>
+        public uint Degraded;
+        /// <summary>0</summary>
+        public uint Reserved;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static ObjectInfo New() => new ObjectInfo { StructSize = (uint)sizeof(ObjectInfo) };
@@ -1349,7 +1367,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_mesh_find_part(IntPtr context, MeshDesc* mesh, DragHint* drag, byte* out_face_ids, ulong face_count);
 
-        /// <summary>Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs. Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, DEGENERATE_MESH, ZERO_DRAG, DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread]</summary>
+        /// <summary>Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs. Warns once where the answer is less than it could be (DM_DEGRADED_*). Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, DEGENERATE_MESH, ZERO_DRAG, DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_prepare(IntPtr context, ObjectDesc* desc, ulong* out_object);
 
@@ -1580,6 +1598,10 @@ namespace DragMesh
         /// <summary>1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all are one point, as exporters leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_pivots_are_lost(IntPtr gltf);
+
+        /// <summary>1 when triangles of the file are not in the merged mesh: a primitive or a node could not be read, or only one of its instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there, or gltf is NULL.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_gltf_left_out(IntPtr gltf);
 
         /// <summary>Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask_value NULL: non-zero is moving. out_part_ids: as many bytes as max(vertex_count, face_count). out_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD_DATA, INVALID_ARGUMENT (neither length fits), EMPTY_MASK, FULL_MASK.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]

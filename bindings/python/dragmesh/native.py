@@ -76,6 +76,13 @@ DM_LIMIT_UPPER = 2
 DM_CHOICE_KEEP = -1
 DM_PREPARE_WITHOUT_PICKING = 1
 DM_PREPARE_NETWORK_ALONE = 2
+DM_PREPARE_MESH_INCOMPLETE = 4
+DM_DEGRADED_NO_KINEMATICS = 1
+DM_DEGRADED_NO_RANKER = 2
+DM_DEGRADED_NO_MOTION = 4
+DM_DEGRADED_NO_BODY = 8
+DM_DEGRADED_HINT = 16
+DM_DEGRADED_MESH = 32
 DM_DRAG_KEEP_JOINT = 1
 DM_DRAG_WITHOUT_POINT = 2
 DM_RULE_LOCKED = 1
@@ -543,6 +550,8 @@ class ObjectInfo(Sized):
     box_max: Vec3
     size: float
     pickable: int
+    degraded: int
+    reserved: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("part_count", c.c_uint32),
@@ -552,6 +561,8 @@ class ObjectInfo(Sized):
         ("box_max", Vec3),
         ("size", c.c_float),
         ("pickable", c.c_uint32),
+        ("degraded", c.c_uint32),
+        ("reserved", c.c_uint32),
     ]
 
 
@@ -1163,6 +1174,7 @@ GLTF_FUNCTIONS = {  # name: (result, arguments)
     "dm_gltf_mark_faces": (c.c_int32, [c.c_void_p, c.POINTER(c.c_char_p), c.c_uint32, c.c_uint8, c.POINTER(c.c_uint8), c.c_uint64]),
     "dm_gltf_get_hints": (c.c_int32, [c.c_void_p, c.c_char_p, c.c_char_p, c.c_size_t, c.POINTER(Pivot)]),
     "dm_gltf_pivots_are_lost": (c.c_int32, [c.c_void_p]),
+    "dm_gltf_left_out": (c.c_int32, [c.c_void_p]),
     "dm_gltf_read_mask": (c.c_int32, [c.c_void_p, c.c_void_p, c.c_size_t, c.POINTER(c.c_int64), c.POINTER(c.c_uint8), c.POINTER(c.c_int32), c.POINTER(c.c_int32)]),
     "dm_gltf_export": (c.c_int32, [c.c_void_p, c.POINTER(GltfTrack), c.c_uint32, c.POINTER(c.c_void_p), c.POINTER(c.c_size_t)]),
     "dm_gltf_release_bytes": (None, [c.c_void_p, c.c_void_p, c.c_size_t]),
@@ -1197,7 +1209,7 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     Hypothesis: {8: (160, [0, 4, 8, 16]), 4: (156, [0, 4, 8, 12])},
     Choice: {8: (24, [0, 4, 8, 16]), 4: (16, [0, 4, 8, 12])},
     ObjectDesc: {8: (120, [0, 4, 8, 16, 24, 28, 32, 40, 48, 56, 64, 72, 80, 88, 104, 112]), 4: (80, [0, 4, 8, 12, 16, 20, 24, 32, 40, 44, 48, 52, 56, 60, 72, 76])},
-    ObjectInfo: {8: (56, [0, 4, 8, 16, 24, 36, 48, 52]), 4: (56, [0, 4, 8, 16, 24, 36, 48, 52])},
+    ObjectInfo: {8: (64, [0, 4, 8, 16, 24, 36, 48, 52, 56, 60]), 4: (64, [0, 4, 8, 16, 24, 36, 48, 52, 56, 60])},
     MotionDesc: {8: (48, [0, 4, 8, 32, 40, 44]), 4: (44, [0, 4, 8, 32, 36, 40])},
     DragFeel: {8: (24, [0, 4, 8, 12, 16, 20]), 4: (24, [0, 4, 8, 12, 16, 20])},
     DragRules: {8: (88, [0, 4, 8, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84]), 4: (84, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80])},

@@ -424,8 +424,10 @@ typedef int32_t(DM_CALL* dm_choice_callback)(void* user, const dm_choice* choice
 
 enum {
     DM_PREPARE_WITHOUT_PICKING = 1, /* keep no triangles: the object can't be added to a scene, and is small */
-    DM_PREPARE_NETWORK_ALONE = 2    /* the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL
+    DM_PREPARE_NETWORK_ALONE = 2,   /* the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL
                                        when `model` has no kinematics weights */
+    DM_PREPARE_MESH_INCOMPLETE = 4  /* who read the mesh left something of its file out (dm_gltf_left_out): kept as
+                                       DM_DEGRADED_MESH */
 };
 
 typedef struct dm_object_desc {
@@ -449,6 +451,18 @@ typedef struct dm_object_desc {
     void* choose_user;
 } dm_object_desc;
 
+/* Why answers about an object are less than they could be: bits of dm_object_info.degraded. The call that makes the
+ * object says the same in one warning. A saved object keeps them, but for DM_DEGRADED_NO_MOTION, which is that of the
+ * model it was loaded with. */
+enum {
+    DM_DEGRADED_NO_KINEMATICS = 1, /* no weights of KPP-Net: joints are found by geometry alone */
+    DM_DEGRADED_NO_RANKER = 2,     /* no weights of the ranker: joints are chosen, and limits set, by rules */
+    DM_DEGRADED_NO_MOTION = 4,     /* no weights of the DQ-VAE: releases are paced by a rule, motions answer NO_MODEL */
+    DM_DEGRADED_NO_BODY = 8,       /* everything is of a part: nothing stays that joints could be told by */
+    DM_DEGRADED_HINT = 16,         /* a pivot was ignored: it is 1,000 object sizes away or more */
+    DM_DEGRADED_MESH = 32          /* DM_PREPARE_MESH_INCOMPLETE */
+};
+
 typedef struct dm_object_info {
     uint32_t struct_size;
     uint32_t part_count;
@@ -456,6 +470,8 @@ typedef struct dm_object_info {
     dm_vec3 box_min, box_max; /* host object frame; with oblique custom axes it may be larger than need be */
     float size;               /* largest side of the box */
     uint32_t pickable;        /* 1 when it kept its triangles */
+    uint32_t degraded;        /* DM_DEGRADED_*; 0: all that the library knows was at work */
+    uint32_t reserved;        /* 0 */
 } dm_object_info;
 
 /* ---- motion and drag ---------------------------------------------------------------------------------------- */
@@ -836,7 +852,8 @@ DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
 DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
                                            uint8_t* out_face_ids, uint64_t face_count);
 
-/* Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs.
+/* Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm_jobs. Warns once where
+ * the answer is less than it could be (DM_DEGRADED_*).
  * Errors: NOT_FINITE, INDEX_OUT_OF_RANGE (also of what desc.choose answers), EMPTY_MASK, DEGENERATE_MESH, ZERO_DRAG,
  * DRAG_OFF_PART, TOO_LARGE, CANCELLED. [any-thread] */
 DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object);

@@ -227,6 +227,15 @@ static dm_result read_free_ranges(loading* load) {
     return valid ? DM_OK : bad(load, "section FRE holds an impossible range");
 }
 
+/* Bits of a later version are left out: this one can't name them. */
+static dm_result read_degraded(loading* load) {
+    const uint32_t known = DM_DEGRADED_NO_KINEMATICS | DM_DEGRADED_NO_RANKER | DM_DEGRADED_HINT | DM_DEGRADED_MESH;
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_DEGRADED];
+    if (r->at == NULL) return DM_OK;
+    load->object->degraded = dmi_get_u32(r) & known;
+    return r->overrun || r->left > 0 ? bad(load, "section LES has the wrong size") : DM_OK;
+}
+
 /* Reads the arrays into the mesh, which has room for them, and computes areas, normals and boxes from them. */
 static dm_result read_arrays(loading* load, dmi_mesh* mesh) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_TRIANGLES];
@@ -286,6 +295,7 @@ dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, c
     if (result == DM_OK) result = read_points(&load);
     if (result == DM_OK) result = read_alternatives(&load);
     if (result == DM_OK) result = read_free_ranges(&load);
+    if (result == DM_OK) result = read_degraded(&load);
     if (result == DM_OK && load.sections[DMI_DMO_TRIANGLES].at != NULL) {
         result = read_triangles(&load);
         if (result == DM_OK) result = dmi_progress_tell(&building, 0);

@@ -105,6 +105,10 @@ static void write_free_ranges(dmi_dmo_writer* w, const dmi_object* object) {
     }
 }
 
+static void write_degraded(dmi_dmo_writer* w, const dmi_object* object) {
+    dmi_put_u32(w, object->degraded);
+}
+
 static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
     const dmi_mesh* mesh = object->mesh;
     dmi_put_u64(w, mesh->vertex_count);
@@ -114,16 +118,27 @@ static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
     for (size_t i = 0; i < mesh->face_count; i++) dmi_put_u16(w, mesh->face_part[i]);
 }
 
+/* Tells which sections an object has. Returns how many. */
+static uint32_t list_sections(const dmi_object* object, bool out_present[DMI_DMO_SECTIONS]) {
+    uint32_t count = 0;
+    for (int i = 0; i < DMI_DMO_SECTIONS; i++) out_present[i] = true;
+    out_present[DMI_DMO_HOST_JOINTS] = has_host_joints(object);
+    out_present[DMI_DMO_DEGRADED] = object->degraded != 0;
+    out_present[DMI_DMO_TRIANGLES] = object->mesh != NULL;
+    for (int i = 0; i < DMI_DMO_SECTIONS; i++) count += out_present[i];
+    return count;
+}
+
 static void write_all(dmi_dmo_writer* w, const dmi_object* object) {
     static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const dmi_object*) = {
-        write_object,       write_parts,       write_joints,      write_points,
-        write_alternatives, write_free_ranges, write_host_joints, write_triangles};
-    const bool host_joints = has_host_joints(object), triangles = object->mesh != NULL;
-    const uint32_t count = DMI_DMO_SECTIONS - !host_joints - !triangles;
+        write_object,      write_parts,       write_joints,   write_points,   write_alternatives,
+        write_free_ranges, write_host_joints, write_degraded, write_triangles};
+    bool present[DMI_DMO_SECTIONS];
+    const uint32_t count = list_sections(object, present);
     dmi_dmo_writer table = {w->out, DMI_DMO_HEADER_SIZE};
     w->size = DMI_DMO_HEADER_SIZE + count * DMI_DMO_ENTRY_SIZE;
     for (uint32_t i = 0; i < DMI_DMO_SECTIONS; i++) {
-        if ((i == DMI_DMO_HOST_JOINTS && !host_joints) || (i == DMI_DMO_TRIANGLES && !triangles)) continue;
+        if (!present[i]) continue;
         size_t begin = w->size;
         writers[i](w, object);
         dmi_put_u32(&table, dmi_dmo_tags[i]);

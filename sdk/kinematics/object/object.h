@@ -27,6 +27,7 @@ typedef struct dmi_object {
     uint64_t vertex_count, triangle_count, seed;
     dmi_object_part* parts; /* [0] is the body; then parts by rising id */
     uint32_t part_count;    /* the body included */
+    uint32_t degraded;      /* DM_DEGRADED_* that the object was prepared with; without those that it tells itself */
     bool network_alone;     /* joints are inferred by KPP-Net alone, without geometry and ranker */
     dmi_mesh* mesh;         /* NULL: no triangles are kept */
     dmi_bvh* bvh;           /* NULL: no triangles are kept */

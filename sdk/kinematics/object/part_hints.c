@@ -53,7 +53,7 @@ static bool is_at_origin(const dmi_object* object, dm_vec3 host) {
     return dmi_length3(p.v) <= SAME_PLACE * dmi_frame_length_out(&object->frame);
 }
 
-static dm_result read_pivot(dmi_env* env, const dmi_object* object, uint32_t id, const dm_pivot* pivot,
+static dm_result read_pivot(dmi_env* env, dmi_object* object, uint32_t id, const dm_pivot* pivot,
                             dmi_asset_hints* out) {
     const dmi_float3 origin = dmi_xyz(pivot->origin);
     dm_result result = check_finite(env, "the pivot's origin", id, origin.v, 3);
@@ -62,6 +62,7 @@ static dm_result read_pivot(dmi_env* env, const dmi_object* object, uint32_t id,
     if (result != DM_OK) return result;
     dmi_frame_point_in(&object->frame, dmi_xyz_f64(pivot->origin).v, out->pivot);
     out->has_pivot = dmi_length3(out->pivot) < FARTHEST;
+    if (!out->has_pivot) object->degraded |= DM_DEGRADED_HINT;
     out->has_axes = out->has_pivot && read_axes(object, pivot->axes, out->pivot_axes);
     out->is_default = is_at_origin(object, pivot->origin);
     return DM_OK;

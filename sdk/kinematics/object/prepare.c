@@ -265,6 +265,15 @@ static dm_result adopt_mesh(dmi_env* env, dmi_mesh* mesh, uint64_t seed, dmi_obj
     return DM_OK;
 }
 
+/* Notes which weights the inference of a part was without. */
+static void note_missing(const dmi_inference_models* models, dmi_object* object) {
+    bool inferred = false;
+    for (uint32_t i = 1; i < object->part_count; i++)
+        inferred = inferred || object->parts[i].given_type != DM_JOINT_FIXED;
+    if (inferred && models->kpp == NULL) object->degraded |= DM_DEGRADED_NO_KINEMATICS;
+    if (inferred && models->joints == NULL && !object->network_alone) object->degraded |= DM_DEGRADED_NO_RANKER;
+}
+
 static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, const dmi_progress* progress,
                       dmi_object* object) {
     const dmi_progress building = dmi_progress_piece(progress, MESH_DONE, BVH_DONE);
@@ -274,6 +283,7 @@ static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* 
     if (result != DM_OK) return result;
     preparation work = {.env = env, .desc = desc, .progress = progress, .object = object};
     result = infer_joints(&work);
+    if (result == DM_OK) note_missing(&desc->models, object);
     if (result == DM_OK && !desc->keep_triangles) dmi_object_drop_triangles(env, object);
     return result;
 }
@@ -293,6 +303,7 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
     result = adopt_mesh(env, mesh, desc->seed, &object);
     if (result != DM_OK) return result;
     object->network_alone = desc->network_alone;
+    if (desc->mesh_is_incomplete) object->degraded |= DM_DEGRADED_MESH;
     result = fill(env, picker, desc, &progress, object);
     if (result != DM_OK) {
         dmi_object_destroy(env, object);

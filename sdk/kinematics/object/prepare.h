@@ -12,6 +12,7 @@ typedef struct dmi_prepare_desc {
     dmi_inference_models models;
     dmi_object_labels labels;
     uint64_t seed;
+    bool mesh_is_incomplete; /* DM_PREPARE_MESH_INCOMPLETE */
     bool keep_triangles;
     bool network_alone;        /* joints are inferred by models.kpp alone */
     dm_intent_callback intent; /* NULL: none */

@@ -124,6 +124,20 @@ pub const DM_CHOICE_KEEP: i32 = -1;
 pub const DM_PREPARE_WITHOUT_PICKING: i32 = 1;
 /// the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO\_MODEL when \`model\` has no kinematics weights
 pub const DM_PREPARE_NETWORK_ALONE: i32 = 2;
+/// who read the mesh left something of its file out (dm\_gltf\_left\_out): kept as DM\_DEGRADED\_MESH
+pub const DM_PREPARE_MESH_INCOMPLETE: i32 = 4;
+/// no weights of KPP-Net: joints are found by geometry alone
+pub const DM_DEGRADED_NO_KINEMATICS: i32 = 1;
+/// no weights of the ranker: joints are chosen, and limits set, by rules
+pub const DM_DEGRADED_NO_RANKER: i32 = 2;
+/// no weights of the DQ-VAE: releases are paced by a rule, motions answer NO\_MODEL
+pub const DM_DEGRADED_NO_MOTION: i32 = 4;
+/// everything is of a part: nothing stays that joints could be told by
+pub const DM_DEGRADED_NO_BODY: i32 = 8;
+/// a pivot was ignored: it is 1,000 object sizes away or more
+pub const DM_DEGRADED_HINT: i32 = 16;
+/// DM\_PREPARE\_MESH\_INCOMPLETE
+pub const DM_DEGRADED_MESH: i32 = 32;
 /// follow the joint in force, limits and all, whatever the pull says, as with a host's joint
 pub const DM_DRAG_KEEP_JOINT: i32 = 1;
 /// no point is grabbed: for hands of DM\_HAND\_RATE, STEP and VALUE, and for releases. grab\_point is not read; the middle of the part's box stands for it
@@ -787,6 +801,10 @@ pub struct dm_object_info {
     pub size: f32,
     /// 1 when it kept its triangles
     pub pickable: u32,
+    /// DM\_DEGRADED\_\*; 0: all that the library knows was at work
+    pub degraded: u32,
+    /// 0
+    pub reserved: u32,
 }
 
 impl Default for dm_object_info {
@@ -1422,7 +1440,7 @@ extern "C" {
     pub fn dm_model_unload(context: *mut dm_context, model: dm_model) -> dm_result;
     /// Finds the part that a point of the surface belongs to, when no mask names it: 1 in out\_face\_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm\_mesh\_desc. mesh-\>part\_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces; never more than linear in their number. Errors: as dm\_object\_prepare's of the mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays; CANCELLED. \[any-thread\]
     pub fn dm_mesh_find_part(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result;
-    /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
+    /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Warns once where the answer is less than it could be (DM\_DEGRADED\_\*). Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
     pub fn dm_object_prepare(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result;
     /// Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out\_size gets the bytes needed or written, with BUFFER\_TOO\_SMALL too. \[exclusive object\]
     pub fn dm_object_save(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result;
@@ -1545,6 +1563,8 @@ extern "C" {
     pub fn dm_gltf_get_hints(gltf: *const dm_gltf, name: *const c_char, out_label: *mut c_char, label_size: usize, out_pivot: *mut dm_pivot) -> dm_result;
     /// 1 when pivots tell nothing: the file has several dm\_gltf\_nodes, and the origins of all are one point, as exporters leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL.
     pub fn dm_gltf_pivots_are_lost(gltf: *const dm_gltf) -> i32;
+    /// 1 when triangles of the file are not in the merged mesh: a primitive or a node could not be read, or only one of its instances was. Warnings of dm\_gltf\_open name them. Pass DM\_PREPARE\_MESH\_INCOMPLETE then. 0: all are there, or gltf is NULL.
+    pub fn dm_gltf_left_out(gltf: *const dm_gltf) -> i32;
     /// Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask\_value NULL: non-zero is moving. out\_part\_ids: as many bytes as max(vertex\_count, face\_count). out\_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD\_DATA, INVALID\_ARGUMENT (neither length fits), EMPTY\_MASK, FULL\_MASK.
     pub fn dm_gltf_read_mask(gltf: *const dm_gltf, data: *const c_void, size: usize, mask_value: *const i64, out_part_ids: *mut u8, out_scope: *mut i32, out_ambiguous: *mut i32) -> dm_result;
     /// Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. out\_data is released with dm\_gltf\_release\_bytes.
@@ -1594,7 +1614,7 @@ mod tests {
         check!(dm_hypothesis, 160, struct_size 0, reserved 4, joint 8, ends 16);
         check!(dm_choice, 24, struct_size 0, count 4, part 8, hypotheses 16);
         check!(dm_object_desc, 120, struct_size 0, flags 4, mesh 8, parts 16, part_count 24, reserved 28, model 32, seed 40, intent 48, intent_user 56, progress 64, progress_user 72, label 80, up 88, choose 104, choose_user 112);
-        check!(dm_object_info, 56, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52);
+        check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, reserved 60);
         check!(dm_motion_desc, 48, struct_size 0, part_id 4, drag 8, path 32, path_count 40, seed 44);
         check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
         check!(dm_drag_rules, 88, struct_size 0, flags 4, snaps 8, snap_count 16, snap_reach 20, open_share 24, closed_share 28, event_time 32, max_speed 36, max_acceleration 40, lock_give 44, latch_turn 48, auto_close_share 52, auto_close_time 56, close_delay 60, tip_share 64, fall_time 68, restitution 72, break_distance 76, drive_speed 80, reserved 84);
@@ -1641,7 +1661,7 @@ mod tests {
         check!(dm_hypothesis, 156, struct_size 0, reserved 4, joint 8, ends 12);
         check!(dm_choice, 16, struct_size 0, count 4, part 8, hypotheses 12);
         check!(dm_object_desc, 80, struct_size 0, flags 4, mesh 8, parts 12, part_count 16, reserved 20, model 24, seed 32, intent 40, intent_user 44, progress 48, progress_user 52, label 56, up 60, choose 72, choose_user 76);
-        check!(dm_object_info, 56, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52);
+        check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, reserved 60);
         check!(dm_motion_desc, 44, struct_size 0, part_id 4, drag 8, path 32, path_count 36, seed 40);
         check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
         check!(dm_drag_rules, 84, struct_size 0, flags 4, snaps 8, snap_count 12, snap_reach 16, open_share 20, closed_share 24, event_time 28, max_speed 32, max_acceleration 36, lock_give 40, latch_turn 44, auto_close_share 48, auto_close_time 52, close_delay 56, tip_share 60, fall_time 64, restitution 68, break_distance 72, drive_speed 76, reserved 80);
