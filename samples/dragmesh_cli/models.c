@@ -75,7 +75,7 @@ static dm_result load_folder(session* session, const char* folder) {
     if (result == DM_OK && session->method != METHOD_RULES)
         result = read_weights(session, folder, WEIGHTS_RANKER, &ranker);
     if (result == DM_OK && kinematics.data == NULL && motion.data == NULL && ranker.data == NULL)
-        result = session_fail(session, DM_ERROR_NO_MODEL, "there is no %s, %s or %s in '%s'", WEIGHTS_KINEMATICS,
+        result = session_fail(session, DM_ERROR_NOT_FOUND, "there is no %s, %s or %s in '%s'", WEIGHTS_KINEMATICS,
                               WEIGHTS_MOTION, WEIGHTS_RANKER, folder);
     if (result == DM_OK && session->method == METHOD_GEOMETRY) free_weights(&kinematics);
     const dm_model_desc desc = {.struct_size = sizeof desc,
