@@ -159,9 +159,9 @@ static bool is_sound_hypothesis(const dmi_joint_hypothesis* h) {
     return is_sound_joint(&h->joint) && is_bool(&h->range_unknown) && is_bool(&h->grabbed) &&
            is_bool(&h->other_side_blocked) && h->free_range.lower <= 0 && h->free_range.upper >= 0 &&
            are_within(h->initial_origin, 3) && are_finite(h->shift, 2) && (h->side == 0 || fabsf(h->side) == 1) &&
-           is_direction(h->first_motion) && is_bool(&h->upright) && h->rank >= DMI_UNRANKED &&
-           h->rank < DM_MAX_HYPOTHESES && are_finite(h->excursion, 2) && are_finite(&h->pointer_value, 1) &&
-           are_numbers(numbers, 4);
+           is_direction(h->first_motion) && are_finite(&h->curvature, 1) && is_bool(&h->upright) &&
+           h->rank >= DMI_UNRANKED && h->rank < DM_MAX_HYPOTHESES && are_finite(h->excursion, 2) &&
+           are_finite(&h->pointer_value, 1) && are_numbers(numbers, 4);
 }
 
 static bool is_sound_refiner(const dmi_axis_refiner* r, uint32_t count) {

@@ -109,7 +109,7 @@ static bool adopt_shift(const dmi_axis_refiner* refiner, const dmi_grasp* grasp,
         dmi_joint_hypothesis_log_likelihood(grasp, hypothesis, refiner->fit.max_residual) - refiner->shift_cost;
     if (!refiner->shifted || !(after > refiner->unshifted_log_posterior + SHIFT_MARGIN)) return false;
     hypothesis->joint.origin = refiner->fit.joint.origin;
-    dmi_joint_hypothesis_find_first_motion(grasp, hypothesis);
+    dmi_joint_hypothesis_find_path(grasp, hypothesis);
     hypothesis->shift[0] = refiner->shift[0], hypothesis->shift[1] = refiner->shift[1];
     hypothesis->shift_cost = refiner->shift_cost;
     hypothesis->max_residual = refiner->fit.max_residual;

@@ -16,9 +16,9 @@
 #define NOISE_PER_LENGTH 0.01f /* expected residual on the right joint, share of the pull's length */
 #define NOISE_FLOOR 0.0015f    /* expected residual at the start, share of the part's size */
 #define TAIL_EXPONENT 3.5f     /* of the power law that residuals follow */
-/* Log prior of a pull along a slide that is drawn by a hand that knows it. Some slide lies along a straight pull by
- * chance more often than some circle does. */
-#define ALONG_SLIDE_LOG_PRIOR (-1.3f)
+/* Log prior of a pull along a path that is straight, by a hand that knows it: some slide, and some turn about a far
+ * axis, lies along a straight pull by chance. */
+#define STRAIGHT_PATH_LOG_PRIOR (-0.8f)
 /* The same of a slide along the up direction, by how much less: a hand that lifts what it holds goes straight up the
  * screen, and so does every such slide. */
 #define LIFT_LOG_PRIOR (-1.2f)
@@ -27,8 +27,10 @@
 #define ROUGH_SLIDE_LOG_PRIOR (-3.0f)    /* the same of a slide */
 #define ROUGH_ANGLE 0.66f                /* rad between such a pull and the first motion, as seen: 38 degrees */
 #define ASTRAY_LOG_LIKELIHOOD (-13.2f)   /* of such a hand that pulls at any angle */
+#define WAVERING_LOG_LIKELIHOOD (-6.0f)  /* of such a hand that does not go straight, because it wavered at first */
 #define AGAINST_LOG_LIKELIHOOD (-0.59f)  /* of such a hand that pulls away from the side on which the range lies */
 #define INTO_BODY_LOG_LIKELIHOOD (-4.0f) /* the same where the part would go into its body; by hand */
+#define SAGITTA 0.125f                   /* of an arc, over its squared chord and its curvature; geometry */
 #define LEAST_SEEN 0.18f    /* share of the first motion that is seen: people do not pull along what they can't see */
 #define STRAIGHT_BEND 0.03f /* largest bend of a straight pull, share of its length; by hand */
 #define NEGLIGIBLE_LOG_RATIO 8.0f /* a term smaller than the other by exp(8) is left out; by hand */
@@ -61,11 +63,19 @@ static float log_sum(float a, float b) {
     return apart < NEGLIGIBLE_LOG_RATIO ? more + dmi_logf(1 + dmi_expf(-apart)) : more;
 }
 
+/* Returns how straight the joint's path is along the pull: 1 for a slide, towards 0 where its sagitta exceeds what the
+ * hand misses. */
+static float straightness_of_path(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {
+    const float length = grasp->pull.length, expected = dmi_expected_residual(grasp);
+    return expected / (expected + SAGITTA * length * length * hypothesis->curvature);
+}
+
 float dmi_followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual) {
     if (dmi_joint_hypothesis_is_end_on(grasp, hypothesis)) return 0;
-    const float slide = ALONG_SLIDE_LOG_PRIOR + (hypothesis->upright ? LIFT_LOG_PRIOR : 0);
-    const bool needs_no_chance = grasp->was_open || dmi_joint_turns(hypothesis->joint.type);
-    return (needs_no_chance ? 0 : slide) + residual_log_likelihood(grasp, residual);
+    const float followed = residual_log_likelihood(grasp, residual);
+    if (grasp->was_open) return followed;
+    const float by_chance = STRAIGHT_PATH_LOG_PRIOR + (hypothesis->upright ? LIFT_LOG_PRIOR : 0);
+    return followed + by_chance * straightness_of_path(grasp, hypothesis) / (1 - grasp->straightness);
 }
 
 /* Returns the log likelihood of the direction in which a hand pulls that goes roughly along the first motion. It is
@@ -86,9 +96,8 @@ float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_join
                                           float residual) {
     const bool turns = dmi_joint_turns(hypothesis->joint.type);
     const float followed = dmi_followed_log_likelihood(grasp, hypothesis, residual);
-    const float most = grasp->straightness + ROUGH_TURN_LOG_PRIOR; /* of any hand that goes straight */
-    if (followed > most + NEGLIGIBLE_LOG_RATIO) return followed;
-    const float rough = grasp->straightness + (turns ? ROUGH_TURN_LOG_PRIOR : ROUGH_SLIDE_LOG_PRIOR) +
+    const float steadiness = dmi_fmaxf(grasp->straightness, WAVERING_LOG_LIKELIHOOD);
+    const float rough = steadiness + (turns ? ROUGH_TURN_LOG_PRIOR : ROUGH_SLIDE_LOG_PRIOR) +
                         direction_log_likelihood(grasp, hypothesis);
     float sum = log_sum(followed, rough);
     const float chord = grasp->straightness + CHORD_LOG_PRIOR;

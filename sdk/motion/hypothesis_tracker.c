@@ -18,13 +18,14 @@
 #define NEGLIGIBLE_LOG_ODDS (-7.0f) /* against the active hypothesis: left out of its probability; by hand */
 #define SMALLEST_POSTERIOR 1e-4f    /* posteriors are clamped to [this, 1 - this]; by hand */
 #define UPRIGHT_COSINE 0.98f        /* of a slide and the up direction, 11 degrees; by hand */
-#define TYPE_MARGIN 0.5f            /* how much more probable one of another type must be; fitted */
-#define SWITCH_MARGIN 0.23f         /* log ratio by which another joint must be more probable; fitted */
+#define NEVER_WAITS 1e9f            /* priority above all others */
+#define TYPE_MARGIN 0.35f           /* how much more probable one of another type must be; fitted */
+#define SWITCH_MARGIN 0.4f          /* log ratio by which another joint must be more probable; fitted */
 
 /* What turns log odds among the tracked hypotheses into those of being right: of a straight pull, and of one that
  * bends. Slopes and offsets are fitted (docs/research/trials_drag.md). The most is by hand: no straight pull makes a
  * joint certain. */
-static const struct { float slope, offset, most; } calibration[2] = {{0.5f, 1.4f, 3.0f}, {0.61f, 2.17f, 4.6f}};
+static const struct { float slope, offset, most; } calibration[2] = {{0.43f, 1.17f, 3.0f}, {0.55f, 2.1f, 4.6f}};
 
 static bool is_known(const dmi_hypothesis_tracker* tracker, const dm_joint* joint) {
     for (uint32_t i = 0; i < tracker->count; i++) {
@@ -98,9 +99,12 @@ static uint32_t highest_priority(const dmi_hypothesis_tracker* tracker, uint32_t
 }
 
 /* Sets the priority of an updated hypothesis. All that wait gain WAITING_BONUS a round, so the updated one loses the
- * bonus of the rounds so far instead. */
+ * bonus of the rounds so far instead. The joint of the grab never waits: a pull that has left it may come back to it.
+ */
 static void set_priority(dmi_hypothesis_tracker* tracker, uint32_t updated) {
-    tracker->priority[updated] = tracker->list[updated].log_posterior - WAITING_BONUS * (float)tracker->round;
+    const dmi_joint_hypothesis* one = &tracker->list[updated];
+    tracker->priority[updated] =
+        one->grabbed ? NEVER_WAITS : one->log_posterior - WAITING_BONUS * (float)tracker->round;
 }
 
 /* Updates some hypotheses and returns the most probable of them and the active one. */
@@ -165,6 +169,10 @@ static float calibrate(const dmi_hypothesis_tracker* tracker, float p) {
     return 1 / (1 + dmi_expf(-dmi_fminf(log_odds, calibration[bends].most)));
 }
 
+float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker) {
+    return calibrate(tracker, posterior_of_active(tracker, false));
+}
+
 float dmi_hypothesis_tracker_type_confidence(const dmi_hypothesis_tracker* tracker) {
     return dmi_fmaxf(calibrate(tracker, posterior_of_active(tracker, true)), tracker->confidence);
 }
@@ -191,6 +199,6 @@ bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointe
     if (tracker->grasp.pull.length < MIN_PULL * tracker->grasp.size) return false;
     tracker->round++;
     const bool changed = follow_ray(tracker, pointer_value, ray);
-    tracker->confidence = calibrate(tracker, posterior_of_active(tracker, false));
+    tracker->confidence = dmi_hypothesis_tracker_confidence(tracker);
     return changed;
 }

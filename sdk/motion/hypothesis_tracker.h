@@ -31,7 +31,9 @@ void dmi_hypothesis_tracker_set_up(dmi_hypothesis_tracker* tracker, const float 
  * axis line is active now. */
 bool dmi_hypothesis_tracker_update(dmi_hypothesis_tracker* tracker, float pointer_value, const dm_ray* ray,
                                    dmi_projection projection);
-/* Returns the probability that the type of the active hypothesis is right. */
+/* Returns the probability that the active hypothesis is right. */
+float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker);
+/* Returns the probability that the type of the active hypothesis is right; tracker->confidence is of this pull. */
 float dmi_hypothesis_tracker_type_confidence(const dmi_hypothesis_tracker* tracker);
 
 #endif

@@ -18,7 +18,7 @@
 #define LEAVE_RATIO 3.5f            /* times what exceeds a jostle that a pull goes to leave the stated side; fitted */
 #define RETURN_RATIO 0.5f           /* times as far as it left, to come back to the stated side; fitted */
 #define BLOCKED_SHARE 0.25f         /* of the range: a side with less room is blocked; by hand */
-#define CONFIDENCE_EXPONENT 0.73f   /* of the odds: confidences of one part's joints err together */
+#define CONFIDENCE_EXPONENT 0.85f   /* of the odds: confidences of one part's joints err together */
 #define MIN_CONFIDENCE 1e-3f        /* confidences are clamped to [this, 1 - this]; by hand */
 #define GOOD_ARM 0.15f              /* distance of axis and grabbed point at full prior, share of the part; fitted */
 #define MIN_ARM 0.05f               /* least share of GOOD_ARM that lowers the prior further; fitted */
@@ -65,9 +65,12 @@ static bool is_blocked(const dm_joint* joint, dmi_free_range free_range) {
     return side != 0 && room < BLOCKED_SHARE * (joint->upper - joint->lower);
 }
 
-void dmi_joint_hypothesis_find_first_motion(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis) {
-    dmi_joint_velocity(&hypothesis->joint, 0, grasp->pull.grab, hypothesis->first_motion);
+void dmi_joint_hypothesis_find_path(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis) {
+    const dm_joint* joint = &hypothesis->joint;
+    dmi_joint_velocity(joint, 0, grasp->pull.grab, hypothesis->first_motion);
     dmi_normalize3(hypothesis->first_motion);
+    const float arm = dmi_fmaxf(distance_to_line(grasp->pull.grab, joint), MIN_ARM * GOOD_ARM * grasp->size);
+    hypothesis->curvature = dmi_joint_turns(joint->type) ? 1 / arm : 0;
 }
 
 dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_grasp* grasp, const dm_joint* joint, float log_odds,
@@ -82,7 +85,7 @@ dmi_joint_hypothesis dmi_joint_hypothesis_make(const dmi_grasp* grasp, const dm_
                                  .free_range = free_range,
                                  .log_prior = log_prior,
                                  .log_posterior = log_prior};
-    dmi_joint_hypothesis_find_first_motion(grasp, &made);
+    dmi_joint_hypothesis_find_path(grasp, &made);
     return made;
 }
 

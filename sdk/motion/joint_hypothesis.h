@@ -33,6 +33,7 @@ enum { DMI_UNRANKED = -1 };
 typedef struct dmi_joint_hypothesis {
     dm_joint joint;            /* host object frame */
     float initial_origin[3];   /* origin before any shift by the pull */
+    float curvature;           /* of the grabbed point's path, 1 / host units; 0: a slide */
     float first_motion[3];     /* unit direction in which the joint moves the grabbed point at rest; zeros: none */
     float shift[2];            /* of the axis line from there, in part sizes (pull_fit.h) */
     float shift_cost;          /* negative log prior of that shift */
@@ -75,8 +76,8 @@ bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypo
  */
 bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis, float pointer_value);
 
-/* Finds the first motion anew: for a joint or an axis line that has changed. */
-void dmi_joint_hypothesis_find_first_motion(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis);
+/* Finds first motion and curvature anew: for a joint or an axis line that has changed. */
+void dmi_joint_hypothesis_find_path(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis);
 /* Returns the log prior that the pull asks for this value, by its side of rest. */
 float dmi_joint_hypothesis_side_log_prior(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float value);
 /* Follows one more ray and updates residual and posterior. Returns the log likelihood of the pull so far. */

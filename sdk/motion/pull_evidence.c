@@ -71,15 +71,19 @@ void dmi_pull_evidence_recall(dmi_hypothesis_tracker* tracker, const dm_joint* r
 
 /* ---- its end ---- */
 
-/* Returns the log likelihood of the pull under a hypothesis, also one that has waited for its update. */
+/* Returns the log likelihood of the pull under a hypothesis. One that has waited for its update follows the recorded
+ * rays now: all of them if it has followed none. */
 static float likelihood_of(const dmi_hypothesis_tracker* tracker, uint32_t index) {
-    const dmi_grasp* grasp = &tracker->grasp;
+    const dmi_pull* pull = &tracker->grasp.pull;
     dmi_joint_hypothesis one = tracker->list[index];
-    if (index != tracker->best) dmi_joint_hypothesis_update(grasp, &one, &grasp->pull.rays[grasp->pull.count - 1]);
+    const bool is_new = one.max_residual == 0;
+    for (uint32_t i = is_new ? 0 : pull->count - 1; i < pull->count && index != tracker->best; i++)
+        dmi_joint_hypothesis_update(&tracker->grasp, &one, &pull->rays[i]);
     return one.log_posterior - one.log_prior;
 }
 
-/* Returns the log likelihood of the unranked joints together: of the likeliest before the pull, by their odds. */
+/* Returns the log likelihood of the unranked joints together: of the likeliest before the pull, by their odds. Minus
+ * infinity: there are none. */
 static float likelihood_of_others(const dmi_hypothesis_tracker* tracker) {
     float before = 0, after = 0;
     uint32_t shown = 0;
@@ -88,7 +92,7 @@ static float likelihood_of_others(const dmi_hypothesis_tracker* tracker) {
         const float weight = dmi_expf(tracker->list[i].log_prior);
         before += weight, after += weight * dmi_expf(likelihood_of(tracker, i)), shown++;
     }
-    return before > 0 && after > 0 ? dmi_logf(after / before) : 0;
+    return before > 0 && after > 0 ? dmi_logf(after / before) : -INFINITY;
 }
 
 /* Adds the likelihoods of the ranked joints, of which out_tracked tells those that the tracker holds. */
@@ -111,8 +115,9 @@ dmi_pull_evidence dmi_pull_evidence_collect(const dmi_hypothesis_tracker* tracke
     add_ranked(tracker, all.ranked, tracked);
     float most = all.others;
     for (uint32_t i = 0; i < DM_MAX_HYPOTHESES; i++) most = tracked[i] ? dmi_fmaxf(most, all.ranked[i]) : most;
+    if (most == -INFINITY) most = 0; /* the instance's own joint is all that is tracked */
     for (uint32_t i = 0; i < DM_MAX_HYPOTHESES; i++) all.ranked[i] = tracked[i] ? all.ranked[i] - most : 0;
-    all.others -= most;
+    all.others = dmi_fmaxf(all.others - most, -MOST_EVIDENCE);
     all.own = best->log_posterior - dmi_lever_arm_log_prior(&tracker->grasp, &best->joint) - most;
     all.pulls++;
     return all;

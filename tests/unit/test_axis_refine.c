@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "motion/drag.h"
+#include "motion/hand_likelihood.h"
 
 #define FRAME (1.0f / 60)
 
@@ -409,11 +410,11 @@ static void shift_from(float size, const float before[2]) {
         assert_near(dmi_xyz(hypothesis.joint.origin).v[k], origin, 1e-6);
     }
     /* Its cost: a normal law of deviation 0.1, odds of an exact line (1.6 and those of the joint), levers. */
-    const double odds = log(0.6 / 0.4), cost = 1.6 + odds + (s * s + t * t) / (2 * 0.01) +
-                                               (double)dmi_lever_arm_log_prior(&grasp, &assumed) -
-                                               (double)dmi_lever_arm_log_prior(&grasp, &hypothesis.joint);
+    const double odds = 0.85 * log(0.6 / 0.4), cost = 1.6 + odds + (s * s + t * t) / (2 * 0.01) +
+                                                      (double)dmi_lever_arm_log_prior(&grasp, &assumed) -
+                                                      (double)dmi_lever_arm_log_prior(&grasp, &hypothesis.joint);
     assert_near(hypothesis.shift_cost, cost, 1e-4);
-    const double likelihood = -3.5 * log(1 + (double)hypothesis.max_residual / expected);
+    const double likelihood = (double)dmi_joint_hypothesis_log_likelihood(&grasp, &hypothesis, hypothesis.max_residual);
     assert_near(hypothesis.log_posterior, (double)hypothesis.log_prior + likelihood - cost, 1e-3);
 }
 

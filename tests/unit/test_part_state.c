@@ -103,7 +103,7 @@ static void the_next_drag_begins_where_the_last_ended(void** state) {
             dm_drag_state now = dm_drag_state_default();
             const dm_ray still = test_ray_to(last.grab_point);
             assert_int_equal(dm_drag_update(w.context, second, &still, 0.016f, &now), DM_OK);
-            assert_true(jump(&now.pose, &last.pose) < 0.01f);
+            assert_true(jump(&now.pose, &last.pose) < 0.04f); /* in a frame of coming over, in 0.1 s and more */
             test_world_close(&w);
         }
     }
