@@ -7,7 +7,7 @@ typedef struct packet {
     float value;
     dm_pose pose; /* while the part comes over to a new joint, joint and value do not say it */
     int has_joint;
-    dm_joint joint; /* field by field on the wire, as in saving.c */
+    dm_joint joint; /* field by field on the wire, as in saving.c; its evidence is for who drags next */
 } packet;
 
 typedef struct client {

@@ -1,8 +1,10 @@
-/* A saved game keeps joint and value of every part that a player has moved, as numbers. Structs are not written as they
- * are: they grow. */
+/* A saved game keeps joint and value of every part that a player has moved, as numbers, and what pulls have said of its
+ * joints. Structs are not written as they are: they grow. */
+#include <inttypes.h>
+
 #include "recipe.h"
 
-enum { NUMBERS = 12 };
+enum { NUMBERS = 12, WORDS = sizeof((dm_joint*)0)->evidence / sizeof(uint32_t) };
 
 static void save(FILE* file, const dm_part_state* door) {
     const dm_joint* j = &door->joint;
@@ -11,6 +13,7 @@ static void save(FILE* file, const dm_part_state* door) {
         door->value, j->type_confidence, j->joint_confidence, j->pitch,    j->axis.x, j->axis.y,
         j->axis.z,   j->origin.x,        j->origin.y,         j->origin.z, j->lower,  j->upper};
     for (int i = 0; i < NUMBERS; i++) fprintf(file, " %a", (double)numbers[i]); /* %a loses no bit */
+    for (int i = 0; i < WORDS; i++) fprintf(file, " %" PRIu32, j->evidence[i]);
 }
 
 static dm_part_state load(FILE* file) {
@@ -21,6 +24,7 @@ static dm_part_state load(FILE* file) {
     /* NOLINTBEGIN(cert-err34-c): the game has written the file itself */
     EXPECT(fscanf(file, "door %d %d", &j->type, &j->source) == 2);
     for (int i = 0; i < NUMBERS; i++) EXPECT(fscanf(file, "%f", &n[i]) == 1);
+    for (int i = 0; i < WORDS; i++) EXPECT(fscanf(file, "%" SCNu32, &j->evidence[i]) == 1);
     /* NOLINTEND(cert-err34-c) */
     door.value = n[0], j->type_confidence = n[1], j->joint_confidence = n[2], j->pitch = n[3];
     j->axis = (dm_vec3){n[4], n[5], n[6]}, j->origin = (dm_vec3){n[7], n[8], n[9]};
@@ -34,6 +38,8 @@ int main(void) {
     const dm_object object = recipe_open(&context);
     dm_part_state door = recipe_closed(context, object, CABINET_DOOR);
     const dm_drag_state last = recipe_open_door(context, object, 0.9f, &door);
+
+    EXPECT(door.joint.evidence[0] != 0); /* the pull has said something */
 
     FILE* file = tmpfile();
     EXPECT(file != NULL);

@@ -1,4 +1,5 @@
-/* Undo puts back the piece that the part had before. Nothing in the library has to be told. */
+/* Undo puts back the piece that the part had before, with what earlier pulls have said of its joints. Nothing in the
+ * library has to be told. */
 #include "recipe.h"
 
 enum { HISTORY = 8 };
@@ -29,7 +30,7 @@ int main(void) {
         door = history[--depth];
         printf("undone to %.3f\n", (double)door.value);
     }
-    EXPECT(door.value == 0);
+    EXPECT(door.value == 0 && door.joint.evidence[0] == 0);
 
     /* A designer's joint is undone in the object itself. */
     dm_joint own = dm_joint_default(), mine = dm_joint_default(), now = dm_joint_default();
