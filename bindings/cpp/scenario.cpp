@@ -82,8 +82,9 @@ void print_joint(const dm_joint& j) {
 }
 
 void print_state(const char* label, const dm_drag_state& s) {
-    std::printf("%s phase %d events %u changes %u\n", label, s.phase, s.events, s.changes);
-    print_floats(" ", &s.value, 1);
+    const float numbers[] = {s.value, s.joint_confidence};
+    std::printf("%s phase %d events %u changes %u basis %d\n", label, s.phase, s.events, s.changes, s.joint_basis);
+    print_floats(" ", numbers, 2);
     print_floats(" ", s.pose.real, 4);
     print_floats(" ", s.pose.dual, 4);
 }
@@ -157,6 +158,8 @@ void drag_and_release(const dragmesh::object& object, const dm_hit& hit) {
     print_floats("again", &last.value, 1);
     print_floats(" ", last.pose.real, 4);
     print_floats(" ", last.pose.dual, 4);
+    const std::uint32_t* words = last.joint.evidence;
+    std::printf("evidence %u %u %u %u\n", words[0], words[1], words[2], words[3]);
 }
 
 void drag_behind_latch(const dragmesh::object& object, const dm_hit& hit) {

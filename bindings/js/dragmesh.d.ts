@@ -59,6 +59,8 @@ export interface Joint {
     upper: number;
     /** JointSource */
     source: number;
+    /** In a part state: four numbers, what the part's pulls have said. Keep them as they are. */
+    evidence: number[];
 }
 /** A joint that the host knows: what is absent is 0. */
 export type JointLike = { type: number; axis: VectorLike; origin?: VectorLike } & Partial<Omit<Joint, 'axis' | 'origin' | 'type'>>;
@@ -213,6 +215,10 @@ export interface DragState {
     impact: number;
     /** DragStatus bits; 0 without rules. */
     status: number;
+    /** Probability that the joint in force is right, 0 to 1: the one number to show. */
+    jointConfidence: number;
+    /** JointBasis: where the joint in force comes from. */
+    jointBasis: number;
 }
 export interface ReleaseOptions {
     /** Go */

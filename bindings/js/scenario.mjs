@@ -45,8 +45,8 @@ function printJoint(j) {
 }
 
 function printState(name, s, events = s.events) {
-    print(`${name} phase ${s.phase} events ${events} changes ${s.changes}`);
-    printFloats(' ', [s.value]);
+    print(`${name} phase ${s.phase} events ${events} changes ${s.changes} basis ${s.jointBasis}`);
+    printFloats(' ', [s.value, s.jointConfidence]);
     printFloats(' ', s.pose.real);
     printFloats(' ', s.pose.dual);
 }
@@ -96,6 +96,7 @@ function dragAndRelease(object, hit) {
     printFloats('again', [end.value]);
     printFloats(' ', end.pose.real);
     printFloats(' ', end.pose.dual);
+    print(`evidence ${end.joint.evidence.join(' ')}`);
 }
 
 // The door is held by a latch until its handle turns, and opens no wider than the host takes.

@@ -65,8 +65,9 @@ local function print_pose(pose)
 end
 
 local function print_state(label, state, events)
-    print(("%s phase %d events %d changes %d"):format(label, state.phase, events or state.events, state.changes))
-    print_floats(" ", state.value)
+    print(("%s phase %d events %d changes %d basis %d"):format(label, state.phase, events or state.events, state.changes,
+        state.joint_basis))
+    print_floats(" ", state.value, state.joint_confidence)
     print_pose(state.pose)
 end
 
@@ -110,6 +111,8 @@ local function drag_and_release(object, hit)
     local last = object:grab(desc):finish()
     print_floats("again", last.value)
     print_pose(last.pose)
+    local words = last.joint.evidence
+    print(("evidence %d %d %d %d"):format(words[0], words[1], words[2], words[3]))
 end
 
 local function drag_behind_latch(object, hit)

@@ -37,10 +37,17 @@ static void print_joint(const dm_joint* j) {
 }
 
 static void print_state(const char* name, const dm_drag_state* s) {
-    printf("%s phase %d events %u changes %u\n", name, s->phase, s->events, s->changes);
-    print_floats(" ", &s->value, 1);
+    const float numbers[] = {s->value, s->joint_confidence};
+    printf("%s phase %d events %u changes %u basis %d\n", name, s->phase, s->events, s->changes, s->joint_basis);
+    print_floats(" ", numbers, 2);
     print_floats(" ", s->pose.real, 4);
     print_floats(" ", s->pose.dual, 4);
+}
+
+/* What the pulls have said, which a drag has handed to the next one. */
+static void print_evidence(const dm_joint* j) {
+    const uint32_t* words = j->evidence;
+    printf("evidence %u %u %u %u\n", words[0], words[1], words[2], words[3]);
 }
 
 /* The pointer's ray in a frame: it goes to the left and towards the camera. */
@@ -127,6 +134,7 @@ static void drag_and_release(dm_context* context, dm_object object, const dm_hit
     print_floats("again", &end.value, 1);
     print_floats(" ", end.pose.real, 4);
     print_floats(" ", end.pose.dual, 4);
+    print_evidence(&end.joint);
 }
 
 /* The door is held by a latch until its handle turns, and opens no wider than the host takes. */

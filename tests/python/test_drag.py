@@ -51,8 +51,10 @@ class Door(unittest.TestCase):
     def test_ends_with_a_state_that_the_next_drag_goes_on_from(self):
         drag, last = self.dragged()
         state = drag.end()
+        state.joint.evidence = (1, 2, 2**32 - 1, 4)
         again = self.object.drag(1, last.grab_point, state=state)
         self.assertEqual(bytes(again.part_state().pose), bytes(last.pose))
+        self.assertEqual(list(again.end().joint.evidence), [1, 2, 2**32 - 1, 4])
         value, angle, distance = dragmesh.joint_value(state.joint, state.pose)
         self.assertAlmostEqual(value, state.value, places=5)
         self.assertLess(max(angle, distance), 1e-5)

@@ -19,6 +19,7 @@ static std::string save(const dm_part_state& door) {
     out << j.type << ' ' << j.source << ' ' << door.value << ' ' << j.type_confidence << ' ' << j.joint_confidence
         << ' ' << j.pitch << ' ' << j.axis.x << ' ' << j.axis.y << ' ' << j.axis.z << ' ' << j.origin.x << ' '
         << j.origin.y << ' ' << j.origin.z << ' ' << j.lower << ' ' << j.upper;
+    for (const std::uint32_t word : j.evidence) out << ' ' << word; /* what pulls have said */
     return out.str();
 }
 
@@ -26,8 +27,10 @@ static dm_part_state load(const std::string& text) {
     dm_part_state door = dm_part_state_default();
     door.joint = dm_joint_default();
     dm_joint& j = door.joint;
-    std::istringstream(text) >> j.type >> j.source >> door.value >> j.type_confidence >> j.joint_confidence >>
-        j.pitch >> j.axis.x >> j.axis.y >> j.axis.z >> j.origin.x >> j.origin.y >> j.origin.z >> j.lower >> j.upper;
+    std::istringstream in(text);
+    in >> j.type >> j.source >> door.value >> j.type_confidence >> j.joint_confidence >> j.pitch >> j.axis.x >>
+        j.axis.y >> j.axis.z >> j.origin.x >> j.origin.y >> j.origin.z >> j.lower >> j.upper;
+    for (std::uint32_t& word : j.evidence) in >> word;
     return door; /* its pose is zeros: that of joint and value */
 }
 

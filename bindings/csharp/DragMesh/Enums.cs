@@ -115,6 +115,15 @@ namespace DragMesh
         Open = K.DM_STATUS_OPEN
     }
 
+    /// <summary>Where the joint that a drag follows comes from: DragState.JointBasis.</summary>
+    public enum JointBasis
+    {
+        Prepared = K.DM_BASIS_PREPARED,
+        Pull = K.DM_BASIS_PULL,
+        Host = K.DM_BASIS_HOST,
+        Chosen = K.DM_BASIS_CHOSEN
+    }
+
     /// <summary>What a released part does next.</summary>
     public enum Go
     {

@@ -102,6 +102,22 @@ namespace DragMesh
         public JointType Kind => (JointType)Type;
         public JointSource From => (JointSource)Source;
 
+        /// <summary>Evidence as four numbers, to save and to load: what the part's pulls have said. Fewer than four are an
+        /// ArgumentException; null is none.</summary>
+        public uint[] PullEvidence
+        {
+            get
+            {
+                fixed (uint* words = Evidence) return new[] { words[0], words[1], words[2], words[3] };
+            }
+            set
+            {
+                if (value != null && value.Length < 4) throw new ArgumentException("four numbers are needed");
+                fixed (uint* words = Evidence)
+                    for (int i = 0; i < 4; i++) words[i] = value == null ? 0 : value[i];
+            }
+        }
+
         /// <summary>With its true size, whatever a caller has written into it.</summary>
         private Joint Sized
         {
@@ -165,6 +181,7 @@ namespace DragMesh
         public DragEvents Happened => (DragEvents)Events;
         public DragPhase Doing => (DragPhase)Phase;
         public DragStatus Stands => (DragStatus)Status;
+        public JointBasis JointFrom => (JointBasis)JointBasis;
     }
 
     internal static class Failure

@@ -13,17 +13,19 @@ static class Handover
         Joint j = door.Joint;
         float[] numbers = { door.Value, j.TypeConfidence, j.JointConfidence, j.Pitch, j.Axis.X, j.Axis.Y, j.Axis.Z,
                             j.Origin.X, j.Origin.Y, j.Origin.Z, j.Lower, j.Upper };
-        return j.Type + " " + j.Source + " " + string.Join(" ", numbers.Select(n => n.ToString("R", CultureInfo.InvariantCulture)));
+        return j.Type + " " + j.Source + " " + string.Join(" ", j.PullEvidence) + " " + // what pulls have said
+               string.Join(" ", numbers.Select(n => n.ToString("R", CultureInfo.InvariantCulture)));
     }
 
     static PartState Load(string text)
     {
         string[] words = text.Split(' ');
-        float[] n = words.Skip(2).Select(word => float.Parse(word, CultureInfo.InvariantCulture)).ToArray();
+        float[] n = words.Skip(6).Select(word => float.Parse(word, CultureInfo.InvariantCulture)).ToArray();
         PartState door = PartState.New(); // its pose is zeros: that of joint and value
         door.Joint = Joint.New();
         door.Joint.Type = int.Parse(words[0]);
         door.Joint.Source = int.Parse(words[1]);
+        door.Joint.PullEvidence = words.Skip(2).Take(4).Select(uint.Parse).ToArray();
         door.Value = n[0];
         door.Joint.TypeConfidence = n[1];
         door.Joint.JointConfidence = n[2];

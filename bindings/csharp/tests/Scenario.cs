@@ -73,8 +73,9 @@ static class Scenario
 
     private static void Print(string name, DragState state)
     {
-        Console.WriteLine("{0} phase {1} events {2} changes {3}", name, state.Phase, state.Events, state.Changes);
-        Print(" ", state.Value);
+        Console.WriteLine("{0} phase {1} events {2} changes {3} basis {4}", name, state.Phase, state.Events, state.Changes,
+            state.JointBasis);
+        Print(" ", state.Value, state.JointConfidence);
         Print(state.Pose);
     }
 
@@ -137,6 +138,7 @@ static class Scenario
         PartState again = cabinet.Grab(desc, DragRules.New(), kept).Finish();
         Print("again", again.Value);
         Print(again.Pose);
+        Console.WriteLine("evidence " + string.Join(" ", again.Joint.PullEvidence));
     }
 
     private static unsafe void DragBehindLatch(PreparedObject cabinet, Hit hit)

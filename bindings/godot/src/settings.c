@@ -113,6 +113,28 @@ dm_vec3 vec3_of_value(const gd_value* value) {
     return (dm_vec3){(float)v[0], (float)v[1], (float)v[2]};
 }
 
+enum { EVIDENCE_WORDS = sizeof((dm_joint*)0)->evidence / sizeof(uint32_t) };
+
+/* What pulls have said, as an Array of four integers. */
+static gd_value value_of_evidence(const dm_joint* joint) {
+    gd_value out = gd_new(GDEXTENSION_VARIANT_TYPE_ARRAY);
+    for (int i = 0; i < EVIDENCE_WORDS; i++) gd_append(&out, gd_of_int(joint->evidence[i]));
+    return out;
+}
+
+/* Where it is absent, as in games saved by earlier versions, no pull has said anything. */
+static void read_evidence(const gd_value* from, dm_joint* joint) {
+    gd_value words = gd_get(from, "evidence");
+    const int64_t count = gd_count(&words);
+    for (int64_t i = 0; i < EVIDENCE_WORDS && i < count; i++) {
+        gd_value word = gd_at(&words, i);
+        const double number = gd_float(&word); /* JSON has no integers; a double keeps all 32 bits */
+        joint->evidence[i] = number >= 0 && number <= UINT32_MAX ? (uint32_t)number : 0;
+        gd_free(&word);
+    }
+    gd_free(&words);
+}
+
 gd_value value_of_joint(const dm_joint* joint) {
     gd_value out = gd_new(GDEXTENSION_VARIANT_TYPE_DICTIONARY);
     gd_put(&out, "type", gd_of_int(joint->type));
@@ -120,6 +142,7 @@ gd_value value_of_joint(const dm_joint* joint) {
     gd_put(&out, "axis", value_of_vec3(joint->axis));
     gd_put(&out, "origin", value_of_vec3(joint->origin));
     put_numbers(&out, joint_fields, COUNT(joint_fields), joint);
+    gd_put(&out, "evidence", value_of_evidence(joint));
     return out;
 }
 
@@ -129,6 +152,7 @@ void joint_of_value(const gd_value* value, dm_joint* joint) {
     read_vec3(value, "axis", &joint->axis);
     read_vec3(value, "origin", &joint->origin);
     read_numbers(value, joint_fields, COUNT(joint_fields), joint);
+    read_evidence(value, joint);
 }
 
 enum { POSE_FLOATS = 8 };
@@ -175,5 +199,7 @@ gd_value value_of_drag_state(const dm_drag_state* state) {
     gd_put(&out, "detents", gd_of_int(state->detents));
     gd_put(&out, "impact", gd_of_float((double)state->impact));
     gd_put(&out, "status", gd_of_int(state->status));
+    gd_put(&out, "joint_confidence", gd_of_float((double)state->joint_confidence));
+    gd_put(&out, "joint_basis", gd_of_int(state->joint_basis));
     return out;
 }

@@ -71,6 +71,9 @@ func hand_over(body: DragMeshBody3D, part: Node3D) -> void:
 
 
 func save_and_restore(body: DragMeshBody3D, part: Node3D) -> void:
+	var learnt: Dictionary = body.part_state(part)
+	learnt.joint.evidence = [1, 2, 4294967295, 4]
+	body.restore_part(part, learnt)
 	body.move(part, GO_OPEN)
 	body.advance(0.3)
 	var text := var_to_str(body.part_state(part))
@@ -78,6 +81,7 @@ func save_and_restore(body: DragMeshBody3D, part: Node3D) -> void:
 	body.reset_part(part)
 	body.restore_part(part, str_to_var(text))
 	expect(part.transform.is_equal_approx(place), "a saved part is where it was")
+	expect(body.part_state(part).joint.evidence == [1, 2, 4294967295, 4], "what pulls have said is saved with it")
 
 
 # The owner drags; the others get the joint when it changes and the value every frame.

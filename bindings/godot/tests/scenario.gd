@@ -51,8 +51,8 @@ func print_joint(j: Dictionary) -> void:
 
 
 func print_state(name: String, s: Dictionary) -> void:
-	print("%s phase %d events %d changes %d" % [name, s.phase, s.events, s.changes])
-	print(" ", bits([s.value]))
+	print("%s phase %d events %d changes %d basis %d" % [name, s.phase, s.events, s.changes, s.joint_basis])
+	print(" ", bits([s.value, s.joint_confidence]))
 	print(" ", bits(s.pose.slice(0, 4)))
 	print(" ", bits(s.pose.slice(4, 8)))
 
@@ -145,6 +145,7 @@ func drag_and_release(body, part: Node3D, point: Vector3) -> void:
 	print("again", bits([kept.value]))
 	print(" ", bits(kept.pose.slice(0, 4)))
 	print(" ", bits(kept.pose.slice(4, 8)))
+	print("evidence %d %d %d %d" % kept.joint.evidence)
 
 
 func drag_behind_latch(body, part: Node3D, point: Vector3) -> void:

@@ -6,15 +6,17 @@ local C = dragmesh.C
 -- Numbers, not the struct as it lies in memory: structs grow. %.9g keeps every bit of a float.
 local function save(door)
     local j = door.joint
-    return ("%d %d" .. (" %.9g"):rep(12)):format(j.type, j.source, door.value, j.type_confidence, j.joint_confidence, j.pitch,
-        j.axis.x, j.axis.y, j.axis.z, j.origin.x, j.origin.y, j.origin.z, j.lower, j.upper)
+    return ("%d %d" .. (" %.9g"):rep(12) .. (" %d"):rep(4)):format(j.type, j.source, door.value, j.type_confidence, j.joint_confidence, j.pitch,
+        j.axis.x, j.axis.y, j.axis.z, j.origin.x, j.origin.y, j.origin.z, j.lower, j.upper,
+        j.evidence[0], j.evidence[1], j.evidence[2], j.evidence[3]) -- what pulls have said
 end
 
 local function load(text)
     local n = {}
     for word in text:gmatch "%S+" do n[#n + 1] = tonumber(word) end
     local joint = dragmesh.new("dm_joint", { type = n[1], source = n[2], type_confidence = n[4], joint_confidence = n[5],
-        pitch = n[6], axis = { n[7], n[8], n[9] }, origin = { n[10], n[11], n[12] }, lower = n[13], upper = n[14] })
+        pitch = n[6], axis = { n[7], n[8], n[9] }, origin = { n[10], n[11], n[12] }, lower = n[13], upper = n[14],
+        evidence = { n[15], n[16], n[17], n[18] } })
     return dragmesh.new("dm_part_state", { value = n[3], joint = joint }) -- its pose is zeros: that of joint and value
 end
 

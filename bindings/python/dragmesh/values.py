@@ -27,6 +27,14 @@ class JointSource(enum.IntEnum):
     CHOSEN = n.DM_JOINT_CHOSEN
 
 
+class JointBasis(enum.IntEnum):
+    """Where the joint that a drag follows comes from: DragState.joint_basis."""
+    PREPARED = n.DM_BASIS_PREPARED
+    PULL = n.DM_BASIS_PULL
+    HOST = n.DM_BASIS_HOST
+    CHOSEN = n.DM_BASIS_CHOSEN
+
+
 class Axes(enum.IntEnum):
     """The host's axes."""
     GLTF = n.DM_AXES_GLTF

@@ -12,14 +12,15 @@ FIELDS = ("type", "source", "type_confidence", "joint_confidence", "pitch", "low
 def save(door):
     """Numbers, not the struct as it lies in memory: structs grow."""
     joint = {name: getattr(door.joint, name) for name in FIELDS}
-    return json.dumps({"value": door.value, "axis": list(door.joint.axis), "origin": list(door.joint.origin), **joint})
+    lists = {name: list(getattr(door.joint, name)) for name in ("axis", "origin", "evidence")}
+    return json.dumps({"value": door.value, **lists, **joint})
 
 
 def load(text):
     """Its pose is zeros: that of joint and value."""
     kept = json.loads(text)
     joint = dragmesh.Joint(axis=dragmesh.Vec3(*kept["axis"]), origin=dragmesh.Vec3(*kept["origin"]),
-                           **{name: kept[name] for name in FIELDS})
+                           evidence=tuple(kept["evidence"]), **{name: kept[name] for name in FIELDS})
     return dragmesh.PartState(value=kept["value"], joint=joint)
 
 

@@ -50,8 +50,9 @@ def show_pose(pose):
 
 
 def show_state(name, state, events=None):
-    print(f"{name} phase {state.phase} events {state.events if events is None else events} changes {state.changes}")
-    show(" ", state.value)
+    print(f"{name} phase {state.phase} events {state.events if events is None else events} changes {state.changes}"
+          f" basis {state.joint_basis}")
+    show(" ", state.value, state.joint_confidence)
     show_pose(state.pose)
 
 
@@ -92,6 +93,7 @@ def drag_and_release(thing, hit):
     again = thing.drag(hit.part_id, state.grab_point, state=drag.end(), rules={}).end()
     show("again", again.value)
     show_pose(again.pose)
+    print("evidence", *again.joint.evidence)
 
 
 def drag_behind_latch(thing, hit):

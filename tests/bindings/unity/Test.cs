@@ -105,6 +105,8 @@ static class Test
         Must(Near(drawer.position, rest + root.transform.rotation * new Vector3(0, 0, -0.5f)), "the drawer follows the pointer");
         Must(opened == 2 && events > 0, "the drawer's events");
         PartState kept = openable.State(2);
+        uint[] learnt = kept.Joint.PullEvidence;
+        Must(learnt[0] != 0, "the pull has said something");
         Input.held = Input.down = false;
         Frame(dragger, openable);
         openable.Move(2, Intent.Close);
@@ -112,6 +114,7 @@ static class Test
         Must(Near(drawer.position, rest) && closed == 2, "the drawer closes");
         openable.Restore(2, kept);
         Must(Near(drawer.position, rest + root.transform.rotation * new Vector3(0, 0, -0.5f)), "the drawer is restored");
+        Must(string.Join(" ", openable.State(2).Joint.PullEvidence) == string.Join(" ", learnt), "what pulls have said is restored");
 
         Transform door = openable.parts[0].node;
         Vector3 knob = door.TransformPoint(new Vector3(0.55f, 0.45f, -0.45f));

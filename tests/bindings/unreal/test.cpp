@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -74,6 +75,10 @@ int main(int argc, char** argv) {
     for (int i = 0; i < 600; i++) cabinet.advance(frame);
     must(std::fabs(cabinet.state(0).value) < near, "it closes by itself");
     cabinet.restore(0, saved);
+    const dm_part_state restored = cabinet.state(0);
+    must(saved.joint.evidence[0] != 0, "the pull has said something");
+    must(std::memcmp(restored.joint.evidence, saved.joint.evidence, sizeof saved.joint.evidence) == 0,
+         "what pulls have said is restored");
     must(distance(transform(cabinet.at(0), door.centre), now) < near, "it stands where it was saved");
     must(cabinet.grab(0, now), "it is grabbed where it stands");
 

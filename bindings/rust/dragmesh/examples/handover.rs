@@ -7,12 +7,13 @@ fn save(door: &PartState) -> String {
     let numbers = [door.value, j.type_confidence, j.joint_confidence, j.pitch, j.lower, j.upper];
     let vectors = [j.axis.x, j.axis.y, j.axis.z, j.origin.x, j.origin.y, j.origin.z];
     let words: Vec<String> = numbers.iter().chain(&vectors).map(f32::to_string).collect();
-    format!("{} {} {}", j.type_, j.source, words.join(" "))
+    let [a, b, c, d] = j.evidence; // what pulls have said
+    format!("{} {} {a} {b} {c} {d} {}", j.type_, j.source, words.join(" "))
 }
 
 fn load(text: &str) -> Result<PartState, Box<dyn std::error::Error>> {
     let words: Vec<&str> = text.split(' ').collect();
-    let n = words[2..].iter().map(|word| word.parse()).collect::<Result<Vec<f32>, _>>()?;
+    let n = words[6..].iter().map(|word| word.parse()).collect::<Result<Vec<f32>, _>>()?;
     let joint = Joint {
         type_: words[0].parse()?,
         source: words[1].parse()?,
@@ -23,6 +24,7 @@ fn load(text: &str) -> Result<PartState, Box<dyn std::error::Error>> {
         upper: n[5],
         axis: Vec3::new(n[6], n[7], n[8]),
         origin: Vec3::new(n[9], n[10], n[11]),
+        evidence: [words[2].parse()?, words[3].parse()?, words[4].parse()?, words[5].parse()?],
         ..Default::default()
     };
     Ok(PartState { value: n[0], joint, pose: joint.pose_at(n[0])?, ..Default::default() })

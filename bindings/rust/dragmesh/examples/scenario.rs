@@ -84,8 +84,8 @@ fn print_pose(pose: &Pose) {
 }
 
 fn print_state(name: &str, s: &DragState) {
-    println!("{name} phase {} events {} changes {}", s.phase, s.events, s.changes);
-    print(" ", &[s.value]);
+    println!("{name} phase {} events {} changes {} basis {}", s.phase, s.events, s.changes, s.joint_basis);
+    print(" ", &[s.value, s.joint_confidence]);
     print_pose(&s.pose);
 }
 
@@ -137,6 +137,8 @@ fn drag_and_release(object: &Object, hit: &Hit) -> Result<()> {
     let again = object.grab(&options)?.finish()?;
     print("again", &[again.value]);
     print_pose(&again.pose);
+    let [a, b, c, d] = again.joint.evidence;
+    println!("evidence {a} {b} {c} {d}");
     Ok(())
 }
 
