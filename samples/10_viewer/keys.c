@@ -66,6 +66,12 @@ static void undo(app* app) {
     if (world_undo(app->world) != 0) snprintf(app->world->message, sizeof app->world->message, "nothing to undo");
 }
 
+static void as_before(app* app) {
+    app->playing = 0;
+    if (world_as_before(app->world, app->selected) != 0)
+        snprintf(app->world->message, sizeof app->world->message, "no pull has changed this part's joint");
+}
+
 static void play(app* app) {
     app->playing = app->playing > 0 ? 0 : frame_seconds;
 }
@@ -223,6 +229,7 @@ const key_binding key_bindings[] = {
     {"Space", "Space", "play the part's travel", play},
     {"R", "R", "everything to rest", to_rest},
     {"B", "B", "undo: back to before the last grab", undo},
+    {"W", "W", "as it was before: the joint from before the pull changed it", as_before},
     {"V", "V", "a part let go: as meant, stays, goes on, goes back", next_intent},
     {"E", "E", "a scene: its own hands play it", act},
     {"M", "M", "piece under pointer: part or body", toggle_node},
@@ -247,7 +254,7 @@ const int key_binding_count = (int)(sizeof key_bindings / sizeof *key_bindings);
 
 /* Keys from T to J change the selected part's joint and need one. */
 static bool needs_part(const key_binding* binding) {
-    static const char* const names[] = {"T", "X", "Y", "Z", "I", "O", "[", "]", "J", "Space"};
+    static const char* const names[] = {"T", "X", "Y", "Z", "I", "O", "[", "]", "J", "W", "Space"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(binding->key, names[i]) == 0) return true;
     return false;

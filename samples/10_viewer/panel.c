@@ -9,7 +9,7 @@
 static const colour bright = {0.96f, 0.97f, 0.98f, 1}, dim = {0.70f, 0.73f, 0.77f, 1}, warm = {1, 0.74f, 0.35f, 1};
 static const colour ground = {0.07f, 0.08f, 0.10f, 0.74f};
 
-enum { MAX_LINES = 14, LINE = 160 }; /* lines of text, bytes of one */
+enum { MAX_LINES = 15, LINE = 160 }; /* lines of text, bytes of one */
 
 static float text_size(const app* app) {
     return glm_clamp((float)app->camera.height / 46, 6.5f, 14);
@@ -27,14 +27,23 @@ static void write_value(const world_part* part, char* out, size_t room) {
         snprintf(out, room, "%.0f deg", (double)roundf(part->state.value * 180 / GLM_PIf) + 0.0); /* no -0 */
 }
 
+/* How sure the joint in force is, and where it comes from. What the user says needs no number. */
+static void write_trust(const world* world, const world_part* part, char* out, size_t room) {
+    static const char* const words[] = {"as prepared", "by your pull", "as you say", "your choice"};
+    const double sure = 100 * (double)part->state.joint.joint_confidence;
+    if (part->basis == DM_BASIS_HOST || part->basis == DM_BASIS_CHOSEN)
+        snprintf(out, room, "%s", words[part->basis]);
+    else if (world->info.degraded & (DM_DEGRADED_NO_KINEMATICS | DM_DEGRADED_NO_RANKER))
+        snprintf(out, room, "a guess: weights are missing");
+    else
+        snprintf(out, room, "%.0f%% sure %s", sure, words[part->basis]);
+}
+
 static void write_part(const world* world, const world_part* part, char* out, size_t room) {
-    char value[32], sure[32];
+    char value[32], trust[32];
     write_value(part, value, sizeof value);
-    snprintf(sure, sizeof sure, "%.0f%%", (double)(100 * part->state.joint.joint_confidence));
-    if (world->info.degraded & (DM_DEGRADED_NO_KINEMATICS | DM_DEGRADED_NO_RANKER))
-        snprintf(sure, sizeof sure, "a guess: weights are missing");
-    if (part->state.joint.source == DM_JOINT_FROM_HOST) snprintf(sure, sizeof sure, "as you say");
-    snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->state.joint.type), sure, value);
+    write_trust(world, part, trust, sizeof trust);
+    snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->state.joint.type), trust, value);
 }
 
 /* Lines of text on a dark ground, the first one bright. */
@@ -59,11 +68,13 @@ static void draw_parts(const app* app, draw* draw) {
              world->part_count == 1 ? "part" : "parts", 1e3 * world->prepare_seconds);
     if (app->hide_times)
         snprintf(lines[0], LINE, "%u %s", (unsigned)world->part_count, world->part_count == 1 ? "part" : "parts");
-    const uint32_t first = app->selected > MAX_LINES - 3 ? app->selected - (MAX_LINES - 3) : 1;
-    for (uint32_t id = first; id <= world->part_count && count < MAX_LINES - 1; id++) {
+    const uint32_t first = app->selected > MAX_LINES - 4 ? app->selected - (MAX_LINES - 4) : 1;
+    for (uint32_t id = first; id <= world->part_count && count < MAX_LINES - 2; id++) {
         if (id == app->selected) marked = count;
         write_part(world, &world->parts[id], lines[count++], LINE);
     }
+    if (app->selected <= world->part_count && world->parts[app->selected].has_changed)
+        snprintf(lines[count++], LINE, "your pull has changed it.  W: as it was before");
     if (!(app->show & SHOW_HELP)) snprintf(lines[count++], LINE, "F1 help");
     draw_block(draw, 8, 8, text_size(app), (const char(*)[LINE])lines, count, marked);
 }

@@ -17,6 +17,9 @@ typedef struct world_part {
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
     dm_part_state state; /* this instance's own joint, value and pose; during a drag, those of now */
+    int32_t basis;       /* DM_BASIS_*: where state.joint comes from */
+    dm_part_state taken; /* as it was when the hand took it; later grabs of a changed joint leave it */
+    int has_changed;     /* pulls have put another joint in force than taken.joint */
     dm_pose carried;     /* state.pose with the parts that carry it */
     dm_vec3 centre, box_min, box_max;
     dm_pose keys[DM_MOTION_FRAMES]; /* the motion the last pull asked for */
@@ -29,6 +32,7 @@ typedef struct world_part {
 typedef struct world_past {
     uint32_t part;
     dm_part_state state;
+    int32_t basis;
 } world_past;
 
 /* Which nodes of the file move as one: names, comma-separated. */
@@ -105,6 +109,11 @@ void world_set_joint(world* world, uint32_t part, const dm_joint* joint);
 /* Keeps the part as it is now; a grab does so by itself. Puts back what was kept last; 0, or -1 when there is none. */
 void world_remember(world* world, uint32_t part);
 int world_undo(world* world);
+
+/* Puts a part back to before the pulls that have changed its joint. The player has said which joint is right, so
+ * further pulls keep it, and what those pulls taught is forgotten. Undo takes it back. 0, or -1 when no pull has
+ * changed it. */
+int world_as_before(world* world, uint32_t part);
 
 /* ---- world_scene.c: only of worlds with a table ---- */
 

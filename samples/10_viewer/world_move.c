@@ -3,12 +3,19 @@
 
 #include "world.h"
 
+static int32_t basis_of(const dm_joint* joint) {
+    if (joint->source == DM_JOINT_FROM_HOST) return DM_BASIS_HOST;
+    return joint->source == DM_JOINT_CHOSEN ? DM_BASIS_CHOSEN : DM_BASIS_PREPARED;
+}
+
 void world_read_joint(world* world, uint32_t id) {
     world_part* part = &world->parts[id];
     part->state = dm_part_state_default();
     part->state.pose = pose_identity;
     part->state.joint = part->hypotheses[0] = dm_joint_default();
     dm_object_get_joint(world->context, world->object, id, &part->state.joint);
+    part->basis = basis_of(&part->state.joint);
+    part->has_changed = 0;
     if (dm_object_get_hypotheses(world->context, world->object, id, NULL, part->hypotheses, DM_MAX_HYPOTHESES,
                                  &part->hypothesis_count) != DM_OK)
         part->hypothesis_count = 0;
@@ -96,6 +103,7 @@ int world_grab(world* world, const dm_hit* hit) {
                                .state = &part->state};
     if (dm_drag_begin(world->context, &desc, &part->drag) != DM_OK) return -1;
     world_remember(world, hit->part_id);
+    if (!part->has_changed) part->taken = part->state;
     world->held = hit->part_id;
     world->pull = (dm_drag_hint){.point = desc.grab_point};
     world->grab_normal = pose_direction(&inverse, hit->normal);
@@ -126,12 +134,20 @@ void world_imagine(world* world, const dm_ray* ray) {
     dm_motion_destroy(world->context, motion);
 }
 
+static int same_line(const dm_joint* a, const dm_joint* b) {
+    return a->type == b->type && length(sub(a->axis, b->axis)) < 1e-6f && length(sub(a->origin, b->origin)) < 1e-6f;
+}
+
 static void step_part(world* world, uint32_t id, const dm_ray* ray, float dt) {
     world_part* part = &world->parts[id];
     const uint32_t changes = part->last.changes;
     if (dm_drag_update(world->context, part->drag, ray, dt, &part->last) != DM_OK) return;
     dm_drag_get_part_state(world->context, part->drag, &part->state);
-    if (part->last.changes != changes) part->has_keys = 0;
+    part->basis = part->last.joint_basis;
+    if (part->last.changes != changes) {
+        part->has_keys = 0;
+        part->has_changed = !same_line(&part->state.joint, &part->taken.joint);
+    }
     if (part->last.phase == DM_DRAG_AT_REST) end_drag(world, id);
 }
 
@@ -188,16 +204,34 @@ void world_remember(world* world, uint32_t id) {
         world->history_count--;
         memmove(history, history + 1, world->history_count * sizeof *history);
     }
-    history[world->history_count++] = (world_past){id, world->parts[id].state};
+    history[world->history_count++] = (world_past){id, world->parts[id].state, world->parts[id].basis};
+}
+
+static void put_back(world* world, uint32_t id, const dm_part_state* state, int32_t basis) {
+    world_part* part = &world->parts[id];
+    part->state = *state;
+    part->basis = basis;
+    part->has_keys = part->has_changed = 0;
+    world_update(world);
 }
 
 int world_undo(world* world) {
     if (world->history_count == 0) return -1;
     const world_past* past = &world->history[--world->history_count];
     let_go(world, past->part);
-    world->parts[past->part].state = past->state;
-    world->parts[past->part].has_keys = 0;
-    world_update(world);
+    put_back(world, past->part, &past->state, past->basis);
+    return 0;
+}
+
+int world_as_before(world* world, uint32_t id) {
+    world_part* part = &world->parts[id];
+    if (!part->has_changed) return -1;
+    let_go(world, id);
+    world_remember(world, id);
+    dm_part_state before = part->taken;
+    before.joint.source = DM_JOINT_CHOSEN; /* no pull changes it; its limits go on being estimates */
+    before.joint.joint_confidence = before.joint.type_confidence = 1;
+    put_back(world, id, &before, DM_BASIS_CHOSEN);
     return 0;
 }
 
@@ -214,7 +248,8 @@ void world_set_joint(world* world, uint32_t id, const dm_joint* joint) {
     if (dm_object_set_joint(world->context, world->object, id, joint) != DM_OK) return;
     world_part* part = &world->parts[id];
     dm_object_get_joint(world->context, world->object, id, &part->state.joint);
-    part->has_keys = 0;
+    part->basis = basis_of(&part->state.joint);
+    part->has_keys = part->has_changed = 0;
     forget_past(world, id);
     world_set_value(world, id, part->state.value);
 }

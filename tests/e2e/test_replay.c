@@ -241,6 +241,24 @@ static void test_undo_puts_back_the_part(void** state) {
     tool_folder_remove(folder);
 }
 
+/* What the player takes back stays so: the same pull again moves the part along the joint from before. */
+static void test_as_it_was_before(void** state) {
+    (void)state;
+    static const char name[] = "door_decided_by_the_pull", part[] = "door";
+    static const char same_pull[] = "200 key W\n210 move 118.52 96.62\n211 press left\n214 move 118.28 96.79\n"
+                                    "220 move 114 99\n230 move 90 108\n250 key W\n260 end\n";
+    char folder[TOOL_PATH];
+    if (!has_viewer()) skip();
+    tool_folder_make(folder);
+    const double pulled = value_after(folder, name, " end", "200 end\n", part);
+    assert_true(fabs(pulled) > 1);
+    assert_true(value_after(folder, name, " end", "200 key W\n201 end\n", part) == 0);
+    assert_true(value_after(folder, name, " end", "200 key W\n201 key B\n202 end\n", part) == pulled);
+    assert_true(value_after(folder, name, " end", same_pull, part) != 0);
+    assert_non_null(strstr(out.errors, "no pull has changed"));
+    tool_folder_remove(folder);
+}
+
 /* Other instances of the object, and the file that is saved, know nothing of what a pull found out … */
 static void test_pull_leaves_the_object_as_it_is(void** state) {
     (void)state;
@@ -318,6 +336,7 @@ int main(void) {
                                        cmocka_unit_test(test_from_the_file_alone),
                                        cmocka_unit_test(test_weights_are_found_from_any_folder),
                                        cmocka_unit_test(test_undo_puts_back_the_part),
+                                       cmocka_unit_test(test_as_it_was_before),
                                        cmocka_unit_test(test_pull_leaves_the_object_as_it_is),
                                        cmocka_unit_test(test_recording_is_read_strictly)};
     return cmocka_run_group_tests(tests, NULL, NULL);
