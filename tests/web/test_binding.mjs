@@ -81,7 +81,21 @@ test('a saved object moves as the prepared one does', () => {
         assert.deepEqual(a, b);
     }
     assert.ok(Math.abs(drags[0].state.value) > 0.1);
+    const { jointConfidence, jointBasis } = drags[0].state;
+    assert.ok(jointConfidence > 0 && jointConfidence <= 1 && Object.values(api.JointBasis).includes(jointBasis));
     assert.throws(() => context.createScene(), error('DM_ERROR_UNSUPPORTED'));
+    context.destroy();
+});
+
+test('what pulls have said stays with a saved state', () => {
+    const context = dragmesh.createContext({ picking: api.Picking.NONE });
+    const object = context.prepare({ mesh: cabinet(), parts, picking: false });
+    const drag = object.beginDrag({ partId: 1, grabPoint: [0.54, 0.45, 0.45] });
+    for (let i = 0; i < 30; i++) drag.update({ origin: [0.9, 0.9, 2], direction: [-0.35 - 0.01 * i, -0.45, -1.55] }, 1 / 60);
+    const state = JSON.parse(JSON.stringify(drag.end()));
+    assert.notEqual(state.joint.evidence[0], 0);
+    const again = object.beginDrag({ partId: 1, state, flags: api.DragFlag.WITHOUT_POINT }).end();
+    assert.deepEqual(again.joint.evidence, state.joint.evidence);
     context.destroy();
 });
 

@@ -26,7 +26,7 @@ const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 const stage = new Stage($('#stage')), view = new JointView(), solver = new Solver();
 const dragmesh = await load();
 const context = dragmesh.createContext({ picking: Picking.NONE });
-const panel = new Panel({ select, toggle, value: slide, choose, forget });
+const panel = new Panel({ select, toggle, value: slide, choose, takeBack, forget });
 let parts = null, selected = null, over = null, opened = 0;
 stage.scene.add(view.group);
 
@@ -137,6 +137,11 @@ function slide(part, value) {
 function choose(part, joint) {
     part.choose(joint);
     part.release(Go.OPEN); // shows what was chosen
+    wake();
+}
+
+function takeBack(part) {
+    part.takeBack();
     wake();
 }
 

@@ -1,10 +1,11 @@
 // The card of the chosen part, and the list of parts.
-import { Degraded, JointType } from './dragmesh/dragmesh.js';
+import { Degraded, JointBasis, JointType } from './dragmesh/dragmesh.js';
 
 const SHOWN = 4; // hypotheses that the card offers
 const ALIKE = 0.03; // rad, and share of the size, within which two hypotheses look the same
 const UPRIGHT = 0.8; // how much less the height counts where an edge is named: a lid's is at the back, not at the bottom
 const nouns = { [JointType.REVOLUTE]: 'Hinge', [JointType.PRISMATIC]: 'Slide', [JointType.SCREW]: 'Screw', [JointType.CONTINUOUS]: 'Turns freely', [JointType.FIXED]: 'Fixed', [JointType.UNKNOWN]: 'Unknown' };
+const origins = { [JointBasis.PREPARED]: 'as prepared', [JointBasis.PULL]: 'by your pull', [JointBasis.HOST]: 'as you say', [JointBasis.CHOSEN]: 'your choice' };
 const icons = {
     [JointType.REVOLUTE]: 'M7 4v16M7 6l9-2v16l-9-2M19 8c1.5 2 1.5 6 0 8',
     [JointType.PRISMATIC]: 'M4 12h15M15 8l4 4-4 4M4 7v10',
@@ -40,6 +41,13 @@ function number(joint, value) {
     return length >= 1 ? `${length.toFixed(2)} m` : length >= 0.02 ? `${(length * 100).toFixed(1)} cm` : `${(length * 1000).toFixed(1)} mm`;
 }
 
+// How sure the joint in force is, and where it comes from. What the user says needs no number.
+function trust(part) {
+    const { confidence, basis } = part, told = basis === JointBasis.HOST || basis === JointBasis.CHOSEN;
+    if (!told && isGuess(part)) return 'a guess: weights are missing';
+    return told ? origins[basis] : `${Math.round(confidence * 100)} % sure, ${origins[basis]}`;
+}
+
 function icon(type) {
     const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg'), path = document.createElementNS(svg.namespaceURI, 'path');
     svg.setAttribute('viewBox', '0 0 24 24');
@@ -54,11 +62,12 @@ export class Panel {
     #list = document.querySelector('#parts');
     #part = null;
 
-    // actions: { select(part), toggle(part), value(part, value, done), choose(part, joint), forget(part) }
+    // actions: { select(part), toggle(part), value(part, value, done), choose(part, joint), takeBack(part), forget(part) }
     constructor(actions) {
         this.actions = actions;
         this.$ = name => this.#root.querySelector(name);
         this.$('.toggle').onclick = () => actions.toggle(this.#part);
+        this.$('.before').onclick = () => actions.takeBack(this.#part);
         this.$('.fixed').onclick = () => actions.forget(this.#part);
         this.$('.slider').oninput = event => actions.value(this.#part, this.#fromSlider(event.target.value));
         this.$('.slider').onchange = () => actions.value(this.#part, null);
@@ -90,8 +99,8 @@ export class Panel {
         const part = this.#part;
         if (!part) return;
         const { joint, value } = part, [from, to] = this.#range();
-        const sure = isGuess(part) ? 'a guess: weights are missing' : `${Math.round(joint.jointConfidence * 100)} % sure`;
-        this.$('.kind').textContent = `${nouns[joint.type]} · ${part.corrected ? 'your choice' : part.pulled ? 'by your pull' : sure}`;
+        this.$('.kind').textContent = `${nouns[joint.type]} · ${trust(part)}`;
+        this.$('.before').hidden = !part.before;
         this.$('.value').textContent = number(joint, value);
         const share = Math.min(1, Math.max(0, (value - from) / (to - from || 1)));
         const slider = this.$('.slider');

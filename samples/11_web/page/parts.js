@@ -1,10 +1,9 @@
 // The parts of the asset: their faces, joints and poses, and the drag that moves one of them.
 import { Matrix4, Ray, Vector3 } from './three/three.module.min.js';
-import { DragFlag, DragPhase, Go, HandKind, JointType } from './dragmesh/dragmesh.js';
+import { DragFlag, DragPhase, Go, HandKind, JointBasis, JointSource, JointType } from './dragmesh/dragmesh.js';
 
 // A found part of more faces than this share of a mesh without pieces is the body. By hand.
 const BODY_SHARE = 0.75;
-const SURE = 0.8; // a joint that is surer than this is kept whatever the pull says; others give way to it. By hand
 const KEY_SPEED = 0.6; // share of the range a second, while a key is down
 const LIMIT_GIVE = 0.15; // share of the range that an estimated limit gives: a drawer stays in its case
 const rest = { real: [0, 0, 0, 1], dual: [0, 0, 0, 0] };
@@ -16,13 +15,13 @@ export class Part {
     world = new Matrix4();
     parent = null;
     drag = null;
-    corrected = false; // the joint is the user's choice
-    pulled = false; // a pull has put another joint in place of what was found
+    before = null; // the state from before the pulls that have put another joint in force; null: none has
+    #taken = null; // the state in which the hand took the part
 
     constructor(parts, id, name, answer) {
         Object.assign(this, { parts, id, name, faces: answer.faces, hypotheses: answer.hypotheses, degraded: answer.degraded, times: answer.times });
         this.object = parts.context.loadObject(answer.data);
-        this.state = { value: 0, pose: rest, joint: answer.joint };
+        this.#stand({ value: 0, pose: rest, joint: answer.joint }, JointBasis.PREPARED);
         this.info = this.object.parts[0];
     }
 
@@ -47,8 +46,7 @@ export class Part {
     /** The player takes hold at a point of the scene. */
     grab(point, ray) {
         this.letGo();
-        const sure = this.corrected || this.joint.jointConfidence > SURE;
-        this.#begin({ grabPoint: this.localPoint(point), flags: sure ? DragFlag.KEEP_JOINT : 0 });
+        this.#begin({ grabPoint: this.localPoint(point) });
         return this.follow(ray, 1 / 60);
     }
 
@@ -60,6 +58,7 @@ export class Part {
 
     #begin(options) {
         this.#changes = 0;
+        this.#taken = structuredClone(this.state);
         this.drag = this.object.beginDrag({ partId: 1, state: this.state, limitGive: LIMIT_GIVE, rules: { driveSpeed: KEY_SPEED }, ...options });
     }
 
@@ -102,11 +101,19 @@ export class Part {
     #moved(state) {
         const changed = state.changes !== this.#changes;
         this.#changes = state.changes;
-        this.pulled ||= changed;
         this.state = { value: state.value, pose: state.pose, joint: changed ? this.drag.partState.joint : this.state.joint };
+        if (changed) this.#compare();
+        this.confidence = state.jointConfidence;
+        this.basis = state.jointBasis;
         this.parts.pose(this, state.pose);
         if (changed) this.parts.changed(this);
         return state;
+    }
+
+    // There is a way back while the joint is another than before.
+    #compare() {
+        const before = this.before ?? this.#taken;
+        this.before = sameLine(this.joint, before.joint) ? null : before;
     }
 
     #keep(state) {
@@ -114,22 +121,30 @@ export class Part {
         this.parts.pose(this, state.pose);
     }
 
-    /** Puts a hypothesis in force, and the part at rest. */
-    choose(joint) {
+    // Where the part stands, by a joint of its own, and where that comes from (JointBasis).
+    #stand(state, basis) {
+        Object.assign(this, { state, basis, confidence: state.joint.jointConfidence, before: null });
+    }
+
+    #put(state, basis) {
         this.letGo();
-        this.object.setJoint(1, joint);
-        this.corrected = true;
-        this.pulled = false;
-        this.#keep({ value: 0, pose: rest, joint: this.object.joint(1) });
+        this.#stand(state, basis);
+        this.parts.pose(this, state.pose);
         this.parts.changed(this);
     }
 
+    /** Puts a hypothesis in force, and the part at rest. No pull changes it. */
+    choose(joint) {
+        this.#put({ value: 0, pose: rest, joint: chosen(joint) }, JointBasis.CHOSEN);
+    }
+
+    /** Takes back the pulls that have changed the joint, with what they taught. Later pulls keep the joint from before. */
+    takeBack() {
+        this.#put({ ...this.before, joint: chosen(this.before.joint) }, JointBasis.CHOSEN);
+    }
+
     reset() {
-        this.letGo();
-        this.object.resetJoint(1);
-        this.corrected = this.pulled = false;
-        this.#keep({ value: 0, pose: rest, joint: this.object.joint(1) });
-        this.parts.changed(this);
+        this.#put({ value: 0, pose: rest, joint: this.object.joint(1) }, JointBasis.PREPARED);
     }
 
     /** The end of the range that is farther from rest; a quarter turn, or half the part's size, where there is none. */
@@ -256,6 +271,11 @@ export class Parts {
         this.list.forEach(part => part.destroy());
     }
 }
+
+// A joint as the user's choice; its limits go on being estimates.
+const chosen = joint => ({ ...joint, source: JointSource.CHOSEN, typeConfidence: 1, jointConfidence: 1 });
+
+const sameLine = (a, b) => a.type === b.type && [...a.axis, ...a.origin].every((v, k) => v === [...b.axis, ...b.origin][k]);
 
 const contains = (outer, inner) => inner.every((mark, face) => !mark || outer[face]);
 
