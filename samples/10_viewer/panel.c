@@ -36,7 +36,7 @@ static void write_trust(const world* world, const world_part* part, char* out, s
     else if (world->info.degraded & (DM_DEGRADED_NO_KINEMATICS | DM_DEGRADED_NO_RANKER))
         snprintf(out, room, "a guess: weights are missing");
     else
-        snprintf(out, room, "%.0f%% sure %s", sure, words[part->basis]);
+        snprintf(out, room, "%.0f%% %s", sure, words[part->basis]);
 }
 
 static void write_part(const world* world, const world_part* part, char* out, size_t room) {

@@ -19,7 +19,7 @@ typedef struct world_part {
     dm_part_state state; /* this instance's own joint, value and pose; during a drag, those of now */
     int32_t basis;       /* DM_BASIS_*: where state.joint comes from */
     dm_part_state taken; /* as it was when the hand took it; later grabs of a changed joint leave it */
-    int has_changed;     /* pulls have put another joint in force than taken.joint */
+    int has_changed;     /* pulls since then have changed the joint: its line, type or side */
     dm_pose carried;     /* state.pose with the parts that carry it */
     dm_vec3 centre, box_min, box_max;
     dm_pose keys[DM_MOTION_FRAMES]; /* the motion the last pull asked for */

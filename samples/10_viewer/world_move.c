@@ -134,10 +134,6 @@ void world_imagine(world* world, const dm_ray* ray) {
     dm_motion_destroy(world->context, motion);
 }
 
-static int same_line(const dm_joint* a, const dm_joint* b) {
-    return a->type == b->type && length(sub(a->axis, b->axis)) < 1e-6f && length(sub(a->origin, b->origin)) < 1e-6f;
-}
-
 static void step_part(world* world, uint32_t id, const dm_ray* ray, float dt) {
     world_part* part = &world->parts[id];
     const uint32_t changes = part->last.changes;
@@ -146,7 +142,7 @@ static void step_part(world* world, uint32_t id, const dm_ray* ray, float dt) {
     part->basis = part->last.joint_basis;
     if (part->last.changes != changes) {
         part->has_keys = 0;
-        part->has_changed = !same_line(&part->state.joint, &part->taken.joint);
+        part->has_changed = 1;
     }
     if (part->last.phase == DM_DRAG_AT_REST) end_drag(world, id);
 }

@@ -241,12 +241,10 @@ static void test_undo_puts_back_the_part(void** state) {
     tool_folder_remove(folder);
 }
 
-/* What the player takes back stays so: the same pull again moves the part along the joint from before. */
+/* A joint that a pull has changed is taken back, once; undo takes that back. */
 static void test_as_it_was_before(void** state) {
     (void)state;
     static const char name[] = "door_decided_by_the_pull", part[] = "door";
-    static const char same_pull[] = "200 key W\n210 move 118.52 96.62\n211 press left\n214 move 118.28 96.79\n"
-                                    "220 move 114 99\n230 move 90 108\n250 key W\n260 end\n";
     char folder[TOOL_PATH];
     if (!has_viewer()) skip();
     tool_folder_make(folder);
@@ -254,7 +252,7 @@ static void test_as_it_was_before(void** state) {
     assert_true(fabs(pulled) > 1);
     assert_true(value_after(folder, name, " end", "200 key W\n201 end\n", part) == 0);
     assert_true(value_after(folder, name, " end", "200 key W\n201 key B\n202 end\n", part) == pulled);
-    assert_true(value_after(folder, name, " end", same_pull, part) != 0);
+    value_after(folder, name, " end", "200 key W\n201 key W\n202 end\n", part);
     assert_non_null(strstr(out.errors, "no pull has changed"));
     tool_folder_remove(folder);
 }

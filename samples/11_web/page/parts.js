@@ -102,18 +102,12 @@ export class Part {
         const changed = state.changes !== this.#changes;
         this.#changes = state.changes;
         this.state = { value: state.value, pose: state.pose, joint: changed ? this.drag.partState.joint : this.state.joint };
-        if (changed) this.#compare();
+        if (changed) this.before ??= this.#taken;
         this.confidence = state.jointConfidence;
         this.basis = state.jointBasis;
         this.parts.pose(this, state.pose);
         if (changed) this.parts.changed(this);
         return state;
-    }
-
-    // There is a way back while the joint is another than before.
-    #compare() {
-        const before = this.before ?? this.#taken;
-        this.before = sameLine(this.joint, before.joint) ? null : before;
     }
 
     #keep(state) {
@@ -274,8 +268,6 @@ export class Parts {
 
 // A joint as the user's choice; its limits go on being estimates.
 const chosen = joint => ({ ...joint, source: JointSource.CHOSEN, typeConfidence: 1, jointConfidence: 1 });
-
-const sameLine = (a, b) => a.type === b.type && [...a.axis, ...a.origin].every((v, k) => v === [...b.axis, ...b.origin][k]);
 
 const contains = (outer, inner) => inner.every((mark, face) => !mark || outer[face]);
 
