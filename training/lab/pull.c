@@ -92,7 +92,7 @@ static void handle(lab_case* made, uint32_t part, float along, float out[3]) {
 static void draw_grab(lab_case* made, int32_t kind, float along, float point[3]) {
     const uint32_t part = (uint32_t)dmi_mesh_find_part(made->mesh, made->part);
     const float pick = dmi_random_unit(&made->random);
-    float farthest[3], found[3];
+    float farthest[3] = {0}, found[3];
     const float most = turns(&made->joint) ? far_end(made, part, farthest) : 0;
     dmi_copy3(point, found);
     if (pick < mixture[kind].handle)
