@@ -198,7 +198,7 @@ static void assert_shares(const cJSON* json) {
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++)
         assert_true(figure(json, shares[i]) >= 0 && figure(json, shares[i]) <= 1);
     assert_true(figure(json, "success") <= fmin(figure(json, "after"), figure(json, "moved")));
-    assert_true(fabs(figure(json, "kept") + figure(json, "lost") - 1) < 1e-9);
+    assert_true(fabs(figure(json, "kept") + figure(json, "lost") - 1) < 2e-5); /* five digits */
 }
 
 /* A joint that is kept stays as it was prepared: right, and so the part goes with the hand in a share of the pulls. */
