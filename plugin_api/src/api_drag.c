@@ -14,6 +14,8 @@
 #include "math/vec3.h"
 
 /* By hand; docs/feel.md. */
+/* Size of dm_part_state in the first version: its last field was the joint of that version. */
+#define FIRST_PART_STATE (offsetof(dm_part_state, joint) + DMI_FIRST_SIZE(dm_joint, source))
 #define BUTTON_TRAVEL 0.04f      /* most travel of a push button, share of the object's size */
 #define BUTTON_SIZE 0.25f        /* largest side of a push button, share of the object's size */
 #define BUTTON_RETURN_TIME 0.12f /* s */
@@ -136,7 +138,7 @@ static dm_result read_joint(dmi_env* env, uint32_t state_size, dm_part_state* st
 static dm_result read_state(dmi_env* env, start* s) {
     dm_part_state state;
     dm_result result = dmi_read_desc(env, "dm_drag_begin: desc.state", s->desc->state,
-                                     DMI_FIRST_SIZE(dm_part_state, joint), sizeof state, &state);
+                                     FIRST_PART_STATE, sizeof state, &state);
     if (result == DM_OK) result = read_joint(env, s->desc->state->struct_size, &state, &s->joint);
     if (result == DM_OK) result = dmi_check_number(env, "dm_drag_begin: desc.state", ".value", state.value);
     if (result == DM_OK) result = dmi_joint_accept(env, "dm_drag_begin: desc.state.joint", s->object_size, &s->joint);
@@ -612,7 +614,7 @@ static void write_part_state(const dmi_drag_slot* slot, dm_part_state* out_state
 }
 
 static dm_result check_part_state(dmi_env* env, const char* what, const dm_part_state* out_state) {
-    return dmi_check_out(env, what, out_state, DMI_FIRST_SIZE(dm_part_state, joint));
+    return dmi_check_out(env, what, out_state, FIRST_PART_STATE);
 }
 
 dm_result DM_CALL dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* out_state) {
