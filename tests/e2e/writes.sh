@@ -194,7 +194,7 @@ for signal in INT TERM HUP KILL; do
     : > "$work/err" # or the last signal's "waits" would count
     # A shell makes its background programs ignore SIGINT; python3 gives it back.
     FAIL_STEP=wait LD_PRELOAD=$work/failing.so /usr/bin/python3 -c 'import os, signal, sys
-signal.signal(signal.SIGINT, signal.SIG_DFL)
+for each in signal.SIGINT, signal.SIGTERM, signal.SIGHUP: signal.signal(each, signal.SIG_DFL)
 os.execv(sys.argv[1], sys.argv[1:])' "$tool" prepare "$object" --models none -o "$work/signal/out.dmo" > "$work/out" 2> "$work/err" &
     writer=$!
     until grep -q waits "$work/err" || ! kill -0 $writer 2> /dev/null; do sleep 0.05; done
