@@ -137,8 +137,8 @@ static dm_result read_joint(dmi_env* env, uint32_t state_size, dm_part_state* st
 /* Reads the instance's own joint and value. */
 static dm_result read_state(dmi_env* env, start* s) {
     dm_part_state state;
-    dm_result result = dmi_read_desc(env, "dm_drag_begin: desc.state", s->desc->state,
-                                     FIRST_PART_STATE, sizeof state, &state);
+    dm_result result =
+        dmi_read_desc(env, "dm_drag_begin: desc.state", s->desc->state, FIRST_PART_STATE, sizeof state, &state);
     if (result == DM_OK) result = read_joint(env, s->desc->state->struct_size, &state, &s->joint);
     if (result == DM_OK) result = dmi_check_number(env, "dm_drag_begin: desc.state", ".value", state.value);
     if (result == DM_OK) result = dmi_joint_accept(env, "dm_drag_begin: desc.state.joint", s->object_size, &s->joint);

@@ -686,8 +686,8 @@ static void a_stop_explains_a_pull_the_other_way(void** state) {
     assert_near(both.pointer_value, 0.25f, 0);
 }
 
-/* 0.43 of the log odds among all and 1.17 for a straight pull, 0.55 of them and 2.1 for one that bends; at most 3 and 4.6.
- * The type has the share of all joints of it, and is no less sure than the joint. */
+/* 0.43 of the log odds among all and 1.17 for a straight pull, 0.55 of them and 2.1 for one that bends; at most 3
+ * and 4.6. The type has the share of all joints of it, and is no less sure than the joint. */
 static void a_confidence_comes_from_the_share_among_all(void** state) {
     (void)state;
     static const double law[2][3] = {{0.43, 1.17, 3}, {0.55, 2.1, 4.6}};

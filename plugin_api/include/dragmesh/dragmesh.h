@@ -328,12 +328,12 @@ typedef struct dm_joint {
     dm_vec3 axis;           /* unit; host object frame. A positive value turns right-handed in a right-handed host
                                frame (left-handed in a left-handed one), or slides along it. Found with a drag,
                                positive goes its way; without one, the longer way is positive, so `upper` opens */
-    dm_vec3 origin;     /* the point of the axis line nearest the part's centre; a host's own stays as it was given */
-    float lower, upper; /* limits of the joint value (rad or host units); the rest pose is value 0. None when they are
-                           equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad
-                           or 100 object sizes (FLT_MAX, 1e10, infinity) is none; where only one side is, a little more
-                           than that stands for it */
-    int32_t source;     /* DM_JOINT_FROM_*, DM_JOINT_CHOSEN */
+    dm_vec3 origin;       /* the point of the axis line nearest the part's centre; a host's own stays as it was given */
+    float lower, upper;   /* limits of the joint value (rad or host units); the rest pose is value 0. None when they are
+                             equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad
+                             or 100 object sizes (FLT_MAX, 1e10, infinity) is none; where only one side is, a little more
+                             than that stands for it */
+    int32_t source;       /* DM_JOINT_FROM_*, DM_JOINT_CHOSEN */
     uint32_t evidence[4]; /* in a dm_part_state: what the part's pulls so far say of all its joints. dm_drag_end writes
                              it, dm_drag_begin reads it; keep the four numbers as they are. Zeros: no pull said
                              anything. Elsewhere 0, and not read */
