@@ -1,12 +1,12 @@
 /* Finds and loads the weights: --models, DRAGMESH_MODELS, or a folder beside the program. */
 #include "models.h"
 
+#include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/platform.h"
 #include "../common/weights_folder.h"
 #include "files.h"
 
@@ -27,11 +27,9 @@ static dm_result read_weights(session* session, const char* folder, const char* 
     char* path = path_join(folder, name);
     dm_result result = DM_OK;
     *out = (weights){NULL, 0};
-    if (platform_exists(path)) {
-        out->data = file_read(path, &out->size);
-        if (out->data == NULL)
-            result = session_fail(session, DM_ERROR_NOT_FOUND, "can't read the weights '%s': %s", path, file_problem());
-    }
+    out->data = file_read(path, &out->size);
+    if (out->data == NULL && errno != ENOENT && errno != ENOTDIR)
+        result = session_fail(session, DM_ERROR_NOT_FOUND, "can't read the weights '%s': %s", path, file_problem());
     free(path);
     return result;
 }
