@@ -101,8 +101,8 @@ misuse('a log that throws', context => {
     let calls = 0;
     const loud = dragmesh.createContext({ onLog: () => { calls++; throw new Error('loud'); } });
     assert.throws(() => loud.loadObject(new Uint8Array(9)), /loud/);
-    loud.prepare({ mesh, parts });
-    assert.equal(calls, 1);
+    assert.throws(() => loud.prepare({ mesh, parts }), /loud/); // it warns that there are no weights
+    assert.equal(calls, 2);
     loud.destroy();
     assert.ok(context.memory.bytes > 0);
 });
