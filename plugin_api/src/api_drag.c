@@ -28,9 +28,9 @@
 #define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
 #define SMALLEST_FEEL 1e-12f /* of a time, share or catch that is not 0: its inverse stays in a float's range */
 #define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
-#define ROUNDED_TIME                                                                                                   \
-    1e-4f /* s: a negative time step this small is a rounded 0. The last bit of a clock that counts                    \
-             seconds in a float is as large after a quarter of an hour; by hand */
+/* A negative time step this small is a rounded 0, s. The last bit of a clock that counts seconds in a float is as large
+ * after a quarter of an hour; by hand. */
+#define ROUNDED_TIME 1e-4f
 
 static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
     const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,

@@ -17,7 +17,8 @@
 #define NOISE_FLOOR 0.0015f    /* expected residual at the start, share of the part's size */
 #define TAIL_EXPONENT 3.5f     /* of the power law that residuals follow */
 /* Log prior of a pull along a path that is straight, by a hand that knows it: some slide, and some turn about a far
- * axis, lies along a straight pull by chance. */
+ * axis, lies along a straight pull by chance. It fades where pull or path bends. Fitted with the knowing hands of the
+ * development set in view. */
 #define STRAIGHT_PATH_LOG_PRIOR (-0.8f)
 /* The same of a slide along the up direction, by how much less: a hand that lifts what it holds goes straight up the
  * screen, and so does every such slide. */

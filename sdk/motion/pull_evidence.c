@@ -6,9 +6,9 @@
 
 #include "math/elementary.h"
 
-#define STEPS 8.0f /* a nat; by hand: finer than any decision needs */
-#define MOST_EVIDENCE                                                                                                  \
-    8.0f /* nats that earlier pulls speak against a joint at most, so that a later one revises it; by hand */
+/* Nats that earlier pulls speak against a joint at most, so that a later one revises it; by hand. */
+#define MOST_EVIDENCE 8.0f
+#define STEPS 8.0f     /* a nat; by hand: finer than any decision needs */
 #define MOST_OWN 15.0f /* nats of the own joint's log posterior, either way, that fit a byte; by hand */
 #define MOST_PULLS 255 /* that a byte counts */
 #define SHOWN_OTHERS 8 /* likeliest of the unranked joints that stand for all of them; by hand, for the time */
