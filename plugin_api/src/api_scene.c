@@ -15,9 +15,8 @@ dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* came
     dm_camera known;
     dm_result result =
         dmi_read_desc(DMI_SILENT, "camera", camera, DMI_FIRST_SIZE(dm_camera, ortho_height), sizeof known, &known);
-    if (result == DM_OK) result = dmi_check_finite(DMI_SILENT, "x", &x, 1);
-    if (result == DM_OK) result = dmi_check_finite(DMI_SILENT, "y", &y, 1);
     if (result != DM_OK) return result;
+    if (!isfinite(x) || !isfinite(y)) return DM_ERROR_NOT_FINITE;
     dm_ray ray;
     if (out_ray == NULL || !dmi_camera_ray(&known, context->axes.handedness, x, y, &ray))
         return DM_ERROR_INVALID_ARGUMENT;
