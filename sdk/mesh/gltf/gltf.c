@@ -61,7 +61,7 @@ dm_result dmi_gltf_tell(dm_gltf* gltf, float share, uint64_t work, dmi_gltf_prob
 }
 
 void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem) {
-    dmi_gltf_warn(&gltf->env, "%s; left out", problem->text);
+    dmi_gltf_warn(&gltf->warnings, "%s; left out", problem->text);
     if (gltf->left_out.code == DM_OK) gltf->left_out = *problem;
 }
 
@@ -105,6 +105,7 @@ dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_
     gltf->files = on_disk->folder ? dmi_gltf_folder_files(gltf) : desc->files;
     dmi_gltf_problem problem = {.code = DM_OK};
     const dm_result result = load(gltf, desc, &problem);
+    dmi_gltf_log_warnings(&gltf->env, &gltf->warnings);
     if (result == DM_OK) {
         *out_gltf = gltf;
         return DM_OK;

@@ -188,7 +188,7 @@ static dm_result refuse_meshopt(dm_gltf* gltf, const cJSON* view, dmi_gltf_decod
         dmi_gltf_find_stored(gltf, view, place, &none, out) != DM_OK)
         return problem->code;
     decoded->refused = 1;
-    dmi_gltf_warn(&gltf->env, "%s; its plain data is read", problem->text);
+    dmi_gltf_warn(&gltf->warnings, "%s; its plain data is read", problem->text);
     *problem = (dmi_gltf_problem){.code = DM_OK};
     return DM_OK;
 }

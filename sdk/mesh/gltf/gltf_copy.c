@@ -168,7 +168,7 @@ static void copy_targets(dmi_edit* e, const dmi_copy* copy, cJSON* made) {
     const cJSON *targets = dmi_json_get(copy->from, "targets"), *target;
     if (!targets) return;
     if (copy->placed) {
-        dmi_gltf_warn(e->env, "dm_gltf_export: the morph targets of a moving part with bones are left out");
+        dmi_gltf_warn(&e->from->warnings, "dm_gltf_export: the morph targets of a moving part with bones are left out");
         cJSON_DeleteItemFromObjectCaseSensitive(made, "targets");
         return;
     }

@@ -347,5 +347,6 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
         result = run(&x, out_data, out_size);
     }
     close_exporter(&x, &env);
+    dmi_gltf_log_warnings(&env, &file->warnings);
     return result;
 }

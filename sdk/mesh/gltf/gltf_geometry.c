@@ -234,7 +234,7 @@ static int refuse_draco(dm_gltf* gltf, const cJSON* primitive, const dmi_gltf_pr
         dmi_gltf_position(&gltf->document, DMI_GLTF_VIEWS, dmi_json_number(draco, "bufferView", DMI_GLTF_NO_INDEX));
     if (view < 0) return 0;
     gltf->decoded[view].refused = 1;
-    dmi_gltf_warn(&gltf->env, "%s; its plain data is read", problem->text);
+    dmi_gltf_warn(&gltf->warnings, "%s; its plain data is read", problem->text);
     return 1;
 }
 

@@ -177,7 +177,7 @@ static dm_result find_places(skinner* s, const char* place, dmi_gltf_problem* pr
         }
     }
     if (mixed > 0)
-        dmi_gltf_warn(&s->gltf->env,
+        dmi_gltf_warn(&s->gltf->warnings,
                       "%s: %" PRId64 " of %" PRIu64 " vertices have several bones, each goes with its heaviest", place,
                       mixed, s->shape->vertex_count);
     return DM_OK;
@@ -285,7 +285,7 @@ dm_result dmi_gltf_add_skinned(dm_gltf* gltf, const dmi_gltf_shape* shape, uint3
         gltf->vertex_count += shape->vertex_count;
         gltf->face_count += shape->face_count;
     } else if (!here.fatal) {
-        dmi_gltf_warn(&gltf->env, "%s; its skin is left out", here.text);
+        dmi_gltf_warn(&gltf->warnings, "%s; its skin is left out", here.text);
         result = dmi_gltf_add_rigid(gltf, shape, node, &here);
     }
     close_skinner(&s);

@@ -13,7 +13,19 @@ typedef struct dmi_gltf_problem {
 
 /* Stores the problem, fatal where memory is short or the host asked to stop, and returns `code`. */
 dm_result dmi_gltf_refuse(dmi_gltf_problem* problem, dm_result code, const char* format, ...) DMI_PRINTF(3, 4);
-/* Logs a warning, for what is left out of a file. */
-void dmi_gltf_warn(dmi_env* env, const char* format, ...) DMI_PRINTF(2, 3);
+
+#define DMI_GLTF_NAMED_WARNINGS 3 /* of one call, that its message quotes; by hand */
+
+/* What one call warns of. */
+typedef struct dmi_gltf_warnings {
+    uint32_t count;
+    char texts[DMI_GLTF_NAMED_WARNINGS][512]; /* of the first ones; a log message is as long */
+} dmi_gltf_warnings;
+
+/* Adds a warning: of what is left out of a file, or is not read as it stands. */
+void dmi_gltf_warn(dmi_gltf_warnings* warnings, const char* format, ...) DMI_PRINTF(2, 3);
+/* Logs one message, which counts the warnings of the call and quotes the first ones, and forgets them. Each function of
+ * dm_gltf that may warn ends with it. */
+void dmi_gltf_log_warnings(dmi_env* env, dmi_gltf_warnings* warnings);
 
 #endif

@@ -172,7 +172,7 @@ static dm_result read_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, 
     const uint64_t faces = listed ? count / 3 : count < 3 ? 0 : count - 2;
     *out_faces = faces;
     if (listed && count % 3 != 0)
-        dmi_gltf_warn(&gltf->env, "%s: %" PRIu64 " corners are not a multiple of 3, the last are left out", place,
+        dmi_gltf_warn(&gltf->warnings, "%s: %" PRIu64 " corners are not a multiple of 3, the last are left out", place,
                       count);
     /* Three more corners than the triangles of a list have: the odd ones. */
     dm_result result = grow_faces(gltf, shape, faces + 1, place, problem);
@@ -247,7 +247,7 @@ static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const c
     dm_result result = dmi_gltf_find_geometry(gltf, primitive, place, problem, &geometry);
     if (result == DM_OK) result = read_corners(builder, shape, &geometry, place, problem, &faces);
     if (result != DM_OK || faces == 0) return result;
-    if (dmi_json_get(primitive, "targets")) dmi_gltf_warn(&gltf->env, "%s: its morph targets are left out", place);
+    if (dmi_json_get(primitive, "targets")) dmi_gltf_warn(&gltf->warnings, "%s: its morph targets are left out", place);
     if (faces > DM_MAX_ELEMENTS - shape->face_count)
         return dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE, "%s: more than %d triangles", place, DM_MAX_ELEMENTS);
     add_run(builder, mesh, &geometry, primitive, index, faces);

@@ -68,7 +68,7 @@ static dm_result find_image(dm_gltf* gltf, const cJSON* texture, dm_gltf_surface
         if (result == DM_ERROR_OUT_OF_MEMORY) return dmi_fail(&gltf->env, result, "%s", problem.text);
         static const uint8_t nothing[1];
         if (result != DM_OK) {
-            dmi_gltf_warn(&gltf->env, "%s; the image is left out", problem.text);
+            dmi_gltf_warn(&gltf->warnings, "%s; the image is left out", problem.text);
             *image = (dmi_gltf_buffer){.data = nothing}; /* is not looked for again */
         }
     }
@@ -99,6 +99,7 @@ dm_result dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* ou
     out.wrap_u = wrap_of(sampler, "wrapS");
     out.wrap_v = wrap_of(sampler, "wrapT");
     const dm_result result = find_image(gltf, texture, &out);
+    dmi_gltf_log_warnings(&gltf->env, &gltf->warnings);
     if (result == DM_OK) *out_surface = out;
     return result;
 }
@@ -148,6 +149,7 @@ dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* 
         dmi_gltf_draco_of(gltf, primitive)
             ? dmi_gltf_find_in_draco(gltf, primitive, name, "glTF: texture coordinates", &problem, &from)
             : dmi_gltf_find_elements(gltf, accessor->valuedouble, "glTF: texture coordinates", &problem, &from);
+    dmi_gltf_log_warnings(&gltf->env, &gltf->warnings);
     if (result != DM_OK) return dmi_fail(&gltf->env, result, "%s", problem.text);
     if (from.components != 2)
         return dmi_fail(&gltf->env, DM_ERROR_BAD_DATA, "glTF: %s has %d components", name, from.components);

@@ -83,7 +83,8 @@ static void read_nodes(dm_gltf* gltf) {
         *node = (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1};
         node->mesh = (int32_t)dmi_gltf_position(document, DMI_GLTF_MESHES, mesh);
         if (is_turned_nowhere(json))
-            dmi_gltf_warn(&gltf->env, "glTF node %u '%.80s': its rotation is 0 0 0 0, taken as none", i, node->name);
+            dmi_gltf_warn(&gltf->warnings, "glTF node %u '%.80s': its rotation is 0 0 0 0, taken as none", i,
+                          node->name);
         if (mesh < 0 || node->mesh >= 0) continue;
         dmi_gltf_problem missing;
         dmi_gltf_refuse(&missing, DM_ERROR_BAD_DATA, "glTF node %u '%.80s': mesh %.17g does not exist", i, node->name,
