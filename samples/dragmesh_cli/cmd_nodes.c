@@ -16,13 +16,13 @@ typedef struct node_entry {
     bool is_body; /* the largest: what prepare takes for the body */
 } node_entry;
 
-static void read_entry(const session* session, uint32_t index, node_entry* out) {
+static void read_entry(const session* session, uint32_t index, uint32_t largest, node_entry* out) {
     char number[32];
     dm_gltf_get_node(session->gltf, index, &out->node);
     snprintf(number, sizeof number, "#%u", (unsigned)out->node.node);
     part_hints_of_node(session->gltf, session->path, number, &out->hints);
     node_box_size(session, index, out->size);
-    out->is_body = index == largest_node(session);
+    out->is_body = index == largest;
 }
 
 static void print_entry(const session* session, const node_entry* entry) {
@@ -56,28 +56,29 @@ static cJSON* entry_to_json(const session* session, const node_entry* entry) {
     return out;
 }
 
-static void list_nodes(const session* session, int as_json) {
-    cJSON* out = cJSON_CreateObject();
-    cJSON_AddNumberToObject(out, "triangles", (double)(session->mesh.index_count / 3));
-    cJSON_AddNumberToObject(out, "vertices", (double)session->mesh.vertex_count);
-    cJSON* list = cJSON_AddArrayToObject(out, "nodes");
-    if (!as_json)
-        printf("%-6s %-24s %9s  %s\n", "node", "name", "triangles", "size, what carries it, names that count");
+static void print_table(const session* session, uint32_t largest) {
+    printf("%-6s %-24s %9s  %s\n", "node", "name", "triangles", "size, what carries it, names that count");
     for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
         node_entry entry;
-        read_entry(session, i, &entry);
-        if (!as_json) print_entry(session, &entry);
-        cJSON_AddItemToArray(list, entry_to_json(session, &entry));
+        read_entry(session, i, largest, &entry);
+        print_entry(session, &entry);
     }
-    if (as_json)
-        json_print_line(out);
-    else
-        cJSON_Delete(out);
-    if (!as_json)
-        printf("%llu triangles. --moving takes a name or a number with its #; a name that several nodes have means all "
-               "of\n"
-               "them. The names that count are the evidence that the asset gives of how a node moves.\n",
-               (unsigned long long)(session->mesh.index_count / 3));
+    printf("%llu triangles. --moving takes a name or a number with its #; a name that several nodes have means all of\n"
+           "them. The names that count are the evidence that the asset gives of how a node moves.\n",
+           (unsigned long long)(session->mesh.index_count / 3));
+}
+
+/* Prints one object, a node at a time: a file may have a million of them. */
+static void print_json(const session* session, uint32_t largest) {
+    printf("{\"triangles\":%llu,\"vertices\":%llu,\"nodes\":[", (unsigned long long)(session->mesh.index_count / 3),
+           (unsigned long long)session->mesh.vertex_count);
+    for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
+        node_entry entry;
+        read_entry(session, i, largest, &entry);
+        if (i > 0) putchar(',');
+        json_print_piece(entry_to_json(session, &entry));
+    }
+    printf("]}\n");
 }
 
 static int run(int argc, char** argv) {
@@ -90,7 +91,7 @@ static int run(int argc, char** argv) {
     if (status == CLI_OK) status = session_open(&session, "none", NULL);
     if (status != CLI_OK) return status;
     if (session_use_file(&session, file) == DM_OK) {
-        list_nodes(&session, as_json);
+        (as_json ? print_json : print_table)(&session, largest_node(&session));
     } else {
         fprintf(stderr, "dragmesh: %s\n", session.error);
         status = CLI_FAILED;

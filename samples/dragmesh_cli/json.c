@@ -34,16 +34,26 @@ void json_add_point(cJSON* object, const char* name, dm_vec3 point, const double
 /* Ids, paths and names come back as they came in, which may be no UTF-8. */
 static void print_and_delete(cJSON* object, char* text) {
     dm_gltf_mend_text(text);
-    if (text != NULL) puts(text);
-    fflush(stdout);
+    if (text != NULL) fputs(text, stdout);
     cJSON_free(text);
     cJSON_Delete(object);
 }
 
-void json_print_line(cJSON* object) {
+static void end_line(void) {
+    putchar('\n');
+    fflush(stdout);
+}
+
+void json_print_piece(cJSON* object) {
     print_and_delete(object, cJSON_PrintUnformatted(object));
+}
+
+void json_print_line(cJSON* object) {
+    json_print_piece(object);
+    end_line();
 }
 
 void json_print(cJSON* object) {
     print_and_delete(object, cJSON_Print(object));
+    end_line();
 }

@@ -13,7 +13,7 @@
 
 enum { LABEL = 512, CORNERS = 3 << 12, UNTOUCHED = 0xa5 };
 
-#define MEMORY_BASE ((size_t)16 << 20) /* docs/memory.md, of dm_gltf_open */
+#define MEMORY_BASE ((size_t)64 << 20) /* docs/memory.md, of dm_gltf_open */
 #define MEMORY_FACTOR 256
 
 static fuzz_host host;

@@ -21,6 +21,20 @@ dm_result dmi_gltf_spend(dm_gltf* gltf, uint64_t count, uint64_t element, const 
     return problem->code;
 }
 
+uint64_t dmi_gltf_grant_draco(dm_gltf* gltf, uint64_t size) {
+    const uint64_t counted = size < gltf->draco_left ? size : gltf->draco_left;
+    const uint64_t granted = counted * (DMI_GLTF_BYTES_PER_DRACO_BYTE - DMI_GLTF_BYTES_PER_BYTE);
+    gltf->draco_left -= counted;
+    gltf->bytes_most += granted;
+    gltf->bytes_left += granted;
+    return granted;
+}
+
+void dmi_gltf_take_back(dm_gltf* gltf, uint64_t granted) {
+    gltf->bytes_most -= granted;
+    gltf->bytes_left -= granted < gltf->bytes_left ? granted : gltf->bytes_left;
+}
+
 /* ---- buffers ---- */
 
 static dm_result open_file(dm_gltf* gltf, const char* uri, dmi_gltf_problem* problem, dmi_gltf_buffer* out) {
@@ -105,7 +119,10 @@ dm_result dmi_gltf_read_buffers(dm_gltf* gltf, const dmi_gltf_container* from, d
         bytes += gltf->buffers[i].file_size;
     }
     gltf->bytes_left = gltf->bytes_most = DMI_GLTF_BYTES_ALWAYS + DMI_GLTF_BYTES_PER_BYTE * bytes;
-    return DM_OK;
+    gltf->draco_left = bytes;
+    const dm_result result = dmi_gltf_spend(gltf, count, sizeof *gltf->buffers, "glTF: the buffers", problem);
+    return result == DM_OK ? dmi_gltf_spend(gltf, views, sizeof *gltf->decoded, "glTF: the buffer views", problem)
+                           : result;
 }
 
 static void release_list(dm_gltf* gltf, dmi_gltf_buffer* list, uint32_t count) {

@@ -8,10 +8,11 @@
 #include "mesh/gltf/gltf_draco.h"
 
 /* Bytes of memory that the reader may take for a byte of the file, besides cJSON's, and what it may take in any case.
- * By hand: a vertex or triangle of the merged mesh takes 12 to 24, a byte of compressed geometry holds a few of them,
- * and files repeat a mesh some times over. */
-#define DMI_GLTF_BYTES_PER_BYTE 256
-#define DMI_GLTF_BYTES_ALWAYS (16u << 20)
+ * By hand: 309 objects that people made took 4 at most (28 November 2026), and files repeat a mesh some times over. */
+#define DMI_GLTF_BYTES_PER_BYTE 64
+#define DMI_GLTF_BYTES_ALWAYS (64u << 20)
+/* The same of a byte of a Draco stream, which holds half a vertex and a triangle. By hand. */
+#define DMI_GLTF_BYTES_PER_DRACO_BYTE 256
 
 /* Bytes of a buffer of the file. */
 typedef struct dmi_gltf_buffer {
@@ -39,6 +40,7 @@ typedef struct dmi_gltf_tree_node {
     const cJSON* json;
     const char* name; /* "" when it has none */
     int32_t parent;   /* -1: none */
+    int32_t named;    /* the nearest node above that has a name; -1: none */
     int32_t mesh;     /* -1: none */
     uint8_t placed;   /* it hangs below a root, so that it has a place in the world */
     uint8_t shown;    /* the scene has it, and it is visible and no collider */
@@ -89,6 +91,7 @@ struct dm_gltf {
     uint8_t* sparse_fit;             /* as many as the document has accessors: what is known of their changes */
     dmi_gltf_buffer* images;         /* as many as the document has; NULL until one is asked for */
     uint64_t bytes_most, bytes_left; /* of the memory that a call may take, and may still take */
+    uint64_t draco_left;             /* bytes of the file that no Draco stream has taken yet */
     dmi_gltf_tree_node* tree;        /* as many as the document has nodes */
     dmi_gltf_name* names;            /* of all nodes, sorted; of one name in the file's order */
     uint32_t* order;                 /* placed nodes, parents before children */
@@ -121,6 +124,10 @@ const dm_log* dmi_gltf_log_of(const dm_gltf_desc* desc);
 dm_result dmi_gltf_tell(dm_gltf* gltf, float share, uint64_t work, dmi_gltf_problem* problem);
 /* Takes memory out of what the file may cost; TOO_LARGE when it is used up. */
 dm_result dmi_gltf_spend(dm_gltf* gltf, uint64_t count, uint64_t element, const char* place, dmi_gltf_problem* problem);
+/* Adds what a Draco stream of `size` bytes may take; no byte of the file counts twice. Returns how much that is, for
+ * dmi_gltf_take_back where the stream does not decode. */
+uint64_t dmi_gltf_grant_draco(dm_gltf* gltf, uint64_t size);
+void dmi_gltf_take_back(dm_gltf* gltf, uint64_t granted);
 
 /* Warns that a piece of the file is left out; when nothing else is there, the first such problem is the error. */
 void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem);

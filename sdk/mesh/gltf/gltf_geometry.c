@@ -63,13 +63,16 @@ static dm_result open_draco(dm_gltf* gltf, const cJSON* primitive, const char* p
     if (result == DM_OK)
         result =
             accessor_count(gltf, dmi_json_number(primitive, "indices", DMI_GLTF_NO_INDEX), place, problem, &corners);
+    const uint64_t granted = result == DM_OK ? dmi_gltf_grant_draco(gltf, stream.size) : 0;
     if (result == DM_OK) result = dmi_gltf_spend(gltf, points, DRACO_BYTES_A_POINT, place, problem);
     if (result == DM_OK) result = dmi_gltf_spend(gltf, corners / 3, DRACO_BYTES_A_FACE, place, problem);
     if (result != DM_OK) return result;
     char reason[160] = "";
     result = dmi_draco_open(stream.data, (size_t)stream.size, (uint32_t)points, (uint32_t)(corners / 3), reason,
                             sizeof reason, &(*out)->draco);
-    return result == DM_OK ? DM_OK : dmi_gltf_refuse(problem, result, "%s: %s: %s", place, DMI_DRACO_NAME, reason);
+    if (result == DM_OK) return DM_OK;
+    dmi_gltf_take_back(gltf, granted);
+    return dmi_gltf_refuse(problem, result, "%s: %s: %s", place, DMI_DRACO_NAME, reason);
 }
 
 /* The elements of the block, which is filled when it is new. */

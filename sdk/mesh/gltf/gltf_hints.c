@@ -27,14 +27,17 @@ static const char* mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node
     return name ? name : "";
 }
 
-/* Writes the names of the nodes that carry a node, of its mesh and its own. The innermost ones stay where not all fit.
- */
+/* Writes the names of the nodes that carry a node, of its mesh and its own. Where not all fit, the innermost ones of
+ * the nodes above stay. */
 static void write_path(const dm_gltf* gltf, const dmi_gltf_tree_node* node, char* out, size_t size) {
     size_t used = put_before(out, size, 1, node->name);
     out[size - 1] = 0;
     used = put_before(out, size, used, mesh_name(gltf, node));
-    for (int32_t index = node->parent; index >= 0; index = gltf->tree[index].parent)
+    for (int32_t index = node->named; index >= 0; index = gltf->tree[index].named) {
+        const size_t before = used;
         used = put_before(out, size, used, gltf->tree[index].name);
+        if (used == before) break;
+    }
     memmove(out, out + size - used, used);
 }
 

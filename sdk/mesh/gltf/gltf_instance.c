@@ -11,24 +11,26 @@
 
 /* ---- lists ---- */
 
-/* Makes room for one more item of a list. */
-static void* grow(dmi_env* env, void* items, uint32_t count, uint32_t* capacity, size_t size) {
+/* Makes room for one more item of a list. NULL: `problem` says why. */
+static void* grow(dm_gltf* gltf, void* items, uint32_t count, uint32_t* capacity, size_t size,
+                  dmi_gltf_problem* problem) {
     if (count < *capacity) return items;
     const uint32_t larger = *capacity ? 2 * *capacity : 16;
-    void* copy = dmi_alloc(env, larger * size, 16);
-    if (!copy) return NULL;
+    if (dmi_gltf_spend(gltf, larger, size, "glTF: the nodes", problem) != DM_OK) return NULL;
+    void* copy = dmi_alloc(&gltf->env, larger * size, 16);
+    if (!copy) {
+        dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes or primitives", count + 1);
+        return NULL;
+    }
     if (items) memcpy(copy, items, count * size);
-    dmi_free(env, items, *capacity * size);
+    dmi_free(&gltf->env, items, *capacity * size);
     *capacity = larger;
     return copy;
 }
 
 static dm_gltf_node* add_node(dm_gltf* gltf, uint32_t node, dmi_gltf_problem* problem) {
-    dm_gltf_node* nodes = grow(&gltf->env, gltf->nodes, gltf->node_count, &gltf->node_capacity, sizeof *nodes);
-    if (!nodes) {
-        dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", gltf->node_count + 1);
-        return NULL;
-    }
+    dm_gltf_node* nodes = grow(gltf, gltf->nodes, gltf->node_count, &gltf->node_capacity, sizeof *nodes, problem);
+    if (!nodes) return NULL;
     gltf->nodes = nodes;
     nodes += gltf->node_count++;
     *nodes = (dm_gltf_node){.name = gltf->tree[node].name,
@@ -40,11 +42,9 @@ static dm_gltf_node* add_node(dm_gltf* gltf, uint32_t node, dmi_gltf_problem* pr
 }
 
 static dmi_gltf_piece* add_piece(dm_gltf* gltf, dmi_gltf_problem* problem) {
-    dmi_gltf_piece* pieces = grow(&gltf->env, gltf->pieces, gltf->piece_count, &gltf->piece_capacity, sizeof *pieces);
-    if (!pieces) {
-        dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u primitives", gltf->piece_count + 1);
-        return NULL;
-    }
+    dmi_gltf_piece* pieces =
+        grow(gltf, gltf->pieces, gltf->piece_count, &gltf->piece_capacity, sizeof *pieces, problem);
+    if (!pieces) return NULL;
     gltf->pieces = pieces;
     return pieces + gltf->piece_count++;
 }

@@ -162,6 +162,8 @@ static dm_result take_room(merger* m, dmi_gltf_problem* problem) {
  * goes with its first. */
 static dm_result find_carriers(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    const dm_result result = dmi_gltf_spend(gltf, count, 2 * sizeof(uint32_t), "glTF: the nodes", problem);
+    if (result != DM_OK) return result;
     uint32_t* own = dmi_alloc(&gltf->env, 2 * (size_t)count * sizeof *own, 16); /* and what carries, behind it */
     if (!own) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
     uint32_t* above = own + count;
@@ -182,9 +184,12 @@ static dm_result find_carriers(dm_gltf* gltf, dmi_gltf_problem* problem) {
 
 static dm_result merge(merger* m, dmi_gltf_problem* problem) {
     dm_gltf* gltf = m->gltf;
-    m->instances = dmi_alloc(&gltf->env, gltf->document.counts[DMI_GLTF_NODES] * sizeof *m->instances, 16);
+    const uint32_t nodes = gltf->document.counts[DMI_GLTF_NODES];
+    dm_result result = dmi_gltf_spend(gltf, nodes, sizeof *m->instances, "glTF: the nodes", problem);
+    if (result != DM_OK) return result;
+    m->instances = dmi_alloc(&gltf->env, nodes * sizeof *m->instances, 16);
     if (!m->instances) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for its nodes");
-    dm_result result = dmi_gltf_builder_open(gltf, problem, &m->builder);
+    result = dmi_gltf_builder_open(gltf, problem, &m->builder);
     if (result == DM_OK) result = enter_nodes(m, problem);
     if (result != DM_OK) return result;
     if (m->instance_count == 0) {

@@ -15,6 +15,8 @@ static int compare(const void* a, const void* b) {
 dm_result dmi_gltf_sort_names(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
     if (count == 0) return DM_OK;
+    const dm_result result = dmi_gltf_spend(gltf, count, sizeof *gltf->names, "glTF: the names", problem);
+    if (result != DM_OK) return result;
     gltf->names = dmi_alloc(&gltf->env, count * sizeof *gltf->names, _Alignof(dmi_gltf_name));
     if (!gltf->names)
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "no memory for the names of %u nodes", count);

@@ -44,6 +44,11 @@ static void find_users(dmi_gltf_builder* builder) {
 dm_result dmi_gltf_builder_open(dm_gltf* gltf, dmi_gltf_problem* problem, dmi_gltf_builder* out) {
     dmi_env* env = &gltf->env;
     const uint32_t keys = dmi_gltf_key_count(gltf), meshes = gltf->document.counts[DMI_GLTF_MESHES];
+    const size_t key = sizeof *out->users + sizeof *out->stamps + sizeof *out->owners + sizeof *out->finite;
+    *out = (dmi_gltf_builder){.gltf = gltf};
+    dm_result result = dmi_gltf_spend(gltf, meshes, sizeof *out->shapes, "glTF: the meshes", problem);
+    if (result == DM_OK) result = dmi_gltf_spend(gltf, keys, key, "glTF: the accessors", problem);
+    if (result != DM_OK) return result;
     *out = (dmi_gltf_builder){.gltf = gltf,
                               .shapes = dmi_alloc_zeroed(env, meshes * sizeof *out->shapes, 16),
                               .users = dmi_alloc_zeroed(env, keys * sizeof *out->users, 16),
@@ -83,9 +88,11 @@ void dmi_gltf_builder_close(dmi_gltf_builder* builder) {
 static dm_result grow_faces(dm_gltf* gltf, dmi_gltf_shape* shape, uint64_t added, const char* place,
                             dmi_gltf_problem* problem) {
     const uint64_t needed = shape->face_count + added;
-    const dm_result result = dmi_gltf_spend(gltf, added, 3 * sizeof *shape->corners, place, problem);
+    dm_result result = dmi_gltf_spend(gltf, added, 3 * sizeof *shape->corners, place, problem);
     if (result != DM_OK || needed <= shape->face_capacity) return result;
     const uint64_t capacity = shape->face_count == 0 ? needed : 2 * needed;
+    if (shape->face_count > 0) result = dmi_gltf_spend(gltf, capacity, 3 * sizeof *shape->corners, place, problem);
+    if (result != DM_OK) return result;
     uint32_t* corners = dmi_alloc(&gltf->env, capacity * 3 * sizeof *corners, 16);
     if (!corners)
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for %" PRIu64 " triangles", place,
@@ -277,10 +284,12 @@ static int is_marked(const dmi_gltf_builder* builder, uint64_t element) {
 
 static dm_result grow_vertices(dm_gltf* gltf, dmi_gltf_shape* shape, uint64_t added, dmi_gltf_problem* problem) {
     const uint64_t needed = shape->vertex_count + added, old = shape->vertex_capacity, kept = shape->vertex_count;
-    const dm_result result =
-        dmi_gltf_spend(gltf, added, 3 * sizeof(float) + sizeof(uint32_t), "glTF: the vertices", problem);
+    const size_t vertex = sizeof *shape->elements + 3 * sizeof *shape->local;
+    dm_result result = dmi_gltf_spend(gltf, added, vertex, "glTF: the vertices", problem);
     if (result != DM_OK || needed <= old) return result;
     const uint64_t capacity = old == 0 ? needed : 2 * needed;
+    if (old > 0) result = dmi_gltf_spend(gltf, capacity, vertex, "glTF: the vertices", problem);
+    if (result != DM_OK) return result;
     float* local = dmi_alloc(&gltf->env, capacity * 3 * sizeof *local, 16);
     uint32_t* elements = dmi_alloc(&gltf->env, capacity * sizeof *elements, 16);
     if (local && elements && kept > 0) {
@@ -466,7 +475,11 @@ dm_result dmi_gltf_build_shape(dmi_gltf_builder* builder, uint32_t node, dmi_glt
         shape->low[k] = INFINITY;
         shape->high[k] = -INFINITY;
     }
-    shape->capacity = (uint32_t)cJSON_GetArraySize(primitives);
+    const uint32_t primitive_count = (uint32_t)cJSON_GetArraySize(primitives);
+    const size_t item = sizeof *shape->groups + sizeof *shape->runs;
+    const dm_result room = dmi_gltf_spend(gltf, primitive_count, item, "glTF: the primitives", problem);
+    if (room != DM_OK) return room;
+    shape->capacity = primitive_count;
     shape->groups = dmi_alloc(&gltf->env, shape->capacity * sizeof *shape->groups, 16);
     shape->runs = dmi_alloc(&gltf->env, shape->capacity * sizeof *shape->runs, 16);
     if (!shape->groups || !shape->runs)

@@ -80,7 +80,7 @@ static void read_nodes(dm_gltf* gltf) {
         const char* name = dmi_json_text(json, "name");
         const double mesh = dmi_json_number(json, "mesh", DMI_GLTF_NO_INDEX);
         dmi_gltf_tree_node* node = &gltf->tree[i];
-        *node = (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1};
+        *node = (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1, .named = -1};
         node->mesh = (int32_t)dmi_gltf_position(document, DMI_GLTF_MESHES, mesh);
         if (is_turned_nowhere(json))
             dmi_gltf_warn(&gltf->warnings, "glTF node %u '%.80s': its rotation is 0 0 0 0, taken as none", i,
@@ -143,8 +143,10 @@ static void place_nodes(dm_gltf* gltf) {
         if (node->parent < 0) {
             memcpy(node->world, local, sizeof local);
         } else {
-            dmi_gltf_multiply(gltf->tree[node->parent].world, local, node->world);
-            node->shown = gltf->tree[node->parent].shown;
+            const dmi_gltf_tree_node* parent = &gltf->tree[node->parent];
+            dmi_gltf_multiply(parent->world, local, node->world);
+            node->shown = parent->shown;
+            node->named = parent->name[0] ? node->parent : parent->named;
         }
         node->placed = 1;
         /* A named group of colliders hides what it holds. */
@@ -165,12 +167,15 @@ static void hide_colliders(dm_gltf* gltf) {
 
 dm_result dmi_gltf_read_tree(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    dm_result result =
+        dmi_gltf_spend(gltf, count, sizeof *gltf->tree + sizeof *gltf->order, "glTF: the nodes", problem);
+    if (result != DM_OK) return result;
     gltf->tree = dmi_alloc_zeroed(&gltf->env, count * sizeof *gltf->tree, 16);
     gltf->order = dmi_alloc(&gltf->env, count * sizeof *gltf->order, 16);
     if (!gltf->tree || !gltf->order)
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
     read_nodes(gltf);
-    dm_result result = read_parents(gltf, problem);
+    result = read_parents(gltf, problem);
     if (result == DM_OK) result = show_roots(gltf, problem);
     if (result != DM_OK) return result;
     place_nodes(gltf);

@@ -63,7 +63,8 @@ typedef struct dm_gltf_node {
  * and meshes named UCX_*, UBX_*, UCP_*, USP_*, *_collider, *-colonly, *-convcolonly; invisible nodes
  * (KHR_node_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD_DATA,
  * NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. Others: NOT_FOUND (a file beside it), VERSION, TOO_LARGE (it would
- * take more memory than 16 MB and 256 bytes a byte of the file). */
+ * take more memory than 64 MB and 64 bytes a byte of the file, 256 a byte of a Draco stream). A call logs one warning,
+ * which counts what is left out and quotes the first three. */
 DM_API dm_result DM_CALL dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf);
 /* The same for a file and those beside it, which are read from its folder and from nowhere else; `desc` leaves data,
  * size and files at 0. NOT_FOUND: there is no such regular file. */
