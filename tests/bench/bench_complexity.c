@@ -396,7 +396,7 @@ static void run_gltf(input* in) {
     dm_gltf_close(gltf);
 }
 
-/* Names every node. */
+/* Names every node, and asks what its names and its pivot say. */
 static void run_all_names(input* in) {
     const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = in->glb.data, .size = in->glb.size};
     dm_gltf* gltf;
@@ -410,6 +410,12 @@ static void run_all_names(input* in) {
         names[i] = text[i];
     }
     CHECK(dm_gltf_mark_faces(gltf, names, count, 1, faces, count)); /* a triangle a node */
+    for (uint32_t i = 0; i < count; i++) {
+        char label[NODE_NAME];
+        dm_pivot pivot;
+        CHECK(dm_gltf_get_hints(gltf, names[i], label, sizeof label, &pivot));
+        dm_gltf_pivots_are_lost(gltf);
+    }
     free(faces);
     free(names);
     free(text);

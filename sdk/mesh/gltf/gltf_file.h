@@ -80,7 +80,7 @@ struct dm_gltf {
     float told;
     uint64_t untold;           /* vertices and triangles since the last report */
     dmi_gltf_problem left_out; /* the first thing that was left out */
-    uint8_t has_one_of_instances;
+    uint8_t has_one_of_instances, pivots_are_lost;
     dmi_gltf_warnings warnings; /* of the call at hand */
     dmi_gltf_document document;
     uint8_t* bin_copy; /* of the binary chunk; NULL where the bytes stay */

@@ -60,17 +60,7 @@ static void write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* o
 }
 
 int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf) {
-    const uint32_t count = dm_gltf_node_count(gltf);
-    dm_gltf_node node;
-    const double* first = NULL;
-    for (uint32_t i = 0; i < count; i++) {
-        dm_gltf_get_node(gltf, i, &node);
-        const double* origin = gltf->tree[node.node].world + ORIGIN;
-        if (first == NULL) first = origin;
-        for (int row = 0; row < 3; row++)
-            if (origin[row] != first[row]) return 0;
-    }
-    return count > 1;
+    return gltf && gltf->pivots_are_lost;
 }
 
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,

@@ -182,6 +182,16 @@ static dm_result find_carriers(dm_gltf* gltf, dmi_gltf_problem* problem) {
     return DM_OK;
 }
 
+/* Whether several nodes all have their pivots in one place, as a tool leaves them that applies the transforms. */
+static uint8_t have_one_pivot(const dm_gltf* gltf) {
+    for (uint32_t i = 1; i < gltf->node_count; i++) {
+        const double *first = gltf->tree[gltf->nodes[0].node].world, *here = gltf->tree[gltf->nodes[i].node].world;
+        for (int row = 12; row < 15; row++)
+            if (here[row] != first[row]) return 0;
+    }
+    return gltf->node_count > 1;
+}
+
 static dm_result merge(merger* m, dmi_gltf_problem* problem) {
     dm_gltf* gltf = m->gltf;
     const uint32_t nodes = gltf->document.counts[DMI_GLTF_NODES];
@@ -208,6 +218,7 @@ static dm_result merge(merger* m, dmi_gltf_problem* problem) {
         const float done = SHAPES_BUILT + (1 - SHAPES_BUILT) * (float)i / (float)m->instance_count;
         if (result == DM_OK) result = dmi_gltf_tell(gltf, done, 1, problem);
     }
+    gltf->pivots_are_lost = have_one_pivot(gltf);
     return result == DM_OK ? find_carriers(gltf, problem) : result;
 }
 
