@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/e2e/smoke_training.sh — trains both networks and the ranker for a moment from nothing (4 to 6 minutes). Fails when a
+# tests/e2e/smoke_training.sh — trains both networks and the ranker for a moment from nothing (some minutes). Fails when a
 # loss does not fall, when a run or the whole command does not go on from where it was, when the same run twice gives other weights, when exported
 # weights can't be scored, when the networks of the paper's size can't take a step, or when the library with a ranker of 400
 # cases finds less than half of the joints.
@@ -25,11 +25,11 @@ smoke() {
     (cd training && "$python" -m dragmesh_training.evaluate "$network" "$work/$weights" --count 64 > /dev/null)
 }
 
-smoke kpp kpp_net.safetensors --set batch=16 --set pool=2048 --set choice_from=0
-smoke vae dq_vae.safetensors --set batch=32 --set pool=2048
+smoke kpp kpp_net.safetensors --set batch=16 --set pool=1024 --set choice_from=0
+smoke vae dq_vae.safetensors --set batch=32 --set pool=1024
 for way in "" --plain; do
     for run in first second; do
-        "$python" training/train kpp $way --run "$work/$run$way" --out "$work/$run$way" --set steps=20 --set batch=8 --set pool=512
+        "$python" training/train kpp $way --run "$work/$run$way" --out "$work/$run$way" --set steps=20 --set batch=8 --set pool=256
     done
     cmp "$work/first$way/kpp_net.safetensors" "$work/second$way/kpp_net.safetensors" || { echo "smoke training: the same run gave other weights" >&2; exit 1; }
 done
@@ -42,7 +42,7 @@ mkdir -p "$work/whole/ranker"
 for name in earlier held_out; do
     cp sdk/models/kpp_net.safetensors "$work/whole/ranker/kpp_$name.safetensors"
 done
-whole=("$python" training/train --run "$work/whole" --set steps=40 --set batch=8 --set pool=512 --share 0.002)
+whole=("$python" training/train --run "$work/whole" --set steps=40 --set batch=8 --set pool=256 --share 0.002)
 "${whole[@]}" --until 20
 "${whole[@]}" > "$work/whole/log"
 for file in kpp_net dq_vae ranker; do
