@@ -286,13 +286,16 @@ static dm_result fill(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axe
     return result == DM_OK ? check_areas(env, mesh) : result;
 }
 
+/* piece_count: of numbered pieces; NULL: they are those whose ids occur. */
 static dm_result fill_pieces(dmi_env* env, const dmi_mesh_reader* reader, const dmi_axes* axes,
-                             const dmi_progress* progress, dmi_mesh* mesh) {
+                             const uint32_t* piece_count, const dmi_progress* progress, dmi_mesh* mesh) {
     dm_result result = dmi_mesh_read_indices(env, reader, mesh->indices);
     if (result == DM_OK) result = tell(progress, INDICES_READ);
     if (result == DM_OK) result = dmi_mesh_check_positions(env, reader);
     if (result == DM_OK) result = tell(progress, POSITIONS_CHECKED);
-    if (result == DM_OK) result = dmi_mesh_assign_pieces(env, reader, mesh);
+    if (result == DM_OK)
+        result = piece_count != NULL ? dmi_mesh_assign_numbered(env, reader, *piece_count, mesh)
+                                     : dmi_mesh_assign_pieces(env, reader, mesh);
     if (result == DM_OK) result = tell(progress, PARTS_ASSIGNED);
     if (result == DM_OK) result = fill_shape(env, reader, axes, progress, mesh);
     return result == DM_OK ? check_any_area(env, mesh) : result;
@@ -313,19 +316,29 @@ dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc
     return DM_OK;
 }
 
-dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
-                                 const dmi_progress* progress, dmi_mesh** out_mesh) {
+static dm_result create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
+                               const uint32_t* piece_count, const dmi_progress* progress, dmi_mesh** out_mesh) {
     dmi_mesh_reader reader;
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_reader_open(env, desc, &reader);
     if (result == DM_OK) result = allocate(env, reader.vertex_count, reader.face_count, &mesh);
-    if (result == DM_OK) result = fill_pieces(env, &reader, axes, progress, mesh);
+    if (result == DM_OK) result = fill_pieces(env, &reader, axes, piece_count, progress, mesh);
     if (result != DM_OK) {
         dmi_mesh_destroy(env, mesh);
         return result;
     }
     *out_mesh = mesh;
     return DM_OK;
+}
+
+dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
+                                 const dmi_progress* progress, dmi_mesh** out_mesh) {
+    return create_pieces(env, axes, desc, NULL, progress, out_mesh);
+}
+
+dm_result dmi_mesh_create_numbered(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, uint32_t piece_count,
+                                   const dmi_progress* progress, dmi_mesh** out_mesh) {
+    return create_pieces(env, axes, desc, &piece_count, progress, out_mesh);
 }
 
 dm_result dmi_mesh_restore(dmi_env* env, const dmi_frame* frame, uint32_t vertex_count, uint32_t face_count,

@@ -14,6 +14,9 @@ dm_result dmi_mesh_create(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc
  * everything, or have no area. parts[0] has the faces of id 0. progress: may be NULL. */
 dm_result dmi_mesh_create_pieces(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc,
                                  const dmi_progress* progress, dmi_mesh** out_mesh);
+/* The same where the ids per face are 0 to piece_count: parts[i] has the faces of id i, and may be empty. */
+dm_result dmi_mesh_create_numbered(dmi_env* env, const dmi_axes* axes, const dm_mesh_desc* desc, uint32_t piece_count,
+                                   const dmi_progress* progress, dmi_mesh** out_mesh);
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh);
 
 /* A mesh from a file: room, whose positions, indices, face_part and parts (id, parent, face_count) the caller fills, …

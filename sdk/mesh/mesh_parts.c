@@ -231,3 +231,16 @@ dm_result dmi_mesh_assign_pieces(dmi_env* env, const dmi_mesh_reader* reader, dm
     for (uint32_t f = 0; f < mesh->face_count && result == DM_OK; f++) mesh->parts[mesh->face_part[f]].face_count++;
     return result;
 }
+
+dm_result dmi_mesh_assign_numbered(dmi_env* env, const dmi_mesh_reader* reader, uint32_t piece_count, dmi_mesh* mesh) {
+    dm_result result = make_parts(env, mesh, piece_count);
+    if (result != DM_OK) return result;
+    for (uint32_t p = 1; p <= piece_count; p++) mesh->parts[p].id = p;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        mesh->face_part[f] = dmi_mesh_read_part_id(reader, f);
+        if (mesh->face_part[f] > piece_count)
+            return dmi_fail(env, DM_ERROR_INTERNAL, "face %u is of piece %u of %u", f, mesh->face_part[f], piece_count);
+        mesh->parts[mesh->face_part[f]].face_count++;
+    }
+    return DM_OK;
+}

@@ -12,5 +12,7 @@ dm_result dmi_mesh_assign_parts(dmi_env* env, const dmi_mesh_reader* reader, con
                                 uint32_t desc_count, dmi_mesh* mesh);
 /* The same by whatever ids there are: part ids may be NULL, and no face or every face may be the body's. */
 dm_result dmi_mesh_assign_pieces(dmi_env* env, const dmi_mesh_reader* reader, dmi_mesh* mesh);
+/* The same where the ids per face are 0 to piece_count: id i is part i, also when no face has it. */
+dm_result dmi_mesh_assign_numbered(dmi_env* env, const dmi_mesh_reader* reader, uint32_t piece_count, dmi_mesh* mesh);
 
 #endif

@@ -278,7 +278,8 @@ static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* 
                       dmi_object* object) {
     const dmi_progress building = dmi_progress_piece(progress, MESH_DONE, BVH_DONE);
     dm_result result = dmi_progress_tell(progress, MESH_DONE);
-    if (result == DM_OK && desc->keep_triangles) result = dmi_bvh_create(picker, object->mesh, &building, &object->bvh);
+    if (result == DM_OK && desc->keep_triangles && !desc->without_trees)
+        result = dmi_bvh_create(picker, object->mesh, &building, &object->bvh);
     if (result == DM_OK) result = dmi_progress_tell(progress, BVH_DONE);
     if (result != DM_OK) return result;
     preparation work = {.env = env, .desc = desc, .progress = progress, .object = object};
@@ -295,6 +296,7 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
         progress.progress = desc->progress;
         progress.user = desc->progress_user;
     }
+    if (desc->watched != NULL) progress = *desc->watched;
     const dmi_progress reading = dmi_progress_piece(&progress, 0, MESH_DONE);
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_create(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &reading, &mesh);

@@ -14,6 +14,7 @@ typedef struct dmi_prepare_desc {
     uint64_t seed;
     bool mesh_is_incomplete; /* DM_PREPARE_MESH_INCOMPLETE */
     bool keep_triangles;
+    bool without_trees;        /* no trees to pick by, whatever keep_triangles says */
     bool network_alone;        /* joints are inferred by models.kpp alone */
     dm_intent_callback intent; /* NULL: none */
     void* intent_user;
@@ -21,6 +22,7 @@ typedef struct dmi_prepare_desc {
     void* choose_user;
     dm_progress_callback progress; /* NULL: the context's; called on this thread alone */
     void* progress_user;
+    const dmi_progress* watched; /* of the call that this preparation is a piece of; NULL: it is the whole call */
 } dmi_prepare_desc;
 
 /* Prepares an object. The result has the same bits for any number of workers behind env->jobs. */

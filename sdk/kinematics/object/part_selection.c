@@ -1,0 +1,88 @@
+/* Copies mesh and parts, and renumbers them. */
+#include "kinematics/object/part_selection.h"
+
+#include <string.h>
+
+/* Numbers the parts that are kept; the others have the number of the part that carries them. Returns their count, the
+ * body included. */
+static uint32_t number_parts(const dmi_object* object, const uint8_t* keep, uint32_t* out_number) {
+    uint32_t count = 1;
+    out_number[0] = 0;
+    for (uint32_t i = 1; i < object->part_count; i++)
+        if (keep[i]) out_number[i] = count++;
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        uint32_t above = i;
+        while (above != 0 && !keep[above]) above = object->parts[above].shape.parent;
+        if (!keep[i]) out_number[i] = out_number[above];
+    }
+    return count;
+}
+
+static dm_result copy_mesh(dmi_env* env, const dmi_object* object, const uint8_t* keep, const uint32_t* number,
+                           uint32_t part_count, dmi_mesh** out_mesh) {
+    const dmi_mesh* from = object->mesh;
+    dmi_mesh* mesh = NULL;
+    dm_result result = dmi_mesh_restore(env, &from->frame, from->vertex_count, from->face_count, part_count, &mesh);
+    if (result != DM_OK) return result;
+    memcpy(mesh->positions, from->positions, (size_t)from->vertex_count * 3 * sizeof *mesh->positions);
+    memcpy(mesh->indices, from->indices, (size_t)from->face_count * 3 * sizeof *mesh->indices);
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        if (!keep[i]) continue;
+        mesh->parts[number[i]].id = object->parts[i].shape.id;
+        mesh->parts[number[i]].parent = number[object->parts[i].shape.parent];
+    }
+    for (uint32_t f = 0; f < from->face_count; f++) {
+        mesh->face_part[f] = number[from->face_part[f]];
+        mesh->parts[mesh->face_part[f]].face_count++;
+    }
+    result = dmi_mesh_measure(env, NULL, mesh);
+    if (result != DM_OK) {
+        dmi_mesh_destroy(env, mesh);
+        return result;
+    }
+    *out_mesh = mesh;
+    return DM_OK;
+}
+
+static void copy_parts(const dmi_object* object, const uint8_t* keep, const uint32_t* number, dmi_object* out) {
+    dmi_object_part* parts = out->parts;
+    *parts = *object->parts;
+    for (uint32_t i = 1; i < object->part_count; i++)
+        if (keep[i]) parts[number[i]] = object->parts[i];
+    for (uint32_t i = 0; i < out->part_count; i++) parts[i].shape = out->mesh->parts[i];
+    out->frame = object->frame;
+    out->vertex_count = object->vertex_count;
+    out->triangle_count = object->triangle_count;
+    out->seed = object->seed;
+    out->degraded = object->degraded;
+    out->network_alone = object->network_alone;
+    dmi_object_bound(out);
+}
+
+static dm_result select_numbered(dmi_env* env, dmi_picker* picker, const dmi_object* object, const uint8_t* keep,
+                                 const uint32_t* number, uint32_t part_count, bool keep_triangles,
+                                 dmi_object** out_object) {
+    dmi_object* out = NULL;
+    dm_result result = dmi_object_create(env, part_count, &out);
+    if (result == DM_OK) result = copy_mesh(env, object, keep, number, part_count, &out->mesh);
+    if (result == DM_OK) copy_parts(object, keep, number, out);
+    if (result == DM_OK && keep_triangles) result = dmi_bvh_create(picker, out->mesh, NULL, &out->bvh);
+    if (result != DM_OK) {
+        dmi_object_destroy(env, out);
+        return result;
+    }
+    if (!keep_triangles) dmi_object_drop_triangles(env, out);
+    *out_object = out;
+    return DM_OK;
+}
+
+dm_result dmi_object_select_parts(dmi_env* env, dmi_picker* picker, const dmi_object* object, const uint8_t* keep,
+                                  bool keep_triangles, dmi_object** out_object) {
+    const size_t size = object->part_count * sizeof(uint32_t);
+    uint32_t* number = dmi_alloc(env, size, _Alignof(uint32_t));
+    if (number == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u parts", object->part_count);
+    const uint32_t count = number_parts(object, keep, number);
+    const dm_result result = select_numbered(env, picker, object, keep, number, count, keep_triangles, out_object);
+    dmi_free(env, number, size);
+    return result;
+}
