@@ -169,6 +169,7 @@ local rooms = {
     { "kinematics/inference", inference },
     { "kinematics/object", table.join(inference, { "pick", "kinematics/object" }) },
     { "motion", table.join(inference, { "pick", "kinematics/object", "motion" }) },
+    { "assets", table.join(inference, { "pick", "kinematics/object", "assets" }) },
 }
 
 -- Makes build/include/NAME, which holds a link to each folder of `from` that a room may include, and returns it. A

@@ -1,0 +1,54 @@
+/* Which nodes of an asset are one body, which bodies may move, and which carries which. */
+#ifndef DMI_ASSETS_ASSET_GROUPING_H
+#define DMI_ASSETS_ASSET_GROUPING_H
+
+#include <stdbool.h>
+
+#include "base/arena.h"
+#include "base/progress.h"
+#include "mesh/mesh.h"
+
+#define DMI_ASSET_BODY UINT32_MAX /* in place of an index: the body that stays, or nothing */
+
+/* What is known of a node before its shape is looked at. */
+typedef struct dmi_asset_node {
+    const char *name, *mesh_name; /* "": none */
+    uint32_t parent;              /* or DMI_ASSET_BODY */
+    bool follows;                 /* neither part nor body; it has no faces in the mesh */
+    bool is_fixed;                /* for certain of one body with its parent */
+    bool has_pivot;
+    float pivot[3];      /* object-normalised */
+    uint32_t given_body; /* nodes with the same number, other than DMI_ASSET_BODY, are one part that moves, for certain:
+                            clips or joints of the file say so */
+} dmi_asset_node;
+
+typedef struct dmi_asset_query {
+    const dmi_mesh* mesh; /* parts[i + 1] has the faces of node i; without faces where it has no mesh or follows */
+    const dmi_asset_node* nodes;
+    const uint32_t* order; /* the nodes, each after its parent */
+    uint32_t node_count;
+    bool use_names;
+    float up[3]; /* unit, object-normalised */
+    const dmi_progress* progress;
+    dmi_arena* arena; /* of the answers too */
+} dmi_asset_query;
+
+typedef struct dmi_asset_body {
+    uint32_t carrier; /* index of the body that carries it, or DMI_ASSET_BODY */
+    float moves;      /* probability that it moves against its carrier */
+    bool is_free;     /* it can be taken away */
+} dmi_asset_body;
+
+typedef struct dmi_asset_bodies {
+    dmi_asset_body* bodies; /* those that may move */
+    uint32_t count;
+    uint32_t* body_of_node; /* one a node; DMI_ASSET_BODY: it stays */
+} dmi_asset_bodies;
+
+/* Finds the bodies that may move. */
+dm_result dmi_asset_find_bodies(dmi_env* env, const dmi_asset_query* query, dmi_asset_bodies* out);
+
+/* Drops the bodies for which keep is 0, and renumbers the others. Their nodes become those of what carries them. */
+void dmi_asset_bodies_keep(dmi_asset_bodies* bodies, uint32_t node_count, const uint8_t* keep, uint32_t* scratch);
+
+#endif

@@ -1,0 +1,140 @@
+/* A body is called as its largest node. It turns where that node has its origin; a body of several nodes where the
+ * highest node has it that is over nothing else. */
+#include "assets/body_hints.h"
+
+#include <string.h>
+
+#include "assets/asset_mesh.h"
+
+enum { COLUMN = 4, ORIGIN = 12 };    /* in a transform of 16 numbers: between columns; of the translation */
+#define SEVERAL (DMI_ASSET_BODY - 1) /* nodes of several bodies, or of the body that stays */
+#define NOTHING DMI_ASSET_BODY       /* no node with a mesh */
+
+/* ---- origins ---- */
+
+bool dmi_asset_node_pivot(const dm_asset_node* node, dm_pivot* out_pivot) {
+    if (node->flags & DM_ASSET_NODE_NO_PIVOT) return false;
+    if (node->pivot != NULL) {
+        *out_pivot = *node->pivot;
+        return true;
+    }
+    const float* m = node->transform;
+    if (m == NULL) return false;
+    out_pivot->origin = (dm_vec3){m[ORIGIN], m[ORIGIN + 1], m[ORIGIN + 2]};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) out_pivot->axes[3 * i + k] = m[COLUMN * i + k];
+    return true;
+}
+
+bool dmi_asset_pivots_are_lost(const dm_asset_node* nodes, uint32_t count) {
+    dm_pivot first, other;
+    uint32_t seen = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        if (!dmi_asset_node_counts(&nodes[i]) || !dmi_asset_node_pivot(&nodes[i], seen == 0 ? &first : &other))
+            continue;
+        if (seen++ == 0) continue;
+        if (other.origin.x != first.origin.x || other.origin.y != first.origin.y || other.origin.z != first.origin.z)
+            return false;
+    }
+    return seen > 1;
+}
+
+/* ---- the nodes of a body ---- */
+
+typedef struct body_nodes {
+    uint32_t* largest; /* node of each body with the largest surface */
+    uint32_t* count;   /* of its nodes with meshes */
+    uint32_t* only;    /* one a node: the body of all meshes at it and below, SEVERAL or NOTHING */
+} body_nodes;
+
+static bool has_faces(const dmi_asset_query* query, uint32_t node) {
+    return query->mesh->parts[node + 1].face_count > 0;
+}
+
+static uint32_t joined(uint32_t a, uint32_t b) {
+    return a == NOTHING || a == b ? b : b == NOTHING ? a : SEVERAL;
+}
+
+static dm_result find_nodes(dmi_env* env, const dmi_asset_query* query, const dmi_asset_bodies* bodies,
+                            body_nodes* out) {
+    const uint32_t nodes = query->node_count;
+    out->largest = dmi_arena_push(query->arena, bodies->count * sizeof *out->largest);
+    out->count = dmi_arena_push(query->arena, bodies->count * sizeof *out->count);
+    out->only = dmi_arena_push(query->arena, nodes * sizeof *out->only);
+    if (out->largest == NULL || out->count == NULL || out->only == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_asset_create: no memory for %u nodes", nodes);
+    memset(out->count, 0, bodies->count * sizeof *out->count);
+    for (uint32_t i = 0; i < nodes; i++) {
+        const uint32_t body = bodies->body_of_node[i];
+        out->only[i] = !has_faces(query, i) ? NOTHING : body == DMI_ASSET_BODY ? SEVERAL : body;
+        if (!has_faces(query, i) || body == DMI_ASSET_BODY) continue;
+        const dmi_part* parts = query->mesh->parts;
+        if (out->count[body]++ == 0 || parts[i + 1].area > parts[out->largest[body] + 1].area) out->largest[body] = i;
+    }
+    for (uint32_t k = nodes; k-- > 0;) {
+        const uint32_t i = query->order[k], above = query->nodes[i].parent;
+        if (above != DMI_ASSET_BODY) out->only[above] = joined(out->only[above], out->only[i]);
+    }
+    return DM_OK;
+}
+
+/* Returns the node at whose origin a body turns. */
+static uint32_t find_pivot_node(const dmi_asset_query* query, const body_nodes* found, uint32_t body) {
+    uint32_t node = found->largest[body];
+    if (found->count[body] == 1) return node;
+    for (uint32_t above = query->nodes[node].parent; above != DMI_ASSET_BODY && found->only[above] == body;
+         above = query->nodes[above].parent)
+        node = above;
+    return node;
+}
+
+/* ---- labels ---- */
+
+/* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then: as before
+ * where the name does not fit. */
+static size_t put_before(char* out, size_t size, size_t used, const char* name) {
+    const size_t length = strlen(name), more = length + (used > 1);
+    if (length == 0 || more > size - used) return used;
+    char* at = out + size - used - more;
+    memcpy(at, name, length); /* NOLINT(bugprone-not-null-terminated-result): what stands behind it ends the text */
+    if (used > 1) at[length] = '/';
+    return used + more;
+}
+
+/* Writes the names of the nodes above a node, of its mesh and its own. The innermost ones stay where not all fit.
+ * Returns the bytes with the zero. */
+static size_t write_path(const dmi_asset_query* query, uint32_t index, char out[DM_MAX_LABEL + 1]) {
+    const size_t size = DM_MAX_LABEL + 1;
+    const dmi_asset_node* node = &query->nodes[index];
+    out[size - 1] = 0;
+    size_t used = put_before(out, size, 1, node->name);
+    used = put_before(out, size, used, node->mesh_name);
+    for (uint32_t above = node->parent; above != DMI_ASSET_BODY; above = query->nodes[above].parent)
+        used = put_before(out, size, used, query->nodes[above].name);
+    memmove(out, out + size - used, used);
+    return used;
+}
+
+static const char* make_label(const dmi_asset_query* query, uint32_t node) {
+    char path[DM_MAX_LABEL + 1];
+    const size_t size = write_path(query, node, path);
+    char* label = dmi_arena_push(query->arena, size);
+    if (label != NULL) memcpy(label, path, size);
+    return label;
+}
+
+dm_result dmi_asset_describe_bodies(dmi_env* env, const dmi_asset_query* query, const dm_asset_node* nodes,
+                                    const dmi_asset_bodies* bodies, dm_part_desc* out_parts) {
+    const bool lost = dmi_asset_pivots_are_lost(nodes, query->node_count);
+    body_nodes found;
+    dm_pivot* pivots = dmi_arena_push(query->arena, bodies->count * sizeof *pivots);
+    dm_result result = find_nodes(env, query, bodies, &found);
+    for (uint32_t i = 0; i < bodies->count && result == DM_OK; i++) {
+        if (query->use_names) out_parts[i].label = make_label(query, found.largest[i]);
+        if (pivots == NULL || (query->use_names && out_parts[i].label == NULL))
+            result = dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_asset_create: no memory for the names of a part");
+        else if (!lost && dmi_asset_node_pivot(&nodes[find_pivot_node(query, &found, i)], &pivots[i]))
+            out_parts[i].pivot = &pivots[i];
+    }
+    return result;
+}
