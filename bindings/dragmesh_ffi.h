@@ -6,11 +6,14 @@ enum { DM_VERSION_DEVELOPMENT = 1 };
 enum { DM_MOTION_FRAMES = 16 };
 enum { DM_MAX_HYPOTHESES = 8 };
 enum { DM_MAX_PARTS = 4096 };
+enum { DM_MAX_ASSET_NODES = 65536 };
 enum { DM_MAX_LABEL = 4096 };
 enum { DM_MAX_ELEMENTS = 268435456 };
 enum { DM_MAX_LINKS = 256 };
 enum { DM_MAX_SNAPS = 16 };
 enum { DM_DRAG_SNAPSHOT_MAX = 65536 };
+static const uint32_t DM_ASSET_NO_NODE = 4294967295;
+static const uint32_t DM_ASSET_NO_PART = 4294967295;
 static const uint32_t DM_GLTF_NO_CARRIER = 4294967295;
 enum {
     DM_OK = 0,
@@ -101,6 +104,30 @@ enum {
     DM_DEGRADED_NO_BODY = 8,
     DM_DEGRADED_HINT = 16,
     DM_DEGRADED_MESH = 32
+};
+enum {
+    DM_ASSET_NODE_FOLLOWS = 1,
+    DM_ASSET_NODE_NO_PIVOT = 2
+};
+enum {
+    DM_CLIP_NOT_RIGID = 1
+};
+enum {
+    DM_ASSET_WITHOUT_CLIPS = 256,
+    DM_ASSET_WITHOUT_NAMES = 512
+};
+enum {
+    DM_ASSET_CLIP_LEFT_OUT = 1
+};
+enum {
+    DM_ASSET_STAYS = 0,
+    DM_ASSET_MOVES = 1,
+    DM_ASSET_FREE = 2
+};
+enum {
+    DM_ASSET_INFERRED = 0,
+    DM_ASSET_FROM_FILE = 1,
+    DM_ASSET_FROM_CLIP = 2
 };
 enum {
     DM_DRAG_KEEP_JOINT = 1,
@@ -213,6 +240,11 @@ typedef struct dm_hypothesis dm_hypothesis;
 typedef struct dm_choice dm_choice;
 typedef struct dm_object_desc dm_object_desc;
 typedef struct dm_object_info dm_object_info;
+typedef struct dm_asset_clip dm_asset_clip;
+typedef struct dm_asset_node dm_asset_node;
+typedef struct dm_asset_desc dm_asset_desc;
+typedef struct dm_asset_info dm_asset_info;
+typedef struct dm_asset_part dm_asset_part;
 typedef struct dm_motion_desc dm_motion_desc;
 typedef struct dm_drag_feel dm_drag_feel;
 typedef struct dm_drag_rules dm_drag_rules;
@@ -240,6 +272,7 @@ typedef uint64_t dm_object;
 typedef uint64_t dm_motion;
 typedef uint64_t dm_drag;
 typedef uint64_t dm_scene;
+typedef uint64_t dm_asset;
 typedef struct dm_gltf dm_gltf;
 typedef void (*dm_task)(void* data, uint32_t index);
 typedef int32_t (*dm_progress_callback)(void* user, float done);
@@ -428,6 +461,65 @@ struct dm_object_info {
     uint32_t pickable;
     uint32_t degraded;
     uint32_t reserved;
+};
+struct dm_asset_clip {
+    const char* name;
+    const float* times;
+    const dm_pose* poses;
+    uint32_t key_count;
+    uint32_t flags;
+};
+struct dm_asset_node {
+    uint32_t struct_size;
+    uint32_t flags;
+    uint32_t parent;
+    uint32_t follows;
+    const char* name;
+    const char* mesh_name;
+    const dm_mesh_desc* mesh;
+    const float* transform;
+    const dm_pivot* pivot;
+    const dm_asset_clip* clips;
+    uint32_t clip_count;
+    uint32_t reserved;
+    const dm_joint* joint;
+};
+struct dm_asset_desc {
+    uint32_t struct_size;
+    uint32_t flags;
+    const dm_asset_node* nodes;
+    const char* label;
+    uint32_t node_count;
+    float min_moves;
+    dm_model model;
+    uint64_t seed;
+    dm_progress_callback progress;
+    void* progress_user;
+    dm_vec3 up;
+    uint32_t reserved;
+};
+struct dm_asset_info {
+    uint32_t struct_size;
+    uint32_t node_count;
+    uint32_t part_count;
+    uint32_t moving_count;
+    uint64_t triangle_count;
+    uint32_t degraded;
+    uint32_t warnings;
+};
+struct dm_asset_part {
+    uint32_t struct_size;
+    uint32_t parent;
+    uint32_t part_id;
+    int32_t state;
+    int32_t basis;
+    float moves;
+    uint32_t node_count;
+    uint32_t triangle_count;
+    float duration;
+    uint32_t reserved;
+    dm_vec3 box_min;
+    dm_vec3 box_max;
 };
 struct dm_motion_desc {
     uint32_t struct_size;
@@ -623,6 +715,14 @@ struct dm_core_1 {
     dm_result (*joint_value_at)(const dm_joint* joint, float share, float* out_value);
     void (*pose_inverse)(const dm_pose* pose, dm_pose* out_pose);
     dm_result (*pose_from_rotation)(const float rotation[4], dm_vec3 translation, dm_pose* out_pose);
+    dm_result (*asset_create)(dm_context* context, const dm_asset_desc* desc, dm_asset* out_asset);
+    dm_result (*asset_destroy)(dm_context* context, dm_asset asset);
+    dm_result (*asset_get_info)(dm_context* context, dm_asset asset, dm_asset_info* out_info);
+    dm_result (*asset_get_part)(dm_context* context, dm_asset asset, uint32_t index, dm_asset_part* out_part);
+    dm_result (*asset_get_joint)(dm_context* context, dm_asset asset, uint32_t index, dm_joint* out_joint);
+    dm_result (*asset_get_part_nodes)(dm_context* context, dm_asset asset, uint32_t index, uint32_t* out_nodes, uint32_t capacity);
+    dm_result (*asset_get_node_parts)(dm_context* context, dm_asset asset, uint32_t* out_parts, uint32_t capacity);
+    dm_result (*asset_make_object)(dm_context* context, dm_asset asset, dm_object* out_object);
 };
 struct dm_gltf_files {
     void* user;
@@ -699,6 +799,14 @@ dm_result dm_object_set_joint(dm_context* context, dm_object object, uint32_t pa
 dm_result dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id);
 dm_result dm_object_set_links(dm_context* context, dm_object object, const dm_link* links, uint32_t count);
 dm_result dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held, uint32_t count);
+dm_result dm_asset_create(dm_context* context, const dm_asset_desc* desc, dm_asset* out_asset);
+dm_result dm_asset_destroy(dm_context* context, dm_asset asset);
+dm_result dm_asset_get_info(dm_context* context, dm_asset asset, dm_asset_info* out_info);
+dm_result dm_asset_get_part(dm_context* context, dm_asset asset, uint32_t index, dm_asset_part* out_part);
+dm_result dm_asset_get_joint(dm_context* context, dm_asset asset, uint32_t index, dm_joint* out_joint);
+dm_result dm_asset_get_part_nodes(dm_context* context, dm_asset asset, uint32_t index, uint32_t* out_nodes, uint32_t capacity);
+dm_result dm_asset_get_node_parts(dm_context* context, dm_asset asset, uint32_t* out_parts, uint32_t capacity);
+dm_result dm_asset_make_object(dm_context* context, dm_asset asset, dm_object* out_object);
 dm_result dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
 dm_result dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error, float* out_distance_error);
 dm_result dm_joint_value_at(const dm_joint* joint, float share, float* out_value);

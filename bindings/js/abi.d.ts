@@ -8,6 +8,8 @@ export const MOTION_FRAMES: 16;
 export const MAX_HYPOTHESES: 8;
 /** Most parts of one object, the body not counted. */
 export const MAX_PARTS: 4096;
+/** Most nodes of one asset. At most DM_MAX_PARTS of them have meshes that are no DM_ASSET_NODE_FOLLOWS. */
+export const MAX_ASSET_NODES: 65536;
 /** Most bytes of a label, the zero not counted. */
 export const MAX_LABEL: 4096;
 /** Most vertices or triangles of one object. */
@@ -18,6 +20,10 @@ export const MAX_LINKS: 256;
 export const MAX_SNAPS: 16;
 /** No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by dm_drag_snapshot_size. */
 export const DRAG_SNAPSHOT_MAX: 65536;
+/** no node: the scene itself */
+export const ASSET_NO_NODE: 4294967295;
+/** no part: the body that stays */
+export const ASSET_NO_PART: 4294967295;
 
 export const Result: {
     readonly OK: 0;
@@ -176,6 +182,52 @@ export const Degraded: {
     readonly HINT: 16;
     /** DM_PREPARE_MESH_INCOMPLETE */
     readonly MESH: 32;
+};
+
+export const AssetNodeFlag: {
+    /** neither part nor body: a level of detail, a collider, something hidden. It goes where `follows` goes, and its mesh is not looked at */
+    readonly FOLLOWS: 1;
+    /** where its origin lies says nothing */
+    readonly NO_PIVOT: 2;
+};
+
+/** the animation scales or bends the node as well */
+export const ClipFlag: {
+    /** the animation scales or bends the node as well */
+    readonly NOT_RIGID: 1;
+};
+
+export const AssetFlag: {
+    /** clips say nothing */
+    readonly WITHOUT_CLIPS: 256;
+    /** names and labels say nothing */
+    readonly WITHOUT_NAMES: 512;
+};
+
+/** What was left aside: bits of dm_asset_info.warnings. */
+export const AssetWarning: {
+    /** a clip moves a node as no joint does, or is not rigid */
+    readonly CLIP_LEFT_OUT: 1;
+};
+
+/** Whether a part moves. */
+export const AssetState: {
+    /** it might move, but probably does not */
+    readonly STAYS: 0;
+    /** by its joint */
+    readonly MOVES: 1;
+    /** it can be taken away; its joint is how it comes off */
+    readonly FREE: 2;
+};
+
+/** Where a part's joint comes from. */
+export const AssetBasis: {
+    /** from shape, contacts and names */
+    readonly INFERRED: 0;
+    /** dm_asset_node.joint */
+    readonly FROM_FILE: 1;
+    /** dm_asset_node.clips */
+    readonly FROM_CLIP: 2;
 };
 
 export const DragFlag: {

@@ -1,17 +1,20 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 8b39c03e68080e61
+// Hash of the description: 1adce902fb99cc6f
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;
 export const MOTION_FRAMES = 16;
 export const MAX_HYPOTHESES = 8;
 export const MAX_PARTS = 4096;
+export const MAX_ASSET_NODES = 65536;
 export const MAX_LABEL = 4096;
 export const MAX_ELEMENTS = 268435456;
 export const MAX_LINKS = 256;
 export const MAX_SNAPS = 16;
 export const DRAG_SNAPSHOT_MAX = 65536;
+export const ASSET_NO_NODE = 4294967295;
+export const ASSET_NO_PART = 4294967295;
 
 export const Result = Object.freeze({
     OK: 0,
@@ -114,6 +117,36 @@ export const Degraded = Object.freeze({
     NO_BODY: 8,
     HINT: 16,
     MESH: 32,
+});
+
+export const AssetNodeFlag = Object.freeze({
+    FOLLOWS: 1,
+    NO_PIVOT: 2,
+});
+
+export const ClipFlag = Object.freeze({
+    NOT_RIGID: 1,
+});
+
+export const AssetFlag = Object.freeze({
+    WITHOUT_CLIPS: 256,
+    WITHOUT_NAMES: 512,
+});
+
+export const AssetWarning = Object.freeze({
+    CLIP_LEFT_OUT: 1,
+});
+
+export const AssetState = Object.freeze({
+    STAYS: 0,
+    MOVES: 1,
+    FREE: 2,
+});
+
+export const AssetBasis = Object.freeze({
+    INFERRED: 0,
+    FROM_FILE: 1,
+    FROM_CLIP: 2,
 });
 
 export const DragFlag = Object.freeze({
@@ -399,6 +432,65 @@ export const structs = {
         degraded: [56, 'u32'],
         reserved: [60, 'u32'],
     } },
+    dm_asset_clip: { size: 20, fields: {
+        name: [0, 'u32'],
+        times: [4, 'u32'],
+        poses: [8, 'u32'],
+        keyCount: [12, 'u32'],
+        flags: [16, 'u32'],
+    } },
+    dm_asset_node: { size: 52, fields: {
+        structSize: [0, 'u32'],
+        flags: [4, 'u32'],
+        parent: [8, 'u32'],
+        follows: [12, 'u32'],
+        name: [16, 'u32'],
+        meshName: [20, 'u32'],
+        mesh: [24, 'u32'],
+        transform: [28, 'u32'],
+        pivot: [32, 'u32'],
+        clips: [36, 'u32'],
+        clipCount: [40, 'u32'],
+        reserved: [44, 'u32'],
+        joint: [48, 'u32'],
+    } },
+    dm_asset_desc: { size: 64, fields: {
+        structSize: [0, 'u32'],
+        flags: [4, 'u32'],
+        nodes: [8, 'u32'],
+        label: [12, 'u32'],
+        nodeCount: [16, 'u32'],
+        minMoves: [20, 'f32'],
+        model: [24, 'u64'],
+        seed: [32, 'u64'],
+        progress: [40, 'u32'],
+        progressUser: [44, 'u32'],
+        up: [48, 'dm_vec3'],
+        reserved: [60, 'u32'],
+    } },
+    dm_asset_info: { size: 32, fields: {
+        structSize: [0, 'u32'],
+        nodeCount: [4, 'u32'],
+        partCount: [8, 'u32'],
+        movingCount: [12, 'u32'],
+        triangleCount: [16, 'u64'],
+        degraded: [24, 'u32'],
+        warnings: [28, 'u32'],
+    } },
+    dm_asset_part: { size: 64, fields: {
+        structSize: [0, 'u32'],
+        parent: [4, 'u32'],
+        partId: [8, 'u32'],
+        state: [12, 'i32'],
+        basis: [16, 'i32'],
+        moves: [20, 'f32'],
+        nodeCount: [24, 'u32'],
+        triangleCount: [28, 'u32'],
+        duration: [32, 'f32'],
+        reserved: [36, 'u32'],
+        boxMin: [40, 'dm_vec3'],
+        boxMax: [52, 'dm_vec3'],
+    } },
     dm_motion_desc: { size: 44, fields: {
         structSize: [0, 'u32'],
         partId: [4, 'u32'],
@@ -563,6 +655,14 @@ export const functions = {
     dm_object_reset_joint: 'u32 u64 u32 -> i32',
     dm_object_set_links: 'u32 u64 u32 u32 -> i32',
     dm_object_follow_links: 'u32 u64 u32 u32 u32 u32 -> i32',
+    dm_asset_create: 'u32 u32 u32 -> i32',
+    dm_asset_destroy: 'u32 u64 -> i32',
+    dm_asset_get_info: 'u32 u64 u32 -> i32',
+    dm_asset_get_part: 'u32 u64 u32 u32 -> i32',
+    dm_asset_get_joint: 'u32 u64 u32 u32 -> i32',
+    dm_asset_get_part_nodes: 'u32 u64 u32 u32 u32 -> i32',
+    dm_asset_get_node_parts: 'u32 u64 u32 u32 -> i32',
+    dm_asset_make_object: 'u32 u64 u32 -> i32',
     dm_joint_pose: 'u32 f32 u32 -> i32',
     dm_joint_value: 'u32 u32 u32 u32 u32 -> i32',
     dm_joint_value_at: 'u32 f32 u32 -> i32',

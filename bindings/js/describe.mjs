@@ -50,6 +50,9 @@ const enumNames = {
     DM_INTENT_AUTO: ['Intent', 'DM_INTENT_'],
     DM_STATUS_LATCHED: ['DragStatus', 'DM_STATUS_'], DM_BASIS_PREPARED: ['JointBasis', 'DM_BASIS_'],
     DM_RELEASE_BY_RULE: ['ReleaseFlag', 'DM_RELEASE_'], DM_DEGRADED_NO_KINEMATICS: ['Degraded', 'DM_DEGRADED_'],
+    DM_ASSET_NODE_FOLLOWS: ['AssetNodeFlag', 'DM_ASSET_NODE_'], DM_CLIP_NOT_RIGID: ['ClipFlag', 'DM_CLIP_'],
+    DM_ASSET_WITHOUT_CLIPS: ['AssetFlag', 'DM_ASSET_'], DM_ASSET_CLIP_LEFT_OUT: ['AssetWarning', 'DM_ASSET_'],
+    DM_ASSET_STAYS: ['AssetState', 'DM_ASSET_'], DM_ASSET_INFERRED: ['AssetBasis', 'DM_ASSET_'],
 };
 
 function enumOf({ doc, constants }) {

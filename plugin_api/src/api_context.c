@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "api_asset.h"
 #include "api_check.h"
 #include "api_handles.h"
 #include "api_model.h"
@@ -41,11 +42,9 @@ static dm_result init_context(dm_context* context, const dm_context_desc* desc) 
     struct {
         dmi_pool** pool;
         uint8_t kind;
-    } pools[] = {{&context->models, DMI_KIND_MODEL},
-                 {&context->objects, DMI_KIND_OBJECT},
-                 {&context->motions, DMI_KIND_MOTION},
-                 {&context->drags, DMI_KIND_DRAG},
-                 {&context->scenes, DMI_KIND_SCENE}};
+    } pools[] = {{&context->models, DMI_KIND_MODEL},   {&context->objects, DMI_KIND_OBJECT},
+                 {&context->motions, DMI_KIND_MOTION}, {&context->drags, DMI_KIND_DRAG},
+                 {&context->scenes, DMI_KIND_SCENE},   {&context->assets, DMI_KIND_ASSET}};
     for (size_t i = 0; i < sizeof pools / sizeof *pools; i++) {
         dm_result result = dmi_pool_create(env, pools[i].kind, pools[i].pool);
         if (result != DM_OK) return result;
@@ -104,6 +103,9 @@ static void empty_pools(dm_context* context) {
     while (context->objects != NULL && dmi_pool_any(context->objects, &handle) != NULL) {
         dmi_object_release(context, dmi_pool_remove(context->objects, handle));
     }
+    while (context->assets != NULL && dmi_pool_any(context->assets, &handle) != NULL) {
+        dmi_asset_release(context, dmi_pool_remove(context->assets, handle));
+    }
     while (context->models != NULL && dmi_pool_any(context->models, &handle) != NULL) {
         dmi_model_release(context, dmi_pool_remove(context->models, handle));
     }
@@ -112,6 +114,7 @@ static void empty_pools(dm_context* context) {
 void DM_CALL dm_context_destroy(dm_context* context) {
     if (context == NULL) return;
     empty_pools(context);
+    dmi_pool_destroy(context->assets);
     dmi_pool_destroy(context->scenes);
     dmi_pool_destroy(context->drags);
     dmi_pool_destroy(context->motions);

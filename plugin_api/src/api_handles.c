@@ -11,7 +11,7 @@ void dmi_unlock(dm_context* context) {
 }
 
 static const char* kind_name(uint64_t handle) {
-    static const char* const names[] = {"no kind", "a model", "an object", "a motion", "a drag", "a scene"};
+    static const char* const names[] = {"no kind", "a model", "an object", "a motion", "a drag", "a scene", "an asset"};
     uint64_t kind = handle >> DMI_HANDLE_KIND_SHIFT;
     return kind < sizeof names / sizeof *names ? names[kind] : names[0];
 }

@@ -2,6 +2,7 @@
 #ifndef DMI_API_HANDLES_H
 #define DMI_API_HANDLES_H
 
+#include "assets/asset.h"
 #include "base/cpu.h"
 #include "base/pool.h"
 #include "kinematics/object/prepare.h"
@@ -10,7 +11,7 @@
 #include "motion/part_links.h"
 #include "pick/pick.h"
 
-enum { DMI_KIND_MODEL = 1, DMI_KIND_OBJECT, DMI_KIND_MOTION, DMI_KIND_DRAG, DMI_KIND_SCENE };
+enum { DMI_KIND_MODEL = 1, DMI_KIND_OBJECT, DMI_KIND_MOTION, DMI_KIND_DRAG, DMI_KIND_SCENE, DMI_KIND_ASSET };
 
 /* Link of a motion or a drag in the list of its object, with which it is destroyed. First member of both. */
 typedef struct dmi_dependent {
@@ -67,12 +68,18 @@ typedef struct dmi_scene_slot {
     dmi_placement* placements;
 } dmi_scene_slot;
 
+typedef struct dmi_asset_slot {
+    dmi_asset* asset;
+    dm_model model;      /* 0: none */
+    bool keep_triangles; /* of the objects made of it */
+} dmi_asset_slot;
+
 struct dm_context {
     dmi_env env;
     dmi_axes axes;
     dmi_isa isa;
     dmi_picker* picker;
-    dmi_pool *models, *objects, *motions, *drags, *scenes;
+    dmi_pool *models, *objects, *motions, *drags, *scenes, *assets;
     /* Spin lock of the lists in objects and scenes; held for a few loads and stores, never in a [frame] function. */
     atomic_flag lock;
 };

@@ -225,6 +225,70 @@ namespace DragMesh
               Expect("dm_object_info.degraded", (byte*)&s.Degraded - at, 56, 56);
               Expect("dm_object_info.reserved", (byte*)&s.Reserved - at, 60, 60);
             }
+            { AssetClip s; byte* at = (byte*)&s;
+              Expect("dm_asset_clip", sizeof(AssetClip), 32, 20);
+              Expect("dm_asset_clip.name", (byte*)&s.Name - at, 0, 0);
+              Expect("dm_asset_clip.times", (byte*)&s.Times - at, 8, 4);
+              Expect("dm_asset_clip.poses", (byte*)&s.Poses - at, 16, 8);
+              Expect("dm_asset_clip.key_count", (byte*)&s.KeyCount - at, 24, 12);
+              Expect("dm_asset_clip.flags", (byte*)&s.Flags - at, 28, 16);
+            }
+            { AssetNode s; byte* at = (byte*)&s;
+              Expect("dm_asset_node", sizeof(AssetNode), 80, 52);
+              Expect("dm_asset_node.struct_size", (byte*)&s.StructSize - at, 0, 0);
+              Expect("dm_asset_node.flags", (byte*)&s.Flags - at, 4, 4);
+              Expect("dm_asset_node.parent", (byte*)&s.Parent - at, 8, 8);
+              Expect("dm_asset_node.follows", (byte*)&s.Follows - at, 12, 12);
+              Expect("dm_asset_node.name", (byte*)&s.Name - at, 16, 16);
+              Expect("dm_asset_node.mesh_name", (byte*)&s.MeshName - at, 24, 20);
+              Expect("dm_asset_node.mesh", (byte*)&s.Mesh - at, 32, 24);
+              Expect("dm_asset_node.transform", (byte*)&s.Transform - at, 40, 28);
+              Expect("dm_asset_node.pivot", (byte*)&s.Pivot - at, 48, 32);
+              Expect("dm_asset_node.clips", (byte*)&s.Clips - at, 56, 36);
+              Expect("dm_asset_node.clip_count", (byte*)&s.ClipCount - at, 64, 40);
+              Expect("dm_asset_node.reserved", (byte*)&s.Reserved - at, 68, 44);
+              Expect("dm_asset_node.joint", (byte*)&s.Joint - at, 72, 48);
+            }
+            { AssetDesc s; byte* at = (byte*)&s;
+              Expect("dm_asset_desc", sizeof(AssetDesc), 80, 64);
+              Expect("dm_asset_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
+              Expect("dm_asset_desc.flags", (byte*)&s.Flags - at, 4, 4);
+              Expect("dm_asset_desc.nodes", (byte*)&s.Nodes - at, 8, 8);
+              Expect("dm_asset_desc.label", (byte*)&s.Label - at, 16, 12);
+              Expect("dm_asset_desc.node_count", (byte*)&s.NodeCount - at, 24, 16);
+              Expect("dm_asset_desc.min_moves", (byte*)&s.MinMoves - at, 28, 20);
+              Expect("dm_asset_desc.model", (byte*)&s.Model - at, 32, 24);
+              Expect("dm_asset_desc.seed", (byte*)&s.Seed - at, 40, 32);
+              Expect("dm_asset_desc.progress", (byte*)&s.Progress - at, 48, 40);
+              Expect("dm_asset_desc.progress_user", (byte*)&s.ProgressUser - at, 56, 44);
+              Expect("dm_asset_desc.up", (byte*)&s.Up - at, 64, 48);
+              Expect("dm_asset_desc.reserved", (byte*)&s.Reserved - at, 76, 60);
+            }
+            { AssetInfo s; byte* at = (byte*)&s;
+              Expect("dm_asset_info", sizeof(AssetInfo), 32, 32);
+              Expect("dm_asset_info.struct_size", (byte*)&s.StructSize - at, 0, 0);
+              Expect("dm_asset_info.node_count", (byte*)&s.NodeCount - at, 4, 4);
+              Expect("dm_asset_info.part_count", (byte*)&s.PartCount - at, 8, 8);
+              Expect("dm_asset_info.moving_count", (byte*)&s.MovingCount - at, 12, 12);
+              Expect("dm_asset_info.triangle_count", (byte*)&s.TriangleCount - at, 16, 16);
+              Expect("dm_asset_info.degraded", (byte*)&s.Degraded - at, 24, 24);
+              Expect("dm_asset_info.warnings", (byte*)&s.Warnings - at, 28, 28);
+            }
+            { AssetPart s; byte* at = (byte*)&s;
+              Expect("dm_asset_part", sizeof(AssetPart), 64, 64);
+              Expect("dm_asset_part.struct_size", (byte*)&s.StructSize - at, 0, 0);
+              Expect("dm_asset_part.parent", (byte*)&s.Parent - at, 4, 4);
+              Expect("dm_asset_part.part_id", (byte*)&s.PartId - at, 8, 8);
+              Expect("dm_asset_part.state", (byte*)&s.State - at, 12, 12);
+              Expect("dm_asset_part.basis", (byte*)&s.Basis - at, 16, 16);
+              Expect("dm_asset_part.moves", (byte*)&s.Moves - at, 20, 20);
+              Expect("dm_asset_part.node_count", (byte*)&s.NodeCount - at, 24, 24);
+              Expect("dm_asset_part.triangle_count", (byte*)&s.TriangleCount - at, 28, 28);
+              Expect("dm_asset_part.duration", (byte*)&s.Duration - at, 32, 32);
+              Expect("dm_asset_part.reserved", (byte*)&s.Reserved - at, 36, 36);
+              Expect("dm_asset_part.box_min", (byte*)&s.BoxMin - at, 40, 40);
+              Expect("dm_asset_part.box_max", (byte*)&s.BoxMax - at, 52, 52);
+            }
             { MotionDesc s; byte* at = (byte*)&s;
               Expect("dm_motion_desc", sizeof(MotionDesc), 48, 44);
               Expect("dm_motion_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
@@ -377,7 +441,7 @@ namespace DragMesh
               Expect("dm_hit.object_point", (byte*)&s.ObjectPoint - at, 60, 60);
             }
             { Core1 s; byte* at = (byte*)&s;
-              Expect("dm_core_1", sizeof(Core1), 432, 220);
+              Expect("dm_core_1", sizeof(Core1), 496, 252);
               Expect("dm_core_1.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_core_1.reserved", (byte*)&s.Reserved - at, 4, 4);
               Expect("dm_core_1.result_string", (byte*)&s.ResultString - at, 8, 8);
@@ -433,6 +497,14 @@ namespace DragMesh
               Expect("dm_core_1.joint_value_at", (byte*)&s.JointValueAt - at, 408, 208);
               Expect("dm_core_1.pose_inverse", (byte*)&s.PoseInverse - at, 416, 212);
               Expect("dm_core_1.pose_from_rotation", (byte*)&s.PoseFromRotation - at, 424, 216);
+              Expect("dm_core_1.asset_create", (byte*)&s.AssetCreate - at, 432, 220);
+              Expect("dm_core_1.asset_destroy", (byte*)&s.AssetDestroy - at, 440, 224);
+              Expect("dm_core_1.asset_get_info", (byte*)&s.AssetGetInfo - at, 448, 228);
+              Expect("dm_core_1.asset_get_part", (byte*)&s.AssetGetPart - at, 456, 232);
+              Expect("dm_core_1.asset_get_joint", (byte*)&s.AssetGetJoint - at, 464, 236);
+              Expect("dm_core_1.asset_get_part_nodes", (byte*)&s.AssetGetPartNodes - at, 472, 240);
+              Expect("dm_core_1.asset_get_node_parts", (byte*)&s.AssetGetNodeParts - at, 480, 244);
+              Expect("dm_core_1.asset_make_object", (byte*)&s.AssetMakeObject - at, 488, 248);
             }
             { GltfFiles s; byte* at = (byte*)&s;
               Expect("dm_gltf_files", sizeof(GltfFiles), 24, 12);

@@ -18,6 +18,8 @@ namespace DragMesh
         public const int DM_MAX_HYPOTHESES = 8;
         /// <summary>Most parts of one object, the body not counted.</summary>
         public const int DM_MAX_PARTS = 4096;
+        /// <summary>Most nodes of one asset. At most DM_MAX_PARTS of them have meshes that are no DM_ASSET_NODE_FOLLOWS.</summary>
+        public const int DM_MAX_ASSET_NODES = 65536;
         /// <summary>Most bytes of a label, the zero not counted.</summary>
         public const int DM_MAX_LABEL = 4096;
         /// <summary>Most vertices or triangles of one object.</summary>
@@ -28,6 +30,10 @@ namespace DragMesh
         public const int DM_MAX_SNAPS = 16;
         /// <summary>No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by dm_drag_snapshot_size.</summary>
         public const int DM_DRAG_SNAPSHOT_MAX = 65536;
+        /// <summary>no node: the scene itself</summary>
+        public const uint DM_ASSET_NO_NODE = 4294967295;
+        /// <summary>no part: the body that stays</summary>
+        public const uint DM_ASSET_NO_PART = 4294967295;
         public const uint DM_GLTF_NO_CARRIER = 4294967295;
         public const int DM_OK = 0;
         /// <summary>a null pointer, an unknown enum value, a count that makes no sense</summary>
@@ -144,6 +150,30 @@ namespace DragMesh
         public const int DM_DEGRADED_HINT = 16;
         /// <summary>DM_PREPARE_MESH_INCOMPLETE</summary>
         public const int DM_DEGRADED_MESH = 32;
+        /// <summary>neither part nor body: a level of detail, a collider, something hidden. It goes where `follows` goes, and its mesh is not looked at</summary>
+        public const int DM_ASSET_NODE_FOLLOWS = 1;
+        /// <summary>where its origin lies says nothing</summary>
+        public const int DM_ASSET_NODE_NO_PIVOT = 2;
+        /// <summary>the animation scales or bends the node as well</summary>
+        public const int DM_CLIP_NOT_RIGID = 1;
+        /// <summary>clips say nothing</summary>
+        public const int DM_ASSET_WITHOUT_CLIPS = 256;
+        /// <summary>names and labels say nothing</summary>
+        public const int DM_ASSET_WITHOUT_NAMES = 512;
+        /// <summary>a clip moves a node as no joint does, or is not rigid</summary>
+        public const int DM_ASSET_CLIP_LEFT_OUT = 1;
+        /// <summary>it might move, but probably does not</summary>
+        public const int DM_ASSET_STAYS = 0;
+        /// <summary>by its joint</summary>
+        public const int DM_ASSET_MOVES = 1;
+        /// <summary>it can be taken away; its joint is how it comes off</summary>
+        public const int DM_ASSET_FREE = 2;
+        /// <summary>from shape, contacts and names</summary>
+        public const int DM_ASSET_INFERRED = 0;
+        /// <summary>dm_asset_node.joint</summary>
+        public const int DM_ASSET_FROM_FILE = 1;
+        /// <summary>dm_asset_node.clips</summary>
+        public const int DM_ASSET_FROM_CLIP = 2;
         /// <summary>follow the joint in force, limits and all, whatever the pull says, as with a host's joint</summary>
         public const int DM_DRAG_KEEP_JOINT = 1;
         /// <summary>no point is grabbed: for hands of DM_HAND_RATE, STEP and VALUE, and for releases. grab_point is not read; the middle of the part's box stands for it</summary>
@@ -443,6 +473,30 @@ namespace DragMesh
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int Core1PoseFromRotation(float* rotation, Vec3 translation, Pose* out_pose);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetCreate(IntPtr context, AssetDesc* desc, ulong* out_asset);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetDestroy(IntPtr context, ulong asset);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetGetInfo(IntPtr context, ulong asset, AssetInfo* out_info);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetGetPart(IntPtr context, ulong asset, uint index, AssetPart* out_part);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetGetJoint(IntPtr context, ulong asset, uint index, Joint* out_joint);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetGetPartNodes(IntPtr context, ulong asset, uint index, uint* out_nodes, uint capacity);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetGetNodeParts(IntPtr context, ulong asset, uint* out_parts, uint capacity);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1AssetMakeObject(IntPtr context, ulong asset, ulong* out_object);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int GltfFilesOpen(void* user, byte* path, void** out_data, UIntPtr* out_size);
@@ -846,6 +900,132 @@ namespace DragMesh
         public static ObjectInfo New() => new ObjectInfo { StructSize = (uint)sizeof(ObjectInfo) };
     }
 
+    /// <summary>How one animation moves one node. Frozen.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct AssetClip
+    {
+        /// <summary>of the animation, UTF-8; may be NULL</summary>
+        public byte* Name;
+        /// <summary>s, rising</summary>
+        public float* Times;
+        /// <summary>of the node from the pose that its mesh has, asset frame, as if all nodes above it stood still</summary>
+        public Pose* Poses;
+        /// <summary>of times and poses</summary>
+        public uint KeyCount;
+        /// <summary>DM_CLIP_NOT_RIGID</summary>
+        public uint Flags;
+    }
+
+    /// <summary>A node of an asset as a host has it.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct AssetNode
+    {
+        public uint StructSize;
+        /// <summary>DM_ASSET_NODE_*</summary>
+        public uint Flags;
+        /// <summary>index of the node above it, which may come later in the list; else DM_ASSET_NO_NODE</summary>
+        public uint Parent;
+        /// <summary>of DM_ASSET_NODE_FOLLOWS: index of a node, DM_ASSET_NO_NODE: the one above it</summary>
+        public uint Follows;
+        /// <summary>UTF-8, DM_MAX_LABEL bytes at most; NULL: none</summary>
+        public byte* Name;
+        /// <summary>the same, of its mesh</summary>
+        public byte* MeshName;
+        /// <summary>without part_ids; NULL: a node without a mesh, such as a group</summary>
+        public MeshDesc* Mesh;
+        /// <summary>4x4, column-major: node to asset frame, all nodes above it included; affine. NULL: identity</summary>
+        public float* Transform;
+        /// <summary>asset frame. NULL: origin and axes of `transform`; where that is NULL too, unknown</summary>
+        public Pivot* Pivot;
+        public AssetClip* Clips;
+        public uint ClipCount;
+        /// <summary>0</summary>
+        public uint Reserved;
+        /// <summary>asset frame: a joint that the file states for this node, with limits; certain, as a joint that the host sets. DM_JOINT_FIXED: the node is one with the node above it. NULL: none</summary>
+        public Joint* Joint;
+
+        /// <summary>Zeros, with StructSize set.</summary>
+        public static AssetNode New() => new AssetNode { StructSize = (uint)sizeof(AssetNode) };
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct AssetDesc
+    {
+        public uint StructSize;
+        /// <summary>DM_ASSET_*, DM_PREPARE_WITHOUT_PICKING, DM_PREPARE_MESH_INCOMPLETE</summary>
+        public uint Flags;
+        public AssetNode* Nodes;
+        /// <summary>optional evidence: names of the whole asset, as dm_object_desc.label</summary>
+        public byte* Label;
+        public uint NodeCount;
+        /// <summary>parts of at least this probability move, and are parts of the object; 0 = 0.5</summary>
+        public float MinMoves;
+        /// <summary>weights; 0 = geometry alone</summary>
+        public ulong Model;
+        /// <summary>as dm_object_desc.seed</summary>
+        public ulong Seed;
+        /// <summary>NULL = that of the context</summary>
+        public IntPtr Progress;
+        public void* ProgressUser;
+        /// <summary>which way is up, asset frame; 0 = that of the context's axes</summary>
+        public Vec3 Up;
+        /// <summary>0</summary>
+        public uint Reserved;
+
+        /// <summary>Zeros, with StructSize set.</summary>
+        public static AssetDesc New() => new AssetDesc { StructSize = (uint)sizeof(AssetDesc) };
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct AssetInfo
+    {
+        public uint StructSize;
+        public uint NodeCount;
+        /// <summary>those that stay included</summary>
+        public uint PartCount;
+        /// <summary>parts that move or are free: those of the object</summary>
+        public uint MovingCount;
+        /// <summary>of the nodes that do not follow others</summary>
+        public ulong TriangleCount;
+        /// <summary>DM_DEGRADED_*: what the joints were found without</summary>
+        public uint Degraded;
+        /// <summary>DM_ASSET_CLIP_LEFT_OUT</summary>
+        public uint Warnings;
+
+        /// <summary>Zeros, with StructSize set.</summary>
+        public static AssetInfo New() => new AssetInfo { StructSize = (uint)sizeof(AssetInfo) };
+    }
+
+    /// <summary>Nodes that move as one, or might.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct AssetPart
+    {
+        public uint StructSize;
+        /// <summary>index of the part that carries it, or DM_ASSET_NO_PART</summary>
+        public uint Parent;
+        /// <summary>in the object: its index + 1; 0 while it stays</summary>
+        public uint PartId;
+        /// <summary>DM_ASSET_STAYS …</summary>
+        public int State;
+        /// <summary>DM_ASSET_INFERRED …</summary>
+        public int Basis;
+        /// <summary>probability that it moves against what carries it, 0..1</summary>
+        public float Moves;
+        /// <summary>its nodes, those that follow them included; not those of the parts that it carries</summary>
+        public uint NodeCount;
+        /// <summary>the same without those that follow</summary>
+        public uint TriangleCount;
+        /// <summary>s that its clip takes from one end of the joint to the other; 0: it has none</summary>
+        public float Duration;
+        /// <summary>0</summary>
+        public uint Reserved;
+        public Vec3 BoxMin;
+        public Vec3 BoxMax;
+
+        /// <summary>Zeros, with StructSize set.</summary>
+        public static AssetPart New() => new AssetPart { StructSize = (uint)sizeof(AssetPart) };
+    }
+
     /// <summary>What the player asked for. The network answers with a motion of DM_MOTION_FRAMES poses from rest.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct MotionDesc
@@ -1212,6 +1392,14 @@ namespace DragMesh
         public IntPtr JointValueAt;
         public IntPtr PoseInverse;
         public IntPtr PoseFromRotation;
+        public IntPtr AssetCreate;
+        public IntPtr AssetDestroy;
+        public IntPtr AssetGetInfo;
+        public IntPtr AssetGetPart;
+        public IntPtr AssetGetJoint;
+        public IntPtr AssetGetPartNodes;
+        public IntPtr AssetGetNodeParts;
+        public IntPtr AssetMakeObject;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static Core1 New() => new Core1 { StructSize = (uint)sizeof(Core1) };
@@ -1418,6 +1606,38 @@ namespace DragMesh
         /// <summary>Moves what is linked with a part that has moved. inout_values: the joint values of one instance, one a part, in the order of dm_object_get_part; that of the part itself changes where a driver of it is at its limit (dm_drag_override). out_held (may be NULL): 1 for the parts that links hold where they are (DM_INPUT_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_follow_links(IntPtr context, ulong @object, uint part_id, float* inout_values, byte* out_held, uint count);
+
+        /// <summary>Finds out which nodes of an asset move, which of them as one, what carries what, and how each moves. The same nodes in the same order give the same bits. About as long as dm_object_prepare for all of its nodes. Uses dm_jobs. Warns once where the answer is less than it could be. Errors, which name the node: NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH, TOO_LARGE, CANCELLED; INVALID_ARGUMENT also when parents or followers form a circle, a name is no UTF-8, and no node has a mesh. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_create(IntPtr context, AssetDesc* desc, ulong* out_asset);
+
+        /// <summary>Objects made of it stay. [exclusive object]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_destroy(IntPtr context, ulong asset);
+
+        /// <summary>out_info-&gt;struct_size must be set. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_get_info(IntPtr context, ulong asset, AssetInfo* out_info);
+
+        /// <summary>Part by index 0 .. part_count-1. out_part-&gt;struct_size must be set. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_get_part(IntPtr context, ulong asset, uint index, AssetPart* out_part);
+
+        /// <summary>How a part moves, asset frame; of one that stays, how it would. out_joint-&gt;struct_size must be set. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_get_joint(IntPtr context, ulong asset, uint index, Joint* out_joint);
+
+        /// <summary>The nodes of a part, rising: dm_asset_part.node_count of them. BUFFER_TOO_SMALL when capacity is less. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_get_part_nodes(IntPtr context, ulong asset, uint index, uint* out_nodes, uint capacity);
+
+        /// <summary>The part of each node, DM_ASSET_NO_PART for those of the body: dm_asset_info.node_count numbers. BUFFER_TOO_SMALL when capacity is less. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_get_node_parts(IntPtr context, ulong asset, uint* out_parts, uint capacity);
+
+        /// <summary>Makes a prepared object of the parts that move or are free, carried by each other as in the asset; all else is the body. Its triangles are those of the nodes that do not follow others, node after node. Errors: EMPTY_MASK when nothing moves. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_asset_make_object(IntPtr context, ulong asset, ulong* out_object);
 
         /// <summary>Pose of a joint at a value, in the frame of the joint. The axis may have any length, here and in the functions below. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -13,11 +13,14 @@ DM_VERSION_DEVELOPMENT = 1
 DM_MOTION_FRAMES = 16
 DM_MAX_HYPOTHESES = 8
 DM_MAX_PARTS = 4096
+DM_MAX_ASSET_NODES = 65536
 DM_MAX_LABEL = 4096
 DM_MAX_ELEMENTS = 268435456
 DM_MAX_LINKS = 256
 DM_MAX_SNAPS = 16
 DM_DRAG_SNAPSHOT_MAX = 65536
+DM_ASSET_NO_NODE = 4294967295
+DM_ASSET_NO_PART = 4294967295
 DM_GLTF_NO_CARRIER = 4294967295
 DM_OK = 0
 DM_ERROR_INVALID_ARGUMENT = -1
@@ -83,6 +86,18 @@ DM_DEGRADED_NO_MOTION = 4
 DM_DEGRADED_NO_BODY = 8
 DM_DEGRADED_HINT = 16
 DM_DEGRADED_MESH = 32
+DM_ASSET_NODE_FOLLOWS = 1
+DM_ASSET_NODE_NO_PIVOT = 2
+DM_CLIP_NOT_RIGID = 1
+DM_ASSET_WITHOUT_CLIPS = 256
+DM_ASSET_WITHOUT_NAMES = 512
+DM_ASSET_CLIP_LEFT_OUT = 1
+DM_ASSET_STAYS = 0
+DM_ASSET_MOVES = 1
+DM_ASSET_FREE = 2
+DM_ASSET_INFERRED = 0
+DM_ASSET_FROM_FILE = 1
+DM_ASSET_FROM_CLIP = 2
 DM_DRAG_KEEP_JOINT = 1
 DM_DRAG_WITHOUT_POINT = 2
 DM_RULE_LOCKED = 1
@@ -566,6 +581,135 @@ class ObjectInfo(Sized):
     ]
 
 
+class AssetClip(Struct):
+    """How one animation moves one node. Frozen."""
+
+    name: Any
+    times: Any
+    poses: Any
+    key_count: int
+    flags: int
+    _fields_ = [
+        ("name", c.c_char_p),
+        ("times", c.POINTER(c.c_float)),
+        ("poses", c.POINTER(Pose)),
+        ("key_count", c.c_uint32),
+        ("flags", c.c_uint32),
+    ]
+
+
+class AssetNode(Sized):
+    """A node of an asset as a host has it."""
+
+    struct_size: int
+    flags: int
+    parent: int
+    follows: int
+    name: Any
+    mesh_name: Any
+    mesh: Any
+    transform: Any
+    pivot: Any
+    clips: Any
+    clip_count: int
+    reserved: int
+    joint: Any
+    _fields_ = [
+        ("struct_size", c.c_uint32),
+        ("flags", c.c_uint32),
+        ("parent", c.c_uint32),
+        ("follows", c.c_uint32),
+        ("name", c.c_char_p),
+        ("mesh_name", c.c_char_p),
+        ("mesh", c.POINTER(MeshDesc)),
+        ("transform", c.POINTER(c.c_float)),
+        ("pivot", c.POINTER(Pivot)),
+        ("clips", c.POINTER(AssetClip)),
+        ("clip_count", c.c_uint32),
+        ("reserved", c.c_uint32),
+        ("joint", c.POINTER(Joint)),
+    ]
+
+
+class AssetDesc(Sized):
+    struct_size: int
+    flags: int
+    nodes: Any
+    label: Any
+    node_count: int
+    min_moves: float
+    model: int
+    seed: int
+    progress: Any
+    progress_user: Any
+    up: Vec3
+    reserved: int
+    _fields_ = [
+        ("struct_size", c.c_uint32),
+        ("flags", c.c_uint32),
+        ("nodes", c.POINTER(AssetNode)),
+        ("label", c.c_char_p),
+        ("node_count", c.c_uint32),
+        ("min_moves", c.c_float),
+        ("model", c.c_uint64),
+        ("seed", c.c_uint64),
+        ("progress", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_float)),
+        ("progress_user", c.c_void_p),
+        ("up", Vec3),
+        ("reserved", c.c_uint32),
+    ]
+
+
+class AssetInfo(Sized):
+    struct_size: int
+    node_count: int
+    part_count: int
+    moving_count: int
+    triangle_count: int
+    degraded: int
+    warnings: int
+    _fields_ = [
+        ("struct_size", c.c_uint32),
+        ("node_count", c.c_uint32),
+        ("part_count", c.c_uint32),
+        ("moving_count", c.c_uint32),
+        ("triangle_count", c.c_uint64),
+        ("degraded", c.c_uint32),
+        ("warnings", c.c_uint32),
+    ]
+
+
+class AssetPart(Sized):
+    """Nodes that move as one, or might."""
+
+    struct_size: int
+    parent: int
+    part_id: int
+    state: int
+    basis: int
+    moves: float
+    node_count: int
+    triangle_count: int
+    duration: float
+    reserved: int
+    box_min: Vec3
+    box_max: Vec3
+    _fields_ = [
+        ("struct_size", c.c_uint32),
+        ("parent", c.c_uint32),
+        ("part_id", c.c_uint32),
+        ("state", c.c_int32),
+        ("basis", c.c_int32),
+        ("moves", c.c_float),
+        ("node_count", c.c_uint32),
+        ("triangle_count", c.c_uint32),
+        ("duration", c.c_float),
+        ("reserved", c.c_uint32),
+        ("box_min", Vec3),
+        ("box_max", Vec3),
+    ]
+
+
 class MotionDesc(Sized):
     """What the player asked for. The network answers with a motion of DM_MOTION_FRAMES poses from rest."""
 
@@ -921,6 +1065,14 @@ class Core1(Sized):
     joint_value_at: Any
     pose_inverse: Any
     pose_from_rotation: Any
+    asset_create: Any
+    asset_destroy: Any
+    asset_get_info: Any
+    asset_get_part: Any
+    asset_get_joint: Any
+    asset_get_part_nodes: Any
+    asset_get_node_parts: Any
+    asset_make_object: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -977,6 +1129,14 @@ class Core1(Sized):
         ("joint_value_at", c.CFUNCTYPE(c.c_int32, c.POINTER(Joint), c.c_float, c.POINTER(c.c_float))),
         ("pose_inverse", c.CFUNCTYPE(None, c.POINTER(Pose), c.POINTER(Pose))),
         ("pose_from_rotation", c.CFUNCTYPE(c.c_int32, c.c_void_p, Vec3, c.POINTER(Pose))),
+        ("asset_create", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.POINTER(AssetDesc), c.POINTER(c.c_uint64))),
+        ("asset_destroy", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64)),
+        ("asset_get_info", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.POINTER(AssetInfo))),
+        ("asset_get_part", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(AssetPart))),
+        ("asset_get_joint", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(Joint))),
+        ("asset_get_part_nodes", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(c.c_uint32), c.c_uint32)),
+        ("asset_get_node_parts", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.POINTER(c.c_uint32), c.c_uint32)),
+        ("asset_make_object", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.POINTER(c.c_uint64))),
     ]
 
 
@@ -1125,6 +1285,14 @@ FUNCTIONS = {  # name: (result, arguments)
     "dm_object_reset_joint": (c.c_int32, [c.c_void_p, c.c_uint64, c.c_uint32]),
     "dm_object_set_links": (c.c_int32, [c.c_void_p, c.c_uint64, c.POINTER(Link), c.c_uint32]),
     "dm_object_follow_links": (c.c_int32, [c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(c.c_float), c.POINTER(c.c_uint8), c.c_uint32]),
+    "dm_asset_create": (c.c_int32, [c.c_void_p, c.POINTER(AssetDesc), c.POINTER(c.c_uint64)]),
+    "dm_asset_destroy": (c.c_int32, [c.c_void_p, c.c_uint64]),
+    "dm_asset_get_info": (c.c_int32, [c.c_void_p, c.c_uint64, c.POINTER(AssetInfo)]),
+    "dm_asset_get_part": (c.c_int32, [c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(AssetPart)]),
+    "dm_asset_get_joint": (c.c_int32, [c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(Joint)]),
+    "dm_asset_get_part_nodes": (c.c_int32, [c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(c.c_uint32), c.c_uint32]),
+    "dm_asset_get_node_parts": (c.c_int32, [c.c_void_p, c.c_uint64, c.POINTER(c.c_uint32), c.c_uint32]),
+    "dm_asset_make_object": (c.c_int32, [c.c_void_p, c.c_uint64, c.POINTER(c.c_uint64)]),
     "dm_joint_pose": (c.c_int32, [c.POINTER(Joint), c.c_float, c.POINTER(Pose)]),
     "dm_joint_value": (c.c_int32, [c.POINTER(Joint), c.POINTER(Pose), c.POINTER(c.c_float), c.POINTER(c.c_float), c.POINTER(c.c_float)]),
     "dm_joint_value_at": (c.c_int32, [c.POINTER(Joint), c.c_float, c.POINTER(c.c_float)]),
@@ -1210,6 +1378,11 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     Choice: {8: (24, [0, 4, 8, 16]), 4: (16, [0, 4, 8, 12])},
     ObjectDesc: {8: (120, [0, 4, 8, 16, 24, 28, 32, 40, 48, 56, 64, 72, 80, 88, 104, 112]), 4: (80, [0, 4, 8, 12, 16, 20, 24, 32, 40, 44, 48, 52, 56, 60, 72, 76])},
     ObjectInfo: {8: (64, [0, 4, 8, 16, 24, 36, 48, 52, 56, 60]), 4: (64, [0, 4, 8, 16, 24, 36, 48, 52, 56, 60])},
+    AssetClip: {8: (32, [0, 8, 16, 24, 28]), 4: (20, [0, 4, 8, 12, 16])},
+    AssetNode: {8: (80, [0, 4, 8, 12, 16, 24, 32, 40, 48, 56, 64, 68, 72]), 4: (52, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48])},
+    AssetDesc: {8: (80, [0, 4, 8, 16, 24, 28, 32, 40, 48, 56, 64, 76]), 4: (64, [0, 4, 8, 12, 16, 20, 24, 32, 40, 44, 48, 60])},
+    AssetInfo: {8: (32, [0, 4, 8, 12, 16, 24, 28]), 4: (32, [0, 4, 8, 12, 16, 24, 28])},
+    AssetPart: {8: (64, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 52]), 4: (64, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 52])},
     MotionDesc: {8: (48, [0, 4, 8, 32, 40, 44]), 4: (44, [0, 4, 8, 32, 36, 40])},
     DragFeel: {8: (24, [0, 4, 8, 12, 16, 20]), 4: (24, [0, 4, 8, 12, 16, 20])},
     DragRules: {8: (88, [0, 4, 8, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84]), 4: (84, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80])},
@@ -1223,7 +1396,7 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     Camera: {8: (56, [0, 4, 8, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 20, 32, 44, 48, 52])},
     SceneDesc: {8: (8, [0, 4]), 4: (8, [0, 4])},
     Hit: {8: (72, [0, 4, 8, 16, 20, 24, 28, 32, 36, 48, 60]), 4: (72, [0, 4, 8, 16, 20, 24, 28, 32, 36, 48, 60])},
-    Core1: {8: (432, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304, 312, 320, 328, 336, 344, 352, 360, 368, 376, 384, 392, 400, 408, 416, 424]), 4: (220, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116, 120, 124, 128, 132, 136, 140, 144, 148, 152, 156, 160, 164, 168, 172, 176, 180, 184, 188, 192, 196, 200, 204, 208, 212, 216])},
+    Core1: {8: (496, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304, 312, 320, 328, 336, 344, 352, 360, 368, 376, 384, 392, 400, 408, 416, 424, 432, 440, 448, 456, 464, 472, 480, 488]), 4: (252, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116, 120, 124, 128, 132, 136, 140, 144, 148, 152, 156, 160, 164, 168, 172, 176, 180, 184, 188, 192, 196, 200, 204, 208, 212, 216, 220, 224, 228, 232, 236, 240, 244, 248])},
     GltfFiles: {8: (24, [0, 8, 16]), 4: (12, [0, 4, 8])},
     GltfDesc: {8: (104, [0, 4, 8, 16, 24, 48, 64, 88, 96]), 4: (56, [0, 4, 8, 12, 16, 28, 36, 48, 52])},
     GltfNode: {8: (64, [0, 8, 12, 16, 24, 32, 40, 48]), 4: (64, [0, 4, 8, 16, 24, 32, 40, 48])},

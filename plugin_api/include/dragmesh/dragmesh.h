@@ -94,6 +94,8 @@ extern "C" {
 #define DM_MAX_HYPOTHESES 8
 /* Most parts of one object, the body not counted. */
 #define DM_MAX_PARTS 4096
+/* Most nodes of one asset. At most DM_MAX_PARTS of them have meshes that are no DM_ASSET_NODE_FOLLOWS. */
+#define DM_MAX_ASSET_NODES 65536
 /* Most bytes of a label, the zero not counted. */
 #define DM_MAX_LABEL 4096
 /* Most vertices or triangles of one object. */
@@ -159,6 +161,7 @@ typedef uint64_t dm_object; /* a prepared object: parts and their joints */
 typedef uint64_t dm_motion; /* a generated motion of one part: 16 key poses, sampled continuously */
 typedef uint64_t dm_drag;   /* one player dragging one part */
 typedef uint64_t dm_scene;  /* placed objects that rays can pick */
+typedef uint64_t dm_asset;  /* a whole asset: which of its nodes move, how, and what carries them */
 
 /* ---- context ------------------------------------------------------------------------------------------------ */
 
@@ -474,6 +477,115 @@ typedef struct dm_object_info {
     uint32_t reserved;        /* 0 */
 } dm_object_info;
 
+/* ---- assets ------------------------------------------------------------------------------------------------- */
+
+/* The asset frame is the one into which the nodes' transforms take their meshes: the object frame of the object that
+ * dm_asset_make_object makes. */
+
+#define DM_ASSET_NO_NODE UINT32_MAX /* no node: the scene itself */
+#define DM_ASSET_NO_PART UINT32_MAX /* no part: the body that stays */
+
+enum {
+    DM_ASSET_NODE_FOLLOWS = 1, /* neither part nor body: a level of detail, a collider, something hidden. It goes where
+                                  `follows` goes, and its mesh is not looked at */
+    DM_ASSET_NODE_NO_PIVOT = 2 /* where its origin lies says nothing */
+};
+
+enum { DM_CLIP_NOT_RIGID = 1 /* the animation scales or bends the node as well */ };
+
+/* How one animation moves one node. Frozen. */
+typedef struct dm_asset_clip {
+    const char* name;     /* of the animation, UTF-8; may be NULL */
+    const float* times;   /* s, rising */
+    const dm_pose* poses; /* of the node from the pose that its mesh has, asset frame, as if all nodes above it stood
+                             still */
+    uint32_t key_count;   /* of times and poses */
+    uint32_t flags;       /* DM_CLIP_NOT_RIGID */
+} dm_asset_clip;
+
+/* A node of an asset as a host has it. */
+typedef struct dm_asset_node {
+    uint32_t struct_size;
+    uint32_t flags;           /* DM_ASSET_NODE_* */
+    uint32_t parent;          /* index of the node above it, which may come later in the list; else DM_ASSET_NO_NODE */
+    uint32_t follows;         /* of DM_ASSET_NODE_FOLLOWS: index of a node, DM_ASSET_NO_NODE: the one above it */
+    const char* name;         /* UTF-8, DM_MAX_LABEL bytes at most; NULL: none */
+    const char* mesh_name;    /* the same, of its mesh */
+    const dm_mesh_desc* mesh; /* without part_ids; NULL: a node without a mesh, such as a group */
+    const float* transform;   /* 4x4, column-major: node to asset frame, all nodes above it included; affine. NULL:
+                                 identity */
+    const dm_pivot* pivot;    /* asset frame. NULL: origin and axes of `transform`; where that is NULL too, unknown */
+    const dm_asset_clip* clips;
+    uint32_t clip_count;
+    uint32_t reserved;     /* 0 */
+    const dm_joint* joint; /* asset frame: a joint that the file states for this node, with limits; certain, as a joint
+                              that the host sets. DM_JOINT_FIXED: the node is one with the node above it. NULL: none */
+} dm_asset_node;
+
+enum {
+    DM_ASSET_WITHOUT_CLIPS = 256, /* clips say nothing */
+    DM_ASSET_WITHOUT_NAMES = 512  /* names and labels say nothing */
+};
+
+typedef struct dm_asset_desc {
+    uint32_t struct_size;
+    uint32_t flags; /* DM_ASSET_*, DM_PREPARE_WITHOUT_PICKING, DM_PREPARE_MESH_INCOMPLETE */
+    const dm_asset_node* nodes;
+    const char* label; /* optional evidence: names of the whole asset, as dm_object_desc.label */
+    uint32_t node_count;
+    float min_moves;               /* parts of at least this probability move, and are parts of the object; 0 = 0.5 */
+    dm_model model;                /* weights; 0 = geometry alone */
+    uint64_t seed;                 /* as dm_object_desc.seed */
+    dm_progress_callback progress; /* NULL = that of the context */
+    void* progress_user;
+    dm_vec3 up;        /* which way is up, asset frame; 0 = that of the context's axes */
+    uint32_t reserved; /* 0 */
+} dm_asset_desc;
+
+/* What was left aside: bits of dm_asset_info.warnings. */
+enum {
+    DM_ASSET_CLIP_LEFT_OUT = 1 /* a clip moves a node as no joint does, or is not rigid */
+};
+
+typedef struct dm_asset_info {
+    uint32_t struct_size;
+    uint32_t node_count;
+    uint32_t part_count;     /* those that stay included */
+    uint32_t moving_count;   /* parts that move or are free: those of the object */
+    uint64_t triangle_count; /* of the nodes that do not follow others */
+    uint32_t degraded;       /* DM_DEGRADED_*: what the joints were found without */
+    uint32_t warnings;       /* DM_ASSET_CLIP_LEFT_OUT */
+} dm_asset_info;
+
+/* Whether a part moves. */
+enum {
+    DM_ASSET_STAYS = 0, /* it might move, but probably does not */
+    DM_ASSET_MOVES = 1, /* by its joint */
+    DM_ASSET_FREE = 2   /* it can be taken away; its joint is how it comes off */
+};
+
+/* Where a part's joint comes from. */
+enum {
+    DM_ASSET_INFERRED = 0,  /* from shape, contacts and names */
+    DM_ASSET_FROM_FILE = 1, /* dm_asset_node.joint */
+    DM_ASSET_FROM_CLIP = 2  /* dm_asset_node.clips */
+};
+
+/* Nodes that move as one, or might. */
+typedef struct dm_asset_part {
+    uint32_t struct_size;
+    uint32_t parent;         /* index of the part that carries it, or DM_ASSET_NO_PART */
+    uint32_t part_id;        /* in the object: its index + 1; 0 while it stays */
+    int32_t state;           /* DM_ASSET_STAYS … */
+    int32_t basis;           /* DM_ASSET_INFERRED … */
+    float moves;             /* probability that it moves against what carries it, 0..1 */
+    uint32_t node_count;     /* its nodes, those that follow them included; not those of the parts that it carries */
+    uint32_t triangle_count; /* the same without those that follow */
+    float duration;          /* s that its clip takes from one end of the joint to the other; 0: it has none */
+    uint32_t reserved;       /* 0 */
+    dm_vec3 box_min, box_max;
+} dm_asset_part;
+
 /* ---- motion and drag ---------------------------------------------------------------------------------------- */
 
 /* What the player asked for. The network answers with a motion of DM_MOTION_FRAMES poses from rest. */
@@ -779,6 +891,10 @@ typedef struct dm_hit {
     X(dm_object_desc)                                                                                                  \
     X(dm_object_info)                                                                                                  \
     X(dm_part_info)                                                                                                    \
+    X(dm_asset_node)                                                                                                   \
+    X(dm_asset_desc)                                                                                                   \
+    X(dm_asset_info)                                                                                                   \
+    X(dm_asset_part)                                                                                                   \
     X(dm_motion_desc)                                                                                                  \
     X(dm_drag_rules)                                                                                                   \
     X(dm_drag_desc)                                                                                                    \
@@ -918,6 +1034,43 @@ DM_API dm_result DM_CALL dm_object_set_links(dm_context* context, dm_object obje
  * number of parts. Limits are those of the joints in force, of the instance unscaled. [frame] */
 DM_API dm_result DM_CALL dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id,
                                                 float* inout_values, uint8_t* out_held, uint32_t count);
+
+/* ---- functions: assets ------------------------------------------------------------------------------------------- */
+
+/* Finds out which nodes of an asset move, which of them as one, what carries what, and how each moves. The same nodes
+ * in the same order give the same bits. About as long as dm_object_prepare for all of its nodes. Uses dm_jobs. Warns
+ * once where the answer is less than it could be.
+ * Errors, which name the node: NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH, TOO_LARGE, CANCELLED; INVALID_ARGUMENT
+ * also when parents or followers form a circle, a name is no UTF-8, and no node has a mesh. [any-thread] */
+DM_API dm_result DM_CALL dm_asset_create(dm_context* context, const dm_asset_desc* desc, dm_asset* out_asset);
+
+/* Objects made of it stay. [exclusive object] */
+DM_API dm_result DM_CALL dm_asset_destroy(dm_context* context, dm_asset asset);
+
+/* out_info->struct_size must be set. [any-thread] */
+DM_API dm_result DM_CALL dm_asset_get_info(dm_context* context, dm_asset asset, dm_asset_info* out_info);
+
+/* Part by index 0 .. part_count-1. out_part->struct_size must be set. [any-thread] */
+DM_API dm_result DM_CALL dm_asset_get_part(dm_context* context, dm_asset asset, uint32_t index,
+                                           dm_asset_part* out_part);
+
+/* How a part moves, asset frame; of one that stays, how it would. out_joint->struct_size must be set. [any-thread] */
+DM_API dm_result DM_CALL dm_asset_get_joint(dm_context* context, dm_asset asset, uint32_t index, dm_joint* out_joint);
+
+/* The nodes of a part, rising: dm_asset_part.node_count of them. BUFFER_TOO_SMALL when capacity is less.
+ * [any-thread] */
+DM_API dm_result DM_CALL dm_asset_get_part_nodes(dm_context* context, dm_asset asset, uint32_t index,
+                                                 uint32_t* out_nodes, uint32_t capacity);
+
+/* The part of each node, DM_ASSET_NO_PART for those of the body: dm_asset_info.node_count numbers. BUFFER_TOO_SMALL
+ * when capacity is less. [any-thread] */
+DM_API dm_result DM_CALL dm_asset_get_node_parts(dm_context* context, dm_asset asset, uint32_t* out_parts,
+                                                 uint32_t capacity);
+
+/* Makes a prepared object of the parts that move or are free, carried by each other as in the asset; all else is the
+ * body. Its triangles are those of the nodes that do not follow others, node after node. Errors: EMPTY_MASK when
+ * nothing moves. [any-thread] */
+DM_API dm_result DM_CALL dm_asset_make_object(dm_context* context, dm_asset asset, dm_object* out_object);
 
 /* ---- functions: joints as values --------------------------------------------------------------------------------- */
 
@@ -1150,7 +1303,17 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
        uint32_t count))                                                                                                \
     X(dm_result, joint_value_at, (const dm_joint* joint, float share, float* out_value))                               \
     X(void, pose_inverse, (const dm_pose* pose, dm_pose* out_pose))                                                    \
-    X(dm_result, pose_from_rotation, (const float rotation[4], dm_vec3 translation, dm_pose* out_pose))
+    X(dm_result, pose_from_rotation, (const float rotation[4], dm_vec3 translation, dm_pose* out_pose))                \
+    X(dm_result, asset_create, (dm_context * context, const dm_asset_desc* desc, dm_asset* out_asset))                 \
+    X(dm_result, asset_destroy, (dm_context * context, dm_asset asset))                                                \
+    X(dm_result, asset_get_info, (dm_context * context, dm_asset asset, dm_asset_info * out_info))                     \
+    X(dm_result, asset_get_part, (dm_context * context, dm_asset asset, uint32_t index, dm_asset_part * out_part))     \
+    X(dm_result, asset_get_joint, (dm_context * context, dm_asset asset, uint32_t index, dm_joint * out_joint))        \
+    X(dm_result, asset_get_part_nodes,                                                                                 \
+      (dm_context * context, dm_asset asset, uint32_t index, uint32_t * out_nodes, uint32_t capacity))                 \
+    X(dm_result, asset_get_node_parts,                                                                                 \
+      (dm_context * context, dm_asset asset, uint32_t * out_parts, uint32_t capacity))                                 \
+    X(dm_result, asset_make_object, (dm_context * context, dm_asset asset, dm_object * out_object))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;

@@ -12,6 +12,8 @@ pub const DM_MOTION_FRAMES: i32 = 16;
 pub const DM_MAX_HYPOTHESES: i32 = 8;
 /// Most parts of one object, the body not counted.
 pub const DM_MAX_PARTS: i32 = 4096;
+/// Most nodes of one asset. At most DM\_MAX\_PARTS of them have meshes that are no DM\_ASSET\_NODE\_FOLLOWS.
+pub const DM_MAX_ASSET_NODES: i32 = 65536;
 /// Most bytes of a label, the zero not counted.
 pub const DM_MAX_LABEL: i32 = 4096;
 /// Most vertices or triangles of one object.
@@ -22,6 +24,10 @@ pub const DM_MAX_LINKS: i32 = 256;
 pub const DM_MAX_SNAPS: i32 = 16;
 /// No library of the interface dm.core/1 needs more bytes for a dm\_drag\_save; it says how many by dm\_drag\_snapshot\_size.
 pub const DM_DRAG_SNAPSHOT_MAX: i32 = 65536;
+/// no node: the scene itself
+pub const DM_ASSET_NO_NODE: u32 = 4294967295;
+/// no part: the body that stays
+pub const DM_ASSET_NO_PART: u32 = 4294967295;
 pub const DM_GLTF_NO_CARRIER: u32 = 4294967295;
 pub const DM_OK: i32 = 0;
 /// a null pointer, an unknown enum value, a count that makes no sense
@@ -138,6 +144,30 @@ pub const DM_DEGRADED_NO_BODY: i32 = 8;
 pub const DM_DEGRADED_HINT: i32 = 16;
 /// DM\_PREPARE\_MESH\_INCOMPLETE
 pub const DM_DEGRADED_MESH: i32 = 32;
+/// neither part nor body: a level of detail, a collider, something hidden. It goes where \`follows\` goes, and its mesh is not looked at
+pub const DM_ASSET_NODE_FOLLOWS: i32 = 1;
+/// where its origin lies says nothing
+pub const DM_ASSET_NODE_NO_PIVOT: i32 = 2;
+/// the animation scales or bends the node as well
+pub const DM_CLIP_NOT_RIGID: i32 = 1;
+/// clips say nothing
+pub const DM_ASSET_WITHOUT_CLIPS: i32 = 256;
+/// names and labels say nothing
+pub const DM_ASSET_WITHOUT_NAMES: i32 = 512;
+/// a clip moves a node as no joint does, or is not rigid
+pub const DM_ASSET_CLIP_LEFT_OUT: i32 = 1;
+/// it might move, but probably does not
+pub const DM_ASSET_STAYS: i32 = 0;
+/// by its joint
+pub const DM_ASSET_MOVES: i32 = 1;
+/// it can be taken away; its joint is how it comes off
+pub const DM_ASSET_FREE: i32 = 2;
+/// from shape, contacts and names
+pub const DM_ASSET_INFERRED: i32 = 0;
+/// dm\_asset\_node.joint
+pub const DM_ASSET_FROM_FILE: i32 = 1;
+/// dm\_asset\_node.clips
+pub const DM_ASSET_FROM_CLIP: i32 = 2;
 /// follow the joint in force, limits and all, whatever the pull says, as with a host's joint
 pub const DM_DRAG_KEEP_JOINT: i32 = 1;
 /// no point is grabbed: for hands of DM\_HAND\_RATE, STEP and VALUE, and for releases. grab\_point is not read; the middle of the part's box stands for it
@@ -269,6 +299,8 @@ pub type dm_motion = u64;
 pub type dm_drag = u64;
 /// placed objects that rays can pick
 pub type dm_scene = u64;
+/// a whole asset: which of its nodes move, how, and what carries them
+pub type dm_asset = u64;
 pub type dm_task = Option<unsafe extern "C" fn(data: *mut c_void, index: u32)>;
 /// How far a call is: 0..1, rising; return non-zero to cancel it: it answers DM\_ERROR\_CANCELLED. Called on the thread that calls the library, whatever jobs run beside it.
 pub type dm_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, done: f32) -> i32>;
@@ -816,6 +848,163 @@ impl Default for dm_object_info {
     }
 }
 
+/// How one animation moves one node. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dm_asset_clip {
+    /// of the animation, UTF-8; may be NULL
+    pub name: *const c_char,
+    /// s, rising
+    pub times: *const f32,
+    /// of the node from the pose that its mesh has, asset frame, as if all nodes above it stood still
+    pub poses: *const dm_pose,
+    /// of times and poses
+    pub key_count: u32,
+    /// DM\_CLIP\_NOT\_RIGID
+    pub flags: u32,
+}
+
+impl Default for dm_asset_clip {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
+/// A node of an asset as a host has it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dm_asset_node {
+    pub struct_size: u32,
+    /// DM\_ASSET\_NODE\_\*
+    pub flags: u32,
+    /// index of the node above it, which may come later in the list; else DM\_ASSET\_NO\_NODE
+    pub parent: u32,
+    /// of DM\_ASSET\_NODE\_FOLLOWS: index of a node, DM\_ASSET\_NO\_NODE: the one above it
+    pub follows: u32,
+    /// UTF-8, DM\_MAX\_LABEL bytes at most; NULL: none
+    pub name: *const c_char,
+    /// the same, of its mesh
+    pub mesh_name: *const c_char,
+    /// without part\_ids; NULL: a node without a mesh, such as a group
+    pub mesh: *const dm_mesh_desc,
+    /// 4x4, column-major: node to asset frame, all nodes above it included; affine. NULL: identity
+    pub transform: *const f32,
+    /// asset frame. NULL: origin and axes of \`transform\`; where that is NULL too, unknown
+    pub pivot: *const dm_pivot,
+    pub clips: *const dm_asset_clip,
+    pub clip_count: u32,
+    /// 0
+    pub reserved: u32,
+    /// asset frame: a joint that the file states for this node, with limits; certain, as a joint that the host sets. DM\_JOINT\_FIXED: the node is one with the node above it. NULL: none
+    pub joint: *const dm_joint,
+}
+
+impl Default for dm_asset_node {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dm_asset_desc {
+    pub struct_size: u32,
+    /// DM\_ASSET\_\*, DM\_PREPARE\_WITHOUT\_PICKING, DM\_PREPARE\_MESH\_INCOMPLETE
+    pub flags: u32,
+    pub nodes: *const dm_asset_node,
+    /// optional evidence: names of the whole asset, as dm\_object\_desc.label
+    pub label: *const c_char,
+    pub node_count: u32,
+    /// parts of at least this probability move, and are parts of the object; 0 = 0.5
+    pub min_moves: f32,
+    /// weights; 0 = geometry alone
+    pub model: dm_model,
+    /// as dm\_object\_desc.seed
+    pub seed: u64,
+    /// NULL = that of the context
+    pub progress: dm_progress_callback,
+    pub progress_user: *mut c_void,
+    /// which way is up, asset frame; 0 = that of the context's axes
+    pub up: dm_vec3,
+    /// 0
+    pub reserved: u32,
+}
+
+impl Default for dm_asset_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dm_asset_info {
+    pub struct_size: u32,
+    pub node_count: u32,
+    /// those that stay included
+    pub part_count: u32,
+    /// parts that move or are free: those of the object
+    pub moving_count: u32,
+    /// of the nodes that do not follow others
+    pub triangle_count: u64,
+    /// DM\_DEGRADED\_\*: what the joints were found without
+    pub degraded: u32,
+    /// DM\_ASSET\_CLIP\_LEFT\_OUT
+    pub warnings: u32,
+}
+
+impl Default for dm_asset_info {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+/// Nodes that move as one, or might.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dm_asset_part {
+    pub struct_size: u32,
+    /// index of the part that carries it, or DM\_ASSET\_NO\_PART
+    pub parent: u32,
+    /// in the object: its index + 1; 0 while it stays
+    pub part_id: u32,
+    /// DM\_ASSET\_STAYS …
+    pub state: i32,
+    /// DM\_ASSET\_INFERRED …
+    pub basis: i32,
+    /// probability that it moves against what carries it, 0..1
+    pub moves: f32,
+    /// its nodes, those that follow them included; not those of the parts that it carries
+    pub node_count: u32,
+    /// the same without those that follow
+    pub triangle_count: u32,
+    /// s that its clip takes from one end of the joint to the other; 0: it has none
+    pub duration: f32,
+    /// 0
+    pub reserved: u32,
+    pub box_min: dm_vec3,
+    pub box_max: dm_vec3,
+}
+
+impl Default for dm_asset_part {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
 /// What the player asked for. The network answers with a motion of DM\_MOTION\_FRAMES poses from rest.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -1263,6 +1452,14 @@ pub struct dm_core_1 {
     pub joint_value_at: Option<unsafe extern "C" fn(joint: *const dm_joint, share: f32, out_value: *mut f32) -> dm_result>,
     pub pose_inverse: Option<unsafe extern "C" fn(pose: *const dm_pose, out_pose: *mut dm_pose)>,
     pub pose_from_rotation: Option<unsafe extern "C" fn(rotation: *const f32, translation: dm_vec3, out_pose: *mut dm_pose) -> dm_result>,
+    pub asset_create: Option<unsafe extern "C" fn(context: *mut dm_context, desc: *const dm_asset_desc, out_asset: *mut dm_asset) -> dm_result>,
+    pub asset_destroy: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset) -> dm_result>,
+    pub asset_get_info: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, out_info: *mut dm_asset_info) -> dm_result>,
+    pub asset_get_part: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, index: u32, out_part: *mut dm_asset_part) -> dm_result>,
+    pub asset_get_joint: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, index: u32, out_joint: *mut dm_joint) -> dm_result>,
+    pub asset_get_part_nodes: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, index: u32, out_nodes: *mut u32, capacity: u32) -> dm_result>,
+    pub asset_get_node_parts: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, out_parts: *mut u32, capacity: u32) -> dm_result>,
+    pub asset_make_object: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, out_object: *mut dm_object) -> dm_result>,
 }
 
 impl Default for dm_core_1 {
@@ -1466,6 +1663,22 @@ extern "C" {
     pub fn dm_object_set_links(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result;
     /// Moves what is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part; that of the part itself changes where a driver of it is at its limit (dm\_drag\_override). out\_held (may be NULL): 1 for the parts that links hold where they are (DM\_INPUT\_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. \[frame\]
     pub fn dm_object_follow_links(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result;
+    /// Finds out which nodes of an asset move, which of them as one, what carries what, and how each moves. The same nodes in the same order give the same bits. About as long as dm\_object\_prepare for all of its nodes. Uses dm\_jobs. Warns once where the answer is less than it could be. Errors, which name the node: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH, TOO\_LARGE, CANCELLED; INVALID\_ARGUMENT also when parents or followers form a circle, a name is no UTF-8, and no node has a mesh. \[any-thread\]
+    pub fn dm_asset_create(context: *mut dm_context, desc: *const dm_asset_desc, out_asset: *mut dm_asset) -> dm_result;
+    /// Objects made of it stay. \[exclusive object\]
+    pub fn dm_asset_destroy(context: *mut dm_context, asset: dm_asset) -> dm_result;
+    /// out\_info-\>struct\_size must be set. \[any-thread\]
+    pub fn dm_asset_get_info(context: *mut dm_context, asset: dm_asset, out_info: *mut dm_asset_info) -> dm_result;
+    /// Part by index 0 .. part\_count-1. out\_part-\>struct\_size must be set. \[any-thread\]
+    pub fn dm_asset_get_part(context: *mut dm_context, asset: dm_asset, index: u32, out_part: *mut dm_asset_part) -> dm_result;
+    /// How a part moves, asset frame; of one that stays, how it would. out\_joint-\>struct\_size must be set. \[any-thread\]
+    pub fn dm_asset_get_joint(context: *mut dm_context, asset: dm_asset, index: u32, out_joint: *mut dm_joint) -> dm_result;
+    /// The nodes of a part, rising: dm\_asset\_part.node\_count of them. BUFFER\_TOO\_SMALL when capacity is less. \[any-thread\]
+    pub fn dm_asset_get_part_nodes(context: *mut dm_context, asset: dm_asset, index: u32, out_nodes: *mut u32, capacity: u32) -> dm_result;
+    /// The part of each node, DM\_ASSET\_NO\_PART for those of the body: dm\_asset\_info.node\_count numbers. BUFFER\_TOO\_SMALL when capacity is less. \[any-thread\]
+    pub fn dm_asset_get_node_parts(context: *mut dm_context, asset: dm_asset, out_parts: *mut u32, capacity: u32) -> dm_result;
+    /// Makes a prepared object of the parts that move or are free, carried by each other as in the asset; all else is the body. Its triangles are those of the nodes that do not follow others, node after node. Errors: EMPTY\_MASK when nothing moves. \[any-thread\]
+    pub fn dm_asset_make_object(context: *mut dm_context, asset: dm_asset, out_object: *mut dm_object) -> dm_result;
     /// Pose of a joint at a value, in the frame of the joint. The axis may have any length, here and in the functions below. \[frame\]
     pub fn dm_joint_pose(joint: *const dm_joint, value: f32, out_pose: *mut dm_pose) -> dm_result;
     /// Inverse of dm\_joint\_pose: the value at which the joint comes nearest to a pose (from rest), and how far off the joint the pose is: the angle between both, rad, and the distance of the joint's origin under both, host units. Of values a turn apart: inside the limits, else nearest to 0; of a screw, by its advance. Both errors may be NULL. NOT\_FINITE when an answer is beyond a float. \[frame\]
@@ -1615,6 +1828,11 @@ mod tests {
         check!(dm_choice, 24, struct_size 0, count 4, part 8, hypotheses 16);
         check!(dm_object_desc, 120, struct_size 0, flags 4, mesh 8, parts 16, part_count 24, reserved 28, model 32, seed 40, intent 48, intent_user 56, progress 64, progress_user 72, label 80, up 88, choose 104, choose_user 112);
         check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, reserved 60);
+        check!(dm_asset_clip, 32, name 0, times 8, poses 16, key_count 24, flags 28);
+        check!(dm_asset_node, 80, struct_size 0, flags 4, parent 8, follows 12, name 16, mesh_name 24, mesh 32, transform 40, pivot 48, clips 56, clip_count 64, reserved 68, joint 72);
+        check!(dm_asset_desc, 80, struct_size 0, flags 4, nodes 8, label 16, node_count 24, min_moves 28, model 32, seed 40, progress 48, progress_user 56, up 64, reserved 76);
+        check!(dm_asset_info, 32, struct_size 0, node_count 4, part_count 8, moving_count 12, triangle_count 16, degraded 24, warnings 28);
+        check!(dm_asset_part, 64, struct_size 0, parent 4, part_id 8, state 12, basis 16, moves 20, node_count 24, triangle_count 28, duration 32, reserved 36, box_min 40, box_max 52);
         check!(dm_motion_desc, 48, struct_size 0, part_id 4, drag 8, path 32, path_count 40, seed 44);
         check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
         check!(dm_drag_rules, 88, struct_size 0, flags 4, snaps 8, snap_count 16, snap_reach 20, open_share 24, closed_share 28, event_time 32, max_speed 36, max_acceleration 40, lock_give 44, latch_turn 48, auto_close_share 52, auto_close_time 56, close_delay 60, tip_share 64, fall_time 68, restitution 72, break_distance 76, drive_speed 80, reserved 84);
@@ -1628,7 +1846,7 @@ mod tests {
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
         check!(dm_scene_desc, 8, struct_size 0, reserved 4);
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
-        check!(dm_core_1, 432, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408, pose_inverse 416, pose_from_rotation 424);
+        check!(dm_core_1, 496, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408, pose_inverse 416, pose_from_rotation 424, asset_create 432, asset_destroy 440, asset_get_info 448, asset_get_part 456, asset_get_joint 464, asset_get_part_nodes 472, asset_get_node_parts 480, asset_make_object 488);
         check!(dm_gltf_files, 24, user 0, open 8, close 16);
         check!(dm_gltf_desc, 104, struct_size 0, reserved 4, data 8, size 16, allocator 24, log 48, files 64, progress 88, progress_user 96);
         check!(dm_gltf_node, 64, name 0, node 8, carrier 12, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
@@ -1662,6 +1880,11 @@ mod tests {
         check!(dm_choice, 16, struct_size 0, count 4, part 8, hypotheses 12);
         check!(dm_object_desc, 80, struct_size 0, flags 4, mesh 8, parts 12, part_count 16, reserved 20, model 24, seed 32, intent 40, intent_user 44, progress 48, progress_user 52, label 56, up 60, choose 72, choose_user 76);
         check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, reserved 60);
+        check!(dm_asset_clip, 20, name 0, times 4, poses 8, key_count 12, flags 16);
+        check!(dm_asset_node, 52, struct_size 0, flags 4, parent 8, follows 12, name 16, mesh_name 20, mesh 24, transform 28, pivot 32, clips 36, clip_count 40, reserved 44, joint 48);
+        check!(dm_asset_desc, 64, struct_size 0, flags 4, nodes 8, label 12, node_count 16, min_moves 20, model 24, seed 32, progress 40, progress_user 44, up 48, reserved 60);
+        check!(dm_asset_info, 32, struct_size 0, node_count 4, part_count 8, moving_count 12, triangle_count 16, degraded 24, warnings 28);
+        check!(dm_asset_part, 64, struct_size 0, parent 4, part_id 8, state 12, basis 16, moves 20, node_count 24, triangle_count 28, duration 32, reserved 36, box_min 40, box_max 52);
         check!(dm_motion_desc, 44, struct_size 0, part_id 4, drag 8, path 32, path_count 36, seed 40);
         check!(dm_drag_feel, 24, smoothing_time 0, soft_limit 4, coast_time 8, detent 12, detent_pull 16, return_time 20);
         check!(dm_drag_rules, 84, struct_size 0, flags 4, snaps 8, snap_count 12, snap_reach 16, open_share 20, closed_share 24, event_time 28, max_speed 32, max_acceleration 36, lock_give 40, latch_turn 44, auto_close_share 48, auto_close_time 52, close_delay 56, tip_share 60, fall_time 64, restitution 68, break_distance 72, drive_speed 76, reserved 80);
@@ -1675,7 +1898,7 @@ mod tests {
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
         check!(dm_scene_desc, 8, struct_size 0, reserved 4);
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
-        check!(dm_core_1, 220, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208, pose_inverse 212, pose_from_rotation 216);
+        check!(dm_core_1, 252, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208, pose_inverse 212, pose_from_rotation 216, asset_create 220, asset_destroy 224, asset_get_info 228, asset_get_part 232, asset_get_joint 236, asset_get_part_nodes 240, asset_get_node_parts 244, asset_make_object 248);
         check!(dm_gltf_files, 12, user 0, open 4, close 8);
         check!(dm_gltf_desc, 56, struct_size 0, reserved 4, data 8, size 12, allocator 16, log 28, files 36, progress 48, progress_user 52);
         check!(dm_gltf_node, 64, name 0, node 4, carrier 8, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
