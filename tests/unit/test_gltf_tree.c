@@ -211,6 +211,56 @@ static void an_invisible_node_hides_what_it_carries(void** state) {
     assert_seen("", text, "a b c d ");
 }
 
+/* ---- levels of detail ---- */
+
+#define NAMED(name) "{\"name\":\"" name "\",\"mesh\":0}"
+
+static void the_finest_of_siblings_is_shown(void** state) {
+    (void)state;
+    static const char* const cases[][2] = {
+        {NAMED("door_LOD0") "," NAMED("door_LOD1") "," NAMED("door_LOD2"), "door_LOD0 "},
+        {NAMED("door_LOD2") "," NAMED("door_LOD1"), "door_LOD1 "},
+        {NAMED("door.lod_0") "," NAMED("door.lod_1"), "door.lod_0 "},
+        {NAMED("LOD0_door") "," NAMED("LOD1_door"), "LOD0_door "},
+        {NAMED("door_LOD0_wood_0") "," NAMED("door_LOD1_wood_0"), "door_LOD0_wood_0 "},
+        {NAMED("door_LOD0") "," NAMED("door_LOD0.001") "," NAMED("door_LOD1") "," NAMED("door_LOD1.001"),
+         "door_LOD0 door_LOD0.001 "},
+        {NAMED("door") "," NAMED("door_LOD1"), "door "},
+        {NAMED("door_LOD1") "," NAMED("lid_LOD0"), "door_LOD1 lid_LOD0 "},
+        {NAMED("door_LOD1"), "door_LOD1 "},
+        {NAMED("explod1") "," NAMED("explod2"), "explod1 explod2 "},
+        {NAMED("lod") "," NAMED("lode1") "," NAMED("a_lod1b"), "lod lode1 a_lod1b "},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) assert_seen("", cases[i][0], cases[i][1]);
+}
+
+static void a_coarser_group_hides_what_it_holds(void** state) {
+    (void)state;
+    assert_seen("", "{\"name\":\"LOD0\",\"children\":[2]},{\"name\":\"LOD1\",\"children\":[3]}," TWO, "a ");
+    /* a level that is nowhere shown is no reason to hide a coarser one */
+    assert_seen("", "{\"name\":\"a_LOD0\"},{\"name\":\"a_LOD1\",\"mesh\":0}", "a_LOD1 ");
+    /* levels of two parents, which are groups */
+    assert_seen("", "{\"children\":[2]},{\"children\":[3]}," NAMED("a_LOD1") "," NAMED("a_LOD0"), "a_LOD0 ");
+    /* never the finest one, however levels hold each other */
+    assert_seen("", "{\"name\":\"a_LOD1\",\"mesh\":0,\"children\":[1]}," NAMED("a_LOD0"), "a_LOD1 a_LOD0 ");
+}
+
+static void msft_lod_names_coarser_nodes(void** state) {
+    (void)state;
+#define FINE "{\"name\":\"fine\",\"mesh\":0,\"extensions\":{\"MSFT_lod\":{\"ids\":[%s]}}},"
+    static const struct {
+        const char *ids, *seen;
+    } cases[] = {
+        {"1", "fine b "}, {"1,2", "fine "}, {"0", "fine a b "}, {"2,2,9,-1,0.5", "fine a "}, {"", "fine a b "}};
+    char nodes[256];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        snprintf(nodes, sizeof nodes, FINE TWO, cases[i].ids);
+        assert_seen("", nodes, cases[i].seen);
+    }
+    snprintf(nodes, sizeof nodes, FINE "{\"name\":\"a\",\"mesh\":0,\"extensions\":{\"MSFT_lod\":{\"ids\":[0]}}}", "1");
+    assert_seen("", nodes, "fine "); /* each other's level: the first stays */
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_scene_that_the_file_names_is_read),
@@ -226,6 +276,9 @@ int main(void) {
         cmocka_unit_test(the_meshs_name_counts_too),
         cmocka_unit_test(a_named_group_of_colliders_hides_all_of_them),
         cmocka_unit_test(an_invisible_node_hides_what_it_carries),
+        cmocka_unit_test(the_finest_of_siblings_is_shown),
+        cmocka_unit_test(a_coarser_group_hides_what_it_holds),
+        cmocka_unit_test(msft_lod_names_coarser_nodes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,6 +8,7 @@
 #include "mesh/gltf/gltf_fields.h"
 #include "mesh/gltf/gltf_merge.h"
 #include "mesh/gltf/gltf_names.h"
+#include "mesh/gltf/gltf_roles.h"
 #include "mesh/gltf/gltf_tree.h"
 
 /* Bytes of a description without what was added to it later. */
@@ -80,6 +81,7 @@ static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem*
     if (result == DM_OK) result = dmi_gltf_tell(gltf, BUFFERS_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_read_tree(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_sort_names(gltf, problem);
+    if (result == DM_OK) result = dmi_gltf_find_roles(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_tell(gltf, DMI_GLTF_TREE_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_merge(gltf, problem);
     return result == DM_OK ? dmi_gltf_tell(gltf, 1, DMI_PROGRESS_STEP, problem) : result;

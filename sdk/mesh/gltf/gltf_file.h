@@ -42,8 +42,10 @@ typedef struct dmi_gltf_tree_node {
     int32_t parent;   /* -1: none */
     int32_t named;    /* the nearest node above that has a name; -1: none */
     int32_t mesh;     /* -1: none */
+    int32_t follows;  /* of what is not shown: the node with which it goes; -1: none */
     uint8_t placed;   /* it hangs below a root, so that it has a place in the world */
-    uint8_t shown;    /* the scene has it, and it is visible and no collider */
+    uint8_t in_scene; /* the scene has it, or a level of detail of what the scene has */
+    uint8_t shown;    /* the scene has it, and it is visible, no collider and no coarser level of detail */
     uint8_t joint;    /* a skin's */
     double world[16]; /* node to scene, column-major */
 } dmi_gltf_tree_node;

@@ -1,10 +1,8 @@
-/* The tree of nodes: who carries whom, where they are in the world, and which of them the scene shows. */
+/* The tree of nodes: who carries whom, where they are in the world, and which of them the scene has. */
 #include "mesh/gltf/gltf_tree.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
 void dmi_gltf_multiply(const double a[16], const double b[16], double out[16]) {
     for (int column = 0; column < 4; column++) {
@@ -40,35 +38,11 @@ void dmi_gltf_local_matrix(const cJSON* node, double out[16]) {
     if (!dmi_json_numbers(node, "matrix", 16, out)) compose(node, out);
 }
 
-/* ---- what is no body ---- */
-
-/* Whether `name` is one that exporters give to shapes for collisions alone: of Unreal, Godot, and the common suffix. */
-static int is_collider_name(const char* name) {
-    static const char* const prefixes[] = {"UCX_", "UBX_", "USP_", "UCP_"};
-    static const char* const suffixes[] = {"_collider", "-colonly", "-convcolonly"};
-    size_t length = name ? strlen(name) : 0;
-    for (size_t i = 0; name && i < sizeof prefixes / sizeof *prefixes; i++) {
-        if (strncmp(name, prefixes[i], strlen(prefixes[i])) == 0) return 1;
-    }
-    /* Blender and others number names: door-colonly.001, door_collider2. */
-    while (length > 0 && (isdigit((unsigned char)name[length - 1]) || strchr("._ ", name[length - 1]))) length--;
-    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++) {
-        const size_t size = strlen(suffixes[i]);
-        if (length >= size && strncasecmp(name + length - size, suffixes[i], size) == 0) return 1;
-    }
-    return 0;
-}
-
 /* Whether `node` has a rotation without a direction, which compose takes as none. */
 static int is_turned_nowhere(const cJSON* node) {
     double q[4] = {0, 0, 0, 1};
     dmi_json_numbers(node, "rotation", 4, q);
     return q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0;
-}
-
-static int is_hidden(const cJSON* node) {
-    const cJSON* extension = dmi_json_get(dmi_json_get(node, "extensions"), "KHR_node_visibility");
-    return cJSON_IsFalse(dmi_json_get(extension, "visible"));
 }
 
 /* ---- the tree ---- */
@@ -80,7 +54,8 @@ static void read_nodes(dm_gltf* gltf) {
         const char* name = dmi_json_text(json, "name");
         const double mesh = dmi_json_number(json, "mesh", DMI_GLTF_NO_INDEX);
         dmi_gltf_tree_node* node = &gltf->tree[i];
-        *node = (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1, .named = -1};
+        *node =
+            (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1, .named = -1, .follows = -1};
         node->mesh = (int32_t)dmi_gltf_position(document, DMI_GLTF_MESHES, mesh);
         if (is_turned_nowhere(json))
             dmi_gltf_warn(&gltf->warnings, "glTF node %u '%.80s': its rotation is 0 0 0 0, taken as none", i,
@@ -114,7 +89,7 @@ static dm_result read_parents(dm_gltf* gltf, dmi_gltf_problem* problem) {
 
 /* Marks what the scene that a viewer shows lists; without a list, all roots. A listed node that another one carries
  * comes with that one. */
-static dm_result show_roots(dm_gltf* gltf, dmi_gltf_problem* problem) {
+static dm_result list_roots(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const dmi_gltf_document* document = &gltf->document;
     const cJSON* scene = dmi_gltf_item(document, DMI_GLTF_SCENES, dmi_json_number(document->root, "scene", 0));
     const cJSON *list = dmi_json_get(scene, "nodes"), *root;
@@ -124,9 +99,10 @@ static dm_result show_roots(dm_gltf* gltf, dmi_gltf_problem* problem) {
             return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA,
                                    "glTF: the scene lists node %.17g, the file has %u nodes", root->valuedouble,
                                    document->counts[DMI_GLTF_NODES]);
-        gltf->tree[index].shown = 1;
+        gltf->tree[index].in_scene = 1;
     }
-    for (uint32_t i = 0; !list || !list->child ? i < document->counts[DMI_GLTF_NODES] : 0; i++) gltf->tree[i].shown = 1;
+    for (uint32_t i = 0; !list || !list->child ? i < document->counts[DMI_GLTF_NODES] : 0; i++)
+        gltf->tree[i].in_scene = 1;
     return DM_OK;
 }
 
@@ -145,23 +121,12 @@ static void place_nodes(dm_gltf* gltf) {
         } else {
             const dmi_gltf_tree_node* parent = &gltf->tree[node->parent];
             dmi_gltf_multiply(parent->world, local, node->world);
-            node->shown = parent->shown;
+            node->in_scene = parent->in_scene;
             node->named = parent->name[0] ? node->parent : parent->named;
         }
         node->placed = 1;
-        /* A named group of colliders hides what it holds. */
-        if (is_hidden(node->json) || (node->mesh < 0 && is_collider_name(node->name))) node->shown = 0;
         cJSON_ArrayForEach(child, dmi_json_get(node->json, "children")) gltf->order[gltf->order_count++] =
             (uint32_t)child->valuedouble;
-    }
-}
-
-static void hide_colliders(dm_gltf* gltf) {
-    for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
-        dmi_gltf_tree_node* node = &gltf->tree[i];
-        if (node->mesh < 0) continue;
-        const char* mesh = dmi_json_text(gltf->document.items[DMI_GLTF_MESHES][node->mesh], "name");
-        if (is_collider_name(node->name) || is_collider_name(mesh)) node->shown = 0;
     }
 }
 
@@ -176,9 +141,8 @@ dm_result dmi_gltf_read_tree(dm_gltf* gltf, dmi_gltf_problem* problem) {
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
     read_nodes(gltf);
     result = read_parents(gltf, problem);
-    if (result == DM_OK) result = show_roots(gltf, problem);
+    if (result == DM_OK) result = list_roots(gltf, problem);
     if (result != DM_OK) return result;
     place_nodes(gltf);
-    hide_colliders(gltf);
     return DM_OK;
 }
