@@ -190,7 +190,12 @@ static void versions_and_extensions(void** state) {
                       {"KHR_node_visibility", true},
                       {"KHR_xmp", true},
                       {"KHR_xmp_json", false},
-                      {"EXT_mesh_gpu_instancing", false},
+                      {"EXT_mesh_gpu_instancing", true},
+                      {"MSFT_lod", true},
+                      {"KHR_physics_rigid_bodies", true},
+                      {"KHR_collision_shapes", true},
+                      {"KHR_implicit_shapes", true},
+                      {"EXT_mesh_features", false},
                       {"", false},
                       {"KHR_", false}};
     char json[TEXT];

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "mesh/gltf/gltf_draco.h"
+#include "mesh/gltf/gltf_instancing.h"
 #include "mesh/gltf/gltf_meshopt.h"
 
 const char* const dmi_gltf_list_names[DMI_GLTF_LISTS] = {
@@ -34,6 +35,14 @@ dm_result dmi_gltf_document_open(dmi_env* env, cJSON* root, dmi_gltf_problem* pr
     return DM_OK;
 }
 
+dm_result dmi_gltf_list_again(dmi_env* env, dmi_gltf_document* document, dmi_gltf_list list,
+                              dmi_gltf_problem* problem) {
+    dmi_free(env, document->items[list], document->counts[list] * sizeof(void*));
+    document->items[list] = NULL;
+    document->counts[list] = 0;
+    return open_list(env, document, list, problem);
+}
+
 void dmi_gltf_document_close(dmi_env* env, dmi_gltf_document* document) {
     for (int list = 0; list < DMI_GLTF_LISTS; list++)
         dmi_free(env, document->items[list], document->counts[list] * sizeof(void*));
@@ -54,14 +63,27 @@ cJSON* dmi_gltf_item(const dmi_gltf_document* document, dmi_gltf_list list, doub
 
 /* Required extensions that change nothing of what this library reads, or that it reads. One with a * is a prefix. */
 static const char* const known_extensions[] = {
-    "KHR_mesh_quantization", "KHR_node_visibility",
-    "KHR_materials_*",       "KHR_texture_*",
-    "EXT_texture_*",         "MSFT_texture_dds",
-    "KHR_lights_*",          "EXT_lights_*",
-    "KHR_xmp_json_ld",       "KHR_xmp",
-    "KHR_animation_*",       "KHR_node_selectability",
-    "KHR_node_hoverability", "KHR_audio_emitter",
-    "KHR_interactivity",     "KHR_techniques_webgl",
+    "KHR_mesh_quantization",
+    "KHR_node_visibility",
+    "KHR_materials_*",
+    "KHR_texture_*",
+    "EXT_texture_*",
+    "MSFT_texture_dds",
+    "KHR_lights_*",
+    "EXT_lights_*",
+    "KHR_xmp_json_ld",
+    "KHR_xmp",
+    "KHR_animation_*",
+    "KHR_node_selectability",
+    "KHR_node_hoverability",
+    "KHR_audio_emitter",
+    "KHR_interactivity",
+    "KHR_techniques_webgl",
+    DMI_INSTANCING_NAME,
+    "MSFT_lod",
+    "KHR_physics_rigid_bodies",
+    "KHR_collision_shapes",
+    "KHR_implicit_shapes",
 };
 
 static int is_known(const char* name) {

@@ -31,6 +31,8 @@ extern const char* const dmi_gltf_list_names[DMI_GLTF_LISTS];
 
 /* Takes `root` over, also where it fails, and lists its parts. */
 dm_result dmi_gltf_document_open(dmi_env* env, cJSON* root, dmi_gltf_problem* problem, dmi_gltf_document* out);
+/* Lists the parts of one list anew, after some were added to it. */
+dm_result dmi_gltf_list_again(dmi_env* env, dmi_gltf_document* document, dmi_gltf_list list, dmi_gltf_problem* problem);
 void dmi_gltf_document_close(dmi_env* env, dmi_gltf_document* document);
 
 /* NULL when there is no such item. `index` is as the file has it: perhaps negative, broken or huge. */

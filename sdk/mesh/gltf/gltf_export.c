@@ -16,6 +16,7 @@
 #include "math/elementary.h"
 #include "mesh/gltf/gltf_animation.h"
 #include "mesh/gltf/gltf_images.h"
+#include "mesh/gltf/gltf_instancing.h"
 #include "mesh/gltf/gltf_split.h"
 #include "mesh/gltf/gltf_tree.h"
 
@@ -296,6 +297,7 @@ static dm_result run(exporter* x, void** out_data, size_t* out_size) {
     for (uint32_t t = 0; t < x->track_count; t++) dmi_edit_append_number(e, roots, first + 2 * (int32_t)t);
     dmi_images_embed(e);
     dmi_edit_drop_unused(e, DMI_DRACO_NAME);
+    dmi_edit_drop_unused(e, DMI_INSTANCING_NAME);
     return dmi_edit_write(e, out_data, out_size);
 }
 

@@ -80,10 +80,6 @@ static dm_result enter_node(merger* m, uint32_t index, dmi_gltf_problem* problem
     if (result != DM_OK) return result;
     const dmi_gltf_shape* shape = &m->builder.shapes[node->mesh];
     if (shape->face_count == 0) return DM_OK;
-    if (dmi_json_get(dmi_json_get(node->json, "extensions"), "EXT_mesh_gpu_instancing")) {
-        gltf->has_one_of_instances = 1;
-        dmi_gltf_warn(&gltf->warnings, "glTF node %u '%.80s': only one of its instances is read", index, node->name);
-    }
     if (!place_box(matrix, shape, low, high))
         dmi_gltf_refuse(&here, DM_ERROR_NOT_FINITE, "glTF node %u '%.80s': its transform is not finite", index,
                         node->name);

@@ -4,7 +4,8 @@
 
 #include "mesh/gltf/gltf_file.h"
 
-/* Fills tree and order, but for what gltf_roles.h finds. Refuses nodes with two parents; nodes of a cycle are not placed. */
+/* Fills tree and order, but for what gltf_roles.h finds. Refuses nodes with two parents; nodes of a cycle are not
+ * placed. */
 dm_result dmi_gltf_read_tree(dm_gltf* gltf, dmi_gltf_problem* problem);
 
 /* Column-major matrix of a node, relative to its parent. */

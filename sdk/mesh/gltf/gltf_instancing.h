@@ -1,0 +1,14 @@
+/* EXT_mesh_gpu_instancing: a node whose mesh stands in many places. */
+#ifndef DMI_MESH_GLTF_INSTANCING_H
+#define DMI_MESH_GLTF_INSTANCING_H
+
+#include "mesh/gltf/gltf_file.h"
+
+#define DMI_INSTANCING_NAME "EXT_mesh_gpu_instancing"
+
+/* Puts nodes of their own in the place of instances, behind all nodes of the file: each is called as the node that had
+ * them, with a dot and a number from 0 on, and hangs below it. Of instances that can't be read, one is left, with a
+ * warning. */
+dm_result dmi_gltf_unroll_instances(dm_gltf* gltf, dmi_gltf_problem* problem);
+
+#endif
