@@ -520,29 +520,40 @@ static void test_extras_may_hold_any_number(void** state) {
     close_it(&o);
 }
 
-static void test_bad_vertices_and_indices(void** state) {
+static void test_bad_triangles_alone_are_left_out(void** state) {
     (void)state;
     const char* json = ASSET VIEWS ACCESSORS MESHES NODES("{\"name\":\"door\",\"mesh\":0}");
     opened o;
     bin bad = square;
     bad.positions[3][1] = NAN;
     open_json(&o, json, &bad, sizeof bad);
-    assert_int_equal(o.result, DM_ERROR_NOT_FINITE);
-    assert_non_null(strstr(o.t.messages.text, "vertex 3"));
-    assert_non_null(strstr(o.t.messages.text, "'door'"));
+    assert_int_equal(o.result, DM_OK);
+    assert_int_equal(o.mesh.index_count, 3);
+    assert_triangle(&o, 0, 0, 1, 2);
+    assert_int_equal(dm_gltf_left_out(o.gltf), 1);
+    assert_non_null(strstr(o.t.messages.text, "'door', primitive 0: vertex 3 is (1, nan, 0); bad triangles: 1 of 2"));
+    for (size_t v = 0; v < 6; v++) assert_true(isfinite(position(&o, v)[1]));
     close_it(&o);
     bad = square;
     bad.positions[4][1] = NAN; /* no triangle has it */
     open_json(&o, json, &bad, sizeof bad);
     assert_int_equal(o.result, DM_OK);
+    assert_int_equal(dm_gltf_left_out(o.gltf), 0);
     assert_int_equal(o.mesh.vertex_count, 6);
     for (size_t v = 0; v < 6; v++) assert_true(isfinite(position(&o, v)[1]));
     close_it(&o);
     bad = square;
-    bad.indices[4] = 6;
+    bad.indices[0] = 6;
+    open_json(&o, json, &bad, sizeof bad);
+    assert_int_equal(o.result, DM_OK);
+    assert_int_equal(o.mesh.index_count, 3);
+    assert_triangle(&o, 0, 2, 1, 3);
+    assert_non_null(strstr(o.t.messages.text, "triangle 0 names vertex 6 of 6; bad triangles: 1 of 2"));
+    close_it(&o);
+    bad.positions[3][1] = NAN; /* the other one too */
     open_json(&o, json, &bad, sizeof bad);
     assert_int_equal(o.result, DM_ERROR_INDEX_OUT_OF_RANGE);
-    assert_non_null(strstr(o.t.messages.text, "triangle 1 names vertex 6 of 6"));
+    assert_non_null(strstr(o.t.messages.text, "triangle 0 names vertex 6 of 6"));
     close_it(&o);
 }
 
@@ -682,7 +693,7 @@ int main(void) {
         cmocka_unit_test(test_large_numbers_never_wrap),
         cmocka_unit_test(test_what_is_no_count_is_refused_by_name),
         cmocka_unit_test(test_extras_may_hold_any_number),
-        cmocka_unit_test(test_bad_vertices_and_indices),
+        cmocka_unit_test(test_bad_triangles_alone_are_left_out),
         cmocka_unit_test(test_deep_nesting_is_refused),
         cmocka_unit_test(test_last_of_repeated_names_counts),
         cmocka_unit_test(test_other_containers),

@@ -8,6 +8,7 @@
 #include "mesh/gltf/gltf_fields.h"
 #include "mesh/gltf/gltf_instancing.h"
 #include "mesh/gltf/gltf_merge.h"
+#include "mesh/gltf/gltf_morph.h"
 #include "mesh/gltf/gltf_names.h"
 #include "mesh/gltf/gltf_roles.h"
 #include "mesh/gltf/gltf_tree.h"
@@ -81,6 +82,7 @@ static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem*
     if (result == DM_OK) result = dmi_gltf_read_buffers(gltf, &container, problem);
     if (result == DM_OK) result = dmi_gltf_tell(gltf, BUFFERS_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_unroll_instances(gltf, problem);
+    if (result == DM_OK) result = dmi_gltf_part_morphs(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_read_tree(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_sort_names(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_find_roles(gltf, problem);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/gltf/gltf_morph.h"
 #include "mesh/gltf/gltf_surface.h"
 
 /* Longest description of a place in a file ("node 3 'door', primitive 0"). */
@@ -143,31 +144,55 @@ static int all_finite(dmi_gltf_builder* builder, const dmi_gltf_geometry* geomet
     return *known == FINITE;
 }
 
-/* Checks positions that are not all finite where triangles have them. */
-static dm_result check_positions(const dmi_gltf_elements* positions, const uint32_t* corners, uint64_t count,
-                                 const char* place, dmi_gltf_problem* problem) {
-    for (uint64_t i = 0; i < count; i++) {
+/* Says what is wrong with a triangle; DM_OK: nothing. */
+static dm_result check_triangle(const dmi_gltf_elements* positions, const uint32_t corners[3], uint64_t face,
+                                const char* place, dmi_gltf_problem* problem) {
+    for (int c = 0; c < 3; c++) {
         double xyz[3];
-        for (int k = 0; k < 3; k++) xyz[k] = dmi_gltf_value(positions, corners[i], k);
+        if (corners[c] >= positions->count)
+            return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
+                                   "%s: triangle %" PRIu64 " names vertex %u of %" PRIu64, place, face, corners[c],
+                                   positions->count);
+        for (int k = 0; k < 3; k++) xyz[k] = dmi_gltf_value(positions, corners[c], k);
         if (!isfinite(xyz[0]) || !isfinite(xyz[1]) || !isfinite(xyz[2]))
-            return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %u is (%g, %g, %g)", place, corners[i],
+            return dmi_gltf_refuse(problem, DM_ERROR_NOT_FINITE, "%s: vertex %u is (%g, %g, %g)", place, corners[c],
                                    xyz[0], xyz[1], xyz[2]);
     }
     return DM_OK;
 }
 
-static dm_result check_corners(dmi_gltf_builder* builder, const dmi_gltf_geometry* from, const uint32_t* corners,
-                               uint64_t faces, const char* place, dmi_gltf_problem* problem) {
+/* Takes bad triangles out of the list. Returns how many stay, and the first problem. */
+static uint64_t drop_bad(const dmi_gltf_elements* positions, uint32_t* corners, uint64_t faces, const char* place,
+                         dmi_gltf_problem* out_first) {
+    uint64_t kept = 0;
+    dmi_gltf_problem here;
+    for (uint64_t face = 0; face < faces; face++) {
+        if (check_triangle(positions, corners + 3 * face, face, place, &here) == DM_OK)
+            memmove(corners + 3 * kept++, corners + 3 * face, 3 * sizeof *corners);
+        else if (out_first->code == DM_OK)
+            *out_first = here;
+    }
+    return kept;
+}
+
+/* Leaves out triangles whose vertices do not exist or are not finite; the whole primitive where all are so. */
+static dm_result check_corners(dmi_gltf_builder* builder, const dmi_gltf_geometry* from, uint32_t* corners,
+                               uint64_t* inout_faces, const char* place, dmi_gltf_problem* problem) {
+    const uint64_t faces = *inout_faces;
+    dmi_gltf_problem first = {.code = DM_OK}, told;
     uint32_t most = 0;
     for (uint64_t i = 0; i < 3 * faces; i++) most = corners[i] > most ? corners[i] : most;
-    for (uint64_t i = 0; faces > 0 && most >= from->positions.count; i++) {
-        if (corners[i] >= from->positions.count)
-            return dmi_gltf_refuse(problem, DM_ERROR_INDEX_OUT_OF_RANGE,
-                                   "%s: triangle %" PRIu64 " names vertex %u of %" PRIu64, place, i / 3, corners[i],
-                                   from->positions.count);
+    if (faces == 0 || (most < from->positions.count && all_finite(builder, from))) return DM_OK;
+    *inout_faces = drop_bad(&from->positions, corners, faces, place, &first);
+    if (first.code == DM_OK) return DM_OK;
+    if (*inout_faces == 0) {
+        *problem = first;
+        return first.code;
     }
-    if (all_finite(builder, from)) return DM_OK;
-    return check_positions(&from->positions, corners, 3 * faces, place, problem);
+    dmi_gltf_refuse(&told, first.code, "%s; bad triangles: %" PRIu64 " of %" PRIu64, first.text, faces - *inout_faces,
+                    faces);
+    dmi_gltf_leave_out(builder->gltf, &told);
+    return DM_OK;
 }
 
 /* Appends the triangles of a primitive, as positions in its accessors. */
@@ -196,7 +221,7 @@ static dm_result read_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, 
         spread(from->mode, list, faces, out);
         dmi_free(&gltf->env, list, count * sizeof *list);
     }
-    return check_corners(builder, from, out, faces, place, problem);
+    return check_corners(builder, from, out, out_faces, place, problem);
 }
 
 /* ---- primitives ---- */
@@ -223,8 +248,8 @@ static uint32_t find_group(dmi_gltf_builder* builder, uint32_t mesh, const dmi_g
     return shape->group_count++;
 }
 
-static void add_run(dmi_gltf_builder* builder, uint32_t mesh, const dmi_gltf_geometry* geometry, const cJSON* json,
-                    uint32_t primitive, uint64_t faces) {
+static dmi_gltf_group* add_run(dmi_gltf_builder* builder, uint32_t mesh, const dmi_gltf_geometry* geometry,
+                               const cJSON* json, uint32_t primitive, uint64_t faces) {
     dmi_gltf_shape* shape = &builder->shapes[mesh];
     const int32_t index = (int32_t)shape->run_count++;
     const uint32_t group = find_group(builder, mesh, geometry);
@@ -242,10 +267,12 @@ static void add_run(dmi_gltf_builder* builder, uint32_t mesh, const dmi_gltf_geo
         g->first_run = index;
     g->last_run = index;
     shape->face_count += faces;
+    return g;
 }
 
-static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const cJSON* primitive, uint32_t index,
-                               const char* place, dmi_gltf_problem* problem) {
+/* weights: of the morph targets, at rest; NULL: none. */
+static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const cJSON* primitive, const cJSON* weights,
+                               uint32_t index, const char* place, dmi_gltf_problem* problem) {
     dm_gltf* gltf = builder->gltf;
     dmi_gltf_shape* shape = &builder->shapes[mesh];
     dmi_gltf_geometry geometry;
@@ -254,10 +281,11 @@ static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const c
     dm_result result = dmi_gltf_find_geometry(gltf, primitive, place, problem, &geometry);
     if (result == DM_OK) result = read_corners(builder, shape, &geometry, place, problem, &faces);
     if (result != DM_OK || faces == 0) return result;
-    if (dmi_json_get(primitive, "targets")) dmi_gltf_warn(&gltf->warnings, "%s: its morph targets are left out", place);
+    if (dmi_gltf_is_morphed(primitive, weights)) geometry.key = dmi_gltf_key_count(gltf); /* its vertices are its own */
     if (faces > DM_MAX_ELEMENTS - shape->face_count)
         return dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE, "%s: more than %d triangles", place, DM_MAX_ELEMENTS);
-    add_run(builder, mesh, &geometry, primitive, index, faces);
+    dmi_gltf_group* group = add_run(builder, mesh, &geometry, primitive, index, faces);
+    group->weights = dmi_gltf_is_morphed(primitive, weights) ? weights : NULL;
     return dmi_gltf_tell(gltf, 0, faces, problem);
 }
 
@@ -441,6 +469,21 @@ static void mend_unused(dmi_gltf_shape* shape, const dmi_gltf_group* group) {
     }
 }
 
+/* Moves the vertices of a group of one primitive by its morph targets. */
+static dm_result morph_group(dm_gltf* gltf, dmi_gltf_shape* shape, const dmi_gltf_group* group,
+                             dmi_gltf_problem* problem) {
+    char place[PLACE_SIZE];
+    const dmi_gltf_run* run = &shape->runs[group->first_run];
+    const dmi_gltf_morphed morphed = {.primitive = run->json,
+                                      .weights = group->weights,
+                                      .place = place,
+                                      .elements = shape->elements + group->first_vertex,
+                                      .positions = shape->local + 3 * group->first_vertex,
+                                      .count = group->vertex_count};
+    snprintf(place, sizeof place, "glTF: a mesh's primitive %u", run->primitive);
+    return dmi_gltf_morph(gltf, &morphed, problem);
+}
+
 static dm_result build_group(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_gltf_group* group,
                              dmi_gltf_problem* problem) {
     const uint32_t key = group->geometry.key;
@@ -454,7 +497,8 @@ static dm_result build_group(dmi_gltf_builder* builder, dmi_gltf_shape* shape, d
     result = grow_vertices(builder->gltf, shape, whole ? group->geometry.positions.count : marked, problem);
     if (result != DM_OK) return result;
     fill_vertices(builder, shape, group, whole, marked);
-    result = dmi_gltf_tell(builder->gltf, 0, group->vertex_count, problem);
+    result = group->weights ? morph_group(builder->gltf, shape, group, problem) : DM_OK;
+    if (result == DM_OK) result = dmi_gltf_tell(builder->gltf, 0, group->vertex_count, problem);
     if (result != DM_OK) return result;
     number_corners(builder, shape, group);
     widen_box(builder, shape, group);
@@ -467,7 +511,7 @@ dm_result dmi_gltf_build_shape(dmi_gltf_builder* builder, uint32_t node, dmi_glt
     const uint32_t mesh = (uint32_t)gltf->tree[node].mesh;
     dmi_gltf_shape* shape = &builder->shapes[mesh];
     const cJSON* primitives = dmi_json_get(gltf->document.items[DMI_GLTF_MESHES][mesh], "primitives");
-    const cJSON* primitive;
+    const cJSON *primitive, *weights = dmi_gltf_weights_of(gltf, gltf->tree[node].json);
     uint32_t index = 0;
     if (shape->built) return DM_OK;
     shape->built = 1;
@@ -488,7 +532,7 @@ dm_result dmi_gltf_build_shape(dmi_gltf_builder* builder, uint32_t node, dmi_glt
         char place[PLACE_SIZE];
         dmi_gltf_problem here = {.code = DM_OK};
         snprintf(place, sizeof place, "glTF node %u '%.80s', primitive %u", node, gltf->tree[node].name, index);
-        const dm_result result = add_primitive(builder, mesh, primitive, index++, place, &here);
+        const dm_result result = add_primitive(builder, mesh, primitive, weights, index++, place, &here);
         if (result == DM_OK) continue;
         if (here.fatal) {
             *problem = here;

@@ -9,7 +9,8 @@ typedef struct dmi_gltf_group {
     dmi_gltf_geometry geometry;
     uint64_t first_vertex, vertex_count;
     int32_t first_run, last_run;
-    int32_t unused; /* it has vertices that no triangle has */
+    int32_t unused;       /* it has vertices that no triangle has */
+    const cJSON* weights; /* of the morph targets of its one primitive; NULL: none */
 } dmi_gltf_group;
 
 typedef struct dmi_gltf_run {
