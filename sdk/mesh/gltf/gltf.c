@@ -4,6 +4,7 @@
 
 #include "base/fp_environment.h"
 #include "base/utf8.h"
+#include "mesh/gltf/gltf_asset.h"
 #include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_fields.h"
 #include "mesh/gltf/gltf_instancing.h"
@@ -135,6 +136,7 @@ void dm_gltf_close(dm_gltf* gltf) {
     if (!gltf) return;
     dmi_env* env = &gltf->env;
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    dmi_gltf_release_asset(gltf);
     dmi_gltf_release_buffers(gltf);
     dmi_free(env, gltf->tree, count * sizeof *gltf->tree);
     dmi_free(env, gltf->names, count * sizeof *gltf->names);

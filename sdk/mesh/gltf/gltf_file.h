@@ -25,6 +25,7 @@ typedef struct dmi_gltf_buffer {
 } dmi_gltf_buffer;
 
 typedef struct dmi_gltf_block dmi_gltf_block;
+typedef struct dmi_gltf_asset dmi_gltf_asset;
 
 /* What a compressed view holds, once it was asked for: bytes, or a Draco mesh and the elements read from it. */
 typedef struct dmi_gltf_decoded {
@@ -110,6 +111,7 @@ struct dm_gltf {
     uint32_t *vertex_places, *face_places;
     uint64_t vertex_count, face_count;
     uint64_t vertex_capacity, face_capacity;
+    dmi_gltf_asset* asset; /* NULL until one is asked for */
 };
 
 /* dm_gltf_open of a description that was checked. Takes over `on_disk`, also where it fails. */

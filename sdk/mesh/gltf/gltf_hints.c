@@ -1,11 +1,11 @@
 /* What a file says of a node beside its mesh: the names on the way to it, where it is, and its axes. */
+#include "mesh/gltf/gltf_hints.h"
+
 #include <float.h>
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "base/fp_environment.h"
-#include "mesh/gltf/gltf_file.h"
 #include "mesh/gltf/gltf_names.h"
 
 enum { COLUMN = 4, ORIGIN = 12 }; /* in a transform of 16 numbers: between columns; of the translation */
@@ -21,7 +21,7 @@ static size_t put_before(char* out, size_t size, size_t used, const char* name) 
     return used + more;
 }
 
-static const char* mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node) {
+const char* dmi_gltf_mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node) {
     const cJSON* mesh = dmi_gltf_item(&gltf->document, DMI_GLTF_MESHES, node->mesh);
     const char* name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(mesh, "name"));
     return name ? name : "";
@@ -32,7 +32,7 @@ static const char* mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node
 static void write_path(const dm_gltf* gltf, const dmi_gltf_tree_node* node, char* out, size_t size) {
     size_t used = put_before(out, size, 1, node->name);
     out[size - 1] = 0;
-    used = put_before(out, size, used, mesh_name(gltf, node));
+    used = put_before(out, size, used, dmi_gltf_mesh_name(gltf, node));
     for (int32_t index = node->named; index >= 0; index = gltf->tree[index].named) {
         const size_t before = used;
         used = put_before(out, size, used, gltf->tree[index].name);
@@ -47,16 +47,15 @@ static bool fit_floats(const double* numbers, int count) {
     return true;
 }
 
-/* Copies origin and axes from the node's transform to the scene, as the merged mesh has them. Zeros: no float holds
- * them. */
-static void write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* out) {
+bool dmi_gltf_write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* out) {
     float origin[3];
     *out = (dm_pivot){{0, 0, 0}, {0}};
-    if (!fit_floats(world, ORIGIN + 3)) return;
+    if (!fit_floats(world, ORIGIN + 3)) return false;
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++) out->axes[3 * column + row] = (float)world[COLUMN * column + row];
     for (int row = 0; row < 3; row++) origin[row] = (float)(world[ORIGIN + row] - gltf->origin[row]);
     out->origin = (dm_vec3){origin[0], origin[1], origin[2]};
+    return true;
 }
 
 int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf) {
@@ -71,6 +70,6 @@ dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_lab
     const dmi_gltf_tree_node* node = found.count > 0 ? &gltf->tree[found.first->node] : NULL;
     if (!node || !node->placed) return DM_ERROR_NOT_FOUND;
     if (out_label) write_path(gltf, node, out_label, label_size);
-    if (out_pivot) write_pivot(gltf, node->world, out_pivot);
+    if (out_pivot) dmi_gltf_write_pivot(gltf, node->world, out_pivot);
     return DM_OK;
 }

@@ -48,7 +48,7 @@ typedef struct dm_gltf_desc {
  * stand in the file; a vertex goes with its heaviest bone. */
 typedef struct dm_gltf_node {
     const char* name; /* valid UTF-8, '?' for what is none; "" when it has none. Lives as long as the dm_gltf */
-    uint32_t node;    /* index in the file's nodes array, of the node or bone */
+    uint32_t node;    /* index in the file's nodes array, of the node or bone; of an instance: behind them */
     uint32_t carrier; /* the nearest dm_gltf_node above it, by index here: it goes where that one goes. Else
                          DM_GLTF_NO_CARRIER */
     uint64_t first_vertex, vertex_count;
@@ -58,13 +58,15 @@ typedef struct dm_gltf_node {
 
 /* Reads triangles, strips and fans, also quantised ones (KHR_mesh_quantization) and, where the build has their
  * libraries, compressed ones (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression). Another
- * required extension that may change geometry: UNSUPPORTED, by name. Left out with a warning: primitives that are
- * broken, points, lines, morph targets, nodes whose scale is zero. Left out in silence, because they are no body: nodes
- * and meshes named UCX_*, UBX_*, UCP_*, USP_*, *_collider, *-colonly, *-convcolonly; invisible nodes
- * (KHR_node_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD_DATA,
- * NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. Others: NOT_FOUND (a file beside it), VERSION, TOO_LARGE (it would
- * take more memory than 64 MB and 64 bytes a byte of the file, 256 a byte of a Draco stream). A call logs one warning,
- * which counts what is left out and quotes the first three. */
+ * required extension that may change geometry: UNSUPPORTED, by name. Morph targets are applied as the file's weights
+ * say. An instance of EXT_mesh_gpu_instancing is a node of its own, behind those of the file, below the one that has
+ * the extension. Left out with a warning: triangles whose vertices do not exist or are not finite, primitives that are
+ * broken, points, lines, nodes whose scale is zero. Left out in silence, because they are no body: nodes and meshes
+ * named UCX_*, UBX_*, UCP_*, USP_*, *_collider, *-colonly, *-convcolonly; coarser levels of detail (MSFT_lod, or
+ * siblings named *_LOD0, *_LOD1); invisible nodes (KHR_node_visibility) and materials of alpha 0. When nothing is left,
+ * the error is the first reason: BAD_DATA, NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. Others: NOT_FOUND (a file
+ * beside it), VERSION, TOO_LARGE (it would take more memory than 64 MB and 64 bytes a byte of the file, 256 a byte of a
+ * Draco stream). A call logs one warning, which counts what is left out and quotes the first three. */
 DM_API dm_result DM_CALL dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf);
 /* The same for a file and those beside it, which are read from its folder and from nowhere else; `desc` leaves data,
  * size and files at 0. NOT_FOUND: there is no such regular file. */
@@ -115,13 +117,24 @@ DM_API dm_result DM_CALL dm_gltf_mark_faces(const dm_gltf* gltf, const char* con
 DM_API dm_result DM_CALL dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,
                                            dm_pivot* out_pivot);
 
+/* The scene as dm_asset_create takes it: all nodes that have triangles or carry some, and those of which the merged
+ * mesh has none because they are no body. First come the dm_gltf_nodes in their order, then groups without triangles,
+ * then what is hidden, a collider or a coarser level of detail (DM_ASSET_NODE_FOLLOWS). Meshes are in the merged mesh's
+ * frame, so that transforms are NULL. Clips are the file's animations, each against the node above it. Joints are those
+ * of the nodes' `extras` and of KHR_physics_rigid_bodies (docs/gltf.md). flags: 0. Points into the dm_gltf. Errors:
+ * OUT_OF_MEMORY, TOO_LARGE. */
+DM_API dm_result DM_CALL dm_gltf_get_asset(dm_gltf* gltf, uint32_t flags, const dm_asset_node** out_nodes,
+                                           uint32_t* out_count);
+/* The index in the file's nodes array of a node of that list. Errors: those, NOT_FOUND. */
+DM_API dm_result DM_CALL dm_gltf_get_asset_node(dm_gltf* gltf, uint32_t index, uint32_t* out_node);
+
 /* 1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all are one point, as exporters
  * leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL. */
 DM_API int32_t DM_CALL dm_gltf_pivots_are_lost(const dm_gltf* gltf);
 
-/* 1 when triangles of the file are not in the merged mesh: a primitive or a node could not be read, or only one of its
- * instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there, or gltf is
- * NULL. */
+/* 1 when triangles of the file are not in the merged mesh: a triangle, a primitive or a node could not be read, or only
+ * one of its instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there,
+ * or gltf is NULL. */
 DM_API int32_t DM_CALL dm_gltf_left_out(const dm_gltf* gltf);
 
 /* Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort

@@ -1,0 +1,22 @@
+/* The scene as a list of nodes of an asset. */
+#ifndef DMI_MESH_GLTF_ASSET_H
+#define DMI_MESH_GLTF_ASSET_H
+
+#include "base/arena.h"
+#include "mesh/gltf/gltf_file.h"
+
+/* What dm_gltf_get_asset answers. Its memory is the arena's. */
+struct dmi_gltf_asset {
+    dmi_arena arena;
+    dm_asset_node* nodes; /* first the dm_gltf_nodes, then groups, then what follows others */
+    uint32_t* file_nodes; /* of each, in the file */
+    uint32_t count;
+    uint32_t* places; /* of a node of the file: its first place in `nodes`; DM_ASSET_NO_NODE: it is not there */
+};
+
+/* Frees the asset of a file, where one was asked for. */
+void dmi_gltf_release_asset(dm_gltf* gltf);
+/* Takes memory of the arena, within what the file may cost; NULL: says why, as a problem. */
+void* dmi_gltf_push(dm_gltf* gltf, dmi_arena* arena, uint64_t count, size_t element, dmi_gltf_problem* problem);
+
+#endif

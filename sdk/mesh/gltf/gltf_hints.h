@@ -1,0 +1,15 @@
+/* What a file says of a node beside its mesh. */
+#ifndef DMI_MESH_GLTF_HINTS_H
+#define DMI_MESH_GLTF_HINTS_H
+
+#include <stdbool.h>
+
+#include "mesh/gltf/gltf_file.h"
+
+/* The name of a node's mesh; "" when it has none. */
+const char* dmi_gltf_mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node);
+/* Copies origin and axes from the node's transform to the scene, as the merged mesh has them. Returns false, and zeros,
+ * where no float holds them. */
+bool dmi_gltf_write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot* out);
+
+#endif

@@ -1,0 +1,11 @@
+/* Joints that a file states. */
+#ifndef DMI_MESH_GLTF_JOINTS_H
+#define DMI_MESH_GLTF_JOINTS_H
+
+#include "mesh/gltf/gltf_asset.h"
+
+/* Fills the joints of the asset's nodes, from `extras` and KHR_physics_rigid_bodies. What can't be read, or leaves more
+ * than one way to move, is left out with a warning. */
+dm_result dmi_gltf_read_joints(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* problem);
+
+#endif
