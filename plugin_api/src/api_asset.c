@@ -57,6 +57,8 @@ static dm_result publish(dm_context* context, const dm_asset_desc* desc, dmi_ass
         return result;
     }
     dmi_degraded_warn(env, "dm_asset_create", degraded_of(asset));
+    if (asset->warnings & DM_ASSET_CLIP_LEFT_OUT)
+        dmi_warn(env, "dm_asset_create: a clip is left out: it moves a node as no joint does, or is not rigid");
     *out_asset = handle;
     return DM_OK;
 }

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -77,6 +78,7 @@ static bool read_info(const char* path, struct stat* out) {
     struct _stat64 info;
     if (!widen(path, wide, WIDE_PATH) || _wstat64(wide, &info) != 0) return false;
     out->st_mode = info.st_mode;
+    out->st_mtime = info.st_mtime;
     return true;
 }
 
@@ -162,9 +164,82 @@ bool platform_program_folder(char* out_path, size_t size) {
     return true;
 }
 
+/* Adds an argument to a command line as CommandLineToArgvW takes it apart. Returns false where there is no room. */
+static bool append_argument(const char* argument, char* line, size_t size) {
+    size_t used = strlen(line), slashes = 0;
+    if (used + 2 * strlen(argument) + 4 > size) return false;
+    if (used > 0) line[used++] = ' ';
+    line[used++] = '"';
+    for (const char* c = argument; *c != 0; c++) {
+        if (*c == '"')
+            for (size_t i = 0; i <= slashes; i++) line[used++] = '\\';
+        slashes = *c == '\\' ? slashes + 1 : 0;
+        line[used++] = *c;
+    }
+    for (size_t i = 0; i < slashes; i++) line[used++] = '\\';
+    line[used++] = '"';
+    line[used] = 0;
+    return true;
+}
+
+bool platform_start_child(char* const* arguments, platform_child* out_child) {
+    static char line[2 * WIDE_PATH];
+    static wchar_t program[WIDE_PATH], wide[2 * WIDE_PATH];
+    const DWORD length = GetModuleFileNameW(NULL, program, WIDE_PATH);
+    STARTUPINFOW start = {.cb = sizeof start};
+    PROCESS_INFORMATION made;
+    line[0] = 0;
+    errno = E2BIG;
+    for (int i = 0; arguments[i] != NULL; i++)
+        if (!append_argument(arguments[i], line, sizeof line)) return false;
+    if (length == 0 || length == WIDE_PATH || !widen(line, wide, 2 * WIDE_PATH)) return false;
+    errno = EAGAIN;
+    if (!CreateProcessW(program, wide, NULL, NULL, TRUE, 0, NULL, NULL, &start, &made)) return false;
+    CloseHandle(made.hThread);
+    out_child->process = (intptr_t)made.hProcess;
+    return true;
+}
+
+int platform_wait_child(const platform_child* children, int count, int* out_status) {
+    HANDLE handles[MAXIMUM_WAIT_OBJECTS];
+    const DWORD waited = count < MAXIMUM_WAIT_OBJECTS ? (DWORD)count : MAXIMUM_WAIT_OBJECTS;
+    for (DWORD i = 0; i < waited; i++) handles[i] = (HANDLE)children[i].process;
+    const DWORD ended = WaitForMultipleObjects(waited, handles, FALSE, INFINITE) - WAIT_OBJECT_0;
+    DWORD status = 0;
+    if (ended >= waited || !GetExitCodeProcess(handles[ended], &status)) exit(EXIT_FAILURE);
+    CloseHandle(handles[ended]);
+    *out_status = status <= INT_MAX ? (int)status : -1;
+    return (int)ended;
+}
+
 #else
 
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+extern char** environ;
+
+bool platform_start_child(char* const* arguments, platform_child* out_child) {
+    pid_t process;
+    errno = posix_spawn(&process, "/proc/self/exe", NULL, NULL, arguments, environ);
+    if (errno != 0) return false;
+    out_child->process = process;
+    return true;
+}
+
+int platform_wait_child(const platform_child* children, int count, int* out_status) {
+    for (;;) {
+        int status;
+        const pid_t ended = wait(&status);
+        if (ended < 0 && errno != EINTR) exit(EXIT_FAILURE);
+        for (int i = 0; i < count; i++) {
+            if (children[i].process != ended) continue;
+            *out_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+            return i;
+        }
+    }
+}
 
 /* Where a standard stream is closed, the next file that is opened would take its number, and its text. What holds the
  * number instead is open the other way round, so that the stream fails as before. */
@@ -267,6 +342,11 @@ FILE* platform_open_regular(const char* path) {
     close(descriptor);
     errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
     return NULL;
+}
+
+double platform_modified(const char* path) {
+    struct stat info = {0};
+    return read_info(path, &info) ? (double)info.st_mtime : 0;
 }
 
 enum platform_kind platform_kind_of(const char* path) {

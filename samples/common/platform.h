@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -62,6 +63,18 @@ int platform_make_folder(const char* path);
 bool platform_list(const char* folder, void (*entry)(void* user, const char* name), void* user);
 /* Writes the folder of the running program; false when it is unknown. */
 bool platform_program_folder(char* out_path, size_t size);
+
+/* When a file was last written, s since 1970; 0: there is none. */
+double platform_modified(const char* path);
+
+/* A process that this program has started. */
+typedef struct platform_child {
+    intptr_t process;
+} platform_child;
+/* Runs this program once more, with arguments that a NULL ends. Returns false with errno set on failure. */
+bool platform_start_child(char* const* arguments, platform_child* out_child);
+/* Waits for one of the children. Returns its index and its exit status, -1 where a signal or an exception ended it. */
+int platform_wait_child(const platform_child* children, int count, int* out_status);
 
 /* alignment: a power of two, at least that of a pointer. */
 static inline void* platform_allocate(size_t size, size_t alignment) {

@@ -8,8 +8,7 @@ void part_hints_set_label(part_hints* hints, const char* label) {
     snprintf(hints->label, sizeof hints->label, "%s", label);
 }
 
-/* Writes the file's name without folders and ending. */
-static void file_stem(const char* path, char* out, size_t size) {
+void part_hints_file_stem(const char* path, char* out, size_t size) {
     const char* name = strrchr(path, '/') != NULL ? strrchr(path, '/') + 1 : path;
     const char* dot = strrchr(name, '.');
     snprintf(out, size, "%.*s", (int)(dot != NULL ? dot - name : (long)strlen(name)), name);
@@ -20,7 +19,7 @@ void part_hints_of_node(const dm_gltf* gltf, const char* path, const char* node,
     *out = (part_hints){.has_pivot = false};
     if (dm_gltf_get_hints(gltf, node, names, sizeof names, &out->pivot) != DM_OK) return;
     out->has_pivot = !dm_gltf_pivots_are_lost(gltf);
-    if (path != NULL) file_stem(path, file, sizeof file);
+    if (path != NULL) part_hints_file_stem(path, file, sizeof file);
     snprintf(out->label, sizeof out->label, "%s/%s", file, names);
 }
 

@@ -16,6 +16,8 @@ typedef struct part_hints {
 /* Takes label and pivot of a node from its file; `path`, whose last name begins the label, may be NULL. Both stay empty
  * where no node has the name. */
 void part_hints_of_node(const dm_gltf* gltf, const char* path, const char* node, part_hints* out);
+/* Writes a file's name without folders and ending. */
+void part_hints_file_stem(const char* path, char* out, size_t size);
 void part_hints_set_label(part_hints* hints, const char* label);
 bool part_hints_equal(const part_hints* a, const part_hints* b);
 /* Enters the hints into a descriptor, which points to them. */

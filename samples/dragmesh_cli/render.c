@@ -36,9 +36,11 @@ static void measure(renderer* r) {
     r->floor = dot(r->up, low);
 }
 
-dm_result render_open(renderer* r, session* session, char up) {
+dm_result render_open_parts(renderer* r, session* session, char up, uint32_t* face_part, uint32_t part_count) {
     memset(r, 0, sizeof *r);
     r->session = session;
+    r->face_part = face_part;
+    r->part_count = part_count;
     r->up = (vec){up == 'x', up == 'y', up == 'z'};
     r->random.state = 1;
     r->grid = GRID;
@@ -48,11 +50,19 @@ dm_result render_open(renderer* r, session* session, char up) {
     if (result != DM_OK) return result;
     result = dm_scene_add(session->context, r->scene, session->object, NULL, &r->instance);
     r->face_node = cli_alloc_zeroed(session->mesh.index_count / 3 * sizeof *r->face_node);
-    r->moving = session_moving_faces(session);
     r->normals = smooth_build(&session->mesh);
     read_colours(r);
     measure(r);
     return result;
+}
+
+dm_result render_open(renderer* r, session* session, char up) {
+    const uint64_t faces = session->mesh.index_count / 3;
+    uint32_t* face_part = cli_alloc(faces * sizeof *face_part);
+    uint8_t* moving = session_moving_faces(session);
+    for (uint64_t face = 0; face < faces; face++) face_part[face] = moving[face] ? JOB_PART : 0;
+    free(moving);
+    return render_open_parts(r, session, up, face_part, 0);
 }
 
 void render_close(renderer* r) {
@@ -60,7 +70,7 @@ void render_close(renderer* r) {
     smooth_free(&r->normals);
     free(r->face_node);
     free(r->colours);
-    free(r->moving);
+    free(r->face_part);
 }
 
 /* ---- light ---- */
@@ -111,13 +121,14 @@ static vec light_at(renderer* r, vec point, vec normal) {
 static vec surface(renderer* r, const dm_hit* hit, vec view) {
     vec normal = smooth_at(&r->normals, hit->triangle, (double)hit->u, (double)hit->v);
     if (hit->part_id != 0) {
-        const vec axis = vec_at(r->pose.real);
-        const double angle = 2 * atan2(length(axis), (double)r->pose.real[3]);
+        const float* real = render_pose(r, r->poses, 0, hit->part_id)->real;
+        const vec axis = vec_at(real);
+        const double angle = 2 * atan2(length(axis), (double)real[3]);
         normal = turn(normal, unit(axis), angle);
     }
     if (dot(normal, view) > 0) normal = scale(normal, -1); /* inside out, or seen from inside */
     vec albedo = r->colours[r->face_node[hit->triangle]];
-    if (r->moving[hit->triangle]) albedo = mix(albedo, accent, accent_share);
+    if (r->face_part[hit->triangle] != 0) albedo = mix(albedo, accent, accent_share);
     const vec light = light_at(r, vec_of(hit->point), normal);
     return (vec){albedo.x * light.x, albedo.y * light.y, albedo.z * light.z};
 }
@@ -153,12 +164,28 @@ static vec trace(renderer* r, double x, double y) {
 
 /* ---- pictures ---- */
 
-dm_result render_draw(renderer* r, const dm_pose* pose, picture* picture, int left) {
+const dm_pose* render_pose(const renderer* r, const dm_pose* poses, uint32_t index, uint32_t part_id) {
+    return r->part_count == 0 ? &poses[index] : &poses[(size_t)index * r->part_count + part_id];
+}
+
+/* Moves all parts of the object. */
+static dm_result place_parts(const renderer* r, const dm_pose* poses) {
     dm_context* context = r->session->context;
-    dm_result result = dm_scene_move(context, r->scene, r->instance, JOB_PART, pose);
-    if (result == DM_OK) result = dm_scene_commit(context, r->scene);
+    dm_object_info info = dm_object_info_default();
+    dm_result result = dm_object_get_info(context, r->session->object, &info);
+    for (uint32_t i = 0; i < info.part_count && result == DM_OK; i++) {
+        dm_part_info part = dm_part_info_default();
+        result = dm_object_get_part(context, r->session->object, i, &part);
+        if (result == DM_OK)
+            result = dm_scene_move(context, r->scene, r->instance, part.id, render_pose(r, poses, 0, part.id));
+    }
+    return result == DM_OK ? dm_scene_commit(context, r->scene) : result;
+}
+
+dm_result render_draw(renderer* r, const dm_pose* poses, picture* picture, int left) {
+    const dm_result result = place_parts(r, poses);
     if (result != DM_OK) return result;
-    r->pose = *pose;
+    r->poses = poses;
     for (int y = 0; y < (int)r->camera.viewport_height; y++) {
         for (int x = 0; x < (int)r->camera.viewport_width; x++) {
             vec sum = {0, 0, 0};

@@ -57,8 +57,10 @@ static extent measure(const renderer* r, const basis* b, vec eye, const dm_pose*
     extent e = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (uint64_t i = 0; i < mesh->index_count; i += step) {
         const vec point = vec_at((const float*)mesh->positions + 3 * (size_t)((const uint32_t*)mesh->indices)[i]);
-        if (!r->moving[i / 3]) grow(&e, b, eye, point);
-        for (uint32_t k = 0; k < count && r->moving[i / 3]; k++) grow(&e, b, eye, moved(&poses[k], point));
+        const uint32_t part = r->face_part[i / 3];
+        if (part == 0) grow(&e, b, eye, point);
+        for (uint32_t k = 0; k < count && part != 0; k++)
+            grow(&e, b, eye, moved(render_pose(r, poses, k, part), point));
     }
     return e;
 }

@@ -19,6 +19,7 @@ static void set_error(session* session, dm_result code, const char* text) {
 /* Keeps a warning for answers as JSON. Objects of one file mostly have the same one: it is printed once in a row. */
 static void warn(session* session, const char* text) {
     warnings_add(session->opens_file ? &session->file_warnings : &session->object_warnings, text);
+    if (session->is_quiet) return;
     if (session->warned != NULL && strcmp(session->warned, text) == 0) return;
     fprintf(stderr, "dragmesh: %s\n", text);
     free(session->warned);

@@ -32,7 +32,8 @@ typedef struct session {
     /* What was warned of: of the file below, and of the object below. */
     warnings file_warnings, object_warnings;
     bool opens_file;
-    char* warned; /* the last warning on standard error; NULL: none */
+    char* warned;  /* the last warning on standard error; NULL: none */
+    bool is_quiet; /* warnings are kept, and not printed */
 
     char* path; /* of the file below; NULL: none */
     dm_gltf* gltf;
