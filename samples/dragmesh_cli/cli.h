@@ -17,7 +17,7 @@ typedef struct cli_command {
 } cli_command;
 
 extern const cli_command cli_infer, cli_animate, cli_film, cli_nodes, cli_pick, cli_prepare, cli_show, cli_eval,
-    cli_bench, cli_demo, cli_dragbot;
+    cli_bench, cli_demo, cli_dragbot, cli_rig;
 
 /* Memory of a tool: ends the program with a message when there is none. free() releases it. */
 void* cli_alloc(size_t size);

@@ -10,9 +10,9 @@
 #include "help.h"
 #include "timing.h"
 
-static const cli_command* const commands[] = {&cli_infer, &cli_animate, &cli_film,   &cli_nodes,
-                                              &cli_pick,  &cli_prepare, &cli_show,   &cli_eval,
-                                              &cli_bench, &cli_demo,    &cli_dragbot};
+static const cli_command* const commands[] = {&cli_rig,   &cli_infer, &cli_animate, &cli_film,
+                                              &cli_nodes, &cli_pick,  &cli_prepare, &cli_show,
+                                              &cli_eval,  &cli_bench, &cli_demo,    &cli_dragbot};
 enum { COMMANDS = sizeof commands / sizeof(void*) };
 
 void* cli_grow(void* memory, size_t size) {

@@ -1,0 +1,79 @@
+/* dragmesh rig: a whole asset, or a folder of them, rigged by one command. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "json.h"
+#include "rig.h"
+#include "rig_output.h"
+#include "session_open.h"
+
+static const double usual_moves = 0.5; /* as dm_asset_desc.min_moves */
+enum { MOST_WORKERS = 256 };           /* by hand */
+
+static const char* const switches[] = {"on", "off", NULL};
+
+static int check(const rig_output* output, const rig_options* options, const char* file, const char* names) {
+    if (file == NULL || output->path == NULL) return options_refuse(&cli_rig, "a file or a folder, and -o, are needed");
+    if (!(options->min_moves >= 0 && options->min_moves <= 1)) return options_refuse(&cli_rig, "--min-moves: 0 to 1");
+    if (strcmp(names, "on") != 0 && strcmp(names, "off") != 0) return options_refuse(&cli_rig, "--names: on or off");
+    if (output->up[0] < 'x' || output->up[0] > 'z' || output->up[1]) return options_refuse(&cli_rig, "--up: x, y or z");
+    return CLI_OK;
+}
+
+/* Rigs one file in this process. */
+static int rig_file(const char* file, const char* models, const rig_output* output, const rig_options* options) {
+    session session;
+    int status = session_open(&session, models, NULL);
+    if (status != CLI_OK) return status;
+    session.is_quiet = output->is_worker;
+    rig rig;
+    dm_result result = rig_make(&session, file, options, &rig);
+    if (result == DM_OK) result = rig_output_write(&session, &rig, options, output);
+    if (output->is_worker)
+        rig_output_leave_word(output, result == DM_OK, &rig, session.error);
+    else
+        rig_output_report(&session, output, file, result == DM_OK, &rig, options);
+    status = result == DM_OK ? CLI_OK : CLI_FAILED;
+    rig_free(&session, &rig);
+    session_close(&session);
+    return status;
+}
+
+static int run(int argc, char** argv) {
+    const char *file = NULL, *models = NULL, *names = "on";
+    int no_clips = 0, as_json = 0, is_worker = 0, workers = 1;
+    rig_output output = {.up = "y"};
+    rig_options options = {.min_moves = usual_moves};
+    const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &output.path},
+                                 {.name = "--names", .kind = OPTION_CHOICE, .value = &names, .choices = switches},
+                                 {.name = "--no-clips", .kind = OPTION_FLAG, .value = &no_clips},
+                                 {.name = "--min-moves", .kind = OPTION_NUMBER, .value = &options.min_moves},
+                                 {.name = "--up", .kind = OPTION_TEXT, .value = &output.up},
+                                 {.name = "-j", .kind = OPTION_INTEGER, .value = &workers},
+                                 {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
+                                 {.name = "--models", .kind = OPTION_TEXT, .value = &models},
+                                 {.name = "--worker", .kind = OPTION_FLAG, .value = &is_worker}};
+    int status = options_read(&cli_rig, argc, argv, table, sizeof table / sizeof *table, &file);
+    if (status != CLI_OK) return status;
+    options.without_names = strcmp(names, "off") == 0;
+    options.without_clips = no_clips;
+    output.as_json = as_json;
+    output.is_worker = is_worker;
+    status = check(&output, &options, file, names);
+    if (status == CLI_OK && (workers < 1 || workers > MOST_WORKERS))
+        status = options_refuse(&cli_rig, "-j: 1 to %d", MOST_WORKERS);
+    if (status != CLI_OK) return status;
+    if (platform_kind_of(file) != PLATFORM_FOLDER) return rig_file(file, models, &output, &options);
+    return rig_folder(file, models, &output, &options, workers);
+}
+
+const cli_command cli_rig = {
+    "rig", run, "FILE.glb|FOLDER -o OUT [--names on|off] [--no-clips] [--min-moves P] [--up x|y|z] [-j N] [--json]",
+    "Rigs whole assets: which nodes move, how, and what carries what. OUT.json gets the answer alone; a folder OUT "
+    "gets\n"
+    "    rig.json, rigged.glb, which opens and closes, with joints in `extras`, and film.png. Of a FOLDER, each .glb\n"
+    "    and .gltf in it, and object.glb of each folder in it, gets a folder of its own in OUT; -j works on N at a "
+    "time,\n"
+    "    and what is done already is left as it is.\n"
+    "    --names off, --no-clips: names, or clips, say nothing. --min-moves: probability from which on a part moves."};

@@ -1,0 +1,52 @@
+/* A whole asset, rigged: which of a file's nodes move, how, and what carries what. */
+#ifndef CLI_RIG_H
+#define CLI_RIG_H
+
+#include "job.h"
+#include "session.h"
+
+/* How to rig. */
+typedef struct rig_options {
+    bool without_names, without_clips;
+    double min_moves; /* probability from which on a part moves */
+} rig_options;
+
+typedef struct rig_part {
+    dm_asset_part part;
+    dm_joint joint;  /* in the session's frame */
+    uint32_t* nodes; /* part.node_count positions in rig.nodes */
+} rig_part;
+
+typedef struct rig {
+    const dm_asset_node* nodes; /* of the session's file */
+    uint32_t node_count;
+    dm_asset asset;
+    dm_asset_info info;
+    rig_part* parts; /* info.part_count */
+    double seconds;  /* that the asset took, its file included */
+} rig;
+
+/* Rigs a file, which becomes the session's. */
+dm_result rig_make(session* session, const char* path, const rig_options* options, rig* out_rig);
+void rig_free(session* session, rig* rig);
+
+/* Returns what was asked for, as text: with another text, an answer is another. */
+const char* rig_options_text(const rig_options* options, char* out, size_t size);
+/* Returns the answer: parts with nodes, carriers, joints and probabilities, and warnings. */
+cJSON* rig_to_json(const session* session, const rig* rig, const rig_options* options);
+/* Writes `%s` with what the parts are: "3 of 12 parts move". */
+void rig_describe(const rig* rig, char* out, size_t size);
+
+/* Writes the poses of all parts, those that carry them included, at a share of the way from rest to open, 0 to 1.
+ * out_poses: by part id, 1 and the count of parts. */
+dm_result rig_pose(const rig* rig, float share, dm_pose* out_poses);
+/* Returns the id of the part that moves each face of the session's mesh; 0: it stays. To be freed. */
+uint32_t* rig_face_parts(const session* session, const rig* rig);
+
+/* Writes the file with an animation that opens and closes all parts, and their joints in the `extras` of the nodes that
+ * it moves. */
+dm_result rig_write_scene(session* session, const rig* rig, const char* path);
+/* Writes a strip of pictures from closed to open, with the axes of the parts. up: 'x', 'y' or 'z'. */
+dm_result rig_write_film(session* session, const rig* rig, char up, const char* path);
+
+#endif

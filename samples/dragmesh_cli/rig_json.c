@@ -1,0 +1,52 @@
+/* The answer about an asset as JSON. */
+#include <stdio.h>
+
+#include "json.h"
+#include "rig.h"
+
+const char* rig_options_text(const rig_options* options, char* out, size_t size) {
+    const uint32_t version = dm_version();
+    snprintf(out, size, "version %u, names %s, clips %s, min-moves %.4g", version,
+             options->without_names ? "off" : "on", options->without_clips ? "off" : "on", options->min_moves);
+    return out;
+}
+
+static cJSON* nodes_to_json(const session* session, const rig* rig, const rig_part* part, bool by_name) {
+    cJSON* out = cJSON_CreateArray();
+    for (uint32_t i = 0; i < part->part.node_count; i++) {
+        uint32_t number = 0;
+        const char* name = rig->nodes[part->nodes[i]].name;
+        dm_gltf_get_asset_node(session->gltf, part->nodes[i], &number);
+        cJSON_AddItemToArray(out, by_name ? cJSON_CreateString(name != NULL ? name : "") : cJSON_CreateNumber(number));
+    }
+    return out;
+}
+
+static cJSON* part_to_json(const session* session, const rig* rig, const rig_part* part) {
+    static const char* const states[] = {
+        [DM_ASSET_STAYS] = "stays", [DM_ASSET_MOVES] = "moves", [DM_ASSET_FREE] = "free"};
+    static const char* const bases[] = {
+        [DM_ASSET_INFERRED] = "inferred", [DM_ASSET_FROM_FILE] = "file", [DM_ASSET_FROM_CLIP] = "clip"};
+    cJSON* out = cJSON_CreateObject();
+    cJSON_AddItemToObject(out, "nodes", nodes_to_json(session, rig, part, true));
+    cJSON_AddItemToObject(out, "node_indices", nodes_to_json(session, rig, part, false));
+    cJSON_AddNumberToObject(out, "parent", part->part.parent == DM_ASSET_NO_PART ? -1 : (double)part->part.parent);
+    cJSON_AddStringToObject(out, "state", states[part->part.state]);
+    json_add_number(out, "moves", (double)part->part.moves, 4);
+    cJSON_AddStringToObject(out, "basis", bases[part->part.basis]);
+    joint_to_json(&part->joint, session->origin, out);
+    if (part->part.duration > 0) json_add_number(out, "duration", (double)part->part.duration, 9);
+    cJSON_AddNumberToObject(out, "triangles", part->part.triangle_count);
+    return out;
+}
+
+cJSON* rig_to_json(const session* session, const rig* rig, const rig_options* options) {
+    char text[128];
+    cJSON* out = cJSON_CreateObject();
+    cJSON_AddStringToObject(out, "options", rig_options_text(options, text, sizeof text));
+    cJSON* parts = cJSON_AddArrayToObject(out, "parts");
+    for (uint32_t i = 0; i < rig->info.part_count; i++)
+        cJSON_AddItemToArray(parts, part_to_json(session, rig, &rig->parts[i]));
+    session_warnings_to_json(session, out);
+    return out;
+}
