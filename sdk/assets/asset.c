@@ -84,7 +84,7 @@ static dm_result describe_nodes(making* work) {
     work->given = dmi_arena_push(&work->arena, count * sizeof *work->given);
     if (work->nodes == NULL || work->given == NULL) return out_of_memory(work->env, count);
     for (uint32_t i = 0; i < count; i++) work->nodes[i] = describe_node(work, &desc->nodes[i], lost);
-    dmi_asset_read_given(desc->nodes, count, desc->use_clips, work->given, &work->warnings);
+    dmi_asset_read_given(desc->nodes, count, desc->use_clips, &work->mesh->frame, work->given, &work->warnings);
     number_given_parts(work);
     work->query = (dmi_asset_query){.mesh = work->mesh,
                                     .nodes = work->nodes,
