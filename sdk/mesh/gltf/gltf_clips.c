@@ -268,7 +268,7 @@ static bool fill_poses(const reader* r, uint32_t first, const mover* mover, dm_a
 static dm_result make_clip(reader* r, uint32_t node, const char* name, dm_asset_clip* out, bool* out_says,
                            dmi_gltf_problem* problem) {
     mover mover;
-    float* times;
+    float* times = NULL;
     *out = (dm_asset_clip){.name = name};
     *out_says = false;
     if (!open_mover(r->gltf, node, &mover)) return DM_OK;

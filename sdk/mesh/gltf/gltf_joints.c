@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 enum { COLUMN = 4, ORIGIN = 12 }; /* in a matrix: between columns; of the translation */
 #define PHYSICS_NAME "KHR_physics_rigid_bodies"
 
@@ -214,6 +216,11 @@ static int64_t find_body(const dm_gltf* gltf, int64_t node) {
     return node;
 }
 
+static bool is_below(const dm_gltf* gltf, int64_t node, int64_t above) {
+    while (node >= 0 && node != above) node = gltf->tree[node].parent;
+    return node >= 0;
+}
+
 /* Writes the axes of a node's frame, each of unit length. Returns false where one has none. */
 static bool read_frame(const double world[16], double axes[3][3]) {
     for (int column = 0; column < 3; column++) {
@@ -236,7 +243,7 @@ static double offset_of(const dm_gltf* gltf, const physics_joint* joint, int whi
     if (!read_frame(a, from) || !read_frame(b, to)) return 0;
     const double between[3] = {b[ORIGIN] - a[ORIGIN], b[ORIGIN + 1] - a[ORIGIN + 1], b[ORIGIN + 2] - a[ORIGIN + 2]};
     if (which < ANGULAR) return dot(between, from[i]);
-    return atan2(dot(to[j], from[k]), dot(to[j], from[j]));
+    return dmi_atan2(dot(to[j], from[k]), dot(to[j], from[j]));
 }
 
 /* Writes the joint of the one way that is left free. The limits tell how the connected node may stand in the frame of
@@ -278,7 +285,7 @@ static dm_result read_physics(dm_gltf* gltf, dmi_gltf_asset* asset, uint32_t nod
     dm_joint made;
     if (!json) return DM_OK;
     const int64_t own = find_body(gltf, node), other = connected >= 0 ? find_body(gltf, connected) : -1;
-    const int64_t body = own >= 0 ? own : other;
+    const int64_t body = own < 0 || is_below(gltf, other, own) ? other : own;
     const uint32_t index = body >= 0 ? asset->places[body] : DM_ASSET_NO_NODE;
     joint.connected = connected >= 0 ? (uint32_t)connected : node;
     if (body >= 0 && index == DM_ASSET_NO_NODE) return DM_OK; /* it has no triangles */

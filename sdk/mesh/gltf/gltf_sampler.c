@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 /* A key of a spline has three values: the tangent into it, itself, the tangent out of it. */
 enum { INTO = 0, ITSELF = 1, OUT_OF = 2, OF_SPLINE = 3 };
 
@@ -70,9 +72,9 @@ static void mix(const double a[4], const double b[4], double t, int components, 
     for (int k = 0; components == 4 && k < 4; k++) cosine += a[k] * b[k];
     const double sign = cosine < 0 ? -1 : 1;
     if (components == 4 && fabs(cosine) < ALMOST_SAME) {
-        const double angle = acos(fabs(cosine)), sine = sin(angle);
-        from = sin((1 - t) * angle) / sine;
-        to = sin(t * angle) / sine;
+        const double sine = sqrt(1 - cosine * cosine), angle = dmi_atan2(sine, fabs(cosine));
+        from = dmi_circle_at((1 - t) * angle).sine / sine;
+        to = dmi_circle_at(t * angle).sine / sine;
     }
     for (int k = 0; k < components; k++) out[k] = from * a[k] + to * sign * b[k];
 }

@@ -54,8 +54,7 @@ static void read_nodes(dm_gltf* gltf) {
         const char* name = dmi_json_text(json, "name");
         const double mesh = dmi_json_number(json, "mesh", DMI_GLTF_NO_INDEX);
         dmi_gltf_tree_node* node = &gltf->tree[i];
-        *node =
-            (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1, .named = -1, .follows = -1};
+        *node = (dmi_gltf_tree_node){.json = json, .name = name ? name : "", .parent = -1, .named = -1, .follows = -1};
         node->mesh = (int32_t)dmi_gltf_position(document, DMI_GLTF_MESHES, mesh);
         if (is_turned_nowhere(json))
             dmi_gltf_warn(&gltf->warnings, "glTF node %u '%.80s': its rotation is 0 0 0 0, taken as none", i,
