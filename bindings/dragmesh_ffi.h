@@ -852,6 +852,8 @@ dm_result dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* ou
 dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* out_uv, uint64_t corner_count);
 dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char** names, uint32_t name_count, uint8_t value, uint8_t* inout_face_ids, uint64_t face_count);
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size, dm_pivot* out_pivot);
+dm_result dm_gltf_get_asset(dm_gltf* gltf, uint32_t flags, const dm_asset_node** out_nodes, uint32_t* out_count);
+dm_result dm_gltf_get_asset_node(dm_gltf* gltf, uint32_t index, uint32_t* out_node);
 int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf);
 int32_t dm_gltf_left_out(const dm_gltf* gltf);
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value, uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous);

@@ -688,6 +688,8 @@ static_assert(std::is_same<decltype(&dm_gltf_get_surface), dm_result (*)(dm_gltf
 static_assert(std::is_same<decltype(&dm_gltf_get_texture_coordinates), dm_result (*)(dm_gltf *, uint32_t, float *, uint64_t)>::value, "dm_gltf_get_texture_coordinates is another function");
 static_assert(std::is_same<decltype(&dm_gltf_mark_faces), dm_result (*)(const dm_gltf *, const char *const *, uint32_t, uint8_t, uint8_t *, uint64_t)>::value, "dm_gltf_mark_faces is another function");
 static_assert(std::is_same<decltype(&dm_gltf_get_hints), dm_result (*)(const dm_gltf *, const char *, char *, size_t, dm_pivot *)>::value, "dm_gltf_get_hints is another function");
+static_assert(std::is_same<decltype(&dm_gltf_get_asset), dm_result (*)(dm_gltf *, uint32_t, const dm_asset_node **, uint32_t *)>::value, "dm_gltf_get_asset is another function");
+static_assert(std::is_same<decltype(&dm_gltf_get_asset_node), dm_result (*)(dm_gltf *, uint32_t, uint32_t *)>::value, "dm_gltf_get_asset_node is another function");
 static_assert(std::is_same<decltype(&dm_gltf_pivots_are_lost), int32_t (*)(const dm_gltf *)>::value, "dm_gltf_pivots_are_lost is another function");
 static_assert(std::is_same<decltype(&dm_gltf_left_out), int32_t (*)(const dm_gltf *)>::value, "dm_gltf_left_out is another function");
 static_assert(std::is_same<decltype(&dm_gltf_read_mask), dm_result (*)(const dm_gltf *, const void *, size_t, const int64_t *, uint8_t *, int32_t *, int32_t *)>::value, "dm_gltf_read_mask is another function");

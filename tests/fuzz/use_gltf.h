@@ -69,6 +69,41 @@ static inline void check_nodes(const dm_gltf* gltf, const dm_mesh_desc* mesh) {
     }
 }
 
+static inline void check_clip(const dm_asset_clip* clip) {
+    fuzz_expect(clip->key_count > 0);
+    fuzz_expect_finite(clip->times, clip->key_count);
+    for (uint32_t k = 0; k < clip->key_count; k++) {
+        fuzz_expect_finite(clip->poses[k].real, 4);
+        fuzz_expect_finite(clip->poses[k].dual, 4);
+    }
+}
+
+static inline void check_asset_node(const dm_asset_node* node, uint32_t count) {
+    fuzz_expect(node->parent == DM_ASSET_NO_NODE || node->parent < count);
+    fuzz_expect(node->follows == DM_ASSET_NO_NODE || node->follows < count);
+    if (node->name) expect_text(node->name);
+    if (node->mesh_name) expect_text(node->mesh_name);
+    if (node->pivot) fuzz_expect_vector(&node->pivot->origin);
+    for (uint32_t c = 0; c < node->clip_count; c++) check_clip(&node->clips[c]);
+    if (node->joint) {
+        fuzz_expect_vector(&node->joint->axis);
+        fuzz_expect_vector(&node->joint->origin);
+        fuzz_expect(node->joint->lower <= node->joint->upper);
+    }
+    const uint32_t* indices = node->mesh ? node->mesh->indices : NULL;
+    for (uint64_t i = 0; indices && i < node->mesh->index_count; i++)
+        fuzz_expect(indices[i] < node->mesh->vertex_count);
+    if (node->mesh) fuzz_expect_finite(node->mesh->positions, 3 * node->mesh->vertex_count);
+}
+
+static inline void check_asset(dm_gltf* gltf) {
+    const dm_asset_node* nodes;
+    uint32_t count;
+    const dm_result result = dm_gltf_get_asset(gltf, 0, &nodes, &count);
+    fuzz_expect(result == DM_OK || result == DM_ERROR_OUT_OF_MEMORY || result == DM_ERROR_TOO_LARGE);
+    for (uint32_t i = 0; result == DM_OK && i < count; i++) check_asset_node(&nodes[i], count);
+}
+
 static inline void check_surfaces(dm_gltf* gltf, uint64_t faces) {
     static float uv[CORNERS][2];
     for (uint32_t i = 0; i < dm_gltf_surface_count(gltf); i++) {
@@ -137,6 +172,7 @@ static inline void use_gltf(const uint8_t* data, size_t size) {
         const uint64_t faces = mesh.index_count / 3;
         check_nodes(gltf, &mesh);
         check_surfaces(gltf, faces);
+        check_asset(gltf);
         uint8_t* ids = calloc(1, faces + mesh.vertex_count);
         if (ids != NULL) {
             mark(gltf, ids, faces, data, size);

@@ -528,6 +528,15 @@ static inline dm_result test_call_gltf_get_hints(test_stage* s) {
     return dm_gltf_get_hints(s->gltf, "door", s->out.label, sizeof s->out.label, &s->out.pivot);
 }
 
+static inline dm_result test_call_gltf_get_asset(test_stage* s) {
+    const dm_asset_node* nodes;
+    return dm_gltf_get_asset(s->spare_bytes, 0, &nodes, &s->out.count);
+}
+
+static inline dm_result test_call_gltf_get_asset_node(test_stage* s) {
+    return dm_gltf_get_asset_node(s->spare_bytes, 0, &s->out.count);
+}
+
 static inline dm_result test_call_gltf_left_out(test_stage* s) {
     s->out.scope = dm_gltf_left_out(s->gltf);
     return DM_OK;
@@ -675,6 +684,8 @@ static const test_call test_calls[] = {
      test_after_gltf},
     {"dm_gltf_mark_faces", NULL, NULL, test_call_gltf_mark_faces, NULL, NULL},
     {"dm_gltf_get_hints", NULL, NULL, test_call_gltf_get_hints, NULL, NULL},
+    {"dm_gltf_get_asset", NULL, test_before_gltf, test_call_gltf_get_asset, NULL, test_after_gltf},
+    {"dm_gltf_get_asset_node", NULL, test_before_gltf, test_call_gltf_get_asset_node, NULL, test_after_gltf},
     {"dm_gltf_left_out", NULL, NULL, test_call_gltf_left_out, NULL, NULL},
     {"dm_gltf_pivots_are_lost", NULL, NULL, test_call_gltf_pivots_are_lost, NULL, NULL},
     {"dm_gltf_read_mask", NULL, NULL, test_call_gltf_read_mask, NULL, NULL},

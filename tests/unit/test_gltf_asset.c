@@ -185,6 +185,40 @@ static void bones_bring_the_vertices_of_their_triangles(void** state) {
     close_file(&o);
 }
 
+/* An export moves what follows a part along with it. */
+static void followers_go_along(void** state) {
+    (void)state;
+    const dm_pose poses[2] = {{{0, 0, 0, 1}, {0, 0, 0, 0}}, {{0, 0, 0, 1}, {0, 0.5f, 0, 0}}};
+    const float times[2] = {0, 1};
+    const uint8_t ids[2] = {0, 1};
+    const dm_gltf_track track = {.face_ids = ids, .value = 1, .poses = poses, .times = times, .key_count = 2};
+    static const char* const followers[] = {"door_LOD1", "UCX_door_LOD0"};
+    opened o, again;
+    void* data;
+    size_t size;
+    open_file(&o,
+              HEAD "\"nodes\":[" NAMED("body") "," NAMED("door_LOD0") "," NAMED("door_LOD1") "," NAMED(
+                  "UCX_door_LOD0") "," NAMED("UCX_body") "]}",
+              triangle, sizeof triangle);
+    assert_int_equal(dm_gltf_export(o.gltf, &track, 1, &data, &size), DM_OK);
+    again = (opened){.count = 0};
+    test_env_open(&again.t, TEST_NEVER);
+    again.gltf = test_gltf_open(&again.t, data, size);
+    assert_int_equal(dm_gltf_get_asset(again.gltf, 0, &again.nodes, &again.count), DM_OK);
+    const dm_asset_node* door = node_of(&again, "door_LOD0");
+    assert_int_not_equal(door->parent, DM_ASSET_NO_NODE);
+    for (size_t i = 0; i < 2; i++) {
+        const dm_asset_node* follower = node_of(&again, followers[i]);
+        assert_int_equal(follower->parent, door->parent);
+        assert_int_equal(follower->follows, find(&again, "door_LOD0"));
+    }
+    assert_int_equal(node_of(&again, "UCX_body")->parent, DM_ASSET_NO_NODE);
+    assert_int_equal(node_of(&again, "moving_part")->clip_count, 1);
+    close_file(&again);
+    dm_gltf_release_bytes(o.gltf, data, size);
+    close_file(&o);
+}
+
 static void arguments_are_checked(void** state) {
     (void)state;
     opened o;
@@ -238,6 +272,7 @@ int main(void) {
         cmocka_unit_test(what_is_no_body_follows),
         cmocka_unit_test(the_scene_decides),
         cmocka_unit_test(bones_bring_the_vertices_of_their_triangles),
+        cmocka_unit_test(followers_go_along),
         cmocka_unit_test(arguments_are_checked),
         cmocka_unit_test(no_failed_allocation_is_passed_over),
     };

@@ -1446,7 +1446,7 @@ namespace DragMesh
     {
         /// <summary>valid UTF-8, '?' for what is none; "" when it has none. Lives as long as the dm_gltf</summary>
         public byte* Name;
-        /// <summary>index in the file's nodes array, of the node or bone</summary>
+        /// <summary>index in the file's nodes array, of the node or bone; of an instance: behind them</summary>
         public uint Node;
         /// <summary>the nearest dm_gltf_node above it, by index here: it goes where that one goes. Else DM_GLTF_NO_CARRIER</summary>
         public uint Carrier;
@@ -1771,7 +1771,7 @@ namespace DragMesh
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern uint dm_gltf_version();
 
-        /// <summary>Reads triangles, strips and fans, also quantised ones (KHR_mesh_quantization) and, where the build has their libraries, compressed ones (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression). Another required extension that may change geometry: UNSUPPORTED, by name. Left out with a warning: primitives that are broken, points, lines, morph targets, nodes whose scale is zero. Left out in silence, because they are no body: nodes and meshes named UCX_*, UBX_*, UCP_*, USP_*, *_collider, *-colonly, *-convcolonly; invisible nodes (KHR_node_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD_DATA, NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. Others: NOT_FOUND (a file beside it), VERSION, TOO_LARGE (it would take more memory than 64 MB and 64 bytes a byte of the file, 256 a byte of a Draco stream). A call logs one warning, which counts what is left out and quotes the first three.</summary>
+        /// <summary>Reads triangles, strips and fans, also quantised ones (KHR_mesh_quantization) and, where the build has their libraries, compressed ones (EXT_meshopt_compression, KHR_meshopt_compression, KHR_draco_mesh_compression). Another required extension that may change geometry: UNSUPPORTED, by name. Morph targets are applied as the file's weights say. An instance of EXT_mesh_gpu_instancing is a node of its own, behind those of the file, below the one that has the extension. Left out with a warning: triangles whose vertices do not exist or are not finite, primitives that are broken, points, lines, nodes whose scale is zero. Left out in silence, because they are no body: nodes and meshes named UCX_*, UBX_*, UCP_*, USP_*, *_collider, *-colonly, *-convcolonly; coarser levels of detail (MSFT_lod, or siblings named *_LOD0, *_LOD1); invisible nodes (KHR_node_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD_DATA, NOT_FINITE, INDEX_OUT_OF_RANGE, DEGENERATE_MESH. Others: NOT_FOUND (a file beside it), VERSION, TOO_LARGE (it would take more memory than 64 MB and 64 bytes a byte of the file, 256 a byte of a Draco stream). A call logs one warning, which counts what is left out and quotes the first three.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_open(GltfDesc* desc, IntPtr* out_gltf);
 
@@ -1815,11 +1815,19 @@ namespace DragMesh
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_get_hints(IntPtr gltf, byte* name, byte* out_label, UIntPtr label_size, Pivot* out_pivot);
 
+        /// <summary>The scene as dm_asset_create takes it: all nodes that have triangles or carry some, and those of which the merged mesh has none because they are no body. First come the dm_gltf_nodes in their order, then groups without triangles, then what is hidden, a collider or a coarser level of detail (DM_ASSET_NODE_FOLLOWS). Meshes are in the merged mesh's frame, so that transforms are NULL. Clips are the file's animations, each against the node above it. Joints are those of the nodes' `extras` and of KHR_physics_rigid_bodies (docs/gltf.md). flags: 0. Points into the dm_gltf. Errors: OUT_OF_MEMORY, TOO_LARGE.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_gltf_get_asset(IntPtr gltf, uint flags, AssetNode** out_nodes, uint* out_count);
+
+        /// <summary>The index in the file's nodes array of a node of that list. Errors: those, NOT_FOUND.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_gltf_get_asset_node(IntPtr gltf, uint index, uint* out_node);
+
         /// <summary>1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all are one point, as exporters leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_pivots_are_lost(IntPtr gltf);
 
-        /// <summary>1 when triangles of the file are not in the merged mesh: a primitive or a node could not be read, or only one of its instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there, or gltf is NULL.</summary>
+        /// <summary>1 when triangles of the file are not in the merged mesh: a triangle, a primitive or a node could not be read, or only one of its instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there, or gltf is NULL.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_left_out(IntPtr gltf);
 

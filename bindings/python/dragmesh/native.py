@@ -1341,6 +1341,8 @@ GLTF_FUNCTIONS = {  # name: (result, arguments)
     "dm_gltf_get_texture_coordinates": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(c.c_float), c.c_uint64]),
     "dm_gltf_mark_faces": (c.c_int32, [c.c_void_p, c.POINTER(c.c_char_p), c.c_uint32, c.c_uint8, c.POINTER(c.c_uint8), c.c_uint64]),
     "dm_gltf_get_hints": (c.c_int32, [c.c_void_p, c.c_char_p, c.c_char_p, c.c_size_t, c.POINTER(Pivot)]),
+    "dm_gltf_get_asset": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(c.POINTER(AssetNode)), c.POINTER(c.c_uint32)]),
+    "dm_gltf_get_asset_node": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(c.c_uint32)]),
     "dm_gltf_pivots_are_lost": (c.c_int32, [c.c_void_p]),
     "dm_gltf_left_out": (c.c_int32, [c.c_void_p]),
     "dm_gltf_read_mask": (c.c_int32, [c.c_void_p, c.c_void_p, c.c_size_t, c.POINTER(c.c_int64), c.POINTER(c.c_uint8), c.POINTER(c.c_int32), c.POINTER(c.c_int32)]),

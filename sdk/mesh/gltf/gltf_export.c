@@ -9,6 +9,7 @@
  */
 #include <inttypes.h>
 #include <math.h>
+#include <stdbool.h>
 
 #include "base/fp_environment.h"
 #include "base/number_bounds.h"
@@ -181,6 +182,13 @@ static int has_triangles(const exporter* x, uint32_t node, uint32_t track) {
     return 0;
 }
 
+/* Whether the node is no body, and goes with one that the track moves as a whole. What bones place stays with them. */
+static bool goes_along(const exporter* x, uint32_t node, uint32_t track) {
+    const int32_t followed = x->gltf->tree[node].follows;
+    if (followed < 0 || dmi_json_get(x->gltf->tree[node].json, "skin")) return false;
+    return x->moves.own[followed] == (int32_t)track || x->moves.below[followed] == (int32_t)track;
+}
+
 /* Parents come before their children, so that what a track moves as a whole is found from above. */
 static void move_parts(exporter* x, uint32_t track) {
     clear_hooks(x);
@@ -196,6 +204,9 @@ static void move_parts(exporter* x, uint32_t track) {
             move_node(x, track, node, 1);
         } else if (x->moves.own[node] == DMI_MOVES_MIXED && has_triangles(x, node, track)) {
             move_triangles(x, track, node);
+        } else if (goes_along(x, node, track)) {
+            x->carried[node] = x->moves.below[node] == DMI_MOVES_EMPTY;
+            move_node(x, track, node, !x->carried[node]);
         }
     }
 }

@@ -186,6 +186,8 @@ static void spread(const dm_gltf* gltf, int32_t* finest) {
 
 dm_result dmi_gltf_find_finest(dm_gltf* gltf, const uint8_t* solid, dmi_gltf_problem* problem, int32_t* out_finest) {
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    const dm_result result = dmi_gltf_spend(gltf, count, sizeof(level), "glTF: the nodes", problem);
+    if (result != DM_OK) return result;
     level* levels = dmi_alloc(&gltf->env, count * sizeof *levels, 16);
     if (!levels) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
     for (uint32_t i = 0; i < count; i++) out_finest[i] = -1;

@@ -82,8 +82,9 @@ dm_result dmi_gltf_part_morphs(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const uint32_t before = gltf->document.counts[DMI_GLTF_MESHES];
     dmi_env* env = &gltf->env;
     uint32_t meshes = before;
+    dm_result result = dmi_gltf_spend(gltf, before, sizeof(cJSON*), "glTF: the meshes", problem);
+    if (result != DM_OK) return result;
     cJSON** firsts = dmi_alloc_zeroed(env, before * sizeof *firsts, 16); /* of a mesh: the first node that has it */
-    dm_result result = DM_OK;
     if (!firsts) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u meshes", before);
     for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES] && result == DM_OK; i++) {
         cJSON* node = gltf->document.items[DMI_GLTF_NODES][i];

@@ -140,9 +140,10 @@ static void find_all_followed(dm_gltf* gltf, const uint8_t* solid, const int32_t
 
 dm_result dmi_gltf_find_roles(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
+    dm_result result = dmi_gltf_spend(gltf, count, 1 + sizeof(int32_t), "glTF: the nodes", problem);
+    if (result != DM_OK) return result;
     uint8_t* solid = dmi_alloc_zeroed(&gltf->env, count, 1);
     int32_t* finest = dmi_alloc(&gltf->env, count * sizeof *finest, 16);
-    dm_result result = DM_OK;
     if (!solid || !finest)
         result = dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
     if (result == DM_OK) {
