@@ -20,6 +20,8 @@
 #define TURN_ERROR 5e-3
 /* Advance of a turn along its axis from which on it is a screw, in shares of the asset's size. By hand. */
 #define SCREW_SHARE 1e-3
+/* Share of the way below which an end of it is rest. By hand: some steps of a float. */
+#define REST_SHARE 1e-6
 /* How much less than a full turn is one, rad. By hand: rounding. */
 #define FULL_TURN_ERROR 1e-3
 /* Largest last step of a turn that leaves out its last frame because it begins anew with the first, rad. By hand: 30
@@ -269,6 +271,11 @@ static bool goes_round(const axis_joint* joint, const value_range* range) {
     return joint->type == DM_JOINT_REVOLUTE && turn + step >= 2 * PI - FULL_TURN_ERROR;
 }
 
+/* An end of a range; 0 where it is rest but for rounding. */
+static float end_of(double end, const value_range* range) {
+    return fabs(end) > REST_SHARE * (range->upper - range->lower) ? (float)end : 0;
+}
+
 static dm_joint make_joint(const axis_joint* from, const value_range* range, const scale* by) {
     const double sign = range->upper < -range->lower ? -1 : 1;
     const bool round = goes_round(from, range);
@@ -286,8 +293,8 @@ static dm_joint make_joint(const axis_joint* from, const value_range* range, con
         .pitch = (float)from->pitch,
         .axis = {(float)(sign * from->axis[0]), (float)(sign * from->axis[1]), (float)(sign * from->axis[2])},
         .origin = {(float)origin[0], (float)origin[1], (float)origin[2]},
-        .lower = round ? 0 : (float)(sign > 0 ? range->lower : -range->upper),
-        .upper = round ? 0 : (float)(sign > 0 ? range->upper : -range->lower),
+        .lower = round ? 0 : end_of(sign > 0 ? range->lower : -range->upper, range),
+        .upper = round ? 0 : end_of(sign > 0 ? range->upper : -range->lower, range),
         .source = DM_JOINT_FROM_HOST};
 }
 
