@@ -35,7 +35,7 @@ enum { TRIANGLE, TIMES, TURN, WAY, SPLINE, GROWTH, FALLING };
 #define CHANNEL(node, path) "{\"sampler\":0,\"target\":{\"node\":" #node ",\"path\":\"" path "\"}}"
 #define ANIMATION(channels, input, output, rest)                                                                       \
     "{\"name\":\"open\",\"channels\":[" channels "],\"samplers\":[{\"input\":" #input ",\"output\":" #output rest "}]" \
-                                                                                                                  "}"
+    "}"
 
 typedef struct opened {
     test_env t;
@@ -205,6 +205,39 @@ static void what_is_carried_moves_against_its_carrier(void** state) {
     close_file(&o);
 }
 
+/* A bone has the triangles of its skin, which move as it does. */
+static void bones_have_clips_too(void** state) {
+    (void)state;
+    struct {
+        bin keys;
+        float weights[3][4];
+        uint8_t joints[3][4];
+    } skinned = {.keys = usual, .weights = {{1}, {1}, {1}}, .joints = {{0}}};
+    const test_glb glb = test_glb_pack(
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":264}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":36}" VIEW(36, 8) VIEW(44, 32) VIEW(204, 48)
+            VIEW(252, 12) "],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":"
+                          "\"VEC3\"}" ACCESSOR(1, 2, "SCALAR") ACCESSOR(2, 2, "VEC4")
+                              ACCESSOR(3, 3, "VEC4") ",{\"bufferView\":4,\"componentType\":5121,\"count\":3,\"type\":"
+                                                     "\"VEC4\"}],\"meshes\":[{\"primitives\":[{"
+                                                     "\"attributes\":{\"POSITION\":0,\"WEIGHTS_0\":3,\"JOINTS_0\":4}}]}"
+                                                     "],\"skins\":[{\"joints\":[1]}],"
+                                                     "\"animations\":[" ANIMATION(
+                                                         CHANNEL(1, "rotation"), 1, 2,
+                                                         "") "],\"nodes\":[{\"mesh\":0,\"skin\":0},"
+                                                             "{\"name\":\"bone\",\"translation\":[2,0,0]}]}",
+        &skinned, sizeof skinned);
+    opened o = {.count = 0};
+    test_env_open(&o.t, TEST_NEVER);
+    o.gltf = test_gltf_open(&o.t, glb.data, glb.size);
+    free(glb.data);
+    assert_int_equal(dm_gltf_get_asset(o.gltf, 0, &o.nodes, &o.count), DM_OK);
+    const double up[3] = {0, 1, 0}, at[3] = {2, 0, 0};
+    expect_joint(node_of(&o, "bone"), DM_JOINT_REVOLUTE, up, at, 1.5707963);
+    assert_non_null(node_of(&o, "bone")->mesh);
+    close_file(&o);
+}
+
 static void what_grows_is_not_rigid(void** state) {
     (void)state;
     opened o;
@@ -268,6 +301,7 @@ int main(void) {
         cmocka_unit_test(frames_above_carry_the_joint),
         cmocka_unit_test(far_files_have_their_own_origin),
         cmocka_unit_test(what_is_carried_moves_against_its_carrier),
+        cmocka_unit_test(bones_have_clips_too),
         cmocka_unit_test(what_grows_is_not_rigid),
         cmocka_unit_test(what_can_not_be_read_is_left_out),
         cmocka_unit_test(several_animations_are_several_clips),
