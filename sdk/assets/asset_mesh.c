@@ -108,8 +108,8 @@ static void measure(dmi_asset_mesh* mesh) {
     double size = 0;
     for (int k = 0; k < 3; k++) {
         double low = DBL_MAX, high = -DBL_MAX;
-        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-            const double p = mesh->positions[(size_t)v * 3 + (size_t)k];
+        for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) {
+            const double p = mesh->positions[(size_t)mesh->indices[i] * 3 + (size_t)k];
             if (p < low) low = p;
             if (p > high) high = p;
         }

@@ -456,6 +456,48 @@ static inline dm_result test_call_scene_pick(test_stage* s) {
     return dm_scene_pick(s->w->context, s->scene, &ray, &s->out.hit);
 }
 
+/* ---- assets ---- */
+
+static inline dm_result test_call_asset_create(test_stage* s) {
+    return test_stage_asset(s, &s->out.handle);
+}
+
+static inline void test_after_asset(test_stage* s) {
+    assert_int_equal(dm_asset_destroy(s->w->context, s->out.handle), DM_OK);
+}
+
+static inline void test_before_asset_destroy(test_stage* s) {
+    assert_int_equal(test_stage_asset(s, &s->spare_one), DM_OK);
+}
+
+static inline dm_result test_call_asset_destroy(test_stage* s) {
+    return dm_asset_destroy(s->w->context, s->spare_one);
+}
+
+static inline dm_result test_call_asset_get_info(test_stage* s) {
+    return dm_asset_get_info(s->w->context, s->asset, &s->out.asset);
+}
+
+static inline dm_result test_call_asset_get_part(test_stage* s) {
+    return dm_asset_get_part(s->w->context, s->asset, 0, &s->out.asset_part);
+}
+
+static inline dm_result test_call_asset_get_joint(test_stage* s) {
+    return dm_asset_get_joint(s->w->context, s->asset, 0, &s->out.joint);
+}
+
+static inline dm_result test_call_asset_get_part_nodes(test_stage* s) {
+    return dm_asset_get_part_nodes(s->w->context, s->asset, 0, s->out.asset_nodes, TEST_STAGE_NODES);
+}
+
+static inline dm_result test_call_asset_get_node_parts(test_stage* s) {
+    return dm_asset_get_node_parts(s->w->context, s->asset, s->out.asset_nodes, TEST_STAGE_NODES);
+}
+
+static inline dm_result test_call_asset_make_object(test_stage* s) {
+    return dm_asset_make_object(s->w->context, s->asset, &s->out.handle);
+}
+
 /* ---- glTF ---- */
 
 static inline dm_result test_call_gltf_open(test_stage* s) {
@@ -671,6 +713,14 @@ static const test_call test_calls[] = {
     {"dm_scene_commit", "after a move", NULL, test_call_scene_commit, NULL, NULL},
     {"dm_scene_commit", "the first", test_before_scene, test_call_scene_commit_first, NULL, test_after_scene},
     {"dm_scene_pick", NULL, NULL, test_call_scene_pick, NULL, NULL},
+    {"dm_asset_create", NULL, NULL, test_call_asset_create, test_after_asset, NULL},
+    {"dm_asset_destroy", NULL, test_before_asset_destroy, test_call_asset_destroy, NULL, NULL},
+    {"dm_asset_get_info", NULL, NULL, test_call_asset_get_info, NULL, NULL},
+    {"dm_asset_get_part", NULL, NULL, test_call_asset_get_part, NULL, NULL},
+    {"dm_asset_get_joint", NULL, NULL, test_call_asset_get_joint, NULL, NULL},
+    {"dm_asset_get_part_nodes", NULL, NULL, test_call_asset_get_part_nodes, NULL, NULL},
+    {"dm_asset_get_node_parts", NULL, NULL, test_call_asset_get_node_parts, NULL, NULL},
+    {"dm_asset_make_object", NULL, NULL, test_call_asset_make_object, test_after_object, NULL},
     {"dm_gltf_open", NULL, NULL, test_call_gltf_open, test_after_gltf_open, NULL},
     {"dm_gltf_open_file", NULL, NULL, test_call_gltf_open_file, test_after_gltf_open, NULL},
     {"dm_gltf_close", NULL, test_before_gltf, test_call_gltf_close, NULL, NULL},

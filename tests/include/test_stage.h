@@ -10,7 +10,13 @@
 #include "test_glb.h"
 #include "test_world.h"
 
-enum { TEST_STAGE_FACES = 36, TEST_STAGE_PARTS = 2, TEST_STAGE_BLOB = 1 << 18, TEST_STAGE_UNTOUCHED = 0xA5 };
+enum {
+    TEST_STAGE_FACES = 36,
+    TEST_STAGE_PARTS = 2,
+    TEST_STAGE_NODES = 3,
+    TEST_STAGE_BLOB = 1 << 18,
+    TEST_STAGE_UNTOUCHED = 0xA5
+};
 
 /* All that calls write. */
 typedef struct test_answers {
@@ -31,6 +37,9 @@ typedef struct test_answers {
     dm_part_state part_state;
     dm_release_plan plan;
     dm_pivot pivot;
+    dm_asset_info asset;
+    dm_asset_part asset_part;
+    uint32_t asset_nodes[TEST_STAGE_NODES];
     char label[64];
     uint8_t held[TEST_STAGE_PARTS], faces[TEST_STAGE_FACES], blob[TEST_STAGE_BLOB];
     /* Handles, addresses and amounts of memory, which differ. */
@@ -50,6 +59,7 @@ typedef struct test_stage {
     test_world* w;      /* shared */
     dm_object object;   /* shared; read alone */
     dm_object own;      /* the caller's */
+    dm_asset asset;     /* shared; read alone */
     dm_object spare;    /* what `before` has made for a call to take away; 0: nothing */
     uint64_t spare_one; /* the same, of the other handles */
     dm_context* spare_context;
@@ -112,6 +122,8 @@ static inline void test_answers_clear(test_answers* out) {
     out->state.struct_size = sizeof out->state;
     out->part_state.struct_size = sizeof out->part_state;
     out->plan.struct_size = sizeof out->plan;
+    out->asset.struct_size = sizeof out->asset;
+    out->asset_part.struct_size = sizeof out->asset_part;
 }
 
 static inline dm_gltf_desc test_stage_gltf_desc(const test_stage* s) {
@@ -134,6 +146,31 @@ static inline dm_drag test_stage_drag(const test_stage* s, uint32_t flags, const
     return drag;
 }
 
+/* The cabinet as an asset: body, door and handle, which hangs below the door. */
+static inline dm_result test_stage_asset(const test_stage* s, dm_asset* out_asset) {
+    static const char* const names[TEST_STAGE_NODES] = {"body", "door", "handle"};
+    dm_mesh_desc meshes[TEST_STAGE_NODES];
+    dm_asset_node nodes[TEST_STAGE_NODES];
+    for (uint32_t i = 0; i < TEST_STAGE_NODES; i++) {
+        meshes[i] = s->mesh;
+        meshes[i].indices = s->w->shape.corners[i * TEST_BOX_FACES];
+        meshes[i].index_count = (uint64_t)3 * TEST_BOX_FACES;
+        meshes[i].part_ids = NULL;
+        meshes[i].part_id_bytes = 0;
+        nodes[i] = dm_asset_node_default();
+        nodes[i].parent = i == TEST_HANDLE ? TEST_DOOR : DM_ASSET_NO_NODE;
+        nodes[i].name = names[i];
+        nodes[i].mesh = &meshes[i];
+    }
+    const dm_asset_desc desc = {.struct_size = sizeof desc,
+                                .nodes = nodes,
+                                .node_count = TEST_STAGE_NODES,
+                                .min_moves = 0.01f,
+                                .model = s->w->model,
+                                .seed = 7};
+    return dm_asset_create(s->w->context, &desc, out_asset);
+}
+
 /* Pulls the door some way open. */
 static inline void test_stage_pull(const test_stage* s, dm_drag drag) {
     for (int i = 0; i < 20; i++) {
@@ -150,6 +187,7 @@ static inline void test_stage_open_shared(test_stage* s, test_world* w) {
     s->w = w;
     s->mesh = test_shape_desc(&w->shape);
     s->object = test_world_cabinet(w);
+    assert_int_equal(test_stage_asset(s, &s->asset), DM_OK);
     assert_int_equal(dm_object_save(w->context, s->object, NULL, 0, &s->saved_size), DM_OK);
     void* saved = malloc(s->saved_size);
     assert_int_equal(dm_object_save(w->context, s->object, saved, s->saved_size, &s->saved_size), DM_OK);
