@@ -1,0 +1,183 @@
+/* dragmesh rig: one file, and a folder of them with one that can't be read; what is left behind and what is said. */
+#include <math.h>
+#include <stdbool.h>
+
+#include "test_tool.h"
+
+static tool_output out;
+static char folder[TOOL_PATH];
+
+enum { PATH = TOOL_PATH + 64 };
+
+static void in_folder(char path[PATH], const char* name) {
+    snprintf(path, PATH, "%s/%s", folder, name);
+}
+
+static bool exists(const char* name) {
+    char path[PATH];
+    in_folder(path, name);
+    return access(path, F_OK) == 0;
+}
+
+static cJSON* read_answer(const char* name) {
+    char path[PATH];
+    size_t size;
+    in_folder(path, name);
+    char* text = tool_read(path, &size);
+    cJSON* json = cJSON_ParseWithLength(text, size);
+    assert_non_null(json);
+    free(text);
+    return json;
+}
+
+static void assert_same_bytes(const char* a, const char* b) {
+    char paths[2][PATH];
+    size_t sizes[2];
+    in_folder(paths[0], a);
+    in_folder(paths[1], b);
+    char *first = tool_read(paths[0], &sizes[0]), *second = tool_read(paths[1], &sizes[1]);
+    assert_int_equal(sizes[0], sizes[1]);
+    assert_memory_equal(first, second, sizes[0]);
+    free(first);
+    free(second);
+}
+
+/* The part that has a node of this name; NULL: none has. */
+static const cJSON* part_with(const cJSON* rig, const char* name) {
+    const cJSON *part, *node;
+    cJSON_ArrayForEach(part, cJSON_GetObjectItem(rig, "parts")) {
+        cJSON_ArrayForEach(node, cJSON_GetObjectItem(part, "nodes")) {
+            if (strcmp(cJSON_GetStringValue(node), name) == 0) return part;
+        }
+    }
+    return NULL;
+}
+
+static void test_one_file(void** state) {
+    (void)state;
+    tool_run(&out, "dragmesh", NULL, "rig|samples/cabinet.glb|--models|sdk/models|--min-moves|0.01|-o|%s/one", folder);
+    if (out.status != 0) fail_msg("%s", out.errors);
+    assert_non_null(strstr(out.text, "parts move"));
+    assert_true(exists("one/rigged.glb") && exists("one/film.png"));
+    cJSON* rig = read_answer("one/rig.json");
+    const cJSON* door = part_with(rig, "door_left");
+    assert_non_null(door);
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(door, "type")), "revolute");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(door, "basis")), "inferred");
+    assert_int_equal(cJSON_GetObjectItem(door, "parent")->valueint, -1);
+    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(door, "axis")), 3);
+    assert_true(cJSON_GetObjectItem(door, "moves")->valuedouble > 0);
+    cJSON_Delete(rig);
+}
+
+/* What was written says itself how it moves. */
+static void test_the_scene_states_its_joints(void** state) {
+    (void)state;
+    tool_run(&out, "dragmesh", NULL, "rig|%s/one/rigged.glb|--models|none|-o|%s/again.json", folder, folder);
+    if (out.status != 0) fail_msg("%s", out.errors);
+    cJSON *before = read_answer("one/rig.json"), *after = read_answer("again.json");
+    const cJSON *old = part_with(before, "door_left"), *part, *new = NULL;
+    cJSON_ArrayForEach(part, cJSON_GetObjectItem(after, "parts")) {
+        const char* name = cJSON_GetStringValue(cJSON_GetArrayItem(cJSON_GetObjectItem(part, "nodes"), 0));
+        if (strstr(name, "door_left") != NULL) new = part;
+    }
+    assert_non_null(new);
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(new, "type")), "revolute");
+    assert_string_not_equal(cJSON_GetStringValue(cJSON_GetObjectItem(new, "basis")), "inferred");
+    const double upper = cJSON_GetObjectItem(old, "upper")->valuedouble;
+    assert_true(fabs(cJSON_GetObjectItem(new, "upper")->valuedouble - upper) < 1e-4 * upper);
+    cJSON_Delete(before);
+    cJSON_Delete(after);
+}
+
+static void copy_cabinet(const char* name) {
+    char path[PATH];
+    size_t size;
+    char* bytes = tool_read("samples/cabinet.glb", &size);
+    in_folder(path, name);
+    tool_write(path, bytes, size);
+    free(bytes);
+}
+
+/* A file that can't be read is named, and so is one whose worker leaves nothing; the others are rigged, once. */
+static void test_a_folder(void** state) {
+    (void)state;
+    char path[PATH];
+    in_folder(path, "in");
+    assert_int_equal(mkdir(path, 0777), 0);
+    in_folder(path, "in/deep");
+    assert_int_equal(mkdir(path, 0777), 0);
+    copy_cabinet("in/a.glb");
+    copy_cabinet("in/lost.glb");
+    copy_cabinet("in/deep/object.glb");
+    in_folder(path, "in/broken.glb");
+    tool_write(path, "glTF?", 5);
+    in_folder(path, "out");
+    assert_int_equal(mkdir(path, 0777), 0);
+    in_folder(path, "out/lost"); /* no folder can be made there */
+    tool_write(path, "", 0);
+    tool_run(&out, "dragmesh", NULL, "rig|%s/in|--models|none|-j|2|-o|%s/out", folder, folder);
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.text, "broken: failed: DM_ERROR_BAD_DATA"));
+    assert_non_null(strstr(out.text, "lost: failed: its worker broke"));
+    assert_non_null(strstr(out.text, "4 assets: 2 rigged, 0 done already, 2 failed"));
+    assert_true(exists("out/a/rig.json") && exists("out/deep/rig.json") && !exists("out/broken/rig.json"));
+    assert_false(exists("out/a/status.txt"));
+    assert_same_bytes("out/a/rig.json", "out/deep/rig.json");
+    tool_run(&out, "dragmesh", NULL, "rig|%s/in|--models|none|-o|%s/out", folder, folder);
+    assert_non_null(strstr(out.text, "a: done already"));
+    assert_non_null(strstr(out.text, "4 assets: 0 rigged, 2 done already, 2 failed"));
+    tool_run(&out, "dragmesh", NULL, "rig|%s/in|--models|none|--names|off|-o|%s/out|--json", folder, folder);
+    assert_non_null(strstr(out.text, "\"asset\":\"broken\",\"error\":\"DM_ERROR_BAD_DATA"));
+    cJSON* rig = read_answer("out/a/rig.json");
+    assert_non_null(strstr(cJSON_GetStringValue(cJSON_GetObjectItem(rig, "options")), "names off"));
+    cJSON_Delete(rig);
+}
+
+/* The same answers by one worker and by several. */
+static void test_workers_change_nothing(void** state) {
+    (void)state;
+    tool_run(&out, "dragmesh", NULL, "rig|%s/in|--models|none|-o|%s/serial", folder, folder);
+    tool_run(&out, "dragmesh", NULL, "rig|%s/in|--models|none|-o|%s/parallel|-j|3", folder, folder);
+    assert_same_bytes("serial/a/rig.json", "parallel/a/rig.json");
+    assert_same_bytes("serial/a/rigged.glb", "parallel/a/rigged.glb");
+    assert_same_bytes("serial/a/film.png", "parallel/a/film.png");
+}
+
+static void test_bad_arguments(void** state) {
+    (void)state;
+    static const char* const lines[] = {"rig|samples/cabinet.glb",
+                                        "rig|-o|/tmp/x.json",
+                                        "rig|samples/cabinet.glb|-o|/tmp/x.json|--min-moves|2",
+                                        "rig|samples/cabinet.glb|-o|/tmp/x.json|--up|w",
+                                        "rig|samples/cabinet.glb|-o|/tmp/x.json|-j|0",
+                                        "rig|samples|-o|/tmp/x.json"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        tool_run(&out, "dragmesh", NULL, "%s", lines[i]);
+        if (out.status != 2) fail_msg("%s: exit status %d", lines[i], out.status);
+    }
+    tool_run(&out, "dragmesh", NULL, "rig|%s|-o|%s/none", "samples/11_web", folder);
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.errors, "no asset"));
+}
+
+static int make_folder(void** state) {
+    (void)state;
+    tool_folder_make(folder);
+    return 0;
+}
+
+static int remove_folder(void** state) {
+    (void)state;
+    tool_folder_remove(folder);
+    return 0;
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_one_file),      cmocka_unit_test(test_the_scene_states_its_joints),
+        cmocka_unit_test(test_a_folder),      cmocka_unit_test(test_workers_change_nothing),
+        cmocka_unit_test(test_bad_arguments),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
