@@ -10,6 +10,8 @@ import time
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bindings/python"))
 import dragmesh  # noqa: E402
@@ -49,7 +51,7 @@ class Batch(unittest.TestCase):
         done = subprocess.run(self.command(*words), env=ENVIRONMENT, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, status, done.stderr)
         self.output = done.stdout
-        return json.loads((self.folder / "dmo/report.json").read_text())
+        return json.loads((self.folder / ("rig" if "--rig" in words else "dmo") / "report.json").read_text())
 
     def test_prepares_a_folder_and_those_below(self):
         self.copy("drawer", "room/kitchen.glb")
@@ -63,6 +65,27 @@ class Batch(unittest.TestCase):
         with dragmesh.Context() as context:
             thing = context.load_object((self.folder / "dmo/room/kitchen.glb.dmo").read_bytes())
             self.assertEqual([part.id for part in thing.parts()], [part["id"] for part in drawer["parts"]])
+
+    def test_rigs_whole_assets_as_the_tool_does(self):
+        self.run_batch("--rig", "--names", "off")
+        rigged = json.loads((self.folder / "rig/drawer.glb.rig.json").read_text())
+        out = self.folder / "tool.json"
+        tool = os.environ.get("DRAGMESH_LIBRARY_PATH", str(ROOT / "build/release")) + "/dragmesh"
+        subprocess.run([tool, "rig", str(self.folder / "drawer.glb"), "-o", str(out), "--names", "off"], check=True,
+                       capture_output=True)
+        expected = json.loads(out.read_text())["parts"]
+        self.assertEqual(len(rigged["parts"]), len(expected))
+        for ours, theirs in zip(rigged["parts"], expected):
+            self.assertEqual(set(ours), set(theirs))
+            for key, value in theirs.items():
+                if isinstance(value, float) or key in ("axis", "origin"):
+                    np.testing.assert_allclose(ours[key], value, atol=1e-4)
+                else:
+                    self.assertEqual(ours[key], value, key)
+        self.run_batch("--rig", "--names", "off")
+        self.assertIn("4 files, 0 of them now", self.output)
+        self.run_batch("--rig")
+        self.assertIn("4 files, 4 of them now", self.output)
 
     def test_goes_on_where_it_was_and_redoes_what_changed(self):
         (self.folder / "junk.glb").write_bytes(b"no file")
@@ -95,11 +118,7 @@ class Batch(unittest.TestCase):
 
     def test_names_the_file_that_ends_its_process(self):
         paths = [f"{number}{'deadly' if number == 3 else ''}" for number in range(8)]
-        true_task, runners.prepare_file = runners.prepare_file, die
-        try:
-            done = dict(runners.run_here(paths, 2))
-        finally:
-            runners.prepare_file = true_task
+        done = dict(runners.run_here(paths, 2, die))
         self.assertEqual(set(done), set(paths))
         self.assertEqual([path for path in paths if "error" in done[path].entry], ["3deadly"])
 

@@ -240,5 +240,38 @@ class Files(unittest.TestCase):
             dragmesh.Gltf(b"no file")
 
 
+class Rigs(unittest.TestCase):
+    """Whole assets."""
+
+    NODES = [{"name": "box", "positions": CUBE, "indices": FACES},
+             {"name": "lid", "positions": CUBE * [1, 0.05, 1], "indices": FACES, "parent": 0,
+              "transform": [[1, 0, 0, 0], [0, 1, 0, 1.01], [0, 0, 1, 0], [0, 0, 0, 1]]}]
+
+    def test_nodes_become_parts_and_an_object(self):
+        with dragmesh.Context() as context:
+            hinge = native.Joint(type=dragmesh.JointType.REVOLUTE, axis=native.Vec3(0, 0, 1), upper=1.5)
+            asset = dragmesh.rig(context, [self.NODES[0], {**self.NODES[1], "joint": hinge}], min_moves=0.01)
+            self.assertEqual((asset.info().node_count, asset.info().part_count), (2, 1))
+            self.assertEqual((asset.node_parts(), asset.part_nodes(0)), ([None, 0], [1]))
+            self.assertAlmostEqual(asset.joint(0).upper, 1.5)
+            self.assertAlmostEqual(asset.parts()[0].box_min.y, 1.01, 5)
+            prepared = asset.make_object()
+            asset.close()
+            self.assertEqual([part.id for part in prepared.parts()], [1])
+
+    def test_what_is_refused(self):
+        with dragmesh.Context() as context:
+            for wrong, error in (({"parent": 1}, dragmesh.Error), ({"colour": 1}, TypeError), ({"parent": -1}, ValueError),
+                                 ({"clips": [{"times": [0], "poses": []}]}, ValueError)):
+                with self.assertRaises(error):
+                    dragmesh.rig(context, [self.NODES[0], {**self.NODES[1], **wrong}])
+
+    def test_a_file(self):
+        with dragmesh.Context() as context, dragmesh.Gltf(DRAWER) as gltf:
+            asset = dragmesh.rig_gltf(context, gltf, min_moves=0.01)
+            self.assertEqual(len(asset.node_parts()), len(gltf.asset_nodes()))
+            self.assertGreater(asset.info().part_count, 0)
+
+
 if __name__ == "__main__":
     unittest.main()

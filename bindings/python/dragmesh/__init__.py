@@ -5,15 +5,16 @@ from .context import Context
 from .gltf import Gltf, write_glb
 from .native import Camera, Hit, Hypothesis, Joint, JointFrame, PartInfo, PartState, Pose, Ray, Vec3
 from .objects import Drag, Model, Motion, Object, Scene
+from .rigs import Asset, rig, rig_gltf
 from .values import (Axes, Error, Event, Go, InputFlag, Intent, JointBasis, JointSource, JointType, LinkKind, Phase, Picking, Rule, Status,
                      StepFlag, joint_frame, joint_pose, joint_scaled, joint_value, joint_value_at, load, pose_apply, pose_from_rotation,
                      pose_inverse, pose_matrix, pose_multiply, version)
 from .whole_file import whole_file, write_together, write_whole
 
 __version__ = "0.3.0.dev0"
-__all__ = ["Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf", "Go", "Hit", "Hypothesis", "InputFlag", "Intent", "Joint",
+__all__ = ["Asset", "Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf", "Go", "Hit", "Hypothesis", "InputFlag", "Intent", "Joint",
            "JointBasis", "JointFrame", "JointSource", "JointType", "LinkKind", "Model", "Motion", "Object", "PartInfo", "PartState",
            "Phase", "Picking", "Pose", "Ray", "Rule", "Scene", "Status", "StepFlag", "Vec3", "joint_frame", "joint_pose",
            "joint_scaled", "joint_value", "joint_value_at", "load", "pose_apply",
            "pose_from_rotation", "pose_inverse", "pose_matrix", "pose_multiply",
-           "prepare_gltf", "version", "whole_file", "write_glb", "write_together", "write_whole"]
+           "prepare_gltf", "rig", "rig_gltf", "version", "whole_file", "write_glb", "write_together", "write_whole"]

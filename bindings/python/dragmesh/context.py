@@ -28,7 +28,7 @@ def hint_of(drag: Hint) -> n.DragHint:
     return n.DragHint(vec3(point), vec3(vector))
 
 
-def _pivot_of(pivot: Tuple[Vector, Any]) -> n.Pivot:
+def pivot_of(pivot: Tuple[Vector, Any]) -> n.Pivot:
     """(origin, axes) as the struct; axes: three rows, or None: unknown."""
     origin, axes = pivot
     numbers = np.zeros(9) if axes is None else np.asarray(axes, float).reshape(9)
@@ -71,7 +71,7 @@ class Context(Unique):
         function = getattr(self.library, "dm_" + name)
         self._check(self._turns.run(lambda: function(self.pointer, *arguments)))
 
-    def _make(self, name: str, used: Any, *arguments: Any) -> None:
+    def make(self, name: str, used: Any, *arguments: Any) -> None:
         """The same for calls that take long; used: a Model or None."""
         function = getattr(self.library, "dm_" + name)
         self._check(self._turns.run(lambda: function(self.pointer, *arguments), used, beside=True))
@@ -117,7 +117,7 @@ class Context(Unique):
                 setattr(desc, name, c.cast(kept[-1], c.c_void_p))
                 setattr(desc, name + "_size", len(data))
         handle = c.c_uint64()
-        self._make("model_load", None, c.byref(desc), c.byref(handle))
+        self.make("model_load", None, c.byref(desc), c.byref(handle))
         return Model(self, handle.value)
 
     def load_shipped_model(self) -> "Model":
@@ -155,7 +155,7 @@ class Context(Unique):
                 setattr(desc, name, _FIELDS[name](_guarded(*callback, failures)))
         handle = c.c_uint64()
         try:
-            self._make("object_prepare", model, c.byref(desc), c.byref(handle))
+            self.make("object_prepare", model, c.byref(desc), c.byref(handle))
         finally:
             del arrays, kept
             if failures:
@@ -167,7 +167,7 @@ class Context(Unique):
     def load_object(self, data: bytes, model: Optional["Model"] = None) -> "Object":
         """An object from the bytes that Object.save gave."""
         handle, data = c.c_uint64(), bytes_of(data, "data")
-        self._make("object_load", model, data, len(data), model.handle if model else 0, c.byref(handle))
+        self.make("object_load", model, data, len(data), model.handle if model else 0, c.byref(handle))
         return Object(self, handle.value, model)
 
     def find_part(self, positions: Any, indices: Any, drag: Hint, pieces: Any = None) -> np.ndarray:
@@ -175,7 +175,7 @@ class Context(Unique):
         and how it was pulled (zeros: no direction). pieces: ids of what is known to be rigid, a vertex or a triangle."""
         mesh, arrays = describe_mesh(positions, indices, pieces)
         faces = np.zeros(len(arrays[1]) // 3, np.uint8)
-        self._make("mesh_find_part", None, c.byref(mesh), c.byref(hint_of(drag)), faces.ctypes.data_as(c.POINTER(c.c_uint8)),
+        self.make("mesh_find_part", None, c.byref(mesh), c.byref(hint_of(drag)), faces.ctypes.data_as(c.POINTER(c.c_uint8)),
                   len(faces))
         return faces
 
@@ -268,7 +268,7 @@ def _part_rows(parts: Sequence[Dict[str, Any]]) -> Tuple[Any, List[Any]]:
         if part.get("label") is not None:
             row.label = text_of(part["label"], "label")
         if part.get("pivot") is not None:
-            kept.append(_pivot_of(part["pivot"]))
+            kept.append(pivot_of(part["pivot"]))
             row.pivot = c.pointer(kept[-1])
     return rows, kept
 

@@ -145,6 +145,28 @@ class Gltf(Unique):
         self._do("get_hints", text_of(name, "name"), label, len(label), c.byref(pivot))
         return label.value.decode(), (np.array(tuple(pivot.origin)), np.array(pivot.axes).reshape(3, 3))
 
+    def asset(self) -> Tuple[Any, int]:
+        """The nodes as dm_asset_desc takes them, and their count. They end with the file."""
+        nodes, count = c.POINTER(n.AssetNode)(), c.c_uint32()
+        self._do("get_asset", 0, c.byref(nodes), c.byref(count))
+        return nodes, count.value
+
+    def asset_nodes(self) -> List[Tuple[str, int]]:
+        """Name, and index in the file's nodes array, of each node of an asset."""
+        with self._turn:
+            nodes, count = self.asset()
+            found = []
+            for index in range(count):
+                number = c.c_uint32()
+                self._do("get_asset_node", index, c.byref(number))
+                found.append(((nodes[index].name or b"").decode(), number.value))
+            return found
+
+    @property
+    def left_out(self) -> bool:
+        """Whether triangles of the file are not in the mesh: they could not be read."""
+        return bool(self._call("left_out"))
+
     @property
     def pivots_are_lost(self) -> bool:
         """Whether pivots tell nothing: the origins of all nodes, of which there are several, are one point."""

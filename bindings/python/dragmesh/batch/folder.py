@@ -27,8 +27,9 @@ def _write(path: str, data: bytes) -> None:
 class Results:
     """What has been done, on disk: a run that was ended goes on from there."""
 
-    def __init__(self, source: str, out: str) -> None:
-        self.source, self.out = source, out
+    def __init__(self, source: str, out: str, ending: str = ".dmo", question: str = "") -> None:
+        """ending: of what each file becomes. question: other answers stand for another one."""
+        self.source, self.out, self.ending, self.question = source, out, ending, question
         self._version = ".".join(map(str, version()))
 
     def _path(self, name: str, ending: str) -> str:
@@ -37,7 +38,8 @@ class Results:
     def _stamp(self, name: str) -> Dict[str, Any]:
         """What an entry must agree with to stand for the file as it is now."""
         stat = os.stat(os.path.join(self.source, name))
-        return {"file": name, "bytes": stat.st_size, "changed": stat.st_mtime_ns, "dragmesh": self._version}
+        stamp = {"file": name, "bytes": stat.st_size, "changed": stat.st_mtime_ns, "dragmesh": self._version}
+        return {**stamp, "question": self.question} if self.question else stamp
 
     def entry(self, name: str) -> Optional[Dict[str, Any]]:
         """The entry of a file that is done and has not changed since, else None. What the library has refused is done;
@@ -49,16 +51,16 @@ class Results:
             return None
         stamp = self._stamp(name)
         current = isinstance(entry, dict) and all(entry.get(key) == value for key, value in stamp.items())
-        whole = current and (entry.get("error", "").startswith("DM_ERROR_") or os.path.exists(self._path(name, ".dmo")))
+        whole = current and (entry.get("error", "").startswith("DM_ERROR_") or os.path.exists(self._path(name, self.ending)))
         return entry if whole else None
 
     def keep(self, name: str, result: Result) -> Dict[str, Any]:
         """Writes what became of a file: the entry last, because it stands for both."""
         entry = {**self._stamp(name), **result.entry}
         if result.dmo is not None:
-            _write(self._path(name, ".dmo"), result.dmo)
-        elif os.path.exists(self._path(name, ".dmo")):
-            os.remove(self._path(name, ".dmo"))
+            _write(self._path(name, self.ending), result.dmo)
+        elif os.path.exists(self._path(name, self.ending)):
+            os.remove(self._path(name, self.ending))
         _write(self._path(name, ".json"), json.dumps(entry, indent=1).encode())
         return entry
 

@@ -2,11 +2,12 @@
 import concurrent.futures as futures
 import multiprocessing
 from concurrent.futures.process import BrokenProcessPool
-from typing import Any, Iterator, List, Tuple
+from typing import Any, Callable, Iterator, List, Tuple
 
 from .task import Result, prepare_file
 
 Done = Iterator[Tuple[str, Result]]
+Work = Callable[[str], Result]
 _IN_FLIGHT = 2  # files a process has waiting, so that none runs dry
 
 
@@ -18,7 +19,7 @@ def _pool(jobs: int) -> futures.ProcessPoolExecutor:
     return futures.ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn"))
 
 
-def run_here(paths: List[str], jobs: int) -> Done:
+def run_here(paths: List[str], jobs: int, work: Work = prepare_file) -> Done:
     """In processes of this machine. A file that ends its process is named, and the others go on."""
     waiting, suspects = list(reversed(paths)), []
     while waiting:
@@ -28,7 +29,7 @@ def run_here(paths: List[str], jobs: int) -> Done:
                 while waiting or running:
                     while waiting and len(running) < jobs * _IN_FLIGHT:
                         path = waiting.pop()
-                        running[path] = pool.submit(prepare_file, path)
+                        running[path] = pool.submit(work, path)
                     futures.wait(running.values(), return_when=futures.FIRST_COMPLETED)
                     for path in [path for path, future in running.items() if future.done()]:
                         yield path, running[path].result()
@@ -38,18 +39,18 @@ def run_here(paths: List[str], jobs: int) -> Done:
     for path in suspects:  # one at a time, so that the guilty one is known
         with _pool(1) as pool:
             try:
-                yield path, pool.submit(prepare_file, path).result()
+                yield path, pool.submit(work, path).result()
             except BrokenProcessPool:
                 yield path, _lost("its process has died")
 
 
-def run_on_cluster(paths: List[str], address: str) -> Done:
+def run_on_cluster(paths: List[str], address: str, work: Work = prepare_file) -> Done:
     """On the workers of a Dask scheduler, which read the files under the same paths. Tasks of a worker that dies are
     run by another."""
     import dask.distributed as dask  # pylint: disable=import-outside-toplevel
 
     with dask.Client(address) as client:
-        tasks: Any = {client.submit(prepare_file, path, pure=False): path for path in paths}
+        tasks: Any = {client.submit(work, path, pure=False): path for path in paths}
         for task in dask.as_completed(tasks):
             if task.status == "error":
                 yield tasks[task], _lost(f"{type(task.exception()).__name__}: {task.exception()}")

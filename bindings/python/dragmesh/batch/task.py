@@ -1,22 +1,31 @@
 """The work on one file, the same in a process of this machine and on a worker of a cluster."""
+import json
 import os
 import time
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 
 from .. import native as n
 from ..assets import prepare_gltf
 from ..context import Context
 from ..gltf import Gltf, Node
 from ..objects import Model, Object
+from ..rigs import Asset, rig_gltf
 from ..values import Error, JointType
 
 _contexts: Dict[int, Tuple[Context, Model]] = {}
 
 
 class Result(NamedTuple):
-    """What became of a file: an entry of the report, and the bytes of its .dmo; None: there is none."""
+    """What became of a file: an entry of the report, and the bytes of its .dmo or its rig; None: there are none."""
     entry: Dict[str, Any]
     dmo: Optional[bytes]
+
+
+class RigOptions(NamedTuple):
+    """How whole assets are rigged."""
+    names: bool = True
+    clips: bool = True
+    min_moves: float = 0.5
 
 
 def _context() -> Tuple[Context, Model]:
@@ -45,13 +54,51 @@ def _prepare(path: str) -> Tuple[List[Dict[str, Any]], bytes]:
         return _describe(prepared, gltf.nodes()), prepared.save()
 
 
+def _rigged(asset: Asset, gltf: Gltf) -> List[Dict[str, Any]]:
+    """The parts as rig.json of `dragmesh rig` has them."""
+    nodes, origin, found = gltf.asset_nodes(), gltf.origin(), []
+    for index, part in enumerate(asset.parts()):
+        joint, own = asset.joint(index), asset.part_nodes(index)
+        limited = joint.type != JointType.CONTINUOUS
+        entry = {"nodes": [nodes[node][0] for node in own], "node_indices": [nodes[node][1] for node in own],
+                 "parent": -1 if part.parent == n.DM_ASSET_NO_PART else part.parent,
+                 "state": ("stays", "moves", "free")[part.state], "moves": part.moves,
+                 "basis": ("inferred", "file", "clip")[part.basis], "type": JointType(joint.type).name.lower(),
+                 "type_confidence": joint.type_confidence, "confidence": joint.joint_confidence, "axis": list(joint.axis),
+                 "origin": [float(a + b) for a, b in zip(joint.origin, origin)],
+                 "lower": joint.lower if limited else None, "upper": joint.upper if limited else None}
+        if joint.type == JointType.SCREW:
+            entry["pitch"] = joint.pitch
+        if part.duration > 0:
+            entry["duration"] = part.duration
+        found.append({**entry, "triangles": part.triangle_count})
+    return found
+
+
+def _rig(path: str, options: RigOptions) -> Tuple[List[Dict[str, Any]], bytes]:
+    context, model = _context()
+    label = os.path.splitext(os.path.basename(path))[0]
+    with Gltf(path) as gltf, rig_gltf(context, gltf, model, label, *options) as asset:
+        parts = _rigged(asset, gltf)
+        return parts, json.dumps({"parts": parts}, indent=1).encode()
+
+
+def rig_file(path: str, options: RigOptions) -> Result:
+    """Rigs a file as a whole asset. Never raises, as prepare_file."""
+    return _answer(lambda: _rig(path, options))
+
+
 def prepare_file(path: str) -> Result:
     """Prepares a file. Never raises: what is wrong with it stands in the entry."""
+    return _answer(lambda: _prepare(path))
+
+
+def _answer(work: Callable[[], Tuple[List[Dict[str, Any]], bytes]]) -> Result:
     begun = time.monotonic()
     entry: Dict[str, Any] = {}
     dmo = None
     try:
-        entry["parts"], dmo = _prepare(path)
+        entry["parts"], dmo = work()
     except Error as error:
         entry["error"], entry["text"] = error.name, error.message
     except Exception as error:  # pylint: disable=broad-except
