@@ -236,8 +236,8 @@ static void attributes_of_every_type_keep_their_bytes(void** state) {
 
 static void a_placed_copy_has_its_bones_frame(void** state) {
     (void)state;
-    /* Stretched along y by 2: normals there shrink and are made unit again. */
-    static const float xyz[3][3] = {{2, 0, 1}, {3, 0, 1}, {2, 2, 1}},
+    /* Grown by half by the morph target, then stretched along y by 2: normals there shrink and are made unit again. */
+    static const float xyz[3][3] = {{3, 0, 1}, {4.5f, 0, 1}, {3, 3, 1}},
                        normals[3][3] = {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
     const uint8_t ids[2] = {0, 1};
     file f = skinned_file();
