@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "categories.h"
-#include "core/build.h"
+#include "core/make.h"
 
 typedef struct category {
     const char* name;
@@ -115,26 +115,34 @@ static int copy_mesh(const dmg_builder* b, dmg_object* object, bool soup) {
     return 0;
 }
 
+void dmg_draw_category(dmg_builder* b, uint32_t category, uint64_t seed, uint32_t flags) {
+    dmg_builder_init(b, seed * 0x2545f4914f6cdd1dull + categories[category].id * 0x9e3779b9ull + flags,
+                     (flags & DMG_MESSY) != 0);
+    categories[category].build(b);
+}
+
+int dmg_take_object(dmg_builder* b, uint32_t category, bool soup, dmg_object* out_object) {
+    dmg_object object = {.category = categories[category].name};
+    if (b->failed || copy_mesh(b, &object, soup)) {
+        dmg_object_release(&object);
+        return 1;
+    }
+    centre_slides(b, &object);
+    *out_object = object;
+    return 0;
+}
+
 int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_object) {
     if (category >= CATEGORY_COUNT) return 1;
     dmg_builder* b = malloc(sizeof *b);
     if (!b) return 1;
-    bool messy = (flags & DMG_MESSY) != 0;
-    dmg_builder_init(b, seed * 0x2545f4914f6cdd1dull + categories[category].id * 0x9e3779b9ull + flags, messy);
-    categories[category].build(b);
+    dmg_draw_category(b, category, seed, flags);
     dmg_finish(b);
-    dmg_object object = {.category = categories[category].name};
-    bool soup = messy && dmg_chance(b, 0.15f);
-    int failed = b->failed || copy_mesh(b, &object, soup);
-    if (!failed) centre_slides(b, &object);
+    const bool soup = b->messy && dmg_chance(b, 0.15f);
+    const int failed = dmg_take_object(b, category, soup, out_object);
     dmg_builder_free(b);
     free(b);
-    if (failed) {
-        dmg_object_release(&object);
-        return 1;
-    }
-    *out_object = object;
-    return 0;
+    return failed;
 }
 
 void dmg_object_release(dmg_object* object) {

@@ -25,6 +25,7 @@ typedef struct dmg_joint {
     float pitch; /* screws: metres a radian */
     float lower, upper;
     int32_t opens; /* +1 or -1: the direction in which it opens from rest (a drag's direction) */
+    float closed;  /* the value at which the object is closed: 0 where it rests closed */
 } dmg_joint;
 
 typedef struct dmg_object {

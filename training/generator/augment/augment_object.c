@@ -9,22 +9,18 @@ enum { MESSY_FACE_LIMIT = 20000 };
 
 /* ---- boxes ---- */
 
-static bool boxes_meet(const dmg_bounds* a, const dmg_bounds* b) {
+bool dmg_boxes_meet(const dmg_bounds* a, const dmg_bounds* b) {
     return a->low.x < b->high.x && b->low.x < a->high.x && a->low.y < b->high.y && b->low.y < a->high.y &&
            a->low.z < b->high.z && b->low.z < a->high.z;
 }
 
-static uint32_t piece_face_end(const dmg_builder* b, uint32_t piece) {
-    return piece + 1 < b->piece_count ? b->pieces[piece + 1].first_face : b->face_count;
-}
-
-static dmg_bounds whole_box(const dmg_builder* b) {
+dmg_bounds dmg_whole_bounds(const dmg_builder* b) {
     dmg_bounds around = dmg_bounds_none();
     for (uint32_t i = 0; i < b->vertex_count; ++i) dmg_bounds_grow(&around, b->vertices[i]);
     return around;
 }
 
-static float largest_side(const dmg_bounds* around) {
+float dmg_largest_side(const dmg_bounds* around) {
     dmg_vec size = v3_sub(around->high, around->low);
     return fmaxf(size.x, fmaxf(size.y, size.z));
 }
@@ -67,6 +63,7 @@ static void settle_limits(dmg_builder* b) {
         dmg_part* part = &b->parts[i];
         part->joint.lower -= part->rest;
         part->joint.upper -= part->rest;
+        part->joint.closed = -part->rest;
         part->joint.opens = opening_direction(b, &part->joint);
     }
 }
@@ -87,12 +84,18 @@ static void scatter_rest(dmg_builder* b) {
 
 /* ---- augmentation of single pieces ---- */
 
+/* Begins a piece that holds faces of `piece`. */
+static void begin_copy(dmg_builder* b, uint32_t piece) {
+    dmg_piece_begin(b);
+    if (!b->failed) b->pieces[b->piece_count - 1].drawn_as = b->pieces[piece].drawn_as;
+}
+
 /* Splits every face of the piece into four at the midpoints of its edges. */
 static void subdivide(dmg_builder* b, uint32_t piece) {
-    uint32_t first = b->pieces[piece].first_face, end = piece_face_end(b, piece), part = b->pieces[piece].part;
+    uint32_t first = b->pieces[piece].first_face, end = dmg_piece_face_end(b, piece), part = b->pieces[piece].part;
     uint32_t in_use = b->part;
     b->part = part;
-    dmg_piece_begin(b);
+    begin_copy(b, piece);
     for (uint32_t f = first; f < end && !b->failed; ++f) {
         uint32_t c[3], v[6];
         memcpy(c, b->indices + (size_t)f * 3, sizeof c);
@@ -133,7 +136,7 @@ static void flip_some(dmg_builder* b) {
     float share = shares[dmg_weighted(b, weights, 3)];
     for (uint32_t p = 0; p < b->piece_count; ++p) {
         if (!dmg_chance(b, share)) continue;
-        for (uint32_t f = b->pieces[p].first_face; f < piece_face_end(b, p); ++f) flip_face(b, f);
+        for (uint32_t f = b->pieces[p].first_face; f < dmg_piece_face_end(b, p); ++f) flip_face(b, f);
     }
 }
 
@@ -145,9 +148,9 @@ static void double_faces(dmg_builder* b) {
     for (uint32_t p = 0; p < pieces; ++p) {
         if (!dmg_chance(b, share)) continue;
         b->part = b->pieces[p].part;
-        uint32_t end = piece_face_end(b, p), vertex_end = dmg_piece_end(b, p);
+        uint32_t end = dmg_piece_face_end(b, p), vertex_end = dmg_piece_end(b, p);
         uint32_t from = b->pieces[p].first_vertex, to = b->vertex_count;
-        dmg_piece_begin(b);
+        begin_copy(b, p);
         for (uint32_t v = from; v < vertex_end; ++v) dmg_vertex(b, b->vertices[v]);
         for (uint32_t f = b->pieces[p].first_face; f < end && !b->failed; ++f) {
             uint32_t c[3];
@@ -178,7 +181,7 @@ static void drop_some(dmg_builder* b) {
     bool seen[DMG_PART_LIMIT + 1] = {false};
     uint32_t faces = 0, end = 0;
     for (uint32_t p = 0, first = 0; p < b->piece_count; ++p, first = end) {
-        end = piece_face_end(b, p);
+        end = dmg_piece_face_end(b, p);
         uint32_t part = b->pieces[p].part;
         bool keep = !seen[part] || !dmg_chance(b, share);
         seen[part] = seen[part] || end > first;
@@ -194,9 +197,8 @@ static void drop_some(dmg_builder* b) {
 
 /* ---- surroundings ---- */
 
-/* Computes the boxes of every part at STOPS values of its range. Surroundings are kept out of them. */
-static uint32_t swept_boxes(const dmg_builder* b, dmg_bounds out[DMG_PART_LIMIT * 4]) {
-    enum { STOPS = 4 };
+uint32_t dmg_swept_boxes(const dmg_builder* b, dmg_bounds out[DMG_SWEPT_LIMIT]) {
+    enum { STOPS = DMG_SWEPT_STOPS };
     for (uint32_t i = 0; i < b->part_count * STOPS; ++i) out[i] = dmg_bounds_none();
     dmg_frame pose[DMG_PART_LIMIT][STOPS];
     for (uint32_t i = 0; i < b->part_count; ++i) {
@@ -247,7 +249,7 @@ static void draw_thing(dmg_builder* b, const dmg_bounds* room) {
 /* Adds one random solid round the object that no swept box meets. */
 static void add_thing(dmg_builder* b, const dmg_bounds* object, const dmg_bounds* swept, uint32_t swept_count) {
     dmg_vec size = v3_sub(object->high, object->low);
-    float scale = largest_side(object);
+    float scale = dmg_largest_side(object);
     for (int attempt = 0; attempt < 4; ++attempt) {
         float sx = scale * dmg_scale_range(b, 0.02f, 0.5f), sy = scale * dmg_scale_range(b, 0.02f, 0.5f);
         float sz = scale * dmg_scale_range(b, 0.02f, 0.5f), x = dmg_range(b, -0.3f, 1.3f),
@@ -256,7 +258,7 @@ static void add_thing(dmg_builder* b, const dmg_bounds* object, const dmg_bounds
         dmg_bounds room = {v3_sub(centre, v3(0.5f * sx, 0.5f * sy, 0.5f * sz)),
                            v3_add(centre, v3(0.5f * sx, 0.5f * sy, 0.5f * sz))};
         bool free = true;
-        for (uint32_t i = 0; i < swept_count && free; ++i) free = !boxes_meet(&room, &swept[i]);
+        for (uint32_t i = 0; i < swept_count && free; ++i) free = !dmg_boxes_meet(&room, &swept[i]);
         if (!free) continue;
         draw_thing(b, &room);
         return;
@@ -266,7 +268,7 @@ static void add_thing(dmg_builder* b, const dmg_bounds* object, const dmg_bounds
 /* Adds a floor, a wall, two walls or a large block beside the object. */
 static void add_setting(dmg_builder* b, const dmg_bounds* object) {
     dmg_vec size = v3_sub(object->high, object->low), centre = v3_lerp(object->low, object->high, 0.5f);
-    float scale = largest_side(object), wide = scale * dmg_scale_range(b, 1.2f, 5.0f),
+    float scale = dmg_largest_side(object), wide = scale * dmg_scale_range(b, 1.2f, 5.0f),
           thick = scale * dmg_scale_range(b, 0.01f, 0.1f);
     int kind = dmg_int(b, 0, 4);
     if (kind <= 2) dmg_box(b, v3(centre.x, object->low.y - 0.5f * thick, centre.z), v3(wide, thick, wide)); /* floor */
@@ -318,12 +320,12 @@ static void add_decoration(dmg_builder* b, float size) {
 }
 
 static void add_surroundings(dmg_builder* b) {
-    dmg_bounds object = whole_box(b), swept[DMG_PART_LIMIT * 4];
+    dmg_bounds object = dmg_whole_bounds(b), swept[DMG_SWEPT_LIMIT];
     dmg_use(b, 0);
-    if (dmg_chance(b, 0.25f)) add_decoration(b, largest_side(&object));
-    if (dmg_chance(b, 0.08f)) add_twin(b, &object);
+    if (dmg_chance(b, 0.25f)) add_decoration(b, dmg_largest_side(&object));
+    if (dmg_chance(b, 0.08f) && !b->lone) add_twin(b, &object);
     if (dmg_chance(b, 0.35f)) {
-        uint32_t swept_count = swept_boxes(b, swept);
+        uint32_t swept_count = dmg_swept_boxes(b, swept);
         for (int left = dmg_int(b, 1, 6); left > 0; --left) add_thing(b, &object, swept, swept_count);
     }
     if (dmg_chance(b, 0.2f)) add_setting(b, &object);
@@ -366,6 +368,7 @@ static void move_joint(dmg_joint* joint, const dmg_frame* frame, float scale, bo
     if (joint->type != DM_JOINT_PRISMATIC) return;
     joint->lower *= scale;
     joint->upper *= scale;
+    joint->closed *= scale;
 }
 
 static void move_everything(dmg_builder* b, const dmg_frame* frame) {
@@ -386,6 +389,7 @@ static void turn_signs(dmg_builder* b) {
         v3_to(v3_scale(v3_from(joint->axis), -1.0f), joint->axis);
         joint->lower = -joint->upper;
         joint->upper = -lower;
+        joint->closed = -joint->closed;
         joint->opens = -joint->opens;
     }
 }
@@ -406,8 +410,8 @@ void dmg_finish(dmg_builder* b) {
     pose_parts(b);
     settle_limits(b);
     if (!b->messy) return;
-    dmg_bounds object = whole_box(b);
-    float size = largest_side(&object);
+    dmg_bounds object = dmg_whole_bounds(b);
+    float size = dmg_largest_side(&object);
     drop_some(b);
     shift_some(b, size);
     dmg_augment_buttons(b, size);

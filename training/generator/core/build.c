@@ -254,6 +254,10 @@ uint32_t dmg_piece_end(const dmg_builder* b, uint32_t piece) {
     return piece + 1 < b->piece_count ? b->pieces[piece + 1].first_vertex : b->vertex_count;
 }
 
+uint32_t dmg_piece_face_end(const dmg_builder* b, uint32_t piece) {
+    return piece + 1 < b->piece_count ? b->pieces[piece + 1].first_face : b->face_count;
+}
+
 dmg_bounds dmg_part_bounds(const dmg_builder* b, uint32_t part) {
     dmg_bounds out = dmg_bounds_none();
     for (uint32_t p = 0; p < b->piece_count; ++p) {
@@ -267,7 +271,8 @@ dmg_bounds dmg_part_bounds(const dmg_builder* b, uint32_t part) {
 
 void dmg_piece_begin(dmg_builder* b) {
     if (!reserve(b, (void**)&b->pieces, b->piece_count, &b->piece_capacity, sizeof *b->pieces)) return;
-    b->pieces[b->piece_count++] = (dmg_piece){b->vertex_count, b->face_count, b->part};
+    b->pieces[b->piece_count] = (dmg_piece){b->vertex_count, b->face_count, b->part, b->piece_count};
+    ++b->piece_count;
 }
 
 uint32_t dmg_vertex(dmg_builder* b, dmg_vec position) {

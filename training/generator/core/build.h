@@ -20,6 +20,7 @@ enum { DMG_FRAME_DEPTH = 24, DMG_PART_LIMIT = 96, DMG_FACE_LIMIT = 200000 };
  * begins. */
 typedef struct dmg_piece {
     uint32_t first_vertex, first_face, part;
+    uint32_t drawn_as; /* the piece that augmentation took its faces from; its own index where a category drew it */
 } dmg_piece;
 
 typedef struct dmg_part {
@@ -31,6 +32,7 @@ typedef struct dmg_part {
 typedef struct dmg_builder {
     uint64_t random_state;
     bool messy;
+    bool lone;   /* augmentation adds no copy of the whole object */
     bool failed; /* out of memory, or more than the limits above */
     int sides;   /* corners of a full circle, an object's own level of detail */
     dmg_vec* vertices;
@@ -105,8 +107,9 @@ typedef struct dmg_bounds {
 
 dmg_bounds dmg_bounds_none(void);
 void dmg_bounds_grow(dmg_bounds* bounds, dmg_vec p);
-/* Returns the end of the piece's vertices. */
+/* Return the end of the piece's vertices and of its faces. */
 uint32_t dmg_piece_end(const dmg_builder* b, uint32_t piece);
+uint32_t dmg_piece_face_end(const dmg_builder* b, uint32_t piece);
 /* Returns the box of a part's own pieces, without what it carries. */
 dmg_bounds dmg_part_bounds(const dmg_builder* b, uint32_t part);
 
@@ -174,6 +177,15 @@ void dmg_augment_fit(dmg_builder* b);
 void dmg_augment_joints(dmg_builder* b, float size);
 /* Gives some push buttons deep stems and another travel (augment_buttons.c). */
 void dmg_augment_buttons(dmg_builder* b, float size);
+
+enum { DMG_SWEPT_STOPS = 4, DMG_SWEPT_LIMIT = DMG_PART_LIMIT * DMG_SWEPT_STOPS };
+/* Computes the boxes of every part, without what it carries, at DMG_SWEPT_STOPS values of its range, its carriers moving
+ * likewise. Returns their number: those of part i begin at (i - 1) * DMG_SWEPT_STOPS. */
+uint32_t dmg_swept_boxes(const dmg_builder* b, dmg_bounds out[DMG_SWEPT_LIMIT]);
+bool dmg_boxes_meet(const dmg_bounds* a, const dmg_bounds* b);
+/* Returns the box of all vertices. */
+dmg_bounds dmg_whole_bounds(const dmg_builder* b);
+float dmg_largest_side(const dmg_bounds* around);
 
 /* Poses the parts at rest, augments a messy object, and makes limits and labels relative to rest (augment_object.c). */
 void dmg_finish(dmg_builder* b);
