@@ -1,4 +1,5 @@
-/* dragmesh_generate: writes one generated object as object.glb and joints.json, draws contact sheets of many, checks
+/* dragmesh_generate: writes one generated object as object.glb and joints.json, or as an asset of many nodes with
+ * asset.json, draws contact sheets of many, checks
  * them, and measures how fast they are made.
  * joints.json: the object's fields, then for every joint its line, limits, moving nodes and three exact drags. */
 #include <cjson/cJSON.h>
@@ -10,6 +11,7 @@
 #include <sys/stat.h>
 
 #include "../../samples/common/output_file.h"
+#include "asset_file.h"
 #include "bench.h"
 #include "check_all.h"
 #include "dragmesh/ext/gltf.h"
@@ -23,14 +25,15 @@ typedef struct options {
     uint64_t seed;
     uint32_t flags, columns;
     enum { MAKE, LIST, SHEET, BENCH, CHECK } mode;
-    int seeded, verbose;
+    int seeded, verbose, asset;
     uint32_t categories[CATEGORY_LIMIT], count;
 } options;
 
 static int usage(FILE* to) {
     fputs("usage: dragmesh_generate --list\n"
-          "       dragmesh_generate --category NAME --seed N [--messy] -o DIR\n"
-          "       dragmesh_generate --sheet -o PICTURE.png [--category NAME]... [--columns N] [--seed N] [--messy]\n"
+          "       dragmesh_generate --category NAME --seed N [--messy] [--asset] -o DIR\n"
+          "       dragmesh_generate --sheet -o PICTURE.png [--category NAME]... [--columns N] [--seed N] [--messy] "
+          "[--asset]\n"
           "       dragmesh_generate --bench [--category NAME]... [--messy]\n"
           "       dragmesh_generate --check [--category NAME]... [--columns OBJECTS] [--seed N] [--verbose]\n",
           to);
@@ -85,6 +88,8 @@ static int parse(int count, char** arguments, options* out) {
             out->mode = LIST;
         else if (strcmp(a, "--sheet") == 0)
             out->mode = SHEET;
+        else if (strcmp(a, "--asset") == 0)
+            out->asset = 1;
         else if (strcmp(a, "--bench") == 0)
             out->mode = BENCH;
         else if (strcmp(a, "--check") == 0)
@@ -306,9 +311,9 @@ static int join(const char* folder, const char* name, char path[PATH_ROOM]) {
 }
 
 /* Writes the object and what is known of it, both or none. */
-static int write_files(const char* folder, const void* glb, size_t size, const char* json) {
+static int write_files(const char* folder, const void* glb, size_t size, const char* json_name, const char* json) {
     char glb_path[PATH_ROOM], json_path[PATH_ROOM];
-    if (!join(folder, "object.glb", glb_path) || !join(folder, "joints.json", json_path)) return 0;
+    if (!join(folder, "object.glb", glb_path) || !join(folder, json_name, json_path)) return 0;
     const output_bytes files[2] = {{glb_path, glb, size}, {json_path, json, strlen(json)}};
     int failed;
     if (output_write_all(files, 2, &failed) == 0) return 1;
@@ -347,10 +352,28 @@ static int generate(const options* options) {
     if (!ok)
         fprintf(stderr, "dragmesh_generate: %s seed %llu could not be encoded\n", object.category,
                 (unsigned long long)options->seed);
-    ok = ok && make_folder(options->folder) && write_files(options->folder, glb, size, json);
+    ok = ok && make_folder(options->folder) && write_files(options->folder, glb, size, "joints.json", json);
     free(glb);
     free(json);
     dmg_object_release(&object);
+    return ok ? 0 : 1;
+}
+
+static int generate_asset(const options* options) {
+    dmg_asset asset;
+    if (dmg_make_asset(options->categories[0], options->seed, options->flags, &asset) != 0) {
+        fprintf(stderr, "dragmesh_generate: out of memory\n");
+        return 1;
+    }
+    size_t size = 0;
+    void* glb = asset_glb(&asset, &size);
+    char* json = asset_json(&asset, options->seed, options->flags);
+    int ok = glb && json;
+    if (!ok) fprintf(stderr, "dragmesh_generate: out of memory\n");
+    ok = ok && make_folder(options->folder) && write_files(options->folder, glb, size, "asset.json", json);
+    free(glb);
+    free(json);
+    dmg_asset_release(&asset);
     return ok ? 0 : 1;
 }
 
@@ -368,15 +391,15 @@ int main(int count, char** arguments) {
     }
     if (!parse(count, arguments, &options)) return usage(stderr);
     if (options.mode == LIST) return list();
-    if (options.mode == MAKE) return generate(&options);
+    if (options.mode == MAKE) return options.asset ? generate_asset(&options) : generate(&options);
     const int all = options.count == 0;
     for (uint32_t i = 0; all && i < dmg_category_count() && i < CATEGORY_LIMIT; ++i)
         options.categories[options.count++] = i;
     if (options.mode == BENCH) return bench(options.categories, options.count, options.flags);
     if (options.mode == CHECK)
         return check_all(options.categories, options.count, options.columns, options.seed, options.verbose);
-    return sheet_write(options.folder, options.categories, options.count, options.columns, options.seed,
-                       options.flags) == 0
+    return sheet_write(options.folder, options.categories, options.count, options.columns, options.seed, options.flags,
+                       options.asset) == 0
                ? 0
                : 1;
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "../../samples/common/output_file.h"
-#include "generator.h"
+#include "asset.h"
 
 enum { SIDE = 104, SAMPLES = 2, FINE = SIDE * SAMPLES };
 
@@ -134,7 +134,14 @@ static void fill(tile* t, const float a[3], const float b[3], const float c[3], 
     }
 }
 
-static void draw_object(tile* t, const dmg_object* object, const float* points, const view* v) {
+/* Returns the share of light in which a node is drawn, so that neighbours differ. */
+static float node_light(const dmg_asset* asset, uint32_t face) {
+    if (asset->face_node == NULL) return 1.0f;
+    return 1.0f - 0.07f * (float)(asset->face_node[face] * 5 % 8);
+}
+
+static void draw_object(tile* t, const dmg_asset* asset, const float* points, const view* v) {
+    const dmg_object* object = &asset->object;
     for (int i = 0; i < FINE * FINE; ++i) t->depth[i] = -HUGE_VALF;
     memset(t->rgb, 255, sizeof t->rgb);
     for (uint32_t f = 0; f < object->face_count; ++f) {
@@ -145,7 +152,7 @@ static void draw_object(tile* t, const dmg_object* object, const float* points, 
             project(v, corner[k], at[k]);
         }
         unsigned char rgb[3];
-        part_colour(object->face_part[f], shade(corner[0], corner[1], corner[2]), rgb);
+        part_colour(object->face_part[f], node_light(asset, f) * shade(corner[0], corner[1], corner[2]), rgb);
         fill(t, at[0], at[1], at[2], rgb);
     }
 }
@@ -166,21 +173,25 @@ static void paste(const tile* t, unsigned char* sheet, uint32_t width, uint32_t 
     }
 }
 
+/* Makes an object, or an asset with its nodes. */
+static int make(uint32_t category, uint64_t seed, uint32_t flags, int assets, dmg_asset* out) {
+    memset(out, 0, sizeof *out);
+    return assets ? dmg_make_asset(category, seed, flags, out) : dmg_make(category, seed, flags, &out->object);
+}
+
 /* Draws the object at rest and open, side by side, in one scale. */
-static int draw_pair(tile* t, uint32_t category, uint64_t seed, uint32_t flags, unsigned char* sheet, uint32_t width,
-                     uint32_t left, uint32_t top) {
-    dmg_object object;
-    if (dmg_make(category, seed, flags, &object) != 0) return -1;
-    float *rest = posed(&object, 0), *open = posed(&object, 1);
+static int draw_pair(tile* t, const dmg_asset* asset, unsigned char* sheet, uint32_t width, uint32_t left,
+                     uint32_t top) {
+    const dmg_object* object = &asset->object;
+    float *rest = posed(object, 0), *open = posed(object, 1);
     for (int i = 0; rest && open && i < 2; ++i) {
-        const view v = look_at(i ? open : rest, object.vertex_count);
-        draw_object(t, &object, i ? open : rest, &v);
+        const view v = look_at(i ? open : rest, object->vertex_count);
+        draw_object(t, asset, i ? open : rest, &v);
         paste(t, sheet, width, left + (uint32_t)i * SIDE, top);
     }
     const int result = rest && open ? 0 : -1;
     free(rest);
     free(open);
-    dmg_object_release(&object);
     return result;
 }
 
@@ -199,14 +210,17 @@ static int write_png(const char* path, const unsigned char* rgb, uint32_t width,
 }
 
 int sheet_write(const char* path, const uint32_t* categories, uint32_t count, uint32_t columns, uint64_t first_seed,
-                uint32_t flags) {
+                uint32_t flags, int assets) {
     const uint32_t width = columns * 2 * SIDE, height = count * SIDE;
     unsigned char* sheet = malloc((size_t)width * height * 3);
     tile* t = malloc(sizeof *t);
     int result = sheet && t ? 0 : -1;
-    for (uint32_t i = 0; result == 0 && i < count * columns; ++i)
-        result = draw_pair(t, categories[i / columns], first_seed + i % columns, flags, sheet, width,
-                           i % columns * 2 * SIDE, i / columns * SIDE);
+    for (uint32_t i = 0; result == 0 && i < count * columns; ++i) {
+        dmg_asset asset;
+        result = make(categories[i / columns], first_seed + i % columns, flags, assets, &asset);
+        if (result == 0) result = draw_pair(t, &asset, sheet, width, i % columns * 2 * SIDE, i / columns * SIDE);
+        dmg_asset_release(&asset);
+    }
     if (result != 0) fprintf(stderr, "dragmesh_generate: out of memory\n");
     if (result == 0) result = write_png(path, sheet, width, height);
     free(t);

@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 /* Writes a picture with a row per category and `columns` seeds each; every object is drawn at rest and with its parts
- * open. Returns 0 on success. */
+ * open. assets: not as dmg_make makes it but as an asset, its nodes in different shades. Returns 0 on success. */
 int sheet_write(const char* path, const uint32_t* categories, uint32_t count, uint32_t columns, uint64_t first_seed,
-                uint32_t flags);
+                uint32_t flags, int assets);
 
 #endif
