@@ -57,11 +57,13 @@ void dmg_add_carried(dmg_builder* b);
 
 /* ---- nodes ---- */
 
-/* Deals the faces to nodes, one or many a part (asset_split.c). Allocates face_node and nodes; sets part, face_count, loose
- * and mesh, no names and identity transforms. Pieces first_thing to thing_end lie loose. Returns 0 on success. */
+/* Deals the faces to nodes, one or many a part (asset_split.c). Allocates face_node and nodes; sets part, face_count,
+ * loose and mesh, no names and identity transforms. Pieces first_thing to thing_end lie loose. Returns 0 on success. */
 int dmg_split_nodes(dmg_builder* b, uint32_t first_thing, uint32_t thing_end, dmg_asset* asset);
 /* Gives nodes and meshes names (asset_names.c). */
 void dmg_name_nodes(dmg_builder* b, dmg_asset* asset);
+/* Gives instances of one mesh one number and pivots at one place of it (asset_instances.c). Returns 0 on success. */
+int dmg_share_meshes(dmg_asset* asset);
 /* Puts empty nodes over the nodes and gives all of them pivots (asset_tree.c). Returns 0 on success. */
 int dmg_plant_nodes(dmg_builder* b, dmg_asset* asset);
 
