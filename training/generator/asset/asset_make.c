@@ -46,8 +46,8 @@ int dmg_make_asset(uint32_t category, uint64_t seed, uint32_t flags, dmg_asset* 
     const bool soup = b->messy && dmg_chance(b, 0.15f);
     int failed = dmg_take_object(b, category, soup, &asset.object);
     failed = failed || dmg_split_nodes(b, first_thing, thing_end, &asset);
-    if (!failed) dmg_name_nodes(b, &asset);
     failed = failed || dmg_plant_nodes(b, &asset);
+    if (!failed) dmg_name_nodes(b, &asset);
     dmg_builder_free(b);
     free(b);
     if (failed) {
