@@ -27,6 +27,9 @@ bool dmg_make_still(dmg_builder* b);
  */
 void dmg_fix_parts(dmg_builder* b);
 
+/* Cuts some boxes into boards, or into a frame and its infill (asset_boards.c). */
+void dmg_cut_boards(dmg_builder* b);
+
 /* ---- places on surfaces (asset_places.c) ---- */
 
 typedef struct dmg_place {

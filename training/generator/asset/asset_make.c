@@ -26,6 +26,7 @@ static uint32_t draw_asset(dmg_builder* b, uint32_t category, uint64_t seed, uin
     b->lone = true;
     dmg_use(b, 0);
     if (!dmg_make_still(b)) dmg_fix_parts(b);
+    dmg_cut_boards(b);
     dmg_add_fixtures(b);
     dmg_add_carried(b);
     const uint32_t first = b->piece_count;
