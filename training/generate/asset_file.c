@@ -81,7 +81,7 @@ char* asset_json(const dmg_asset* asset, uint64_t seed, uint32_t flags) {
     cJSON_AddStringToObject(root, "source", "dragmesh_generate");
     cJSON_AddStringToObject(root, "path", "training/generator");
     cJSON_AddStringToObject(root, "license", "MIT");
-    cJSON_AddStringToObject(root, "category", asset->object.category);
+    cJSON_AddStringToObject(root, "category", asset->object.joint_count > 0 ? asset->object.category : "static");
     cJSON_AddStringToObject(root, "family", asset->object.category);
     cJSON_AddStringToObject(root, "up", flags & DMG_MESSY ? "unknown" : "y");
     cJSON_AddStringToObject(root, "units", "m");

@@ -130,21 +130,22 @@ static void add_hinge_plates(dmg_builder* b, uint32_t part) {
 
 /* ---- round the body ---- */
 
-/* Whether the body reaches down to its box's floor near all four corners, where feet go. */
-static bool has_corners(const dmg_builder* b, const dmg_bounds* body) {
+/* Whether the body reaches its box's floor, or its top, near all four corners and, if asked for, in the middle. */
+static bool has_corners(const dmg_builder* b, const dmg_bounds* body, bool at_top, bool and_middle) {
     const dmg_vec size = v3_sub(body->high, body->low), middle = v3_lerp(body->low, body->high, 0.5f);
-    const float below = 0.02f * dmg_largest_side(body);
+    const float off = 0.02f * dmg_largest_side(body), y = at_top ? body->high.y + off : body->low.y - off;
+    const dmg_vec inwards = v3(0, at_top ? -1.0f : 1.0f, 0);
     uint32_t face = 0;
-    for (int i = 0; i < 4; ++i) {
-        const float x = i & 1 ? 0.43f : -0.43f, z = i & 2 ? 0.43f : -0.43f;
-        const dmg_vec from = v3(middle.x + x * size.x, body->low.y - below, middle.z + z * size.z);
-        if (dmg_cast(b, from, v3(0, 1, 0), &face) > 1.5f * below || b->face_part[face] != 0) return false;
+    for (int i = 0; i < (and_middle ? 5 : 4); ++i) {
+        const float x = i == 4 ? 0.0f : i & 1 ? 0.43f : -0.43f, z = i == 4 ? 0.0f : i & 2 ? 0.43f : -0.43f;
+        const dmg_vec from = v3(middle.x + x * size.x, y, middle.z + z * size.z);
+        if (dmg_cast(b, from, inwards, &face) > 1.5f * off || b->face_part[face] != 0) return false;
     }
     return true;
 }
 
 static void add_feet(dmg_builder* b, const dmg_bounds* body, const dmg_bounds* whole) {
-    if (body->low.y > whole->low.y + 0.01f * dmg_largest_side(whole) || !has_corners(b, body)) return;
+    if (body->low.y > whole->low.y + 0.01f * dmg_largest_side(whole) || !has_corners(b, body, false, false)) return;
     const dmg_vec size = v3_sub(body->high, body->low), middle = v3_lerp(body->low, body->high, 0.5f);
     const float height = dmg_largest_side(body) * dmg_range(b, 0.02f, 0.12f);
     dmg_save(b);
@@ -165,11 +166,12 @@ static void add_if_unswept(dmg_builder* b, dmg_vec low, dmg_vec high) {
 static void add_trims(dmg_builder* b, const dmg_bounds* body) {
     const dmg_vec size = v3_sub(body->high, body->low);
     const float thick = dmg_largest_side(body) * dmg_range(b, 0.01f, 0.04f), out = thick * dmg_range(b, 0, 1.0f);
-    if (dmg_chance(b, 0.5f)) {
+    const bool cornice = dmg_chance(b, 0.5f), posts = dmg_chance(b, 0.5f);
+    if (cornice && has_corners(b, body, true, true)) { /* over an opening it would be a lid */
         const dmg_vec low = v3(body->low.x - out, body->high.y, body->low.z - out);
         add_if_unswept(b, low, v3_add(low, v3(size.x + 2.0f * out, thick, size.z + 2.0f * out)));
     }
-    if (!dmg_chance(b, 0.5f)) return;
+    if (!posts || !has_corners(b, body, true, false)) return;
     for (int i = 0; i < 4; ++i) {
         const dmg_vec low =
             v3(i & 1 ? body->high.x : body->low.x - thick, body->low.y, i & 2 ? body->high.z - thick : body->low.z);

@@ -23,6 +23,8 @@ void dmg_drop_pieces(dmg_builder* b, const bool* drop);
 
 /* Removes all parts from some objects, so that nothing moves. Returns whether it did. */
 bool dmg_make_still(dmg_builder* b);
+/* Draws something without moving parts instead of the object: stairs, a fence, a monument (asset_scenes.c). */
+void dmg_draw_scene(dmg_builder* b);
 /* Turns some drawers into blind fronts and some leaves into fixed panels, welds some small parts to what carries them.
  */
 void dmg_fix_parts(dmg_builder* b);

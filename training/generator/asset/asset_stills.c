@@ -91,7 +91,7 @@ static bool make_blind(dmg_builder* b, uint32_t part, changes* out) {
     }
     if (dropped == 0) return false;
     out->fates[part - 1] = DMG_WELDED;
-    if (!dmg_chance(b, 0.5f)) return true;
+    if (!dmg_chance(b, 0.75f)) return true;
     const float thick = fmaxf(side(&panel, axis), 1e-3f) * dmg_range(b, 0.5f, 1.5f);
     *coordinate(&panel.low, axis) = sign > 0.0f ? back - thick : back;
     *coordinate(&panel.high, axis) = sign > 0.0f ? back : back + thick;
@@ -144,7 +144,11 @@ static void apply(dmg_builder* b, changes* how) {
 bool dmg_make_still(dmg_builder* b) {
     dmg_bounds body = dmg_part_bounds(b, 0), whole = dmg_whole_bounds(b);
     changes how;
-    const bool wanted = dmg_chance(b, 0.13f), fronts = dmg_chance(b, 0.4f);
+    const bool wanted = dmg_chance(b, 0.15f), fronts = dmg_chance(b, 0.4f), scene = dmg_chance(b, 0.3f);
+    if (wanted && scene) {
+        dmg_draw_scene(b);
+        return true;
+    }
     if (!wanted || body.low.x > body.high.x || dmg_largest_side(&body) < 0.3f * dmg_largest_side(&whole)) return false;
     if (!changes_init(b, &how)) {
         b->failed = true;
