@@ -1,9 +1,9 @@
 /* Prints what a compiler's generator makes of every kind, clean and messy: how many vertices, and a sum over where they
- * are. */
+ * are; of assets also how many nodes. */
 #include <math.h>
 #include <stdio.h>
 
-#include "generator.h"
+#include "asset.h"
 
 enum { SEEDS = 12 };
 
@@ -28,7 +28,11 @@ int main(void) {
             sum += place(&object);
             dmg_object_release(&object);
         }
-        printf("%s %lu %.2f\n", dmg_category_name(kind), vertices, sum);
+        dmg_asset asset;
+        if (dmg_make_asset(kind, 1 + kind, kind % 2 ? DMG_MESSY : 0, &asset) != 0) return 1;
+        printf("%s %lu %.2f, asset of %u nodes %.2f\n", dmg_category_name(kind), vertices, sum, asset.node_count,
+               place(&asset.object));
+        dmg_asset_release(&asset);
     }
     return 0;
 }
