@@ -146,7 +146,7 @@ export const JointSource: {
     readonly FROM_GEOMETRY: 1;
     /** certain, limits too: no pull changes it */
     readonly FROM_HOST: 2;
-    /** a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another joint in its place, but its limits are estimates and give */
+    /** a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another joint in its place, or its range on the other side of rest, but its limits are estimates and give */
     readonly CHOSEN: 3;
 };
 

@@ -326,25 +326,27 @@ static bool is_chosen(const start* s) {
     return s->joint.source == DM_JOINT_CHOSEN;
 }
 
-/* Collects the hypotheses: the instance's own joint or the host's choice first, where there is one. */
+/* Collects the hypotheses: the instance's own joint or the host's choice first, where there is one. A choice has no
+ * room on the other side of rest, so that no pull puts its range there. */
 static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESES],
                                    dmi_free_range out_ranges[DM_MAX_HYPOTHESES]) {
     const dmi_hypotheses* all = &s->object->parts[s->part].hypotheses;
     const bool has_own = s->desc->state != NULL || is_chosen(s);
     uint32_t count = 0;
     if (has_own) {
-        out_ranges[count] = dmi_unbounded_range();
+        out_ranges[count] = is_chosen(s) ? (dmi_free_range){0, 0} : dmi_unbounded_range();
         out[count++] = s->joint;
     }
+    if (is_chosen(s)) return count;
     for (uint32_t i = 0; i < all->count && count < DM_MAX_HYPOTHESES; i++) {
         dm_joint joint;
         if (!joint_out(s, &all->joints[i], &joint)) continue;
         const bool again = has_own && dmi_joints_alike(&s->joint, &joint, s->part_size);
         const dmi_free_range range = free_range_out(s, joint.type, all->free_range[i]);
-        if (!again && !is_chosen(s)) {
+        if (!again) {
             out_ranges[count] = range;
             out[count++] = joint;
-        } else if (again) {
+        } else {
             out_ranges[0] = same_direction(&s->joint, &joint) ? range : dmi_reversed_range(range);
         }
     }

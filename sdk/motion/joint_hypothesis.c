@@ -17,14 +17,17 @@
 #define JOSTLE_SHARE 0.15f          /* most travel of the grabbed point in a jostle, share of the part; fitted */
 #define LEAVE_RATIO 3.5f            /* times what exceeds a jostle that a pull goes to leave the stated side; fitted */
 #define RETURN_RATIO 0.5f           /* times as far as it left, to come back to the stated side; fitted */
-#define BLOCKED_SHARE 0.25f         /* of the range: a side with less room is blocked; by hand */
-#define CONFIDENCE_EXPONENT 0.85f   /* of the odds: confidences of one part's joints err together */
-#define MIN_CONFIDENCE 1e-3f        /* confidences are clamped to [this, 1 - this]; by hand */
-#define GOOD_ARM 0.15f              /* distance of axis and grabbed point at full prior, share of the part; fitted */
-#define MIN_ARM 0.05f               /* least share of GOOD_ARM that lowers the prior further; fitted */
-#define REST_SHARE 0.05f            /* of the range: a limit this near to rest is a stop at rest; by hand */
-#define SAME_COSINE 0.9998f         /* of two axes, 20 mrad: alike; by hand */
-#define SAME_DISTANCE 0.02f         /* of two axis lines, share of the part's size: alike; by hand */
+/* A side with less room than this share of the range is blocked, of a turn and of a slide. The range of a turn that
+ * rests at its end does not fit on such a side; the ranges of slides are estimated less well. By hand. */
+#define BLOCKED_TURN_SHARE 1.0f
+#define BLOCKED_SLIDE_SHARE 0.25f
+#define CONFIDENCE_EXPONENT 0.85f /* of the odds: confidences of one part's joints err together */
+#define MIN_CONFIDENCE 1e-3f      /* confidences are clamped to [this, 1 - this]; by hand */
+#define GOOD_ARM 0.15f            /* distance of axis and grabbed point at full prior, share of the part; fitted */
+#define MIN_ARM 0.05f             /* least share of GOOD_ARM that lowers the prior further; fitted */
+#define REST_SHARE 0.05f          /* of the range: a limit this near to rest is a stop at rest; by hand */
+#define SAME_COSINE 0.9998f       /* of two axes, 20 mrad: alike; by hand */
+#define SAME_DISTANCE 0.02f       /* of two axis lines, share of the part's size: alike; by hand */
 
 /* ---- prior ---- */
 
@@ -62,7 +65,8 @@ float dmi_lever_arm_log_prior(const dmi_grasp* grasp, const dm_joint* joint) {
 /* Whether a joint that rests at an end of its range has too little room on the other side of rest. */
 static bool is_blocked(const dm_joint* joint, dmi_free_range free_range) {
     const float side = side_of(joint), room = side > 0 ? -free_range.lower : free_range.upper;
-    return side != 0 && room < BLOCKED_SHARE * (joint->upper - joint->lower);
+    const float share = dmi_joint_turns(joint->type) ? BLOCKED_TURN_SHARE : BLOCKED_SLIDE_SHARE;
+    return side != 0 && room < share * (joint->upper - joint->lower);
 }
 
 void dmi_joint_hypothesis_find_path(const dmi_grasp* grasp, dmi_joint_hypothesis* hypothesis) {

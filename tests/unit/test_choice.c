@@ -313,6 +313,27 @@ static void a_pull_does_not_leave_the_choice(void** state) {
     test_world_close(&w);
 }
 
+/* Nor does a pull to the other side of rest turn the range of the choice round; without a choice it does. */
+static void a_pull_does_not_turn_the_choice_round(void** state) {
+    (void)state;
+    test_world w;
+    open_world(&w);
+    chooser c = keeps;
+    dm_object object;
+    for (int chosen = 0; chosen < 2; chosen++) {
+        c.answers[TEST_DOOR] = 0;
+        assert_int_equal(prepare(&w, &c, NULL, 0, &object), DM_OK);
+        dm_part_state start = {.struct_size = sizeof start, .joint = joint_of(&w, object, TEST_DOOR)};
+        assert_true(turns(&start.joint) && start.joint.lower <= 0 && start.joint.upper > 0.5f);
+        start.joint.origin.z += 1; /* like none of the hypotheses, so that its free range is unknown */
+        if (!chosen) start.joint.source = DM_JOINT_FROM_NETWORK;
+        const dm_part_state end = pull(&w, object, &start, &start.joint, -0.8f);
+        assert_int_equal(end.joint.lower < -0.5f, !chosen);
+        assert_int_equal(end.value < -0.5f, !chosen);
+    }
+    test_world_close(&w);
+}
+
 /* Limits of a chosen joint are the library's estimates: a pull that goes on takes the part beyond them. */
 static void limits_of_the_choice_give(void** state) {
     (void)state;
@@ -342,6 +363,7 @@ int main(void) {
                                        cmocka_unit_test(what_is_no_index_is_refused_by_name),
                                        cmocka_unit_test(a_rule_of_the_host_picks_by_where_the_part_goes),
                                        cmocka_unit_test(a_pull_does_not_leave_the_choice),
+                                       cmocka_unit_test(a_pull_does_not_turn_the_choice_round),
                                        cmocka_unit_test(limits_of_the_choice_give)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* The pull identifies the joint early, without a jump, in any axes; tremor of the hand does not change it. */
 #include "test_math.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -191,6 +192,33 @@ static void the_pull_tells_the_side(void** state) {
         const dm_ray ray = ray_to(eye, point);
         dmi_drag_update(&drag, &ray, FRAME, &now);
         assert_near(now.value, 0, 1e-6);
+    }
+}
+
+/* A right-hand door pulled straight to the right and down, seen from its hinge's side: its handle goes that way where
+ * it opens wide, and at first where it swings inwards. The body leaves less room inwards than the range. */
+static void a_door_does_not_swing_into_its_body(void** state) {
+    (void)state;
+    const dm_joint door = {
+        .type = DM_JOINT_REVOLUTE, .joint_confidence = 0.7f, .axis = {0, 1, 0}, .origin = {0.5f, 0, 0}, .upper = 1.8f};
+    const float knob[3] = {-0.4f, 0, 0.02f}, from[3] = {3, 1.2f, 3}, way[3] = {0.4f, -0.56f, -0.4f};
+    for (int blocked = 0; blocked < 2; blocked++) {
+        const dmi_free_range room = {blocked ? -1.2f : -FLT_MAX, FLT_MAX};
+        const dm_drag_feel feel = {0};
+        dmi_drag drag;
+        dm_drag_state now = {0};
+        dmi_drag_begin(&drag, &door, knob, 0, &feel);
+        dmi_drag_track_hypotheses(&drag, &door, &room, 1, 1, (dmi_limit_give){.length = 4});
+        add_slides(&drag.tracker);
+        for (int k = 0; k <= 120; k++) {
+            float point[3];
+            for (int i = 0; i < 3; i++) point[i] = knob[i] + 0.8f * fminf((float)k / 60, 1) * way[i];
+            const dm_ray ray = ray_to(from, point);
+            dmi_drag_update(&drag, &ray, FRAME, &now);
+        }
+        assert_int_equal(drag.joint.type, DM_JOINT_REVOLUTE);
+        assert_int_equal(drag.joint.lower < 0, !blocked);
+        assert_int_equal(now.value < -0.1f, !blocked);
     }
 }
 
@@ -436,7 +464,7 @@ static void joints_alike_are_within_their_tolerances(void** state) {
 }
 
 /* A range that begins within 1/20 of itself from rest lies on one side; where too little of the other side is free, it
- * is blocked: less than a quarter. */
+ * is blocked: less than a quarter of a slide's range, or less than all of a turn's. */
 static void a_range_has_a_side_and_maybe_a_blocked_one(void** state) {
     (void)state;
     const dmi_grasp grasp = grasp_of(1, (dmi_limit_give){0});
@@ -452,18 +480,20 @@ static void a_range_has_a_side_and_maybe_a_blocked_one(void** state) {
                  {-0.951f, 0.049f, -1},
                  {-0.949f, 0.051f, 0},
                  {1, 1, 0}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const dm_joint slide = {
-            .type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = cases[i].lower, .upper = cases[i].upper};
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; i++) {
+        const bool turns = i % 2;
+        const float lower = cases[i / 2].lower, upper = cases[i / 2].upper, side = cases[i / 2].side;
+        const dm_joint joint = {
+            .type = turns ? DM_JOINT_REVOLUTE : DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = lower, .upper = upper};
         for (int blocked = 0; blocked < 2; blocked++) {
-            const float room = blocked ? 0.249f : 0.251f;
-            const dmi_free_range range = cases[i].side > 0 ? (dmi_free_range){-room, 9} : (dmi_free_range){-9, room};
-            const dmi_joint_hypothesis hypothesis = made(&grasp, &slide, range);
-            assert_near(hypothesis.side, cases[i].side, 0);
-            assert_int_equal(hypothesis.other_side_blocked, blocked && cases[i].side != 0);
+            const float room = (turns ? 1 : 0.25f) + (blocked ? -0.001f : 0.001f);
+            const dmi_free_range range = side > 0 ? (dmi_free_range){-room, 9} : (dmi_free_range){-9, room};
+            const dmi_joint_hypothesis hypothesis = made(&grasp, &joint, range);
+            assert_near(hypothesis.side, side, 0);
+            assert_int_equal(hypothesis.other_side_blocked, blocked && side != 0);
             for (int sign = -1; sign <= 1; sign++)
                 assert_int_equal(dmi_joint_hypothesis_is_pushed_shut(&hypothesis, 0.1f * (float)sign),
-                                 blocked && cases[i].side * (float)sign < 0);
+                                 blocked && side * (float)sign < 0);
         }
     }
 }
@@ -745,6 +775,7 @@ int main(void) {
         cmocka_unit_test(a_hand_may_cut_the_corner),
         cmocka_unit_test(a_hand_that_trembles_decides_the_same),
         cmocka_unit_test(the_pull_tells_the_side),
+        cmocka_unit_test(a_door_does_not_swing_into_its_body),
         cmocka_unit_test(what_was_opened_shuts_at_rest),
         cmocka_unit_test(a_jostle_is_undone_by_as_much),
         cmocka_unit_test(nothing_is_stuck),

@@ -127,7 +127,7 @@ namespace DragMesh
         public const int DM_JOINT_FROM_GEOMETRY = 1;
         /// <summary>certain, limits too: no pull changes it</summary>
         public const int DM_JOINT_FROM_HOST = 2;
-        /// <summary>a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another joint in its place, but its limits are estimates and give</summary>
+        /// <summary>a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another joint in its place, or its range on the other side of rest, but its limits are estimates and give</summary>
         public const int DM_JOINT_CHOSEN = 3;
         public const int DM_LIMIT_LOWER = 1;
         public const int DM_LIMIT_UPPER = 2;

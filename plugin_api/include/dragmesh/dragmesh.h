@@ -347,7 +347,8 @@ enum {
     DM_JOINT_FROM_GEOMETRY = 1,
     DM_JOINT_FROM_HOST = 2, /* certain, limits too: no pull changes it */
     DM_JOINT_CHOSEN = 3     /* a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another
-                               joint in its place, but its limits are estimates and give */
+                               joint in its place, or its range on the other side of rest, but its limits are estimates
+                               and give */
 };
 
 /* A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y

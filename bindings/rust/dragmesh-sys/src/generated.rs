@@ -121,7 +121,7 @@ pub const DM_JOINT_FROM_NETWORK: i32 = 0;
 pub const DM_JOINT_FROM_GEOMETRY: i32 = 1;
 /// certain, limits too: no pull changes it
 pub const DM_JOINT_FROM_HOST: i32 = 2;
-/// a hypothesis of the library that dm\_object\_desc.choose has chosen: no pull puts another joint in its place, but its limits are estimates and give
+/// a hypothesis of the library that dm\_object\_desc.choose has chosen: no pull puts another joint in its place, or its range on the other side of rest, but its limits are estimates and give
 pub const DM_JOINT_CHOSEN: i32 = 3;
 pub const DM_LIMIT_LOWER: i32 = 1;
 pub const DM_LIMIT_UPPER: i32 = 2;
