@@ -3,6 +3,7 @@ import { Degraded, JointBasis, JointType } from './dragmesh/dragmesh.js';
 
 const SHOWN = 4; // hypotheses that the card offers
 const ALIKE = 0.03; // rad, and share of the size, within which two hypotheses look the same
+const SHORTEST = 0.0005; // m: a length below it is shown as 0
 const UPRIGHT = 0.8; // how much less the height counts where an edge is named: a lid's is at the back, not at the bottom
 const nouns = { [JointType.REVOLUTE]: 'Hinge', [JointType.PRISMATIC]: 'Slide', [JointType.SCREW]: 'Screw', [JointType.CONTINUOUS]: 'Turns freely', [JointType.FIXED]: 'Fixed', [JointType.UNKNOWN]: 'Unknown' };
 const origins = { [JointBasis.PREPARED]: 'as prepared', [JointBasis.PULL]: 'by your pull', [JointBasis.HOST]: 'as you say', [JointBasis.CHOSEN]: 'your choice' };
@@ -36,9 +37,9 @@ const alike = (a, b, size) => a.type === b.type && a.axis.every((v, k) => Math.a
 
 function number(joint, value) {
     if (joint.type !== JointType.PRISMATIC) return `${Math.round(value * 180 / Math.PI)}°`.replace('-', '−');
-    const length = Math.abs(value);
-    if (length < 0.0005) return '0';
-    return length >= 1 ? `${length.toFixed(2)} m` : length >= 0.02 ? `${(length * 100).toFixed(1)} cm` : `${(length * 1000).toFixed(1)} mm`;
+    const length = Math.abs(value), sign = value < 0 && joint.upper > SHORTEST ? '−' : ''; // where a slide goes both ways
+    if (length < SHORTEST) return '0';
+    return sign + (length >= 1 ? `${length.toFixed(2)} m` : length >= 0.02 ? `${(length * 100).toFixed(1)} cm` : `${(length * 1000).toFixed(1)} mm`);
 }
 
 // How sure the joint in force is, and where it comes from. What the user says needs no number.
