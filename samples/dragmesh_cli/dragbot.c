@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../common/output_file.h"
+#include "dragbot_rig.h"
 #include "dragbot_score.h"
 #include "eval_hints.h"
 #include "session_open.h"
@@ -174,7 +175,8 @@ static int run_session(const char* folder, const char* models, const char* poses
     if (poses != NULL) options->poses = &file;
     int status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
-        status = play(&session, folder, options, all, as_json);
+        status = options->rig ? bot_rig_play(&session, folder, options, as_json)
+                              : play(&session, folder, options, all, as_json);
         session_close(&session);
     }
     if (poses != NULL && status == CLI_USAGE)
@@ -217,12 +219,16 @@ static int run(int argc, char** argv) {
                                  {.name = "--view", .kind = OPTION_TEXT, .value = &view},
                                  {.name = "--poses", .kind = OPTION_TEXT, .value = &poses},
                                  {.name = "--all", .kind = OPTION_FLAG, .value = &all},
+                                 {.name = "--rig", .kind = OPTION_FLAG, .value = &options.rig},
+                                 {.name = "--no-clips", .kind = OPTION_FLAG, .value = &options.no_clips},
                                  {.name = "--cameras", .kind = OPTION_INTEGER, .value = &options.cameras},
                                  {.name = "--given-joint", .kind = OPTION_FLAG, .value = &options.given_only}};
     int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
     if (status != CLI_OK) return status;
     if (folder == NULL) return options_refuse(&cli_dragbot, "which folder?");
     if (!read_sight(view, &options.sight)) return options_refuse(&cli_dragbot, "--view end-on, above or behind");
+    if (options.rig && (all || hand->regrab)) return options_refuse(&cli_dragbot, "--rig, without --all and --regrab");
+    if (options.rig) hand->naive = 1;
     if (check(&options) != CLI_OK) return CLI_USAGE;
     options.hints = eval_hints_of(hints);
     if (hand->naive && poses != NULL) return options_refuse(&cli_dragbot, "--naive writes no poses");
@@ -239,5 +245,10 @@ const cli_command cli_dragbot = {
     "DIR [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
     "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera | --moving-instance] [--point | --scalar] "
     "[--view end-on|above|behind] [--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json] "
-    "[--naive [DEGREES] [--snap | --up]] [--only WORD,WORD...] [--hints [names|pivots|both]]",
-    "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel."};
+    "[--naive [DEGREES] [--snap | --up]] [--only WORD,WORD...] [--hints [names|pivots|both]] "
+    "[--rig [--no-clips]]",
+    "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel.\n"
+    "    --rig: the first touch of the naive hand on folders of object.glb + asset.json, whole assets with known "
+    "parts,\n"
+    "    by what 'dragmesh rig' answers: whether the right faces follow, the joint is right, and what is static "
+    "stays."};

@@ -11,6 +11,7 @@ typedef struct bot_options {
     output_file* poses; /* NULL: none are written */
     name_list only;     /* words, one of which an object's name or category has; none: all objects */
     int hints;          /* HINTS_*: what the library is told of the datasets' names and pivots */
+    int rig, no_clips;  /* whole assets: dragbot_rig.h */
 } bot_options;
 
 typedef struct bot_row {

@@ -144,6 +144,32 @@ static void test_workers_change_nothing(void** state) {
     assert_same_bytes("serial/a/film.png", "parallel/a/film.png");
 }
 
+/* The naive hand on an asset whose left door and body are known. */
+static void test_first_touch(void** state) {
+    (void)state;
+    static const char known[] =
+        "{\"id\":\"cabinet\",\"up\":\"y\",\"nodes\":{\"body\":\"static\",\"door_left\":\"mover\"},\"parts\":[{"
+        "\"nodes\":"
+        "[\"door_left\"],\"parent\":null,\"type\":\"revolute\",\"axis\":[0,-1,0],\"origin\":[-0.407,0.384,0.281],"
+        "\"lower\":0,\"upper\":1.8}]}";
+    char path[PATH];
+    in_folder(path, "bot");
+    assert_int_equal(mkdir(path, 0777), 0);
+    in_folder(path, "bot/cabinet");
+    assert_int_equal(mkdir(path, 0777), 0);
+    copy_cabinet("bot/cabinet/object.glb");
+    in_folder(path, "bot/cabinet/asset.json");
+    tool_write(path, known, sizeof known - 1);
+    tool_run(&out, "dragmesh", NULL, "dragbot|%s/bot|--rig|--cameras|1|--models|sdk/models|--json", folder);
+    cJSON* score = tool_json(&out);
+    assert_int_equal(cJSON_GetObjectItem(score, "parts")->valueint, 1);
+    assert_int_equal(cJSON_GetObjectItem(score, "static_nodes")->valueint, 1);
+    assert_true(cJSON_GetObjectItem(score, "follow")->valuedouble == 1);
+    assert_true(cJSON_GetObjectItem(score, "right")->valuedouble > 0.5);
+    assert_true(cJSON_GetObjectItem(score, "stay")->valuedouble == 1);
+    cJSON_Delete(score);
+}
+
 static void test_bad_arguments(void** state) {
     (void)state;
     static const char* const lines[] = {"rig|samples/cabinet.glb",
@@ -175,9 +201,9 @@ static int remove_folder(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_file),      cmocka_unit_test(test_the_scene_states_its_joints),
-        cmocka_unit_test(test_a_folder),      cmocka_unit_test(test_workers_change_nothing),
-        cmocka_unit_test(test_bad_arguments),
+        cmocka_unit_test(test_one_file),    cmocka_unit_test(test_the_scene_states_its_joints),
+        cmocka_unit_test(test_a_folder),    cmocka_unit_test(test_workers_change_nothing),
+        cmocka_unit_test(test_first_touch), cmocka_unit_test(test_bad_arguments),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
