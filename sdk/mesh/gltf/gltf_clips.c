@@ -13,8 +13,8 @@
 #include "mesh/gltf/gltf_tree.h"
 
 enum { TRANSLATION, ROTATION, SCALE, PATHS };
-enum { COLUMN = 4, ORIGIN = 12 }; /* in a matrix: between columns; of the translation */
-enum { SPLINE_STEPS = 8 };        /* samples between two keys of a spline; by hand */
+enum { COLUMN = DMI_GLTF_COLUMN, ORIGIN = DMI_GLTF_ORIGIN };
+enum { SPLINE_STEPS = 8 }; /* samples between two keys of a spline; by hand */
 #define NO_CHANNEL UINT32_MAX
 
 /* How far the columns of a rigid motion may be off unit length and right angles: float keys are off by 1e-6. By hand.
@@ -47,85 +47,6 @@ typedef struct transform {
     double parts[PATHS][4];
 } transform;
 
-/* ---- matrices ---- */
-
-static double determinant(const double m[16]) {
-    return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) +
-           m[8] * (m[1] * m[6] - m[5] * m[2]);
-}
-
-/* Inverts an affine matrix. Returns false where it has no inverse. */
-static bool invert(const double m[16], double out[16]) {
-    const double d = determinant(m);
-    if (!(fabs(d) > DBL_MIN) || !isfinite(d)) return false;
-    for (int column = 0; column < 3; column++) {
-        for (int row = 0; row < 3; row++) {
-            const int a = (row + 1) % 3, b = (row + 2) % 3, c = (column + 1) % 3, e = (column + 2) % 3;
-            out[COLUMN * column + row] =
-                (m[COLUMN * a + c] * m[COLUMN * b + e] - m[COLUMN * a + e] * m[COLUMN * b + c]) / d;
-        }
-        out[COLUMN * column + 3] = 0;
-    }
-    for (int row = 0; row < 3; row++)
-        out[ORIGIN + row] =
-            -(out[row] * m[ORIGIN] + out[COLUMN + row] * m[ORIGIN + 1] + out[2 * COLUMN + row] * m[ORIGIN + 2]);
-    out[15] = 1;
-    return true;
-}
-
-static void compose(const transform* from, double out[16]) {
-    const double *t = from->parts[TRANSLATION], *q = from->parts[ROTATION], *s = from->parts[SCALE];
-    const double x = q[0], y = q[1], z = q[2], w = q[3];
-    const double r[9] = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z),     2 * (x * z - w * y),
-                         2 * (x * y - w * z),     1 - 2 * (x * x + z * z), 2 * (y * z + w * x),
-                         2 * (x * z + w * y),     2 * (y * z - w * x),     1 - 2 * (x * x + y * y)};
-    for (int column = 0; column < 3; column++) {
-        for (int row = 0; row < 3; row++) out[COLUMN * column + row] = r[3 * column + row] * s[column];
-        out[COLUMN * column + 3] = 0;
-        out[ORIGIN + column] = t[column];
-    }
-    out[15] = 1;
-}
-
-/* Writes the rotation of a matrix with columns at right angles, as a unit quaternion. */
-static void to_quaternion(const double m[16], double q[4]) {
-    const double trace[4] = {m[0] - m[5] - m[10], m[5] - m[0] - m[10], m[10] - m[0] - m[5], m[0] + m[5] + m[10]};
-    int best = 3;
-    for (int i = 0; i < 3; i++)
-        if (trace[i] > trace[best]) best = i;
-    const double four[4][4] = {{1 + trace[0], m[1] + m[4], m[8] + m[2], m[6] - m[9]},
-                               {m[1] + m[4], 1 + trace[1], m[6] + m[9], m[8] - m[2]},
-                               {m[8] + m[2], m[6] + m[9], 1 + trace[2], m[1] - m[4]},
-                               {m[6] - m[9], m[8] - m[2], m[1] - m[4], 1 + trace[3]}};
-    const double* row = four[best];
-    const double length = sqrt(row[0] * row[0] + row[1] * row[1] + row[2] * row[2] + row[3] * row[3]);
-    for (int k = 0; k < 4; k++) q[k] = length > 0 ? row[k] / length : k == 3;
-}
-
-static double length_of(const double v[3]) {
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-/* Makes the columns unit and right-angled, one after the other. Returns how far they were off; 1 where they span no
- * space. */
-static double straighten(double m[16]) {
-    double error = 0;
-    for (int column = 0; column < 3; column++) {
-        double* v = m + (size_t)COLUMN * (size_t)column;
-        error = fmax(error, fabs(length_of(v) - 1));
-        for (int other = 0; other < column; other++) {
-            const double* u = m + (size_t)COLUMN * (size_t)other;
-            const double dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-            error = fmax(error, fabs(dot));
-            for (int k = 0; k < 3; k++) v[k] -= dot * u[k];
-        }
-        const double length = length_of(v);
-        if (!(length > STILL)) return 1;
-        for (int k = 0; k < 3; k++) v[k] /= length;
-    }
-    return determinant(m) > 0 ? error : 1;
-}
-
 /* ---- the rest ---- */
 
 /* Takes a node's transform at rest apart, also one that the file gives as a matrix. */
@@ -136,18 +57,16 @@ static void read_rest(const cJSON* node, transform* out) {
         dmi_json_numbers(node, "translation", 3, out->parts[TRANSLATION]);
         dmi_json_numbers(node, "rotation", 4, out->parts[ROTATION]);
         dmi_json_numbers(node, "scale", 3, out->parts[SCALE]);
-        double* q = out->parts[ROTATION];
-        const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-        for (int k = 0; k < 4; k++) q[k] = length > 0 ? q[k] / length : k == 3;
+        dmi_gltf_normalize(out->parts[ROTATION]);
         return;
     }
-    const double sign = determinant(m) < 0 ? -1 : 1;
+    const double sign = dmi_gltf_determinant(m) < 0 ? -1 : 1;
     memcpy(out->parts[TRANSLATION], m + ORIGIN, 3 * sizeof *m);
-    for (int k = 0; k < 3; k++) out->parts[SCALE][k] = sign * length_of(m + (size_t)COLUMN * (size_t)k);
+    for (int k = 0; k < 3; k++) out->parts[SCALE][k] = sign * dmi_gltf_length(m + (size_t)COLUMN * (size_t)k);
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++)
             m[COLUMN * column + row] *= out->parts[SCALE][column] != 0 ? 1 / out->parts[SCALE][column] : 0;
-    to_quaternion(m, out->parts[ROTATION]);
+    dmi_gltf_to_quaternion(m, out->parts[ROTATION]);
 }
 
 /* ---- times ---- */
@@ -206,10 +125,10 @@ static bool open_mover(const dm_gltf* gltf, uint32_t node, mover* out) {
     double local[16], whole[16];
     read_rest(tree->json, &out->rest);
     memcpy(out->above, tree->parent >= 0 ? gltf->tree[tree->parent].world : identity, sizeof identity);
-    compose(&out->rest, local);
+    dmi_gltf_compose(out->rest.parts[TRANSLATION], out->rest.parts[ROTATION], out->rest.parts[SCALE], local);
     dmi_gltf_multiply(out->above, local, whole);
     for (int k = 0; k < 3; k++) out->at[k] = whole[ORIGIN + k] - gltf->origin[k];
-    return invert(whole, out->below);
+    return dmi_gltf_invert(whole, out->below);
 }
 
 /* Writes the pose to which the channels have moved the node at a time. Returns whether it is a rigid motion. */
@@ -218,18 +137,18 @@ static bool find_pose(const reader* r, uint32_t first, const mover* mover, doubl
     double local[16], half[16], m[16], q[4], t[3];
     for (uint32_t c = first; c != NO_CHANNEL; c = r->channels[c].next)
         dmi_gltf_sample(&r->channels[c].sampler, time, now.parts[r->channels[c].path]);
-    compose(&now, local);
+    dmi_gltf_compose(now.parts[TRANSLATION], now.parts[ROTATION], now.parts[SCALE], local);
     dmi_gltf_multiply(mover->above, local, half);
     dmi_gltf_multiply(half, mover->below, m);
     const double* origin = r->gltf->origin;
     for (int row = 0; row < 3; row++) /* where the node's own place has come */
         t[row] = half[ORIGIN + row] - origin[row];
-    const bool rigid = straighten(m) <= SHAPE_ERROR;
-    if (!rigid && !(fabs(determinant(m) - 1) < SHAPE_ERROR))
+    const bool rigid = dmi_gltf_straighten(m) <= SHAPE_ERROR;
+    if (!rigid && !(fabs(dmi_gltf_determinant(m) - 1) < SHAPE_ERROR))
         memcpy(m, (double[16]){1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, sizeof m);
     for (int row = 0; row < 3; row++)
         t[row] -= m[row] * mover->at[0] + m[COLUMN + row] * mover->at[1] + m[2 * COLUMN + row] * mover->at[2];
-    to_quaternion(m, q);
+    dmi_gltf_to_quaternion(m, q);
     for (int k = 0; k < 4; k++) out->real[k] = (float)q[k];
     out->dual[0] = (float)((t[0] * q[3] + t[1] * q[2] - t[2] * q[1]) / 2);
     out->dual[1] = (float)((t[1] * q[3] + t[2] * q[0] - t[0] * q[2]) / 2);

@@ -6,9 +6,10 @@
 #include <string.h>
 
 #include "base/fp_environment.h"
+#include "mesh/gltf/gltf_matrix.h"
 #include "mesh/gltf/gltf_names.h"
 
-enum { COLUMN = 4, ORIGIN = 12 }; /* in a transform of 16 numbers: between columns; of the translation */
+enum { COLUMN = DMI_GLTF_COLUMN, ORIGIN = DMI_GLTF_ORIGIN };
 
 /* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then: as before
  * where the name does not fit. */

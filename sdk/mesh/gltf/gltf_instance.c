@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "mesh/gltf/gltf_matrix.h"
 #include "mesh/gltf/gltf_skin.h"
 
 /* ---- lists ---- */
@@ -51,12 +52,6 @@ static dmi_gltf_piece* add_piece(dm_gltf* gltf, dmi_gltf_problem* problem) {
 
 /* ---- common ---- */
 
-static int turns_over(const double m[16]) {
-    return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) +
-               m[8] * (m[1] * m[6] - m[5] * m[2]) <
-           0;
-}
-
 static void transform(const double m[16], const float local[3], double out[3]) {
     for (int row = 0; row < 3; row++)
         out[row] =
@@ -79,7 +74,7 @@ static void keep_order(dm_gltf* gltf, const dmi_gltf_shape* shape) {
 
 dm_result dmi_gltf_add_rigid(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_t node, dmi_gltf_problem* problem) {
     const double* world = gltf->tree[node].world;
-    const uint32_t mirrored = (uint32_t)turns_over(world);
+    const uint32_t mirrored = dmi_gltf_determinant(world) < 0;
     dm_gltf_node* entry = add_node(gltf, node, problem);
     if (!entry) return problem->code;
     entry->vertex_count = shape->vertex_count;
@@ -259,7 +254,7 @@ static dm_result fill_faces(skinner* s, dmi_gltf_problem* problem) {
                                       .mesh_node = s->node,
                                       .primitive = s->shape->runs[run].primitive,
                                       .json = s->shape->runs[run].json,
-                                      .mirrored = (uint32_t)turns_over(s->skin.joints[joint].matrix),
+                                      .mirrored = dmi_gltf_determinant(s->skin.joints[joint].matrix) < 0,
                                       .joint = (int32_t)joint,
                                       .first_face = gltf->face_count + at};
         }

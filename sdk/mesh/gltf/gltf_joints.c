@@ -8,8 +8,9 @@
 #include <string.h>
 
 #include "math/elementary.h"
+#include "mesh/gltf/gltf_matrix.h"
 
-enum { COLUMN = 4, ORIGIN = 12 }; /* in a matrix: between columns; of the translation */
+enum { COLUMN = DMI_GLTF_COLUMN, ORIGIN = DMI_GLTF_ORIGIN };
 #define PHYSICS_NAME "KHR_physics_rigid_bodies"
 
 static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -21,19 +22,6 @@ typedef struct stated_joint {
     double axis[3], origin[3], lower, upper, pitch;
 } stated_joint;
 
-static void turn(const double m[16], const double v[3], double out[3]) {
-    for (int row = 0; row < 3; row++) out[row] = m[row] * v[0] + m[COLUMN + row] * v[1] + m[2 * COLUMN + row] * v[2];
-}
-
-static double length_of(const double v[3]) {
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-static double determinant(const double m[16]) {
-    return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) +
-           m[8] * (m[1] * m[6] - m[5] * m[2]);
-}
-
 static bool fits_float(double x) {
     return fabs(x) <= FLT_MAX;
 }
@@ -44,11 +32,11 @@ static bool fits_float(double x) {
 static bool write_joint(const dm_gltf* gltf, const stated_joint* from, const double frame[16], dm_joint* out) {
     double axis[3], origin[3];
     const bool slides = from->type == DM_JOINT_PRISMATIC;
-    turn(frame, from->axis, axis);
-    turn(frame, from->origin, origin);
-    const double length = length_of(axis), own = length_of(from->axis);
+    dmi_gltf_turn(frame, from->axis, axis);
+    dmi_gltf_turn(frame, from->origin, origin);
+    const double length = dmi_gltf_length(axis), own = dmi_gltf_length(from->axis);
     if (!(length > 0 && own > 0)) return false;
-    const double scale = length / own, sign = !slides && determinant(frame) < 0 ? -1 : 1;
+    const double scale = length / own, sign = !slides && dmi_gltf_determinant(frame) < 0 ? -1 : 1;
     const double unit = slides ? scale : 1;
     for (int k = 0; k < 3; k++) {
         axis[k] *= sign / length;
@@ -224,7 +212,7 @@ static bool is_below(const dm_gltf* gltf, int64_t node, int64_t above) {
 /* Writes the axes of a node's frame, each of unit length. Returns false where one has none. */
 static bool read_frame(const double world[16], double axes[3][3]) {
     for (int column = 0; column < 3; column++) {
-        const double length = length_of(world + (size_t)COLUMN * (size_t)column);
+        const double length = dmi_gltf_length(world + (size_t)COLUMN * (size_t)column);
         if (!(length > 0 && isfinite(length))) return false;
         for (int k = 0; k < 3; k++) axes[column][k] = world[COLUMN * column + k] / length;
     }

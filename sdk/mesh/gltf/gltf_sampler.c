@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "math/elementary.h"
+#include "mesh/gltf/gltf_matrix.h"
 
 /* A key of a spline has three values: the tangent into it, itself, the tangent out of it. */
 enum { INTO = 0, ITSELF = 1, OUT_OF = 2, OF_SPLINE = 3 };
@@ -61,11 +62,6 @@ static void read_value(const dmi_gltf_sampler* s, uint64_t key, int which, doubl
     for (int k = 0; k < s->components; k++) out[k] = dmi_gltf_value(&s->values, element, k);
 }
 
-static void normalize(double q[4]) {
-    const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    for (int k = 0; k < 4; k++) q[k] = length > 0 ? q[k] / length : k == 3;
-}
-
 /* Writes what is a share `t` of the way from a to b; of rotations, along the shorter arc. */
 static void mix(const double a[4], const double b[4], double t, int components, double out[4]) {
     double from = 1 - t, to = t, cosine = 0;
@@ -109,7 +105,7 @@ void dmi_gltf_sample(const dmi_gltf_sampler* sampler, double time, double out[4]
     const uint64_t key = find_key(sampler, time);
     const double start = dmi_gltf_sample_time(sampler, key);
     read_value(sampler, key, ITSELF, out);
-    if (sampler->components == 4) normalize(out);
+    if (sampler->components == 4) dmi_gltf_normalize(out);
     if (key + 1 == sampler->times.count || time <= start || sampler->interpolation == DMI_GLTF_STEP) return;
     const double span = dmi_gltf_sample_time(sampler, key + 1) - start, t = (time - start) / span;
     if (sampler->interpolation == DMI_GLTF_CUBIC) {
@@ -117,9 +113,9 @@ void dmi_gltf_sample(const dmi_gltf_sampler* sampler, double time, double out[4]
     } else {
         double next[4];
         read_value(sampler, key + 1, ITSELF, next);
-        if (sampler->components == 4) normalize(next);
+        if (sampler->components == 4) dmi_gltf_normalize(next);
         mix((double[4]){out[0], out[1], out[2], sampler->components == 4 ? out[3] : 0}, next, t, sampler->components,
             out);
     }
-    if (sampler->components == 4) normalize(out);
+    if (sampler->components == 4) dmi_gltf_normalize(out);
 }

@@ -4,34 +4,14 @@
 #include <math.h>
 #include <string.h>
 
-void dmi_gltf_multiply(const double a[16], const double b[16], double out[16]) {
-    for (int column = 0; column < 4; column++) {
-        for (int row = 0; row < 4; row++) {
-            double sum = 0;
-            for (int k = 0; k < 4; k++) sum += a[4 * k + row] * b[4 * column + k];
-            out[4 * column + row] = sum;
-        }
-    }
-}
-
 /* Of translation, rotation and scale (glTF 2.0 §5.25). */
 static void compose(const cJSON* node, double out[16]) {
     double q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1}, t[3] = {0, 0, 0};
     dmi_json_numbers(node, "rotation", 4, q);
     dmi_json_numbers(node, "scale", 3, s);
     dmi_json_numbers(node, "translation", 3, t);
-    const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    for (int i = 0; i < 4; i++) q[i] = length > 0 ? q[i] / length : (i == 3 ? 1.0 : 0.0);
-    const double x = q[0], y = q[1], z = q[2], w = q[3];
-    const double r[9] = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z),     2 * (x * z - w * y),
-                         2 * (x * y - w * z),     1 - 2 * (x * x + z * z), 2 * (y * z + w * x),
-                         2 * (x * z + w * y),     2 * (y * z - w * x),     1 - 2 * (x * x + y * y)};
-    for (int column = 0; column < 3; column++) {
-        for (int row = 0; row < 3; row++) out[4 * column + row] = r[3 * column + row] * s[column];
-        out[4 * column + 3] = 0;
-        out[12 + column] = t[column];
-    }
-    out[15] = 1;
+    dmi_gltf_normalize(q);
+    dmi_gltf_compose(t, q, s, out);
 }
 
 void dmi_gltf_local_matrix(const cJSON* node, double out[16]) {

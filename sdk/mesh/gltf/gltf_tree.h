@@ -3,6 +3,7 @@
 #define DMI_MESH_GLTF_TREE_H
 
 #include "mesh/gltf/gltf_file.h"
+#include "mesh/gltf/gltf_matrix.h"
 
 /* Fills tree and order, but for what gltf_roles.h finds. Refuses nodes with two parents; nodes of a cycle are not
  * placed. */
@@ -10,6 +11,5 @@ dm_result dmi_gltf_read_tree(dm_gltf* gltf, dmi_gltf_problem* problem);
 
 /* Column-major matrix of a node, relative to its parent. */
 void dmi_gltf_local_matrix(const cJSON* node, double out[16]);
-void dmi_gltf_multiply(const double a[16], const double b[16], double out[16]);
 
 #endif
